@@ -33,7 +33,7 @@ def time_jumps(model: CompiledModel, start: float, end: float, looks: int = LOOK
 
     A comparison that changes twice between two of the looks is not seen.
     """
-    if FUNCTION not in model.saved or start == end:
+    if not model._jumps or start == end:
         return []
 
     def signs(t: Array) -> NDArray[np.bool_]:

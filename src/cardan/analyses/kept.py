@@ -92,7 +92,7 @@ class Kept:
         if not len(table):
             table, spreads = self._first_row(over, begin), None
         happened = Happened(np.empty((0, 0)), self.runner.may.rows, log)
-        if spreads is not None:
+        if spreads is not None and len(log):
             table, spreads = self._quiet(table, spreads, happened.quiet)
         conduct = self._conduct(
             begin, table, told, happened.counts | {"milliseconds": milliseconds}

@@ -23,7 +23,7 @@ from ..schema.records import Run, Signal, Tick
 from . import record as abi
 from .bounded import bounded
 from .happenings import NOTHING, Happenings
-from .jumps import FEW, FUNCTION, stops_of
+from .jumps import FEW, stops_of
 from .record import INPUTS
 from .settings import Settings
 from .signals import Signals
@@ -32,6 +32,7 @@ Array = NDArray[np.float64]
 SOME_STEPS = 1 << 20
 SLICE = 0.01  # seconds between two looks at signals and progress
 ROWS = 2048
+SMALL = 1 << 20  # bytes that a runner may hold between two runs
 LOG, ROOM = 256, 32  # rows of the log of events, and more per event
 
 
@@ -98,6 +99,36 @@ class Runner:
         self._size()
         self._allocate()
         self._connect()
+        self._begun = bytes(self.record), self.closing
+
+    # between runs
+
+    @classmethod
+    def spare(
+        cls, model: CompiledModel, settings: Settings, given: Signals, may: Happenings
+    ) -> Runner | None:
+        """The one that the last run of a kind has left, as good as new; None if there is none."""
+        known: dict[str, Runner] = model._derived.setdefault(cls, {})
+        if given.pieces or given.functions or may.rows:
+            return None
+        # nobody else has it meanwhile
+        runner = known.pop(settings.method.name, None)
+        if runner is None or runner.settings.method is not settings.method:
+            return None
+        record, runner.closing = runner._begun
+        ctypes.memmove(ctypes.addressof(runner.record), record, len(record))
+        runner.memory.fill(0.0)
+        runner.settings, runner.signals, runner.may = settings, given, may
+        runner.error = None
+        runner._set()
+        return runner
+
+    def put_aside(self) -> None:
+        """Leave a run whose numbers are copied to the next one like it, if it is small."""
+        plain = not (self.signals.pieces or self.signals.functions or self.may.rows)
+        if plain and not self.interpreted and not self.record.mesh and self.memory.nbytes < SMALL:
+            self.rows, self.spreads = self.rows[:0].copy(), self.spreads[:0].copy()
+            self.model._derived[type(self)][self.settings.method.name] = self
 
     def _size(self) -> None:
         """Fill in how long everything is."""
@@ -109,7 +140,7 @@ class Runner:
         run.size = self.closing.size
         run.nlam = model.nlam if self.settings.method.multipliers else 0
         run.charted = self.settings.method.charted and len(model.manifest["quaternions"]) > 0
-        run.jumps = FUNCTION in model.saved
+        run.jumps = model._jumps
         run.on_grid = not self.settings.method.adaptive
         names = (*self.closing.functions, *self.settings.method.needs, *self.may.functions)
         for name, function in zip(names, [*self.closers, *self.needed], strict=True):
@@ -160,7 +191,7 @@ class Runner:
 
     def _connect(self) -> None:
         """Fill in functions and tolerances."""
-        model, settings, run = self.model, self.settings, self.record
+        model, run = self.model, self.record
         for name in ("init", "step", "dense", "length", "stages", "dense_rows"):
             setattr(run, name, getattr(self.method, name))
         run.rhs, run.rhs_w = self.functions[0].address, self._pointer(self.functions[0].w)
@@ -170,13 +201,18 @@ class Runner:
         run.quaternions, run.quaternion_count = self._pointer(quaternions), len(quaternions)
         limited = np.array(bounded(model.manifest), dtype=np.intp)
         run.bounded, run.bounded_count = self._pointer(limited), len(limited)
-        run.rtol, run.atol = settings.rtol, settings.atol
-        run.max_step, run.h = settings.max_step, settings.step
         run.culprit = -1
-        self.views["r"][:] = self.signals.constants
-        self.views["s"][:] = model._layout.start("s")
+        self._set()
         self._connect_signals()
         self._connect_events()
+
+    def _set(self) -> None:
+        """Fill in what may differ from run to run."""
+        run, settings = self.record, self.settings
+        run.rtol, run.atol = settings.rtol, settings.atol
+        run.max_step, run.h = settings.max_step, settings.step
+        self.views["r"][:] = self.signals.constants
+        self.views["s"][:] = self.model._layout.start("s")
 
     def _connect_signals(self) -> None:
         run, pieces = self.record, self.signals.pieces

@@ -82,6 +82,8 @@ class Signals:
 
     def first(self, t: float) -> Array:
         """r (nr,) at the start; functions, which prescribe no motion, are not asked."""
+        if not self.pieces:
+            return self.constants.copy()
         found: Array = self.recorded(np.array([t]), self.constants[None])(np.array([t]))[0]
         return found
 

@@ -115,8 +115,9 @@ def simulate(
     how = settings(method, rtol, atol, step, max_step, over.length)
     given = signals(model.manifest["inputs"], inputs, sample, (over.start, over.end))
     how = watched(how, given, over.length, max_step)
-    begin = closed_start(model, begin, *blocks(x0, q, u), over.start, given.first(over.start))
-    check_start(model, begin.x, over.start, given.first(over.start))
+    r = given.first(over.start)
+    begin = closed_start(model, begin, *blocks(x0, q, u), over.start, r)
+    check_start(model, begin.x, over.start, r)
     case = case_of(model, rtol, over, given, may) if method == "auto" else None
     with run_file(checkpoint, every, model, how, given, may, over, begin) as file:
         motion = _settled(model, how, given, may, over, begin, case, progress, file)
@@ -155,6 +156,7 @@ def _settled(
         runner = runner_of(model, first, given, may)
         motion = driven(runner, over, begin, progress, case, file)
         if case is None or not given_up(case, first.method.name, motion.status):
+            runner.put_aside()
             return motion
         raise Limited(case)
     except Limited as found:
@@ -199,6 +201,9 @@ def runner_of(
     method, words = suited(model, how.method)
     how = replace(how, method=method, words=f"{words}, {how.words}" if words else how.words)
     how = _without_costly(model, how)
+    spare = Runner.spare(model, how, given, may)
+    if spare is not None:
+        return spare
     available = model.manifest["available"]
     power = "power" in available
     needs = [(f"method '{how.method.name}'", name) for name in how.method.needs]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ctypes
 from collections.abc import Callable, Iterable, Mapping
+from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, final
 
@@ -91,8 +92,8 @@ class CompiledModel(Analyzed):
         self._doubted: set[str] = set()
         # of the mechanism with these parameters, once it is known
         self._size: float | None = None
-        # what analyses have found out about it, by what it is
-        self._derived: dict[type, object] = {}
+        # what has been found out about it, by what it is
+        self._derived: dict[object, Any] = {}
         self._calls = _Calls(self._function)
         self._source = self._source_of()
 
@@ -210,6 +211,11 @@ class CompiledModel(Analyzed):
                 f"{self._objects.directory}: what manifest.json and functions.json say differs: "
                 f"{error}. Compile the model again"
             ) from error
+
+    @cached_property
+    def _jumps(self) -> bool:
+        """Whether comparisons of the time make it jump."""
+        return "time_jumps" in self.saved
 
     def _kernels(self) -> ctypes.CDLL:
         """The library of integrators and loops."""

@@ -95,6 +95,8 @@ class Happened:
     @property
     def counts(self) -> dict[str, int]:
         """How many events there were, and how many samples."""
+        if not len(self.log):
+            return {"events": 0, "ticks": 0}
         return {"events": int(self._told.sum()), "ticks": int(self._samples.sum())}
 
     @property

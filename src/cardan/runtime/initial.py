@@ -27,6 +27,20 @@ def start_of(
     z: Mapping[str, ArrayLike] | None = None,
 ) -> tuple[Array, tuple[str, ...]]:
     """As :func:`initial_state`; nodes of absolute coordinates go where the joints carry them."""
+    if q or u or z:
+        return _placed(model, q, u, z)
+    if start_of not in model._derived:
+        model._derived[start_of] = _placed(model, q, u, z)
+    x, rest = model._derived[start_of]
+    return x.copy(), rest
+
+
+def _placed(
+    model: CompiledModel,
+    q: Mapping[str, ArrayLike],
+    u: Mapping[str, ArrayLike],
+    z: Mapping[str, ArrayLike] | None,
+) -> tuple[Array, tuple[str, ...]]:
     x, rest = initial_state(model.manifest, q, u, z)
     if "mesh" not in model.manifest:
         return x, rest
