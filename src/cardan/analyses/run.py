@@ -94,7 +94,7 @@ class Runner:
         self.interpreted = any(function.interpreted for function in called)
         self._keep: list[Any] = []
         self.method = abi.method(self.library, settings.method.kernel)
-        self.spreads = np.empty((0, self.method.dense_rows, self.n))
+        self.rows, self.spreads = np.empty((0, 0)), np.empty((0, self.method.dense_rows, self.n))
         self.record = Run()
         self._size()
         self._allocate()

@@ -212,3 +212,18 @@ int cardan_close(cardan_run *run, real t, real *y, int noted)
     run->correction = sqrt(sum / (real)run->nx);
     return status;
 }
+
+/* Project states x (count, nx), each at its time t, with its inputs r and discrete states s; where
+ * one does not close it stays what it was. */
+void cardan_close_states(cardan_run *run, ptrdiff_t count, const real *t, real *x, const real *r,
+                         const real *s)
+{
+    const real *given = run->closing + cardan_closing_length(run) - run->n - run->nx;
+
+    for (ptrdiff_t i = 0; i < count && run->stop == 0; i++, x += run->nx) {
+        copy(run->r, r + i * run->nr, run->nr);
+        copy(run->s, s + i * run->ns, run->ns);
+        if (cardan_close(run, t[i], x, 0) != 0)
+            copy(x, given, run->nx);
+    }
+}

@@ -270,6 +270,8 @@ void cardan_normalize(const cardan_run *run, real *y);
 ptrdiff_t cardan_not_finite(const real *y, ptrdiff_t n);
 ptrdiff_t cardan_closing_length(const cardan_run *run);
 int cardan_close(cardan_run *run, real t, real *y, int noted);
+void cardan_close_states(cardan_run *run, ptrdiff_t count, const real *t, real *x, const real *r,
+                         const real *s);
 int cardan_gaps_close(const cardan_run *run, const real *gaps, ptrdiff_t first, real h, real reach,
                       int adaptive);
 void cardan_note_gaps(cardan_run *run, const real *gaps, real t);

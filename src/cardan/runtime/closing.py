@@ -1,28 +1,27 @@
-"""Constraints of a model as the runs see them, and the projection onto them in NumPy.
-
-Source: as of ``kernels/close.c``, whose bounds these are.
-"""
+"""Constraints of a model as the runs see them, and the projection of states onto them."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import ctypes
+from contextlib import nullcontext
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ..errors import ArgumentError
 from ..ir.rows import column
+from ..schema.records import Run, check
 from .absolute.frames import standing
 from .calling import Array
+from .interpreted import called_back
 from .ledger import Ledger
-from .rotations import unit
 
 if TYPE_CHECKING:
     from .compiled import CompiledModel
 
-SOUGHT, CLOSED = 1e-15, 1e-11  # residuals relative to the size: what is sought, what is enough
-MOST_STEPS = 8
+CLOSED = 1e-11  # residuals relative to the size that are enough, as in kernels/close.c
 MOST_SIZES = 64  # that are remembered
 
 
@@ -123,49 +122,6 @@ def columns_of(model: CompiledModel, size: float) -> Array:
     return np.array([size if name == "m/s" else 1.0 for name in units])
 
 
-@dataclass(frozen=True)
-class Level:
-    """Coordinates or speeds with the function that closes them.
-
-    Attributes:
-        function: Block (..., size) -> (..., size + rows): the closed block, then residuals of the
-            given one.
-        size: Length of the block.
-        scale: Against which residuals count.
-        finish: What every new block goes through.
-    """
-
-    function: Callable[[Array], Array]
-    size: int
-    scale: float
-    finish: Callable[[Array], Array]
-
-    def close(self, block: Array) -> tuple[Array, Array, Array]:
-        """Newton steps until residuals vanish or no longer fall.
-
-        Args:
-            block: (..., size).
-
-        Returns:
-            The closed block, its residuals (..., rows), and those before.
-        """
-        last: Array = np.full(block.shape[:-1], np.inf)
-        first: Array | None = None
-        for k in range(MOST_STEPS + 1):
-            found = self.function(block)
-            residuals = found[..., self.size :]
-            first = residuals if first is None else first
-            worst = np.abs(residuals).max(axis=-1, initial=0.0) / self.scale
-            # a first step from far away may go up before it goes down
-            going = (worst > SOUGHT) & (worst < np.inf) & ((worst <= 0.5 * last) | (k == 1))
-            if not going.any():
-                break
-            block = np.where(going[..., None], self.finish(found[..., : self.size]), block)
-            last = np.where(going, worst, last)
-        assert first is not None
-        return block, residuals, first
-
-
 def project(model: CompiledModel, t: Array, x: Array, r: Array, s: Array, ledger: Ledger) -> Array:
     """States on the constraints next to given ones.
 
@@ -179,27 +135,40 @@ def project(model: CompiledModel, t: Array, x: Array, r: Array, s: Array, ledger
     """
     closing = Closing.of(model)
     passed = max((worst.after for worst in ledger.position.values()), default=0.0)
-    closing = closing.loosened(2 * passed / closing.size)
-    quaternions = model.manifest["quaternions"]
-    q, u, z = model.parts_of(x)
-    if closing.positions:
-        level = Level(
-            lambda q: _closed(model, "close_position", t, q, r),
-            model.nq,
-            closing.size,
-            lambda q: unit(q, quaternions),
-        )
-        closed, residuals, _ = level.close(q)
-        q = np.where(np.abs(residuals).max(axis=-1)[:, None] <= CLOSED * closing.size, closed, q)
-    scale = closing.size * max(1.0, float(np.abs(u).max(initial=0.0)))
-    level = Level(
-        lambda u: _closed(model, "close_velocity", t, q, u, r, z, s),
-        model.nu,
-        scale,
-        np.asarray,
-    )
-    return np.concatenate([q, level.close(u)[0], z], axis=-1)
-
-
-def _closed(model: CompiledModel, name: str, *values: Array) -> Array:
-    return model._evaluate((name, None), values, None, None)
+    size = closing.loosened(2 * passed / closing.size).size
+    names = closing.functions[: 1 + (closing.positions > 0)]
+    functions = [model._function(name) for name in names]
+    library = model._kernels()
+    check(library, "cardan_run", Run)
+    run = Run(nq=model.nq, nu=model.nu, nz=model.nz, nx=model.nx, n=model.nx, nr=model.nr)
+    run.ns, run.positions, run.rates, run.size = model.ns, closing.positions, closing.rates, size
+    run.atol, quaternions = 1.0, np.array(model.manifest["quaternions"], dtype=np.intp)
+    for name, function in zip(names, functions, strict=True):
+        setattr(run, name, function.address)
+        setattr(run, f"{name}_w", function.w.ctypes.data)
+    library.cardan_closing_length.restype = ctypes.c_ssize_t
+    sizes = {
+        "y": model.nx,
+        "r": model.nr,
+        "s": model.ns,
+        "at_rest": model.nu + 6 * len(model.manifest["bodies"]),
+        "work": max(function.work_size for function in functions),
+        "closing": library.cardan_closing_length(ctypes.byref(run)),
+    }
+    rooms = {name: np.zeros(count) for name, count in sizes.items()}
+    rooms["quaternions"], run.quaternion_count = quaternions, len(quaternions)
+    for name, room in rooms.items():
+        setattr(run, name, room.ctypes.data)
+    if "mesh" in model.manifest:
+        run.mesh = model._source.mesh(model)
+    for name, block, count in (("x", x, model.nx), ("r", r, model.nr), ("s", s, model.ns)):
+        if block.shape != (len(t), count):
+            raise ArgumentError(
+                f"{name} of a motion of '{model.name}' has shape {block.shape}, expected "
+                f"({len(t)}, {count}): it belongs to another model"
+            )
+    closed, *rows = (np.array(rows, dtype=np.float64, order="C") for rows in (x, t, r, s))
+    pointers = [ctypes.c_void_p(block.ctypes.data) for block in (rows[0], closed, *rows[1:])]
+    with called_back() if any(function.interpreted for function in functions) else nullcontext():
+        library.cardan_close_states(ctypes.byref(run), ctypes.c_ssize_t(len(t)), *pointers)
+    return closed
