@@ -135,6 +135,7 @@ class Problem(CompiledModel):
     ticks: tuple[dict[str, float], ...] = ()
     _size: float | None = None
     _made: dict[str, Any] = field(default_factory=dict)
+    _derived: dict[object, Any] = field(default_factory=dict)
 
     @property
     def nx(self) -> int:

@@ -28,12 +28,19 @@ def stops_of(
     return [*sorted(inside, reverse=end < start), end]
 
 
+def jumps(model: CompiledModel) -> bool:
+    """Whether comparisons of the time make a model jump."""
+    if FUNCTION not in model._derived:
+        model._derived[FUNCTION] = FUNCTION in model.saved
+    return bool(model._derived[FUNCTION])
+
+
 def time_jumps(model: CompiledModel, start: float, end: float, looks: int = LOOKS) -> list[float]:
     """Times strictly inside a span at which the model jumps, in the direction of the span.
 
     A comparison that changes twice between two of the looks is not seen.
     """
-    if not model._jumps or start == end:
+    if not jumps(model) or start == end:
         return []
 
     def signs(t: Array) -> NDArray[np.bool_]:

@@ -23,7 +23,7 @@ from ..schema.records import Run, Signal, Tick
 from . import record as abi
 from .bounded import bounded
 from .happenings import NOTHING, Happenings
-from .jumps import FEW, stops_of
+from .jumps import FEW, jumps, stops_of
 from .record import INPUTS
 from .settings import Settings
 from .signals import Signals
@@ -32,7 +32,6 @@ Array = NDArray[np.float64]
 SOME_STEPS = 1 << 20
 SLICE = 0.01  # seconds between two looks at signals and progress
 ROWS = 2048
-SMALL = 1 << 20  # bytes that a runner may hold between two runs
 LOG, ROOM = 256, 32  # rows of the log of events, and more per event
 
 
@@ -79,9 +78,7 @@ class Runner:
         """
         self.model, self.settings, self.signals, self.may = model, settings, given, may
         self.library = abi.kernels(model._kernels())
-        self.functions = [model._function("rhs")]
-        if power:
-            self.functions.append(model._function("power"))
+        self.functions = [model._function(name) for name in ("rhs", "power")[: 1 + power]]
         self.powered = power
         self.closing = Closing.of(model)
         self.closers = [model._function(name) for name in self.closing.functions]
@@ -99,36 +96,7 @@ class Runner:
         self._size()
         self._allocate()
         self._connect()
-        self._begun = bytes(self.record), self.closing
-
-    # between runs
-
-    @classmethod
-    def spare(
-        cls, model: CompiledModel, settings: Settings, given: Signals, may: Happenings
-    ) -> Runner | None:
-        """The one that the last run of a kind has left, as good as new; None if there is none."""
-        known: dict[str, Runner] = model._derived.setdefault(cls, {})
-        if given.pieces or given.functions or may.rows:
-            return None
-        # nobody else has it meanwhile
-        runner = known.pop(settings.method.name, None)
-        if runner is None or runner.settings.method is not settings.method:
-            return None
-        record, runner.closing = runner._begun
-        ctypes.memmove(ctypes.addressof(runner.record), record, len(record))
-        runner.memory.fill(0.0)
-        runner.settings, runner.signals, runner.may = settings, given, may
-        runner.error = None
-        runner._set()
-        return runner
-
-    def put_aside(self) -> None:
-        """Leave a run whose numbers are copied to the next one like it, if it is small."""
-        plain = not (self.signals.pieces or self.signals.functions or self.may.rows)
-        if plain and not self.interpreted and not self.record.mesh and self.memory.nbytes < SMALL:
-            self.rows, self.spreads = self.rows[:0].copy(), self.spreads[:0].copy()
-            self.model._derived[type(self)][self.settings.method.name] = self
+        self.begun = bytes(self.record), self.closing
 
     def _size(self) -> None:
         """Fill in how long everything is."""
@@ -140,7 +108,7 @@ class Runner:
         run.size = self.closing.size
         run.nlam = model.nlam if self.settings.method.multipliers else 0
         run.charted = self.settings.method.charted and len(model.manifest["quaternions"]) > 0
-        run.jumps = model._jumps
+        run.jumps = jumps(model)
         run.on_grid = not self.settings.method.adaptive
         names = (*self.closing.functions, *self.settings.method.needs, *self.may.functions)
         for name, function in zip(names, [*self.closers, *self.needed], strict=True):
@@ -202,11 +170,11 @@ class Runner:
         limited = np.array(bounded(model.manifest), dtype=np.intp)
         run.bounded, run.bounded_count = self._pointer(limited), len(limited)
         run.culprit = -1
-        self._set()
+        self.adjust()
         self._connect_signals()
         self._connect_events()
 
-    def _set(self) -> None:
+    def adjust(self) -> None:
         """Fill in what may differ from run to run."""
         run, settings = self.record, self.settings
         run.rtol, run.atol = settings.rtol, settings.atol

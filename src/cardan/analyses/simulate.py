@@ -33,6 +33,7 @@ from .run import Runner
 from .run_file import RunFile, run_file
 from .settings import Settings, Start, Values, blocks, settings, start, watched
 from .signals import Signals, signals
+from .spare_runners import put_aside, spare
 from .times import Span, span
 
 Array = NDArray[np.float64]
@@ -115,8 +116,7 @@ def simulate(
     how = settings(method, rtol, atol, step, max_step, over.length)
     given = signals(model.manifest["inputs"], inputs, sample, (over.start, over.end))
     how = watched(how, given, over.length, max_step)
-    r = given.first(over.start)
-    begin = closed_start(model, begin, *blocks(x0, q, u), over.start, r)
+    begin = closed_start(model, begin, *blocks(x0, q, u), over.start, r := given.first(over.start))
     check_start(model, begin.x, over.start, r)
     case = case_of(model, rtol, over, given, may) if method == "auto" else None
     with run_file(checkpoint, every, model, how, given, may, over, begin) as file:
@@ -156,7 +156,7 @@ def _settled(
         runner = runner_of(model, first, given, may)
         motion = driven(runner, over, begin, progress, case, file)
         if case is None or not given_up(case, first.method.name, motion.status):
-            runner.put_aside()
+            put_aside(runner)
             return motion
         raise Limited(case)
     except Limited as found:
@@ -201,9 +201,9 @@ def runner_of(
     method, words = suited(model, how.method)
     how = replace(how, method=method, words=f"{words}, {how.words}" if words else how.words)
     how = _without_costly(model, how)
-    spare = Runner.spare(model, how, given, may)
-    if spare is not None:
-        return spare
+    left = spare(model, how, given, may)
+    if left is not None:
+        return left
     available = model.manifest["available"]
     power = "power" in available
     needs = [(f"method '{how.method.name}'", name) for name in how.method.needs]

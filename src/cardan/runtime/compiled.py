@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import ctypes
 from collections.abc import Callable, Iterable, Mapping
-from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, final
 
@@ -211,11 +210,6 @@ class CompiledModel(Analyzed):
                 f"{self._objects.directory}: what manifest.json and functions.json say differs: "
                 f"{error}. Compile the model again"
             ) from error
-
-    @cached_property
-    def _jumps(self) -> bool:
-        """Whether comparisons of the time make it jump."""
-        return "time_jumps" in self.saved
 
     def _kernels(self) -> ctypes.CDLL:
         """The library of integrators and loops."""
