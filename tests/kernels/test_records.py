@@ -34,6 +34,8 @@ STRUCTURES: dict[str, type[ctypes.Structure]] = {
     "cardan_state": records.StateRecord,
     "cardan_sparse": records.PlanRecord,
     "cardan_sparse_factors": records.FactorsRecord,
+    "cardan_target": records.TargetRecord,
+    "cardan_position": records.PositionRecord,
 }
 
 
