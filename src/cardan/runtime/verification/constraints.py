@@ -144,9 +144,10 @@ def worst(levels: Levels, motions: Iterable[Motion]) -> dict[str, float]:
     found: dict[str, list[Array]] = {}
     for at in motions:
         for name, rows in errors(levels, at).items():
-            found.setdefault(name, []).append(rows[~np.isnan(rows)])
+            found.setdefault(name, []).append(rows)
     together = {name: np.concatenate(rows) for name, rows in found.items()}
-    return {name: float(rows.max()) if len(rows) else np.nan for name, rows in together.items()}
+    # a level without rows says nothing
+    return {name: float(np.fmax.reduce(rows)) for name, rows in together.items() if len(rows)}
 
 
 # where models are asked
