@@ -318,3 +318,60 @@ def test_a_format_of_saved_runs_is_a_file(source: Copy) -> None:
         assert again.at(0.3).tobytes() == motion.at(0.3).tobytes()
         assert saved("run.json") == Path("run.json")
     """)
+
+
+GRAVITY_POWER = """\
+gravity_power | t q u r | | W | causes of forces
+    power of the weight of all bodies\
+"""
+RECIPE = """\
+@recipe
+def gravity_power(c: Context) -> tuple[Output, ...]:
+    force = c.d.bias(moving=False)
+    power = -(force.T @ c.d.block("u", force.rows))[0]
+    return (Output("power", (), (power.node,), ("power",), ("W",)),)
+
+
+"""
+
+
+def test_a_model_function_is_a_row_and_its_recipe(source: Copy) -> None:
+    """Callable, differentiable, said to be unchecked, exported and documented."""
+    source.insert("schema/functions.py", "constraint_bias | ", GRAVITY_POWER)
+    source.insert("equations/functions.py", "@recipe\ndef integrate(", RECIPE)
+    output = source.run("""
+        import numpy as np
+        import cardan as cd
+        from golden.functions import page, stub
+        from mechanisms import ZOO
+
+        scene = ZOO["double_pendulum"].build()
+        equations = cd.derive(scene)
+        model = cd.compile(equations)
+        q, u = np.random.default_rng(1).uniform(-1, 1, (2, 7, model.nu))
+        expected = -(model.gravity(q) * u).sum(axis=-1)
+        close = lambda a, b: np.allclose(a, b, rtol=1e-12, atol=1e-14)
+        assert close(model.gravity_power(q, u), expected)
+        assert close(model.gravity_power(u=u[0], q=q[0], t=1.0), expected[0])
+        out = np.empty(7)
+        assert model.gravity_power(q, u, out=out) is out and close(out, expected)
+        name, values = next(iter(model.parameters)), np.linspace(1.0, 2.0, 7)
+        power = model.gravity_power(q, u, parameters={name: values})
+        one = model.with_parameters({name: values[3]})
+        assert close(power[3], one.gravity_power(q[3], u[3]))
+        slope = model.derivative("gravity_power", "u")(q, u)
+        assert close(slope, -model.gravity(q))
+        help(model.gravity_power)
+        told = model.verify()
+        assert "gravity_power" in told.unchecked and "NOT CHECKED: gravity_power" in str(told)
+        folder = equations.export("exported", functions=["gravity_power"])
+        assert "power of the weight" in (folder / "gravity_power.c").read_text()
+        (pyx,) = folder.glob("*.pyx")
+        assert "def gravity_power(q, u, *" in pyx.read_text()
+        row = "| `gravity_power(q, u, r=, t=)` | power of the weight of all bodies | (...) | W |"
+        assert row in page()
+        assert "    def gravity_power(\\n        self,\\n        q: State," in stub()
+        print("all of it")
+    """)
+    assert "Power of the weight of all bodies." in output
+    assert output.endswith("all of it\n")

@@ -7,8 +7,11 @@ import textwrap
 from collections.abc import Iterator
 
 from cardan.runtime.functions import Functions
+from cardan.runtime.verification.judges import JUDGES
 from cardan.schema.functions import FUNCTIONS, ModelFunction
 
+# functions that have another route to their numbers
+JUDGED = {*JUDGES}
 HEAD = '''\
 """Written from the table of functions: pytest tests/golden/test_functions.py --accept"""
 
@@ -67,8 +70,8 @@ ns modes, nr inputs, ne events, nlam multipliers, npositions of them of position
 nphi inertial parameters. Equations [taken over from SymPy](sympy.md) tell of no bodies, inertias,
 kinetic energy and causes of forces.
 
-| function | gives | shape | unit | of systems with | over elements |
-|---|---|---|---|---|---|
+| function | gives | shape | unit | of systems with | over elements | [verified](verification.md) |
+|---|---|---|---|---|---|---|
 """
 INTERNAL = """
 These have no method. Integrators and other functions call them, `equations.function(name)` gives
@@ -95,7 +98,8 @@ def _row(row: ModelFunction) -> str:
     ]
     shape = ", ".join(["...", *row.shape.split()])
     cells = [f"`{row.name}({', '.join(words)})`", row.about, f"({shape})", row.unit]
-    return _line([*cells, ", ".join(row.needs), "yes" * row.elements])
+    verified = row.name in JUDGED
+    return _line([*cells, ", ".join(row.needs), "yes" * row.elements, "yes" * verified])
 
 
 def _internal(row: ModelFunction) -> str:

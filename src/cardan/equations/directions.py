@@ -7,10 +7,8 @@ from dataclasses import dataclass, field
 from ..errors import DerivationError, near
 from ..ir.derivative import forward
 from ..ir.graph import ONE
+from ..schema.blocks import DIRECTIONS
 from .kinematics import Kinematics
-
-# blocks that can be differentiated by; those of one number give no axis of columns
-BLOCKS = ("t", "q", "u", "z", "r", "p", "udot", "tau")
 
 
 @dataclass(frozen=True)
@@ -44,21 +42,21 @@ def directions(k: Kinematics, wrt: str, names: dict[str, tuple[str, ...]]) -> li
     """
     if wrt == "q":
         return _along_speeds(k, names["u"])
-    if wrt in BLOCKS:
+    if wrt in DIRECTIONS:
         return [_entry(k, wrt, n, name) for n, name in enumerate(names[wrt])]
     for block in ("p", "r"):
         if wrt in names[block]:
             return [_entry(k, block, names[block].index(wrt), wrt)]
-    known = [*BLOCKS, *names["p"], *names["r"]]
+    known = [*DIRECTIONS, *names["p"], *names["r"]]
     raise DerivationError(
-        f"derivative: '{wrt}' is no block ({', '.join(BLOCKS)}), parameter or input."
+        f"derivative: '{wrt}' is no block ({', '.join(DIRECTIONS)}), parameter or input."
         f"{near(wrt, known)}"
     )
 
 
 def is_single(wrt: str) -> bool:
     """Whether there is one column, and no axis for it: t, and parameters and inputs by name."""
-    return wrt == "t" or wrt not in BLOCKS
+    return wrt == "t" or wrt not in DIRECTIONS
 
 
 def _entry(k: Kinematics, block: str, index: int, name: str) -> Direction:

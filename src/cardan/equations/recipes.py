@@ -7,6 +7,7 @@ import re
 from collections.abc import Sequence
 
 from ..errors import DerivationError, near
+from ..schema.blocks import DIRECTIONS
 from ..schema.functions import FUNCTIONS
 from ..topology.system import System
 
@@ -14,7 +15,6 @@ from ..topology.system import System
 from . import balance, binding, blocks, canonical, functions, regressor, rhs_jacobian  # noqa: F401
 from .context import RECIPES as RECIPES
 from .derivatives import request_of
-from .directions import BLOCKS
 
 # characters of a C name before it is cut
 LONGEST = 80
@@ -42,7 +42,7 @@ def _derivative_name(of: str) -> str:
     request = request_of(of)
     words = (request.function, *([request.of] if request.of else []), *request.wrt)
     plain = "_".join(blocks.identifier(word) for word in words)
-    if request.of or not set(request.wrt) <= set(BLOCKS) or len(plain) > LONGEST:
+    if request.of or not set(request.wrt) <= set(DIRECTIONS) or len(plain) > LONGEST:
         plain = f"{plain[:LONGEST]}_{hashlib.sha256(str(request).encode()).hexdigest()[:8]}"
     return f"derivative__{re.sub('_+', '_', plain)}"
 

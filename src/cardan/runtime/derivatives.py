@@ -13,14 +13,13 @@ import numpy as np
 from ..arguments import checked
 from ..errors import ArgumentError, ModelError, near, shown
 from ..ir.request import Request
+from ..schema.blocks import DIRECTIONS
 from ..schema.functions import DIFFERENTIABLE, FUNCTIONS
 from .calling import Array
 from .evaluation import Values, into
 from .functions import Functions
 from .wrenches import generalized, read_wrenches
 
-# in this order columns are computed; parameters and inputs by name follow
-BLOCKS = ("t", "q", "u", "z", "r", "p", "udot", "tau")
 STANDARD = ("q", "u", "r", "p")
 # what a wrench on a frame can be felt through
 PUSHED = ("forward_dynamics", "inverse_dynamics")
@@ -80,16 +79,16 @@ class Derivatives(Functions, ABC):
         return Derivative(self, name, of, entries, isinstance(wrt, str))
 
     def _check_wrt(self, function: str, entry: str, reads: set[str]) -> None:
-        if entry in BLOCKS and entry not in reads:
+        if entry in DIRECTIONS and entry not in reads:
             raise ArgumentError(
                 f"derivative: {function} does not read {entry}; it reads {', '.join(sorted(reads))}"
             )
         inputs = tuple(row["name"] for row in self.manifest["inputs"])
         parameters = tuple(row["name"] for row in self.manifest["parameters"])
-        if entry not in (*BLOCKS, *inputs, *parameters):
+        if entry not in (*DIRECTIONS, *inputs, *parameters):
             raise ModelError(
-                f"derivative: '{entry}' is no block ({', '.join(BLOCKS)}), parameter or input."
-                f"{near(entry, (*BLOCKS, *parameters, *inputs))}"
+                f"derivative: '{entry}' is no block ({', '.join(DIRECTIONS)}), parameter or input."
+                f"{near(entry, (*DIRECTIONS, *parameters, *inputs))}"
             )
 
 
@@ -113,7 +112,7 @@ class Derivative:
     @property
     def request(self) -> str:
         """As ``functions=`` of an export takes it: ``("derivative", request)``."""
-        order = {block: n for n, block in enumerate(BLOCKS)}
+        order = {block: n for n, block in enumerate(DIRECTIONS)}
         ordered = sorted(dict.fromkeys(self.wrt), key=lambda x: (order.get(x, len(order)), x))
         return str(Request(self.function, self.of, tuple(ordered)))
 
@@ -243,4 +242,4 @@ class Derivative:
 
 def _has_columns(name: str) -> bool:
     """Whether a derivative by this has an axis of columns."""
-    return name in BLOCKS and name != "t"
+    return name in DIRECTIONS and name != "t"

@@ -47,6 +47,8 @@ OTHERS = {
     "parameters": ("Values | None", "name -> value (...); by default those of the model"),
     "out": ("Array | None", "array that is filled and returned"),
 }
+TEXTS = {name: block.text for name, block in ARGUMENTS.items()}
+TEXTS |= {name: text for name, (_, text) in OTHERS.items()}
 
 
 class Energy(NamedTuple):
@@ -87,11 +89,10 @@ def _annotation(name: str) -> str:
 
 def _text(row: ModelFunction, names: Sequence[str]) -> str:
     """The docstring of a method."""
-    summary, texts = row.about, {name: block.text for name, block in ARGUMENTS.items()}
+    summary = row.about
     if summary.split()[0].rstrip(":") not in SYMBOLS:
         summary = summary[0].upper() + summary[1:]
-    texts |= {name: text for name, (_, text) in OTHERS.items()}
-    lines = [f"\n    {name}: {texts[name]}" for name in names]
+    lines = [f"\n    {name}: {TEXTS[name]}" for name in names]
     axes = ", ".join(["...", *row.shape.split()])
     result = f"({axes})" if row.returns == "Array" else f"{row.returns}, (...) each"
     parts = [f"{summary}.", row.text] if row.text else [f"{summary}."]

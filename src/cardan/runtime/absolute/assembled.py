@@ -18,16 +18,11 @@ from ..loaded import LoadedFunction
 from ..objects import Code, Key
 from .evaluated import Results
 from .loading import load
+from .mesh import NEEDED
 
 if TYPE_CHECKING:
     from ..compiled import CompiledModel
     from ..measuring import Row
-
-# functions that runs call from C: closures over the mesh
-CLOSURES = (
-    *("rhs", "qdot", "balance", "energy", "move", "power"),
-    *("close_position", "close_velocity"),
-)
 
 
 @final
@@ -93,7 +88,8 @@ class Assembled(Source):
         self, results: Results, name: str, entries: Sequence[str], shape: tuple[int, ...]
     ) -> Code:
         mesh, address, work = results.mesh, 0, 0
-        if name in CLOSURES:
+        # runs call these from C: closures over the mesh
+        if name in NEEDED:
             address, work = mesh.closure(name), mesh.work
         entry: dict[str, Any] = {
             "work_size": work,
