@@ -41,8 +41,10 @@ def optimized(request: pytest.FixtureRequest) -> Iterator[None]:
 
 
 def pytest_collection_finish() -> None:
-    # thousands of tests need not be looked at whenever Python collects garbage
+    # thousands of tests, expressions and syntax trees live long: Python need not look at them
+    # again and again in search of garbage
     gc.freeze()
+    gc.set_threshold(10_000, 20, 20)
 
 
 def pytest_runtest_logstart() -> None:
