@@ -100,9 +100,9 @@ class Place(ABC):
     def spread(self) -> Matrix:
         """Increments of the end, rotation in its axes and position, from those of u (6, nu)."""
 
-    @abstractmethod
     def bent(self, force: Matrix) -> Matrix:
         """What the derivative of loads on u gains as the arm of a force turns (nu, nu)."""
+        return Matrix.zeros(self.graph, len(self.speeds), len(self.speeds))
 
     @abstractmethod
     def directions(self) -> list[dict[int, int]]:
@@ -125,9 +125,6 @@ class Ground(Place):
     def spread(self) -> Matrix:
         return Matrix.zeros(self.graph, 6, 0)
 
-    def bent(self, force: Matrix) -> Matrix:
-        return Matrix.zeros(self.graph, 0, 0)
-
     def directions(self) -> list[dict[int, int]]:
         return []
 
@@ -149,9 +146,6 @@ class Node(Place):
 
     def spread(self) -> Matrix:
         return Matrix.identity(self.graph, 6)
-
-    def bent(self, force: Matrix) -> Matrix:
-        return Matrix.zeros(self.graph, 6, 6)
 
     def directions(self) -> list[dict[int, int]]:
         quaternion, position = _halves(self.entries("q"), 4)
@@ -227,9 +221,6 @@ class Point(Place):
 
     def spread(self) -> Matrix:
         return Matrix.vstack(Matrix.zeros(self.graph, 3, 3), Matrix.identity(self.graph, 3))
-
-    def bent(self, force: Matrix) -> Matrix:
-        return Matrix.zeros(self.graph, 3, 3)
 
     def directions(self) -> list[dict[int, int]]:
         return [{node: ONE} for node in self.entries("q").nodes]

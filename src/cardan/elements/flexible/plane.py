@@ -7,7 +7,7 @@ from typing import ClassVar
 from ...ir.arithmetic import Number, Scalar, cos, sin
 from ...ir.graph import ONE, ZERO, Graph
 from ...ir.matrix import Matrix
-from .places import Entries, Motion, Place, Pose
+from .places import Entries, Ground, Motion, Place, Pose
 
 FLAT = ("x", "y", "angle")
 
@@ -28,9 +28,6 @@ class PlaneNode(Place):
 
     def spread(self) -> Matrix:
         return _spread(Matrix.zeros(self.graph, 3))
-
-    def bent(self, force: Matrix) -> Matrix:
-        return Matrix.zeros(self.graph, 3, 3)
 
     def directions(self) -> list[dict[int, int]]:
         """Angles change sine and cosine, which are all that they make."""
@@ -80,7 +77,7 @@ class PlaneOffset(Place):
         return self.node.directions()
 
 
-class PlaneGround(Place):
+class PlaneGround(Ground):
     """Fixed to the ground in the plane."""
 
     kind: ClassVar[str] = "plane_ground"
@@ -88,18 +85,6 @@ class PlaneGround(Place):
 
     def pose(self) -> Pose:
         return _pose(*self.given)
-
-    def motion(self) -> Motion:
-        return Motion(*[Matrix.zeros(self.graph, 3)] * 4)
-
-    def spread(self) -> Matrix:
-        return Matrix.zeros(self.graph, 6, 0)
-
-    def bent(self, force: Matrix) -> Matrix:
-        return Matrix.zeros(self.graph, 0, 0)
-
-    def directions(self) -> list[dict[int, int]]:
-        return []
 
 
 def _pose(x: Scalar, y: Scalar, angle: Scalar) -> Pose:
