@@ -59,7 +59,7 @@ def pytest_runtest_makereport() -> Iterator[None]:
 
 
 def pytest_runtest_logreport(report: pytest.TestReport) -> None:
-    SECONDS[report.nodeid.split("::")[0]] += dict(report.user_properties)["seconds"]
+    SECONDS[report.nodeid.split("::")[0]] += dict(report.user_properties).get("seconds", 0.0)
 
 
 def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:

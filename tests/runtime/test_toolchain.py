@@ -30,12 +30,16 @@ def test_contraction_is_always_given():
 
 def test_optimization_is_that_of_the_environment(monkeypatch):
     monkeypatch.delenv("CARDAN_OPTIMIZATION", raising=False)
-    assert cache.compiler().flags()[0] == "-O2"
+    plain = cache.compiler()
+    assert plain.for_models() == plain
+    assert "-O2" in plain.flags()
     monkeypatch.setenv("CARDAN_OPTIMIZATION", "0")
-    assert cache.compiler().flags()[0] == "-O0"
+    assert [flag for flag in plain.for_models().flags() if "-O" in flag][-1] == "-O0"
+    # kernels keep theirs
+    assert cache.compiler() == plain
     monkeypatch.setenv("CARDAN_OPTIMIZATION", "fast")
     with pytest.raises(BuildError, match=r"CARDAN_OPTIMIZATION='fast'.*0, 1, 2, 3"):
-        cache.compiler()
+        plain.for_models()
 
 
 def test_cc_of_the_environment_comes_first(monkeypatch):

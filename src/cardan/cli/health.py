@@ -91,7 +91,7 @@ def _extension() -> Finding:
 def _compiler() -> Finding:
     """The compiler in use, tried on a few lines."""
     try:
-        chosen = cache.compiler()
+        chosen = cache.compiler().for_models()
         found = [candidate.name for candidate in toolchain.candidates()]
         with tempfile.TemporaryDirectory() as place:
             source, made = Path(place) / "probe.c", Path(place) / "probe.so"

@@ -26,7 +26,7 @@ from .. import processes
 from ..errors import BuildError
 from . import folder, prebuilt
 from .levels import LEVELS, Level, family
-from .toolchain import Compiler, compile_shared, find_compiler, options
+from .toolchain import Compiler, compile_shared, find_compiler
 from .trust import exposed, own
 
 DIGEST = 32
@@ -120,13 +120,12 @@ def _without_level() -> Compiler:
 
 
 def compiler() -> Compiler:
-    """The compiler in use, found once per process and setting of CC and PATH; level, optimization.
+    """The compiler in use and its level, found once per process and setting of CC and PATH.
 
     Raises:
-        CompilerMissing: there is none. BuildError: the one that CC names does not work, or
-            CARDAN_LEVEL or CARDAN_OPTIMIZATION says something impossible.
+        CompilerMissing: there is none. BuildError: the one that CC names does not work.
     """
-    return replace(_without_level(), options=options(), level=level())
+    return replace(_without_level(), level=level())
 
 
 def level() -> Level:

@@ -288,7 +288,7 @@ class Objects:
         """A function as C, or as expressions where there is no compiler."""
         path, entry = self.text_path(symbol), self.manifest["functions"][symbol]
         try:
-            by = cache.compiler()
+            by = cache.compiler().for_models()
             built = cache.compiled([path], [self.directory], self.reproducible, by, LOADED)
         except CompilerMissing as missing:
             found = Interpreted(self._expressions(symbol, missing))

@@ -11,7 +11,7 @@ import shutil
 import subprocess
 import sys
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 from typing import NamedTuple, NoReturn
@@ -21,8 +21,13 @@ from . import bounded
 from .levels import OTHER, Level
 
 NAMES = ("cc", "gcc", "clang")
-LANGUAGE = ("-std=c99", "-fno-tree-vectorize", "-fno-math-errno")
-OPTIMIZATION, OPTIMIZATIONS = "2", ("0", "1", "2", "3")
+COMMON_FLAGS = (
+    "-std=c99",
+    "-O2",
+    "-fno-tree-vectorize",
+    "-fno-math-errno",
+)
+OPTIMIZATIONS = ("0", "1", "2", "3")
 # Tunings such as znver3 avoid chains of fused multiply-adds in scalars and narrow vectors only: a
 # scalar build would get other bits than a build for wide lanes. gcc 8 was the first to do so.
 ALL_CHAINS = "--param=avoid-fma-max-bits=0"
@@ -46,7 +51,7 @@ class Compiler:
     command: tuple[str, ...]
     binary: Path
     identity: str
-    options: tuple[str, ...] = (f"-O{OPTIMIZATION}", *LANGUAGE)
+    options: tuple[str, ...] = COMMON_FLAGS
     level: Level = OTHER
 
     @property
@@ -64,6 +69,22 @@ class Compiler:
         level = self.level.zig if zig else self.level.flags
         return (*self.options, *level, *self.contraction(reproducible), *SHARED_FLAGS)
 
+    def for_models(self) -> Compiler:
+        """The same with the optimization that ``$CARDAN_OPTIMIZATION`` names; not for kernels.
+
+        Raises:
+            BuildError: it is not one of 0, 1, 2, 3.
+        """
+        optimization = os.environ.get("CARDAN_OPTIMIZATION", "").strip()
+        if not optimization:
+            return self
+        if optimization in OPTIMIZATIONS:
+            # the last one counts
+            return replace(self, options=(*self.options, f"-O{optimization}"))
+        raise BuildError(
+            f"CARDAN_OPTIMIZATION={optimization!r} must be one of {', '.join(OPTIMIZATIONS)}"
+        )
+
     def contraction(self, reproducible: bool = False) -> tuple[str, ...]:
         """Flags that say which sums of products become one fused operation.
 
@@ -78,20 +99,6 @@ class Compiler:
         if release and int(release[1]) < FIRST_TO_AVOID:
             return ("-ffp-contract=fast",)
         return ("-ffp-contract=fast", ALL_CHAINS)
-
-
-def options() -> tuple[str, ...]:
-    """Language and optimization of models: what ``$CARDAN_OPTIMIZATION`` says, else 2.
-
-    Raises:
-        BuildError: it is not one of 0, 1, 2, 3.
-    """
-    optimization = os.environ.get("CARDAN_OPTIMIZATION", "").strip() or OPTIMIZATION
-    if optimization in OPTIMIZATIONS:
-        return (f"-O{optimization}", *LANGUAGE)
-    raise BuildError(
-        f"CARDAN_OPTIMIZATION={optimization!r} must be one of {', '.join(OPTIMIZATIONS)}"
-    )
 
 
 class Candidate(NamedTuple):
