@@ -1,5 +1,6 @@
 /*
- * model.c: values of model 'andrews' to start from.
+ * model.c: values of model 'andrews' to start from; the model as one
+ * constant.
  */
 #include "functions.h"
 
@@ -14,7 +15,18 @@ const double cardan_default_q[cardan_nq + (cardan_nq == 0)] = {
     -0.222259017131, /* omega [rad] */
 };
 
-/* inputs */
+/* generalized speeds */
+const double cardan_default_u[cardan_nu + (cardan_nu == 0)] = {
+    0.0, /* beta.u [rad/s] */
+    0.0, /* theta.u [rad/s] */
+    0.0, /* gamma.u [rad/s] */
+    0.0, /* delta.u [rad/s] */
+    0.0, /* phi.u [rad/s] */
+    0.0, /* epsilon.u [rad/s] */
+    0.0, /* omega.u [rad/s] */
+};
+
+/* inputs of the model */
 const double cardan_default_r[cardan_nr + (cardan_nr == 0)] = {
     0.0, /* nothing */
 };
@@ -79,4 +91,46 @@ const double cardan_default_p[cardan_np + (cardan_np == 0)] = {
     0.02, /* spring.b.position.x [m] */
     -0.018, /* spring.b.position.y [m] */
     0.033, /* drive.force */
+};
+
+/* internal continuous states */
+const double cardan_default_z[cardan_nz + (cardan_nz == 0)] = {
+    0.0, /* nothing */
+};
+
+/* discrete states */
+const double cardan_default_s[cardan_ns + (cardan_ns == 0)] = {
+    0.0, /* nothing */
+};
+
+/* all that a run must know of the model */
+static const cardan_exported_function scene_functions[] = {
+    {.name = "forward_dynamics", .function = forward_dynamics, .out = forward_dynamics_out_size, .work = forward_dynamics_work_size, .w = forward_dynamics_w_size, .prepare = prepare_forward_dynamics},
+    {.name = "inverse_dynamics", .function = inverse_dynamics, .out = inverse_dynamics_out_size, .work = inverse_dynamics_work_size, .w = inverse_dynamics_w_size, .prepare = prepare_inverse_dynamics},
+    {.name = "mass_matrix", .function = mass_matrix, .out = mass_matrix_out_size, .work = mass_matrix_work_size, .w = mass_matrix_w_size, .prepare = prepare_mass_matrix},
+};
+const cardan_export cardan_scene = {
+    .name = "andrews",
+    .nq = 7,
+    .nu = 7,
+    .nr = 0,
+    .nz = 0,
+    .ns = 0,
+    .zeros = 42,
+    .q = cardan_default_q,
+    .u = cardan_default_u,
+    .r = cardan_default_r,
+    .p = cardan_default_p,
+    .z = cardan_default_z,
+    .s = cardan_default_s,
+    .functions = scene_functions,
+    .function_count = 3,
+    .methods = NULL,
+    .method_count = 0,
+    .quaternions = NULL,
+    .quaternion_count = 0,
+    .positions = 6,
+    .rates = 6,
+    .size = 1.0,
+    .columns = NULL,
 };

@@ -14,6 +14,8 @@ enum {
     cardan_nu = 7,
     cardan_nr = 0,
     cardan_np = 58,
+    cardan_nz = 0,
+    cardan_ns = 0,
     cardan_nbodies = 7,
     cardan_nparts = 7
 };

@@ -14,6 +14,8 @@ enum {
     cardan_nu = 3,
     cardan_nr = 0,
     cardan_np = 29,
+    cardan_nz = 0,
+    cardan_ns = 0,
     cardan_nbodies = 3,
     cardan_nparts = 4
 };

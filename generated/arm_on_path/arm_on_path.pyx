@@ -15,18 +15,20 @@ import numpy as np
 cdef extern from "functions.h" nogil:
     ctypedef struct cardan_in:
         const double *t
-    const double cardan_default_p[]
-    const double cardan_default_q[]
-    const double cardan_default_r[]
-    int c_forward_dynamics "forward_dynamics"(const cardan_in *, double *, double *) noexcept
-    void c_prepare_forward_dynamics "prepare_forward_dynamics"(const double *, double *) noexcept
-    int c_inverse_dynamics "inverse_dynamics"(const cardan_in *, double *, double *) noexcept
-    void c_prepare_inverse_dynamics "prepare_inverse_dynamics"(const double *, double *) noexcept
-    int c_mass_matrix "mass_matrix"(const cardan_in *, double *, double *) noexcept
-    void c_prepare_mass_matrix "prepare_mass_matrix"(const double *, double *) noexcept
-
-ctypedef int (*function)(const cardan_in *, double *, double *) noexcept nogil
-ctypedef void (*preparation)(const double *, double *) noexcept nogil
+    ctypedef struct cardan_exported_function:
+        const char *name
+        int (*function)(const cardan_in *, double *, double *) noexcept nogil
+        void (*prepare)(const double *, double *) noexcept nogil
+        Py_ssize_t out, work, w
+    ctypedef struct cardan_export:
+        Py_ssize_t nq, nz, ns, nr
+        const double *p
+        const double *q
+        const double *z
+        const double *s
+        const double *r
+        const cardan_exported_function *functions
+    const cardan_export cardan_scene
 
 NAME = 'arm_on_path'
 COORDINATES = ('shoulder', 'elbow')
@@ -48,7 +50,6 @@ _SIZES = {'q': 2,
  'z': 0,
  's': 0,
  'e': 0}
-_STARTS = {'z': (), 's': ()}
 _SLOTS = {'t': 0,
  'q': 1,
  'u': 2,
@@ -66,6 +67,7 @@ _SLOTS = {'t': 0,
  'q0': 14,
  'e': 15}
 
+
 class SingularError(ArithmeticError):
     """A linear system of the model has no solution at the given state."""
 
@@ -82,15 +84,24 @@ def _entries(block, value, names, start):
     return found
 
 
-def _defaults(block):
+cdef object _numbers(const double *values, Py_ssize_t count):
     cdef Py_ssize_t k
-    if block == "q":
-        return [cardan_default_q[k] for k in range(len(COORDINATES))]
-    if block == "r":
-        return [cardan_default_r[k] for k in range(len(INPUTS))]
+    return [values[k] for k in range(count)]
+
+
+def _defaults(block):
+    """Where the scene starts; zeros where it says nothing."""
     if block == "p":
-        return [cardan_default_p[k] for k in range(len(PARAMETERS))]
-    return _STARTS.get(block) or np.zeros(_SIZES[block])
+        return _numbers(cardan_scene.p, len(PARAMETERS))
+    if block in ("q", "q0"):
+        return _numbers(cardan_scene.q, cardan_scene.nq)
+    if block == "r":
+        return _numbers(cardan_scene.r, cardan_scene.nr)
+    if block == "z":
+        return _numbers(cardan_scene.z, cardan_scene.nz)
+    if block == "s":
+        return _numbers(cardan_scene.s, cardan_scene.ns)
+    return np.zeros(_SIZES[block])
 
 
 _NAMES = {"q": COORDINATES, "q0": COORDINATES, "u": SPEEDS, "r": INPUTS}
@@ -107,11 +118,11 @@ def _array(block, value):
     return found
 
 
-cdef object _call(
-    function f, preparation prepare, tuple blocks, tuple values, object parameters,
-    Py_ssize_t out_size, Py_ssize_t work_size, Py_ssize_t w_size, tuple shape,
-):
+cdef object _call(bytes name, tuple blocks, tuple values, object parameters, tuple shape):
     """Run a function at every state."""
+    cdef const cardan_exported_function *f = cardan_scene.functions
+    while name != <bytes>f.name:
+        f += 1
     arrays = [_array(block, value) for block, value in zip(blocks, values)]
     lead = np.broadcast_shapes(*(a.shape[:-1] for a in arrays))
     cdef Py_ssize_t count = int(np.prod(lead, dtype=np.intp)), i, k
@@ -119,10 +130,10 @@ cdef object _call(
     if given.shape != (len(PARAMETERS),):
         raise ValueError(f"parameters must have shape ({len(PARAMETERS)},), not {given.shape}")
     cdef double[::1] p = np.append(given, 0.0)
-    cdef double[::1] w = np.zeros(w_size + 1)
-    prepare(&p[0], &w[0])
-    result = np.empty((count, out_size))
-    cdef double[::1] out = result.reshape(-1) if count * out_size else np.empty(1)
+    cdef double[::1] w = np.zeros(f.w + 1)
+    f.prepare(&p[0], &w[0])
+    result = np.empty((count, f.out))
+    cdef double[::1] out = result.reshape(-1) if count * f.out else np.empty(1)
     cdef const double *at[16]
     cdef Py_ssize_t step[16]
     cdef double[::1] flat
@@ -136,13 +147,13 @@ cdef object _call(
         k = _SLOTS[block]
         at[k], step[k] = &flat[0], array.shape[-1]
     at[_SLOTS["w"]] = &w[0]
-    cdef double *work = <double *>malloc((work_size + 1) * sizeof(double))
+    cdef double *work = <double *>malloc((f.work + 1) * sizeof(double))
     cdef int status = 0, one
     if work == NULL:
         raise MemoryError()
     with nogil:
         for i in range(count):
-            one = f(<const cardan_in *>at, &out[0] + i * out_size, work)
+            one = f.function(<const cardan_in *>at, &out[0] + i * f.out, work)
             status |= one
             for k in range(16):
                 if at[k] != NULL:
@@ -167,8 +178,7 @@ def forward_dynamics(q, u, *, t=0.0, r=None, tau=None, parameters=None):
         Array (..., 2): shoulder.udot [rad/s^2], elbow.udot [rad/s^2]
     """
     return _call(
-        c_forward_dynamics, c_prepare_forward_dynamics, ("t", "q", "u", "r", "tau",), (t, q, u, r, tau,), parameters,
-        2, 0, 7, (2,),
+        b"forward_dynamics", ("t", "q", "u", "r", "tau",), (t, q, u, r, tau,), parameters, (2,),
     )
 
 
@@ -186,8 +196,7 @@ def inverse_dynamics(q, u, udot, *, t=0.0, r=None, parameters=None):
         Array (..., 2): shoulder.u.tau [N*m], elbow.u.tau [N*m]
     """
     return _call(
-        c_inverse_dynamics, c_prepare_inverse_dynamics, ("t", "q", "u", "udot", "r",), (t, q, u, udot, r,), parameters,
-        2, 0, 6, (2,),
+        b"inverse_dynamics", ("t", "q", "u", "udot", "r",), (t, q, u, udot, r,), parameters, (2,),
     )
 
 
@@ -203,6 +212,5 @@ def mass_matrix(q, *, t=0.0, r=None, parameters=None):
         Array (..., 2, 2): shoulder.u,shoulder.u, shoulder.u,elbow.u, elbow.u,shoulder.u, elbow.u,elbow.u
     """
     return _call(
-        c_mass_matrix, c_prepare_mass_matrix, ("t", "q", "r",), (t, q, r,), parameters,
-        4, 0, 4, (2, 2),
+        b"mass_matrix", ("t", "q", "r",), (t, q, r,), parameters, (2, 2),
     )

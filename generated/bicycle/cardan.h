@@ -110,6 +110,8 @@ typedef struct cardan_in {
     const real *e;      /* events that happened: 1 or 0 each */
 } cardan_in;
 
+typedef int (*cardan_function)(const cardan_in *in, real *out, real *work);
+
 /* elementary functions of one number; lanes.h makes them functions of `real` */
 CARDAN_INLINE double cardan_sqrt(double x) { return sqrt(x); }
 CARDAN_INLINE double cardan_tan(double x) { return tan(x); }

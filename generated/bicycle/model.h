@@ -14,6 +14,8 @@ enum {
     cardan_nu = 8,
     cardan_nr = 0,
     cardan_np = 26,
+    cardan_nz = 0,
+    cardan_ns = 0,
     cardan_nbodies = 4,
     cardan_nparts = 4
 };

@@ -14,6 +14,8 @@ enum {
     cardan_nu = 2,
     cardan_nr = 1,
     cardan_np = 6,
+    cardan_nz = 0,
+    cardan_ns = 0,
     cardan_nbodies = 2,
     cardan_nparts = 2
 };

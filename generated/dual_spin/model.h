@@ -14,6 +14,8 @@ enum {
     cardan_nu = 4,
     cardan_nr = 0,
     cardan_np = 9,
+    cardan_nz = 0,
+    cardan_ns = 0,
     cardan_nbodies = 2,
     cardan_nparts = 2
 };

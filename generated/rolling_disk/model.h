@@ -14,6 +14,8 @@ enum {
     cardan_nu = 5,
     cardan_nr = 0,
     cardan_np = 3,
+    cardan_nz = 0,
+    cardan_ns = 0,
     cardan_nbodies = 1,
     cardan_nparts = 1
 };

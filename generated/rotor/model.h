@@ -14,6 +14,8 @@ enum {
     cardan_nu = 5,
     cardan_nr = 0,
     cardan_np = 6,
+    cardan_nz = 0,
+    cardan_ns = 0,
     cardan_nbodies = 5,
     cardan_nparts = 5
 };

@@ -7,11 +7,16 @@
 #define CARDAN_FUNCTIONS_H
 
 #include "model.h"
+#include "export.h"
 
-/* model.c: values to start from; speeds start from 0 */
+/* model.c: values to start from; all that a run must know of the model */
 extern const double cardan_default_q[cardan_nq + (cardan_nq == 0)];
+extern const double cardan_default_u[cardan_nu + (cardan_nu == 0)];
 extern const double cardan_default_r[cardan_nr + (cardan_nr == 0)];
 extern const double cardan_default_p[cardan_np + (cardan_np == 0)];
+extern const double cardan_default_z[cardan_nz + (cardan_nz == 0)];
+extern const double cardan_default_s[cardan_ns + (cardan_ns == 0)];
+extern const cardan_export cardan_scene;
 
 /* udot with M udot + h = f + tau; reads q, u, r, p, tau */
 enum {

@@ -1,5 +1,6 @@
 /*
- * model.c: values of model 'stewart_platform' to start from.
+ * model.c: values of model 'stewart_platform' to start from; the model as one
+ * constant.
  */
 #include "functions.h"
 
@@ -29,7 +30,32 @@ const double cardan_default_q[cardan_nq + (cardan_nq == 0)] = {
     0.317541334228, /* slide5 [m] */
 };
 
-/* inputs */
+/* generalized speeds */
+const double cardan_default_u[cardan_nu + (cardan_nu == 0)] = {
+    0.0, /* hooke0.u.angle1 [rad/s] */
+    0.0, /* hooke0.u.angle2 [rad/s] */
+    0.0, /* slide0.u [m/s] */
+    0.0, /* ball0.u.x [rad/s] */
+    0.0, /* ball0.u.y [rad/s] */
+    0.0, /* ball0.u.z [rad/s] */
+    0.0, /* hooke1.u.angle1 [rad/s] */
+    0.0, /* hooke1.u.angle2 [rad/s] */
+    0.0, /* slide1.u [m/s] */
+    0.0, /* hooke2.u.angle1 [rad/s] */
+    0.0, /* hooke2.u.angle2 [rad/s] */
+    0.0, /* slide2.u [m/s] */
+    0.0, /* hooke3.u.angle1 [rad/s] */
+    0.0, /* hooke3.u.angle2 [rad/s] */
+    0.0, /* slide3.u [m/s] */
+    0.0, /* hooke4.u.angle1 [rad/s] */
+    0.0, /* hooke4.u.angle2 [rad/s] */
+    0.0, /* slide4.u [m/s] */
+    0.0, /* hooke5.u.angle1 [rad/s] */
+    0.0, /* hooke5.u.angle2 [rad/s] */
+    0.0, /* slide5.u [m/s] */
+};
+
+/* inputs of the model */
 const double cardan_default_r[cardan_nr + (cardan_nr == 0)] = {
     0.0, /* drive0 */
     0.0, /* drive1 */
@@ -137,4 +163,49 @@ const double cardan_default_p[cardan_np + (cardan_np == 0)] = {
     -0.06945927106677219, /* ball4.child.position.y [m] */
     0.1368080573302676, /* ball5.child.position.x [m] */
     -0.37587704831436336, /* ball5.child.position.y [m] */
+};
+
+/* internal continuous states */
+const double cardan_default_z[cardan_nz + (cardan_nz == 0)] = {
+    0.0, /* nothing */
+};
+
+/* discrete states */
+const double cardan_default_s[cardan_ns + (cardan_ns == 0)] = {
+    0.0, /* nothing */
+};
+
+/* all that a run must know of the model */
+static const cardan_exported_function scene_functions[] = {
+    {.name = "forward_dynamics", .function = forward_dynamics, .out = forward_dynamics_out_size, .work = forward_dynamics_work_size, .w = forward_dynamics_w_size, .prepare = prepare_forward_dynamics},
+    {.name = "inverse_dynamics", .function = inverse_dynamics, .out = inverse_dynamics_out_size, .work = inverse_dynamics_work_size, .w = inverse_dynamics_w_size, .prepare = prepare_inverse_dynamics},
+    {.name = "mass_matrix", .function = mass_matrix, .out = mass_matrix_out_size, .work = mass_matrix_work_size, .w = mass_matrix_w_size, .prepare = prepare_mass_matrix},
+};
+static const ptrdiff_t quaternions[] = {
+    3,
+};
+const cardan_export cardan_scene = {
+    .name = "stewart_platform",
+    .nq = 22,
+    .nu = 21,
+    .nr = 6,
+    .nz = 0,
+    .ns = 0,
+    .zeros = 78,
+    .q = cardan_default_q,
+    .u = cardan_default_u,
+    .r = cardan_default_r,
+    .p = cardan_default_p,
+    .z = cardan_default_z,
+    .s = cardan_default_s,
+    .functions = scene_functions,
+    .function_count = 3,
+    .methods = NULL,
+    .method_count = 0,
+    .quaternions = quaternions,
+    .quaternion_count = 1,
+    .positions = 15,
+    .rates = 15,
+    .size = 1.0,
+    .columns = NULL,
 };

@@ -14,6 +14,8 @@ enum {
     cardan_nu = 21,
     cardan_nr = 6,
     cardan_np = 96,
+    cardan_nz = 0,
+    cardan_ns = 0,
     cardan_nbodies = 13,
     cardan_nparts = 13
 };

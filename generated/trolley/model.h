@@ -14,6 +14,8 @@ enum {
     cardan_nu = 5,
     cardan_nr = 1,
     cardan_np = 13,
+    cardan_nz = 0,
+    cardan_ns = 0,
     cardan_nbodies = 4,
     cardan_nparts = 6
 };

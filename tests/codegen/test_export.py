@@ -14,7 +14,7 @@ import pytest
 import cardan as cd
 from cardan.codegen import companions
 from cardan.codegen.export import export
-from cardan.codegen.layout import KERNELS
+from cardan.codegen.layout import HEADERS, KERNELS
 from cardan.errors import CodegenError, DerivationError
 from cardan.schema.functions import FUNCTIONS
 from codegen.lanes import aligned
@@ -150,6 +150,21 @@ def test_a_closed_scene_simulates_without_python(tmp_path: Path) -> None:
     end = model.simulate(1.0, q=start, rtol=1e-11, atol=1e-13)
     assert np.abs(model.constraints(found[: model.nq])).max() < 1e-12
     assert found == pytest.approx(end.x[-1].tolist(), abs=1e-6)
+
+
+def test_files_of_integrators_are_there_and_records_know_them() -> None:
+    from cardan.schema.integrators import KERNELS as METHODS
+
+    assert set(companions.INTEGRATORS) <= set(METHODS)
+    for method in companions.INTEGRATORS:
+        for elements in (False, True):
+            files = companions.kernels((method,), elements)
+            assert all((KERNELS / name).is_file() for name in files)
+            # a header comes along with every file that asks for it
+            for name in files:
+                text = (KERNELS / name).read_text("utf-8")
+                asked = set(re.findall(r'^#include "(\w+\.h)"', text, re.MULTILINE))
+                assert asked <= {*files, *HEADERS}, name
 
 
 def test_the_package_runs_without_cardan(tmp_path: Path) -> None:
@@ -318,7 +333,7 @@ def machine() -> cd.Model:
 def test_the_example_runs_over_events(method: str, tmp_path: Path) -> None:
     scene = machine()
     folder = cd.derive(scene).export(tmp_path / "c", language="c", integrators=(method,))
-    assert "`simulate` of `example.c` finds" in (folder / "README.md").read_text("utf-8")
+    assert "`cardan_simulate` finds them" in (folder / "README.md").read_text("utf-8")
     known = {"dop853": "DOP853", "radau": "Radau"}
     motion = cd.compile(scene).simulate(1.0, method=known[method], rtol=1e-9, atol=1e-12)
     names = {event.name for event in motion.events}

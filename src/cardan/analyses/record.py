@@ -5,7 +5,7 @@ from __future__ import annotations
 import ctypes
 from functools import lru_cache
 
-from ..schema.records import COUNT, POINTER, REAL, Method, Run, Signal, Tick, check
+from ..schema.records import POINTER, REAL, Method, Run, Signal, Tick, check
 
 # answers of the kernels, as in run.h
 DONE, MORE, FULL, STOPPED, EVENT = 0, 1, 2, 3, 4
@@ -13,8 +13,12 @@ NOT_FINITE, TOO_SMALL, MODEL, INPUT, SIZE, OPEN, TURNED = -1, -2, -3, -4, -5, -6
 UNSOLVED, STORM, CHATTER, WHIRLED = -8, -9, -10, -11
 # kinds of events, as in run.h
 MODE, IMPACT, TICK, END, MARK, HALT = range(6)
+# pieces of the memory of a run, in the order of memory.c
+PIECES = (
+    *("y", "y_old", "trial", "f", "k", "spread", "r", "s", "at_rest", "work", "closing", "chart"),
+    *("holding", "passing", "own", "e", "board", "ledger"),
+)
 
-_LENGTH = ctypes.CFUNCTYPE(COUNT, ctypes.POINTER(Run))
 _SOUND = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.POINTER(Run))
 INPUTS = ctypes.CFUNCTYPE(
     ctypes.c_int, REAL, ctypes.POINTER(ctypes.c_double), ctypes.POINTER(ctypes.c_double)
@@ -34,20 +38,19 @@ def kernels(library: ctypes.CDLL) -> ctypes.CDLL:
     for name in ("cardan_run_start", "cardan_run_drive", "cardan_refresh", "cardan_segment"):
         getattr(library, name).argtypes = [record]
     library.cardan_run_at.argtypes = [record, REAL, POINTER]
-    for name in ("closing", "hold", "passing", "chart", "board"):
-        function = getattr(library, f"cardan_{name}_length")
-        function.argtypes, function.restype = [record], COUNT
+    rooms = [ctypes.c_size_t, ctypes.c_size_t]
+    library.cardan_run_length.argtypes = [record, *rooms]
+    library.cardan_run_length.restype = ctypes.c_size_t
+    library.cardan_run_lay.argtypes, library.cardan_run_lay.restype = (
+        [record, POINTER, *rooms],
+        None,
+    )
     return library
 
 
 def method(library: ctypes.CDLL, kernel: str) -> Method:
     """The functions of a method, and how much it keeps."""
     return Method.in_dll(library, f"cardan_{kernel}_method")
-
-
-def length(method: Method, run: Run) -> int:
-    """Numbers of memory that a method needs for itself."""
-    return int(_LENGTH(method.length)(run))
 
 
 def sound(library: ctypes.CDLL, method: Method, run: Run) -> bool:

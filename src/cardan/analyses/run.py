@@ -101,6 +101,8 @@ class Runner:
     def _size(self) -> None:
         """Fill in how long everything is."""
         model, run = self.model, self.record
+        for name in ("init", "step", "dense", "length", "stages", "dense_rows"):
+            setattr(run, name, getattr(self.method, name))
         run.nq, run.nu, run.nx, run.n, run.nr = model.nq, model.nu, model.nx, self.n, model.nr
         run.nz, run.ns = model.nz, model.ns
         run.ne, run.watched = self.may.model, self.may.watched
@@ -127,41 +129,20 @@ class Runner:
 
     def _allocate(self) -> None:
         """One block of numbers for everything but output rows."""
-        model, method, n = self.model, self.method, self.n
-        parts = sum(len(body["parts"]) for body in model.manifest["bodies"])
-        sizes = {
-            "y": n,
-            "y_old": n,
-            "trial": n,
-            "f": n,
-            "k": method.stages * n,
-            "spread": method.dense_rows * n,
-            "r": model.nr,
-            "s": model.ns,
-            "at_rest": max(model.nu, 6 * parts),
-            "work": max(f.work_size for f in [*self.functions, *self.closers, *self.needed]),
-            "closing": self.library.cardan_closing_length(self.record),
-            "chart": self.library.cardan_chart_length(self.record),
-            "holding": self.library.cardan_hold_length(self.record),
-            "passing": self.library.cardan_passing_length(self.record),
-            "own": abi.length(method, self.record),
-            "e": len(self.may.rows),
-            "board": self.library.cardan_board_length(self.record),
-            "ledger": 4 * (self.closing.positions + self.closing.rates),
-        }
-        self.memory = np.zeros(sum(sizes.values()))
-        self.views: dict[str, Array] = {}
-        start = 0
-        for name, size in sizes.items():
-            self.views[name] = self.memory[start : start + size]
-            setattr(self.record, name, self.memory.ctypes.data + 8 * start)
-            start += size
+        run, called = self.record, [*self.functions, *self.closers, *self.needed]
+        parts = sum(len(body["parts"]) for body in self.model.manifest["bodies"])
+        rooms = max(self.model.nu, 6 * parts), max(function.work_size for function in called)
+        self.memory = np.zeros(self.library.cardan_run_length(run, *rooms))
+        first = self.memory.ctypes.data
+        self.library.cardan_run_lay(run, first, *rooms)
+        run.times = None
+        starts = [(getattr(run, name) - first) // self.memory.itemsize for name in abi.PIECES]
+        pieces = np.split(self.memory, starts[1:])
+        self.views: dict[str, Array] = dict(zip(abi.PIECES, pieces, strict=True))
 
     def _connect(self) -> None:
         """Fill in functions and tolerances."""
         model, run = self.model, self.record
-        for name in ("init", "step", "dense", "length", "stages", "dense_rows"):
-            setattr(run, name, getattr(self.method, name))
         run.rhs, run.rhs_w = self.functions[0].address, self._pointer(self.functions[0].w)
         if self.sources:
             run.power, run.power_w = self.functions[1].address, self._pointer(self.functions[1].w)

@@ -4,15 +4,20 @@ from __future__ import annotations
 
 import shutil
 import tempfile
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from ..equations.record import Equations
 from ..errors import CodegenError, DerivationError, near, shown
-from . import companions, header, layout, linkage, manifest, simulating
+from . import companions, header, layout, manifest, model_file
 from . import prefix as prefixes
+from .header import Entry
 from .languages import LANGUAGES, cython
+from .model_file import Content
+from .readme import readme
+from .sources import source
 from .writing import generate
 
 STANDARD = ("rhs", "forward_dynamics", "inverse_dynamics", "mass_matrix", "bias", "energy")
@@ -20,6 +25,87 @@ STANDARD = ("rhs", "forward_dynamics", "inverse_dynamics", "mass_matrix", "bias"
 PRODUCTS = ("build", "example", "*.o", "*.so", "*.egg-info", "__pycache__")
 DIGITS = 12
 FLAGS = ("-std=c99", "-O2", "-fno-math-errno")
+
+
+@dataclass(frozen=True)
+class Wanted:
+    """What both kinds of coordinates are asked for.
+
+    Attributes:
+        target: The directory.
+        language: ``"cython"`` or ``"c"``.
+        integrators: By their kernels.
+        reproducible: Whether flags forbid contraction.
+        prefix: Before all names.
+    """
+
+    target: Path
+    language: str
+    integrators: tuple[str, ...]
+    reproducible: bool
+    prefix: str
+
+    @classmethod
+    def checked(
+        cls,
+        directory: str | Path,
+        language: str,
+        integrators: Sequence[str],
+        reproducible: bool,
+        prefix: str,
+    ) -> Wanted:
+        """What was asked for, if it makes sense.
+
+        Raises:
+            CodegenError: an unknown word, a directory that holds other things.
+        """
+        target, methods = Path(directory).resolve(), tuple(name.lower() for name in integrators)
+        if language not in LANGUAGES:
+            raise CodegenError(f"language '{language}' does not exist.{near(language, LANGUAGES)}")
+        for name in methods:
+            if name not in companions.INTEGRATORS:
+                known = near(name, companions.INTEGRATORS)
+                raise CodegenError(f"integrators: '{name}' does not exist.{known}")
+        prefixes.check(prefix, language)
+        check(target)
+        return cls(target, language, methods, reproducible, prefix)
+
+
+def written(wanted: Wanted, fill: Callable[[Path], Content]) -> Path:
+    """Write an export; it appears whole or not at all.
+
+    Args:
+        wanted: What was asked for.
+        fill: Writes model and functions into a folder, and says what else there is.
+    """
+
+    def complete(folder: Path) -> None:
+        content = fill(folder)
+        layout.add_files(folder, _texts(layout.read(folder) or {}, wanted, content))
+        if wanted.prefix:
+            prefixes.add(folder, wanted.prefix)
+        (folder / layout.LOCK).unlink()
+
+    replaced(wanted.target, complete)
+    return wanted.target
+
+
+def _texts(data: dict[str, Any], wanted: Wanted, content: Content) -> dict[str, str]:
+    """Everything beside the functions, by file name."""
+    methods, functions, elements = wanted.integrators, content.functions, "mesh" in data
+    flags = (*FLAGS, f"-ffp-contract={'off' if wanted.reproducible else 'on'}")
+    line = f"cc {' '.join(flags)} -DCARDAN_EXAMPLE -o example *.c -lm && ./example"
+    package = cython.package(data) if wanted.language == "cython" else ""
+    headers = ["simulate.h" if methods else "export.h", *(["mesh_export.h"] if elements else [])]
+    files = companions.kernels(methods, elements)
+    files |= {
+        "functions.h": header.prototypes(data["name"], functions, headers, content.declared),
+        "model.c": model_file.text(data, content, methods),
+        "example.c": f"/* Try it:  {line} */\n{source('example.c')}",
+        "README.md": readme(data, functions, line, bool(methods), package),
+        **content.files,
+    }
+    return files | (cython.files(data, flags) if package else {})
 
 
 def export(
@@ -60,25 +146,10 @@ def export(
     for one in functions or ():
         if not isinstance(one, str) and not (isinstance(one, tuple | list) and len(one) == 2):
             raise CodegenError(f"functions: {shown(one)}: give names, or ('pose', 'hand')")
-    target, wanted = Path(directory).resolve(), tuple(name.lower() for name in integrators)
-    check_words(language, wanted)
-    prefixes.check(prefix, language)
-    check(target)
-    known = equations.names()
-    # equations that tell of no energy go without
-    usual = [name for name in STANDARD if name != "energy" or name in known]
-    asked = [(f, None) if isinstance(f, str) else tuple(f) for f in functions or usual]
-    # what keeps a closed system closed belongs to its dynamics
-    called = [name for name in (*simulating.CLOSING, *simulating.HAPPENING) if name in known]
-    if wanted or not functions:
-        needed = dict.fromkeys(name for one in wanted for name in companions.INTEGRATORS[one].needs)
-        more = (*(("rhs",) if wanted else ()), *called, *needed)
-        asked += [(name, None) for name in more if (name, None) not in asked]
-    for name, _ in asked:
-        if name not in known:
-            raise DerivationError(f"function '{name}' does not exist.{near(name, known)}")
+    wanted = Wanted.checked(directory, language, integrators, reproducible, prefix)
+    asked = _asked(equations, functions, wanted.integrators)
 
-    def fill(folder: Path) -> None:
+    def fill(folder: Path) -> Content:
         layout.write_model(folder, manifest.base(equations, tuple(n for n, _ in asked)))
         made = []
         for name, of in asked:
@@ -86,51 +157,49 @@ def export(
             notes = equations.notes(name, of, function)
             made.append((generate(function, equations.system.name, notes, of=of), function))
         layout.add_functions(folder, made)
-        flags = (*FLAGS, f"-ffp-contract={'off' if reproducible else 'on'}")
-        data = layout.read(folder) or {}
-        texts = _companions(data, language, wanted, flags)
-        texts["model.c"] = header.defaults(data, _closed(equations))
-        layout.add_files(folder, texts)
-        if prefix:
-            prefixes.add(folder, prefix)
-        (folder / layout.LOCK).unlink()
+        entries = (layout.read(folder) or {})["functions"]
+        return Content(_ordered(entries), _closed(equations))
 
-    replaced(target, fill)
-    return target
+    return written(wanted, fill)
 
 
-def _closed(equations: Equations) -> list[float] | None:
-    """Coordinates at which all circuits close, next to the initial ones; None where none do."""
-    if not equations.system.closed:
-        return None
-    found = equations.feasibility()
+def _asked(
+    equations: Equations, functions: Sequence[Any] | None, integrators: tuple[str, ...]
+) -> list[tuple[str, str | None]]:
+    """Names of the functions to write, and to what they belong.
+
+    Raises:
+        DerivationError: one does not exist.
+    """
+    known = equations.names()
+    # equations that tell of no energy go without
+    usual = [name for name in STANDARD if name != "energy" or name in known]
+    asked = [(f, None) if isinstance(f, str) else tuple(f) for f in functions or usual]
+    if integrators or not functions:
+        # what keeps a closed system closed belongs to its dynamics
+        called = [n for n in (*companions.CLOSING, *companions.HAPPENING) if n in known]
+        more = (*(("rhs",) if integrators else ()), *called, *companions.needed(integrators))
+        asked += [(name, None) for name in more if (name, None) not in asked]
+    for name, _ in asked:
+        if name not in known:
+            raise DerivationError(f"function '{name}' does not exist.{near(name, known)}")
+    return asked
+
+
+def _ordered(entries: Mapping[str, Entry]) -> dict[str, Entry]:
+    """Functions of the manifest; first one that no run calls beside rhs, if there is one."""
+    called = {*companions.CLOSING, *companions.HAPPENING}
+    called |= {*companions.needed(companions.INTEGRATORS)}
+    return {name: entries[name] for name in sorted(entries, key=called.__contains__)}
+
+
+def _closed(equations: Equations) -> dict[str, list[float]]:
+    """Coordinates at which all circuits close, next to the initial ones, where there are any."""
+    found = equations.feasibility() if equations.system.closed else None
+    if found is None or not found.closes:
+        return {}
     # as many digits as are the same on every machine; a run closes the rest
-    return [round(float(x), DIGITS) + 0.0 for x in found.q] if found.closes else None
-
-
-def check_words(language: str, integrators: Sequence[str]) -> None:
-    if language not in LANGUAGES:
-        raise CodegenError(f"language '{language}' does not exist.{near(language, LANGUAGES)}")
-    for name in integrators:
-        if name not in companions.INTEGRATORS:
-            known = near(name, companions.INTEGRATORS)
-            raise CodegenError(f"integrators: '{name}' does not exist.{known}")
-
-
-def _companions(
-    data: dict[str, Any], language: str, integrators: Sequence[str], flags: Sequence[str]
-) -> dict[str, str]:
-    """Everything beside the functions, by file name."""
-    roots = (*companions.RUN, *(f"{one}.c" for one in integrators)) if integrators else ()
-    package = cython.package(data) if language == "cython" else ""
-    line = companions.compile_line(flags)
-    files = {name: layout.kernel(name) for name in linkage.closure(roots)}
-    files |= {
-        "functions.h": companions.prototypes(data),
-        "example.c": companions.example(data, integrators, line),
-        "README.md": companions.readme(data, package, line),
-    }
-    return files | (cython.files(data, flags) if package else {})
+    return {"q": [round(float(x), DIGITS) + 0.0 for x in found.q]}
 
 
 def replaced(target: Path, fill: Callable[[Path], None]) -> None:

@@ -1,9 +1,9 @@
-"""``model.h`` and ``model.c``: sizes, places of entries by name, values to start from, for C."""
+"""``model.h`` and ``functions.h``: sizes, places of entries by name, prototypes, for C."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import Any
+from collections.abc import Mapping, Sequence
+from typing import Any, TypeAlias
 
 from ..ir.rows import Rows
 from .naming import Names, comment, mangle
@@ -14,6 +14,19 @@ BLOCKS = (
     ("r", "inputs", "inputs"),
     ("p", "parameters", "parameters"),
 )
+
+
+# sizes of a function in C and in manifests
+SIZES = {"out": "output_size", "work": "work_size", "w": "prepared_size"}
+# where the manifest has the values of a block at the start
+VALUES = {
+    **{block: key for block, key, _ in BLOCKS},
+    "z": "z",
+    "s": "s",
+}
+
+
+Entry: TypeAlias = Mapping[str, Any]
 
 
 def slots(manifest: dict[str, Any]) -> str:
@@ -33,7 +46,7 @@ def slots(manifest: dict[str, Any]) -> str:
         "/* sizes */",
         "enum {",
     ]
-    sizes = [f"    cardan_n{b} = {len(manifest[key])}" for b, key, _ in BLOCKS]
+    sizes = [f"    cardan_n{b} = {len(manifest[key])}" for b, key in VALUES.items()]
     sizes.append(f"    cardan_nbodies = {len(manifest['bodies'])}")
     parts = sum(len(body["parts"]) for body in manifest["bodies"])
     sizes.append(f"    cardan_nparts = {parts}")
@@ -43,53 +56,6 @@ def slots(manifest: dict[str, Any]) -> str:
             lines += ["", f"/* {meaning} */", "enum {"]
             lines += [*_entries(block, manifest[key], names), "};"]
     return "\n".join([*lines, "", "#endif"]) + "\n"
-
-
-def defaults(
-    manifest: dict[str, Any],
-    start: Sequence[float] | None = None,
-    speeds: Sequence[float] | None = None,
-) -> str:
-    """``model.c``: values of the parameters, coordinates and inputs that the scene names.
-
-    Args:
-        manifest: Of the model.
-        start: Coordinates (nq,) to start from instead of those that the scene names.
-        speeds: Speeds (nu,) to start with; without them there is no such array.
-    """
-    lines = [
-        "/*",
-        f" * model.c: values of model '{comment(manifest['name'])}' to start from.",
-        " */",
-        '#include "functions.h"',
-    ]
-    for block, key, meaning in BLOCKS:
-        if block == "u" and speeds is None:
-            continue
-        lines += ["", f"/* {meaning} */", f"const double {array(block)} = {{"]
-        # an array has at least one element in C
-        rows = manifest[key] or [{"name": "nothing", "unit": "", "default": 0.0}]
-        if block == "q" and manifest[key]:
-            rows = _start(manifest)
-            if start is not None:
-                rows = [{**row, "default": x} for row, x in zip(rows, start, strict=True)]
-        if block == "u" and speeds:
-            rows = [{**row, "default": x} for row, x in zip(rows, speeds, strict=True)]
-        for row in rows:
-            unit = f" [{row['unit']}]" if row["unit"] else ""
-            lines.append(f"    {float(row['default'])!r}, /* {comment(row['name'] + unit)} */")
-        lines.append("};")
-    return "\n".join(lines) + "\n"
-
-
-def _start(manifest: dict[str, Any]) -> list[dict[str, Any]]:
-    """Coordinates with the initial values that the scene gives its joints."""
-    rows = [dict(row) for row in manifest["coordinates"]]
-    for joint in manifest["joints"]:
-        if joint["q"] and joint["q0"]:
-            for k, value in enumerate(joint["q0"], joint["q"][0]):
-                rows[k]["default"] = value
-    return rows
 
 
 def array(block: str) -> str:
@@ -116,3 +82,42 @@ def _entries(block: str, rows: Sequence[dict[str, Any]], names: Names) -> list[s
         name = names.new(f"{block}_{mangle(row['name'])}")
         lines.append(f"    {name} = {k}{comma} /* {comment(about)} */")
     return lines
+
+
+def prototypes(
+    name: str, functions: Mapping[str, Entry], headers: Sequence[str], more: Sequence[str] = ()
+) -> str:
+    """``functions.h``: the functions of an export, with the sizes a caller must provide.
+
+    Args:
+        name: Of the model.
+        functions: What manifests say of its functions; those without ``prepared_size`` read
+            elements, which are prepared together.
+        headers: What it stands on.
+        more: Other lines.
+    """
+    lines = [
+        "/*",
+        f" * functions.h: what model '{comment(name)}' computes.",
+        " *",
+        " * out, work and w are arrays of the caller of at least the sizes given here.",
+        " */",
+        "#ifndef CARDAN_FUNCTIONS_H",
+        "#define CARDAN_FUNCTIONS_H",
+        "",
+        *(f'#include "{header}"' for header in ("model.h", *headers)),
+        "",
+        "/* model.c: values to start from; all that a run must know of the model */",
+        *(f"extern const double {array(block)};" for block in VALUES),
+        "extern const cardan_export cardan_scene;",
+        *more,
+    ]
+    for own, entry in functions.items():
+        sizes = [f"    {own}_{k}_size = {entry[key]}" for k, key in SIZES.items() if key in entry]
+        reads = ", ".join(entry["inputs"]) or "nothing"
+        lines += ["", f"/* {comment(entry['about'] or own)}; reads {reads} */"]
+        lines += ["enum {", ",\n".join(sizes), "};"]
+        lines.append(f"CARDAN_API int {own}(const cardan_in *in, real *out, real *work);")
+        if "prepared_size" in entry:
+            lines.append(f"CARDAN_API void prepare_{own}(const wreal *p, wreal *w);")
+    return "\n".join([*lines, "", "#endif"]) + "\n"

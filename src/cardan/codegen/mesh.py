@@ -14,6 +14,7 @@ import numpy as np
 from ..equations import blocks
 from ..equations.absolute.record import GROUND, Absolute, BlockKind, Group, Kind
 from ..ir.function import Function
+from ..schema.records import PARTS
 from ..version import ABI, MANIFEST, VERSION
 from . import flat, layout
 from .manifest import Base, isolated, parameter_rows
@@ -21,7 +22,6 @@ from .mesh_rows import plane_of, rows
 from .writing import generate
 
 FILE = "mesh.npz"
-PARTS = ("K", "C", "M", "R", "G")
 
 
 def base(absolute: Absolute, functions: Sequence[str]) -> Base:

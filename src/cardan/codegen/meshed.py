@@ -6,18 +6,22 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
+from ..equations import blocks
 from ..equations.absolute.record import Absolute
 from ..errors import CodegenError, DerivationError, near
 from ..schema.integrators import Integrator
-from . import companions, elements, header, layout, linkage, mesh, meshed_example, tables
-from . import prefix as prefixes
-from .export import FLAGS, check, check_words, replaced
+from ..schema.planned import Planned
+from . import companions, elements, layout, mesh, tables
+from .constants import Name
+from .export import Wanted, written
+from .model_file import Content
+from .sources import source
 from .writing import generate
 
-# files that every such model needs, with what they lead to
-ROOTS = (*companions.RUN, "mesh_move.c", "mesh_calls.c", "mesh_solve.c", "mesh_start.c")
-# what a run calls
-CALLED = ("rhs", "balance", "move", "qdot", "close_position", "close_velocity")
+# what a run calls; what the example shows
+CALLED, SHOWN = ("rhs", "balance", "move", "qdot", "close_position", "close_velocity"), "energy"
+# tolerances of ``simulate``: the method is none for many digits
+LOOSE = {"alpha": {"rtol": 1e-6, "atol": 1e-9}}
 
 
 def _called(method: Integrator) -> set[str]:
@@ -33,7 +37,7 @@ METHODS = tuple(name for name, m in companions.INTEGRATORS.items() if _called(m)
 def export(
     absolute: Absolute,
     directory: str | Path,
-    plan: Callable[[Path], tables.Planned],
+    plan: Callable[[Path], Planned],
     functions: Sequence[Any] | None = None,
     language: str = "c",
     integrators: Sequence[str] = (),
@@ -62,52 +66,60 @@ def export(
             that elements in tables do not go with.
         DerivationError: an unknown function.
     """
-    target, wanted = Path(directory).resolve(), tuple(name.lower() for name in integrators)
-    check_words(language, wanted)
-    _check(absolute, language, wanted)
-    prefixes.check(prefix, language)
-    check(target)
-    names = _asked(functions, wanted)
+    wanted = Wanted.checked(directory, language, integrators, reproducible, prefix)
+    _check(absolute, wanted)
+    names = _asked(functions, wanted.integrators)
 
-    def fill(folder: Path) -> None:
+    def fill(folder: Path) -> Content:
         mesh.write(folder, absolute, tuple(elements.WHOLE))
-        _add_data(folder, absolute)
-        data, planned = layout.read(folder) or {}, plan(folder)
-        flags = (*FLAGS, f"-ffp-contract={'off' if reproducible else 'on'}")
-        texts = _texts(absolute, data, planned, names)
-        line = companions.compile_line(flags)
-        texts["example.c"] = meshed_example.example(wanted, line)
-        texts["README.md"] = meshed_example.readme(data, names, line)
-        for name in linkage.closure((*ROOTS, *(f"{one}.c" for one in wanted))):
-            texts[name] = layout.kernel(name)
-        layout.add_files(folder, texts)
-        if prefix:
-            prefixes.add(folder, prefix)
-        (folder / layout.LOCK).unlink()
+        # what gives the data of elements by the parameters is C here too
+        commons = mesh.commons(absolute)
+        if commons:
+            model = absolute.system.name
+            layout.add_functions(folder, [(generate(f, model=model), f) for f in commons])
+        entries, planned = (layout.read(folder) or {})["functions"], plan(folder)
+        nq, start = absolute.places.nq, planned.start.tolist()
+        calls = Name("&cardan_calls_of_elements")
+        return Content(
+            elements.exported(names, SHOWN),
+            {"q": start[:nq], "u": start[nq:]},
+            {
+                "mesh": Name("&mesh"),
+                "elements": Name("&elements"),
+                "calls": calls,
+                "size": planned.size,
+            },
+            planned.columns,
+            LOOSE,
+            elements.declared(absolute, entries, planned, names),
+            {
+                **{name: source(name) for name in ("elements.h", "elements.c")},
+                "tables.h": tables.tables(absolute, entries, planned),
+            },
+        )
 
-    replaced(target, fill)
-    return target
+    return written(wanted, fill)
 
 
-def _check(absolute: Absolute, language: str, integrators: Sequence[str]) -> None:
+def _check(absolute: Absolute, wanted: Wanted) -> None:
     """Refuse what elements in tables do not go with.
 
     Raises:
         CodegenError: a package, a method that needs other functions, or internal states.
     """
     name = absolute.system.name
-    if language != "c":
+    if wanted.language != "c":
         raise CodegenError(
-            f"language '{language}': model '{name}' is in absolute coordinates, whose elements are "
-            "exported as C: language='c'. In Python use cardan.compile()"
+            f"language '{wanted.language}': model '{name}' is in absolute coordinates, whose "
+            "elements are exported as C: language='c'. In Python use cardan.compile()"
         )
-    for method in integrators:
+    for method in wanted.integrators:
         if method not in METHODS:
             raise CodegenError(
                 f"integrators: '{method}' needs functions that absolute coordinates do not have. "
                 f"Model '{name}' goes with {', '.join(METHODS)}"
             )
-    if integrators and tables.sizes(absolute)["nz"]:
+    if wanted.integrators and blocks.internals(absolute.system):
         cure = "leave out what has them"
         if not absolute.system.segments:
             cure = "derive(scene, coordinates='relative')"
@@ -136,48 +148,5 @@ def _asked(functions: Sequence[Any] | None, integrators: Sequence[str]) -> tuple
                 f"function '{one}' does not exist in exports of absolute coordinates."
                 f"{near(one, known)}"
             )
-    # what the example shows, and what it simulates with
-    needed = {*asked, "energy", *(CALLED if integrators else ())}
+    needed = {*asked, SHOWN, *(CALLED if integrators else ())}
     return tuple(name for name in known if name in needed)
-
-
-def _add_data(folder: Path, absolute: Absolute) -> None:
-    """Write what gives the data of elements by the parameters as C too."""
-    made = [
-        (generate(function, model=absolute.system.name), function)
-        for function in mesh.commons(absolute)
-    ]
-    if made:
-        layout.add_functions(folder, made)
-
-
-def _texts(
-    absolute: Absolute, data: dict[str, Any], planned: tables.Planned, names: Sequence[str]
-) -> dict[str, str]:
-    """What is written of the whole model, by file name."""
-    nq, nu = absolute.places.nq, absolute.places.nu
-    start = planned.start.tolist()
-    return {
-        "functions.h": elements.prototypes(absolute, data, planned, names),
-        "elements.c": elements.elements(absolute, names),
-        "tables.h": tables.tables(absolute, data["functions"], planned),
-        "model.c": header.defaults(data, start[:nq], start[nq : nq + nu]) + _others(data, planned),
-    }
-
-
-def _others(data: dict[str, Any], planned: tables.Planned) -> str:
-    """Modes, quaternions and units for ``model.c``."""
-    modes = ", ".join(repr(float(row["default"])) for row in data["s"])
-    quaternions = ", ".join(map(str, data["quaternions"]))
-    columns = "\n".join(tables.wrapped(map(repr, planned.columns.tolist() or [1.0])))
-    held = "\n".join(tables.wrapped("01"[one] for one in planned.held.tolist() or [False]))
-    return (
-        f"\n/* modes */\nconst double {header.array('s')} = {{{modes or 0.0}}};\n"
-        "\n/* first entry of every unit quaternion in q */\n"
-        f"const ptrdiff_t {elements.QUATERNIONS} = {{{quaternions or 0}}};\n"
-        "\n/* 1: entries of x that stay as they are where parameters move the rest */\n"
-        f"const double {elements.HELD} = {{\n{held}\n}};\n"
-        "\n/* what lengths count against [m]; what speeds count in: that, or 1 */\n"
-        f"const double cardan_size = {planned.size!r};\n"
-        f"const double {elements.COLUMNS} = {{\n{columns}\n}};\n"
-    )

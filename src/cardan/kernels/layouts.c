@@ -149,15 +149,15 @@ const size_t cardan_form_layout[7] = {
     offsetof(cardan_form, size)
 };
 
-extern const size_t cardan_group_layout[19];
-const size_t cardan_group_layout[19] = {
+extern const size_t cardan_group_layout[20];
+const size_t cardan_group_layout[20] = {
     sizeof(cardan_group), offsetof(cardan_group, count), offsetof(cardan_group, places),
     offsetof(cardan_group, nq), offsetof(cardan_group, nu), offsetof(cardan_group, nz),
     offsetof(cardan_group, ns), offsetof(cardan_group, mp), offsetof(cardan_group, m),
     offsetof(cardan_group, inner), offsetof(cardan_group, inner_start), offsetof(cardan_group,
     place), offsetof(cardan_group, rows), offsetof(cardan_group, z), offsetof(cardan_group, s),
     offsetof(cardan_group, parts), offsetof(cardan_group, spots), offsetof(cardan_group, powers),
-    offsetof(cardan_group, forms)
+    offsetof(cardan_group, outputs), offsetof(cardan_group, forms)
 };
 
 extern const size_t cardan_movers_layout[9];
@@ -168,8 +168,8 @@ const size_t cardan_movers_layout[9] = {
     w_rates)
 };
 
-extern const size_t cardan_mesh_layout[27];
-const size_t cardan_mesh_layout[27] = {
+extern const size_t cardan_mesh_layout[28];
+const size_t cardan_mesh_layout[28] = {
     sizeof(cardan_mesh), offsetof(cardan_mesh, nq), offsetof(cardan_mesh, nu), offsetof(cardan_mesh,
     nz), offsetof(cardan_mesh, ns), offsetof(cardan_mesh, nr), offsetof(cardan_mesh, mp),
     offsetof(cardan_mesh, m), offsetof(cardan_mesh, places), offsetof(cardan_mesh, nodes),
@@ -178,7 +178,8 @@ const size_t cardan_mesh_layout[27] = {
     offsetof(cardan_mesh, mover_count), offsetof(cardan_mesh, groups), offsetof(cardan_mesh,
     movers), offsetof(cardan_mesh, plan), offsetof(cardan_mesh, unknown), offsetof(cardan_mesh,
     diagonal), offsetof(cardan_mesh, lanes), offsetof(cardan_mesh, work), offsetof(cardan_mesh,
-    local), offsetof(cardan_mesh, powers), offsetof(cardan_mesh, driven)
+    local), offsetof(cardan_mesh, powers), offsetof(cardan_mesh, driven), offsetof(cardan_mesh,
+    outputs)
 };
 
 extern const size_t cardan_state_layout[11];

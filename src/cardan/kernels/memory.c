@@ -34,57 +34,56 @@
  */
 #include "run.h"
 
+/* The next piece of a block; a NULL block is only measured. */
+static real *piece(real *block, size_t *used, ptrdiff_t size)
+{
+    real *start = block ? block + *used : NULL;
+
+    *used += (size_t)size;
+    return start;
+}
+
+/* Point every array of a run into the block; returns how many numbers that takes. */
+static size_t lay(cardan_run *run, real *block, size_t rest, size_t work)
+{
+    size_t used = 0;
+
+    run->y = piece(block, &used, run->n);
+    run->y_old = piece(block, &used, run->n);
+    run->trial = piece(block, &used, run->n);
+    run->f = piece(block, &used, run->n);
+    run->k = piece(block, &used, run->stages * run->n);
+    run->spread = piece(block, &used, run->dense_rows * run->n);
+    run->r = piece(block, &used, run->nr);
+    run->s = piece(block, &used, run->ns);
+    run->at_rest = piece(block, &used, (ptrdiff_t)rest);
+    run->work = piece(block, &used, (ptrdiff_t)work);
+    run->closing = piece(block, &used, cardan_closing_length(run));
+    run->chart = piece(block, &used, cardan_chart_length(run));
+    run->holding = piece(block, &used, cardan_hold_length(run));
+    run->passing = piece(block, &used, cardan_passing_length(run));
+    run->own = piece(block, &used, run->length(run));
+    run->e = piece(block, &used, run->ne + run->watched);
+    run->board = piece(block, &used, cardan_board_length(run));
+    run->ledger = piece(block, &used, 4 * (run->positions + run->rates));
+    return used;
+}
+
 /* How many numbers cardan_run_lay needs. */
 size_t cardan_run_length(const cardan_run *run, size_t rest, size_t work)
 {
-    size_t n = (size_t)run->n, rows = (size_t)(run->stages + run->dense_rows);
+    cardan_run measured = *run;
 
-    size_t closing = (size_t)(cardan_closing_length(run) + cardan_hold_length(run)
-                              + cardan_passing_length(run));
-    size_t own = (size_t)run->length(run);
-    size_t ledger = 4 * (size_t)(run->positions + run->rates);
-    size_t chart = (size_t)cardan_chart_length(run);
-    size_t events = (size_t)(run->ne + run->watched + cardan_board_length(run));
-
-    return (4 + rows) * n + (size_t)(run->nr + run->ns) + rest + work + closing + chart + own
-           + ledger + events;
-}
-
-/* The next piece of a block. */
-static real *take(real **next, ptrdiff_t size)
-{
-    real *piece = *next;
-
-    *next += size;
-    return piece;
+    return lay(&measured, NULL, rest, work);
 }
 
 /* Point every array of the run into the block, fill it with zeros, and want no rows. */
 void cardan_run_lay(cardan_run *run, real *memory, size_t rest, size_t work)
 {
-    size_t length = cardan_run_length(run, rest, work);
-    real *next = memory;
+    const size_t length = lay(run, memory, rest, work);
 
     for (size_t i = 0; i < length; i++)
         memory[i] = 0;
-    run->y = take(&next, run->n);
-    run->y_old = take(&next, run->n);
-    run->trial = take(&next, run->n);
-    run->f = take(&next, run->n);
-    run->k = take(&next, run->stages * run->n);
-    run->spread = take(&next, run->dense_rows * run->n);
-    run->r = take(&next, run->nr);
-    run->s = take(&next, run->ns);
-    run->at_rest = take(&next, (ptrdiff_t)rest);
-    run->work = take(&next, (ptrdiff_t)work);
-    run->closing = take(&next, cardan_closing_length(run));
-    run->chart = take(&next, cardan_chart_length(run));
-    run->holding = take(&next, cardan_hold_length(run));
-    run->passing = take(&next, cardan_passing_length(run));
-    run->own = take(&next, run->length(run));
-    run->e = take(&next, run->ne + run->watched);
-    run->board = take(&next, cardan_board_length(run));
-    run->ledger = take(&next, 4 * (run->positions + run->rates));
     run->times = run->stops;
     run->time_count = 0;
 }

@@ -58,6 +58,7 @@ typedef struct cardan_group {
     const ptrdiff_t *spots;    /* (count, blocks, blocks + 1) of the plan: where every block of its
                                   places, then of its rows, begins, and the stride of its rows */
     const ptrdiff_t *powers;   /* (count, size of its power): which of the scene's sources they are */
+    const ptrdiff_t *outputs;  /* (count, size of its outputs): which of the scene's they add to */
     cardan_form forms[CARDAN_FORMS];
 } cardan_group;
 
@@ -87,6 +88,7 @@ typedef struct cardan_mesh {
     ptrdiff_t work;            /* numbers that the largest work of an element takes, per lane */
     ptrdiff_t local;           /* numbers that the largest element reads and gives, per lane */
     ptrdiff_t powers, driven;  /* sources of power; 1: some of them are multipliers' */
+    ptrdiff_t outputs;         /* of the scene */
 } cardan_mesh;
 
 /* What the elements are asked at. */

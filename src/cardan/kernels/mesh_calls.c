@@ -43,6 +43,13 @@ int cardan_mesh_call_energy(const cardan_in *in, real *out, real *work)
     return status;
 }
 
+int cardan_mesh_call_momentum(const cardan_in *in, real *out, real *work)
+{
+    const cardan_state at = cardan_state_of(in);
+
+    return cardan_mesh_sum(cardan_mesh_of(in), &at, CARDAN_MOMENTUM, 6, out, work);
+}
+
 /* How much speeds miss of their constraints by rates (m), of the fastest, which is not at rest. */
 static real missed(const cardan_mesh *mesh, const cardan_mesh_system *system, const real *u,
                    const real *rates)
@@ -113,15 +120,49 @@ int cardan_mesh_accelerations(const cardan_mesh *mesh, const cardan_state *asked
     return status;
 }
 
-static void take_power(const cardan_mesh *mesh, const cardan_group *g, const cardan_element_lanes *some,
-                       real *out, void *to)
+int cardan_mesh_call_forward_dynamics(const cardan_in *in, real *out, real *work)
 {
-    const ptrdiff_t size = g->forms[CARDAN_POWER].size;
+    const cardan_state at = cardan_state_of(in);
+
+    return cardan_mesh_accelerations(cardan_mesh_of(in), &at, in->tau, out, work);
+}
+
+/* What the entries of a result of the scene are added to. */
+typedef struct sums {
+    int form;
+    real *out;
+} sums;
+
+static void add(const cardan_mesh *mesh, const cardan_group *g, const cardan_element_lanes *some,
+                real *out, void *to)
+{
+    const sums *total = to;
+    const ptrdiff_t size = g->forms[total->form].size;
+    const ptrdiff_t *which = total->form == CARDAN_POWER ? g->powers : g->outputs;
 
     (void)mesh;
     for (ptrdiff_t lane = 0; lane < some->filled; lane++)
         for (ptrdiff_t i = 0; i < size; i++)
-            ((real *)to)[g->powers[some->element[lane] * size + i]] += out[i * some->lanes + lane];
+            total->out[which[some->element[lane] * size + i]] += out[i * some->lanes + lane];
+}
+
+/* Results of elements as entries (count) of the scene's. */
+static int summed(const cardan_mesh *mesh, const cardan_state *at, int form, ptrdiff_t count,
+                  real *out, real *work)
+{
+    sums total = {form, out};
+
+    for (ptrdiff_t i = 0; i < count; i++)
+        out[i] = 0;
+    return cardan_mesh_each(mesh, at, form, add, &total, work);
+}
+
+int cardan_mesh_call_outputs(const cardan_in *in, real *out, real *work)
+{
+    const cardan_mesh *mesh = cardan_mesh_of(in);
+    const cardan_state at = cardan_state_of(in);
+
+    return summed(mesh, &at, CARDAN_OUTPUTS, mesh->outputs, out, work);
 }
 
 /* Of every source (powers); driven joints give that of their multipliers, which are solved for. */
@@ -137,9 +178,7 @@ int cardan_mesh_call_power(const cardan_in *in, real *out, real *work)
         status = cardan_mesh_accelerations(mesh, &at, NULL, found, work);
         at.lam = found + mesh->nu;
     }
-    for (ptrdiff_t i = 0; i < mesh->powers; i++)
-        out[i] = 0;
-    return status != 0 ? status : cardan_mesh_each(mesh, &at, CARDAN_POWER, take_power, out, work);
+    return status != 0 ? status : summed(mesh, &at, CARDAN_POWER, mesh->powers, out, work);
 }
 
 int cardan_mesh_call_rhs(const cardan_in *in, real *out, real *work)
@@ -233,6 +272,14 @@ int cardan_mesh_values(const cardan_mesh *mesh, const cardan_state *at, const re
     (void)cardan_mesh_lay(mesh, work, &system);
     system.a = a;
     return cardan_mesh_matrix(mesh, at, &parts, &system);
+}
+
+int cardan_mesh_call_mass_matrix(const cardan_in *in, real *out, real *work)
+{
+    const cardan_state at = cardan_state_of(in);
+    const real shares[3] = {0, 0, 1}; /* of K, C and M */
+
+    return cardan_mesh_values(cardan_mesh_of(in), &at, shares, out, work);
 }
 
 /* Numbers of work memory that each of these needs, at most. */

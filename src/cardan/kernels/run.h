@@ -18,7 +18,6 @@
 #include "cardan.h"
 #include <stddef.h>
 
-typedef int (*cardan_function)(const cardan_in *in, real *out, real *work);
 typedef struct cardan_run cardan_run;
 
 /* A function of the model with its prepared parameters; `function` is NULL where there is none. */

@@ -13,9 +13,12 @@ from ...errors import counted
 from ...ir.request import reads
 from ...schema.blocks import ARGUMENTS, ORDER
 from ..naming import mangle
+from ..sources import source
 
 SUFFIX = ".pyx"
 NEEDED = ("numpy", "cython", "setuptools", "setup", "cardan")
+# blocks of elements and of events: where the manifest lists them
+OWN = {"z": "z", "s": "s", "e": "events"}
 
 HEAD = '''\
 # cython: language_level=3
@@ -35,13 +38,20 @@ import numpy as np
 cdef extern from "functions.h" nogil:
     ctypedef struct cardan_in:
         const double *t
-    const double cardan_default_p[]
-    const double cardan_default_q[]
-    const double cardan_default_r[]
-{externs}
-
-ctypedef int (*function)(const cardan_in *, double *, double *) noexcept nogil
-ctypedef void (*preparation)(const double *, double *) noexcept nogil
+    ctypedef struct cardan_exported_function:
+        const char *name
+        int (*function)(const cardan_in *, double *, double *) noexcept nogil
+        void (*prepare)(const double *, double *) noexcept nogil
+        Py_ssize_t out, work, w
+    ctypedef struct cardan_export:
+        Py_ssize_t nq, nz, ns, nr
+        const double *p
+        const double *q
+        const double *z
+        const double *s
+        const double *r
+        const cardan_exported_function *functions
+    const cardan_export cardan_scene
 
 NAME = {name!r}
 COORDINATES = {coordinates}
@@ -51,96 +61,9 @@ PARAMETERS = {parameters}
 BODIES = {bodies}
 
 _SIZES = {sizes}
-_STARTS = {starts}
-'''
-
-BODY = '''
-
-class SingularError(ArithmeticError):
-    """A linear system of the model has no solution at the given state."""
+_SLOTS = {slots}
 
 
-def _entries(block, value, names, start):
-    """A block as numbers: a mapping changes some of the entries, None leaves them as they are."""
-    if value is not None and not hasattr(value, "items"):
-        return np.asarray(value, dtype=float)
-    found = np.array(start, dtype=float)
-    for name, number in dict(value or {}).items():
-        if name not in names:
-            raise KeyError(f"{block}: there is no {name!r}. Known: {', '.join(names)}")
-        found[names.index(name)] = number
-    return found
-
-
-def _defaults(block):
-    cdef Py_ssize_t k
-    if block == "q":
-        return [cardan_default_q[k] for k in range(len(COORDINATES))]
-    if block == "r":
-        return [cardan_default_r[k] for k in range(len(INPUTS))]
-    if block == "p":
-        return [cardan_default_p[k] for k in range(len(PARAMETERS))]
-    return _STARTS.get(block) or np.zeros(_SIZES[block])
-
-
-_NAMES = {"q": COORDINATES, "q0": COORDINATES, "u": SPEEDS, "r": INPUTS}
-
-
-def _array(block, value):
-    """A block (..., n) as contiguous numbers."""
-    if block == "t":
-        return np.asarray(value, dtype=float)[..., None]
-    found = _entries(block, value, _NAMES.get(block, ()), _defaults(block))
-    size = _SIZES[block]
-    if found.ndim == 0 or found.shape[-1] != size:
-        raise ValueError(f"{block} must have shape (..., {size}), not {found.shape}")
-    return found
-
-
-cdef object _call(
-    function f, preparation prepare, tuple blocks, tuple values, object parameters,
-    Py_ssize_t out_size, Py_ssize_t work_size, Py_ssize_t w_size, tuple shape,
-):
-    """Run a function at every state."""
-    arrays = [_array(block, value) for block, value in zip(blocks, values)]
-    lead = np.broadcast_shapes(*(a.shape[:-1] for a in arrays))
-    cdef Py_ssize_t count = int(np.prod(lead, dtype=np.intp)), i, k
-    given = _entries("parameters", parameters, PARAMETERS, _defaults("p"))
-    if given.shape != (len(PARAMETERS),):
-        raise ValueError(f"parameters must have shape ({len(PARAMETERS)},), not {given.shape}")
-    cdef double[::1] p = np.append(given, 0.0)
-    cdef double[::1] w = np.zeros(w_size + 1)
-    prepare(&p[0], &w[0])
-    result = np.empty((count, out_size))
-    cdef double[::1] out = result.reshape(-1) if count * out_size else np.empty(1)
-    cdef const double *at[16]
-    cdef Py_ssize_t step[16]
-    cdef double[::1] flat
-    for k in range(16):
-        at[k], step[k] = NULL, 0
-    held = []
-    for block, array in zip(blocks, arrays):
-        wide = np.broadcast_to(array, lead + array.shape[-1:])
-        flat = np.append(np.ascontiguousarray(wide).reshape(-1), 0.0)
-        held.append(flat)
-        k = _SLOTS[block]
-        at[k], step[k] = &flat[0], array.shape[-1]
-    at[_SLOTS["w"]] = &w[0]
-    cdef double *work = <double *>malloc((work_size + 1) * sizeof(double))
-    cdef int status = 0, one
-    if work == NULL:
-        raise MemoryError()
-    with nogil:
-        for i in range(count):
-            one = f(<const cardan_in *>at, &out[0] + i * out_size, work)
-            status |= one
-            for k in range(16):
-                if at[k] != NULL:
-                    at[k] += step[k]
-    free(work)
-    if status:
-        raise SingularError(f"a linear system has no solution (status {status})")
-    return result.reshape(lead + shape)
 '''
 
 SETUP = '''\
@@ -208,32 +131,22 @@ def write(manifest: dict[str, Any]) -> str:
     nq, nu = len(names["coordinates"]), len(names["speeds"])
     sizes = {"q": nq, "q0": nq, "r": len(names["inputs"]), "wrench": 6 * len(bodies)}
     sizes |= dict.fromkeys(("u", "udot", "tau", "du"), nu)
-    starts = {block: tuple(row["default"] for row in manifest[block]) for block in ("z", "s")}
-    sizes |= {block: len(values) for block, values in starts.items()}
-    sizes["e"] = len(manifest.get("events", ()))
-    functions = manifest["functions"]
-    externs = "\n".join(
-        f'    int c_{f} "{f}"(const cardan_in *, double *, double *) noexcept\n'
-        f'    void c_prepare_{f} "prepare_{f}"(const double *, double *) noexcept'
-        for f in functions
-    )
+    sizes |= {block: len(manifest.get(key, ())) for block, key in OWN.items()}
     head = HEAD.format(
         title=_text(f"{manifest['name']}: C functions of a multibody model."),
         about=_text(
             f"{counted(nq, 'coordinate')}, {counted(nu, 'speed')}, "
             f"{counted(len(names['parameters']), 'parameter')}."
         ),
-        externs=externs,
         name=manifest["name"],
         bodies=_literal(bodies),
         sizes=_literal(sizes),
-        starts=_literal(starts),
+        slots=_literal({block: k for k, block in enumerate(ORDER)}),
         **{key: _literal(value) for key, value in names.items()},
     )
-    slots = {block: k for k, block in enumerate(ORDER)}
-    parts = [head + f"_SLOTS = {_literal(slots)}" + BODY]
-    parts += [_function(name, entry, nq, nu, sizes["z"]) for name, entry in functions.items()]
-    return "\n\n".join(parts)
+    functions = manifest["functions"].items()
+    parts = [_function(name, entry, nq, nu, sizes["z"]) for name, entry in functions]
+    return "\n\n".join([head + source("package.pyx"), *parts])
 
 
 def _function(name: str, entry: dict[str, Any], nq: int, nu: int, nz: int) -> str:
@@ -268,11 +181,9 @@ def _function(name: str, entry: dict[str, Any], nq: int, nu: int, nz: int) -> st
         parts = {"q": f"x[..., :{nq}]", "u": rest} | ({"z": f"x[..., {nq + nu}:]"} if nz else {})
         blocks[at : at + 1], values[at : at + 1] = [*parts], [*parts.values()]
     row = ", ".join(f'"{block}"' for block in blocks)
-    numbers = ", ".join(str(entry[f"{k}_size"]) for k in ("output", "work", "prepared"))
     lines += [
         "    return _call(",
-        f"        c_{name}, c_prepare_{name}, ({row},), ({', '.join(values)},), parameters,",
-        f"        {numbers}, {shape!r},",
+        f'        b"{name}", ({row},), ({", ".join(values)},), parameters, {shape!r},',
         "    )",
         "",
     ]

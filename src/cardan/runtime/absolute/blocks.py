@@ -27,23 +27,19 @@ ELIMINATION = (
 )
 
 
-def plan_numbers(plan: Plan) -> dict[str, int]:
-    """The sizes of ``cardan_sparse``."""
+def plan_fields(plan: Plan) -> dict[str, int | NDArray[np.int32]]:
+    """The fields of ``cardan_sparse``."""
     matrix = plan.pattern
     sizes = (matrix.n, len(matrix.sizes), matrix.values, len(plan.later), plan.factors)
-    return dict(zip(NUMBERS, (*sizes, plan.widest), strict=True))
-
-
-def plan_tables(plan: Plan) -> dict[str, NDArray[np.int32]]:
-    """The tables of ``cardan_sparse``."""
-    tables = {name: getattr(plan.pattern, name) for name in MATRIX}
-    return tables | {name: getattr(plan, name) for name in ELIMINATION}
+    tables = {name: getattr(matrix, name) for name in MATRIX}
+    tables |= {name: getattr(plan, name) for name in ELIMINATION}
+    return dict(zip(NUMBERS, (*sizes, plan.widest), strict=True)) | tables
 
 
 def plan_record(plan: Plan) -> PlanRecord:
     """A plan as C sees it; the plan must outlive it."""
-    tables = plan_tables(plan).values()
-    return PlanRecord(*plan_numbers(plan).values(), *(table.ctypes.data for table in tables))
+    fields = plan_fields(plan).items()
+    return PlanRecord(**{k: v if isinstance(v, int) else v.ctypes.data for k, v in fields})
 
 
 @dataclass(frozen=True)

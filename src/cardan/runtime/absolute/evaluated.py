@@ -152,18 +152,14 @@ class Results:
         return self.integrate(given)
 
     def energy(self, given: Given) -> Array:
-        kinetic, potential = self.mesh.total("energy", 2, self._at(given))
-        return np.array([kinetic, potential, kinetic + potential])
+        return self.mesh.call("energy", self._at(given), 3)
 
     def power(self, given: Given) -> Array:
         """Of every source of power; the multipliers of driven joints are solved for."""
-        size = len(self.tables.powers)
-        driven = self.tables.driven
-        at = self._at(given, lam=self.multipliers(given)) if driven else self._at(given)
-        return self._summed("power", size, at)
+        return self.mesh.call("power", self._at(given), len(self.tables.powers))
 
     def momentum(self, given: Given) -> Array:
-        return self.mesh.total("momentum", 6, self._at(given))
+        return self.mesh.call("momentum", self._at(given), 6)
 
     # frames and elements
 
@@ -185,17 +181,7 @@ class Results:
         return self._of_member("reaction", joint, at)
 
     def outputs(self, given: Given) -> Array:
-        return self._summed("outputs", len(self.manifest["outputs"]), self._at(given))
-
-    def _summed(self, form: str, size: int, at: State) -> Array:
-        """What elements contribute to the entries of a result."""
-        total = np.zeros(size)
-        having = [group for group in self.tables.groups if form in group.kind.functions]
-        for group, rows in zip(having, self.mesh.results(form, at), strict=True):
-            which = group.outputs if form == "outputs" else group.powers
-            assert which is not None
-            np.add.at(total, which, rows)
-        return total
+        return self.mesh.call("outputs", self._at(given), self.tables.outputs)
 
     def _of_member(self, form: str, name: str, at: State) -> Array:
         """The result of one element of the scene."""

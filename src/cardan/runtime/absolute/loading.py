@@ -40,7 +40,7 @@ def tables(manifest: Manifest, directory: Path) -> Tables:
         content = regular_file.content(directory / FILE)
         if hashlib.sha256(content).hexdigest() != manifest["sha256"].get(FILE):
             raise ValueError("it is not the file its manifest speaks of")
-        sizes = (len(manifest[block]) for block in ("inputs", "z", "s"))
+        sizes = (len(manifest[block]) for block in ("inputs", "z", "s", "outputs"))
         found = _tables(mesh, unpacked(content), *sizes)
         _fit(found, manifest)
         _check_mesh(found, manifest)
@@ -136,7 +136,7 @@ def _check_mesh(elements: Tables, manifest: Manifest) -> None:
             raise ValueError(f"its {what} are not those of the manifest")
 
 
-def _tables(told: Manifest, numbers: Manifest, nr: int, nz: int, ns: int) -> Tables:
+def _tables(told: Manifest, numbers: Manifest, nr: int, nz: int, ns: int, outputs: int) -> Tables:
     kinds = {row["name"]: Kind(**row) for row in told["kinds"]}
     groups = []
     for k, row in enumerate(told["groups"]):
@@ -155,7 +155,7 @@ def _tables(told: Manifest, numbers: Manifest, nr: int, nz: int, ns: int) -> Tab
     stations = tuple(numbers[f"stations_{k}"] for k in range(told["lines"]))
     kind = numbers["kind"].astype(np.intp)
     powers = tuple(told["powers"])
-    return Tables(places, kind, tuple(groups), nr, nz, ns, lines, stations, powers)
+    return Tables(places, kind, tuple(groups), nr, nz, ns, lines, stations, powers, outputs)
 
 
 def _whole(array: Any) -> Any:

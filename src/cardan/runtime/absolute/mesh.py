@@ -13,7 +13,8 @@ from numpy.typing import NDArray
 
 from ...errors import SolveError
 from ...schema.blocks import ORDER
-from ...schema.records import FORMS, PARTS, Form, Group, MeshRecord, Movers, StateRecord
+from ...schema.planned import Fields
+from ...schema.records import FORMS, Form, Group, MeshRecord, Movers, StateRecord
 from .. import lanes as lane_builds
 from ..abi_ctypes import FUNCTION
 from ..interpreted import SINGULAR, called_back
@@ -25,6 +26,7 @@ from .blocks import plan_record
 from .elements import INNER, Elements, State
 from .massless import refusal
 from .matrices import Matrices
+from .record_fields import group_fields, mesh_fields, mover_fields
 from .tables import Kind, Table, Tables
 
 Array = NDArray[np.float64]
@@ -42,6 +44,8 @@ NEEDED = {
     "close_velocity": ("balance", "balance_tangent"),
     "energy": ("energy",),
     "power": ("power", *SOLVED),
+    "outputs": ("outputs",),
+    "momentum": ("momentum",),
     "qdot": (),
     "move": (),
 }
@@ -90,37 +94,24 @@ class Mesh(Elements):
         self._lock = lock
         self._judge = judge
         self._width = lane_builds.width()
-        self.inner = 0
-        self._groups = groups = (Group * max(1, len(tables.groups)))()
-        for number, (record, group) in enumerate(zip(groups, tables.groups, strict=False)):
-            self._group(record, group, number)
+        fields = group_fields(tables)
+        self.inner = sum(INNER * len(g) for g in tables.groups if "mixed" in g.kind.functions)
+        self._groups = groups = (Group * max(1, len(fields)))()
+        for record, own in zip(groups, fields, strict=False):
+            self._fill(record, own)
         movers = self._movers()
-        self._keep += [groups, movers]
+        self.plan = tables.once(Matrices.of).plan
+        plan = plan_record(self.plan)
+        self._keep += [groups, movers, plan]
         self.record = MeshRecord(
-            nq=tables.nq,
-            nu=tables.nu,
-            nz=tables.nz,
-            ns=tables.ns,
-            nr=tables.nr,
-            mp=tables.mp,
-            m=tables.m,
-            places=len(tables.kind),
-            q=self._pointer(tables.q),
-            u=self._pointer(tables.u),
             group_count=len(tables.groups),
             mover_count=len(movers),
             groups=ctypes.addressof(groups),
             movers=ctypes.addressof(movers),
+            plan=ctypes.addressof(plan),
             lanes=self._width,
-            work=max((int(e["work_size"]) for e in entries.values()), default=0),
-            local=max((_local(group.kind, entries) for group in tables.groups), default=0),
-            powers=len(tables.powers),
-            driven=tables.driven,
         )
-        self._sparse()
-        nodes, flats = (tables.nodes(flat).astype(np.intp) for flat in (False, True))
-        self.record.nodes, self.record.node = len(nodes), self._pointer(nodes)
-        self.record.flats, self.record.flat = len(flats), self._pointer(flats)
+        self._fill(self.record, mesh_fields(tables, entries))
         library.cardan_mesh_room.restype = ctypes.c_ssize_t
         library.cardan_mesh_call_work.restype = ctypes.c_ssize_t
         fresh = [symbol for symbol, code in self._codes.items() if code.fresh]
@@ -141,21 +132,10 @@ class Mesh(Elements):
         self._keep.append(array)
         return array.ctypes.data
 
-    def _group(self, record: Group, group: Table, number: int) -> None:
-        """Fill in the record of a group."""
-        kind, tables = group.kind, self.tables
-        record.count, record.places = len(group), group.place.shape[1]
-        for name in ("nq", "nu", "nz", "ns", "mp", "m"):
-            setattr(record, name, getattr(kind, name))
-        if "mixed" in kind.functions:
-            record.inner, record.inner_start = INNER, self.inner
-            self.inner += INNER * len(group)
-        record.place = self._pointer(group.place.astype(np.intp))
-        record.rows = self._pointer(tables.rows[number])
-        record.z, record.s = self._pointer(group.z), self._pointer(group.s)
-        record.powers = self._pointer(group.powers)
-        parts = np.array([kind.parts.get(name, -1) for name in PARTS], dtype=np.intp)
-        record.parts = self._pointer(parts)
+    def _fill(self, record: Group | Movers | MeshRecord, fields: Fields) -> None:
+        """Fill in fields; arrays live as long as this."""
+        for name, value in fields.items():
+            setattr(record, name, value if isinstance(value, int) else self._pointer(value))
 
     def connect(self, *forms: str) -> None:
         """Load functions of all elements that are not there yet; those of one call side by side."""
@@ -223,31 +203,15 @@ class Mesh(Elements):
 
     def _movers(self) -> Any:
         """Places whose coordinates are no poses, kind by kind."""
-        kinds = [(k, kind) for k, kind in enumerate(self.tables.kinds) if kind.name != "node"]
-        movers = (Movers * len(kinds))()
-        for record, (k, kind) in zip(movers, kinds, strict=True):
-            places = np.flatnonzero(self.tables.kind == k).astype(np.intp)
-            record.count, record.nq, record.nu = len(places), kind.nq, kind.nu
-            record.place = self._pointer(places)
-            for field, name in (("move", "move"), ("rates", "qdot")):
-                if name in kind.functions:
-                    code = self._codes[kind.functions[name]]
-                    setattr(record, field, code.address)
-                    w = prepare(code, np.zeros(0))
-                    setattr(record, f"w_{field}", self._pointer(w))
+        listed = mover_fields(self.tables)
+        movers = (Movers * len(listed))()
+        for record, (fields, functions) in zip(movers, listed, strict=True):
+            self._fill(record, fields)
+            for field, symbol in functions.items():
+                code = self._codes[symbol]
+                setattr(record, field, code.address)
+                setattr(record, f"w_{field}", self._pointer(prepare(code, np.zeros(0))))
         return movers
-
-    def _sparse(self) -> None:
-        """Plan the matrices, and say where elements stand in them."""
-        found, record = self.tables.once(Matrices.of), self.record
-        self.plan = found.plan
-        for group, spots in zip(self._groups, found.spots, strict=False):
-            group.spots = self._pointer(spots)
-        told = plan_record(self.plan)
-        self._keep.append(told)
-        record.plan = ctypes.addressof(told)
-        record.unknown = self._pointer(found.unknown)
-        record.diagonal = self._pointer(found.diagonal)
 
     def closure(self, name: str) -> int:
         """Address of the C function of the whole mesh."""
@@ -371,13 +335,6 @@ class Mesh(Elements):
 def _many(group: Table) -> bool:
     """Whether lanes are worth it."""
     return len(group) >= WORTH
-
-
-def _local(kind: Kind, entries: Mapping[str, Mapping[str, Any]]) -> int:
-    """Numbers that an element reads, and gives at most."""
-    reads = kind.nq + 3 * kind.nu + kind.m + kind.nz + kind.ns + INNER
-    sizes = (int(entries[symbol]["output_size"]) for symbol in kind.functions.values())
-    return reads + max(sizes, default=0)
 
 
 def _done(name: str, status: int) -> None:

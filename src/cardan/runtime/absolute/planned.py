@@ -2,50 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ...errors import ModelError
+from ...schema.planned import Planned
 from ..calling import Array
 from ..closing import columns_of, size_of
 from ..compiled import CompiledModel
 from ..initial import start_of
 from . import loading
-from .blocks import plan_numbers, plan_tables
+from .blocks import plan_fields
 from .carried import Carrier, leading
 from .matrices import Matrices
-from .tables import Integers
-
-
-@dataclass(frozen=True, eq=False)
-class Planned:
-    """What programs without Python are told.
-
-    Attributes:
-        numbers, tables: Of the factorization, by the names of ``cardan_sparse``.
-        spots, unknown, diagonal: As :class:`.Matrices` has them.
-        start: State (nx,) in which a run without named values starts: assembled, unless no such
-            state is found.
-        held: Which entries of it (nx,) stay as they are when parameters change: those of joints,
-            which nodes follow; all where beams are, which do not follow there.
-        size: Of the model [m], against which lengths count.
-        columns: What speeds count in (nu,): that, or 1.
-    """
-
-    numbers: Mapping[str, int]
-    tables: Mapping[str, NDArray[np.int32]]
-    spots: Sequence[Integers]
-    unknown: Integers
-    diagonal: Integers
-    start: Array
-    held: NDArray[np.bool_]
-    size: float
-    columns: Array
+from .record_fields import group_fields, mesh_fields, mover_fields
 
 
 def planned(folder: Path) -> Planned:
@@ -55,14 +28,12 @@ def planned(folder: Path) -> Planned:
         folder: Of the model.
     """
     model = CompiledModel(folder)
-    found = loading.tables_of(model).once(Matrices.of)
-    size = size_of(model)
+    tables, size = loading.tables_of(model), size_of(model)
     return Planned(
-        plan_numbers(found.plan),
-        plan_tables(found.plan),
-        found.spots,
-        found.unknown,
-        found.diagonal,
+        mesh_fields(tables, model.manifest["functions"]),
+        group_fields(tables),
+        mover_fields(tables),
+        plan_fields(tables.once(Matrices.of).plan),
         _start(folder, model),
         _held(model),
         size,

@@ -107,6 +107,7 @@ class Tables:
         beams: Places of the nodes of every segment of a beam; -1 for the ground.
         stations: Their arc lengths from the start of the beam [m].
         powers: Names of the sources of power.
+        outputs: How many the scene has.
     """
 
     kinds: tuple[PlaceKind, ...]
@@ -118,6 +119,7 @@ class Tables:
     beams: tuple[Integers, ...] = ()
     stations: tuple[Array, ...] = ()
     powers: tuple[str, ...] = ()
+    outputs: int = 0
 
     def once(self, make: Callable[[Tables], T]) -> T:
         """What follows from the tables alone, made when it is first asked for."""

@@ -1,0 +1,94 @@
+class SingularError(ArithmeticError):
+    """A linear system of the model has no solution at the given state."""
+
+
+def _entries(block, value, names, start):
+    """A block as numbers: a mapping changes some of the entries, None leaves them as they are."""
+    if value is not None and not hasattr(value, "items"):
+        return np.asarray(value, dtype=float)
+    found = np.array(start, dtype=float)
+    for name, number in dict(value or {}).items():
+        if name not in names:
+            raise KeyError(f"{block}: there is no {name!r}. Known: {', '.join(names)}")
+        found[names.index(name)] = number
+    return found
+
+
+cdef object _numbers(const double *values, Py_ssize_t count):
+    cdef Py_ssize_t k
+    return [values[k] for k in range(count)]
+
+
+def _defaults(block):
+    """Where the scene starts; zeros where it says nothing."""
+    if block == "p":
+        return _numbers(cardan_scene.p, len(PARAMETERS))
+    if block in ("q", "q0"):
+        return _numbers(cardan_scene.q, cardan_scene.nq)
+    if block == "r":
+        return _numbers(cardan_scene.r, cardan_scene.nr)
+    if block == "z":
+        return _numbers(cardan_scene.z, cardan_scene.nz)
+    if block == "s":
+        return _numbers(cardan_scene.s, cardan_scene.ns)
+    return np.zeros(_SIZES[block])
+
+
+_NAMES = {"q": COORDINATES, "q0": COORDINATES, "u": SPEEDS, "r": INPUTS}
+
+
+def _array(block, value):
+    """A block (..., n) as contiguous numbers."""
+    if block == "t":
+        return np.asarray(value, dtype=float)[..., None]
+    found = _entries(block, value, _NAMES.get(block, ()), _defaults(block))
+    size = _SIZES[block]
+    if found.ndim == 0 or found.shape[-1] != size:
+        raise ValueError(f"{block} must have shape (..., {size}), not {found.shape}")
+    return found
+
+
+cdef object _call(bytes name, tuple blocks, tuple values, object parameters, tuple shape):
+    """Run a function at every state."""
+    cdef const cardan_exported_function *f = cardan_scene.functions
+    while name != <bytes>f.name:
+        f += 1
+    arrays = [_array(block, value) for block, value in zip(blocks, values)]
+    lead = np.broadcast_shapes(*(a.shape[:-1] for a in arrays))
+    cdef Py_ssize_t count = int(np.prod(lead, dtype=np.intp)), i, k
+    given = _entries("parameters", parameters, PARAMETERS, _defaults("p"))
+    if given.shape != (len(PARAMETERS),):
+        raise ValueError(f"parameters must have shape ({len(PARAMETERS)},), not {given.shape}")
+    cdef double[::1] p = np.append(given, 0.0)
+    cdef double[::1] w = np.zeros(f.w + 1)
+    f.prepare(&p[0], &w[0])
+    result = np.empty((count, f.out))
+    cdef double[::1] out = result.reshape(-1) if count * f.out else np.empty(1)
+    cdef const double *at[16]
+    cdef Py_ssize_t step[16]
+    cdef double[::1] flat
+    for k in range(16):
+        at[k], step[k] = NULL, 0
+    held = []
+    for block, array in zip(blocks, arrays):
+        wide = np.broadcast_to(array, lead + array.shape[-1:])
+        flat = np.append(np.ascontiguousarray(wide).reshape(-1), 0.0)
+        held.append(flat)
+        k = _SLOTS[block]
+        at[k], step[k] = &flat[0], array.shape[-1]
+    at[_SLOTS["w"]] = &w[0]
+    cdef double *work = <double *>malloc((f.work + 1) * sizeof(double))
+    cdef int status = 0, one
+    if work == NULL:
+        raise MemoryError()
+    with nogil:
+        for i in range(count):
+            one = f.function(<const cardan_in *>at, &out[0] + i * f.out, work)
+            status |= one
+            for k in range(16):
+                if at[k] != NULL:
+                    at[k] += step[k]
+    free(work)
+    if status:
+        raise SingularError(f"a linear system has no solution (status {status})")
+    return result.reshape(lead + shape)
