@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import io
 import os
+import re
+from collections.abc import Callable
 from contextlib import redirect_stdout
 from functools import cache
 from pathlib import Path
@@ -38,24 +40,30 @@ def short(paths: list[Path]) -> list[Any]:
 
 @cache
 def scene_of(example: Path) -> cd.Model:
-    """What an example hands to ``derive`` or ``compile`` first."""
+    """What an example derives or compiles first; where it has a ``scene``, that one."""
     if example.suffix != ".py":
         return cd.load(example)
     names: dict[str, Any] = {"__name__": "example", "__file__": str(example)}
-    found: list[cd.Model] = []
+    text, found = example.read_text("utf-8"), []
+    named = re.search(r"^(\w+, )*scene\b.* = ", text, re.MULTILINE)
 
-    def enough(scene: cd.Model, *_: Any, **__: Any) -> None:
-        found.append(scene)
-        raise _Enough
+    def until_named(real: Callable[..., Any]) -> Callable[..., Any]:
+        def handed(scene: cd.Model, *rest: Any, **options: Any) -> Any:
+            if not named or names.get("scene") is scene:
+                found.append(scene)
+                raise _Enough
+            return real(scene, *rest, **options)
+
+        return handed
 
     before = Path.cwd()
     with pytest.MonkeyPatch.context() as patch, TemporaryDirectory() as folder:
-        patch.setattr(cd, "derive", enough)
-        patch.setattr(cd, "compile", enough)
+        patch.setattr(cd, "derive", until_named(cd.derive))
+        patch.setattr(cd, "compile", until_named(cd.compile))
         os.chdir(folder)
         try:
             with redirect_stdout(io.StringIO()):
-                exec(compile(example.read_text("utf-8"), str(example), "exec"), names)
+                exec(compile(text, str(example), "exec"), names)
         except _Enough:
             pass
         finally:

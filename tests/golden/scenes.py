@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import os
-import runpy
-from functools import cache
 from pathlib import Path
-from tempfile import TemporaryDirectory
 
-import cardan as cd
+from explain.scenes import scene_of
+
+__all__ = ["EXAMPLES", "FUNCTIONS", "ROOT", "scene_of"]
 
 ROOT = Path(__file__).parents[2]
 FUNCTIONS = ("forward_dynamics", "inverse_dynamics", "mass_matrix")
@@ -19,18 +17,3 @@ EXAMPLES = sorted(
     for path in (ROOT / "examples").iterdir()
     if path.suffix in (".py", ".yaml", ".urdf") and "scene.beam(" not in path.read_text("utf-8")
 )
-
-
-@cache
-def scene_of(example: Path) -> cd.Model:
-    """The scene of an example; a script runs in a folder of its own."""
-    if example.suffix != ".py":
-        return cd.load(example)
-    before = Path.cwd()
-    with TemporaryDirectory() as folder:
-        os.chdir(folder)
-        try:
-            scene: cd.Model = runpy.run_path(str(example))["scene"]
-        finally:
-            os.chdir(before)
-    return scene
