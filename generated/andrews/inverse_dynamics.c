@@ -7,7 +7,7 @@
  *
  * Sizes: out 7, work 0, w 20
  * Operations per call: 105 = 60 mul, 21 add, 11 sub, 4 cos, 4 sin, 2 select, 1 div, 1 lt, 1 sqrt
- * Operations of prepare: 99 = 47 add, 36 mul, 16 sub
+ * Operations of prepare: 93 = 44 add, 33 mul, 16 sub
  *
  * Input q (7): generalized coordinates
  *   q[0]  beta [rad]
@@ -51,12 +51,18 @@
 
 CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
-    /* K1: first moment, mass, origin inertia, base, base second moment */
+    /* K1: first moment, mass, origin inertia, base, inertia force */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
+    /* inertia_force = [2 vee(skew(U J)) + h x a; m a + U h] */
     const wreal K1_mass = p[0]; /* kg */
     const wreal K1_com_x = p[1]; /* m */
     const wreal K1_inertia_xx = p[2]; /* kg m^2 */
     const wreal K1_inertia_yy = p[3]; /* kg m^2 */
     const wreal K1_inertia_zz = p[4]; /* kg m^2 */
+    const wreal theta_position_x = p[5]; /* m */
+    const wreal K2_mass = p[6]; /* kg */
     const wreal K1_first_moment_x = K1_mass * K1_com_x;
     const wreal K1_com_x_times_first_moment_x = K1_com_x * K1_first_moment_x;
     const wreal K1_origin_inertia_yy = K1_inertia_yy + K1_com_x_times_first_moment_x;
@@ -64,10 +70,17 @@ CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     const wreal K1_base_half_trace = 0.5 * (K1_inertia_xx + K1_origin_inertia_zz
         + K1_origin_inertia_yy);
     const wreal K1_base_second_moment_yy = K1_base_half_trace - K1_origin_inertia_yy;
+    const wreal K1_base_second_moment_xx = theta_position_x * K2_mass * theta_position_x
+        + K1_base_half_trace - K1_inertia_xx;
+    const wreal K1_base_second_moment_yy_plus_base_second_moment_xx = K1_base_second_moment_yy
+        + K1_base_second_moment_xx;
+    w[13] = K1_base_second_moment_yy_plus_base_second_moment_xx;
 
-    /* K2: first moment, mass, origin inertia, base, base second moment, inertia force */
-    const wreal theta_position_x = p[5]; /* m */
-    const wreal K2_mass = p[6]; /* kg */
+    /* K2: first moment, mass, origin inertia, base, inertia force */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
+    /* inertia_force = [2 vee(skew(U J)) + h x a; m a + U h] */
     const wreal K2_com_x = p[7]; /* m */
     const wreal K2_inertia_xx = p[8]; /* kg m^2 */
     const wreal K2_inertia_yy = p[9]; /* kg m^2 */
@@ -76,8 +89,6 @@ CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     const wreal K2_com_x_times_first_moment_x = K2_com_x * K2_first_moment_x;
     const wreal K2_origin_inertia_yy = K2_inertia_yy + K2_com_x_times_first_moment_x;
     const wreal K2_origin_inertia_zz = K2_inertia_zz + K2_com_x_times_first_moment_x;
-    const wreal theta_position_x_times_K2_base_mean_moment_x = 0.5 * K2_mass * theta_position_x *
-        theta_position_x;
     const wreal K2_base_half_trace = 0.5 * (K2_inertia_xx + K2_origin_inertia_zz
         + K2_origin_inertia_yy);
     const wreal K2_base_second_moment_xx = K2_base_half_trace - K2_inertia_xx;
@@ -87,7 +98,11 @@ CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     w[1] = K2_first_moment_x;
     w[14] = K2_base_second_moment_xx_plus_base_second_moment_yy;
 
-    /* K3: first moment, mass, origin inertia, base, base second moment, inertia force */
+    /* K3: first moment, mass, origin inertia, base, inertia force */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
+    /* inertia_force = [2 vee(skew(U J)) + h x a; m a + U h] */
     const wreal K3_mass = p[13]; /* kg */
     const wreal K3_com_x = p[14]; /* m */
     const wreal K3_com_y = p[15]; /* m */
@@ -110,13 +125,19 @@ CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
         + K3_base_second_moment_yy;
     w[15] = K3_base_second_moment_xx_plus_base_second_moment_yy;
 
-    /* K5: first moment, mass, origin inertia, base, base second moment */
+    /* K5: first moment, mass, origin inertia, base, inertia force */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
+    /* inertia_force = [2 vee(skew(U J)) + h x a; m a + U h] */
     const wreal K5_mass = p[21]; /* kg */
     const wreal K5_com_x = p[22]; /* m */
     const wreal K5_com_y = p[23]; /* m */
     const wreal K5_inertia_xx = p[24]; /* kg m^2 */
     const wreal K5_inertia_yy = p[25]; /* kg m^2 */
     const wreal K5_inertia_zz = p[26]; /* kg m^2 */
+    const wreal phi_position_x = p[27]; /* m */
+    const wreal K4_mass = p[28]; /* kg */
     const wreal K5_first_moment_x = K5_mass * K5_com_x;
     const wreal K5_first_moment_y = K5_mass * K5_com_y;
     const wreal K5_com_x_times_first_moment_x = K5_com_x * K5_first_moment_x;
@@ -128,10 +149,17 @@ CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     const wreal K5_base_half_trace = 0.5 * (K5_origin_inertia_xx + K5_origin_inertia_zz
         + K5_origin_inertia_yy);
     const wreal K5_base_second_moment_yy = K5_base_half_trace - K5_origin_inertia_yy;
+    const wreal K5_base_second_moment_xx = phi_position_x * K4_mass * phi_position_x
+        + K5_base_half_trace - K5_origin_inertia_xx;
+    const wreal K5_base_second_moment_yy_plus_base_second_moment_xx = K5_base_second_moment_yy
+        + K5_base_second_moment_xx;
+    w[16] = K5_base_second_moment_yy_plus_base_second_moment_xx;
 
-    /* K4: first moment, mass, origin inertia, base, base second moment, inertia force */
-    const wreal phi_position_x = p[27]; /* m */
-    const wreal K4_mass = p[28]; /* kg */
+    /* K4: first moment, mass, origin inertia, base, inertia force */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
+    /* inertia_force = [2 vee(skew(U J)) + h x a; m a + U h] */
     const wreal K4_com_y = p[29]; /* m */
     const wreal K4_inertia_xx = p[30]; /* kg m^2 */
     const wreal K4_inertia_yy = p[31]; /* kg m^2 */
@@ -140,8 +168,6 @@ CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     const wreal K4_com_y_times_first_moment_y = K4_com_y * K4_first_moment_y;
     const wreal K4_origin_inertia_xx = K4_inertia_xx + K4_com_y_times_first_moment_y;
     const wreal K4_origin_inertia_zz = K4_inertia_zz + K4_com_y_times_first_moment_y;
-    const wreal phi_position_x_times_K4_base_mean_moment_x = 0.5 * K4_mass * phi_position_x *
-        phi_position_x;
     const wreal K4_base_half_trace = 0.5 * (K4_inertia_yy + K4_origin_inertia_zz
         + K4_origin_inertia_xx);
     const wreal K4_base_second_moment_xx = K4_base_half_trace - K4_origin_inertia_xx;
@@ -151,13 +177,19 @@ CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     w[3] = K4_first_moment_y;
     w[17] = K4_base_second_moment_xx_plus_base_second_moment_yy;
 
-    /* K7: first moment, mass, origin inertia, base, base second moment */
+    /* K7: first moment, mass, origin inertia, base, inertia force */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
+    /* inertia_force = [2 vee(skew(U J)) + h x a; m a + U h] */
     const wreal K7_mass = p[35]; /* kg */
     const wreal K7_com_x = p[36]; /* m */
     const wreal K7_com_y = p[37]; /* m */
     const wreal K7_inertia_xx = p[38]; /* kg m^2 */
     const wreal K7_inertia_yy = p[39]; /* kg m^2 */
     const wreal K7_inertia_zz = p[40]; /* kg m^2 */
+    const wreal omega_position_y = p[41]; /* m */
+    const wreal K6_mass = p[42]; /* kg */
     const wreal K7_first_moment_x = K7_mass * K7_com_x;
     const wreal K7_first_moment_y = K7_mass * K7_com_y;
     const wreal K7_com_x_times_first_moment_x = K7_com_x * K7_first_moment_x;
@@ -169,10 +201,17 @@ CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     const wreal K7_base_half_trace = 0.5 * (K7_origin_inertia_xx + K7_origin_inertia_zz
         + K7_origin_inertia_yy);
     const wreal K7_base_second_moment_xx = K7_base_half_trace - K7_origin_inertia_xx;
+    const wreal K7_base_second_moment_yy = omega_position_y * K6_mass * omega_position_y
+        + K7_base_half_trace - K7_origin_inertia_yy;
+    const wreal K7_base_second_moment_xx_plus_base_second_moment_yy = K7_base_second_moment_xx
+        + K7_base_second_moment_yy;
+    w[18] = K7_base_second_moment_xx_plus_base_second_moment_yy;
 
-    /* K6: first moment, mass, origin inertia, base, base second moment, inertia force */
-    const wreal omega_position_y = p[41]; /* m */
-    const wreal K6_mass = p[42]; /* kg */
+    /* K6: first moment, mass, origin inertia, base, inertia force */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
+    /* inertia_force = [2 vee(skew(U J)) + h x a; m a + U h] */
     const wreal K6_com_x = p[43]; /* m */
     const wreal K6_inertia_xx = p[44]; /* kg m^2 */
     const wreal K6_inertia_yy = p[45]; /* kg m^2 */
@@ -181,8 +220,6 @@ CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     const wreal K6_com_x_times_first_moment_x = K6_com_x * K6_first_moment_x;
     const wreal K6_origin_inertia_yy = K6_inertia_yy + K6_com_x_times_first_moment_x;
     const wreal K6_origin_inertia_zz = K6_inertia_zz + K6_com_x_times_first_moment_x;
-    const wreal omega_position_y_times_K6_base_mean_moment_y = 0.5 * K6_mass * omega_position_y *
-        omega_position_y;
     const wreal K6_base_half_trace = 0.5 * (K6_inertia_xx + K6_origin_inertia_zz
         + K6_origin_inertia_yy);
     const wreal K6_base_second_moment_xx = K6_base_half_trace - K6_inertia_xx;
@@ -192,30 +229,8 @@ CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     w[5] = K6_first_moment_x;
     w[19] = K6_base_second_moment_xx_plus_base_second_moment_yy;
 
-    /* K7: base second moment, inertia force */
-    const wreal K7_base_second_moment_yy = K7_base_half_trace - K7_origin_inertia_yy
-        + (omega_position_y_times_K6_base_mean_moment_y
-        + omega_position_y_times_K6_base_mean_moment_y);
-    const wreal K7_base_second_moment_xx_plus_base_second_moment_yy = K7_base_second_moment_xx
-        + K7_base_second_moment_yy;
-    w[18] = K7_base_second_moment_xx_plus_base_second_moment_yy;
-
-    /* K5: base second moment, inertia force */
-    const wreal K5_base_second_moment_xx = K5_base_half_trace - K5_origin_inertia_xx
-        + (phi_position_x_times_K4_base_mean_moment_x + phi_position_x_times_K4_base_mean_moment_x);
-    const wreal K5_base_second_moment_yy_plus_base_second_moment_xx = K5_base_second_moment_yy
-        + K5_base_second_moment_xx;
-    w[16] = K5_base_second_moment_yy_plus_base_second_moment_xx;
-
-    /* K1: base second moment, inertia force */
-    const wreal K1_base_second_moment_xx = K1_base_half_trace - K1_inertia_xx
-        + (theta_position_x_times_K2_base_mean_moment_x
-        + theta_position_x_times_K2_base_mean_moment_x);
-    const wreal K1_base_second_moment_yy_plus_base_second_moment_xx = K1_base_second_moment_yy
-        + K1_base_second_moment_xx;
-    w[13] = K1_base_second_moment_yy_plus_base_second_moment_xx;
-
-    /* spring: force */
+    /* spring: spring damper */
+    /* force = stiffness (distance - length) + damping d(distance)/dt */
     const wreal gamma_position_x = p[11]; /* m */
     const wreal gamma_position_y = p[12]; /* m */
     const wreal spring_a_position_x = p[53]; /* m */
@@ -249,6 +264,7 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     (void)work;
 
     /* shared by several: R */
+    /* R = R_fixed R_joint(q) */
     const real theta_q = q[1]; /* rad */
     const real gamma_q = q[2]; /* rad */
     const real phi_q = q[4]; /* rad */
@@ -265,30 +281,36 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real omega_cos = cosine[3];
     const real omega_sin = sine[3];
 
-    /* spring: force */
+    /* spring: spring damper */
+    /* force = stiffness (distance - length) + damping d(distance)/dt */
     const wreal spring_stiffness = w[6]; /* N/m */
     const wreal spring_length = w[7]; /* m */
     const wreal spring_b_position_x = w[8]; /* m */
     const wreal spring_b_position_y = w[9]; /* m */
     const wreal gamma_position_x_minus_spring_a_position_x = w[11];
     const wreal gamma_position_y_minus_spring_a_position_y = w[12];
-    const real spring_force_span_x = spring_b_position_x * gamma_cos
+    const real spring_spring_damper_span_x = spring_b_position_x * gamma_cos
         + gamma_position_x_minus_spring_a_position_x - spring_b_position_y * gamma_sin;
-    const real spring_force_span_y = spring_b_position_x * gamma_sin
+    const real spring_spring_damper_span_y = spring_b_position_x * gamma_sin
         + gamma_position_y_minus_spring_a_position_y + spring_b_position_y * gamma_cos;
-    const real spring_force_distance = cardan_sqrt(spring_force_span_x * spring_force_span_x
-        + spring_force_span_y * spring_force_span_y);
-    const real spring_force_apart = cardan_lt(0.0, spring_force_distance);
-    const real spring_force_inverse_distance = cardan_select(spring_force_apart, 1.0,
-        0.0) / cardan_select(spring_force_apart, spring_force_distance, 1.0);
-    const real spring_force_on_spring_a_x_part = spring_stiffness * (spring_force_distance
-        - spring_length);
-    const real spring_force_on_spring_a_x = spring_force_span_x * spring_force_inverse_distance *
-        spring_force_on_spring_a_x_part;
-    const real spring_force_on_spring_a_y = spring_force_span_y * spring_force_inverse_distance *
-        spring_force_on_spring_a_x_part;
+    const real spring_spring_damper_distance = cardan_sqrt(spring_spring_damper_span_x *
+        spring_spring_damper_span_x + spring_spring_damper_span_y * spring_spring_damper_span_y);
+    const real spring_spring_damper_apart = cardan_lt(0.0, spring_spring_damper_distance);
+    const real spring_spring_damper_inverse_distance = cardan_select(spring_spring_damper_apart,
+        1.0, 0.0) / cardan_select(spring_spring_damper_apart, spring_spring_damper_distance, 1.0);
+    const real spring_force_on_spring_a_x_part = spring_stiffness * (spring_spring_damper_distance -
+        spring_length);
+    const real spring_force_on_spring_a_x = spring_spring_damper_span_x *
+        spring_spring_damper_inverse_distance * spring_force_on_spring_a_x_part;
+    const real spring_force_on_spring_a_y = spring_spring_damper_span_y *
+        spring_spring_damper_inverse_distance * spring_force_on_spring_a_x_part;
 
     /* K2: omega, alpha, a, n, f */
+    /* omega = Rᵀ omega_parent + S_w u */
+    /* alpha = Rᵀ alpha_parent + S_w udot + c_w */
+    /* a = Rᵀ (a_parent + U_parent p) + S_v udot + c_v */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
+    /* f = inertia_force_f - applied_f + sum R f_child */
     const real beta_u = u[0]; /* rad/s */
     const real theta_u = u[1]; /* rad/s */
     const real beta_udot = udot[0]; /* rad/s^2 */
@@ -306,6 +328,10 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[1] = K2_n_z; /* tau: theta.u.tau [N*m] */
 
     /* K4: omega, alpha, a, n */
+    /* omega = Rᵀ omega_parent + S_w u */
+    /* alpha = Rᵀ alpha_parent + S_w udot + c_w */
+    /* a = Rᵀ (a_parent + U_parent p) + S_v udot + c_v */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
     const real delta_u = u[3]; /* rad/s */
     const real phi_u = u[4]; /* rad/s */
     const real delta_udot = udot[3]; /* rad/s^2 */
@@ -322,6 +348,11 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[4] = K4_n_z; /* tau: phi.u.tau [N*m] */
 
     /* K6: omega, alpha, a, n, f */
+    /* omega = Rᵀ omega_parent + S_w u */
+    /* alpha = Rᵀ alpha_parent + S_w udot + c_w */
+    /* a = Rᵀ (a_parent + U_parent p) + S_v udot + c_v */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
+    /* f = inertia_force_f - applied_f + sum R f_child */
     const real epsilon_u = u[5]; /* rad/s */
     const real omega_u = u[6]; /* rad/s */
     const real epsilon_udot = udot[5]; /* rad/s^2 */
@@ -339,6 +370,7 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[6] = K6_n_z; /* tau: omega.u.tau [N*m] */
 
     /* K3: n */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
     const real gamma_udot = udot[2]; /* rad/s^2 */
     const wreal K3_base_second_moment_xx_plus_base_second_moment_yy = w[15];
     /* tau: gamma.u.tau [N*m] */
@@ -349,6 +381,7 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         + gamma_sin * spring_force_on_spring_a_y);
 
     /* K7: n */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
     const wreal K7_base_second_moment_xx_plus_base_second_moment_yy = w[18];
     /* tau: epsilon.u.tau [N*m] */
     out[5] = epsilon_udot * K7_base_second_moment_xx_plus_base_second_moment_yy
@@ -356,6 +389,7 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         + omega_sin * K6_f_y) + K6_n_z;
 
     /* K5: n */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
     const wreal K5_base_second_moment_yy_plus_base_second_moment_xx = w[16];
     /* tau: delta.u.tau [N*m] */
     out[3] = delta_udot * K5_base_second_moment_yy_plus_base_second_moment_xx
@@ -363,12 +397,14 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         + K4_omega_z * K4_omega_z * K4_first_moment_y * phi_cos) + K4_n_z;
 
     /* K1: n */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
     const wreal K1_base_second_moment_yy_plus_base_second_moment_xx = w[13];
     const real K1_n_z = beta_udot * K1_base_second_moment_yy_plus_base_second_moment_xx
         + theta_position_x * (theta_cos * K2_f_y
         - K2_omega_z * K2_omega_z * K2_first_moment_x * theta_sin) + K2_n_z;
 
     /* beta: tau */
+    /* tau = S . [n; f] - force on the joint */
     const wreal drive_force = w[10];
     out[0] = K1_n_z - drive_force; /* tau: beta.u.tau [N*m] */
     return CARDAN_OK;

@@ -7,7 +7,7 @@
  *
  * Sizes: out 49, work 0, w 13
  * Operations per call: 18 = 9 mul, 4 add, 2 sin, 2 sub, 1 cos
- * Operations of prepare: 48 = 32 mul, 16 add
+ * Operations of prepare: 42 = 26 mul, 16 add
  *
  * Input q (7): generalized coordinates
  *   q[0]  beta [rad]
@@ -26,7 +26,10 @@
 
 CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
-    /* K1: first moment, origin inertia, base inertia */
+    /* K1: first moment, origin inertia, base */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal K1_mass = p[0]; /* kg */
     const wreal K1_com_x = p[1]; /* m */
     const wreal K1_inertia_zz = p[4]; /* kg m^2 */
@@ -35,9 +38,11 @@ CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
     const wreal K1_first_moment_x = K1_mass * K1_com_x;
     const wreal K1_origin_inertia_zz = K1_inertia_zz + K1_com_x * K1_first_moment_x;
     const wreal K1_base_inertia_zz = K1_origin_inertia_zz
-        + 0.5 * K2_mass * theta_position_x * theta_position_x * 2.0;
+        + theta_position_x * K2_mass * theta_position_x;
 
     /* K2: first moment, origin inertia */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
     const wreal K2_com_x = p[7]; /* m */
     const wreal K2_inertia_zz = p[10]; /* kg m^2 */
     const wreal K2_first_moment_x = K2_mass * K2_com_x;
@@ -46,6 +51,8 @@ CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
     w[2] = K2_origin_inertia_zz;
 
     /* K3: first moment, origin inertia */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
     const wreal K3_mass = p[13]; /* kg */
     const wreal K3_com_x = p[14]; /* m */
     const wreal K3_com_y = p[15]; /* m */
@@ -56,7 +63,10 @@ CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
         + K3_com_y * K3_first_moment_y;
     w[3] = K3_origin_inertia_zz;
 
-    /* K5: first moment, origin inertia, base inertia */
+    /* K5: first moment, origin inertia, base */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal K5_mass = p[21]; /* kg */
     const wreal K5_com_x = p[22]; /* m */
     const wreal K5_com_y = p[23]; /* m */
@@ -68,9 +78,11 @@ CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
     const wreal K5_origin_inertia_zz = K5_inertia_zz + K5_com_x * K5_first_moment_x
         + K5_com_y * K5_first_moment_y;
     const wreal K5_base_inertia_zz = K5_origin_inertia_zz
-        + 0.5 * K4_mass * phi_position_x * phi_position_x * 2.0;
+        + phi_position_x * K4_mass * phi_position_x;
 
     /* K4: first moment, origin inertia */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
     const wreal K4_com_y = p[29]; /* m */
     const wreal K4_inertia_zz = p[32]; /* kg m^2 */
     const wreal K4_first_moment_y = K4_mass * K4_com_y;
@@ -78,7 +90,10 @@ CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
     w[5] = K4_first_moment_y;
     w[6] = K4_origin_inertia_zz;
 
-    /* K7: first moment, origin inertia, base inertia */
+    /* K7: first moment, origin inertia, base */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal K7_mass = p[35]; /* kg */
     const wreal K7_com_x = p[36]; /* m */
     const wreal K7_com_y = p[37]; /* m */
@@ -90,9 +105,11 @@ CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
     const wreal K7_origin_inertia_zz = K7_inertia_zz + K7_com_x * K7_first_moment_x
         + K7_com_y * K7_first_moment_y;
     const wreal K7_base_inertia_zz = K7_origin_inertia_zz
-        + 0.5 * K6_mass * omega_position_y * omega_position_y * 2.0;
+        + omega_position_y * K6_mass * omega_position_y;
 
     /* K6: first moment, origin inertia */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
     const wreal K6_com_x = p[43]; /* m */
     const wreal K6_inertia_zz = p[46]; /* kg m^2 */
     const wreal K6_first_moment_x = K6_mass * K6_com_x;
@@ -132,6 +149,7 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     (void)work;
 
     /* shared by several: R */
+    /* R = R_fixed R_joint(q) */
     const real theta_q = q[1]; /* rad */
     const real phi_q = q[4]; /* rad */
     const real omega_q = q[6]; /* rad */
@@ -156,13 +174,15 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real theta_position_x_times_K1_inertia_mean_moment_x = K2_first_moment_x * theta_cos *
         theta_position_x;
 
-    /* K7: composite inertia */
+    /* K7: composite */
+    /* composite = own + sum R composite_child Rᵀ moved by p */
     const wreal K6_origin_inertia_zz_plus_K7_base_inertia_zz = w[10];
     /* M: epsilon.u,epsilon.u */
     out[40] = 2.0 * omega_position_y_times_K7_inertia_mean_moment_y
         + K6_origin_inertia_zz_plus_K7_base_inertia_zz;
 
-    /* M: omega epsilon, phi delta, theta beta */
+    /* M */
+    /* M = S . momentum */
     const wreal K2_origin_inertia_zz = w[2];
     const wreal K4_origin_inertia_zz = w[6];
     const wreal K6_origin_inertia_zz = w[9];
@@ -179,13 +199,15 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[1] = M_theta_beta; /* M: beta.u,theta.u */
     out[7] = M_theta_beta; /* M: theta.u,beta.u */
 
-    /* K5: composite inertia */
+    /* K5: composite */
+    /* composite = own + sum R composite_child Rᵀ moved by p */
     const wreal K4_origin_inertia_zz_plus_K5_base_inertia_zz = w[11];
     /* M: delta.u,delta.u */
     out[24] = K4_origin_inertia_zz_plus_K5_base_inertia_zz
         - 2.0 * phi_position_x_times_K5_minus_inertia_mean_moment_x;
 
-    /* K1: composite inertia */
+    /* K1: composite */
+    /* composite = own + sum R composite_child Rᵀ moved by p */
     const wreal K2_origin_inertia_zz_plus_K1_base_inertia_zz = w[12];
     /* M: beta.u,beta.u */
     out[0] = 2.0 * theta_position_x_times_K1_inertia_mean_moment_x

@@ -43,7 +43,10 @@ CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     const wreal wrist_rotation_yaw_cos = cosine[0];
     const wreal wrist_rotation_yaw_sin = sine[0];
 
-    /* upper_arm: first moment, mass, origin inertia, base, base second moment, inertia */
+    /* upper_arm: first moment, mass, origin inertia, base, inertia */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal upper_arm_mass = p[7]; /* kg */
     const wreal upper_arm_com_x = p[8]; /* m */
     const wreal upper_arm_inertia_xx = p[9]; /* kg m^2 */
@@ -64,6 +67,9 @@ CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     w[16] = twice_forearm_inertia_xz;
 
     /* forearm: mass, first moment, whole mass, base */
+    /* first_moment = sum m c */
+    /* whole_mass = sum m */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal elbow_position_x = p[12]; /* m */
     const wreal forearm_mass = p[13]; /* kg */
     const wreal forearm_com_x = p[14]; /* m */
@@ -88,7 +94,10 @@ CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     const wreal wrist_position_x_times_position_x_times_hand_mass = wrist_position_x *
         wrist_position_x_times_hand_mass;
 
-    /* forearm: first moment, origin inertia, base inertia, base, base second moment */
+    /* forearm: first moment, origin inertia, base */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal forearm_inertia_xx = p[16]; /* kg m^2 */
     const wreal forearm_inertia_yy = p[18]; /* kg m^2 */
     const wreal forearm_inertia_zz = p[19]; /* kg m^2 */
@@ -121,7 +130,8 @@ CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     w[14] = forearm_base_second_moment_xx;
     w[15] = forearm_base_second_moment_zz;
 
-    /* upper_arm: base second moment, base moment, base inertia, inertia */
+    /* upper_arm: base, inertia */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal upper_arm_base_second_moment_xy = elbow_position_x * forearm_first_moment_y;
     const wreal upper_arm_base_moment_x = upper_arm_first_moment_x
         + elbow_position_x * forearm_whole_mass;
@@ -141,7 +151,8 @@ CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     w[17] = forearm_origin_inertia_yy_plus_upper_arm_base_inertia_yy;
     w[18] = forearm_base_inertia_zz_plus_upper_arm_base_inertia_zz;
 
-    /* column: base inertia */
+    /* column: base */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal column_inertia_zz = p[5]; /* kg m^2 */
     const wreal column_base_inertia_zz = column_inertia_zz + upper_arm_base_inertia_zz_2;
     w[13] = column_base_inertia_zz;
@@ -152,6 +163,7 @@ CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     w[19] = upper_arm_base_second_moment_zz_minus_base_second_moment_xx;
 
     /* M: factor */
+    /* factor = L, D with M = Lᵀ D L */
     const wreal M_factor_D_inverse_elbow = 1.0 / forearm_origin_inertia_yy;
     w[20] = M_factor_D_inverse_elbow;
 
@@ -177,23 +189,26 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     (void)work;
 
     /* shared by several: R */
+    /* R = R_fixed R_joint(q) */
     const real shoulder_q = q[1]; /* rad */
     const real elbow_q = q[2]; /* rad */
     const real elbow_turn = shoulder_q + elbow_q;
-    const real angle_2[CARDAN_PADDED(2)] = {shoulder_q, elbow_turn};
-    real sine_2[CARDAN_PADDED(2)], cosine_2[CARDAN_PADDED(2)];
-    cardan_sincos(2, angle_2, sine_2, cosine_2);
-    const real shoulder_cos = cosine_2[0];
-    const real shoulder_sin = sine_2[0];
-    const real elbow_turn_cos = cosine_2[1];
-    const real elbow_turn_sin = sine_2[1];
+    const real angle[CARDAN_PADDED(2)] = {shoulder_q, elbow_turn};
+    real sine[CARDAN_PADDED(2)], cosine[CARDAN_PADDED(2)];
+    cardan_sincos(2, angle, sine, cosine);
+    const real shoulder_cos = cosine[0];
+    const real shoulder_sin = sine[0];
+    const real elbow_turn_cos = cosine[1];
+    const real elbow_turn_sin = sine[1];
 
     /* elbow: p */
+    /* p = p_fixed + R_fixed p_joint(q) */
     const wreal elbow_position_x = w[1]; /* m */
     const real elbow_p_x = elbow_position_x * shoulder_cos;
     const real elbow_minus_p_z = elbow_position_x * shoulder_sin;
 
     /* shared by several: inertia, U */
+    /* U = [alpha] + [omega][omega] */
     const real waist_u = u[0]; /* rad/s */
     const wreal forearm_first_moment_x = w[6];
     const wreal forearm_origin_inertia_xy = w[7];
@@ -204,7 +219,9 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         + elbow_minus_p_z_times_upper_arm_minus_inertia_mean_moment_z;
     const real column_minus_U_xx = waist_u * waist_u;
 
-    /* upper_arm: inertia, composite inertia, U */
+    /* upper_arm: inertia, composite, U */
+    /* composite = own + sum R composite_child Rᵀ moved by p */
+    /* U = [alpha] + [omega][omega] */
     const real shoulder_u = u[1]; /* rad/s */
     const wreal forearm_base_inertia_zz = w[9];
     const wreal upper_arm_base_second_moment_xy = w[10];
@@ -230,12 +247,15 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real upper_arm_minus_U_xx = column_minus_U_xx + upper_arm_minus_U_zz;
     const real upper_arm_U_yz = upper_arm_minus_alpha_x + upper_arm_minus_alpha_x;
 
-    /* column: composite inertia */
+    /* column: composite */
+    /* composite = own + sum R composite_child Rᵀ moved by p */
     const wreal column_base_inertia_zz = w[13];
     const real column_composite_inertia_zz = column_base_inertia_zz
         + upper_arm_composite_inertia_zz;
 
-    /* M: elbow shoulder, factor */
+    /* M: factor */
+    /* M = S . momentum */
+    /* factor = L, D with M = Lᵀ D L */
     const wreal forearm_origin_inertia_yy = w[8];
     const wreal M_factor_D_inverse_elbow = w[20];
     const real M_elbow_shoulder = forearm_origin_inertia_yy + upper_arm_inertia_shift_part;
@@ -249,6 +269,12 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real M_factor_L_shoulder_waist = M_factor_DL_shoulder_waist * M_factor_D_inverse_shoulder;
 
     /* forearm: alpha, omega, a, U, n, inertia force */
+    /* alpha = Rᵀ alpha_parent + S_w udot + c_w */
+    /* omega = Rᵀ omega_parent + S_w u */
+    /* a = Rᵀ (a_parent + U_parent p) + S_v udot + c_v */
+    /* U = [alpha] + [omega][omega] */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
+    /* inertia_force = [2 vee(skew(U J)) + h x a; m a + U h] */
     const real elbow_u = u[2]; /* rad/s */
     const wreal gravity_z = w[0]; /* m/s^2 */
     const wreal forearm_inertia_xz = w[2]; /* kg m^2 */
@@ -291,6 +317,7 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         upper_arm_base_second_moment_zz_minus_base_second_moment_xx * shoulder_cos;
 
     /* upper_arm: n */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
     const wreal upper_arm_base_moment_x = w[11];
     const real upper_arm_n_y_part = elbow_minus_p_z * (elbow_turn_cos * forearm_minus_f_x
         + elbow_turn_sin * forearm_minus_f_z) - elbow_p_x * (elbow_turn_sin * forearm_minus_f_x
@@ -304,27 +331,35 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         - elbow_turn_cos * forearm_minus_n_z;
 
     /* elbow: tau, drive */
+    /* tau = S . [n; f] - force on the joint */
+    /* drive = tau + f - h */
     const real elbow_u_tau = tau[2]; /* N*m */
     const wreal elbow_damping = w[5]; /* N*m*s/rad */
     const real elbow_tau = elbow_u * elbow_damping + forearm_n_y;
     const real elbow_drive = elbow_u_tau - elbow_tau;
 
     /* shoulder: tau, drive */
+    /* tau = S . [n; f] - force on the joint */
+    /* drive = tau + f - h */
     const real shoulder_u_tau = tau[1]; /* N*m */
     const wreal shoulder_damping = w[4]; /* N*m*s/rad */
     const real shoulder_tau = shoulder_u * shoulder_damping + upper_arm_n_y;
     const real shoulder_drive = shoulder_u_tau - shoulder_tau;
 
     /* waist: tau, drive */
+    /* tau = S . [n; f] - force on the joint */
+    /* drive = tau + f - h */
     const real waist_u_tau = tau[0]; /* N*m */
     const wreal waist_damping = w[3]; /* N*m*s/rad */
     const real waist_tau = waist_u * waist_damping + upper_arm_n_z;
     const real waist_drive = waist_u_tau - waist_tau;
 
     /* M: factor */
+    /* factor = L, D with M = Lᵀ D L */
     const real M_y_shoulder = shoulder_drive - elbow_drive * M_factor_L_elbow_shoulder;
 
     /* waist: udot */
+    /* udot = M⁻¹ drive */
     const real waist_udot = 1.0 / (column_composite_inertia_zz
         - momentum_minus_elbow_about_upper_arm_mz * M_minus_factor_L_elbow_waist
         - M_factor_DL_shoulder_waist * M_factor_L_shoulder_waist) * (waist_drive
@@ -332,11 +367,13 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[0] = waist_udot; /* udot: waist.udot [rad/s^2] */
 
     /* shoulder: udot */
+    /* udot = M⁻¹ drive */
     const real shoulder_udot = M_factor_D_inverse_shoulder * M_y_shoulder
         - M_factor_L_shoulder_waist * waist_udot;
     out[1] = shoulder_udot; /* udot: shoulder.udot [rad/s^2] */
 
     /* elbow: udot */
+    /* udot = M⁻¹ drive */
     /* udot: elbow.udot [rad/s^2] */
     out[2] = elbow_drive * M_factor_D_inverse_elbow + M_minus_factor_L_elbow_waist * waist_udot
         - M_factor_L_elbow_shoulder * shoulder_udot;

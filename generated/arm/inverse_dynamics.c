@@ -43,7 +43,10 @@ CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     const wreal wrist_rotation_yaw_cos = cosine[0];
     const wreal wrist_rotation_yaw_sin = sine[0];
 
-    /* column: first moment, mass, origin inertia, base, base second moment */
+    /* column: first moment, mass, origin inertia, base */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal column_mass = p[1]; /* kg */
     const wreal column_com_z = p[2]; /* m */
     const wreal column_inertia_xx = p[3]; /* kg m^2 */
@@ -57,7 +60,10 @@ CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
         + column_origin_inertia_yy);
     const wreal column_base_second_moment_xx = column_base_half_trace - column_origin_inertia_xx;
 
-    /* upper_arm: first moment, mass, origin inertia, base, base second moment */
+    /* upper_arm: first moment, mass, origin inertia, base */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal upper_arm_mass = p[7]; /* kg */
     const wreal upper_arm_com_x = p[8]; /* m */
     const wreal upper_arm_inertia_xx = p[9]; /* kg m^2 */
@@ -76,6 +82,9 @@ CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     w[10] = upper_arm_base_second_moment_zz;
 
     /* forearm: mass, first moment, whole mass, base */
+    /* first_moment = sum m c */
+    /* whole_mass = sum m */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal elbow_position_x = p[12]; /* m */
     const wreal forearm_mass = p[13]; /* kg */
     const wreal forearm_com_x = p[14]; /* m */
@@ -99,7 +108,10 @@ CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     const wreal wrist_position_x_times_position_x_times_hand_mass = wrist_position_x *
         wrist_position_x_times_hand_mass;
 
-    /* forearm: first moment, origin inertia, base, base second moment */
+    /* forearm: first moment, origin inertia, base */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal forearm_inertia_xx = p[16]; /* kg m^2 */
     const wreal forearm_inertia_yy = p[18]; /* kg m^2 */
     const wreal forearm_inertia_zz = p[19]; /* kg m^2 */
@@ -128,7 +140,8 @@ CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     w[11] = forearm_base_second_moment_xx;
     w[12] = forearm_base_second_moment_zz;
 
-    /* upper_arm: base second moment, base moment */
+    /* upper_arm: base */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal upper_arm_base_second_moment_xy = elbow_position_x * forearm_first_moment_y;
     const wreal upper_arm_base_moment_x = upper_arm_first_moment_x
         + elbow_position_x * forearm_whole_mass;
@@ -139,7 +152,9 @@ CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     w[9] = upper_arm_base_moment_x;
     w[13] = upper_arm_base_second_moment_xx;
 
-    /* column: base second moment, inertia force */
+    /* column: base, inertia force */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
+    /* inertia_force = [2 vee(skew(U J)) + h x a; m a + U h] */
     const wreal column_base_second_moment_yy = forearm_base_half_trace
         - forearm_origin_inertia_yy + (column_base_half_trace - column_origin_inertia_yy
         + (upper_arm_base_half_trace - upper_arm_origin_inertia_yy));
@@ -174,23 +189,29 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     (void)work;
 
     /* shared by several: R */
+    /* R = R_fixed R_joint(q) */
     const real shoulder_q = q[1]; /* rad */
     const real elbow_q = q[2]; /* rad */
     const real elbow_turn = shoulder_q + elbow_q;
-    const real angle_2[CARDAN_PADDED(2)] = {shoulder_q, elbow_turn};
-    real sine_2[CARDAN_PADDED(2)], cosine_2[CARDAN_PADDED(2)];
-    cardan_sincos(2, angle_2, sine_2, cosine_2);
-    const real shoulder_cos = cosine_2[0];
-    const real shoulder_sin = sine_2[0];
-    const real elbow_turn_cos = cosine_2[1];
-    const real elbow_turn_sin = sine_2[1];
+    const real angle[CARDAN_PADDED(2)] = {shoulder_q, elbow_turn};
+    real sine[CARDAN_PADDED(2)], cosine[CARDAN_PADDED(2)];
+    cardan_sincos(2, angle, sine, cosine);
+    const real shoulder_cos = cosine[0];
+    const real shoulder_sin = sine[0];
+    const real elbow_turn_cos = cosine[1];
+    const real elbow_turn_sin = sine[1];
 
     /* elbow: p */
+    /* p = p_fixed + R_fixed p_joint(q) */
     const wreal elbow_position_x = w[1]; /* m */
     const real elbow_p_x = elbow_position_x * shoulder_cos;
     const real elbow_minus_p_z = elbow_position_x * shoulder_sin;
 
     /* forearm: alpha, omega, U, inertia force */
+    /* alpha = Rᵀ alpha_parent + S_w udot + c_w */
+    /* omega = Rᵀ omega_parent + S_w u */
+    /* U = [alpha] + [omega][omega] */
+    /* inertia_force = [2 vee(skew(U J)) + h x a; m a + U h] */
     const real waist_u = u[0]; /* rad/s */
     const real shoulder_u = u[1]; /* rad/s */
     const real elbow_u = u[2]; /* rad/s */
@@ -213,9 +234,12 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real forearm_minus_f_z = forearm_first_moment_x * forearm_minus_U_zx;
 
     /* shared by several: U */
+    /* U = [alpha] + [omega][omega] */
     const real column_minus_U_xx = waist_u * waist_u;
 
     /* upper_arm: U, turned */
+    /* U = [alpha] + [omega][omega] */
+    /* turned = R(turn) inertia R(turn)ᵀ */
     const wreal upper_arm_base_second_moment_xy = w[8];
     const real upper_arm_minus_alpha_x = waist_u * shoulder_u;
     const real upper_arm_minus_U_zz = shoulder_u * shoulder_u;
@@ -225,6 +249,11 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         * shoulder_sin;
 
     /* forearm: alpha, a, U, n, f */
+    /* alpha = Rᵀ alpha_parent + S_w udot + c_w */
+    /* a = Rᵀ (a_parent + U_parent p) + S_v udot + c_v */
+    /* U = [alpha] + [omega][omega] */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
+    /* f = inertia_force_f - applied_f + sum R f_child */
     const real waist_udot = udot[0]; /* rad/s^2 */
     const wreal gravity_z = w[0]; /* m/s^2 */
     const wreal forearm_inertia_xz = w[2]; /* kg m^2 */
@@ -264,6 +293,7 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real upper_arm_n_y_part = upper_arm_base_second_moment_xx + shoulder_sin_times_shear;
 
     /* upper_arm: n */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
     const wreal upper_arm_base_moment_x = w[9];
     const wreal upper_arm_base_second_moment_zz = w[10];
     const real upper_arm_n_y_part_2 = waist_udot *
@@ -285,19 +315,23 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         - elbow_turn_cos * forearm_minus_f_z) + upper_arm_n_y_part_3;
 
     /* elbow: tau */
+    /* tau = S . [n; f] - force on the joint */
     const wreal elbow_damping = w[5]; /* N*m*s/rad */
     out[2] = elbow_u * elbow_damping + forearm_n_y; /* tau: elbow.u.tau [N*m] */
 
     /* column: n */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
     const wreal column_base_second_moment_xx_plus_base_second_moment_yy = w[14];
     const real column_n_z = waist_udot * column_base_second_moment_xx_plus_base_second_moment_yy
         + upper_arm_n_z;
 
     /* waist: tau */
+    /* tau = S . [n; f] - force on the joint */
     const wreal waist_damping = w[3]; /* N*m*s/rad */
     out[0] = waist_u * waist_damping + column_n_z; /* tau: waist.u.tau [N*m] */
 
     /* shoulder: tau */
+    /* tau = S . [n; f] - force on the joint */
     const wreal shoulder_damping = w[4]; /* N*m*s/rad */
     out[1] = shoulder_u * shoulder_damping + upper_arm_n_y; /* tau: shoulder.u.tau [N*m] */
     return CARDAN_OK;

@@ -31,6 +31,8 @@ CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
     const wreal wrist_rotation_yaw_sin = sine[0];
 
     /* upper_arm: first moment, mass, origin inertia, inertia */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
     const wreal upper_arm_mass = p[7]; /* kg */
     const wreal upper_arm_com_x = p[8]; /* m */
     const wreal upper_arm_inertia_yy = p[10]; /* kg m^2 */
@@ -46,6 +48,9 @@ CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
     w[8] = twice_forearm_inertia_xz;
 
     /* forearm: mass, first moment, whole mass, base */
+    /* first_moment = sum m c */
+    /* whole_mass = sum m */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal elbow_position_x = p[12]; /* m */
     const wreal forearm_mass = p[13]; /* kg */
     const wreal forearm_com_x = p[14]; /* m */
@@ -69,7 +74,10 @@ CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
     const wreal wrist_position_x_times_position_x_times_hand_mass = wrist_position_x *
         wrist_position_x_times_hand_mass;
 
-    /* forearm: first moment, origin inertia, base inertia, base */
+    /* forearm: first moment, origin inertia, base */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal upper_arm_inertia_xx = p[9]; /* kg m^2 */
     const wreal forearm_inertia_xx = p[16]; /* kg m^2 */
     const wreal forearm_inertia_yy = p[18]; /* kg m^2 */
@@ -97,7 +105,8 @@ CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
     w[3] = forearm_origin_inertia_yy;
     w[4] = forearm_base_inertia_zz;
 
-    /* upper_arm: base second moment, base inertia, inertia */
+    /* upper_arm: base, inertia */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal upper_arm_base_second_moment_xy = elbow_position_x * forearm_first_moment_y;
     const wreal upper_arm_base_inertia_yy = upper_arm_origin_inertia_yy + forearm_base_shift;
     const wreal upper_arm_base_inertia_zz = upper_arm_origin_inertia_zz
@@ -111,7 +120,8 @@ CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
     w[9] = forearm_origin_inertia_yy_plus_upper_arm_base_inertia_yy;
     w[10] = forearm_base_inertia_zz_plus_upper_arm_base_inertia_zz;
 
-    /* column: base inertia */
+    /* column: base */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal column_inertia_zz = p[5]; /* kg m^2 */
     const wreal column_base_inertia_zz = column_inertia_zz + upper_arm_base_inertia_zz_2;
     w[7] = column_base_inertia_zz;
@@ -131,18 +141,20 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     (void)work;
 
     /* shared by several: R */
+    /* R = R_fixed R_joint(q) */
     const real shoulder_q = q[1]; /* rad */
     const real elbow_q = q[2]; /* rad */
     const real elbow_turn = shoulder_q + elbow_q;
-    const real angle_2[CARDAN_PADDED(2)] = {shoulder_q, elbow_turn};
-    real sine_2[CARDAN_PADDED(2)], cosine_2[CARDAN_PADDED(2)];
-    cardan_sincos(2, angle_2, sine_2, cosine_2);
-    const real shoulder_cos = cosine_2[0];
-    const real shoulder_sin = sine_2[0];
-    const real elbow_turn_cos = cosine_2[1];
-    const real elbow_turn_sin = sine_2[1];
+    const real angle[CARDAN_PADDED(2)] = {shoulder_q, elbow_turn};
+    real sine[CARDAN_PADDED(2)], cosine[CARDAN_PADDED(2)];
+    cardan_sincos(2, angle, sine, cosine);
+    const real shoulder_cos = cosine[0];
+    const real shoulder_sin = sine[0];
+    const real elbow_turn_cos = cosine[1];
+    const real elbow_turn_sin = sine[1];
 
     /* elbow: p */
+    /* p = p_fixed + R_fixed p_joint(q) */
     const wreal elbow_position_x = w[0]; /* m */
     const real elbow_p_x = elbow_position_x * shoulder_cos;
 
@@ -169,7 +181,8 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[2] = momentum_elbow_about_upper_arm_mz; /* M: waist.u,elbow.u */
     out[6] = momentum_elbow_about_upper_arm_mz; /* M: elbow.u,waist.u */
 
-    /* upper_arm: composite inertia, inertia */
+    /* upper_arm: composite, inertia */
+    /* composite = own + sum R composite_child Rᵀ moved by p */
     const wreal upper_arm_base_second_moment_xy = w[5];
     const wreal forearm_origin_inertia_yy_plus_upper_arm_base_inertia_yy = w[9];
     const real upper_arm_composite_inertia_yz = upper_arm_base_second_moment_xy * shoulder_sin
@@ -183,11 +196,13 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     /* M: shoulder.u,shoulder.u */
     out[4] = upper_arm_inertia_shift + forearm_origin_inertia_yy_plus_upper_arm_base_inertia_yy;
 
-    /* column: composite inertia */
+    /* column: composite */
+    /* composite = own + sum R composite_child Rᵀ moved by p */
     const wreal column_base_inertia_zz = w[7];
     out[0] = column_base_inertia_zz + upper_arm_composite_inertia_zz; /* M: waist.u,waist.u */
 
-    /* M: elbow shoulder */
+    /* M */
+    /* M = S . momentum */
     const wreal forearm_origin_inertia_yy = w[3];
     const real M_elbow_shoulder = forearm_origin_inertia_yy + upper_arm_inertia_shift_part;
     out[5] = M_elbow_shoulder; /* M: shoulder.u,elbow.u */

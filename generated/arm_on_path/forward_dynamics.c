@@ -7,7 +7,7 @@
  *
  * Sizes: out 2, work 0, w 7
  * Operations per call: 92 = 48 mul, 20 add, 14 sub, 5 cos, 4 sin, 1 div
- * Operations of prepare: 15 = 9 mul, 5 add, 1 div
+ * Operations of prepare: 12 = 6 mul, 5 add, 1 div
  *
  * Input t (1): time
  *   t[0]  t [s]
@@ -34,33 +34,41 @@
 
 CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
-    /* upper: first moment, origin inertia, base moment, base inertia */
+    /* upper: first moment, origin inertia */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
     const wreal upper_mass = p[1]; /* kg */
     const wreal upper_com_x = p[2]; /* m */
     const wreal upper_inertia_yy = p[4]; /* kg m^2 */
-    const wreal elbow_position_x = p[6]; /* m */
-    const wreal lower_mass = p[7]; /* kg */
     const wreal upper_first_moment_x = upper_mass * upper_com_x;
     const wreal upper_origin_inertia_yy = upper_inertia_yy + upper_com_x * upper_first_moment_x;
-    const wreal upper_base_moment_x = upper_first_moment_x + elbow_position_x * lower_mass;
-    const wreal upper_base_inertia_yy = upper_origin_inertia_yy
-        + 0.5 * lower_mass * elbow_position_x * elbow_position_x * 2.0;
-    w[4] = upper_base_moment_x;
 
-    /* lower: first moment, origin inertia */
+    /* lower: first moment, origin inertia, base */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
+    const wreal elbow_position_x = p[6]; /* m */
+    const wreal lower_mass = p[7]; /* kg */
     const wreal lower_com_x = p[8]; /* m */
     const wreal lower_inertia_yy = p[10]; /* kg m^2 */
     const wreal lower_first_moment_x = lower_mass * lower_com_x;
     const wreal lower_origin_inertia_yy = lower_inertia_yy + lower_com_x * lower_first_moment_x;
+    const wreal lower_base_mass_moment_x = elbow_position_x * lower_mass;
     w[2] = lower_first_moment_x;
     w[3] = lower_origin_inertia_yy;
 
-    /* upper: inertia */
+    /* upper: base, inertia */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
+    const wreal upper_base_moment_x = upper_first_moment_x + lower_base_mass_moment_x;
+    const wreal upper_base_inertia_yy = upper_origin_inertia_yy
+        + elbow_position_x * lower_base_mass_moment_x;
     const wreal lower_origin_inertia_yy_plus_upper_base_inertia_yy = lower_origin_inertia_yy
         + upper_base_inertia_yy;
+    w[4] = upper_base_moment_x;
     w[5] = lower_origin_inertia_yy_plus_upper_base_inertia_yy;
 
     /* M: factor */
+    /* factor = L, D with M = Lᵀ D L */
     const wreal M_factor_D_inverse_elbow = 1.0 / lower_origin_inertia_yy;
     w[6] = M_factor_D_inverse_elbow;
 
@@ -83,6 +91,7 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     (void)work;
 
     /* shared by several: data, R */
+    /* R = R_fixed R_joint(q) */
     const real shoulder_q = q[0]; /* rad */
     const real elbow_q = q[1]; /* rad */
     const real t_value = t[0]; /* s */
@@ -103,6 +112,7 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real shoulder_sin = sine[1];
 
     /* shared by several: data, U, inertia */
+    /* U = [alpha] + [omega][omega] */
     const real shoulder_u = u[0]; /* rad/s */
     const wreal elbow_position_x = w[1]; /* m */
     const wreal lower_first_moment_x = w[2];
@@ -115,7 +125,9 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real elbow_position_x_times_upper_inertia_mean_moment_x = lower_first_moment_x * elbow_cos
         * elbow_position_x;
 
-    /* upper: composite inertia, a */
+    /* upper: composite, a */
+    /* composite = own + sum R composite_child Rᵀ moved by p */
+    /* a = Rᵀ (a_parent + U_parent p) + S_v udot + c_v */
     const wreal gravity_z = w[0]; /* m/s^2 */
     const wreal lower_origin_inertia_yy_plus_upper_base_inertia_yy = w[5];
     const real upper_composite_inertia_yy = 2.0 * elbow_position_x_times_upper_inertia_mean_moment_x
@@ -123,7 +135,9 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real upper_a_x = gravity_z * shoulder_sin;
     const real upper_minus_a_z = gravity_z * shoulder_cos;
 
-    /* M: elbow shoulder, factor */
+    /* M: factor */
+    /* M = S . momentum */
+    /* factor = L, D with M = Lᵀ D L */
     const wreal lower_origin_inertia_yy = w[3];
     const wreal M_factor_D_inverse_elbow = w[6];
     const real M_elbow_shoulder = lower_origin_inertia_yy
@@ -131,6 +145,9 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real M_factor_L_elbow_shoulder = M_elbow_shoulder * M_factor_D_inverse_elbow;
 
     /* lower: omega, a, inertia force */
+    /* omega = Rᵀ omega_parent + S_w u */
+    /* a = Rᵀ (a_parent + U_parent p) + S_v udot + c_v */
+    /* inertia_force = [2 vee(skew(U J)) + h x a; m a + U h] */
     const real elbow_u = u[1]; /* rad/s */
     const real lower_omega_y = shoulder_u + elbow_u;
     const real lower_a_z = elbow_sin * (upper_a_x - elbow_position_x * upper_minus_U_xx)
@@ -138,12 +155,16 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real lower_minus_n_y = lower_first_moment_x * lower_a_z;
 
     /* upper: f, n */
+    /* f = inertia_force_f - applied_f + sum R f_child */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
     const wreal upper_base_moment_x = w[4];
     const real upper_f_z = lower_omega_y * lower_omega_y * lower_first_moment_x * elbow_sin;
     const real upper_n_y = upper_base_moment_x * upper_minus_a_z - elbow_position_x * upper_f_z
         - lower_minus_n_y;
 
     /* shoulder: tau, drive */
+    /* tau = S . [n; f] - force on the joint */
+    /* drive = tau + f - h */
     const real shoulder_u_tau = tau[0]; /* N*m */
     const real shoulder_tau_part_3 = 14.715 * shoulder_cos
         + 0.15000000000000002 * elbow_u * (elbow_u + 2.0 * shoulder_u) * elbow_sin
@@ -163,15 +184,18 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         + shoulder_tau_part * shoulder_tau_part_2;
 
     /* elbow: drive */
+    /* drive = tau + f - h */
     const real elbow_drive = lower_minus_n_y + elbow_drive_part;
 
     /* shoulder: udot */
+    /* udot = M⁻¹ drive */
     const real shoulder_udot = 1.0 / (upper_composite_inertia_yy
         - M_elbow_shoulder * M_factor_L_elbow_shoulder) * (shoulder_drive
         - elbow_drive * M_factor_L_elbow_shoulder);
     out[0] = shoulder_udot; /* udot: shoulder.udot [rad/s^2] */
 
     /* elbow: udot */
+    /* udot = M⁻¹ drive */
     /* udot: elbow.udot [rad/s^2] */
     out[1] = elbow_drive * M_factor_D_inverse_elbow - M_factor_L_elbow_shoulder * shoulder_udot;
     return CARDAN_OK;

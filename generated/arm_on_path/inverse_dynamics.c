@@ -7,7 +7,7 @@
  *
  * Sizes: out 2, work 0, w 6
  * Operations per call: 85 = 44 mul, 23 add, 9 sub, 5 cos, 4 sin
- * Operations of prepare: 27 = 13 add, 10 mul, 4 sub
+ * Operations of prepare: 24 = 12 add, 8 mul, 4 sub
  *
  * Input t (1): time
  *   t[0]  t [s]
@@ -34,25 +34,30 @@
 
 CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
-    /* upper: first moment, mass, origin inertia, base moment, base, base second moment */
+    /* upper: first moment, mass, origin inertia, base */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal upper_mass = p[1]; /* kg */
     const wreal upper_com_x = p[2]; /* m */
     const wreal upper_inertia_xx = p[3]; /* kg m^2 */
     const wreal upper_inertia_yy = p[4]; /* kg m^2 */
     const wreal upper_inertia_zz = p[5]; /* kg m^2 */
-    const wreal elbow_position_x = p[6]; /* m */
-    const wreal lower_mass = p[7]; /* kg */
     const wreal upper_first_moment_x = upper_mass * upper_com_x;
     const wreal upper_com_x_times_first_moment_x = upper_com_x * upper_first_moment_x;
     const wreal upper_origin_inertia_yy = upper_inertia_yy + upper_com_x_times_first_moment_x;
     const wreal upper_origin_inertia_zz = upper_inertia_zz + upper_com_x_times_first_moment_x;
-    const wreal upper_base_moment_x = upper_first_moment_x + elbow_position_x * lower_mass;
     const wreal upper_base_half_trace = 0.5 * (upper_inertia_xx + upper_origin_inertia_zz
         + upper_origin_inertia_yy);
     const wreal upper_base_second_moment_zz = upper_base_half_trace - upper_origin_inertia_zz;
-    w[3] = upper_base_moment_x;
 
-    /* lower: first moment, mass, origin inertia, base, base second moment, inertia force */
+    /* lower: first moment, mass, origin inertia, base, inertia force */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
+    /* inertia_force = [2 vee(skew(U J)) + h x a; m a + U h] */
+    const wreal elbow_position_x = p[6]; /* m */
+    const wreal lower_mass = p[7]; /* kg */
     const wreal lower_com_x = p[8]; /* m */
     const wreal lower_inertia_xx = p[9]; /* kg m^2 */
     const wreal lower_inertia_yy = p[10]; /* kg m^2 */
@@ -61,8 +66,7 @@ CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     const wreal lower_com_x_times_first_moment_x = lower_com_x * lower_first_moment_x;
     const wreal lower_origin_inertia_yy = lower_inertia_yy + lower_com_x_times_first_moment_x;
     const wreal lower_origin_inertia_zz = lower_inertia_zz + lower_com_x_times_first_moment_x;
-    const wreal elbow_position_x_times_lower_base_mean_moment_x = 0.5 * lower_mass *
-        elbow_position_x * elbow_position_x;
+    const wreal lower_base_mass_moment_x = elbow_position_x * lower_mass;
     const wreal lower_base_half_trace = 0.5 * (lower_inertia_xx + lower_origin_inertia_zz
         + lower_origin_inertia_yy);
     const wreal lower_base_second_moment_xx = lower_base_half_trace - lower_inertia_xx;
@@ -72,12 +76,15 @@ CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     w[2] = lower_first_moment_x;
     w[5] = lower_base_second_moment_xx_plus_base_second_moment_zz;
 
-    /* upper: base second moment, inertia force */
-    const wreal upper_base_second_moment_xx = upper_base_half_trace - upper_inertia_xx
-        + (elbow_position_x_times_lower_base_mean_moment_x
-        + elbow_position_x_times_lower_base_mean_moment_x);
+    /* upper: base, inertia force */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
+    /* inertia_force = [2 vee(skew(U J)) + h x a; m a + U h] */
+    const wreal upper_base_moment_x = upper_first_moment_x + lower_base_mass_moment_x;
+    const wreal upper_base_second_moment_xx = elbow_position_x * lower_base_mass_moment_x
+        + upper_base_half_trace - upper_inertia_xx;
     const wreal upper_base_second_moment_zz_plus_base_second_moment_xx = upper_base_second_moment_zz
         + upper_base_second_moment_xx;
+    w[3] = upper_base_moment_x;
     w[4] = upper_base_second_moment_zz_plus_base_second_moment_xx;
 
     /* parameters as they are */
@@ -99,6 +106,7 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     (void)work;
 
     /* shared by several: data, R */
+    /* R = R_fixed R_joint(q) */
     const real shoulder_q = q[0]; /* rad */
     const real elbow_q = q[1]; /* rad */
     const real t_value = t[0]; /* s */
@@ -119,6 +127,7 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real shoulder_sin = sine[1];
 
     /* shared by several: data, U */
+    /* U = [alpha] + [omega][omega] */
     const real shoulder_u = u[0]; /* rad/s */
     const real cos_of_shoulder_plus_elbow_times_c2p9430000000000005 = 2.9430000000000005 *
         cos_of_shoulder_plus_elbow;
@@ -128,11 +137,13 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real upper_minus_U_xx = shoulder_u * shoulder_u;
 
     /* upper: a */
+    /* a = Rᵀ (a_parent + U_parent p) + S_v udot + c_v */
     const wreal gravity_z = w[0]; /* m/s^2 */
     const real upper_minus_a_z = gravity_z * shoulder_cos;
     const real upper_a_x = gravity_z * shoulder_sin;
 
     /* shoulder: tau */
+    /* tau = S . [n; f] - force on the joint */
     const real elbow_u = u[1]; /* rad/s */
     const real shoulder_tau_part_2 = 14.715 * shoulder_cos
         + 0.15000000000000002 * elbow_u * (elbow_u + 2.0 * shoulder_u) * elbow_sin
@@ -140,6 +151,10 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         + 0.30000000000000004 * elbow_cos) * shoulder_tau_part;
 
     /* lower: omega, alpha, a, n */
+    /* omega = Rᵀ omega_parent + S_w u */
+    /* alpha = Rᵀ alpha_parent + S_w udot + c_w */
+    /* a = Rᵀ (a_parent + U_parent p) + S_v udot + c_v */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
     const real shoulder_udot = udot[0]; /* rad/s^2 */
     const real elbow_udot = udot[1]; /* rad/s^2 */
     const wreal elbow_position_x = w[1]; /* m */
@@ -153,6 +168,7 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         - lower_first_moment_x * lower_a_z;
 
     /* upper: n */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
     const wreal upper_base_moment_x = w[3];
     const wreal upper_base_second_moment_zz_plus_base_second_moment_xx = w[4];
     const real upper_n_y = shoulder_udot * upper_base_second_moment_zz_plus_base_second_moment_xx
@@ -161,6 +177,7 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         - lower_first_moment_x * lower_alpha_y * elbow_cos) + lower_n_y;
 
     /* elbow: tau */
+    /* tau = S . [n; f] - force on the joint */
     /* tau: elbow.u.tau [N*m] */
     out[1] = cos_of_shoulder_plus_elbow_times_c2p9430000000000005 + 1.70586 * sin_of_t_times_c2p1
         + (1.08 * elbow_u + 3.24 * elbow_q - 0.15000000000000002 * upper_minus_U_xx * elbow_sin
@@ -168,6 +185,7 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         + lower_n_y;
 
     /* shoulder: tau */
+    /* tau = S . [n; f] - force on the joint */
     /* tau: shoulder.u.tau [N*m] */
     out[0] = elbow_tau_part * (12.0 * elbow_u + 36.0 * elbow_q
         + 18.953999999999997 * sin_of_t_times_c2p1 + 15.120000000000001 * cos_of_t_times_c2p1)

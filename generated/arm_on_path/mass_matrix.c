@@ -7,7 +7,7 @@
  *
  * Sizes: out 4, work 0, w 4
  * Operations per call: 6 = 3 mul, 2 add, 1 cos
- * Operations of prepare: 12 = 8 mul, 4 add
+ * Operations of prepare: 10 = 6 mul, 4 add
  *
  * Input q (2): generalized coordinates
  *   q[0]  shoulder [rad]
@@ -21,7 +21,10 @@
 
 CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
-    /* upper: first moment, origin inertia, base inertia */
+    /* upper: first moment, origin inertia, base */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal upper_mass = p[1]; /* kg */
     const wreal upper_com_x = p[2]; /* m */
     const wreal upper_inertia_yy = p[4]; /* kg m^2 */
@@ -30,9 +33,11 @@ CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
     const wreal upper_first_moment_x = upper_mass * upper_com_x;
     const wreal upper_origin_inertia_yy = upper_inertia_yy + upper_com_x * upper_first_moment_x;
     const wreal upper_base_inertia_yy = upper_origin_inertia_yy
-        + 0.5 * lower_mass * elbow_position_x * elbow_position_x * 2.0;
+        + elbow_position_x * lower_mass * elbow_position_x;
 
     /* lower: first moment, origin inertia */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
     const wreal lower_com_x = p[8]; /* m */
     const wreal lower_inertia_yy = p[10]; /* kg m^2 */
     const wreal lower_first_moment_x = lower_mass * lower_com_x;
@@ -60,6 +65,7 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     (void)work;
 
     /* shared by several: R */
+    /* R = R_fixed R_joint(q) */
     const real elbow_q = q[1]; /* rad */
     const real angle[CARDAN_PADDED(1)] = {elbow_q};
     real sine[CARDAN_PADDED(1)], cosine[CARDAN_PADDED(1)];
@@ -72,13 +78,15 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real elbow_position_x_times_upper_inertia_mean_moment_x = lower_first_moment_x * elbow_cos
         * elbow_position_x;
 
-    /* upper: composite inertia */
+    /* upper: composite */
+    /* composite = own + sum R composite_child Rᵀ moved by p */
     const wreal lower_origin_inertia_yy_plus_upper_base_inertia_yy = w[3];
     /* M: shoulder.u,shoulder.u */
     out[0] = 2.0 * elbow_position_x_times_upper_inertia_mean_moment_x
         + lower_origin_inertia_yy_plus_upper_base_inertia_yy;
 
-    /* M: elbow shoulder */
+    /* M */
+    /* M = S . momentum */
     const wreal lower_origin_inertia_yy = w[2];
     const real M_elbow_shoulder = lower_origin_inertia_yy
         + elbow_position_x_times_upper_inertia_mean_moment_x;

@@ -6,9 +6,9 @@
  * passes: unroll
  *
  * Sizes: out 8, work 55, w 38
- * Operations per call: 3134 = 1755 mul, 674 add, 664 sub, 19 div, 6 cos, 6 neg, 6 sin, 2 select,
+ * Operations per call: 3131 = 1755 mul, 669 add, 669 sub, 19 div, 6 cos, 6 sin, 3 neg, 2 select,
  *     1 solve, 1 sqrt
- * Operations of prepare: 230 = 99 mul, 65 add, 42 sub, 7 div, 4 neg, 4 select, 3 sqrt, 2 atan2,
+ * Operations of prepare: 220 = 92 mul, 62 add, 42 sub, 7 div, 4 neg, 4 select, 3 sqrt, 2 atan2,
  *     2 lt, 1 cos, 1 sin
  *
  * Input q (8): generalized coordinates
@@ -68,6 +68,9 @@ CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     const wreal tilt_cos = cosine[0];
 
     /* frame: mass, first moment, origin inertia, base */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal rear_radius = p[3]; /* m */
     const wreal frame_mass = p[10]; /* kg */
     const wreal frame_com_x = p[11]; /* m */
@@ -98,6 +101,8 @@ CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     w[4] = steer_place_x;
 
     /* fork: mass, first moment, origin inertia */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
     const wreal fork_mass = p[16]; /* kg */
     const wreal fork_com_z = p[17]; /* m */
     const wreal fork_inertia_xx = p[18]; /* kg m^2 */
@@ -123,6 +128,7 @@ CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     w[5] = steer_minus_R_xz;
 
     /* steer: R */
+    /* R = R_fixed R_joint(q) */
     const wreal steer_R_zz = tilt_cos / sqrt_of_tilt_sin_squared_plus_cos_squared;
     w[6] = steer_R_zz;
 
@@ -163,6 +169,8 @@ CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
         + fork_axes_unit_z * fork_mass_half_turned_xz;
 
     /* front_hub: R, p, place */
+    /* R = R_fixed R_joint(q) */
+    /* p = p_fixed + R_fixed p_joint(q) */
     const wreal front_radius = p[4]; /* m */
     const wreal front_hub_R_yy = steer_R_zz * fork_axes_unit_x
         + steer_minus_R_xz * fork_axes_unit_z;
@@ -178,36 +186,31 @@ CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     const wreal steer_offset = cardan_atan2(-front_hub_R_yy, 0.0);
     w[8] = steer_offset;
 
-    /* fork: mass, base moment, base */
-    const wreal front_wheel_mass = p[22]; /* kg */
+    /* fork: mass, base */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal front_hub_R_yy_times_fork_mass_half_turned_yy = fork_origin_inertia_yy *
         front_hub_R_yy * front_hub_R_yy;
-    const wreal fork_base_moment_x = fork_first_moment_x * fork_axes_unit_x
-        + fork_first_moment_z * fork_axes_unit_z + front_wheel_mass * front_hub_p_x;
     const wreal fork_base_half_trace = 0.5 * (fork_base_half_turned_yx_part
         + front_hub_R_yy_times_fork_mass_half_turned_yy + fork_base_inertia_zz_part);
-    w[13] = fork_base_moment_x;
 
-    /* front_wheel: base inertia, base, base second moment */
+    /* front_wheel: base */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
+    const wreal front_wheel_mass = p[22]; /* kg */
     const wreal front_wheel_inertia_xx = p[23]; /* kg m^2 */
     const wreal front_wheel_inertia_yy = p[24]; /* kg m^2 */
     const wreal front_wheel_inertia_zz = p[25]; /* kg m^2 */
     const wreal front_wheel_base_inertia_zz = front_wheel_inertia_zz - front_wheel_inertia_xx;
-    const wreal half_front_wheel_mass = 0.5 * front_wheel_mass;
-    const wreal front_wheel_base_mean_moment_x = front_hub_p_x * half_front_wheel_mass;
-    const wreal front_wheel_base_mean_moment_z = front_hub_p_z * half_front_wheel_mass;
-    const wreal front_hub_p_x_times_front_wheel_base_mean_moment_x = front_hub_p_x *
-        front_wheel_base_mean_moment_x;
-    const wreal front_hub_p_z_times_front_wheel_base_mean_moment_z = front_hub_p_z *
-        front_wheel_base_mean_moment_z;
-    const wreal front_wheel_base_shift = 2.0 * (front_hub_p_x_times_front_wheel_base_mean_moment_x +
-        front_hub_p_z_times_front_wheel_base_mean_moment_z);
+    const wreal front_wheel_base_mass_moment_x = front_wheel_mass * front_hub_p_x;
+    const wreal front_wheel_base_mass_moment_z = front_wheel_mass * front_hub_p_z;
+    const wreal front_wheel_base_second_xx = front_hub_p_x * front_wheel_base_mass_moment_x;
+    const wreal front_wheel_base_second_zz = front_hub_p_z * front_wheel_base_mass_moment_z;
+    const wreal front_wheel_base_inertia_yy = front_wheel_base_second_xx
+        + front_wheel_base_second_zz;
     const wreal fork_mass_plus_front_wheel_mass = fork_mass + front_wheel_mass;
     const wreal fork_base_mean_moment_x_part = fork_first_moment_z * steer_R_zz
-        - fork_first_moment_x * steer_minus_R_xz + front_wheel_mass * front_hub_p_z;
-    const wreal fork_base_half_turned_yx = front_wheel_base_shift
-        - 2.0 * front_hub_p_x_times_front_wheel_base_mean_moment_x + front_wheel_inertia_xx
-        + fork_base_half_turned_yx_part;
+        - fork_first_moment_x * steer_minus_R_xz + front_wheel_base_mass_moment_z;
+    const wreal fork_base_half_turned_yx = front_wheel_base_inertia_yy
+        - front_wheel_base_second_xx + front_wheel_inertia_xx + fork_base_half_turned_yx_part;
     const wreal front_wheel_base_half_trace = 0.5 * (front_wheel_inertia_xx
         + front_wheel_inertia_yy + front_wheel_inertia_zz);
     const wreal front_wheel_base_second_moment_xx = front_wheel_base_half_trace
@@ -215,22 +218,22 @@ CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     const wreal front_wheel_base_second_moment_zz = front_wheel_base_half_trace
         - front_wheel_inertia_zz;
     const wreal fork_minus_base_half_turned_xz_part = fork_base_half_trace
-        - fork_base_inertia_zz_part + (front_hub_p_z_times_front_wheel_base_mean_moment_z
-        + front_hub_p_z_times_front_wheel_base_mean_moment_z);
+        - fork_base_inertia_zz_part + front_wheel_base_second_zz;
     w[12] = front_wheel_base_inertia_zz;
     w[26] = front_wheel_base_second_moment_xx;
     w[27] = front_wheel_base_second_moment_zz;
 
-    /* fork: base inertia, base, base second moment */
+    /* fork: base */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
+    const wreal fork_base_moment_x = fork_first_moment_x * fork_axes_unit_x
+        + fork_first_moment_z * fork_axes_unit_z + front_wheel_base_mass_moment_x;
     const wreal fork_base_inertia_xz = steer_R_zz * fork_mass_half_turned_xz
         - steer_minus_R_xz * fork_mass_half_turned_xx
-        - (front_hub_p_z * front_wheel_base_mean_moment_x
-        + front_hub_p_x * front_wheel_base_mean_moment_z);
-    const wreal fork_base_inertia_zz = front_wheel_base_shift
-        - 2.0 * front_hub_p_z_times_front_wheel_base_mean_moment_z
+        - front_hub_p_z * front_wheel_base_mass_moment_x;
+    const wreal fork_base_inertia_zz = front_wheel_base_inertia_yy - front_wheel_base_second_zz
         + front_wheel_inertia_xx * front_hub_R_yy * front_hub_R_yy + fork_base_inertia_zz_part;
     const wreal fork_base_inertia_yy = front_hub_R_yy_times_fork_mass_half_turned_yy
-        + front_wheel_base_shift - fork_base_half_turned_yx;
+        + front_wheel_base_inertia_yy - fork_base_half_turned_yx;
     const wreal fork_base_mean_moment_x_part_2 = steer_minus_R_xz * fork_base_mean_moment_x_part;
     const wreal fork_base_mean_moment_z_part = steer_R_zz * fork_base_mean_moment_x_part;
     const wreal fork_minus_base_half_turned_xy = steer_R_zz * fork_base_half_turned_yx;
@@ -250,19 +253,20 @@ CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
         - 2.0 * steer_place_x_times_fork_base_mean_moment_x
         + steer_R_zz * fork_minus_base_half_turned_xy + frame_origin_inertia_xx;
     const wreal fork_base_second_moment_xx = fork_base_half_trace - fork_base_half_turned_yx_part
-        + (front_hub_p_x_times_front_wheel_base_mean_moment_x
-        + front_hub_p_x_times_front_wheel_base_mean_moment_x);
+        + front_wheel_base_second_xx;
     const wreal fork_base_second_moment_yy = fork_base_half_trace
         - front_hub_R_yy_times_fork_mass_half_turned_yy
         + front_hub_R_yy * (front_wheel_base_half_trace - front_wheel_inertia_yy) * front_hub_R_yy;
     const wreal fork_minus_base_half_turned_xz = steer_minus_R_xz *
         fork_minus_base_half_turned_xz_part;
+    w[13] = fork_base_moment_x;
     w[14] = fork_base_inertia_xz;
     w[15] = fork_base_inertia_zz;
     w[28] = fork_base_second_moment_xx;
     w[29] = fork_base_second_moment_yy;
 
-    /* frame: base moment, base inertia, base second moment */
+    /* frame: base */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal frame_base_moment_x = steer_place_x * fork_mass_plus_front_wheel_mass
         - fork_base_mean_moment_x_part_2 + frame_first_moment_x;
     const wreal frame_base_moment_z = fork_base_mean_moment_z_part
@@ -293,7 +297,8 @@ CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     w[31] = frame_base_second_moment_xz;
     w[32] = frame_base_second_moment_zz;
 
-    /* rear_wheel: base mass, base inertia, base, base second moment */
+    /* rear_wheel: base */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal rear_wheel_mass = p[6]; /* kg */
     const wreal rear_wheel_inertia_xx = p[7]; /* kg m^2 */
     const wreal rear_wheel_inertia_yy = p[8]; /* kg m^2 */
@@ -321,16 +326,19 @@ CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     const wreal fork_inertia_half_turned_yy = front_wheel_inertia_yy * front_hub_R_yy;
     w[34] = fork_inertia_half_turned_yy;
 
-    /* fork: composite inertia */
+    /* fork: composite */
+    /* composite = own + sum R composite_child Rᵀ moved by p */
     const wreal fork_composite_inertia_yy = fork_base_inertia_yy
         + front_hub_R_yy * fork_inertia_half_turned_yy;
     w[35] = fork_composite_inertia_yy;
 
     /* rear_contact: M */
+    /* M = S . momentum */
     const wreal rear_radius_times_rear_wheel_base_mass = rear_radius * rear_wheel_base_mass;
     w[36] = rear_radius_times_rear_wheel_base_mass;
 
-    /* constraints: multipliers */
+    /* constraints: factor */
+    /* factor = L, D: M = Lᵀ D L, free_udot = M⁻¹ drive, response = M⁻¹ Gᵀ */
     const wreal M_factor_D_inverse_front_hub = 1.0 / front_wheel_inertia_yy;
     w[37] = M_factor_D_inverse_front_hub;
 
@@ -351,9 +359,14 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real *const u = in->u;
     const wreal *const w = in->w;
     const real *const tau = in->tau;
+    real (*const circuit_matrix)[5] = (real (*)[5])(work + 0);
+    real *const circuit_right = work + 25;
+    real *const circuit_scratch = work + 30;
     int status = CARDAN_OK;
 
     /* shared by several: R, G */
+    /* R = R_fixed R_joint(q) */
+    /* G = d(rate) / du */
     const real rear_contact_yaw = q[2]; /* rad */
     const real rear_contact_lean = q[3]; /* rad */
     const real rear_contact_spin = q[4]; /* rad */
@@ -364,24 +377,30 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const wreal front_hub_offset = w[11];
     const real steer_angle = steer_q + steer_offset;
     const real front_hub_angle = front_hub_q + front_hub_offset;
-    const real angle_2[CARDAN_PADDED(6)] = {rear_contact_yaw, rear_contact_lean, rear_contact_spin,
+    const real angle[CARDAN_PADDED(6)] = {rear_contact_yaw, rear_contact_lean, rear_contact_spin,
         rear_hub_q, steer_angle, front_hub_angle};
-    real sine_2[CARDAN_PADDED(6)], cosine_2[CARDAN_PADDED(6)];
-    cardan_sincos(6, angle_2, sine_2, cosine_2);
-    const real rear_contact_yaw_cos = cosine_2[0];
-    const real rear_contact_yaw_sin = sine_2[0];
-    const real rear_contact_lean_cos = cosine_2[1];
-    const real rear_contact_lean_sin = sine_2[1];
-    const real rear_contact_spin_cos = cosine_2[2];
-    const real rear_contact_spin_sin = sine_2[2];
-    const real rear_hub_cos = cosine_2[3];
-    const real rear_hub_sin = sine_2[3];
-    const real steer_angle_cos = cosine_2[4];
-    const real steer_angle_sin = sine_2[4];
-    const real front_hub_angle_cos = cosine_2[5];
-    const real front_hub_angle_sin = sine_2[5];
+    real sine[CARDAN_PADDED(6)], cosine[CARDAN_PADDED(6)];
+    cardan_sincos(6, angle, sine, cosine);
+    const real rear_contact_yaw_cos = cosine[0];
+    const real rear_contact_yaw_sin = sine[0];
+    const real rear_contact_lean_cos = cosine[1];
+    const real rear_contact_lean_sin = sine[1];
+    const real rear_contact_spin_cos = cosine[2];
+    const real rear_contact_spin_sin = sine[2];
+    const real rear_hub_cos = cosine[3];
+    const real rear_hub_sin = sine[3];
+    const real steer_angle_cos = cosine[4];
+    const real steer_angle_sin = sine[4];
+    const real front_hub_angle_cos = cosine[5];
+    const real front_hub_angle_sin = sine[5];
 
-    /* rear_contact: R, p, drift, velocity, S, gamma lateral */
+    /* rear_contact: R, p, drift, velocity, S, gamma */
+    /* R = R_fixed R_joint(q) */
+    /* p = p_fixed + R_fixed p_joint(q) */
+    /* drift = S' u + [0; omega x v] */
+    /* velocity = S u */
+    /* S = d(twist of the child) / du */
+    /* gamma = -d(rate)/dt at udot = 0 */
     const real rear_contact_x = q[0]; /* m */
     const real rear_contact_y = q[1]; /* m */
     const real rear_contact_u_x = u[0]; /* m/s */
@@ -481,11 +500,16 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         rear_contact_minus_R_xy_rate + rear_contact_u_y * rear_contact_minus_R_yy_rate;
     const real rear_contact_gamma_lateral = rear_contact_u_y * rear_contact_u_yaw_times_yaw_sin
         + rear_contact_u_x * rear_contact_u_yaw_times_yaw_cos;
+    const real rear_contact_gamma_longitudinal = rear_contact_u_x * rear_contact_u_yaw_times_yaw_sin
+        - rear_contact_u_y * rear_contact_u_yaw_times_yaw_cos;
 
     /* shared by several: S */
+    /* S = d(twist of the child) / du */
     const real rear_radius_times_rear_contact_lean_sin = rear_radius * rear_contact_lean_sin;
 
     /* rear_contact: S, velocity */
+    /* S = d(twist of the child) / du */
+    /* velocity = S u */
     const real rear_contact_velocity_relative_vx_part = rear_contact_spin_cos *
         rear_radius_times_rear_contact_lean_sin;
     const real rear_contact_velocity_relative_vz_part = rear_contact_spin_sin *
@@ -509,6 +533,8 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         + rear_contact_u_y * rear_contact_R_yz_rate + rear_contact_velocity_relative_vz_rate_part;
 
     /* front_contact: pose, twist */
+    /* pose = [R_Pᵀ R_C, R_Pᵀ (p_C - p_P)] */
+    /* twist = R_Cᵀ sum +-[R w; R v + R w x arm] */
     const real rear_hub_u = u[5]; /* rad/s */
     const real steer_u = u[6]; /* rad/s */
     const wreal steer_place_x = w[4];
@@ -605,6 +631,7 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         rear_contact_u_lean_times_lean_cos;
 
     /* steer: R */
+    /* R = R_fixed R_joint(q) */
     const real steer_minus_R_xx = steer_R_zz * steer_angle_sin;
     const real steer_minus_R_xy = steer_R_zz * steer_angle_cos;
     const real steer_minus_R_zx = steer_minus_R_xz * steer_angle_sin;
@@ -612,11 +639,14 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real steer_u_times_angle_sin = steer_u * steer_angle_sin;
     const real steer_u_times_angle_cos = steer_u * steer_angle_cos;
     const real steer_minus_R_xx_rate = steer_R_zz * steer_u_times_angle_cos;
-    const real steer_minus_minus_R_xy_rate = steer_R_zz * steer_u_times_angle_sin;
+    const real steer_R_xy_rate = steer_R_zz * steer_u_times_angle_sin;
     const real steer_minus_R_zx_rate = steer_minus_R_xz * steer_u_times_angle_cos;
-    const real steer_minus_minus_R_zy_rate = steer_minus_R_xz * steer_u_times_angle_sin;
+    const real steer_R_zy_rate = steer_minus_R_xz * steer_u_times_angle_sin;
 
     /* front_contact: pose, twist, rate */
+    /* pose = [R_Pᵀ R_C, R_Pᵀ (p_C - p_P)] */
+    /* twist = R_Cᵀ sum +-[R w; R v + R w x arm] */
+    /* rate = G u + g_t */
     const wreal front_radius = w[1]; /* m */
     const wreal front_hub_R_yy = w[7];
     const wreal front_hub_p_x = w[9];
@@ -761,15 +791,19 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         front_contact_slip_rear_contact_x_up_z;
 
     /* front_hub: R */
+    /* R = R_fixed R_joint(q) */
     const real front_hub_u = u[7]; /* rad/s */
     const real front_hub_minus_R_zx = front_hub_R_yy * front_hub_angle_cos;
     const real front_hub_minus_R_zz = front_hub_R_yy * front_hub_angle_sin;
     const real front_hub_u_times_angle_sin = front_hub_u * front_hub_angle_sin;
     const real front_hub_u_times_angle_cos = front_hub_u * front_hub_angle_cos;
-    const real front_hub_minus_minus_R_zx_rate = front_hub_R_yy * front_hub_u_times_angle_sin;
+    const real front_hub_R_zx_rate = front_hub_R_yy * front_hub_u_times_angle_sin;
     const real front_hub_minus_R_zz_rate = front_hub_R_yy * front_hub_u_times_angle_cos;
 
-    /* front_contact: pose, twist, G pz rear contact, slip rear contact, ... */
+    /* front_contact: pose, twist, G, slip rear contact, slip rear contact yaw, ... */
+    /* pose = [R_Pᵀ R_C, R_Pᵀ (p_C - p_P)] */
+    /* twist = R_Cᵀ sum +-[R w; R v + R w x arm] */
+    /* G = d(rate) / du */
     const real front_contact_front_wheel_R_xx = front_contact_minus_fork_R_xx * front_hub_angle_sin
         - front_contact_fork_R_xz * front_hub_minus_R_zx;
     const real front_contact_minus_front_wheel_R_xz = front_contact_minus_fork_R_xx *
@@ -1106,6 +1140,10 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         front_contact_slip_front_hub_velocity_y;
 
     /* rear_wheel: omega, alpha, a, U */
+    /* omega = Rᵀ omega_parent + S_w u */
+    /* alpha = Rᵀ alpha_parent + S_w udot + c_w */
+    /* a = Rᵀ (a_parent + U_parent p) + S_v udot + c_v */
+    /* U = [alpha] + [omega][omega] */
     const wreal gravity_z = w[2]; /* m/s^2 */
     const real rear_wheel_omega_x = rear_contact_u_lean * rear_contact_spin_cos
         - rear_contact_u_yaw * rear_contact_minus_R_zx;
@@ -1137,6 +1175,8 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         - rear_contact_minus_drift_relative_wx;
 
     /* front_contact: twist, rate */
+    /* twist = R_Cᵀ sum +-[R w; R v + R w x arm] */
+    /* rate = G u + g_t */
     const real front_contact_base_twist_by_rear_contact_wx = rear_contact_R_xx * rear_wheel_omega_x
         - rear_contact_minus_R_xy * rear_wheel_omega_y + rear_contact_R_xz * rear_wheel_omega_z;
     const real front_contact_base_twist_by_rear_contact_wy = rear_contact_R_yx * rear_wheel_omega_x
@@ -1272,7 +1312,9 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         front_contact_G_pz_rear_contact_yaw_part_2 * front_contact_G_pz_rear_contact_yaw_part_4 *
         front_radius;
 
-    /* fork: inertia, composite inertia, momentum */
+    /* fork: inertia, composite, momentum */
+    /* composite = own + sum R composite_child Rᵀ moved by p */
+    /* momentum = composite inertia S */
     const wreal front_wheel_base_inertia_zz = w[12];
     const wreal fork_base_moment_x = w[13];
     const wreal fork_base_inertia_xz = w[14];
@@ -1297,7 +1339,14 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real momentum_minus_steer_about_frame_fy = fork_base_moment_x * steer_angle_sin;
     const real momentum_minus_steer_about_frame_fz = fork_base_moment_x * steer_minus_R_zy;
 
-    /* frame: inertia, composite moment, composite inertia, momentum, omega, alpha, a, U, ... */
+    /* frame: inertia, composite, momentum, omega, alpha, a, U, inertia force */
+    /* composite = own + sum R composite_child Rᵀ moved by p */
+    /* momentum = composite inertia S */
+    /* omega = Rᵀ omega_parent + S_w u */
+    /* alpha = Rᵀ alpha_parent + S_w udot + c_w */
+    /* a = Rᵀ (a_parent + U_parent p) + S_v udot + c_v */
+    /* U = [alpha] + [omega][omega] */
+    /* inertia_force = [2 vee(skew(U J)) + h x a; m a + U h] */
     const wreal frame_base_moment_x = w[16];
     const wreal frame_base_moment_z = w[17];
     const wreal frame_base_inertia_yy = w[19];
@@ -1367,6 +1416,7 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         + (frame_base_moment_z * frame_a_x - frame_base_moment_x * frame_a_z);
 
     /* shared by several: inertia, M */
+    /* M = S . momentum */
     const real frame_inertia_half_turned_yz = steer_angle_cos * fork_composite_inertia_xz;
     const real steer_minus_R_xz_times_fork_composite_inertia_zz = steer_minus_R_xz *
         fork_composite_inertia_zz;
@@ -1374,7 +1424,8 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real rear_radius_times_momentum_minus_steer_about_frame_fy = rear_radius *
         momentum_minus_steer_about_frame_fy;
 
-    /* frame: inertia, composite inertia */
+    /* frame: inertia, composite */
+    /* composite = own + sum R composite_child Rᵀ moved by p */
     const wreal frame_base_inertia_xz = w[18];
     const wreal frame_base_inertia_zz = w[20];
     const real frame_minus_inertia_half_turned_xz =
@@ -1400,7 +1451,8 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         - 2.0 * rear_radius_times_frame_minus_inertia_mean_moment_z
         + frame_composite_inertia_zz_part + frame_base_inertia_zz;
 
-    /* rear_wheel: inertia, composite inertia, composite moment */
+    /* rear_wheel: inertia, composite */
+    /* composite = own + sum R composite_child Rᵀ moved by p */
     const wreal rear_wheel_inertia_yy = w[3]; /* kg m^2 */
     const wreal rear_wheel_base_inertia_xx = w[22];
     const wreal rear_wheel_base_inertia_zz = w[23];
@@ -1424,6 +1476,7 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         - rear_hub_sin_times_rear_wheel_inertia_shear + rear_wheel_base_inertia_zz;
 
     /* shared by several: inertia, M */
+    /* M = S . momentum */
     const real momentum_rear_hub_about_rear_wheel_mz = rear_hub_cos * frame_composite_inertia_yz
         + rear_hub_sin * frame_minus_composite_inertia_xy;
     const real M_rear_hub_rear_contact_yaw_part = rear_contact_minus_R_zx *
@@ -1435,11 +1488,13 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real rear_contact_spin_cos_times_rear_wheel_composite_inertia_xy = rear_contact_spin_cos *
         rear_wheel_composite_inertia_xy;
 
-    /* rear_wheel: composite inertia */
+    /* rear_wheel: composite */
+    /* composite = own + sum R composite_child Rᵀ moved by p */
     const real rear_wheel_composite_inertia_yz = momentum_rear_hub_about_rear_wheel_mz
         + momentum_rear_hub_about_rear_wheel_mz - momentum_rear_hub_about_rear_wheel_mz;
 
-    /* M: front hub rear contact yaw, front hub rear contact lean, steer rear contact spin, ... */
+    /* M */
+    /* M = S . momentum */
     const real M_front_hub_rear_contact_yaw = rear_contact_minus_R_zx *
         momentum_minus_front_hub_about_rear_wheel_mx
         - rear_contact_lean_sin * momentum_minus_front_hub_about_frame_my
@@ -1465,6 +1520,13 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         + rear_contact_spin_sin * momentum_rear_hub_about_rear_wheel_mz;
 
     /* fork: momentum, omega, alpha, a, U, inertia force, f */
+    /* momentum = composite inertia S */
+    /* omega = Rᵀ omega_parent + S_w u */
+    /* alpha = Rᵀ alpha_parent + S_w udot + c_w */
+    /* a = Rᵀ (a_parent + U_parent p) + S_v udot + c_v */
+    /* U = [alpha] + [omega][omega] */
+    /* inertia_force = [2 vee(skew(U J)) + h x a; m a + U h] */
+    /* f = inertia_force_f - applied_f + sum R f_child */
     const wreal fork_base_second_moment_xx = w[28];
     const wreal fork_base_second_moment_yy = w[29];
     const real momentum_minus_steer_about_frame_mx =
@@ -1517,6 +1579,8 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         + steer_R_zz * fork_f_z;
 
     /* frame: momentum, f */
+    /* momentum = composite inertia S */
+    /* f = inertia_force_f - applied_f + sum R f_child */
     const real momentum_steer_about_rear_wheel_mx = rear_hub_sin * momentum_steer_about_frame_mz
         - rear_hub_cos * momentum_minus_steer_about_frame_mx;
     const real momentum_steer_about_rear_wheel_mz = rear_hub_sin *
@@ -1529,12 +1593,14 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         - frame_base_moment_z * frame_minus_U_zz + frame_n_y_part_3;
 
     /* steer: M */
+    /* M = S . momentum */
     const real M_steer_rear_contact_yaw_part = rear_contact_lean_sin * M_steer_rear_contact_spin
         - rear_contact_minus_R_zx * momentum_steer_about_rear_wheel_mx
         + rear_contact_R_zz * momentum_steer_about_rear_wheel_mz
         - rear_contact_velocity_relative_vx_part * momentum_minus_steer_about_rear_wheel_fx;
 
-    /* M: steer rear contact yaw, steer rear contact lean */
+    /* M */
+    /* M = S . momentum */
     const real M_steer_rear_contact_yaw = M_steer_rear_contact_yaw_part
         + rear_contact_velocity_relative_vz_part * momentum_steer_about_rear_wheel_fz;
     const real M_steer_rear_contact_lean = rear_contact_spin_cos *
@@ -1542,7 +1608,8 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         + rear_contact_spin_sin * momentum_steer_about_rear_wheel_mz
         + rear_radius_times_momentum_minus_steer_about_frame_fy;
 
-    /* momentum: rear contact x my, rear contact y my, rear contact yaw fy, ... */
+    /* momentum */
+    /* momentum = composite inertia S */
     const wreal rear_wheel_base_mass = w[21];
     const real momentum_rear_contact_x_my = rear_contact_R_xx * rear_wheel_composite_moment_z
         - rear_contact_R_xz * rear_wheel_composite_moment_x;
@@ -1583,7 +1650,8 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         - rear_radius * rear_wheel_composite_moment_x;
     const real momentum_rear_contact_lean_fz = rear_contact_spin_cos * frame_composite_moment_y;
 
-    /* M: rear contact x rear contact, rear contact y rear contact, ... */
+    /* M */
+    /* M = S . momentum */
     const real M_rear_contact_x_rear_contact_x = rear_contact_R_xx * momentum_rear_contact_x_fx
         + rear_wheel_base_mass * rear_contact_minus_R_xy * rear_contact_minus_R_xy
         + rear_contact_R_xz * momentum_rear_contact_x_fz;
@@ -1601,15 +1669,18 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         + rear_contact_R_yz * momentum_rear_contact_yaw_fz;
 
     /* shared by several: M */
+    /* M = S . momentum */
     const real momentum_rear_contact_yaw_my_part = rear_contact_lean_sin *
         rear_wheel_composite_inertia_yy - M_rear_hub_rear_contact_yaw_part
         + rear_contact_R_zz * rear_wheel_composite_inertia_yz;
 
-    /* momentum: rear contact yaw my */
+    /* momentum */
+    /* momentum = composite inertia S */
     const real momentum_rear_contact_yaw_my = M_rear_hub_rear_contact_yaw_part_2
         - M_rear_hub_rear_contact_yaw_part_3 + momentum_rear_contact_yaw_my_part;
 
     /* rear_contact: M */
+    /* M = S . momentum */
     const wreal rear_radius_times_rear_wheel_base_mass = w[36];
     const real M_rear_contact_yaw_rear_contact_yaw_part = rear_contact_lean_sin *
         momentum_rear_contact_yaw_my - rear_contact_minus_R_zx * momentum_rear_contact_yaw_mx
@@ -1625,7 +1696,8 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         + rear_contact_R_zz * momentum_rear_contact_lean_mz
         - rear_contact_velocity_relative_vx_part * momentum_minus_rear_contact_lean_fx;
 
-    /* M: rear contact yaw rear contact yaw, rear contact lean rear contact, ... */
+    /* M */
+    /* M = S . momentum */
     const real M_rear_contact_yaw_rear_contact_yaw = M_rear_contact_yaw_rear_contact_yaw_part
         + rear_contact_velocity_relative_vz_part * momentum_rear_contact_yaw_fz;
     const real M_rear_contact_lean_rear_contact_x = rear_contact_minus_R_xy *
@@ -1644,6 +1716,11 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         + momentum_rear_contact_yaw_my_part - M_rear_hub_rear_contact_yaw_part_3;
 
     /* front_wheel: alpha, omega, U, inertia force, n */
+    /* alpha = Rᵀ alpha_parent + S_w udot + c_w */
+    /* omega = Rᵀ omega_parent + S_w u */
+    /* U = [alpha] + [omega][omega] */
+    /* inertia_force = [2 vee(skew(U J)) + h x a; m a + U h] */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
     const wreal front_wheel_base_second_moment_xx = w[26];
     const wreal front_wheel_base_second_moment_zz = w[27];
     const real front_wheel_minus_omega_x = front_hub_angle_sin * fork_omega_x
@@ -1669,6 +1746,7 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real front_wheel_n_z = front_wheel_base_second_moment_xx * front_wheel_U_yx;
 
     /* fork: n */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
     const real fork_n_x = fork_base_second_moment_yy * fork_U_zy
         + fork_base_inertia_xz * fork_U_yx + (front_hub_angle_sin * front_wheel_minus_n_x
         + front_hub_angle_cos * front_wheel_n_z);
@@ -1680,6 +1758,7 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         - front_hub_minus_R_zz * front_wheel_n_z + fork_n_z_part;
 
     /* frame: n */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
     const real frame_minus_n_x = frame_base_second_moment_zz * frame_U_yz
         + frame_base_second_moment_xz * frame_U_yx + frame_base_moment_z * rear_wheel_a_y
         + (steer_minus_R_xx * fork_n_x + steer_minus_R_xy * fork_n_y
@@ -1692,6 +1771,8 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         - steer_place_x * frame_minus_n_x_part);
 
     /* rear_wheel: n, f */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
+    /* f = inertia_force_f - applied_f + sum R f_child */
     const wreal rear_wheel_base_second_moment_xx = w[24];
     const wreal rear_wheel_base_second_moment_zz = w[25];
     const wreal rear_wheel_base_second_moment_yy = w[33];
@@ -1709,7 +1790,9 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real rear_wheel_f_z = rear_hub_cos * frame_f_z - rear_hub_sin * frame_f_x
         + rear_wheel_base_mass * rear_wheel_a_z;
 
-    /* rear_contact: tau, tau yaw, tau lean, drive, drive yaw, drive lean, drive spin */
+    /* rear_contact: tau, drive */
+    /* tau = S . [n; f] - force on the joint */
+    /* drive = tau + f - h */
     const real rear_contact_u_x_tau = tau[0]; /* N */
     const real rear_contact_u_y_tau = tau[1]; /* N */
     const real rear_contact_u_yaw_tau = tau[2]; /* N*m */
@@ -1732,20 +1815,28 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real rear_contact_drive_spin = rear_contact_u_spin_tau - rear_wheel_n_y;
 
     /* rear_hub: drive, R */
+    /* drive = tau + f - h */
+    /* R = R_fixed R_joint(q) */
     const real rear_hub_u_tau = tau[5]; /* N*m */
     const real rear_hub_drive = rear_hub_u_tau - frame_n_y;
     const real rear_hub_u_times_sin = rear_hub_u * rear_hub_sin;
     const real rear_hub_u_times_cos = rear_hub_u * rear_hub_cos;
 
     /* steer: drive */
+    /* drive = tau + f - h */
     const real steer_u_tau = tau[6]; /* N*m */
     const real steer_drive = steer_u_tau - fork_n_z;
 
     /* front_hub: drive */
+    /* drive = tau + f - h */
     const real front_hub_u_tau = tau[7]; /* N*m */
     const real front_hub_drive = front_hub_u_tau - front_wheel_n_y;
 
-    /* front_contact: G, G pz rear contact yaw, G pz rear contact lean, ... */
+    /* front_contact: G, pose, twist, rate */
+    /* G = d(rate) / du */
+    /* pose = [R_Pᵀ R_C, R_Pᵀ (p_C - p_P)] */
+    /* twist = R_Cᵀ sum +-[R w; R v + R w x arm] */
+    /* rate = G u + g_t */
     const real front_contact_G_pz_rear_contact_yaw_part_6 = front_contact_twist_rear_contact_yaw_wx
         * front_contact_G_pz_rear_contact_yaw_part_3
         + front_contact_twist_rear_contact_yaw_wz * front_contact_G_pz_rear_contact_yaw_part_5
@@ -1804,8 +1895,7 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         + front_contact_frame_R_xz * steer_minus_R_zx_rate
         + front_contact_minus_fork_R_xx_rate_part;
     const real front_contact_fork_R_xy_rate_part = steer_minus_R_xy *
-        front_contact_minus_frame_R_xx_rate
-        + front_contact_frame_R_xx * steer_minus_minus_R_xy_rate
+        front_contact_minus_frame_R_xx_rate + front_contact_frame_R_xx * steer_R_xy_rate
         + (steer_angle_sin * rear_contact_minus_R_xy_rate
         + rear_contact_minus_R_xy * steer_u_times_angle_cos);
     const real front_contact_fork_R_xz_rate = steer_minus_R_xz * front_contact_minus_frame_R_xx_rate
@@ -1818,7 +1908,7 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         + front_contact_frame_R_yz * steer_minus_R_zx_rate
         + front_contact_minus_fork_R_yx_rate_part;
     const real front_contact_minus_fork_R_yy_rate_part = steer_minus_R_xy *
-        front_contact_frame_R_yx_rate - front_contact_frame_R_yx * steer_minus_minus_R_xy_rate
+        front_contact_frame_R_yx_rate - front_contact_frame_R_yx * steer_R_xy_rate
         + (rear_contact_R_yy * steer_u_times_angle_cos
         - steer_angle_sin * rear_contact_minus_R_yy_rate);
     const real front_contact_fork_R_yz_rate = steer_R_zz * front_contact_frame_R_yz_rate
@@ -1832,8 +1922,7 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         - (front_contact_frame_R_zz * steer_minus_R_zx_rate
         - steer_minus_R_zx * front_contact_minus_frame_R_zz_rate);
     const real front_contact_fork_R_zy_rate_part = steer_minus_R_xy *
-        front_contact_minus_frame_R_zx_rate
-        - front_contact_minus_frame_R_zx * steer_minus_minus_R_xy_rate
+        front_contact_minus_frame_R_zx_rate - front_contact_minus_frame_R_zx * steer_R_xy_rate
         - (steer_angle_sin * rear_contact_u_lean_times_lean_cos
         + rear_contact_lean_sin * steer_u_times_angle_cos);
     const real front_contact_fork_R_zz_rate = steer_minus_R_xz * front_contact_minus_frame_R_zx_rate
@@ -1850,10 +1939,10 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         front_contact_minus_fork_R_xx_rate
         + front_contact_minus_fork_R_xx * front_hub_u_times_angle_cos
         - (front_hub_minus_R_zx * front_contact_fork_R_xz_rate
-        - front_contact_fork_R_xz * front_hub_minus_minus_R_zx_rate);
+        - front_contact_fork_R_xz * front_hub_R_zx_rate);
     const real front_contact_front_wheel_R_xy_rate = front_hub_R_yy *
         (front_contact_fork_R_xy_rate_part - (steer_minus_R_zy * front_contact_frame_R_xz_rate
-        - front_contact_frame_R_xz * steer_minus_minus_R_zy_rate));
+        - front_contact_frame_R_xz * steer_R_zy_rate));
     const real front_contact_minus_front_wheel_R_xz_rate = front_hub_angle_cos *
         front_contact_minus_fork_R_xx_rate
         - front_contact_minus_fork_R_xx * front_hub_u_times_angle_sin
@@ -1862,9 +1951,9 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real front_contact_minus_front_wheel_R_yx_rate = front_contact_fork_R_yx *
         front_hub_u_times_angle_cos - front_hub_angle_sin * front_contact_minus_fork_R_yx_rate
         + (front_hub_minus_R_zx * front_contact_fork_R_yz_rate
-        - front_contact_fork_R_yz * front_hub_minus_minus_R_zx_rate);
+        - front_contact_fork_R_yz * front_hub_R_zx_rate);
     const real front_contact_minus_front_wheel_R_yy_rate = front_hub_R_yy * (steer_minus_R_zy *
-        front_contact_frame_R_yz_rate - front_contact_frame_R_yz * steer_minus_minus_R_zy_rate
+        front_contact_frame_R_yz_rate - front_contact_frame_R_yz * steer_R_zy_rate
         + front_contact_minus_fork_R_yy_rate_part);
     const real front_contact_minus_front_wheel_R_yz_rate = front_hub_angle_cos *
         front_contact_minus_fork_R_yx_rate
@@ -1874,10 +1963,9 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real front_contact_minus_front_wheel_R_zx_rate = front_hub_angle_sin *
         front_contact_fork_R_zx_rate + front_contact_fork_R_zx * front_hub_u_times_angle_cos
         + (front_hub_minus_R_zx * front_contact_fork_R_zz_rate
-        - front_contact_fork_R_zz * front_hub_minus_minus_R_zx_rate);
+        - front_contact_fork_R_zz * front_hub_R_zx_rate);
     const real front_contact_front_wheel_R_zy_rate = front_hub_R_yy * (steer_minus_R_zy *
-        front_contact_minus_frame_R_zz_rate
-        + front_contact_frame_R_zz * steer_minus_minus_R_zy_rate
+        front_contact_minus_frame_R_zz_rate + front_contact_frame_R_zz * steer_R_zy_rate
         + front_contact_fork_R_zy_rate_part);
     const real front_contact_front_wheel_R_zz_rate = front_hub_angle_cos *
         front_contact_fork_R_zx_rate - front_contact_fork_R_zx * front_hub_u_times_angle_sin
@@ -1998,10 +2086,10 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real front_contact_base_twist_wz_rate = front_contact_base_twist_by_rear_contact_wz_rate +
         front_contact_base_twist_by_rear_hub_wz_rate + front_contact_base_twist_by_steer_wz_rate
         + front_hub_u * front_contact_front_wheel_R_zy_rate;
-    const real front_contact_rate_pz_rate_part = front_contact_front_wheel_R_xy *
+    const real front_contact_gamma_pz_part = front_contact_front_wheel_R_xy *
         front_contact_front_wheel_R_xx_rate
         + front_contact_front_wheel_R_xx * front_contact_front_wheel_R_xy_rate;
-    const real front_contact_rate_pz_rate_part_2 = front_contact_minus_front_wheel_R_yy *
+    const real front_contact_gamma_pz_part_2 = front_contact_minus_front_wheel_R_yy *
         front_contact_minus_front_wheel_R_yx_rate
         + front_contact_minus_front_wheel_R_yx * front_contact_minus_front_wheel_R_yy_rate;
     const real front_contact_front_wheel_R_xy_times_front_wheel_R_xy_rate =
@@ -2015,10 +2103,10 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         + front_contact_slip_rear_contact_x_upright_rate_part);
     const real front_contact_front_wheel_R_zy_times_front_wheel_R_zy_rate =
         front_contact_front_wheel_R_zy * front_contact_front_wheel_R_zy_rate;
-    const real front_contact_rate_pz_rate_part_3 = front_contact_minus_front_wheel_R_xz *
+    const real front_contact_gamma_pz_part_3 = front_contact_minus_front_wheel_R_xz *
         front_contact_front_wheel_R_xy_rate
         + front_contact_front_wheel_R_xy * front_contact_minus_front_wheel_R_xz_rate;
-    const real front_contact_rate_pz_rate_part_4 = front_contact_front_wheel_R_yz *
+    const real front_contact_gamma_pz_part_4 = front_contact_front_wheel_R_yz *
         front_contact_minus_front_wheel_R_yy_rate
         - front_contact_minus_front_wheel_R_yy * front_contact_minus_front_wheel_R_yz_rate;
     const real front_contact_twist_wx_rate_part = front_contact_base_twist_wy *
@@ -2141,22 +2229,25 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real front_contact_slip_rear_contact_x_upright_rate =
         front_contact_G_pz_rear_contact_yaw_part_2 *
         front_contact_slip_rear_contact_x_upright_rate_part_2;
-    const real front_contact_rate_pz_rate_part_5 =
+    const real front_contact_gamma_pz_part_5 =
         cardan_select(front_contact_slip_rear_contact_x_upright,
         -c0p5_per_front_contact_slip_rear_contact_x_upright *
         front_contact_slip_rear_contact_x_upright_rate / front_contact_slip_rear_contact_x_upright,
         0.0);
-    const real front_contact_rate_pz_rate_part_6 = front_contact_G_pz_rear_contact_yaw_part_2 *
-        (front_contact_rate_pz_rate_part_3 + front_contact_rate_pz_rate_part_3
-        + (front_contact_rate_pz_rate_part_4 + front_contact_rate_pz_rate_part_4))
-        + front_contact_G_pz_rear_contact_yaw_part * front_contact_rate_pz_rate_part_5;
-    const real front_contact_rate_pz_rate_part_7 = front_contact_G_pz_rear_contact_yaw_part_4 *
-        front_contact_rate_pz_rate_part_5
-        + front_contact_G_pz_rear_contact_yaw_part_2 * (front_contact_rate_pz_rate_part
-        + front_contact_rate_pz_rate_part + (front_contact_rate_pz_rate_part_2
-        + front_contact_rate_pz_rate_part_2));
+    const real front_contact_gamma_pz_part_6 = front_radius *
+        (front_contact_G_pz_rear_contact_yaw_part_2 * (front_contact_gamma_pz_part_3
+        + front_contact_gamma_pz_part_3 + (front_contact_gamma_pz_part_4
+        + front_contact_gamma_pz_part_4))
+        + front_contact_G_pz_rear_contact_yaw_part * front_contact_gamma_pz_part_5);
+    const real front_contact_gamma_pz_part_7 = front_radius *
+        (front_contact_G_pz_rear_contact_yaw_part_4 * front_contact_gamma_pz_part_5
+        + front_contact_G_pz_rear_contact_yaw_part_2 * (front_contact_gamma_pz_part
+        + front_contact_gamma_pz_part + (front_contact_gamma_pz_part_2
+        + front_contact_gamma_pz_part_2)));
 
-    /* front_contact: slip rear contact, rate, gamma longitudinal */
+    /* front_contact: slip rear contact, rate, gamma */
+    /* rate = G u + g_t */
+    /* gamma = -d(rate)/dt at udot = 0 */
     const real front_contact_minus_slip_rear_contact_x_heading_x_rate =
         (front_contact_minus_front_wheel_R_yy_rate
         - front_contact_minus_slip_rear_contact_x_heading_x *
@@ -2179,26 +2270,12 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         + front_contact_front_wheel_R_zy_times_front_wheel_R_zy_rate
         + front_contact_slip_rear_contact_x_up_z * front_contact_slip_rear_contact_x_upright_rate) /
         front_contact_slip_rear_contact_x_upright;
-    const real front_contact_minus_minus_slip_rear_contact_x_arm_z_rate = front_radius *
+    const real front_contact_slip_rear_contact_x_arm_z_rate = front_radius *
         front_contact_minus_slip_rear_contact_x_up_z_rate;
-    const real front_contact_rate_pz_rate_part_8 = front_contact_G_pz_rear_contact_yaw_part_3 *
-        front_contact_twist_wx_rate
-        + front_radius * front_contact_rate_pz_rate_part_6 * front_contact_twist_wx;
-    const real front_contact_rate_pz_rate_part_9 = front_contact_G_pz_rear_contact_yaw_part_5 *
-        front_contact_twist_wz_rate
-        + front_radius * front_contact_rate_pz_rate_part_7 * front_contact_twist_wz
-        + front_contact_rate_pz_rate_part_8;
-    const real front_contact_rate_pz_rate_part_10 = front_contact_rate_pz_rate_part_9
-        - (front_contact_twist_vx * front_contact_minus_front_wheel_R_zx_rate
-        + front_contact_minus_front_wheel_R_zx * front_contact_twist_vx_rate);
-    const real front_contact_rate_pz_rate_part_11 = front_contact_twist_vy *
-        front_contact_front_wheel_R_zy_rate
-        + front_contact_front_wheel_R_zy * front_contact_twist_vy_rate
-        + front_contact_rate_pz_rate_part_10;
-    const real front_contact_rate_pz_rate = front_contact_twist_vz *
-        front_contact_front_wheel_R_zz_rate
-        + front_contact_front_wheel_R_zz * front_contact_twist_vz_rate
-        + front_contact_rate_pz_rate_part_11;
+    const real front_contact_gamma_pz_part_8 = front_contact_G_pz_rear_contact_yaw_part_3 *
+        front_contact_twist_wx_rate + front_contact_twist_wx * front_contact_gamma_pz_part_6
+        + (front_contact_G_pz_rear_contact_yaw_part_5 * front_contact_twist_wz_rate
+        + front_contact_twist_wz * front_contact_gamma_pz_part_7);
     const real front_contact_rate_velocity_x_rate_part_2 =
         front_contact_slip_rear_contact_x_up_y_rate_part / front_contact_slip_rear_contact_x_upright
         * front_radius * front_contact_rate_turning_z
@@ -2209,10 +2286,10 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         + front_contact_slip_rear_contact_x_arm_x * front_contact_rate_turning_z_rate;
     const real front_contact_rate_velocity_x_rate = front_contact_rate_velocity_x_rate_part_2
         - (front_contact_rate_velocity_x_rate_part
-        - front_contact_rate_turning_y * front_contact_minus_minus_slip_rear_contact_x_arm_z_rate) +
-        front_contact_rate_sliding_x_rate;
+        - front_contact_rate_turning_y * front_contact_slip_rear_contact_x_arm_z_rate)
+        + front_contact_rate_sliding_x_rate;
     const real front_contact_rate_velocity_y_rate = front_contact_rate_velocity_y_rate_part
-        - front_contact_rate_turning_x * front_contact_minus_minus_slip_rear_contact_x_arm_z_rate
+        - front_contact_rate_turning_x * front_contact_slip_rear_contact_x_arm_z_rate
         + front_contact_rate_velocity_y_rate_part_2 + front_contact_rate_sliding_y_rate;
     const real front_contact_gamma_longitudinal_part = front_contact_rate_velocity_x *
         front_contact_minus_slip_rear_contact_x_heading_x_rate
@@ -2221,11 +2298,31 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         front_contact_minus_slip_rear_contact_x_heading_y_rate
         + front_contact_minus_slip_rear_contact_x_heading_y * front_contact_rate_velocity_y_rate
         + front_contact_gamma_longitudinal_part;
-    const real front_contact_rate_lateral_rate_part = front_contact_rate_velocity_x *
-        front_contact_minus_slip_rear_contact_x_heading_y_rate
-        + front_contact_minus_slip_rear_contact_x_heading_y * front_contact_rate_velocity_x_rate;
+    const real front_contact_gamma_lateral_part = front_contact_rate_velocity_y *
+        front_contact_minus_slip_rear_contact_x_heading_x_rate
+        + front_contact_minus_slip_rear_contact_x_heading_x * front_contact_rate_velocity_y_rate;
+    const real front_contact_gamma_lateral = front_contact_gamma_lateral_part
+        - (front_contact_rate_velocity_x * front_contact_minus_slip_rear_contact_x_heading_y_rate
+        + front_contact_minus_slip_rear_contact_x_heading_y * front_contact_rate_velocity_x_rate);
 
-    /* constraints: multipliers */
+    /* common */
+    const real front_contact_gamma_pz_part_9 = front_contact_twist_vx *
+        front_contact_minus_front_wheel_R_zx_rate
+        + front_contact_minus_front_wheel_R_zx * front_contact_twist_vx_rate
+        - front_contact_gamma_pz_part_8;
+    const real front_contact_gamma_pz_part_10 = front_contact_gamma_pz_part_9
+        - (front_contact_twist_vy * front_contact_front_wheel_R_zy_rate
+        + front_contact_front_wheel_R_zy * front_contact_twist_vy_rate);
+
+    /* front_contact: gamma */
+    /* gamma = -d(rate)/dt at udot = 0 */
+    const real front_contact_gamma_pz = front_contact_gamma_pz_part_10
+        - (front_contact_twist_vz * front_contact_front_wheel_R_zz_rate
+        + front_contact_front_wheel_R_zz * front_contact_twist_vz_rate);
+
+    /* constraints: factor, multipliers */
+    /* factor = L, D: M = Lᵀ D L, free_udot = M⁻¹ drive, response = M⁻¹ Gᵀ */
+    /* multipliers = circuit⁻¹ (gamma - G free_udot) */
     const wreal M_factor_D_inverse_front_hub = w[37];
     const real M_minus_factor_L_front_hub_rear_contact_spin =
         momentum_minus_front_hub_about_frame_my * M_factor_D_inverse_front_hub;
@@ -2971,7 +3068,7 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         + front_contact_G_pz_rear_contact_spin * front_contact_pz_response_rear_hub
         + front_contact_G_pz_steer * front_contact_pz_response_steer
         + front_contact_G_pz_front_hub * front_contact_pz_response_front_hub;
-    work[0] = circuit_front_contact_pz_front_contact_pz;
+    circuit_matrix[0][0] = circuit_front_contact_pz_front_contact_pz;
     const real circuit_minus_front_contact_longitudinal_front_contact_pz_part =
         front_contact_minus_G_longitudinal_rear_contact_x * front_contact_pz_response_rear_contact_x
         + front_contact_minus_G_longitudinal_rear_contact_y *
@@ -2995,8 +3092,8 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real circuit_front_contact_longitudinal_front_contact_pz =
         -(circuit_minus_front_contact_longitudinal_front_contact_pz_part_5
         + front_contact_minus_G_longitudinal_front_hub * front_contact_pz_response_front_hub);
-    work[1] = circuit_front_contact_longitudinal_front_contact_pz;
-    work[5] = circuit_front_contact_longitudinal_front_contact_pz;
+    circuit_matrix[0][1] = circuit_front_contact_longitudinal_front_contact_pz;
+    circuit_matrix[1][0] = circuit_front_contact_longitudinal_front_contact_pz;
     const real circuit_minus_front_contact_longitudinal_front_contact_longitud_part =
         front_contact_minus_G_longitudinal_rear_contact_x *
         front_contact_longitudinal_response_rear_contact_x
@@ -3026,7 +3123,7 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         -(circuit_minus_front_contact_longitudinal_front_contact_longitud_part_6
         + front_contact_minus_G_longitudinal_front_hub *
         front_contact_longitudinal_response_front_hub);
-    work[6] = front_contact_multiplier_pz_part;
+    circuit_matrix[1][1] = front_contact_multiplier_pz_part;
     const real circuit_front_contact_lateral_front_contact_pz_part =
         front_contact_G_lateral_rear_contact_x * front_contact_pz_response_rear_contact_x
         + front_contact_G_lateral_rear_contact_y * front_contact_pz_response_rear_contact_y;
@@ -3042,8 +3139,8 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         circuit_front_contact_lateral_front_contact_pz_part_3
         + front_contact_G_lateral_steer * front_contact_pz_response_steer
         + front_contact_G_lateral_front_hub * front_contact_pz_response_front_hub;
-    work[2] = circuit_front_contact_lateral_front_contact_pz;
-    work[10] = circuit_front_contact_lateral_front_contact_pz;
+    circuit_matrix[0][2] = circuit_front_contact_lateral_front_contact_pz;
+    circuit_matrix[2][0] = circuit_front_contact_lateral_front_contact_pz;
     const real circuit_front_contact_lateral_front_contact_longitudinal_part =
         front_contact_G_lateral_rear_contact_x * front_contact_longitudinal_response_rear_contact_x
         + front_contact_G_lateral_rear_contact_y *
@@ -3067,8 +3164,8 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real circuit_front_contact_lateral_front_contact_longitudinal =
         circuit_front_contact_lateral_front_contact_longitudinal_part_5
         + front_contact_G_lateral_front_hub * front_contact_longitudinal_response_front_hub;
-    work[7] = circuit_front_contact_lateral_front_contact_longitudinal;
-    work[11] = circuit_front_contact_lateral_front_contact_longitudinal;
+    circuit_matrix[1][2] = circuit_front_contact_lateral_front_contact_longitudinal;
+    circuit_matrix[2][1] = circuit_front_contact_lateral_front_contact_longitudinal;
     const real circuit_front_contact_lateral_front_contact_lateral_part =
         front_contact_G_lateral_rear_contact_x * front_contact_lateral_response_rear_contact_x
         + front_contact_G_lateral_rear_contact_y * front_contact_lateral_response_rear_contact_y;
@@ -3086,61 +3183,62 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         circuit_front_contact_lateral_front_contact_lateral_part_3
         + front_contact_G_lateral_steer * front_contact_lateral_response_steer
         + front_contact_G_lateral_front_hub * front_contact_lateral_response_front_hub;
-    work[12] = circuit_front_contact_lateral_front_contact_lateral;
+    circuit_matrix[2][2] = circuit_front_contact_lateral_front_contact_lateral;
     const real circuit_rear_contact_longitudinal_front_contact_pz = rear_contact_yaw_cos *
         front_contact_pz_response_rear_contact_x
         + rear_contact_yaw_sin * front_contact_pz_response_rear_contact_y
         - rear_radius * front_contact_pz_response_rear_contact_spin;
-    work[3] = circuit_rear_contact_longitudinal_front_contact_pz;
-    work[15] = circuit_rear_contact_longitudinal_front_contact_pz;
+    circuit_matrix[0][3] = circuit_rear_contact_longitudinal_front_contact_pz;
+    circuit_matrix[3][0] = circuit_rear_contact_longitudinal_front_contact_pz;
     const real circuit_rear_contact_longitudinal_front_contact_longitudinal = rear_contact_yaw_cos *
         front_contact_longitudinal_response_rear_contact_x
         + rear_contact_yaw_sin * front_contact_longitudinal_response_rear_contact_y
         - rear_radius * front_contact_longitudinal_response_rear_contact_spin;
-    work[8] = circuit_rear_contact_longitudinal_front_contact_longitudinal;
-    work[16] = circuit_rear_contact_longitudinal_front_contact_longitudinal;
+    circuit_matrix[1][3] = circuit_rear_contact_longitudinal_front_contact_longitudinal;
+    circuit_matrix[3][1] = circuit_rear_contact_longitudinal_front_contact_longitudinal;
     const real circuit_rear_contact_longitudinal_front_contact_lateral = rear_contact_yaw_cos *
         front_contact_lateral_response_rear_contact_x
         + rear_contact_yaw_sin * front_contact_lateral_response_rear_contact_y
         - rear_radius * front_contact_lateral_response_rear_contact_spin;
-    work[13] = circuit_rear_contact_longitudinal_front_contact_lateral;
-    work[17] = circuit_rear_contact_longitudinal_front_contact_lateral;
+    circuit_matrix[2][3] = circuit_rear_contact_longitudinal_front_contact_lateral;
+    circuit_matrix[3][2] = circuit_rear_contact_longitudinal_front_contact_lateral;
     const real circuit_rear_contact_longitudinal_rear_contact_longitudinal = rear_contact_yaw_cos *
         rear_contact_longitudinal_response_rear_contact_x
         + rear_contact_yaw_sin * rear_contact_longitudinal_response_rear_contact_y
         + rear_radius * rear_contact_longitudinal_minus_response_rear_contact_spin;
-    work[18] = circuit_rear_contact_longitudinal_rear_contact_longitudinal;
+    circuit_matrix[3][3] = circuit_rear_contact_longitudinal_rear_contact_longitudinal;
     const real circuit_rear_contact_lateral_front_contact_pz = rear_contact_yaw_cos *
         front_contact_pz_response_rear_contact_y
         - rear_contact_yaw_sin * front_contact_pz_response_rear_contact_x;
-    work[4] = circuit_rear_contact_lateral_front_contact_pz;
-    work[20] = circuit_rear_contact_lateral_front_contact_pz;
+    circuit_matrix[0][4] = circuit_rear_contact_lateral_front_contact_pz;
+    circuit_matrix[4][0] = circuit_rear_contact_lateral_front_contact_pz;
     const real circuit_rear_contact_lateral_front_contact_longitudinal = rear_contact_yaw_cos *
         front_contact_longitudinal_response_rear_contact_y
         - rear_contact_yaw_sin * front_contact_longitudinal_response_rear_contact_x;
-    work[9] = circuit_rear_contact_lateral_front_contact_longitudinal;
-    work[21] = circuit_rear_contact_lateral_front_contact_longitudinal;
+    circuit_matrix[1][4] = circuit_rear_contact_lateral_front_contact_longitudinal;
+    circuit_matrix[4][1] = circuit_rear_contact_lateral_front_contact_longitudinal;
     const real circuit_rear_contact_lateral_front_contact_lateral = rear_contact_yaw_cos *
         front_contact_lateral_response_rear_contact_y
         - rear_contact_yaw_sin * front_contact_lateral_response_rear_contact_x;
-    work[14] = circuit_rear_contact_lateral_front_contact_lateral;
-    work[22] = circuit_rear_contact_lateral_front_contact_lateral;
+    circuit_matrix[2][4] = circuit_rear_contact_lateral_front_contact_lateral;
+    circuit_matrix[4][2] = circuit_rear_contact_lateral_front_contact_lateral;
     const real circuit_rear_contact_lateral_rear_contact_longitudinal = rear_contact_yaw_cos *
         rear_contact_longitudinal_response_rear_contact_y
         - rear_contact_yaw_sin * rear_contact_longitudinal_response_rear_contact_x;
-    work[19] = circuit_rear_contact_lateral_rear_contact_longitudinal;
-    work[23] = circuit_rear_contact_lateral_rear_contact_longitudinal;
+    circuit_matrix[3][4] = circuit_rear_contact_lateral_rear_contact_longitudinal;
+    circuit_matrix[4][3] = circuit_rear_contact_lateral_rear_contact_longitudinal;
     const real circuit_rear_contact_lateral_rear_contact_lateral = rear_contact_yaw_sin *
         rear_contact_lateral_minus_response_rear_contact_x
         + rear_contact_yaw_cos * rear_contact_lateral_response_rear_contact_y;
-    work[24] = circuit_rear_contact_lateral_rear_contact_lateral;
-    const real free_gamma_minus_front_contact_pz_part = front_contact_G_pz_rear_contact_x *
+    circuit_matrix[4][4] = circuit_rear_contact_lateral_rear_contact_lateral;
+    const real free_gamma_front_contact_pz_part = front_contact_G_pz_rear_contact_x *
         free_udot_rear_contact_x + front_contact_G_pz_rear_contact_y * free_udot_rear_contact_y
-        + front_contact_G_pz_rear_contact_yaw * free_udot_rear_contact_yaw;
-    const real free_gamma_minus_front_contact_pz_part_2 = free_gamma_minus_front_contact_pz_part
-        + front_contact_G_pz_rear_contact_lean * free_udot_rear_contact_lean
+        + front_contact_G_pz_rear_contact_yaw * free_udot_rear_contact_yaw
+        + front_contact_G_pz_rear_contact_lean * free_udot_rear_contact_lean;
+    const real free_gamma_front_contact_pz_part_2 = free_gamma_front_contact_pz_part
         + front_contact_G_pz_rear_contact_spin * free_udot_rear_contact_spin
-        + front_contact_G_pz_rear_contact_spin * free_udot_rear_hub;
+        + front_contact_G_pz_rear_contact_spin * free_udot_rear_hub
+        + front_contact_G_pz_steer * free_udot_steer;
     const real free_gamma_front_contact_longitudinal_part =
         front_contact_minus_G_longitudinal_rear_contact_x * free_udot_rear_contact_x
         + front_contact_minus_G_longitudinal_rear_contact_y * free_udot_rear_contact_y
@@ -3154,53 +3252,48 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         + front_contact_minus_G_longitudinal_rear_contact_spin * free_udot_rear_hub
         + front_contact_minus_G_longitudinal_steer * free_udot_steer
         + front_contact_minus_G_longitudinal_front_hub * free_udot_front_hub;
-    const real free_gamma_minus_front_contact_lateral_part = front_contact_G_lateral_rear_contact_x
-        * free_udot_rear_contact_x
+    const real free_gamma_front_contact_lateral_part = front_contact_G_lateral_rear_contact_x *
+        free_udot_rear_contact_x
         + front_contact_G_lateral_rear_contact_y * free_udot_rear_contact_y
         + front_contact_G_lateral_rear_contact_yaw * free_udot_rear_contact_yaw;
-    const real free_gamma_minus_front_contact_lateral_part_2 =
-        free_gamma_minus_front_contact_lateral_part
+    const real free_gamma_front_contact_lateral_part_2 = free_gamma_front_contact_lateral_part
         + front_contact_G_lateral_rear_contact_lean * free_udot_rear_contact_lean
-        + front_contact_G_lateral_rear_contact_spin * free_udot_rear_contact_spin;
-    const real free_gamma_minus_front_contact_lateral_part_3 =
-        free_gamma_minus_front_contact_lateral_part_2
-        + front_contact_G_lateral_rear_contact_spin * free_udot_rear_hub
-        + front_contact_G_lateral_steer * free_udot_steer
-        + front_contact_G_lateral_front_hub * free_udot_front_hub;
-    const real free_gamma_front_contact_pz = -(free_gamma_minus_front_contact_pz_part_2
-        + front_contact_G_pz_steer * free_udot_steer
-        + front_contact_G_pz_front_hub * free_udot_front_hub + front_contact_rate_pz_rate);
-    work[25] = free_gamma_front_contact_pz;
+        + front_contact_G_lateral_rear_contact_spin * free_udot_rear_contact_spin
+        + front_contact_G_lateral_rear_contact_spin * free_udot_rear_hub;
+    const real free_gamma_front_contact_pz = front_contact_gamma_pz
+        - (free_gamma_front_contact_pz_part_2 + front_contact_G_pz_front_hub * free_udot_front_hub);
+    circuit_right[0] = free_gamma_front_contact_pz;
     const real free_gamma_front_contact_longitudinal = front_contact_gamma_longitudinal
         + free_gamma_front_contact_longitudinal_part_3;
-    work[26] = free_gamma_front_contact_longitudinal;
-    const real free_gamma_front_contact_lateral = -(front_contact_rate_lateral_rate_part
-        - (front_contact_rate_velocity_y * front_contact_minus_slip_rear_contact_x_heading_x_rate
-        + front_contact_minus_slip_rear_contact_x_heading_x * front_contact_rate_velocity_y_rate)
-        + free_gamma_minus_front_contact_lateral_part_3);
-    work[27] = free_gamma_front_contact_lateral;
-    const real free_gamma_rear_contact_longitudinal = -(rear_contact_u_y *
-        rear_contact_u_yaw_times_yaw_cos - rear_contact_u_x * rear_contact_u_yaw_times_yaw_sin
-        + (rear_contact_yaw_cos * free_udot_rear_contact_x
+    circuit_right[1] = free_gamma_front_contact_longitudinal;
+    const real free_gamma_front_contact_lateral = front_contact_gamma_lateral
+        - (free_gamma_front_contact_lateral_part_2
+        + front_contact_G_lateral_steer * free_udot_steer
+        + front_contact_G_lateral_front_hub * free_udot_front_hub);
+    circuit_right[2] = free_gamma_front_contact_lateral;
+    const real free_gamma_rear_contact_longitudinal = rear_contact_gamma_longitudinal
+        - (rear_contact_yaw_cos * free_udot_rear_contact_x
         + rear_contact_yaw_sin * free_udot_rear_contact_y
-        - rear_radius * free_udot_rear_contact_spin));
-    work[28] = free_gamma_rear_contact_longitudinal;
+        - rear_radius * free_udot_rear_contact_spin);
+    circuit_right[3] = free_gamma_rear_contact_longitudinal;
     const real free_gamma_rear_contact_lateral = rear_contact_gamma_lateral
         - (rear_contact_yaw_cos * free_udot_rear_contact_y
         - rear_contact_yaw_sin * free_udot_rear_contact_x);
-    work[29] = free_gamma_rear_contact_lateral;
-    status |= CARDAN_SOLVE(semidefinite, 5, 1, work + 0, work + 25, work + 30);
+    circuit_right[4] = free_gamma_rear_contact_lateral;
+    /* circuit_matrix lam = circuit_right; the solution takes its place */
+    status |= CARDAN_SOLVE(semidefinite, 5, 1, circuit_matrix[0], circuit_right, circuit_scratch);
 
     /* front_contact: multiplier pz, multiplier longitudinal, multiplier lateral */
-    const real front_contact_multiplier_pz = work[25];
-    const real front_contact_multiplier_longitudinal = work[26];
-    const real front_contact_multiplier_lateral = work[27];
+    const real front_contact_multiplier_pz = circuit_right[0];
+    const real front_contact_multiplier_longitudinal = circuit_right[1];
+    const real front_contact_multiplier_lateral = circuit_right[2];
 
     /* rear_contact: multiplier longitudinal, multiplier lateral */
-    const real rear_contact_multiplier_longitudinal = work[28];
-    const real rear_contact_multiplier_lateral = work[29];
+    const real rear_contact_multiplier_longitudinal = circuit_right[3];
+    const real rear_contact_multiplier_lateral = circuit_right[4];
 
     /* constraints: multipliers */
+    /* multipliers = circuit⁻¹ (gamma - G free_udot) */
     const real rear_contact_udot_x_part = front_contact_pz_response_rear_contact_x *
         front_contact_multiplier_pz
         + front_contact_longitudinal_response_rear_contact_x * front_contact_multiplier_longitudinal
@@ -3245,7 +3338,8 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         + M_minus_factor_L_front_hub_rear_contact_spin * rear_contact_lateral_response_rear_hub) *
         rear_contact_multiplier_lateral;
 
-    /* rear_contact: udot, udot yaw, udot lean, udot spin */
+    /* rear_contact: udot */
+    /* udot = free_udot + response multipliers */
     /* udot: rear_contact.u.xdot [m/s^2] */
     out[0] = rear_contact_udot_x_part
         + rear_contact_longitudinal_response_rear_contact_x * rear_contact_multiplier_longitudinal -
@@ -3275,6 +3369,7 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         + free_udot_rear_contact_spin;
 
     /* rear_hub: udot */
+    /* udot = free_udot + response multipliers */
     /* udot: rear_hub.udot [rad/s^2] */
     out[5] = rear_hub_udot_part
         + rear_contact_longitudinal_response_rear_hub * rear_contact_multiplier_longitudinal
@@ -3282,12 +3377,14 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         + free_udot_rear_hub;
 
     /* steer: udot */
+    /* udot = free_udot + response multipliers */
     /* udot: steer.udot [rad/s^2] */
     out[6] = steer_udot_part_2 + (rear_contact_lateral_response_steer_part_2
         - M_factor_L_steer_rear_contact_spin * rear_contact_lateral_response_rear_hub) *
         rear_contact_multiplier_lateral + free_udot_steer;
 
     /* front_hub: udot */
+    /* udot = free_udot + response multipliers */
     /* udot: front_hub.udot [rad/s^2] */
     out[7] = front_hub_udot_part
         + rear_contact_longitudinal_response_front_hub * rear_contact_multiplier_longitudinal

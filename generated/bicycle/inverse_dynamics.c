@@ -7,7 +7,7 @@
  *
  * Sizes: out 8, work 0, w 23
  * Operations per call: 405 = 228 mul, 100 add, 65 sub, 6 cos, 6 sin
- * Operations of prepare: 188 = 83 mul, 48 add, 34 sub, 6 div, 4 neg, 4 select, 3 sqrt, 2 atan2,
+ * Operations of prepare: 181 = 79 mul, 45 add, 34 sub, 6 div, 4 neg, 4 select, 3 sqrt, 2 atan2,
  *     2 lt, 1 cos, 1 sin
  *
  * Input q (8): generalized coordinates
@@ -65,6 +65,9 @@ CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     const wreal tilt_cos = cosine[0];
 
     /* frame: mass, first moment, origin inertia, base */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal rear_radius = p[3]; /* m */
     const wreal frame_mass = p[10]; /* kg */
     const wreal frame_com_x = p[11]; /* m */
@@ -95,6 +98,8 @@ CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     w[2] = steer_place_x;
 
     /* fork: mass, first moment, origin inertia */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
     const wreal fork_mass = p[16]; /* kg */
     const wreal fork_com_z = p[17]; /* m */
     const wreal fork_inertia_xx = p[18]; /* kg m^2 */
@@ -120,6 +125,7 @@ CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     w[3] = steer_minus_R_xz;
 
     /* steer: R */
+    /* R = R_fixed R_joint(q) */
     const wreal steer_R_zz = tilt_cos / sqrt_of_tilt_sin_squared_plus_cos_squared;
     w[4] = steer_R_zz;
 
@@ -160,6 +166,8 @@ CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
         + fork_axes_unit_z * fork_mass_half_turned_xz;
 
     /* front_hub: R, p, place */
+    /* R = R_fixed R_joint(q) */
+    /* p = p_fixed + R_fixed p_joint(q) */
     const wreal front_radius = p[4]; /* m */
     const wreal front_hub_R_yy = steer_R_zz * fork_axes_unit_x
         + steer_minus_R_xz * fork_axes_unit_z;
@@ -173,47 +181,42 @@ CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     const wreal steer_offset = cardan_atan2(-front_hub_R_yy, 0.0);
     w[6] = steer_offset;
 
-    /* fork: mass, base moment, base */
-    const wreal front_wheel_mass = p[22]; /* kg */
+    /* fork: mass, base */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal front_hub_R_yy_times_fork_mass_half_turned_yy = fork_origin_inertia_yy *
         front_hub_R_yy * front_hub_R_yy;
-    const wreal fork_base_moment_x = fork_first_moment_x * fork_axes_unit_x
-        + fork_first_moment_z * fork_axes_unit_z + front_wheel_mass * front_hub_p_x;
     const wreal fork_base_half_trace = 0.5 * (fork_base_half_trace_part_2
         + fork_base_half_trace_part + front_hub_R_yy_times_fork_mass_half_turned_yy);
-    w[8] = fork_base_moment_x;
 
-    /* front_wheel: base, base second moment */
+    /* front_wheel: base */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
+    const wreal front_wheel_mass = p[22]; /* kg */
     const wreal front_wheel_inertia_xx = p[23]; /* kg m^2 */
     const wreal front_wheel_inertia_yy = p[24]; /* kg m^2 */
     const wreal front_wheel_inertia_zz = p[25]; /* kg m^2 */
-    const wreal half_front_wheel_mass = 0.5 * front_wheel_mass;
-    const wreal front_wheel_base_mean_moment_x = front_hub_p_x * half_front_wheel_mass;
-    const wreal front_wheel_base_mean_moment_z = front_hub_p_z * half_front_wheel_mass;
-    const wreal front_hub_p_x_times_front_wheel_base_mean_moment_x = front_hub_p_x *
-        front_wheel_base_mean_moment_x;
-    const wreal front_hub_p_z_times_front_wheel_base_mean_moment_z = front_hub_p_z *
-        front_wheel_base_mean_moment_z;
+    const wreal front_wheel_base_mass_moment_x = front_wheel_mass * front_hub_p_x;
+    const wreal front_wheel_base_mass_moment_z = front_wheel_mass * front_hub_p_z;
     const wreal fork_mass_plus_front_wheel_mass = fork_mass + front_wheel_mass;
     const wreal fork_base_mean_moment_x_part = fork_first_moment_z * steer_R_zz
-        - fork_first_moment_x * steer_minus_R_xz + front_wheel_mass * front_hub_p_z;
+        - fork_first_moment_x * steer_minus_R_xz + front_wheel_base_mass_moment_z;
     const wreal front_wheel_base_half_trace = 0.5 * (front_wheel_inertia_xx
         + front_wheel_inertia_zz + front_wheel_inertia_yy);
     const wreal front_wheel_base_second_moment_xx = front_wheel_base_half_trace
         - front_wheel_inertia_xx;
     const wreal front_wheel_base_second_moment_zz = front_wheel_base_half_trace
         - front_wheel_inertia_zz;
-    const wreal fork_minus_base_half_turned_xz_part = fork_base_half_trace
-        - fork_base_half_trace_part + (front_hub_p_z_times_front_wheel_base_mean_moment_z
-        + front_hub_p_z_times_front_wheel_base_mean_moment_z);
+    const wreal fork_minus_base_half_turned_xz_part = front_hub_p_z * front_wheel_base_mass_moment_z
+        + fork_base_half_trace - fork_base_half_trace_part;
     w[15] = front_wheel_base_second_moment_xx;
     w[16] = front_wheel_base_second_moment_zz;
 
-    /* fork: base inertia, base, base second moment */
+    /* fork: base */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
+    const wreal fork_base_moment_x = fork_first_moment_x * fork_axes_unit_x
+        + fork_first_moment_z * fork_axes_unit_z + front_wheel_base_mass_moment_x;
     const wreal fork_base_inertia_xz = steer_R_zz * fork_mass_half_turned_xz
         - steer_minus_R_xz * fork_mass_half_turned_xx
-        - (front_hub_p_z * front_wheel_base_mean_moment_x
-        + front_hub_p_x * front_wheel_base_mean_moment_z);
+        - front_hub_p_z * front_wheel_base_mass_moment_x;
     const wreal fork_base_mean_moment_x_part_2 = steer_minus_R_xz * fork_base_mean_moment_x_part;
     const wreal fork_base_mean_moment_z_part = steer_R_zz * fork_base_mean_moment_x_part;
     const wreal half_sum_fork_mass_plus_front_wheel_mass = 0.5 * fork_mass_plus_front_wheel_mass;
@@ -224,19 +227,20 @@ CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     const wreal steer_place_x_times_fork_base_mean_moment_x = steer_place_x *
         fork_base_mean_moment_x;
     const wreal rear_radius_times_fork_base_mean_moment_z = rear_radius * fork_base_mean_moment_z;
-    const wreal fork_base_second_moment_xx = fork_base_half_trace - fork_base_half_trace_part_2
-        + (front_hub_p_x_times_front_wheel_base_mean_moment_x
-        + front_hub_p_x_times_front_wheel_base_mean_moment_x);
+    const wreal fork_base_second_moment_xx = front_hub_p_x * front_wheel_base_mass_moment_x
+        + fork_base_half_trace - fork_base_half_trace_part_2;
     const wreal fork_base_second_moment_yy = fork_base_half_trace
         - front_hub_R_yy_times_fork_mass_half_turned_yy
         + front_hub_R_yy * (front_wheel_base_half_trace - front_wheel_inertia_yy) * front_hub_R_yy;
     const wreal fork_minus_base_half_turned_xz = steer_minus_R_xz *
         fork_minus_base_half_turned_xz_part;
+    w[8] = fork_base_moment_x;
     w[9] = fork_base_inertia_xz;
     w[17] = fork_base_second_moment_xx;
     w[18] = fork_base_second_moment_yy;
 
-    /* frame: base moment, base second moment */
+    /* frame: base */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal frame_base_moment_x = frame_first_moment_x
         + steer_place_x * fork_mass_plus_front_wheel_mass - fork_base_mean_moment_x_part_2;
     const wreal frame_base_moment_z = frame_first_moment_z + fork_base_mean_moment_z_part
@@ -256,7 +260,8 @@ CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     w[20] = frame_base_second_moment_xz;
     w[21] = frame_base_second_moment_zz;
 
-    /* rear_wheel: base mass, base, base second moment */
+    /* rear_wheel: base */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal rear_wheel_mass = p[6]; /* kg */
     const wreal rear_wheel_inertia_xx = p[7]; /* kg m^2 */
     const wreal rear_wheel_inertia_yy = p[8]; /* kg m^2 */
@@ -294,6 +299,7 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     (void)work;
 
     /* shared by several: R */
+    /* R = R_fixed R_joint(q) */
     const real rear_contact_yaw = q[2]; /* rad */
     const real rear_contact_lean = q[3]; /* rad */
     const real rear_contact_spin = q[4]; /* rad */
@@ -304,24 +310,27 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const wreal front_hub_offset = w[7];
     const real steer_angle = steer_q + steer_offset;
     const real front_hub_angle = front_hub_q + front_hub_offset;
-    const real angle_2[CARDAN_PADDED(6)] = {rear_contact_yaw, rear_contact_lean, rear_contact_spin,
+    const real angle[CARDAN_PADDED(6)] = {rear_contact_yaw, rear_contact_lean, rear_contact_spin,
         rear_hub_q, steer_angle, front_hub_angle};
-    real sine_2[CARDAN_PADDED(6)], cosine_2[CARDAN_PADDED(6)];
-    cardan_sincos(6, angle_2, sine_2, cosine_2);
-    const real rear_contact_yaw_cos = cosine_2[0];
-    const real rear_contact_yaw_sin = sine_2[0];
-    const real rear_contact_lean_cos = cosine_2[1];
-    const real rear_contact_lean_sin = sine_2[1];
-    const real rear_contact_spin_cos = cosine_2[2];
-    const real rear_contact_spin_sin = sine_2[2];
-    const real rear_hub_cos = cosine_2[3];
-    const real rear_hub_sin = sine_2[3];
-    const real steer_angle_cos = cosine_2[4];
-    const real steer_angle_sin = sine_2[4];
-    const real front_hub_angle_cos = cosine_2[5];
-    const real front_hub_angle_sin = sine_2[5];
+    real sine[CARDAN_PADDED(6)], cosine[CARDAN_PADDED(6)];
+    cardan_sincos(6, angle, sine, cosine);
+    const real rear_contact_yaw_cos = cosine[0];
+    const real rear_contact_yaw_sin = sine[0];
+    const real rear_contact_lean_cos = cosine[1];
+    const real rear_contact_lean_sin = sine[1];
+    const real rear_contact_spin_cos = cosine[2];
+    const real rear_contact_spin_sin = sine[2];
+    const real rear_hub_cos = cosine[3];
+    const real rear_hub_sin = sine[3];
+    const real steer_angle_cos = cosine[4];
+    const real steer_angle_sin = sine[4];
+    const real front_hub_angle_cos = cosine[5];
+    const real front_hub_angle_sin = sine[5];
 
     /* rear_contact: R, S, drift */
+    /* R = R_fixed R_joint(q) */
+    /* S = d(twist of the child) / du */
+    /* drift = S' u + [0; omega x v] */
     const real rear_contact_u_yaw = u[2]; /* rad/s */
     const real rear_contact_u_lean = u[3]; /* rad/s */
     const real rear_contact_u_spin = u[4]; /* rad/s */
@@ -357,6 +366,10 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         + rear_contact_u_yaw_times_lean_sin * rear_contact_u_yaw_times_lean_sin);
 
     /* rear_wheel: omega, alpha, a, U */
+    /* omega = Rᵀ omega_parent + S_w u */
+    /* alpha = Rᵀ alpha_parent + S_w udot + c_w */
+    /* a = Rᵀ (a_parent + U_parent p) + S_v udot + c_v */
+    /* U = [alpha] + [omega][omega] */
     const real rear_contact_u_xdot = udot[0]; /* m/s^2 */
     const real rear_contact_u_ydot = udot[1]; /* m/s^2 */
     const real rear_contact_u_yawdot = udot[2]; /* rad/s^2 */
@@ -402,6 +415,10 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real rear_wheel_U_zy = rear_wheel_alpha_x + rear_wheel_omega_y_times_omega_z;
 
     /* frame: omega, alpha, a, U */
+    /* omega = Rᵀ omega_parent + S_w u */
+    /* alpha = Rᵀ alpha_parent + S_w udot + c_w */
+    /* a = Rᵀ (a_parent + U_parent p) + S_v udot + c_v */
+    /* U = [alpha] + [omega][omega] */
     const real rear_hub_u = u[5]; /* rad/s */
     const real rear_hub_udot = udot[5]; /* rad/s^2 */
     const real frame_omega_x = rear_wheel_omega_x * rear_hub_cos
@@ -426,6 +443,7 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real frame_minus_U_zz = frame_omega_x * frame_omega_x + frame_omega_y_squared;
 
     /* steer: R */
+    /* R = R_fixed R_joint(q) */
     const wreal steer_minus_R_xz = w[3];
     const wreal steer_R_zz = w[4];
     const real steer_minus_R_xx = steer_R_zz * steer_angle_sin;
@@ -434,6 +452,12 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real steer_minus_R_zy = steer_minus_R_xz * steer_angle_cos;
 
     /* fork: omega, alpha, a, U, inertia force, f */
+    /* omega = Rᵀ omega_parent + S_w u */
+    /* alpha = Rᵀ alpha_parent + S_w udot + c_w */
+    /* a = Rᵀ (a_parent + U_parent p) + S_v udot + c_v */
+    /* U = [alpha] + [omega][omega] */
+    /* inertia_force = [2 vee(skew(U J)) + h x a; m a + U h] */
+    /* f = inertia_force_f - applied_f + sum R f_child */
     const real steer_u = u[6]; /* rad/s */
     const real steer_udot = udot[6]; /* rad/s^2 */
     const wreal steer_place_x = w[2];
@@ -477,11 +501,17 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         + steer_R_zz * fork_f_z;
 
     /* front_hub: R */
+    /* R = R_fixed R_joint(q) */
     const wreal front_hub_R_yy = w[5];
     const real front_hub_minus_R_zx = front_hub_R_yy * front_hub_angle_cos;
     const real front_hub_minus_R_zz = front_hub_R_yy * front_hub_angle_sin;
 
     /* front_wheel: alpha, omega, U, inertia force, n */
+    /* alpha = Rᵀ alpha_parent + S_w udot + c_w */
+    /* omega = Rᵀ omega_parent + S_w u */
+    /* U = [alpha] + [omega][omega] */
+    /* inertia_force = [2 vee(skew(U J)) + h x a; m a + U h] */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
     const real front_hub_u = u[7]; /* rad/s */
     const real front_hub_udot = udot[7]; /* rad/s^2 */
     const wreal front_wheel_base_second_moment_xx = w[15];
@@ -510,6 +540,7 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[7] = front_wheel_n_y; /* tau: front_hub.u.tau [N*m] */
 
     /* fork: n */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
     const wreal fork_base_inertia_xz = w[9];
     const wreal fork_base_second_moment_xx = w[17];
     const wreal fork_base_second_moment_yy = w[18];
@@ -528,6 +559,8 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[6] = fork_n_z; /* tau: steer.u.tau [N*m] */
 
     /* frame: n, f */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
+    /* f = inertia_force_f - applied_f + sum R f_child */
     const wreal frame_base_moment_x = w[10];
     const wreal frame_base_moment_z = w[11];
     const wreal frame_base_second_moment_xx = w[19];
@@ -557,6 +590,8 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[5] = frame_n_y; /* tau: rear_hub.u.tau [N*m] */
 
     /* rear_wheel: n, f */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
+    /* f = inertia_force_f - applied_f + sum R f_child */
     const wreal rear_wheel_base_mass = w[12];
     const wreal rear_wheel_base_second_moment_xx = w[13];
     const wreal rear_wheel_base_second_moment_zz = w[14];
@@ -576,7 +611,8 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         - rear_hub_sin * frame_f_x;
     out[4] = rear_wheel_n_y; /* tau: rear_contact.u.spin.tau [N*m] */
 
-    /* rear_contact: tau, tau yaw, tau lean */
+    /* rear_contact: tau */
+    /* tau = S . [n; f] - force on the joint */
     /* tau: rear_contact.u.x.tau [N] */
     out[0] = rear_contact_R_xx * rear_wheel_f_x - rear_contact_minus_R_xy * rear_wheel_f_y
         + rear_contact_R_xz * rear_wheel_f_z;

@@ -7,7 +7,7 @@
  *
  * Sizes: out 64, work 0, w 24
  * Operations per call: 335 = 194 mul, 74 add, 54 sub, 6 cos, 6 sin, 1 neg
- * Operations of prepare: 184 = 88 mul, 47 add, 26 sub, 6 div, 4 neg, 4 select, 3 sqrt, 2 atan2,
+ * Operations of prepare: 176 = 81 mul, 46 add, 26 sub, 6 div, 4 neg, 4 select, 3 sqrt, 2 atan2,
  *     2 lt, 1 cos, 1 sin
  *
  * Input q (8): generalized coordinates
@@ -37,6 +37,8 @@ CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
     const wreal tilt_cos = cosine[0];
 
     /* frame: mass, first moment, origin inertia */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
     const wreal rear_radius = p[3]; /* m */
     const wreal frame_mass = p[10]; /* kg */
     const wreal frame_com_x = p[11]; /* m */
@@ -65,6 +67,8 @@ CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
     w[2] = steer_place_x;
 
     /* fork: mass, first moment, origin inertia */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
     const wreal fork_mass = p[16]; /* kg */
     const wreal fork_com_z = p[17]; /* m */
     const wreal fork_inertia_xx = p[18]; /* kg m^2 */
@@ -90,6 +94,7 @@ CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
     w[4] = steer_minus_R_xz;
 
     /* steer: R */
+    /* R = R_fixed R_joint(q) */
     const wreal steer_R_zz = tilt_cos / sqrt_of_tilt_sin_squared_plus_cos_squared;
     w[5] = steer_R_zz;
 
@@ -124,6 +129,8 @@ CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
         + fork_origin_inertia_zz * fork_axes_unit_z;
 
     /* front_hub: R, p, place */
+    /* R = R_fixed R_joint(q) */
+    /* p = p_fixed + R_fixed p_joint(q) */
     const wreal front_radius = p[4]; /* m */
     const wreal front_hub_R_yy = steer_R_zz * fork_axes_unit_x
         + steer_minus_R_xz * fork_axes_unit_z;
@@ -137,45 +144,41 @@ CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
     const wreal steer_offset = cardan_atan2(-front_hub_R_yy, 0.0);
     w[7] = steer_offset;
 
-    /* front_wheel: base inertia, base */
+    /* front_wheel: base */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal front_wheel_mass = p[22]; /* kg */
     const wreal front_wheel_inertia_xx = p[23]; /* kg m^2 */
     const wreal front_wheel_inertia_zz = p[25]; /* kg m^2 */
     const wreal front_wheel_base_inertia_zz = front_wheel_inertia_zz - front_wheel_inertia_xx;
-    const wreal half_front_wheel_mass = 0.5 * front_wheel_mass;
-    const wreal front_wheel_base_mean_moment_x = front_hub_p_x * half_front_wheel_mass;
-    const wreal front_wheel_base_mean_moment_z = front_hub_p_z * half_front_wheel_mass;
-    const wreal front_hub_p_x_times_front_wheel_base_mean_moment_x = front_hub_p_x *
-        front_wheel_base_mean_moment_x;
-    const wreal front_hub_p_z_times_front_wheel_base_mean_moment_z = front_hub_p_z *
-        front_wheel_base_mean_moment_z;
-    const wreal front_wheel_base_shift = 2.0 * (front_hub_p_x_times_front_wheel_base_mean_moment_x +
-        front_hub_p_z_times_front_wheel_base_mean_moment_z);
+    const wreal front_wheel_base_mass_moment_x = front_wheel_mass * front_hub_p_x;
+    const wreal front_wheel_base_mass_moment_z = front_wheel_mass * front_hub_p_z;
+    const wreal front_wheel_base_second_xx = front_hub_p_x * front_wheel_base_mass_moment_x;
+    const wreal front_wheel_base_second_zz = front_hub_p_z * front_wheel_base_mass_moment_z;
+    const wreal front_wheel_base_inertia_yy = front_wheel_base_second_xx
+        + front_wheel_base_second_zz;
     const wreal fork_mass_plus_front_wheel_mass = fork_mass + front_wheel_mass;
     const wreal fork_base_mean_moment_x_part = fork_first_moment_z * steer_R_zz
-        - fork_first_moment_x * steer_minus_R_xz + front_wheel_mass * front_hub_p_z;
-    const wreal fork_base_half_turned_yx = front_wheel_inertia_xx + front_wheel_base_shift
+        - fork_first_moment_x * steer_minus_R_xz + front_wheel_base_mass_moment_z;
+    const wreal fork_base_half_turned_yx = front_wheel_inertia_xx + front_wheel_base_inertia_yy
         + (fork_axes_unit_x * fork_mass_half_turned_xx
-        + fork_axes_unit_z * fork_mass_half_turned_xz
-        - 2.0 * front_hub_p_x_times_front_wheel_base_mean_moment_x);
+        + fork_axes_unit_z * fork_mass_half_turned_xz - front_wheel_base_second_xx);
     const wreal fork_base_inertia_zz_part = steer_R_zz * (fork_origin_inertia_zz * steer_R_zz
         - fork_origin_inertia_xz * steer_minus_R_xz)
         - steer_minus_R_xz * (fork_origin_inertia_xz * steer_R_zz
-        - fork_origin_inertia_xx * steer_minus_R_xz)
-        - 2.0 * front_hub_p_z_times_front_wheel_base_mean_moment_z;
+        - fork_origin_inertia_xx * steer_minus_R_xz) - front_wheel_base_second_zz;
     w[9] = front_wheel_base_inertia_zz;
 
-    /* fork: base moment, base inertia, base */
+    /* fork: base */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal fork_base_moment_x = fork_first_moment_x * fork_axes_unit_x
-        + fork_first_moment_z * fork_axes_unit_z + front_wheel_mass * front_hub_p_x;
+        + fork_first_moment_z * fork_axes_unit_z + front_wheel_base_mass_moment_x;
     const wreal fork_base_inertia_xz = steer_R_zz * fork_mass_half_turned_xz
         - steer_minus_R_xz * fork_mass_half_turned_xx
-        - (front_hub_p_z * front_wheel_base_mean_moment_x
-        + front_hub_p_x * front_wheel_base_mean_moment_z);
+        - front_hub_p_z * front_wheel_base_mass_moment_x;
     const wreal fork_base_inertia_zz = front_wheel_inertia_xx * front_hub_R_yy * front_hub_R_yy
-        + front_wheel_base_shift + fork_base_inertia_zz_part;
+        + front_wheel_base_inertia_yy + fork_base_inertia_zz_part;
     const wreal fork_base_inertia_yy = fork_origin_inertia_yy * front_hub_R_yy * front_hub_R_yy
-        + front_wheel_base_shift - fork_base_half_turned_yx;
+        + front_wheel_base_inertia_yy - fork_base_half_turned_yx;
     const wreal fork_base_mean_moment_x_part_2 = steer_minus_R_xz * fork_base_mean_moment_x_part;
     const wreal fork_base_mean_moment_z_part = steer_R_zz * fork_base_mean_moment_x_part;
     const wreal fork_minus_base_half_turned_xy = steer_R_zz * fork_base_half_turned_yx;
@@ -196,7 +199,8 @@ CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
     w[11] = fork_base_inertia_xz;
     w[12] = fork_base_inertia_zz;
 
-    /* frame: base moment, base inertia */
+    /* frame: base */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal frame_base_moment_x = frame_first_moment_x
         + steer_place_x * fork_mass_plus_front_wheel_mass - fork_base_mean_moment_x_part_2;
     const wreal frame_base_moment_z = frame_first_moment_z + fork_base_mean_moment_z_part
@@ -215,7 +219,8 @@ CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
     w[16] = frame_base_inertia_yy;
     w[17] = frame_base_inertia_zz;
 
-    /* rear_wheel: base mass, base inertia */
+    /* rear_wheel: base */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal rear_wheel_mass = p[6]; /* kg */
     const wreal rear_wheel_inertia_xx = p[7]; /* kg m^2 */
     const wreal rear_wheel_inertia_zz = p[9]; /* kg m^2 */
@@ -232,12 +237,14 @@ CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
     const wreal fork_inertia_half_turned_yy = front_wheel_inertia_yy * front_hub_R_yy;
     w[21] = fork_inertia_half_turned_yy;
 
-    /* fork: composite inertia */
+    /* fork: composite */
+    /* composite = own + sum R composite_child Rᵀ moved by p */
     const wreal fork_composite_inertia_yy = fork_base_inertia_yy
         + front_hub_R_yy * fork_inertia_half_turned_yy;
     w[22] = fork_composite_inertia_yy;
 
     /* rear_contact: M */
+    /* M = S . momentum */
     const wreal rear_radius_times_rear_wheel_base_mass = rear_radius * rear_wheel_base_mass;
     w[23] = rear_radius_times_rear_wheel_base_mass;
 
@@ -258,6 +265,7 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     (void)work;
 
     /* shared by several: R */
+    /* R = R_fixed R_joint(q) */
     const real rear_contact_yaw = q[2]; /* rad */
     const real rear_contact_lean = q[3]; /* rad */
     const real rear_contact_spin = q[4]; /* rad */
@@ -268,24 +276,26 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     const wreal front_hub_offset = w[8];
     const real front_hub_angle = front_hub_q + front_hub_offset;
     const real steer_angle = steer_q + steer_offset;
-    const real angle_2[CARDAN_PADDED(6)] = {front_hub_angle, steer_angle, rear_hub_q,
+    const real angle[CARDAN_PADDED(6)] = {front_hub_angle, steer_angle, rear_hub_q,
         rear_contact_yaw, rear_contact_lean, rear_contact_spin};
-    real sine_2[CARDAN_PADDED(6)], cosine_2[CARDAN_PADDED(6)];
-    cardan_sincos(6, angle_2, sine_2, cosine_2);
-    const real front_hub_angle_cos = cosine_2[0];
-    const real front_hub_angle_sin = sine_2[0];
-    const real steer_angle_cos = cosine_2[1];
-    const real steer_angle_sin = sine_2[1];
-    const real rear_hub_cos = cosine_2[2];
-    const real rear_hub_sin = sine_2[2];
-    const real rear_contact_yaw_cos = cosine_2[3];
-    const real rear_contact_yaw_sin = sine_2[3];
-    const real rear_contact_lean_cos = cosine_2[4];
-    const real rear_contact_lean_sin = sine_2[4];
-    const real rear_contact_spin_cos = cosine_2[5];
-    const real rear_contact_spin_sin = sine_2[5];
+    real sine[CARDAN_PADDED(6)], cosine[CARDAN_PADDED(6)];
+    cardan_sincos(6, angle, sine, cosine);
+    const real front_hub_angle_cos = cosine[0];
+    const real front_hub_angle_sin = sine[0];
+    const real steer_angle_cos = cosine[1];
+    const real steer_angle_sin = sine[1];
+    const real rear_hub_cos = cosine[2];
+    const real rear_hub_sin = sine[2];
+    const real rear_contact_yaw_cos = cosine[3];
+    const real rear_contact_yaw_sin = sine[3];
+    const real rear_contact_lean_cos = cosine[4];
+    const real rear_contact_lean_sin = sine[4];
+    const real rear_contact_spin_cos = cosine[5];
+    const real rear_contact_spin_sin = sine[5];
 
-    /* fork: inertia, composite inertia, momentum */
+    /* fork: inertia, composite, momentum */
+    /* composite = own + sum R composite_child Rᵀ moved by p */
+    /* momentum = composite inertia S */
     const wreal front_hub_R_yy = w[6];
     const wreal front_wheel_base_inertia_zz = w[9];
     const wreal fork_base_moment_x = w[10];
@@ -312,6 +322,7 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[61] = momentum_front_hub_about_frame_my; /* M: front_hub.u,rear_hub.u */
 
     /* steer: R */
+    /* R = R_fixed R_joint(q) */
     const wreal steer_minus_R_xz = w[4];
     const wreal steer_R_zz = w[5];
     const real steer_minus_R_xx = steer_R_zz * steer_angle_sin;
@@ -319,7 +330,8 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real steer_minus_R_zx = steer_minus_R_xz * steer_angle_sin;
     const real steer_minus_R_zy = steer_minus_R_xz * steer_angle_cos;
 
-    /* frame: inertia, composite moment, composite inertia */
+    /* frame: inertia, composite */
+    /* composite = own + sum R composite_child Rᵀ moved by p */
     const wreal rear_radius = w[0]; /* m */
     const wreal steer_place_x = w[2];
     const wreal frame_base_moment_x = w[13];
@@ -358,6 +370,7 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[45] = frame_composite_inertia_yy; /* M: rear_hub.u,rear_hub.u */
 
     /* shared by several: inertia, M */
+    /* M = S . momentum */
     const real frame_inertia_half_turned_yz = fork_composite_inertia_xz * steer_angle_cos;
     const real steer_minus_R_xz_times_fork_composite_inertia_zz = steer_minus_R_xz *
         fork_composite_inertia_zz;
@@ -365,7 +378,8 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real rear_radius_times_momentum_minus_steer_about_frame_fy = rear_radius *
         momentum_minus_steer_about_frame_fy;
 
-    /* frame: inertia, composite inertia */
+    /* frame: inertia, composite */
+    /* composite = own + sum R composite_child Rᵀ moved by p */
     const wreal frame_base_inertia_xz = w[15];
     const wreal frame_base_inertia_zz = w[17];
     const real frame_minus_inertia_half_turned_xz = frame_minus_inertia_half_turned_xz_part
@@ -391,7 +405,8 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
         - steer_minus_R_xz * (frame_minus_inertia_half_turned_xz_part
         - steer_minus_R_xz * frame_minus_inertia_half_turned_xy_part);
 
-    /* rear_wheel: inertia, composite inertia, composite moment */
+    /* rear_wheel: inertia, composite */
+    /* composite = own + sum R composite_child Rᵀ moved by p */
     const wreal rear_wheel_inertia_yy = w[1]; /* kg m^2 */
     const wreal rear_wheel_base_inertia_xx = w[19];
     const wreal rear_wheel_base_inertia_zz = w[20];
@@ -416,16 +431,19 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[36] = rear_wheel_composite_inertia_yy; /* M: rear_contact.u.spin,rear_contact.u.spin */
 
     /* shared by several: inertia, M */
+    /* M = S . momentum */
     const real momentum_rear_hub_about_rear_wheel_mz = frame_composite_inertia_yz * rear_hub_cos
         + frame_minus_composite_inertia_xy * rear_hub_sin;
     const real rear_wheel_composite_inertia_xy_times_rear_contact_spin_cos =
         rear_wheel_composite_inertia_xy * rear_contact_spin_cos;
 
-    /* rear_wheel: composite inertia */
+    /* rear_wheel: composite */
+    /* composite = own + sum R composite_child Rᵀ moved by p */
     const real rear_wheel_composite_inertia_yz = momentum_rear_hub_about_rear_wheel_mz
         + momentum_rear_hub_about_rear_wheel_mz - momentum_rear_hub_about_rear_wheel_mz;
 
     /* fork: momentum */
+    /* momentum = composite inertia S */
     const real momentum_minus_front_hub_about_frame_mx = fork_inertia_half_turned_yy *
         steer_minus_R_xy;
     const real momentum_minus_front_hub_about_frame_mz = fork_inertia_half_turned_yy *
@@ -440,6 +458,7 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
         + steer_place_x * momentum_minus_steer_about_frame_fy);
 
     /* frame: momentum */
+    /* momentum = composite inertia S */
     const real momentum_minus_front_hub_about_rear_wheel_mx = rear_hub_cos *
         momentum_minus_front_hub_about_frame_mx
         + rear_hub_sin * momentum_minus_front_hub_about_frame_mz;
@@ -456,6 +475,9 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
         momentum_minus_steer_about_frame_mx + rear_hub_cos * momentum_steer_about_frame_mz;
 
     /* rear_contact: R, S, M */
+    /* R = R_fixed R_joint(q) */
+    /* S = d(twist of the child) / du */
+    /* M = S . momentum */
     const wreal rear_radius_times_rear_wheel_base_mass = w[23];
     const real rear_contact_minus_R_xy = rear_contact_yaw_sin * rear_contact_lean_cos;
     const real rear_contact_yaw_sin_times_lean_sin = rear_contact_yaw_sin * rear_contact_lean_sin;
@@ -482,7 +504,8 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
         + rear_wheel_composite_moment_z * rear_contact_spin_cos
         - rear_wheel_composite_moment_x * rear_contact_spin_sin;
 
-    /* M: front hub rear contact yaw, front hub rear contact lean, steer rear contact spin, ... */
+    /* M */
+    /* M = S . momentum */
     const real M_front_hub_rear_contact_yaw = momentum_minus_front_hub_about_rear_wheel_mx *
         rear_contact_minus_R_zx - momentum_minus_front_hub_about_frame_my * rear_contact_lean_sin
         + momentum_front_hub_about_rear_wheel_mz * rear_contact_R_zz;
@@ -522,19 +545,22 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[43] = M_rear_hub_rear_contact_lean; /* M: rear_hub.u,rear_contact.u.lean */
 
     /* steer: M */
+    /* M = S . momentum */
     const real M_steer_rear_contact_yaw_part_3 = M_steer_rear_contact_yaw_part_2 *
         momentum_steer_about_rear_wheel_fz
         - M_steer_rear_contact_yaw_part * momentum_minus_steer_about_rear_wheel_fx
         + rear_contact_lean_sin * M_steer_rear_contact_spin
         - rear_contact_minus_R_zx * momentum_steer_about_rear_wheel_mx;
 
-    /* M: steer rear contact yaw */
+    /* M */
+    /* M = S . momentum */
     const real M_steer_rear_contact_yaw = rear_contact_R_zz * momentum_steer_about_rear_wheel_mz
         + M_steer_rear_contact_yaw_part_3;
     out[22] = M_steer_rear_contact_yaw; /* M: rear_contact.u.yaw,steer.u */
     out[50] = M_steer_rear_contact_yaw; /* M: steer.u,rear_contact.u.yaw */
 
-    /* momentum: rear contact x my, rear contact y my, rear contact yaw fy, ... */
+    /* momentum */
+    /* momentum = composite inertia S */
     const wreal rear_wheel_base_mass = w[18];
     const real momentum_rear_contact_x_my = rear_wheel_composite_moment_z * rear_contact_R_xx
         - rear_wheel_composite_moment_x * rear_contact_R_xz;
@@ -583,13 +609,15 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[35] = momentum_rear_contact_lean_my; /* M: rear_contact.u.spin,rear_contact.u.lean */
 
     /* shared by several: M */
+    /* M = S . momentum */
     const real M_rear_hub_rear_contact_yaw_part = rear_wheel_composite_inertia_xy *
         rear_contact_minus_R_zx;
     const real M_rear_hub_rear_contact_yaw_part_2 = rear_wheel_composite_moment_z *
         M_steer_rear_contact_yaw_part
         - rear_wheel_composite_moment_x * M_steer_rear_contact_yaw_part_2;
 
-    /* M: rear hub rear contact yaw, rear contact x rear contact, ... */
+    /* M */
+    /* M = S . momentum */
     const real M_rear_hub_rear_contact_yaw = frame_composite_inertia_yy * rear_contact_lean_sin
         + M_rear_hub_rear_contact_yaw_part_2 - M_rear_hub_rear_contact_yaw_part
         + momentum_rear_hub_about_rear_wheel_mz * rear_contact_R_zz;
@@ -633,7 +661,8 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
         + rear_radius * momentum_minus_rear_contact_lean_fy
         + rear_contact_spin_sin * momentum_rear_contact_lean_mz;
 
-    /* momentum: rear contact yaw my */
+    /* momentum */
+    /* momentum = composite inertia S */
     const real momentum_rear_contact_yaw_my = rear_wheel_composite_inertia_yy *
         rear_contact_lean_sin - M_rear_hub_rear_contact_yaw_part
         + rear_wheel_composite_inertia_yz * rear_contact_R_zz + M_rear_hub_rear_contact_yaw_part_2;
@@ -641,6 +670,7 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[34] = momentum_rear_contact_yaw_my; /* M: rear_contact.u.spin,rear_contact.u.yaw */
 
     /* rear_contact: M */
+    /* M = S . momentum */
     const real M_rear_contact_yaw_rear_contact_yaw_part = M_steer_rear_contact_yaw_part *
         momentum_rear_contact_yaw_fx
         + M_steer_rear_contact_yaw_part_2 * momentum_rear_contact_yaw_fz
@@ -652,7 +682,8 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
         + rear_contact_lean_sin * momentum_rear_contact_lean_my
         - rear_contact_minus_R_zx * momentum_rear_contact_lean_mx;
 
-    /* M: rear contact yaw rear contact yaw, rear contact lean rear contact yaw */
+    /* M */
+    /* M = S . momentum */
     const real M_rear_contact_lean_rear_contact_yaw = rear_contact_R_zz *
         momentum_rear_contact_lean_mz + M_rear_contact_lean_rear_contact_yaw_part;
     /* M: rear_contact.u.yaw,rear_contact.u.yaw */

@@ -31,7 +31,9 @@
 
 CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
-    /* bucket: mass, origin inertia, base, base second moment */
+    /* bucket: mass, origin inertia, base */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal load = p[0]; /* kg */
     const wreal rope = p[1]; /* m */
     const wreal size = p[2]; /* m */
@@ -51,6 +53,7 @@ CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     w[6] = bucket_base_second_moment_zz;
 
     /* M: factor */
+    /* factor = L, D with M = Lᵀ D L */
     const wreal M_factor_D_inverse_hang_angle2 = 1.0 / bucket_origin_inertia_xx;
     w[7] = M_factor_D_inverse_hang_angle2;
 
@@ -72,6 +75,7 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     (void)work;
 
     /* hang: R */
+    /* R = R_fixed R_joint(q) */
     const real hang_angle1 = q[0]; /* rad */
     const real hang_angle2 = q[1]; /* rad */
     const real angle[CARDAN_PADDED(2)] = {hang_angle1, hang_angle2};
@@ -83,6 +87,8 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real hang_angle2_sin = sine[1];
 
     /* hang: R, drift */
+    /* R = R_fixed R_joint(q) */
+    /* drift = S' u + [0; omega x v] */
     const real hang_u_angle1 = u[0]; /* rad/s */
     const real hang_u_angle2 = u[1]; /* rad/s */
     const real hang_R_yx = hang_angle1_sin * hang_angle2_sin;
@@ -90,6 +96,11 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real hang_minus_drift_relative_wx = hang_angle2_sin * hang_u_angle1_times_u_angle2;
 
     /* bucket: omega, alpha, a, U, n */
+    /* omega = Rᵀ omega_parent + S_w u */
+    /* alpha = Rᵀ alpha_parent + S_w udot + c_w */
+    /* a = Rᵀ (a_parent + U_parent p) + S_v udot + c_v */
+    /* U = [alpha] + [omega][omega] */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
     const wreal gravity_z = w[1]; /* m/s^2 */
     const wreal bucket_base_second_moment_xx = w[5];
     const real bucket_omega_x = hang_u_angle1 * hang_angle2_cos;
@@ -107,22 +118,26 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         - bucket_base_second_moment_xx * bucket_U_xy;
 
     /* air: force, data */
+    /* force = R (its components) at the origin */
     const wreal rope = w[0]; /* m */
     const real rope_times_hang_u_angle2 = rope * hang_u_angle2;
     const real air_minus_force_on_middle_y = 2.0 * (rope * bucket_omega_x * hang_angle1_cos
         - hang_R_yx * rope_times_hang_u_angle2);
 
-    /* momentum: hang angle1 mx, hang angle1 mz */
+    /* momentum */
+    /* momentum = composite inertia S */
     const wreal bucket_origin_inertia_zz = w[2];
     const wreal bucket_origin_inertia_xx = w[4];
     const real momentum_hang_angle1_mx = bucket_origin_inertia_xx * hang_angle2_cos;
     const real momentum_hang_angle1_mz = bucket_origin_inertia_zz * hang_angle2_sin;
 
-    /* M: hang angle1 hang angle */
+    /* M */
+    /* M = S . momentum */
     const real M_hang_angle1_hang_angle1 = hang_angle2_cos * momentum_hang_angle1_mx
         + hang_angle2_sin * momentum_hang_angle1_mz;
 
     /* bucket: n */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
     const wreal bucket_minus_first_moment_z = w[3];
     const wreal bucket_base_second_moment_zz = w[6];
     const real bucket_n_x = bucket_base_second_moment_xx * bucket_U_zy
@@ -134,7 +149,10 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         + rope * (hang_angle2_cos * rope_times_hang_u_angle2 * 2.0 * hang_angle2_cos
         - hang_R_yx * air_minus_force_on_middle_y);
 
-    /* hang: tau angle, drive angle, udot angle */
+    /* hang: tau, drive, udot */
+    /* tau = S . [n; f] - force on the joint */
+    /* drive = tau + f - h */
+    /* udot = M⁻¹ drive */
     const real hang_u_angle1_tau = tau[0]; /* N*m */
     const real hang_u_angle2_tau = tau[1]; /* N*m */
     const wreal M_factor_D_inverse_hang_angle2 = w[7];

@@ -31,7 +31,9 @@
 
 CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
-    /* bucket: mass, origin inertia, base, base second moment */
+    /* bucket: mass, origin inertia, base */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal load = p[0]; /* kg */
     const wreal rope = p[1]; /* m */
     const wreal size = p[2]; /* m */
@@ -66,6 +68,7 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     (void)work;
 
     /* hang: R */
+    /* R = R_fixed R_joint(q) */
     const real hang_angle1 = q[0]; /* rad */
     const real hang_angle2 = q[1]; /* rad */
     const real angle[CARDAN_PADDED(2)] = {hang_angle1, hang_angle2};
@@ -77,12 +80,19 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real hang_angle2_sin = sine[1];
 
     /* hang: R, drift */
+    /* R = R_fixed R_joint(q) */
+    /* drift = S' u + [0; omega x v] */
     const real hang_u_angle1 = u[0]; /* rad/s */
     const real hang_u_angle2 = u[1]; /* rad/s */
     const real hang_R_yx = hang_angle1_sin * hang_angle2_sin;
     const real hang_u_angle1_times_u_angle2 = hang_u_angle1 * hang_u_angle2;
 
     /* bucket: a, omega, alpha, U, n */
+    /* a = Rᵀ (a_parent + U_parent p) + S_v udot + c_v */
+    /* omega = Rᵀ omega_parent + S_w u */
+    /* alpha = Rᵀ alpha_parent + S_w udot + c_w */
+    /* U = [alpha] + [omega][omega] */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
     const real hang_u_angle1dot = udot[0]; /* rad/s^2 */
     const real hang_u_angle2dot = udot[1]; /* rad/s^2 */
     const wreal gravity_z = w[1]; /* m/s^2 */
@@ -107,12 +117,14 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real bucket_U_zy = bucket_alpha_x + hang_u_angle2_times_bucket_omega_z;
 
     /* air: force, data */
+    /* force = R (its components) at the origin */
     const wreal rope = w[0]; /* m */
     const real rope_times_hang_u_angle2 = rope * hang_u_angle2;
     const real air_minus_force_on_middle_y = 2.0 * (rope * bucket_omega_x * hang_angle1_cos
         - hang_R_yx * rope_times_hang_u_angle2);
 
     /* bucket: n */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
     const wreal bucket_minus_first_moment_z = w[2];
     const wreal bucket_base_second_moment_zz = w[4];
     const real bucket_n_x = bucket_base_second_moment_xx * bucket_U_zy
@@ -125,7 +137,8 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         + rope * (hang_angle2_cos * rope_times_hang_u_angle2 * 2.0 * hang_angle2_cos
         - hang_R_yx * air_minus_force_on_middle_y);
 
-    /* hang: tau angle */
+    /* hang: tau */
+    /* tau = S . [n; f] - force on the joint */
     /* tau: hang.u.angle1.tau [N*m] */
     out[0] = hang_angle2_cos * bucket_n_x + hang_angle2_sin * bucket_n_z;
     return CARDAN_OK;

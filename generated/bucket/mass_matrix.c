@@ -22,6 +22,7 @@
 CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
     /* bucket: mass, origin inertia */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
     const wreal load = p[0]; /* kg */
     const wreal rope = p[1]; /* m */
     const wreal size = p[2]; /* m */
@@ -44,6 +45,7 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     (void)work;
 
     /* hang: R */
+    /* R = R_fixed R_joint(q) */
     const real hang_angle2 = q[1]; /* rad */
     const real angle[CARDAN_PADDED(1)] = {hang_angle2};
     real sine[CARDAN_PADDED(1)], cosine[CARDAN_PADDED(1)];
@@ -51,13 +53,15 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real hang_angle2_cos = cosine[0];
     const real hang_angle2_sin = sine[0];
 
-    /* momentum: hang angle1 mx, hang angle1 mz */
+    /* momentum */
+    /* momentum = composite inertia S */
     const wreal bucket_origin_inertia_zz = w[0];
     const wreal bucket_origin_inertia_xx = w[1];
     const real momentum_hang_angle1_mx = bucket_origin_inertia_xx * hang_angle2_cos;
     const real momentum_hang_angle1_mz = bucket_origin_inertia_zz * hang_angle2_sin;
 
-    /* M: hang angle1 hang angle */
+    /* M */
+    /* M = S . momentum */
     /* M: hang.u.angle1,hang.u.angle1 */
     out[0] = hang_angle2_cos * momentum_hang_angle1_mx + hang_angle2_sin * momentum_hang_angle1_mz;
 

@@ -35,18 +35,21 @@
 CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
     /* bob: mass, origin inertia */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
     const wreal m = p[0]; /* kg */
     const wreal l = p[1]; /* m */
     const wreal bob_minus_first_moment_z = m * l;
     const wreal bob_origin_inertia_xx = l * bob_minus_first_moment_z;
     w[1] = bob_minus_first_moment_z;
 
-    /* cart: base mass */
+    /* cart: base */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal cart_mass = p[3]; /* kg */
     const wreal cart_base_mass = m + cart_mass;
     w[2] = cart_base_mass;
 
     /* M: factor */
+    /* factor = L, D with M = Lᵀ D L */
     const wreal M_factor_D_inverse_swing = 1.0 / bob_origin_inertia_xx;
     w[3] = M_factor_D_inverse_swing;
 
@@ -68,6 +71,7 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     (void)work;
 
     /* swing: R */
+    /* R = R_fixed R_joint(q) */
     const real swing_q = q[1]; /* rad */
     const real angle[CARDAN_PADDED(1)] = {swing_q};
     real sine[CARDAN_PADDED(1)], cosine[CARDAN_PADDED(1)];
@@ -80,30 +84,38 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real cart_minus_inertia_mean_moment_z = bob_minus_first_moment_z * swing_cos;
 
     /* bob: a, f */
+    /* a = Rᵀ (a_parent + U_parent p) + S_v udot + c_v */
+    /* f = inertia_force_f - applied_f + sum R f_child */
     const real swing_u = u[1]; /* rad/s */
     const wreal gravity_z = w[0]; /* m/s^2 */
     const real bob_a_x = gravity_z * swing_sin;
     const real bob_f_z = swing_u * swing_u * bob_minus_first_moment_z;
 
     /* cart: f */
+    /* f = inertia_force_f - applied_f + sum R f_child */
     const real cart_f_x = swing_sin * bob_f_z;
 
     /* slide: tau, drive */
+    /* tau = S . [n; f] - force on the joint */
+    /* drive = tau + f - h */
     const real push = r[0];
     const real slide_u_tau = tau[0]; /* N */
     const real slide_tau = cart_f_x - push;
     const real slide_drive = slide_u_tau - slide_tau;
 
     /* swing: drive */
+    /* drive = tau + f - h */
     const real swing_u_tau = tau[1]; /* N*m */
     const real swing_drive = swing_u_tau + bob_minus_first_moment_z * bob_a_x;
 
     /* M: factor */
+    /* factor = L, D with M = Lᵀ D L */
     const wreal M_factor_D_inverse_swing = w[3];
     const real M_minus_factor_L_swing_slide = cart_minus_inertia_mean_moment_z *
         M_factor_D_inverse_swing;
 
     /* slide: udot */
+    /* udot = M⁻¹ drive */
     const wreal cart_base_mass = w[2];
     const real slide_udot = 1.0 / (cart_base_mass
         - cart_minus_inertia_mean_moment_z * M_minus_factor_L_swing_slide) * (slide_drive
@@ -111,6 +123,7 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[0] = slide_udot; /* udot: slide.udot [m/s^2] */
 
     /* swing: udot */
+    /* udot = M⁻¹ drive */
     /* udot: swing.udot [rad/s^2] */
     out[1] = swing_drive * M_factor_D_inverse_swing + M_minus_factor_L_swing_slide * slide_udot;
     return CARDAN_OK;

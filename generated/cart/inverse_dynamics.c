@@ -34,7 +34,10 @@
 
 CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
-    /* bob: mass, origin inertia, base second moment, inertia force */
+    /* bob: mass, origin inertia, base, inertia force */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
+    /* inertia_force = [2 vee(skew(U J)) + h x a; m a + U h] */
     const wreal m = p[0]; /* kg */
     const wreal l = p[1]; /* m */
     const wreal bob_minus_first_moment_z = m * l;
@@ -46,7 +49,8 @@ CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     w[1] = bob_minus_first_moment_z;
     w[3] = bob_base_second_moment_zz_plus_base_second_moment_xx;
 
-    /* cart: base mass */
+    /* cart: base */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal cart_mass = p[3]; /* kg */
     const wreal cart_base_mass = m + cart_mass;
     w[2] = cart_base_mass;
@@ -69,6 +73,7 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     (void)work;
 
     /* swing: R */
+    /* R = R_fixed R_joint(q) */
     const real swing_q = q[1]; /* rad */
     const real angle[CARDAN_PADDED(1)] = {swing_q};
     real sine[CARDAN_PADDED(1)], cosine[CARDAN_PADDED(1)];
@@ -77,6 +82,9 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real swing_sin = sine[0];
 
     /* bob: a, f, n */
+    /* a = Rᵀ (a_parent + U_parent p) + S_v udot + c_v */
+    /* f = inertia_force_f - applied_f + sum R f_child */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
     const real swing_u = u[1]; /* rad/s */
     const real slide_udot = udot[0]; /* m/s^2 */
     const real swing_udot = udot[1]; /* rad/s^2 */
@@ -90,11 +98,13 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         - bob_minus_first_moment_z * bob_a_x;
 
     /* cart: f */
+    /* f = inertia_force_f - applied_f + sum R f_child */
     const wreal cart_base_mass = w[2];
     const real cart_f_x = cart_base_mass * slide_udot + swing_sin * bob_f_z
         - bob_minus_first_moment_z * swing_udot * swing_cos;
 
     /* slide: tau */
+    /* tau = S . [n; f] - force on the joint */
     const real push = r[0];
     out[0] = cart_f_x - push; /* tau: slide.u.tau [N] */
     return CARDAN_OK;

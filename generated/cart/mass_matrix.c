@@ -22,6 +22,7 @@
 CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
     /* bob: mass, origin inertia */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
     const wreal m = p[0]; /* kg */
     const wreal l = p[1]; /* m */
     const wreal bob_minus_first_moment_z = m * l;
@@ -29,7 +30,8 @@ CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
     w[0] = bob_minus_first_moment_z;
     w[1] = bob_origin_inertia_xx;
 
-    /* cart: base mass */
+    /* cart: base */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal cart_mass = p[3]; /* kg */
     const wreal cart_base_mass = m + cart_mass;
     w[2] = cart_base_mass;
@@ -46,6 +48,7 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     (void)work;
 
     /* swing: R */
+    /* R = R_fixed R_joint(q) */
     const real swing_q = q[1]; /* rad */
     const real angle[CARDAN_PADDED(1)] = {swing_q};
     real sine[CARDAN_PADDED(1)], cosine[CARDAN_PADDED(1)];

@@ -35,6 +35,8 @@
 CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
     /* pole: first moment, origin inertia */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
     const wreal pole_mass = p[2]; /* kg */
     const wreal pole_com_z = p[3]; /* m */
     const wreal pole_inertia_yy = p[5]; /* kg m^2 */
@@ -42,12 +44,14 @@ CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     const wreal pole_origin_inertia_yy = pole_inertia_yy + pole_com_z * pole_first_moment_z;
     w[1] = pole_first_moment_z;
 
-    /* cart: base mass */
+    /* cart: base */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal cart_mass = p[1]; /* kg */
     const wreal cart_base_mass = cart_mass + pole_mass;
     w[2] = cart_base_mass;
 
     /* M: factor */
+    /* factor = L, D with M = Lᵀ D L */
     const wreal M_factor_D_inverse_hinge = 1.0 / pole_origin_inertia_yy;
     w[3] = M_factor_D_inverse_hinge;
 
@@ -69,6 +73,7 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     (void)work;
 
     /* hinge: R */
+    /* R = R_fixed R_joint(q) */
     const real hinge_q = q[1]; /* rad */
     const real angle[CARDAN_PADDED(1)] = {hinge_q};
     real sine[CARDAN_PADDED(1)], cosine[CARDAN_PADDED(1)];
@@ -76,16 +81,20 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real hinge_cos = cosine[0];
     const real hinge_sin = sine[0];
 
-    /* cart: composite moment */
+    /* cart: composite */
+    /* composite = own + sum R composite_child Rᵀ moved by p */
     const wreal pole_first_moment_z = w[1];
     const real cart_composite_moment_z = pole_first_moment_z * hinge_cos;
 
     /* pole: a, n */
+    /* a = Rᵀ (a_parent + U_parent p) + S_v udot + c_v */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
     const wreal gravity_z = w[0]; /* m/s^2 */
     const real pole_a_x = gravity_z * hinge_sin;
     const real pole_n_y = pole_first_moment_z * pole_a_x;
 
     /* track: drive */
+    /* drive = tau + f - h */
     const real track_q = q[0]; /* m */
     const real push = r[0];
     const real track_u_tau = tau[0]; /* N */
@@ -94,14 +103,17 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         + hinge_u * hinge_u * pole_first_moment_z * hinge_sin;
 
     /* hinge: drive */
+    /* drive = tau + f - h */
     const real hinge_u_tau = tau[1]; /* N*m */
     const real hinge_drive = hinge_u_tau - pole_n_y;
 
     /* M: factor */
+    /* factor = L, D with M = Lᵀ D L */
     const wreal M_factor_D_inverse_hinge = w[3];
     const real M_factor_L_hinge_track = cart_composite_moment_z * M_factor_D_inverse_hinge;
 
     /* track: udot */
+    /* udot = M⁻¹ drive */
     const wreal cart_base_mass = w[2];
     const real track_udot = 1.0 / (cart_base_mass
         - cart_composite_moment_z * M_factor_L_hinge_track) * (track_drive
@@ -109,6 +121,7 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[0] = track_udot; /* udot: track.udot [m/s^2] */
 
     /* hinge: udot */
+    /* udot = M⁻¹ drive */
     /* udot: hinge.udot [rad/s^2] */
     out[1] = hinge_drive * M_factor_D_inverse_hinge - M_factor_L_hinge_track * track_udot;
     return CARDAN_OK;

@@ -34,7 +34,11 @@
 
 CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
-    /* pole: first moment, mass, origin inertia, base second moment, inertia force */
+    /* pole: first moment, mass, origin inertia, base, inertia force */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
+    /* inertia_force = [2 vee(skew(U J)) + h x a; m a + U h] */
     const wreal pole_mass = p[2]; /* kg */
     const wreal pole_com_z = p[3]; /* m */
     const wreal pole_inertia_xx = p[4]; /* kg m^2 */
@@ -51,7 +55,8 @@ CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     w[1] = pole_first_moment_z;
     w[3] = pole_base_second_moment_zz_plus_base_second_moment_xx;
 
-    /* cart: base mass */
+    /* cart: base */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal cart_mass = p[1]; /* kg */
     const wreal cart_base_mass = cart_mass + pole_mass;
     w[2] = cart_base_mass;
@@ -74,6 +79,7 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     (void)work;
 
     /* hinge: R */
+    /* R = R_fixed R_joint(q) */
     const real hinge_q = q[1]; /* rad */
     const real angle[CARDAN_PADDED(1)] = {hinge_q};
     real sine[CARDAN_PADDED(1)], cosine[CARDAN_PADDED(1)];
@@ -82,6 +88,9 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real hinge_sin = sine[0];
 
     /* pole: a, n, f */
+    /* a = Rᵀ (a_parent + U_parent p) + S_v udot + c_v */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
+    /* f = inertia_force_f - applied_f + sum R f_child */
     const real track_udot = udot[0]; /* m/s^2 */
     const real hinge_udot = udot[1]; /* rad/s^2 */
     const wreal gravity_z = w[0]; /* m/s^2 */
@@ -94,12 +103,14 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         + pole_first_moment_z * pole_a_x;
 
     /* cart: f */
+    /* f = inertia_force_f - applied_f + sum R f_child */
     const real hinge_u = u[1]; /* rad/s */
     const wreal cart_base_mass = w[2];
     const real cart_f_x = cart_base_mass * track_udot + hinge_cos * pole_f_x
         - hinge_u * hinge_u * pole_first_moment_z * hinge_sin;
 
     /* track: tau */
+    /* tau = S . [n; f] - force on the joint */
     const real track_q = q[0]; /* m */
     const real push = r[0];
     out[0] = 40.0 * track_q - push + cart_f_x; /* tau: track.u.tau [N] */

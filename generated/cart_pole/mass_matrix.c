@@ -22,6 +22,8 @@
 CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
     /* pole: first moment, origin inertia */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
     const wreal pole_mass = p[2]; /* kg */
     const wreal pole_com_z = p[3]; /* m */
     const wreal pole_inertia_yy = p[5]; /* kg m^2 */
@@ -30,7 +32,8 @@ CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
     w[0] = pole_first_moment_z;
     w[1] = pole_origin_inertia_yy;
 
-    /* cart: base mass */
+    /* cart: base */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal cart_mass = p[1]; /* kg */
     const wreal cart_base_mass = cart_mass + pole_mass;
     w[2] = cart_base_mass;
@@ -47,13 +50,15 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     (void)work;
 
     /* hinge: R */
+    /* R = R_fixed R_joint(q) */
     const real hinge_q = q[1]; /* rad */
     const real angle[CARDAN_PADDED(1)] = {hinge_q};
     real sine[CARDAN_PADDED(1)], cosine[CARDAN_PADDED(1)];
     cardan_sincos(1, angle, sine, cosine);
     const real hinge_cos = cosine[0];
 
-    /* cart: composite moment */
+    /* cart: composite */
+    /* composite = own + sum R composite_child Rᵀ moved by p */
     const wreal pole_first_moment_z = w[0];
     const real cart_composite_moment_z = pole_first_moment_z * hinge_cos;
     out[1] = cart_composite_moment_z; /* M: track.u,hinge.u */

@@ -7,7 +7,7 @@
  *
  * Sizes: out 2, work 0, w 6
  * Operations per call: 31 = 17 mul, 7 sub, 3 add, 2 cos, 2 sin
- * Operations of prepare: 19 = 11 mul, 7 add, 1 sub
+ * Operations of prepare: 16 = 9 mul, 6 add, 1 sub
  *
  * Input q (2): generalized coordinates
  *   q[0]  shoulder [rad]
@@ -39,25 +39,31 @@ CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     w[2] = upper_minus_first_moment_z;
 
     /* upper: origin inertia */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
     const wreal upper_origin_inertia_xx = l * l * (0.08333333333333333 * m)
         + half_l * upper_minus_first_moment_z;
 
-    /* lower: base, base second moment */
-    const wreal l_times_lower_minus_base_mean_moment_z = 0.5 * m * l * l;
-    const wreal upper_minus_base_moment_z = upper_minus_first_moment_z + m * l;
+    /* lower: base */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
+    const wreal lower_minus_base_mass_moment_z = m * l;
+    const wreal upper_minus_base_moment_z = upper_minus_first_moment_z
+        + lower_minus_base_mass_moment_z;
     const wreal lower_base_second_moment_zz = 0.5 * (upper_origin_inertia_xx
         + upper_origin_inertia_xx);
     w[3] = upper_minus_base_moment_z;
 
-    /* upper: base second moment, inertia force */
+    /* upper: base, inertia force */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
+    /* inertia_force = [2 vee(skew(U J)) + h x a; m a + U h] */
     const wreal upper_base_second_moment_xx = lower_base_second_moment_zz - upper_origin_inertia_xx;
-    const wreal upper_base_second_moment_zz = l_times_lower_minus_base_mean_moment_z
-        + lower_base_second_moment_zz + l_times_lower_minus_base_mean_moment_z;
+    const wreal upper_base_second_moment_zz = l * lower_minus_base_mass_moment_z
+        + lower_base_second_moment_zz;
     const wreal upper_base_second_moment_xx_plus_base_second_moment_zz = upper_base_second_moment_xx
         + upper_base_second_moment_zz;
     w[4] = upper_base_second_moment_xx_plus_base_second_moment_zz;
 
     /* lower: inertia force */
+    /* inertia_force = [2 vee(skew(U J)) + h x a; m a + U h] */
     const wreal lower_base_second_moment_zz_plus_upper_base_second_moment_xx =
         lower_base_second_moment_zz + upper_base_second_moment_xx;
     w[5] = lower_base_second_moment_zz_plus_upper_base_second_moment_xx;
@@ -80,6 +86,7 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     (void)work;
 
     /* shared by several: R */
+    /* R = R_fixed R_joint(q) */
     const real shoulder_q = q[0]; /* rad */
     const real elbow_q = q[1]; /* rad */
     const real angle[CARDAN_PADDED(2)] = {shoulder_q, elbow_q};
@@ -91,10 +98,16 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real elbow_sin = sine[1];
 
     /* upper: a */
+    /* a = Rᵀ (a_parent + U_parent p) + S_v udot + c_v */
     const wreal gravity_z = w[1]; /* m/s^2 */
     const real upper_a_x = gravity_z * shoulder_sin;
 
     /* lower: omega, f, alpha, a, n */
+    /* omega = Rᵀ omega_parent + S_w u */
+    /* f = inertia_force_f - applied_f + sum R f_child */
+    /* alpha = Rᵀ alpha_parent + S_w udot + c_w */
+    /* a = Rᵀ (a_parent + U_parent p) + S_v udot + c_v */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
     const real shoulder_u = u[0]; /* rad/s */
     const real elbow_u = u[1]; /* rad/s */
     const real shoulder_udot = udot[0]; /* rad/s^2 */
@@ -113,6 +126,7 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[1] = lower_n_y; /* tau: elbow.u.tau [N*m] */
 
     /* upper: n */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
     const wreal upper_minus_base_moment_z = w[3];
     const wreal upper_base_second_moment_xx_plus_base_second_moment_zz = w[4];
     /* tau: shoulder.u.tau [N*m] */

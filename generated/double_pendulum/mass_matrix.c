@@ -7,7 +7,7 @@
  *
  * Sizes: out 4, work 0, w 4
  * Operations per call: 6 = 3 mul, 2 add, 1 cos
- * Operations of prepare: 13 = 10 mul, 3 add
+ * Operations of prepare: 11 = 8 mul, 3 add
  *
  * Input q (2): generalized coordinates
  *   q[0]  shoulder [rad]
@@ -28,10 +28,12 @@ CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
     const wreal upper_minus_first_moment_z = m * half_l;
     w[1] = upper_minus_first_moment_z;
 
-    /* upper: origin inertia, base inertia, inertia */
+    /* upper: origin inertia, base, inertia */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal upper_origin_inertia_xx = l * l * (0.08333333333333333 * m)
         + half_l * upper_minus_first_moment_z;
-    const wreal upper_base_inertia_yy = upper_origin_inertia_xx + 0.5 * m * l * l * 2.0;
+    const wreal upper_base_inertia_yy = upper_origin_inertia_xx + m * l * l;
     const wreal upper_origin_inertia_xx_plus_base_inertia_yy = upper_origin_inertia_xx
         + upper_base_inertia_yy;
     w[2] = upper_origin_inertia_xx;
@@ -52,6 +54,7 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     (void)work;
 
     /* elbow: R */
+    /* R = R_fixed R_joint(q) */
     const real elbow_q = q[1]; /* rad */
     const real angle[CARDAN_PADDED(1)] = {elbow_q};
     real sine[CARDAN_PADDED(1)], cosine[CARDAN_PADDED(1)];
@@ -64,13 +67,15 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real l_times_upper_minus_inertia_mean_moment_z = upper_minus_first_moment_z * elbow_cos *
         l;
 
-    /* upper: composite inertia */
+    /* upper: composite */
+    /* composite = own + sum R composite_child Rᵀ moved by p */
     const wreal upper_origin_inertia_xx_plus_base_inertia_yy = w[3];
     /* M: shoulder.u,shoulder.u */
     out[0] = 2.0 * l_times_upper_minus_inertia_mean_moment_z
         + upper_origin_inertia_xx_plus_base_inertia_yy;
 
-    /* M: elbow shoulder */
+    /* M */
+    /* M = S . momentum */
     const wreal upper_origin_inertia_xx = w[2];
     const real M_elbow_shoulder = upper_origin_inertia_xx
         + l_times_upper_minus_inertia_mean_moment_z;

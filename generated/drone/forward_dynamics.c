@@ -35,6 +35,7 @@
 CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
     /* M: factor */
+    /* factor = L, D with M = Lᵀ D L */
     const wreal drone_inertia_yy = p[3]; /* kg m^2 */
     const wreal M_factor_D_inverse_fly_angle = 1.0 / drone_inertia_yy;
     w[4] = M_factor_D_inverse_fly_angle;
@@ -59,6 +60,7 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     (void)work;
 
     /* fly: R */
+    /* R = R_fixed R_joint(q) */
     const real fly_angle = q[2]; /* rad */
     const real angle[CARDAN_PADDED(1)] = {fly_angle};
     real sine[CARDAN_PADDED(1)], cosine[CARDAN_PADDED(1)];
@@ -66,21 +68,26 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real fly_angle_cos = cosine[0];
     const real fly_angle_sin = sine[0];
 
-    /* momentum: fly y fz, fly x fz */
+    /* momentum */
+    /* momentum = composite inertia S */
     const wreal drone_mass = w[1]; /* kg */
     const real momentum_fly_y_fz = drone_mass * fly_angle_sin;
     const real momentum_fly_x_fz = drone_mass * fly_angle_cos;
 
-    /* M: fly x fly, factor */
+    /* M: factor */
+    /* M = S . momentum */
+    /* factor = L, D with M = Lᵀ D L */
     const real M_fly_x_fly_x = fly_angle_sin * momentum_fly_y_fz
         + fly_angle_cos * momentum_fly_x_fz;
     const real M_factor_D_inverse_fly_y = 1.0 / M_fly_x_fly_x;
 
     /* shared by several: M */
+    /* M = S . momentum */
     const real momentum_fly_x_about_ground_fx = fly_angle_sin * momentum_fly_x_fz
         - fly_angle_cos * momentum_fly_y_fz;
 
     /* left: force */
+    /* force = R (its components) at the origin */
     const real left = r[0];
     const real left_force_on_left_frame_x = left * fly_angle_sin;
     const real left_force_on_left_frame_z = left * fly_angle_cos;
@@ -88,6 +95,7 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         + fly_angle_cos * left_force_on_left_frame_z;
 
     /* right: force */
+    /* force = R (its components) at the origin */
     const real right = r[1];
     const real right_force_on_right_frame_x = right * fly_angle_sin;
     const real right_force_on_right_frame_z = right * fly_angle_cos;
@@ -95,6 +103,9 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         + fly_angle_cos * right_force_on_right_frame_z;
 
     /* drone: n, a, f */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
+    /* a = Rᵀ (a_parent + U_parent p) + S_v udot + c_v */
+    /* f = inertia_force_f - applied_f + sum R f_child */
     const wreal gravity_z = w[0]; /* m/s^2 */
     const wreal left_frame_position_x = w[2]; /* m */
     const wreal right_frame_position_x = w[3]; /* m */
@@ -108,7 +119,10 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real drone_minus_f_z = drone_n_y_part + gravity_z * fly_angle_cos * drone_mass
         + drone_n_y_part_2;
 
-    /* fly: tau, drive, drive angle, udot angle */
+    /* fly: tau, drive, udot */
+    /* tau = S . [n; f] - force on the joint */
+    /* drive = tau + f - h */
+    /* udot = M⁻¹ drive */
     const real fly_u_x_tau = tau[0]; /* N */
     const real fly_u_y_tau = tau[1]; /* N */
     const real fly_u_angle_tau = tau[2]; /* N*m */
@@ -121,10 +135,12 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[2] = fly_drive_angle * M_factor_D_inverse_fly_angle; /* udot: fly.u.angledot [rad/s^2] */
 
     /* M: factor */
+    /* factor = L, D with M = Lᵀ D L */
     const real M_minus_factor_L_fly_y_fly_x = momentum_fly_x_about_ground_fx *
         M_factor_D_inverse_fly_y;
 
     /* fly: udot */
+    /* udot = M⁻¹ drive */
     const real fly_udot_x = 1.0 / (M_fly_x_fly_x
         - momentum_fly_x_about_ground_fx * M_minus_factor_L_fly_y_fly_x) * (fly_drive_x
         + fly_drive_y * M_minus_factor_L_fly_y_fly_x);

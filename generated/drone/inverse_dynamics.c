@@ -34,7 +34,9 @@
 
 CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
-    /* drone: base, base second moment, inertia force */
+    /* drone: base, inertia force */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
+    /* inertia_force = [2 vee(skew(U J)) + h x a; m a + U h] */
     const wreal drone_inertia_xx = p[2]; /* kg m^2 */
     const wreal drone_inertia_yy = p[3]; /* kg m^2 */
     const wreal drone_inertia_zz = p[4]; /* kg m^2 */
@@ -66,6 +68,7 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     (void)work;
 
     /* fly: R */
+    /* R = R_fixed R_joint(q) */
     const real fly_angle = q[2]; /* rad */
     const real angle[CARDAN_PADDED(1)] = {fly_angle};
     real sine[CARDAN_PADDED(1)], cosine[CARDAN_PADDED(1)];
@@ -74,6 +77,7 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real fly_angle_sin = sine[0];
 
     /* left: force */
+    /* force = R (its components) at the origin */
     const real left = r[0];
     const real left_force_on_left_frame_x = left * fly_angle_sin;
     const real left_force_on_left_frame_z = left * fly_angle_cos;
@@ -81,6 +85,7 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         + fly_angle_cos * left_force_on_left_frame_z;
 
     /* right: force */
+    /* force = R (its components) at the origin */
     const real right = r[1];
     const real right_force_on_right_frame_x = right * fly_angle_sin;
     const real right_force_on_right_frame_z = right * fly_angle_cos;
@@ -88,6 +93,9 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         + fly_angle_cos * right_force_on_right_frame_z;
 
     /* drone: a, f, n */
+    /* a = Rᵀ (a_parent + U_parent p) + S_v udot + c_v */
+    /* f = inertia_force_f - applied_f + sum R f_child */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
     const real fly_u_xdot = udot[0]; /* m/s^2 */
     const real fly_u_ydot = udot[1]; /* m/s^2 */
     const real fly_u_angledot = udot[2]; /* rad/s^2 */
@@ -111,6 +119,7 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         + right_frame_position_x * drone_f_z_part;
 
     /* fly: tau */
+    /* tau = S . [n; f] - force on the joint */
     out[0] = fly_angle_cos * drone_f_z - fly_angle_sin * drone_f_x; /* tau: fly.u.x.tau [N] */
     out[1] = fly_angle_cos * drone_f_x + fly_angle_sin * drone_f_z; /* tau: fly.u.y.tau [N] */
     return CARDAN_OK;

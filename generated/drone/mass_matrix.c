@@ -38,6 +38,7 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     (void)work;
 
     /* fly: R */
+    /* R = R_fixed R_joint(q) */
     const real fly_angle = q[2]; /* rad */
     const real angle[CARDAN_PADDED(1)] = {fly_angle};
     real sine[CARDAN_PADDED(1)], cosine[CARDAN_PADDED(1)];
@@ -45,18 +46,21 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real fly_angle_cos = cosine[0];
     const real fly_angle_sin = sine[0];
 
-    /* momentum: fly y fz, fly x fz */
+    /* momentum */
+    /* momentum = composite inertia S */
     const wreal drone_mass = w[0]; /* kg */
     const real momentum_fly_y_fz = drone_mass * fly_angle_sin;
     const real momentum_fly_x_fz = drone_mass * fly_angle_cos;
 
-    /* M: fly x fly */
+    /* M */
+    /* M = S . momentum */
     const real M_fly_x_fly_x = fly_angle_sin * momentum_fly_y_fz
         + fly_angle_cos * momentum_fly_x_fz;
     out[0] = M_fly_x_fly_x; /* M: fly.u.x,fly.u.x */
     out[4] = M_fly_x_fly_x; /* M: fly.u.y,fly.u.y */
 
     /* shared by several: M */
+    /* M = S . momentum */
     const real momentum_fly_y_about_ground_fz = fly_angle_cos * momentum_fly_y_fz
         - fly_angle_sin * momentum_fly_x_fz;
     out[1] = momentum_fly_y_about_ground_fz; /* M: fly.u.x,fly.u.y */

@@ -22,7 +22,7 @@ extern const cardan_export cardan_scene;
 enum {
     forward_dynamics_out_size = 4,
     forward_dynamics_work_size = 0,
-    forward_dynamics_w_size = 17
+    forward_dynamics_w_size = 16
 };
 CARDAN_API int forward_dynamics(const cardan_in *in, real *out, real *work);
 CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *w);
@@ -40,7 +40,7 @@ CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *w);
 enum {
     mass_matrix_out_size = 16,
     mass_matrix_work_size = 0,
-    mass_matrix_w_size = 9
+    mass_matrix_w_size = 7
 };
 CARDAN_API int mass_matrix(const cardan_in *in, real *out, real *work);
 CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *w);

@@ -40,7 +40,8 @@
 
 CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
-    /* bus: base, base second moment */
+    /* bus: base */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal bus_inertia_xx = p[2]; /* kg m^2 */
     const wreal bus_inertia_yy = p[3]; /* kg m^2 */
     const wreal bus_inertia_zz = p[4]; /* kg m^2 */
@@ -73,6 +74,7 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     (void)work;
 
     /* shared by several: U */
+    /* U = [alpha] + [omega][omega] */
     const real attitude_u_x = u[0]; /* rad/s */
     const real attitude_u_y = u[1]; /* rad/s */
     const real attitude_u_z = u[2]; /* rad/s */
@@ -82,6 +84,7 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real attitude_u_y_times_u_z = attitude_u_y * attitude_u_z;
 
     /* bus: U */
+    /* U = [alpha] + [omega][omega] */
     const real attitude_u_xdot = udot[0]; /* rad/s^2 */
     const real attitude_u_ydot = udot[1]; /* rad/s^2 */
     const real attitude_u_zdot = udot[2]; /* rad/s^2 */
@@ -93,6 +96,8 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real bus_U_zy = attitude_u_xdot + attitude_u_y_times_u_z;
 
     /* ball: a, f */
+    /* a = Rᵀ (a_parent + U_parent p) + S_v udot + c_v */
+    /* f = inertia_force_f - applied_f + sum R f_child */
     const real tube_q = q[4]; /* m */
     const real tube_u = u[3]; /* m/s */
     const real tube_udot = udot[3]; /* m/s^2 */
@@ -109,11 +114,13 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real ball_f_z = ball_mass * ball_a_z;
 
     /* tube: tau */
+    /* tau = S . [n; f] - force on the joint */
     const wreal oil_stiffness = w[3]; /* N/m */
     const wreal oil_damping = w[4]; /* N*s/m */
     out[3] = tube_q * oil_stiffness + tube_u * oil_damping + ball_f_z; /* tau: tube.u.tau [N] */
 
     /* bus: n */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
     const wreal hs = w[0]; /* N m s */
     const wreal bus_base_second_moment_xx = w[5];
     const wreal bus_base_second_moment_yy = w[6];

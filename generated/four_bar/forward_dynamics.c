@@ -6,8 +6,8 @@
  * passes: unroll, reassociate
  *
  * Sizes: out 3, work 13, w 11
- * Operations per call: 233 = 139 mul, 43 add, 43 sub, 3 cos, 3 sin, 1 div, 1 solve
- * Operations of prepare: 19 = 11 mul, 6 add, 2 div
+ * Operations per call: 233 = 139 mul, 45 sub, 41 add, 3 cos, 3 sin, 1 div, 1 solve
+ * Operations of prepare: 16 = 8 mul, 6 add, 2 div
  *
  * Input q (3): generalized coordinates
  *   q[0]  A [rad]
@@ -37,29 +37,33 @@
 
 CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
-    /* crank: first moment, origin inertia, base moment, base inertia */
+    /* crank: first moment, origin inertia */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
     const wreal crank_mass = p[1]; /* kg */
     const wreal crank_com_x = p[2]; /* m */
     const wreal crank_inertia_zz = p[5]; /* kg m^2 */
-    const wreal B_position_x = p[6]; /* m */
-    const wreal coupler_mass = p[7]; /* kg */
     const wreal crank_first_moment_x = crank_mass * crank_com_x;
     const wreal crank_origin_inertia_zz = crank_inertia_zz + crank_com_x * crank_first_moment_x;
-    const wreal crank_base_moment_x = crank_first_moment_x + B_position_x * coupler_mass;
-    const wreal crank_base_inertia_zz = crank_origin_inertia_zz
-        + 0.5 * coupler_mass * B_position_x * B_position_x * 2.0;
-    w[7] = crank_base_moment_x;
 
-    /* coupler: first moment, origin inertia */
+    /* coupler: first moment, origin inertia, base */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
+    const wreal B_position_x = p[6]; /* m */
+    const wreal coupler_mass = p[7]; /* kg */
     const wreal coupler_com_x = p[8]; /* m */
     const wreal coupler_inertia_zz = p[11]; /* kg m^2 */
     const wreal coupler_first_moment_x = coupler_mass * coupler_com_x;
     const wreal coupler_origin_inertia_zz = coupler_inertia_zz
         + coupler_com_x * coupler_first_moment_x;
+    const wreal coupler_base_mass_moment_x = B_position_x * coupler_mass;
     w[2] = coupler_first_moment_x;
     w[3] = coupler_origin_inertia_zz;
 
     /* rocker: first moment, origin inertia */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
     const wreal rocker_mass = p[13]; /* kg */
     const wreal rocker_com_x = p[14]; /* m */
     const wreal rocker_inertia_zz = p[17]; /* kg m^2 */
@@ -67,12 +71,18 @@ CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     const wreal rocker_origin_inertia_zz = rocker_inertia_zz + rocker_com_x * rocker_first_moment_x;
     w[5] = rocker_first_moment_x;
 
-    /* crank: inertia */
+    /* crank: base, inertia */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
+    const wreal crank_base_moment_x = crank_first_moment_x + coupler_base_mass_moment_x;
+    const wreal crank_base_inertia_zz = crank_origin_inertia_zz
+        + B_position_x * coupler_base_mass_moment_x;
     const wreal coupler_origin_inertia_zz_plus_crank_base_inertia_zz = coupler_origin_inertia_zz
         + crank_base_inertia_zz;
+    w[7] = crank_base_moment_x;
     w[8] = coupler_origin_inertia_zz_plus_crank_base_inertia_zz;
 
-    /* constraints: multipliers */
+    /* constraints: factor */
+    /* factor = L, D: M = Lᵀ D L, free_udot = M⁻¹ drive, response = M⁻¹ Gᵀ */
     const wreal M_factor_D_inverse_D = 1.0 / rocker_origin_inertia_zz;
     const wreal M_factor_D_inverse_B = 1.0 / coupler_origin_inertia_zz;
     w[9] = M_factor_D_inverse_D;
@@ -95,9 +105,13 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real *const u = in->u;
     const wreal *const w = in->w;
     const real *const tau = in->tau;
+    real (*const circuit_matrix)[2] = (real (*)[2])(work + 0);
+    real *const circuit_right = work + 4;
+    real *const circuit_scratch = work + 6;
     int status = CARDAN_OK;
 
     /* shared by several: R */
+    /* R = R_fixed R_joint(q) */
     const real A_q = q[0]; /* rad */
     const real B_q = q[1]; /* rad */
     const real D_q = q[2]; /* rad */
@@ -113,11 +127,15 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real D_sin = sine[2];
 
     /* B: p */
+    /* p = p_fixed + R_fixed p_joint(q) */
     const wreal B_position_x = w[1]; /* m */
     const real B_p_x = B_position_x * A_cos;
     const real B_p_y = B_position_x * A_sin;
 
-    /* C: pose, twist, G px A, G px B, G px D, G, G py D */
+    /* C: pose, twist, G */
+    /* pose = [R_Pᵀ R_C, R_Pᵀ (p_C - p_P)] */
+    /* twist = R_Cᵀ sum +-[R w; R v + R w x arm] */
+    /* G = d(rate) / du */
     const real A_u = u[0]; /* rad/s */
     const real B_u = u[1]; /* rad/s */
     const real D_u = u[2]; /* rad/s */
@@ -150,6 +168,8 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real C_G_py_D = C_R_xx * C_twist_D_vy - C_R_xy * C_twist_D_vx;
 
     /* coupler: omega, inertia force */
+    /* omega = Rᵀ omega_parent + S_w u */
+    /* inertia_force = [2 vee(skew(U J)) + h x a; m a + U h] */
     const wreal coupler_first_moment_x = w[2];
     const real coupler_omega_z = A_u + B_u;
     const real coupler_minus_f_x = coupler_omega_z * coupler_omega_z * coupler_first_moment_x;
@@ -158,46 +178,60 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real crank_inertia_shift_part = coupler_first_moment_x * B_turn_cos * B_p_x
         + coupler_first_moment_x * B_turn_sin * B_p_y;
 
-    /* crank: composite inertia, U */
+    /* crank: composite, U */
+    /* composite = own + sum R composite_child Rᵀ moved by p */
+    /* U = [alpha] + [omega][omega] */
     const wreal coupler_origin_inertia_zz_plus_crank_base_inertia_zz = w[8];
     const real crank_composite_inertia_zz = 2.0 * crank_inertia_shift_part
         + coupler_origin_inertia_zz_plus_crank_base_inertia_zz;
     const real crank_minus_U_xx = A_u * A_u;
 
-    /* M: B A */
+    /* M */
+    /* M = S . momentum */
     const wreal coupler_origin_inertia_zz = w[3];
     const real M_B_A = coupler_origin_inertia_zz + crank_inertia_shift_part;
 
     /* coupler: a, n */
+    /* a = Rᵀ (a_parent + U_parent p) + S_v udot + c_v */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
     const wreal gravity_y = w[0]; /* m/s^2 */
     const real coupler_a_y = B_p_x * crank_minus_U_xx * B_turn_sin - B_turn_cos * (gravity_y
         + B_p_y * crank_minus_U_xx);
     const real coupler_n_z = coupler_first_moment_x * coupler_a_y;
 
     /* crank: n */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
     const wreal crank_base_moment_x = w[7];
     const real crank_n_z = B_turn_cos * coupler_minus_f_x * B_p_y
         - crank_base_moment_x * A_cos * gravity_y - B_turn_sin * coupler_minus_f_x * B_p_x
         + coupler_n_z;
 
     /* A: drive */
+    /* drive = tau + f - h */
     const real A_u_tau = tau[0]; /* N*m */
     const real A_drive = A_u_tau - crank_n_z;
 
     /* B: drive, R */
+    /* drive = tau + f - h */
+    /* R = R_fixed R_joint(q) */
     const real B_u_tau = tau[1]; /* N*m */
     const real B_drive = B_u_tau - coupler_n_z;
     const real B_turn_sin_times_coupler_omega_z = B_turn_sin * coupler_omega_z;
     const real B_turn_cos_times_coupler_omega_z = B_turn_cos * coupler_omega_z;
 
     /* D: drive, R */
+    /* drive = tau + f - h */
+    /* R = R_fixed R_joint(q) */
     const real D_u_tau = tau[2]; /* N*m */
     const wreal rocker_first_moment_x = w[5];
     const real D_drive = D_u_tau + gravity_y * D_cos * rocker_first_moment_x;
     const real D_u_times_sin = D_u * D_sin;
     const real D_u_times_cos = D_u * D_cos;
 
-    /* C: pose, twist */
+    /* C: pose, twist, gamma */
+    /* pose = [R_Pᵀ R_C, R_Pᵀ (p_C - p_P)] */
+    /* twist = R_Cᵀ sum +-[R w; R v + R w x arm] */
+    /* gamma = -d(rate)/dt at udot = 0 */
     const real C_minus_child_p_x_rate = C_child_position_x * D_u_times_sin;
     const real C_child_p_y_rate = C_child_position_x * D_u_times_cos;
     const real C_R_xx_rate = B_turn_sin * D_u_times_cos - B_turn_cos * D_u_times_sin
@@ -215,8 +249,14 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real C_minus_twist_vy_rate = C_base_twist_vx * D_u_times_cos
         + D_sin * C_base_twist_vx_rate + (C_base_twist_vy * D_u_times_sin
         + D_cos * C_minus_base_twist_vy_rate);
+    const real C_gamma_px = C_R_xy * C_minus_twist_vy_rate - C_R_xx * C_twist_vx_rate
+        - (C_twist_vx * C_R_xx_rate + C_twist_vy * C_R_xy_rate);
+    const real C_gamma_py = C_twist_vx * C_R_xy_rate - C_twist_vy * C_R_xx_rate
+        + (C_R_xy * C_twist_vx_rate + C_R_xx * C_minus_twist_vy_rate);
 
-    /* constraints: multipliers */
+    /* constraints: factor, multipliers */
+    /* factor = L, D: M = Lᵀ D L, free_udot = M⁻¹ drive, response = M⁻¹ Gᵀ */
+    /* multipliers = circuit⁻¹ (gamma - G free_udot) */
     const wreal M_factor_D_inverse_D = w[9];
     const wreal M_factor_D_inverse_B = w[10];
     const real M_factor_L_B_A = M_B_A * M_factor_D_inverse_B;
@@ -234,38 +274,40 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         + M_factor_L_B_A * C_py_response_A;
     const real circuit_C_px_C_px = C_G_px_A * C_px_response_A + C_G_px_D * C_px_response_D
         + C_G_px_B * C_px_response_B;
-    work[0] = circuit_C_px_C_px;
+    circuit_matrix[0][0] = circuit_C_px_C_px;
     const real circuit_C_py_C_px = C_G_py_D * C_px_response_D - C_minus_G_py_A * C_px_response_A
         - C_minus_G_py_B * C_px_response_B;
-    work[1] = circuit_C_py_C_px;
-    work[2] = circuit_C_py_C_px;
+    circuit_matrix[0][1] = circuit_C_py_C_px;
+    circuit_matrix[1][0] = circuit_C_py_C_px;
     const real circuit_C_py_C_py = C_G_py_D * C_py_response_D - C_minus_G_py_A * C_py_response_A
         + C_minus_G_py_B * C_py_minus_response_B;
-    work[3] = circuit_C_py_C_py;
-    const real free_gamma_C_px = C_R_xy * C_minus_twist_vy_rate - (C_twist_vx * C_R_xx_rate
-        + C_G_px_D * free_udot_D) - (C_R_xx * C_twist_vx_rate + C_twist_vy * C_R_xy_rate)
-        - C_G_px_A * free_udot_A - C_G_px_B * free_udot_B;
-    work[4] = free_gamma_C_px;
-    const real free_gamma_C_py = C_twist_vx * C_R_xy_rate + C_R_xx * C_minus_twist_vy_rate
-        + (C_R_xy * C_twist_vx_rate - (C_twist_vy * C_R_xx_rate + C_G_py_D * free_udot_D))
+    circuit_matrix[1][1] = circuit_C_py_C_py;
+    const real free_gamma_C_px = C_gamma_px - C_G_px_D * free_udot_D - C_G_px_A * free_udot_A
+        - C_G_px_B * free_udot_B;
+    circuit_right[0] = free_gamma_C_px;
+    const real free_gamma_C_py = C_gamma_py - C_G_py_D * free_udot_D
         + C_minus_G_py_A * free_udot_A + C_minus_G_py_B * free_udot_B;
-    work[5] = free_gamma_C_py;
-    status |= CARDAN_SOLVE(semidefinite, 2, 1, work + 0, work + 4, work + 6);
+    circuit_right[1] = free_gamma_C_py;
+    /* circuit_matrix lam = circuit_right; the solution takes its place */
+    status |= CARDAN_SOLVE(semidefinite, 2, 1, circuit_matrix[0], circuit_right, circuit_scratch);
 
     /* C: multiplier px, multiplier py */
-    const real C_multiplier_px = work[4];
-    const real C_multiplier_py = work[5];
+    const real C_multiplier_px = circuit_right[0];
+    const real C_multiplier_py = circuit_right[1];
 
     /* A: udot */
+    /* udot = free_udot + response multipliers */
     /* udot: A.udot [rad/s^2] */
     out[0] = free_udot_A + C_px_response_A * C_multiplier_px + C_py_response_A * C_multiplier_py;
 
     /* B: udot */
+    /* udot = free_udot + response multipliers */
     /* udot: B.udot [rad/s^2] */
     out[1] = free_udot_B + C_px_response_B * C_multiplier_px
         - C_py_minus_response_B * C_multiplier_py;
 
     /* D: udot */
+    /* udot = free_udot + response multipliers */
     /* udot: D.udot [rad/s^2] */
     out[2] = free_udot_D + C_px_response_D * C_multiplier_px + C_py_response_D * C_multiplier_py;
     return status;

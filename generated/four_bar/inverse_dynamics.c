@@ -7,7 +7,7 @@
  *
  * Sizes: out 3, work 0, w 8
  * Operations per call: 36 = 20 mul, 7 add, 4 sub, 3 cos, 2 sin
- * Operations of prepare: 37 = 18 add, 13 mul, 6 sub
+ * Operations of prepare: 34 = 17 add, 11 mul, 6 sub
  *
  * Input q (3): generalized coordinates
  *   q[0]  A [rad]
@@ -35,25 +35,30 @@
 
 CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
-    /* crank: first moment, mass, origin inertia, base moment, base, base second moment */
+    /* crank: first moment, mass, origin inertia, base */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal crank_mass = p[1]; /* kg */
     const wreal crank_com_x = p[2]; /* m */
     const wreal crank_inertia_xx = p[3]; /* kg m^2 */
     const wreal crank_inertia_yy = p[4]; /* kg m^2 */
     const wreal crank_inertia_zz = p[5]; /* kg m^2 */
-    const wreal B_position_x = p[6]; /* m */
-    const wreal coupler_mass = p[7]; /* kg */
     const wreal crank_first_moment_x = crank_mass * crank_com_x;
     const wreal crank_com_x_times_first_moment_x = crank_com_x * crank_first_moment_x;
     const wreal crank_origin_inertia_yy = crank_inertia_yy + crank_com_x_times_first_moment_x;
     const wreal crank_origin_inertia_zz = crank_inertia_zz + crank_com_x_times_first_moment_x;
-    const wreal crank_base_moment_x = crank_first_moment_x + B_position_x * coupler_mass;
     const wreal crank_base_half_trace = 0.5 * (crank_inertia_xx + crank_origin_inertia_zz
         + crank_origin_inertia_yy);
     const wreal crank_base_second_moment_yy = crank_base_half_trace - crank_origin_inertia_yy;
-    w[4] = crank_base_moment_x;
 
-    /* coupler: first moment, mass, origin inertia, base, base second moment, inertia force */
+    /* coupler: first moment, mass, origin inertia, base, inertia force */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
+    /* inertia_force = [2 vee(skew(U J)) + h x a; m a + U h] */
+    const wreal B_position_x = p[6]; /* m */
+    const wreal coupler_mass = p[7]; /* kg */
     const wreal coupler_com_x = p[8]; /* m */
     const wreal coupler_inertia_xx = p[9]; /* kg m^2 */
     const wreal coupler_inertia_yy = p[10]; /* kg m^2 */
@@ -62,8 +67,7 @@ CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     const wreal coupler_com_x_times_first_moment_x = coupler_com_x * coupler_first_moment_x;
     const wreal coupler_origin_inertia_yy = coupler_inertia_yy + coupler_com_x_times_first_moment_x;
     const wreal coupler_origin_inertia_zz = coupler_inertia_zz + coupler_com_x_times_first_moment_x;
-    const wreal B_position_x_times_coupler_base_mean_moment_x = 0.5 * coupler_mass * B_position_x *
-        B_position_x;
+    const wreal coupler_base_mass_moment_x = B_position_x * coupler_mass;
     const wreal coupler_base_half_trace = 0.5 * (coupler_inertia_xx + coupler_origin_inertia_zz
         + coupler_origin_inertia_yy);
     const wreal coupler_base_second_moment_xx = coupler_base_half_trace - coupler_inertia_xx;
@@ -73,7 +77,11 @@ CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     w[2] = coupler_first_moment_x;
     w[6] = coupler_base_second_moment_xx_plus_base_second_moment_yy;
 
-    /* rocker: first moment, mass, origin inertia, base, base second moment, inertia force */
+    /* rocker: first moment, mass, origin inertia, base, inertia force */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
+    /* inertia_force = [2 vee(skew(U J)) + h x a; m a + U h] */
     const wreal rocker_mass = p[13]; /* kg */
     const wreal rocker_com_x = p[14]; /* m */
     const wreal rocker_inertia_xx = p[15]; /* kg m^2 */
@@ -92,12 +100,15 @@ CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     w[3] = rocker_first_moment_x;
     w[7] = rocker_base_second_moment_xx_plus_base_second_moment_yy;
 
-    /* crank: base second moment, inertia force */
-    const wreal crank_base_second_moment_xx = crank_base_half_trace - crank_inertia_xx
-        + (B_position_x_times_coupler_base_mean_moment_x
-        + B_position_x_times_coupler_base_mean_moment_x);
+    /* crank: base, inertia force */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
+    /* inertia_force = [2 vee(skew(U J)) + h x a; m a + U h] */
+    const wreal crank_base_moment_x = crank_first_moment_x + coupler_base_mass_moment_x;
+    const wreal crank_base_second_moment_xx = B_position_x * coupler_base_mass_moment_x
+        + crank_base_half_trace - crank_inertia_xx;
     const wreal crank_base_second_moment_yy_plus_base_second_moment_xx = crank_base_second_moment_yy
         + crank_base_second_moment_xx;
+    w[4] = crank_base_moment_x;
     w[5] = crank_base_second_moment_yy_plus_base_second_moment_xx;
 
     /* parameters as they are */
@@ -118,6 +129,7 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     (void)work;
 
     /* shared by several: R */
+    /* R = R_fixed R_joint(q) */
     const real A_q = q[0]; /* rad */
     const real B_q = q[1]; /* rad */
     const real D_q = q[2]; /* rad */
@@ -131,10 +143,16 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real D_cos = cosine[2];
 
     /* crank: a */
+    /* a = Rᵀ (a_parent + U_parent p) + S_v udot + c_v */
     const wreal gravity_y = w[0]; /* m/s^2 */
     const real crank_minus_a_y = gravity_y * A_cos;
 
     /* coupler: omega, alpha, a, n, f */
+    /* omega = Rᵀ omega_parent + S_w u */
+    /* alpha = Rᵀ alpha_parent + S_w udot + c_w */
+    /* a = Rᵀ (a_parent + U_parent p) + S_v udot + c_v */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
+    /* f = inertia_force_f - applied_f + sum R f_child */
     const real A_u = u[0]; /* rad/s */
     const real B_u = u[1]; /* rad/s */
     const real A_udot = udot[0]; /* rad/s^2 */
@@ -153,6 +171,7 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[1] = coupler_n_z; /* tau: B.u.tau [N*m] */
 
     /* crank: n */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
     const wreal crank_base_moment_x = w[4];
     const wreal crank_base_second_moment_yy_plus_base_second_moment_xx = w[5];
     /* tau: A.u.tau [N*m] */
@@ -161,6 +180,7 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         - coupler_omega_z * coupler_omega_z * coupler_first_moment_x * B_sin) + coupler_n_z;
 
     /* rocker: n */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
     const real D_udot = udot[2]; /* rad/s^2 */
     const wreal rocker_first_moment_x = w[3];
     const wreal rocker_base_second_moment_xx_plus_base_second_moment_yy = w[7];

@@ -7,7 +7,7 @@
  *
  * Sizes: out 9, work 0, w 5
  * Operations per call: 6 = 3 mul, 2 add, 1 cos
- * Operations of prepare: 15 = 10 mul, 5 add
+ * Operations of prepare: 13 = 8 mul, 5 add
  *
  * Input q (3): generalized coordinates
  *   q[0]  A [rad]
@@ -22,7 +22,10 @@
 
 CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
-    /* crank: first moment, origin inertia, base inertia */
+    /* crank: first moment, origin inertia, base */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal crank_mass = p[1]; /* kg */
     const wreal crank_com_x = p[2]; /* m */
     const wreal crank_inertia_zz = p[5]; /* kg m^2 */
@@ -31,9 +34,11 @@ CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
     const wreal crank_first_moment_x = crank_mass * crank_com_x;
     const wreal crank_origin_inertia_zz = crank_inertia_zz + crank_com_x * crank_first_moment_x;
     const wreal crank_base_inertia_zz = crank_origin_inertia_zz
-        + 0.5 * coupler_mass * B_position_x * B_position_x * 2.0;
+        + B_position_x * coupler_mass * B_position_x;
 
     /* coupler: first moment, origin inertia */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
     const wreal coupler_com_x = p[8]; /* m */
     const wreal coupler_inertia_zz = p[11]; /* kg m^2 */
     const wreal coupler_first_moment_x = coupler_mass * coupler_com_x;
@@ -43,6 +48,8 @@ CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
     w[2] = coupler_origin_inertia_zz;
 
     /* rocker: first moment, origin inertia */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
     const wreal rocker_mass = p[13]; /* kg */
     const wreal rocker_com_x = p[14]; /* m */
     const wreal rocker_inertia_zz = p[17]; /* kg m^2 */
@@ -70,6 +77,7 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     (void)work;
 
     /* B: R */
+    /* R = R_fixed R_joint(q) */
     const real B_q = q[1]; /* rad */
     const real angle[CARDAN_PADDED(1)] = {B_q};
     real sine[CARDAN_PADDED(1)], cosine[CARDAN_PADDED(1)];
@@ -82,13 +90,15 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real B_position_x_times_crank_inertia_mean_moment_x = coupler_first_moment_x * B_cos *
         B_position_x;
 
-    /* crank: composite inertia */
+    /* crank: composite */
+    /* composite = own + sum R composite_child Rᵀ moved by p */
     const wreal coupler_origin_inertia_zz_plus_crank_base_inertia_zz = w[4];
     /* M: A.u,A.u */
     out[0] = 2.0 * B_position_x_times_crank_inertia_mean_moment_x
         + coupler_origin_inertia_zz_plus_crank_base_inertia_zz;
 
-    /* M: B A */
+    /* M */
+    /* M = S . momentum */
     const wreal coupler_origin_inertia_zz = w[2];
     const real M_B_A = coupler_origin_inertia_zz + B_position_x_times_crank_inertia_mean_moment_x;
     out[1] = M_B_A; /* M: A.u,B.u */

@@ -37,7 +37,8 @@
 
 CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
-    /* M: equations v equations v */
+    /* M */
+    /* M = S . momentum */
     const wreal m = p[2];
     const wreal m_cart = p[3];
     const wreal M_equations_v_equations_v = m_cart + 2.0 * m;
@@ -60,7 +61,9 @@ CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     w[6] = m_times_l_times_half_g;
     w[7] = m_times_g_times_l;
 
-    /* M: equations u1 equations u, equations u2 equations u, factor */
+    /* M: factor */
+    /* M = S . momentum */
+    /* factor = L, D with M = Lᵀ D L */
     const wreal M_equations_u1_equations_u1 = 1.3333333333333333 * m * l_squared;
     const wreal M_equations_u2_equations_u2 = 0.3333333333333333 * m * l_squared;
     const wreal M_factor_D_inverse_equations_u2 = 1.0 / M_equations_u2_equations_u2;
@@ -129,7 +132,9 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         - 0.5 * q2_sin * m_times_g_times_l + 0.5 * (v * m_times_half_l_times_u2_times_q2_sin
         + u1 * equations_drive_u1_part_2);
 
-    /* M: equations u2 equations u, factor */
+    /* M: factor */
+    /* M = S . momentum */
+    /* factor = L, D with M = Lᵀ D L */
     const wreal M_equations_v_equations_v = w[0];
     const wreal M_equations_u1_equations_u1 = w[3];
     const wreal M_factor_D_inverse_equations_u2 = w[8];
@@ -149,7 +154,8 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         - M_minus_equations_u2_equations_v * M_minus_factor_L_equations_u2_equations_v
         - M_factor_DL_equations_u1_equations_v * M_factor_L_equations_u1_equations_v);
 
-    /* equations: drive v, drive u */
+    /* equations: drive */
+    /* drive = tau + f - h */
     const real v_tau = tau[0];
     const real u1_tau = tau[1];
     const real u2_tau = tau[2];
@@ -161,10 +167,12 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         - equations_drive_u2_part_2;
 
     /* M: factor */
+    /* factor = L, D with M = Lᵀ D L */
     const real M_y_equations_u1 = equations_drive_u1
         - equations_drive_u2 * M_factor_L_equations_u2_equations_u1;
 
-    /* equations: udot v, udot u */
+    /* equations: udot */
+    /* udot = M⁻¹ drive */
     const real equations_udot_v = M_factor_D_inverse_equations_v * (equations_drive_v
         + equations_drive_u2 * M_minus_factor_L_equations_u2_equations_v
         - M_factor_L_equations_u1_equations_v * M_y_equations_u1);

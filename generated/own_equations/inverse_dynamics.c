@@ -125,7 +125,8 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real equations_tau_u2_part_2 = equations_tau_u2_part - 0.5 * q2_sin * m_times_g_times_l
         + 0.5 * (v * m_times_half_l_times_u2_times_q2_sin + u1 * equations_tau_u1_part_3);
 
-    /* equations: tau v, tau u */
+    /* equations: tau */
+    /* tau = S . [n; f] - force on the joint */
     const real vdot = udot[0];
     const real u1dot = udot[1];
     const real u2dot = udot[2];

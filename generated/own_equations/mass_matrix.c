@@ -21,7 +21,8 @@
 
 CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
-    /* M: equations v equations v */
+    /* M */
+    /* M = S . momentum */
     const wreal m = p[2];
     const wreal m_cart = p[3];
     const wreal M_equations_v_equations_v = m_cart + 2.0 * m;
@@ -37,7 +38,8 @@ CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
     w[2] = m_times_half_l;
     w[4] = l_squared_times_half_m;
 
-    /* M: equations u1 equations u, equations u2 equations u */
+    /* M */
+    /* M = S . momentum */
     const wreal M_equations_u1_equations_u1 = 1.3333333333333333 * m * l_squared;
     const wreal M_equations_u2_equations_u2 = 0.3333333333333333 * m * l_squared;
     w[3] = M_equations_u1_equations_u1;
@@ -75,7 +77,8 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[2] = M_equations_u2_equations_v; /* M: v,u2 */
     out[6] = M_equations_u2_equations_v; /* M: u2,v */
 
-    /* M: equations u2 equations u */
+    /* M */
+    /* M = S . momentum */
     const wreal l_squared_times_half_m = w[4];
     const real M_equations_u2_equations_u1 = (q1_cos * q2_cos
         + q1_sin * q2_sin) * l_squared_times_half_m;

@@ -45,7 +45,9 @@
 
 CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
-    /* coin: mass, origin inertia, base, base second moment */
+    /* coin: mass, origin inertia, base */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal m = p[0]; /* kg */
     const wreal r_value = p[1]; /* m */
     const wreal r_squared = r_value * r_value;
@@ -61,12 +63,14 @@ CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     w[6] = coin_base_second_moment_yy;
 
     /* rolling: M */
+    /* M = S . momentum */
     const wreal momentum_minus_rolling_lean_fy = m * r_value;
     const wreal r_times_momentum_minus_rolling_lean_fy = r_value * momentum_minus_rolling_lean_fy;
     w[7] = momentum_minus_rolling_lean_fy;
     w[8] = r_times_momentum_minus_rolling_lean_fy;
 
-    /* constraints: multipliers */
+    /* constraints: factor */
+    /* factor = L, D: M = Lᵀ D L, free_udot = M⁻¹ drive, response = M⁻¹ Gᵀ */
     const wreal M_factor_D_inverse_rolling_spin = 1.0 / coin_origin_inertia_yy;
     const wreal rolling_longitudinal_minus_z_rolling_spin = r_value *
         M_factor_D_inverse_rolling_spin;
@@ -89,9 +93,14 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real *const u = in->u;
     const wreal *const w = in->w;
     const real *const tau = in->tau;
+    real (*const circuit_matrix)[2] = (real (*)[2])(work + 0);
+    real *const circuit_right = work + 4;
+    real *const circuit_scratch = work + 6;
     int status = CARDAN_OK;
 
     /* rolling: G, R */
+    /* G = d(rate) / du */
+    /* R = R_fixed R_joint(q) */
     const real rolling_yaw = q[2]; /* rad */
     const real rolling_lean = q[3]; /* rad */
     const real rolling_spin = q[4]; /* rad */
@@ -105,7 +114,11 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real rolling_spin_cos = cosine[2];
     const real rolling_spin_sin = sine[2];
 
-    /* rolling: R, S, drift, gamma lateral */
+    /* rolling: R, S, drift, gamma */
+    /* R = R_fixed R_joint(q) */
+    /* S = d(twist of the child) / du */
+    /* drift = S' u + [0; omega x v] */
+    /* gamma = -d(rate)/dt at udot = 0 */
     const real rolling_u_x = u[0]; /* m/s */
     const real rolling_u_y = u[1]; /* m/s */
     const real rolling_u_yaw = u[2]; /* rad/s */
@@ -147,8 +160,16 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real rolling_u_yaw_times_yaw_cos = rolling_u_yaw * rolling_yaw_cos;
     const real rolling_gamma_lateral = rolling_u_y * rolling_u_yaw_times_yaw_sin
         + rolling_u_x * rolling_u_yaw_times_yaw_cos;
+    const real rolling_gamma_longitudinal = rolling_u_x * rolling_u_yaw_times_yaw_sin
+        - rolling_u_y * rolling_u_yaw_times_yaw_cos;
 
     /* coin: omega, alpha, a, U, n, f */
+    /* omega = Rᵀ omega_parent + S_w u */
+    /* alpha = Rᵀ alpha_parent + S_w udot + c_w */
+    /* a = Rᵀ (a_parent + U_parent p) + S_v udot + c_v */
+    /* U = [alpha] + [omega][omega] */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
+    /* f = inertia_force_f - applied_f + sum R f_child */
     const wreal m = w[0]; /* kg */
     const wreal gravity_z = w[2]; /* m/s^2 */
     const wreal coin_base_second_moment_xx = w[5];
@@ -185,7 +206,8 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real coin_f_y = m * coin_a_y;
     const real coin_f_z = m * coin_a_z;
 
-    /* momentum: rolling x fx, rolling x fz, rolling y fx, rolling y fy, rolling y fz, ... */
+    /* momentum */
+    /* momentum = composite inertia S */
     const wreal coin_origin_inertia_xx = w[3];
     const wreal coin_origin_inertia_yy = w[4];
     const real momentum_rolling_x_fx = m * rolling_R_xx;
@@ -200,7 +222,8 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real momentum_rolling_lean_mx = coin_origin_inertia_xx * rolling_spin_cos;
     const real momentum_rolling_lean_mz = coin_origin_inertia_xx * rolling_spin_sin;
 
-    /* M: rolling x rolling, rolling y rolling, rolling yaw rolling, rolling lean rolling, ... */
+    /* M */
+    /* M = S . momentum */
     const wreal momentum_minus_rolling_lean_fy = w[7];
     const wreal r_times_momentum_minus_rolling_lean_fy = w[8];
     const real M_rolling_x_rolling_x = rolling_R_xx * momentum_rolling_x_fx
@@ -219,7 +242,10 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real M_rolling_lean_rolling_lean = rolling_spin_cos * momentum_rolling_lean_mx
         + r_times_momentum_minus_rolling_lean_fy + rolling_spin_sin * momentum_rolling_lean_mz;
 
-    /* rolling: M, tau, tau yaw, tau lean, drive, drive yaw, drive lean, drive spin */
+    /* rolling: M, tau, drive */
+    /* M = S . momentum */
+    /* tau = S . [n; f] - force on the joint */
+    /* drive = tau + f - h */
     const real rolling_u_x_tau = tau[0]; /* N */
     const real rolling_u_y_tau = tau[1]; /* N */
     const real rolling_u_yaw_tau = tau[2]; /* N*m */
@@ -243,16 +269,20 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real rolling_drive_lean = rolling_u_lean_tau - rolling_tau_lean;
     const real rolling_drive_spin = rolling_u_spin_tau - coin_n_y;
 
-    /* M: rolling yaw rolling yaw */
+    /* M */
+    /* M = S . momentum */
     const real M_rolling_yaw_rolling_yaw = rolling_R_zz * momentum_rolling_yaw_mz
         + rolling_spin_cos_times_r_times_rolling_lean_sin * momentum_rolling_yaw_fx
         + M_rolling_yaw_rolling_yaw_part;
 
     /* shared by several: M */
+    /* M = S . momentum */
     const real momentum_minus_rolling_lean_about_ground_fy = rolling_R_yy *
         momentum_minus_rolling_lean_fy;
 
-    /* constraints: multipliers */
+    /* constraints: factor, multipliers */
+    /* factor = L, D: M = Lᵀ D L, free_udot = M⁻¹ drive, response = M⁻¹ Gᵀ */
+    /* multipliers = circuit⁻¹ (gamma - G free_udot) */
     const wreal M_factor_D_inverse_rolling_spin = w[9];
     const wreal rolling_longitudinal_minus_z_rolling_spin = w[10];
     const real M_factor_L_rolling_spin_rolling_yaw = momentum_rolling_yaw_my *
@@ -335,32 +365,34 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         rolling_longitudinal_response_rolling_x
         + rolling_yaw_sin * rolling_longitudinal_response_rolling_y
         + r_value * rolling_longitudinal_minus_response_rolling_spin;
-    work[0] = circuit_rolling_longitudinal_rolling_longitudinal;
+    circuit_matrix[0][0] = circuit_rolling_longitudinal_rolling_longitudinal;
     const real circuit_rolling_lateral_rolling_longitudinal = rolling_yaw_cos *
         rolling_longitudinal_response_rolling_y
         - rolling_yaw_sin * rolling_longitudinal_response_rolling_x;
-    work[1] = circuit_rolling_lateral_rolling_longitudinal;
-    work[2] = circuit_rolling_lateral_rolling_longitudinal;
+    circuit_matrix[0][1] = circuit_rolling_lateral_rolling_longitudinal;
+    circuit_matrix[1][0] = circuit_rolling_lateral_rolling_longitudinal;
     const real circuit_rolling_lateral_rolling_lateral = rolling_yaw_sin *
         rolling_lateral_minus_response_rolling_x
         + rolling_yaw_cos * rolling_lateral_response_rolling_y;
-    work[3] = circuit_rolling_lateral_rolling_lateral;
-    const real free_gamma_rolling_longitudinal = rolling_u_x * rolling_u_yaw_times_yaw_sin
-        - rolling_u_y * rolling_u_yaw_times_yaw_cos - rolling_yaw_cos * free_udot_rolling_x
-        - rolling_yaw_sin * free_udot_rolling_y + r_value * free_udot_rolling_spin;
-    work[4] = free_gamma_rolling_longitudinal;
+    circuit_matrix[1][1] = circuit_rolling_lateral_rolling_lateral;
+    const real free_gamma_rolling_longitudinal = rolling_gamma_longitudinal
+        - rolling_yaw_cos * free_udot_rolling_x - rolling_yaw_sin * free_udot_rolling_y
+        + r_value * free_udot_rolling_spin;
+    circuit_right[0] = free_gamma_rolling_longitudinal;
     const real free_gamma_rolling_lateral = rolling_gamma_lateral
         + rolling_yaw_sin * free_udot_rolling_x - rolling_yaw_cos * free_udot_rolling_y;
-    work[5] = free_gamma_rolling_lateral;
-    status |= CARDAN_SOLVE(semidefinite, 2, 1, work + 0, work + 4, work + 6);
+    circuit_right[1] = free_gamma_rolling_lateral;
+    /* circuit_matrix lam = circuit_right; the solution takes its place */
+    status |= CARDAN_SOLVE(semidefinite, 2, 1, circuit_matrix[0], circuit_right, circuit_scratch);
     const real rolling_udot_lean_part = rolling_drive_lean * M_factor_D_inverse_rolling_lean
         - M_factor_L_rolling_lean_rolling_x * free_udot_rolling_x
         + M_minus_factor_L_rolling_lean_rolling_y * free_udot_rolling_y
         - M_factor_L_rolling_lean_rolling_yaw * free_udot_rolling_yaw;
 
-    /* rolling: multiplier longitudinal, multiplier lateral, udot, udot yaw, udot spin */
-    const real rolling_multiplier_longitudinal = work[4];
-    const real rolling_multiplier_lateral = work[5];
+    /* rolling: multiplier longitudinal, multiplier lateral, udot */
+    /* udot = free_udot + response multipliers */
+    const real rolling_multiplier_longitudinal = circuit_right[0];
+    const real rolling_multiplier_lateral = circuit_right[1];
     /* udot: rolling.u.xdot [m/s^2] */
     out[0] = free_udot_rolling_x
         + rolling_longitudinal_response_rolling_x * rolling_multiplier_longitudinal
@@ -380,13 +412,15 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         rolling_multiplier_lateral;
 
     /* constraints: multipliers */
+    /* multipliers = circuit⁻¹ (gamma - G free_udot) */
     const real rolling_udot_lean_part_2 = (M_factor_L_rolling_lean_rolling_x *
         rolling_lateral_minus_response_rolling_x
         + M_minus_factor_L_rolling_lean_rolling_y * rolling_lateral_response_rolling_y
         - M_factor_L_rolling_lean_rolling_yaw * rolling_lateral_response_rolling_yaw) *
         rolling_multiplier_lateral;
 
-    /* rolling: udot lean */
+    /* rolling: udot */
+    /* udot = free_udot + response multipliers */
     /* udot: rolling.u.leandot [rad/s^2] */
     out[3] = rolling_longitudinal_response_rolling_lean * rolling_multiplier_longitudinal
         + rolling_udot_lean_part + rolling_udot_lean_part_2;

@@ -43,7 +43,9 @@
 
 CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
-    /* coin: mass, origin inertia, base, base second moment */
+    /* coin: mass, origin inertia, base */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal m = p[0]; /* kg */
     const wreal r_value = p[1]; /* m */
     const wreal r_squared = r_value * r_value;
@@ -75,6 +77,7 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     (void)work;
 
     /* rolling: R */
+    /* R = R_fixed R_joint(q) */
     const real rolling_yaw = q[2]; /* rad */
     const real rolling_lean = q[3]; /* rad */
     const real rolling_spin = q[4]; /* rad */
@@ -89,6 +92,9 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real rolling_spin_sin = sine[2];
 
     /* rolling: R, drift, S */
+    /* R = R_fixed R_joint(q) */
+    /* drift = S' u + [0; omega x v] */
+    /* S = d(twist of the child) / du */
     const real rolling_u_yaw = u[2]; /* rad/s */
     const real rolling_u_lean = u[3]; /* rad/s */
     const real rolling_u_spin = u[4]; /* rad/s */
@@ -123,6 +129,12 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         + rolling_u_yaw_times_lean_sin * rolling_u_yaw_times_lean_sin);
 
     /* coin: omega, alpha, a, f, U, n */
+    /* omega = Rᵀ omega_parent + S_w u */
+    /* alpha = Rᵀ alpha_parent + S_w udot + c_w */
+    /* a = Rᵀ (a_parent + U_parent p) + S_v udot + c_v */
+    /* f = inertia_force_f - applied_f + sum R f_child */
+    /* U = [alpha] + [omega][omega] */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
     const real rolling_u_xdot = udot[0]; /* m/s^2 */
     const real rolling_u_ydot = udot[1]; /* m/s^2 */
     const real rolling_u_yawdot = udot[2]; /* rad/s^2 */
@@ -177,7 +189,8 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         - coin_base_second_moment_xx * coin_U_yz;
     out[4] = coin_n_y; /* tau: rolling.u.spin.tau [N*m] */
 
-    /* rolling: tau, tau yaw, tau lean */
+    /* rolling: tau */
+    /* tau = S . [n; f] - force on the joint */
     /* tau: rolling.u.x.tau [N] */
     out[0] = rolling_R_xx * coin_f_x - rolling_minus_R_xy * coin_f_y + rolling_R_xz * coin_f_z;
     /* tau: rolling.u.y.tau [N] */

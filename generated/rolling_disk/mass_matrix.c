@@ -25,6 +25,7 @@
 CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
     /* coin: mass, origin inertia */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
     const wreal m = p[0]; /* kg */
     const wreal r_value = p[1]; /* m */
     const wreal r_squared = r_value * r_value;
@@ -34,6 +35,7 @@ CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
     w[3] = coin_origin_inertia_yy;
 
     /* rolling: M */
+    /* M = S . momentum */
     const wreal momentum_minus_rolling_lean_fy = m * r_value;
     const wreal r_times_momentum_minus_rolling_lean_fy = r_value * momentum_minus_rolling_lean_fy;
     w[4] = momentum_minus_rolling_lean_fy;
@@ -55,6 +57,7 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     (void)work;
 
     /* rolling: R */
+    /* R = R_fixed R_joint(q) */
     const real rolling_yaw = q[2]; /* rad */
     const real rolling_lean = q[3]; /* rad */
     const real rolling_spin = q[4]; /* rad */
@@ -69,6 +72,8 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real rolling_spin_sin = sine[2];
 
     /* rolling: R, S */
+    /* R = R_fixed R_joint(q) */
+    /* S = d(twist of the child) / du */
     const wreal r_value = w[1]; /* m */
     const real rolling_minus_R_xy = rolling_yaw_sin * rolling_lean_cos;
     const real rolling_yaw_sin_times_lean_sin = rolling_yaw_sin * rolling_lean_sin;
@@ -90,7 +95,8 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real rolling_spin_sin_times_r_times_rolling_lean_sin = rolling_spin_sin *
         r_times_rolling_lean_sin;
 
-    /* momentum: rolling x fx, rolling x fz, rolling y fx, rolling y fy, rolling y fz, ... */
+    /* momentum */
+    /* momentum = composite inertia S */
     const wreal m = w[0]; /* kg */
     const wreal coin_origin_inertia_xx = w[2];
     const wreal coin_origin_inertia_yy = w[3];
@@ -108,7 +114,8 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[14] = momentum_rolling_yaw_my; /* M: rolling.u.yaw,rolling.u.spin */
     out[22] = momentum_rolling_yaw_my; /* M: rolling.u.spin,rolling.u.yaw */
 
-    /* M: rolling x rolling, rolling lean rolling, rolling y rolling, rolling yaw rolling, ... */
+    /* M */
+    /* M = S . momentum */
     const wreal momentum_minus_rolling_lean_fy = w[4];
     const wreal r_times_momentum_minus_rolling_lean_fy = w[5];
     const real M_rolling_lean_rolling_x = rolling_minus_R_xy * momentum_minus_rolling_lean_fy;
@@ -141,17 +148,20 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
         + r_times_momentum_minus_rolling_lean_fy + rolling_spin_sin * momentum_rolling_lean_mz;
 
     /* shared by several: M */
+    /* M = S . momentum */
     const real momentum_rolling_lean_about_ground_fy = -rolling_R_yy *
         momentum_minus_rolling_lean_fy;
     out[8] = momentum_rolling_lean_about_ground_fy; /* M: rolling.u.y,rolling.u.lean */
     out[16] = momentum_rolling_lean_about_ground_fy; /* M: rolling.u.lean,rolling.u.y */
 
     /* rolling: M */
+    /* M = S . momentum */
     const real M_rolling_yaw_rolling_yaw_part = coin_origin_inertia_xx * rolling_minus_R_zx *
         rolling_minus_R_zx + rolling_lean_sin * momentum_rolling_yaw_my
         + rolling_spin_sin_times_r_times_rolling_lean_sin * momentum_rolling_yaw_fz;
 
-    /* M: rolling yaw rolling yaw */
+    /* M */
+    /* M = S . momentum */
     /* M: rolling.u.yaw,rolling.u.yaw */
     out[12] = rolling_R_zz * momentum_rolling_yaw_mz
         + rolling_spin_cos_times_r_times_rolling_lean_sin * momentum_rolling_yaw_fx

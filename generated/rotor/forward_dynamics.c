@@ -43,7 +43,8 @@
 
 CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
-    /* disk: base inertia, base, base second moment */
+    /* disk: base */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal disk_inertia_xx = p[3]; /* kg m^2 */
     const wreal disk_inertia_yy = p[4]; /* kg m^2 */
     const wreal disk_inertia_zz = p[5]; /* kg m^2 */
@@ -55,7 +56,9 @@ CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     w[5] = disk_base_second_moment_xx;
     w[6] = disk_base_second_moment_yy;
 
-    /* shaft: base second moment, inertia, composite inertia */
+    /* shaft: base, inertia, composite */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
+    /* composite = own + sum R composite_child Rᵀ moved by p */
     const wreal shaft_base_second_moment_zz = disk_base_half_trace - disk_inertia_zz;
     const wreal disk_inertia_xx_plus_base_inertia_yy = disk_inertia_xx + disk_base_inertia_yy;
     const wreal shaft_composite_inertia_zz = disk_inertia_zz - disk_inertia_xx;
@@ -64,6 +67,7 @@ CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     w[9] = shaft_composite_inertia_zz;
 
     /* M: factor */
+    /* factor = L, D with M = Lᵀ D L */
     const wreal disk_mass = p[2]; /* kg */
     const wreal M_factor_D_inverse_spin = 1.0 / disk_inertia_zz;
     const wreal M_factor_D_inverse_x = 1.0 / disk_mass;
@@ -90,6 +94,7 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     (void)work;
 
     /* shared by several: R */
+    /* R = R_fixed R_joint(q) */
     const real lean_q = q[3]; /* rad */
     const real spin_q = q[4]; /* rad */
     const real angle[CARDAN_PADDED(2)] = {spin_q, lean_q};
@@ -101,6 +106,9 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real lean_sin = sine[1];
 
     /* x: tau, drive, udot */
+    /* tau = S . [n; f] - force on the joint */
+    /* drive = tau + f - h */
+    /* udot = M⁻¹ drive */
     const real x_q = q[0]; /* m */
     const real y_q = q[1]; /* m */
     const real x_u_tau = tau[0]; /* N */
@@ -114,7 +122,11 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real x_drive = x_u_tau - x_tau;
     out[0] = x_drive * M_factor_D_inverse_x; /* udot: x.udot [m/s^2] */
 
-    /* shaft: inertia, composite inertia, omega, U, alpha */
+    /* shaft: inertia, composite, omega, U, alpha */
+    /* composite = own + sum R composite_child Rᵀ moved by p */
+    /* omega = Rᵀ omega_parent + S_w u */
+    /* U = [alpha] + [omega][omega] */
+    /* alpha = Rᵀ alpha_parent + S_w udot + c_w */
     const real tilt_u = u[2]; /* rad/s */
     const real lean_u = u[3]; /* rad/s */
     const wreal disk_base_inertia_yy = w[4];
@@ -133,13 +145,16 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     /* shared by several: inertia */
     const real c_minus_composite_inertia_xy = spin_cos * shaft_minus_inertia_shear * lean_cos;
 
-    /* c: composite inertia */
+    /* c: composite */
+    /* composite = own + sum R composite_child Rᵀ moved by p */
     const wreal disk_inertia_xx = w[2]; /* kg m^2 */
     const wreal shaft_composite_inertia_zz = w[9];
     const real c_composite_inertia_xx = disk_inertia_xx + shaft_composite_inertia_xx
         + lean_sin * (shaft_composite_inertia_zz - shaft_composite_inertia_xx) * lean_sin;
 
-    /* M: spin tilt, factor */
+    /* M: factor */
+    /* M = S . momentum */
+    /* factor = L, D with M = Lᵀ D L */
     const wreal disk_inertia_zz = w[3]; /* kg m^2 */
     const wreal M_factor_D_inverse_spin = w[10];
     const real M_spin_tilt = disk_inertia_zz * lean_sin;
@@ -148,6 +163,11 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real M_minus_factor_L_lean_tilt = c_minus_composite_inertia_xy * M_factor_D_inverse_lean;
 
     /* disk: omega, alpha, U, n, inertia force */
+    /* omega = Rᵀ omega_parent + S_w u */
+    /* alpha = Rᵀ alpha_parent + S_w udot + c_w */
+    /* U = [alpha] + [omega][omega] */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
+    /* inertia_force = [2 vee(skew(U J)) + h x a; m a + U h] */
     const wreal disk_base_second_moment_xx = w[5];
     const wreal disk_base_second_moment_yy = w[6];
     const real disk_omega_x = spin_cos * shaft_omega_x + lean_u * spin_sin;
@@ -166,6 +186,7 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         - disk_base_second_moment_yy * disk_U_xy;
 
     /* shaft: n */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
     const wreal shaft_base_second_moment_zz = w[7];
     const real shaft_n_x = spin_cos * disk_n_x - shaft_base_second_moment_zz * shaft_U_yz
         + spin_sin * disk_minus_n_y;
@@ -173,20 +194,27 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         - spin_cos * disk_minus_n_y;
 
     /* c: n */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
     const real c_n_x = lean_cos * shaft_n_x + lean_sin * disk_n_z;
 
     /* lean: tau, drive */
+    /* tau = S . [n; f] - force on the joint */
+    /* drive = tau + f - h */
     const real lean_u_tau = tau[3]; /* N*m */
     const real lean_tau = 8000.0 * lean_q + 20000.0 * x_q + shaft_n_y;
     const real lean_drive = lean_u_tau - lean_tau;
 
     /* tilt: tau, drive */
+    /* tau = S . [n; f] - force on the joint */
+    /* drive = tau + f - h */
     const real tilt_q = q[2]; /* rad */
     const real tilt_u_tau = tau[2]; /* N*m */
     const real tilt_tau = 8000.0 * tilt_q - 20000.0 * y_q + c_n_x;
     const real tilt_drive = tilt_u_tau - tilt_tau;
 
     /* y: drive, udot */
+    /* drive = tau + f - h */
+    /* udot = M⁻¹ drive */
     const real y_u_tau = tau[1]; /* N */
     const real y_u = u[1]; /* m/s */
     const real y_drive = 20000.0 * tilt_q + y_u_tau - (400000.0 * y_q + outer * y_u)
@@ -194,20 +222,24 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[1] = y_drive * M_factor_D_inverse_x; /* udot: y.udot [m/s^2] */
 
     /* spin: drive */
+    /* drive = tau + f - h */
     const real spin_u_tau = tau[4]; /* N*m */
     const real spin_drive = spin_u_tau - disk_n_z;
 
     /* tilt: udot */
+    /* udot = M⁻¹ drive */
     const real tilt_udot = 1.0 / (c_composite_inertia_xx - M_spin_tilt * M_factor_L_spin_tilt
         - c_minus_composite_inertia_xy * M_minus_factor_L_lean_tilt) * (lean_drive *
         M_minus_factor_L_lean_tilt - spin_drive * M_factor_L_spin_tilt + tilt_drive);
     out[2] = tilt_udot; /* udot: tilt.udot [rad/s^2] */
 
     /* lean: udot */
+    /* udot = M⁻¹ drive */
     /* udot: lean.udot [rad/s^2] */
     out[3] = lean_drive * M_factor_D_inverse_lean + M_minus_factor_L_lean_tilt * tilt_udot;
 
     /* spin: udot */
+    /* udot = M⁻¹ drive */
     /* udot: spin.udot [rad/s^2] */
     out[4] = spin_drive * M_factor_D_inverse_spin - M_factor_L_spin_tilt * tilt_udot;
     return CARDAN_OK;

@@ -43,7 +43,8 @@
 
 CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
-    /* disk: base, base second moment */
+    /* disk: base */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal disk_inertia_xx = p[3]; /* kg m^2 */
     const wreal disk_inertia_yy = p[4]; /* kg m^2 */
     const wreal disk_inertia_zz = p[5]; /* kg m^2 */
@@ -53,7 +54,8 @@ CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     w[3] = disk_base_second_moment_xx;
     w[4] = disk_base_second_moment_yy;
 
-    /* shaft: base second moment */
+    /* shaft: base */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal shaft_base_second_moment_zz = disk_base_half_trace - disk_inertia_zz;
     w[5] = shaft_base_second_moment_zz;
 
@@ -76,6 +78,7 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     (void)work;
 
     /* shared by several: R */
+    /* R = R_fixed R_joint(q) */
     const real lean_q = q[3]; /* rad */
     const real spin_q = q[4]; /* rad */
     const real angle[CARDAN_PADDED(2)] = {lean_q, spin_q};
@@ -87,6 +90,9 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real spin_sin = sine[1];
 
     /* shaft: omega, U, alpha */
+    /* omega = Rᵀ omega_parent + S_w u */
+    /* U = [alpha] + [omega][omega] */
+    /* alpha = Rᵀ alpha_parent + S_w udot + c_w */
     const real tilt_u = u[2]; /* rad/s */
     const real lean_u = u[3]; /* rad/s */
     const real tilt_udot = udot[2]; /* rad/s^2 */
@@ -100,6 +106,11 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real shaft_alpha_z = lean_u * shaft_omega_x + tilt_udot * lean_sin;
 
     /* disk: omega, alpha, U, n, inertia force */
+    /* omega = Rᵀ omega_parent + S_w u */
+    /* alpha = Rᵀ alpha_parent + S_w udot + c_w */
+    /* U = [alpha] + [omega][omega] */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
+    /* inertia_force = [2 vee(skew(U J)) + h x a; m a + U h] */
     const real spin_u = u[4]; /* rad/s */
     const real spin_udot = udot[4]; /* rad/s^2 */
     const wreal disk_base_second_moment_xx = w[3];
@@ -124,6 +135,7 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[4] = disk_n_z; /* tau: spin.u.tau [N*m] */
 
     /* b: f */
+    /* f = inertia_force_f - applied_f + sum R f_child */
     const real x_udot = udot[0]; /* m/s^2 */
     const real y_udot = udot[1]; /* m/s^2 */
     const wreal disk_mass = w[2]; /* kg */
@@ -131,6 +143,7 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real b_f_y = disk_mass * y_udot;
 
     /* x: tau */
+    /* tau = S . [n; f] - force on the joint */
     const real x_q = q[0]; /* m */
     const real y_q = q[1]; /* m */
     const real x_u = u[0]; /* m/s */
@@ -141,6 +154,7 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         + y_q * spin_u);
 
     /* y: tau */
+    /* tau = S . [n; f] - force on the joint */
     const real tilt_q = q[2]; /* rad */
     const real y_u = u[1]; /* m/s */
     /* tau: y.u.tau [N] */
@@ -148,6 +162,7 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         - x_q * spin_u);
 
     /* shaft: n */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
     const wreal shaft_base_second_moment_zz = w[5];
     const real shaft_n_x = spin_cos * disk_n_x - shaft_base_second_moment_zz * shaft_U_yz
         + spin_sin * disk_minus_n_y;
@@ -155,12 +170,15 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         - spin_cos * disk_minus_n_y;
 
     /* c: n */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
     const real c_n_x = lean_cos * shaft_n_x + lean_sin * disk_n_z;
 
     /* lean: tau */
+    /* tau = S . [n; f] - force on the joint */
     out[3] = 8000.0 * lean_q + 20000.0 * x_q + shaft_n_y; /* tau: lean.u.tau [N*m] */
 
     /* tilt: tau */
+    /* tau = S . [n; f] - force on the joint */
     out[2] = 8000.0 * tilt_q - 20000.0 * y_q + c_n_x; /* tau: tilt.u.tau [N*m] */
     return CARDAN_OK;
 }

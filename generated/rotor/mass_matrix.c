@@ -24,13 +24,15 @@
 
 CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
-    /* disk: base inertia */
+    /* disk: base */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal disk_inertia_xx = p[3]; /* kg m^2 */
     const wreal disk_inertia_yy = p[4]; /* kg m^2 */
     const wreal disk_base_inertia_yy = disk_inertia_yy - disk_inertia_xx;
     w[3] = disk_base_inertia_yy;
 
-    /* shaft: inertia, composite inertia */
+    /* shaft: inertia, composite */
+    /* composite = own + sum R composite_child Rᵀ moved by p */
     const wreal disk_inertia_zz = p[5]; /* kg m^2 */
     const wreal disk_inertia_xx_plus_base_inertia_yy = disk_inertia_xx + disk_base_inertia_yy;
     const wreal shaft_composite_inertia_zz = disk_inertia_zz - disk_inertia_xx;
@@ -54,6 +56,7 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     (void)work;
 
     /* shared by several: R */
+    /* R = R_fixed R_joint(q) */
     const real lean_q = q[3]; /* rad */
     const real spin_q = q[4]; /* rad */
     const real angle[CARDAN_PADDED(2)] = {spin_q, lean_q};
@@ -64,7 +67,8 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real lean_cos = cosine[1];
     const real lean_sin = sine[1];
 
-    /* shaft: inertia, composite inertia */
+    /* shaft: inertia, composite */
+    /* composite = own + sum R composite_child Rᵀ moved by p */
     const wreal disk_base_inertia_yy = w[3];
     const wreal disk_inertia_xx_plus_base_inertia_yy = w[4];
     const real shaft_minus_inertia_shear = disk_base_inertia_yy * spin_sin;
@@ -77,14 +81,16 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[13] = c_composite_inertia_xy; /* M: tilt.u,lean.u */
     out[17] = c_composite_inertia_xy; /* M: lean.u,tilt.u */
 
-    /* c: composite inertia */
+    /* c: composite */
+    /* composite = own + sum R composite_child Rᵀ moved by p */
     const wreal disk_inertia_xx = w[1]; /* kg m^2 */
     const wreal shaft_composite_inertia_zz = w[5];
     /* M: tilt.u,tilt.u */
     out[12] = disk_inertia_xx + shaft_composite_inertia_xx
         + lean_sin * (shaft_composite_inertia_zz - shaft_composite_inertia_xx) * lean_sin;
 
-    /* M: spin tilt */
+    /* M */
+    /* M = S . momentum */
     const wreal disk_inertia_zz = w[2]; /* kg m^2 */
     const real M_spin_tilt = disk_inertia_zz * lean_sin;
     out[14] = M_spin_tilt; /* M: tilt.u,spin.u */

@@ -54,10 +54,12 @@ CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     w[7] = mu_sqrt;
 
     /* orbit.carrier: omega */
+    /* omega = Rᵀ omega_parent + S_w u */
     const wreal orbit_carrier_omega_z = 5.1997490667489175e-11 * mu_sqrt;
     w[8] = orbit_carrier_omega_z;
 
-    /* sat: base, base second moment */
+    /* sat: base */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal sat_inertia_xx = p[4]; /* kg m^2 */
     const wreal sat_inertia_yy = p[5]; /* kg m^2 */
     const wreal sat_inertia_zz = p[6]; /* kg m^2 */
@@ -70,6 +72,7 @@ CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     w[11] = sat_base_second_moment_zz;
 
     /* M: factor */
+    /* factor = L, D with M = Lᵀ D L */
     const wreal M_factor_D_inverse_attitude_z = 1.0 / sat_inertia_zz;
     const wreal M_factor_D_inverse_attitude_y = 1.0 / sat_inertia_yy;
     const wreal M_factor_D_inverse_attitude_x = 1.0 / sat_inertia_xx;
@@ -99,6 +102,7 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     (void)work;
 
     /* shared by several: motion, R */
+    /* R = R_fixed R_joint(q) */
     const real attitude_angle1 = q[0]; /* rad */
     const real attitude_angle2 = q[1]; /* rad */
     const real attitude_angle3 = q[2]; /* rad */
@@ -106,20 +110,21 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const wreal mu_sqrt = w[7];
     const real mu_sqrt_times_t_times_c5p1997490667489175em11 = 5.1997490667489175e-11 * t_value *
         mu_sqrt;
-    const real angle_2[CARDAN_PADDED(4)] = {attitude_angle1, attitude_angle2, attitude_angle3,
+    const real angle[CARDAN_PADDED(4)] = {attitude_angle1, attitude_angle2, attitude_angle3,
         mu_sqrt_times_t_times_c5p1997490667489175em11};
-    real sine_2[CARDAN_PADDED(4)], cosine_2[CARDAN_PADDED(4)];
-    cardan_sincos(4, angle_2, sine_2, cosine_2);
-    const real attitude_angle1_cos = cosine_2[0];
-    const real attitude_angle1_sin = sine_2[0];
-    const real attitude_angle2_cos = cosine_2[1];
-    const real attitude_angle2_sin = sine_2[1];
-    const real attitude_angle3_cos = cosine_2[2];
-    const real attitude_angle3_sin = sine_2[2];
-    const real cos_of_mu_sqrt_times_t_times_c5p1997490667489175em11 = cosine_2[3];
-    const real sin_of_mu_sqrt_times_t_times_c5p1997490667489175em11 = sine_2[3];
+    real sine[CARDAN_PADDED(4)], cosine[CARDAN_PADDED(4)];
+    cardan_sincos(4, angle, sine, cosine);
+    const real attitude_angle1_cos = cosine[0];
+    const real attitude_angle1_sin = sine[0];
+    const real attitude_angle2_cos = cosine[1];
+    const real attitude_angle2_sin = sine[1];
+    const real attitude_angle3_cos = cosine[2];
+    const real attitude_angle3_sin = sine[2];
+    const real cos_of_mu_sqrt_times_t_times_c5p1997490667489175em11 = cosine[3];
+    const real sin_of_mu_sqrt_times_t_times_c5p1997490667489175em11 = sine[3];
 
     /* attitude: R */
+    /* R = R_fixed R_joint(q) */
     const real attitude_R_yx = attitude_angle1_cos * attitude_angle2_cos;
     const real attitude_angle1_cos_times_angle2_sin = attitude_angle1_cos * attitude_angle2_sin;
     const real attitude_minus_R_zx = attitude_angle1_sin * attitude_angle2_cos;
@@ -136,6 +141,7 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real attitude_minus_R_xz = attitude_angle2_cos * attitude_angle3_cos;
 
     /* orbit: R */
+    /* R = R_fixed R_joint(q) */
     const wreal orbit_plane_child_rotation_angle2_cos = w[1];
     const wreal orbit_plane_child_rotation_angle2_sin = w[2];
     const real orbit_R_yx = orbit_plane_child_rotation_angle2_cos *
@@ -148,6 +154,10 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         cos_of_mu_sqrt_times_t_times_c5p1997490667489175em11;
 
     /* sat: position, alpha, omega, U */
+    /* position = position_parent + orientation_parent p */
+    /* alpha = Rᵀ alpha_parent + S_w udot + c_w */
+    /* omega = Rᵀ omega_parent + S_w u */
+    /* U = [alpha] + [omega][omega] */
     const real attitude_u_x = u[0]; /* rad/s */
     const real attitude_u_y = u[1]; /* rad/s */
     const real attitude_u_z = u[2]; /* rad/s */
@@ -179,7 +189,8 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real sat_U_zx = sat_omega_x_times_omega_z - sat_alpha_y;
     const real sat_U_zy = sat_alpha_x + sat_omega_y_times_omega_z;
 
-    /* gradient: force */
+    /* gradient: gravity gradient */
+    /* torque = 3 mu / r^5 r x I r */
     const wreal mu = w[0]; /* m^3/s^2 */
     const wreal sat_inertia_xx = w[4]; /* kg m^2 */
     const wreal sat_inertia_yy = w[5]; /* kg m^2 */
@@ -187,62 +198,78 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real sat_orientation_xx_times_position_x = (attitude_angle2_sin *
         cos_of_mu_sqrt_times_t_times_c5p1997490667489175em11
         - attitude_R_yx * sin_of_mu_sqrt_times_t_times_c5p1997490667489175em11) * sat_position_x;
-    const real gradient_force_r_x_part = sat_orientation_xx_times_position_x
+    const real gradient_gravity_gradient_r_x_part = sat_orientation_xx_times_position_x
         + (attitude_angle2_sin * orbit_R_yx
         - orbit_plane_child_rotation_angle2_sin * attitude_minus_R_zx
         + attitude_R_yx * orbit_R_yy) * sat_position_y;
-    const real gradient_force_r_x = (attitude_angle2_sin * orbit_minus_R_zx
+    const real gradient_gravity_gradient_r_x = (attitude_angle2_sin * orbit_minus_R_zx
         + orbit_plane_child_rotation_angle2_cos * attitude_minus_R_zx
-        + attitude_R_yx * orbit_minus_R_zy) * sat_minus_position_z + gradient_force_r_x_part;
+        + attitude_R_yx * orbit_minus_R_zy) * sat_minus_position_z
+        + gradient_gravity_gradient_r_x_part;
     const real sat_minus_orientation_xy_times_position_x = (attitude_minus_R_xy *
         cos_of_mu_sqrt_times_t_times_c5p1997490667489175em11
         + attitude_R_yy * sin_of_mu_sqrt_times_t_times_c5p1997490667489175em11) * sat_position_x;
-    const real gradient_force_r_y_part = (attitude_R_yy * orbit_R_yy
+    const real gradient_gravity_gradient_r_y_part = (attitude_R_yy * orbit_R_yy
         - attitude_minus_R_xy * orbit_R_yx
         - orbit_plane_child_rotation_angle2_sin * attitude_minus_R_zy) * sat_position_y
         - sat_minus_orientation_xy_times_position_x;
-    const real gradient_force_r_y = gradient_force_r_y_part
+    const real gradient_gravity_gradient_r_y = gradient_gravity_gradient_r_y_part
         - (attitude_minus_R_xy * orbit_minus_R_zx - attitude_R_yy * orbit_minus_R_zy
         - orbit_plane_child_rotation_angle2_cos * attitude_minus_R_zy) * sat_minus_position_z;
     const real sat_minus_orientation_xz_times_position_x = (attitude_minus_R_xz *
         cos_of_mu_sqrt_times_t_times_c5p1997490667489175em11
         + attitude_R_yz * sin_of_mu_sqrt_times_t_times_c5p1997490667489175em11) * sat_position_x;
-    const real gradient_force_r_z_part = (attitude_R_yz * orbit_R_yy
+    const real gradient_gravity_gradient_r_z_part = (attitude_R_yz * orbit_R_yy
         - attitude_minus_R_xz * orbit_R_yx
         - orbit_plane_child_rotation_angle2_sin * attitude_minus_R_zz) * sat_position_y
         - sat_minus_orientation_xz_times_position_x;
-    const real gradient_force_r_z = gradient_force_r_z_part
+    const real gradient_gravity_gradient_r_z = gradient_gravity_gradient_r_z_part
         - (attitude_minus_R_xz * orbit_minus_R_zx - attitude_R_yz * orbit_minus_R_zy
         - orbit_plane_child_rotation_angle2_cos * attitude_minus_R_zz) * sat_minus_position_z;
-    const real gradient_force_distance = cardan_sqrt(gradient_force_r_x * gradient_force_r_x
-        + gradient_force_r_z * gradient_force_r_z + gradient_force_r_y * gradient_force_r_y);
-    const real gradient_force_direction_x = gradient_force_r_x / gradient_force_distance;
-    const real gradient_force_direction_y = gradient_force_r_y / gradient_force_distance;
-    const real gradient_force_direction_z = gradient_force_r_z / gradient_force_distance;
-    const real gradient_force_leaning_x = sat_inertia_xx * gradient_force_direction_x;
-    const real gradient_force_leaning_y = sat_inertia_yy * gradient_force_direction_y;
-    const real gradient_force_leaning_z = sat_inertia_zz * gradient_force_direction_z;
-    const real gradient_force_strength_times_c3 = mu / (gradient_force_distance *
-        gradient_force_distance * gradient_force_distance) * 3.0;
+    const real gradient_gravity_gradient_distance = cardan_sqrt(gradient_gravity_gradient_r_x *
+        gradient_gravity_gradient_r_x
+        + gradient_gravity_gradient_r_z * gradient_gravity_gradient_r_z
+        + gradient_gravity_gradient_r_y * gradient_gravity_gradient_r_y);
+    const real gradient_gravity_gradient_direction_x = gradient_gravity_gradient_r_x /
+        gradient_gravity_gradient_distance;
+    const real gradient_gravity_gradient_direction_y = gradient_gravity_gradient_r_y /
+        gradient_gravity_gradient_distance;
+    const real gradient_gravity_gradient_direction_z = gradient_gravity_gradient_r_z /
+        gradient_gravity_gradient_distance;
+    const real gradient_gravity_gradient_leaning_x = sat_inertia_xx *
+        gradient_gravity_gradient_direction_x;
+    const real gradient_gravity_gradient_leaning_y = sat_inertia_yy *
+        gradient_gravity_gradient_direction_y;
+    const real gradient_gravity_gradient_leaning_z = sat_inertia_zz *
+        gradient_gravity_gradient_direction_z;
+    const real gradient_gravity_gradient_strength_times_c3 = mu /
+        (gradient_gravity_gradient_distance * gradient_gravity_gradient_distance *
+        gradient_gravity_gradient_distance) * 3.0;
 
     /* sat: n */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
     const wreal sat_base_second_moment_xx = w[9];
     const wreal sat_base_second_moment_yy = w[10];
     const wreal sat_base_second_moment_zz = w[11];
     const real sat_n_x = sat_base_second_moment_yy * sat_U_zy
         - sat_base_second_moment_zz * sat_U_yz
-        - (gradient_force_direction_y * gradient_force_leaning_z
-        - gradient_force_direction_z * gradient_force_leaning_y) * gradient_force_strength_times_c3;
+        - (gradient_gravity_gradient_direction_y * gradient_gravity_gradient_leaning_z
+        - gradient_gravity_gradient_direction_z * gradient_gravity_gradient_leaning_y) *
+        gradient_gravity_gradient_strength_times_c3;
     const real sat_n_y = sat_base_second_moment_zz * sat_U_xz
         - sat_base_second_moment_xx * sat_U_zx
-        - (gradient_force_direction_z * gradient_force_leaning_x
-        - gradient_force_direction_x * gradient_force_leaning_z) * gradient_force_strength_times_c3;
+        - (gradient_gravity_gradient_direction_z * gradient_gravity_gradient_leaning_x
+        - gradient_gravity_gradient_direction_x * gradient_gravity_gradient_leaning_z) *
+        gradient_gravity_gradient_strength_times_c3;
     const real sat_n_z = sat_base_second_moment_xx * sat_U_yx
         - sat_base_second_moment_yy * sat_U_xy
-        - (gradient_force_direction_x * gradient_force_leaning_y
-        - gradient_force_direction_y * gradient_force_leaning_x) * gradient_force_strength_times_c3;
+        - (gradient_gravity_gradient_direction_x * gradient_gravity_gradient_leaning_y
+        - gradient_gravity_gradient_direction_y * gradient_gravity_gradient_leaning_x) *
+        gradient_gravity_gradient_strength_times_c3;
 
     /* attitude: drive, udot */
+    /* drive = tau + f - h */
+    /* udot = M⁻¹ drive */
     const real attitude_u_x_tau = tau[0]; /* N*m */
     const real attitude_u_y_tau = tau[1]; /* N*m */
     const real attitude_u_z_tau = tau[2]; /* N*m */

@@ -7,7 +7,7 @@
  *
  * Sizes: out 10, work 24, w 35
  * Operations per call: 1456 = 792 mul, 356 sub, 287 add, 9 div, 4 cos, 4 sin, 3 neg, 1 solve
- * Operations of prepare: 106 = 53 add, 33 mul, 19 sub, 1 div
+ * Operations of prepare: 90 = 49 add, 21 mul, 19 sub, 1 div
  *
  * Input q (11): generalized coordinates
  *   q[0]  drift.w
@@ -66,7 +66,10 @@
 
 CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
-    /* panel0: first moment, mass, origin inertia, base, base second moment */
+    /* panel0: first moment, mass, origin inertia, base */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal panel0_mass = p[5]; /* kg */
     const wreal panel0_com_x = p[6]; /* m */
     const wreal panel0_inertia_xx = p[7]; /* kg m^2 */
@@ -81,7 +84,10 @@ CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     const wreal panel0_base_second_moment_zz = panel0_base_half_trace - panel0_origin_inertia_zz;
     w[24] = panel0_base_second_moment_zz;
 
-    /* panel1: first moment, mass, origin inertia, base, base second moment */
+    /* panel1: first moment, mass, origin inertia, base */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal panel1_mass = p[11]; /* kg */
     const wreal panel1_com_x = p[12]; /* m */
     const wreal panel1_inertia_xx = p[13]; /* kg m^2 */
@@ -96,26 +102,30 @@ CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     const wreal panel1_base_second_moment_zz = panel1_base_half_trace - panel1_origin_inertia_zz;
     w[25] = panel1_base_second_moment_zz;
 
-    /* panel2: first moment, mass, origin inertia, base moment, base, base second moment */
+    /* panel2: first moment, mass, origin inertia, base */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal panel2_mass = p[17]; /* kg */
     const wreal panel2_com_x = p[18]; /* m */
     const wreal panel2_inertia_xx = p[19]; /* kg m^2 */
     const wreal panel2_inertia_yy = p[20]; /* kg m^2 */
     const wreal panel2_inertia_zz = p[21]; /* kg m^2 */
-    const wreal hinge3_position_x = p[22]; /* m */
-    const wreal panel3_mass = p[23]; /* kg */
     const wreal panel2_first_moment_x = panel2_mass * panel2_com_x;
     const wreal panel2_com_x_times_first_moment_x = panel2_com_x * panel2_first_moment_x;
     const wreal panel2_origin_inertia_yy = panel2_inertia_yy + panel2_com_x_times_first_moment_x;
     const wreal panel2_origin_inertia_zz = panel2_inertia_zz + panel2_com_x_times_first_moment_x;
-    const wreal panel2_base_moment_x = panel2_first_moment_x + hinge3_position_x * panel3_mass;
     const wreal panel2_base_half_trace = 0.5 * (panel2_inertia_xx + panel2_origin_inertia_yy
         + panel2_origin_inertia_zz);
     const wreal panel2_base_second_moment_zz = panel2_base_half_trace - panel2_origin_inertia_zz;
-    w[9] = panel2_base_moment_x;
     w[26] = panel2_base_second_moment_zz;
 
-    /* panel3: first moment, mass, origin inertia, base inertia, base, base second moment */
+    /* panel3: first moment, mass, origin inertia, base */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
+    const wreal hinge3_position_x = p[22]; /* m */
+    const wreal panel3_mass = p[23]; /* kg */
     const wreal panel3_com_x = p[24]; /* m */
     const wreal panel3_inertia_xx = p[25]; /* kg m^2 */
     const wreal panel3_inertia_yy = p[26]; /* kg m^2 */
@@ -125,9 +135,8 @@ CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     const wreal panel3_origin_inertia_yy = panel3_inertia_yy + panel3_com_x_times_first_moment_x;
     const wreal panel3_origin_inertia_zz = panel3_inertia_zz + panel3_com_x_times_first_moment_x;
     const wreal panel3_base_inertia_zz = panel3_origin_inertia_zz - panel3_inertia_xx;
-    const wreal hinge3_position_x_times_panel3_base_mean_moment_x = 0.5 * panel3_mass *
-        hinge3_position_x * hinge3_position_x;
-    const wreal panel3_base_shift = 2.0 * hinge3_position_x_times_panel3_base_mean_moment_x;
+    const wreal panel3_base_mass_moment_x = hinge3_position_x * panel3_mass;
+    const wreal panel3_base_inertia_yy = hinge3_position_x * panel3_base_mass_moment_x;
     const wreal panel2_mass_plus_panel3_mass = panel2_mass + panel3_mass;
     const wreal panel2_base_inertia_xx = panel2_inertia_xx + panel3_inertia_xx;
     const wreal panel3_base_half_trace = 0.5 * (panel3_inertia_xx + panel3_origin_inertia_yy
@@ -140,78 +149,70 @@ CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     w[27] = panel3_base_second_moment_xx;
     w[28] = panel3_base_second_moment_zz;
 
-    /* panel2: base inertia, base, base second moment */
+    /* panel2: base */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal hinge2_position_x = p[16]; /* m */
-    const wreal panel2_base_inertia_yy = panel2_origin_inertia_yy + panel3_base_shift;
-    const wreal panel2_base_inertia_zz = panel3_inertia_xx + panel3_base_shift
+    const wreal panel2_base_moment_x = panel2_first_moment_x + panel3_base_mass_moment_x;
+    const wreal panel2_base_inertia_yy = panel2_origin_inertia_yy + panel3_base_inertia_yy;
+    const wreal panel2_base_inertia_zz = panel3_inertia_xx + panel3_base_inertia_yy
         + panel2_origin_inertia_zz - panel2_base_inertia_xx;
-    const wreal hinge2_position_x_times_panel2_base_mean_moment_x = 0.5 *
-        panel2_mass_plus_panel3_mass * hinge2_position_x * hinge2_position_x;
-    const wreal panel2_base_shift = 2.0 * hinge2_position_x_times_panel2_base_mean_moment_x;
+    const wreal panel2_base_mass_moment_x = hinge2_position_x * panel2_mass_plus_panel3_mass;
+    const wreal panel2_base_inertia_yy_2 = hinge2_position_x * panel2_base_mass_moment_x;
     const wreal panel1_mass_plus_panel2_mass_plus_panel3_mass = panel1_mass
         + panel2_mass_plus_panel3_mass;
     const wreal panel1_base_inertia_xx = panel1_inertia_xx + panel2_base_inertia_xx;
     const wreal panel2_base_second_moment_xx = panel2_base_half_trace - panel2_inertia_xx
-        + (hinge3_position_x_times_panel3_base_mean_moment_x
-        + hinge3_position_x_times_panel3_base_mean_moment_x);
+        + panel3_base_inertia_yy;
+    w[9] = panel2_base_moment_x;
     w[10] = panel2_base_inertia_yy;
     w[11] = panel2_base_inertia_zz;
     w[29] = panel2_base_second_moment_xx;
 
-    /* panel1: base moment, base inertia, base, base second moment */
+    /* panel1: base */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal hinge1_position_x = p[10]; /* m */
-    const wreal panel1_base_moment_x = panel1_first_moment_x
-        + hinge2_position_x * panel2_mass_plus_panel3_mass;
-    const wreal panel1_base_inertia_yy = panel1_origin_inertia_yy + panel2_base_shift;
-    const wreal panel1_base_inertia_zz = panel2_base_inertia_xx + panel2_base_shift
+    const wreal panel1_base_moment_x = panel1_first_moment_x + panel2_base_mass_moment_x;
+    const wreal panel1_base_inertia_yy = panel1_origin_inertia_yy + panel2_base_inertia_yy_2;
+    const wreal panel1_base_inertia_zz = panel2_base_inertia_xx + panel2_base_inertia_yy_2
         + panel1_origin_inertia_zz - panel1_base_inertia_xx;
-    const wreal hinge1_position_x_times_panel1_base_mean_moment_x = 0.5 *
-        panel1_mass_plus_panel2_mass_plus_panel3_mass * hinge1_position_x * hinge1_position_x;
-    const wreal panel1_base_shift = 2.0 * hinge1_position_x_times_panel1_base_mean_moment_x;
-    const wreal panel0_base_mean_moment_x_part = panel0_mass
+    const wreal panel1_base_mass_moment_x = hinge1_position_x *
+        panel1_mass_plus_panel2_mass_plus_panel3_mass;
+    const wreal panel1_base_inertia_yy_2 = hinge1_position_x * panel1_base_mass_moment_x;
+    const wreal hub_base_moment_x_part = panel0_mass
         + panel1_mass_plus_panel2_mass_plus_panel3_mass;
     const wreal panel0_base_inertia_xx = panel0_inertia_xx + panel1_base_inertia_xx;
     const wreal panel1_base_second_moment_xx = panel1_base_half_trace - panel1_inertia_xx
-        + (hinge2_position_x_times_panel2_base_mean_moment_x
-        + hinge2_position_x_times_panel2_base_mean_moment_x);
+        + panel2_base_inertia_yy_2;
     w[12] = panel1_base_moment_x;
     w[13] = panel1_base_inertia_yy;
     w[14] = panel1_base_inertia_zz;
     w[30] = panel1_base_second_moment_xx;
 
-    /* panel0: base moment, base inertia, base, base second moment */
-    const wreal hinge0_position_x = p[4]; /* m */
-    const wreal panel0_base_moment_x = panel0_first_moment_x
-        + hinge1_position_x * panel1_mass_plus_panel2_mass_plus_panel3_mass;
-    const wreal panel0_base_inertia_yy = panel0_origin_inertia_yy + panel1_base_shift;
-    const wreal panel0_base_inertia_zz = panel1_base_inertia_xx + panel1_base_shift
+    /* panel0: base */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
+    const wreal panel0_base_moment_x = panel0_first_moment_x + panel1_base_mass_moment_x;
+    const wreal panel0_base_inertia_yy = panel0_origin_inertia_yy + panel1_base_inertia_yy_2;
+    const wreal panel0_base_inertia_zz = panel1_base_inertia_xx + panel1_base_inertia_yy_2
         + panel0_origin_inertia_zz - panel0_base_inertia_xx;
-    const wreal hinge0_position_x_times_panel0_base_mean_moment_x = 0.5 *
-        panel0_base_mean_moment_x_part * hinge0_position_x * hinge0_position_x;
-    const wreal panel0_base_shift = 2.0 * hinge0_position_x_times_panel0_base_mean_moment_x;
     const wreal panel0_base_second_moment_xx = panel0_base_half_trace - panel0_inertia_xx
-        + (hinge1_position_x_times_panel1_base_mean_moment_x
-        + hinge1_position_x_times_panel1_base_mean_moment_x);
+        + panel1_base_inertia_yy_2;
     w[15] = panel0_base_moment_x;
     w[16] = panel0_base_inertia_yy;
     w[17] = panel0_base_inertia_zz;
     w[31] = panel0_base_second_moment_xx;
 
-    /* hub: base moment, base mass, base inertia, base, base second moment */
+    /* hub: base */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal hub_mass = p[0]; /* kg */
     const wreal hub_inertia_xx = p[1]; /* kg m^2 */
     const wreal hub_inertia_yy = p[2]; /* kg m^2 */
     const wreal hub_inertia_zz = p[3]; /* kg m^2 */
-    const wreal hub_base_moment_x = hinge0_position_x * panel0_base_mean_moment_x_part;
-    const wreal hub_base_mass = hub_mass + panel0_base_mean_moment_x_part;
+    const wreal hinge0_position_x = p[4]; /* m */
+    const wreal hub_base_moment_x = hinge0_position_x * hub_base_moment_x_part;
+    const wreal hub_base_mass = hub_mass + hub_base_moment_x_part;
     const wreal hub_base_inertia_xx = hub_inertia_xx + panel0_base_inertia_xx;
-    const wreal hub_base_inertia_yy = hub_inertia_yy + panel0_base_shift;
-    const wreal hub_base_inertia_zz = panel0_base_inertia_xx + panel0_base_shift + hub_inertia_zz;
     const wreal hub_base_half_trace = 0.5 * (hub_inertia_xx + hub_inertia_yy + hub_inertia_zz);
     const wreal hub_base_second_moment_zz = hub_base_half_trace - hub_inertia_zz;
-    const wreal hub_base_second_moment_xx = hub_base_half_trace - hub_inertia_xx
-        + (hinge0_position_x_times_panel0_base_mean_moment_x
-        + hinge0_position_x_times_panel0_base_mean_moment_x);
     const wreal hub_base_second_moment_yy = hub_base_half_trace - hub_inertia_yy
         + (panel0_base_half_trace - panel0_origin_inertia_yy + (panel1_base_half_trace
         - panel1_origin_inertia_yy + (panel2_base_half_trace - panel2_origin_inertia_yy
@@ -219,13 +220,26 @@ CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     w[18] = hub_base_moment_x;
     w[19] = hub_base_mass;
     w[20] = hub_base_inertia_xx;
-    w[21] = hub_base_inertia_yy;
-    w[22] = hub_base_inertia_zz;
     w[23] = hub_base_second_moment_zz;
-    w[32] = hub_base_second_moment_xx;
     w[33] = hub_base_second_moment_yy;
 
-    /* constraints: multipliers */
+    /* panel0: base */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
+    const wreal panel0_base_inertia_yy_2 = hinge0_position_x * hub_base_moment_x;
+
+    /* hub: base */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
+    const wreal hub_base_inertia_yy = hub_inertia_yy + panel0_base_inertia_yy_2;
+    const wreal hub_base_inertia_zz = panel0_base_inertia_xx + panel0_base_inertia_yy_2
+        + hub_inertia_zz;
+    const wreal hub_base_second_moment_xx = hub_base_half_trace - hub_inertia_xx
+        + panel0_base_inertia_yy_2;
+    w[21] = hub_base_inertia_yy;
+    w[22] = hub_base_inertia_zz;
+    w[32] = hub_base_second_moment_xx;
+
+    /* constraints: factor */
+    /* factor = L, D: M = Lᵀ D L, free_udot = M⁻¹ drive, response = M⁻¹ Gᵀ */
     const wreal M_factor_D_inverse_hinge3 = 1.0 / panel3_origin_inertia_yy;
     w[34] = M_factor_D_inverse_hinge3;
 
@@ -248,9 +262,13 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real *const u = in->u;
     const wreal *const w = in->w;
     const real *const tau = in->tau;
+    real (*const circuit_matrix)[3] = (real (*)[3])(work + 0);
+    real *const circuit_right = work + 9;
+    real *const circuit_scratch = work + 12;
     int status = CARDAN_OK;
 
     /* shared by several: R */
+    /* R = R_fixed R_joint(q) */
     const real hinge0_q = q[7]; /* rad */
     const real hinge1_q = q[8]; /* rad */
     const real hinge2_q = q[9]; /* rad */
@@ -267,7 +285,8 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real hinge0_cos = cosine[3];
     const real hinge0_sin = sine[3];
 
-    /* panel2: inertia, composite inertia */
+    /* panel2: inertia, composite */
+    /* composite = own + sum R composite_child Rᵀ moved by p */
     const wreal panel3_base_inertia_zz = w[8];
     const real panel2_inertia_shear = panel3_base_inertia_zz * hinge3_sin;
     const real panel2_composite_inertia_xx = hinge3_sin * panel2_inertia_shear;
@@ -284,7 +303,9 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real panel2_minus_inertia_mean_moment_z_times_hinge2_cos =
         panel2_minus_inertia_mean_moment_z * hinge2_cos;
 
-    /* panel2: inertia, composite inertia, composite moment, momentum */
+    /* panel2: inertia, composite, momentum */
+    /* composite = own + sum R composite_child Rᵀ moved by p */
+    /* momentum = composite inertia S */
     const wreal panel3_origin_inertia_yy = w[5];
     const wreal panel2_base_moment_x = w[9];
     const wreal panel2_base_inertia_yy = w[10];
@@ -303,7 +324,9 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real momentum_hinge3_about_panel1_fz = panel2_minus_inertia_mean_moment_z_times_hinge2_sin
         - panel2_inertia_mean_moment_x * hinge2_cos;
 
-    /* panel1: inertia, composite inertia, momentum */
+    /* panel1: inertia, composite, momentum */
+    /* composite = own + sum R composite_child Rᵀ moved by p */
+    /* momentum = composite inertia S */
     const real panel1_inertia_shear = hinge2_sin * (panel2_composite_inertia_zz
         - panel2_composite_inertia_xx) + hinge2_cos * (panel2_composite_inertia_xz
         + panel2_composite_inertia_xz);
@@ -328,7 +351,9 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real panel1_minus_inertia_mean_moment_z_times_hinge1_cos =
         panel1_minus_inertia_mean_moment_z * hinge1_cos;
 
-    /* panel1: inertia, composite inertia, composite moment, momentum */
+    /* panel1: inertia, composite, momentum */
+    /* composite = own + sum R composite_child Rᵀ moved by p */
+    /* momentum = composite inertia S */
     const wreal panel1_base_moment_x = w[12];
     const wreal panel1_base_inertia_yy = w[13];
     const wreal panel1_base_inertia_zz = w[14];
@@ -346,7 +371,12 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real momentum_hinge2_about_panel0_fz = panel1_minus_inertia_mean_moment_z_times_hinge1_sin
         - panel1_inertia_mean_moment_x * hinge1_cos;
 
-    /* panel0: inertia, composite inertia, momentum, omega, alpha, U */
+    /* panel0: inertia, composite, momentum, omega, alpha, U */
+    /* composite = own + sum R composite_child Rᵀ moved by p */
+    /* momentum = composite inertia S */
+    /* omega = Rᵀ omega_parent + S_w u */
+    /* alpha = Rᵀ alpha_parent + S_w udot + c_w */
+    /* U = [alpha] + [omega][omega] */
     const real drift_u_x = u[0]; /* rad/s */
     const real drift_u_y = u[1]; /* rad/s */
     const real drift_u_z = u[2]; /* rad/s */
@@ -389,7 +419,9 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real panel0_minus_inertia_mean_moment_z_times_hinge0_cos =
         panel0_minus_inertia_mean_moment_z * hinge0_cos;
 
-    /* panel0: inertia, composite inertia, composite moment, momentum */
+    /* panel0: inertia, composite, momentum */
+    /* composite = own + sum R composite_child Rᵀ moved by p */
+    /* momentum = composite inertia S */
     const wreal panel0_base_moment_x = w[15];
     const wreal panel0_base_inertia_yy = w[16];
     const wreal panel0_base_inertia_zz = w[17];
@@ -407,7 +439,9 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real momentum_hinge1_about_hub_fz = panel0_minus_inertia_mean_moment_z_times_hinge0_sin
         - panel0_inertia_mean_moment_x * hinge0_cos;
 
-    /* hub: inertia, composite inertia, U */
+    /* hub: inertia, composite, U */
+    /* composite = own + sum R composite_child Rᵀ moved by p */
+    /* U = [alpha] + [omega][omega] */
     const wreal hub_base_inertia_xx = w[20];
     const real hub_inertia_shear = hinge0_sin * (panel0_composite_inertia_zz
         - panel0_composite_inertia_xx) + hinge0_cos * (panel0_composite_inertia_xz
@@ -427,11 +461,13 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real hinge0_position_x_times_hub_inertia_mean_moment_x = hinge0_position_x *
         hub_inertia_mean_moment_x;
 
-    /* momentum: drift x fy */
+    /* momentum */
+    /* momentum = composite inertia S */
     const real momentum_drift_x_fy = panel0_composite_moment_x * hinge0_sin
         + panel0_minus_inertia_mean_moment_z_times_hinge0_cos;
 
-    /* hub: inertia, composite inertia, composite moment */
+    /* hub: inertia, composite */
+    /* composite = own + sum R composite_child Rᵀ moved by p */
     const wreal hub_base_moment_x = w[18];
     const wreal hub_base_inertia_yy = w[21];
     const wreal hub_base_inertia_zz = w[22];
@@ -444,7 +480,8 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real hub_composite_inertia_zz = panel0_composite_inertia_zz
         - hinge0_sin_times_hub_inertia_shear + hub_inertia_shift + hub_base_inertia_zz;
 
-    /* M: hinge3 hinge, hinge3 drift, hinge2 hinge, hinge2 drift, hinge1 hinge, ... */
+    /* M */
+    /* M = S . momentum */
     const real M_hinge3_hinge2 = panel3_origin_inertia_yy
         + hinge3_position_x_times_panel2_inertia_mean_moment_x;
     const real M_hinge3_hinge1 = M_hinge3_hinge2
@@ -467,6 +504,7 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         + hinge0_position_x_times_hub_inertia_mean_moment_x;
 
     /* drift: R */
+    /* R = R_fixed R_joint(q) */
     const real drift_w = q[0];
     const real drift_x = q[1];
     const real drift_y = q[2];
@@ -493,7 +531,8 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real drift_R_zy = drift_w_times_twice_drift_x + drift_y_times_twice_drift_z;
     const real drift_R_zz = 1.0 - (drift_x_times_twice_drift_x + drift_y_times_twice_drift_y);
 
-    /* M: hinge3 drift px, hinge3 drift py, hinge3 drift pz, hinge2 drift px, ... */
+    /* M */
+    /* M = S . momentum */
     const real M_hinge3_drift_px = momentum_hinge3_about_hub_fx * drift_R_xx
         + momentum_hinge3_about_hub_fz * drift_R_xz;
     const real M_hinge3_drift_py = momentum_hinge3_about_hub_fx * drift_R_yx
@@ -514,11 +553,13 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         - drift_R_zx * momentum_minus_hinge1_about_hub_fx;
 
     /* shared by several: M */
+    /* M = S . momentum */
     const real momentum_drift_x_fy_times_drift_R_xx = momentum_drift_x_fy * drift_R_xx;
     const real momentum_drift_x_fy_times_drift_R_yx = momentum_drift_x_fy * drift_R_yx;
     const real momentum_drift_x_fy_times_drift_R_zx = momentum_drift_x_fy * drift_R_zx;
 
-    /* momentum: drift px mx, drift py mx, drift pz mx, drift px mz, drift py mz, ... */
+    /* momentum */
+    /* momentum = composite inertia S */
     const wreal hub_base_mass = w[19];
     const real momentum_drift_px_mx = momentum_drift_x_fy * drift_R_xy;
     const real momentum_drift_py_mx = momentum_drift_x_fy * drift_R_yy;
@@ -536,7 +577,8 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real momentum_drift_pz_fy = hub_base_mass * drift_R_zy;
     const real momentum_drift_pz_fz = hub_base_mass * drift_R_zz;
 
-    /* M: drift px drift px, drift py drift px, drift py drift py, drift pz drift px, ... */
+    /* M */
+    /* M = S . momentum */
     const real M_drift_px_drift_px = drift_R_xx * momentum_drift_px_fx
         + drift_R_xy * momentum_drift_px_fy + drift_R_xz * momentum_drift_px_fz;
     const real M_drift_py_drift_px = drift_R_xx * momentum_drift_py_fx
@@ -551,6 +593,9 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         + drift_R_zy * momentum_drift_pz_fy + drift_R_zz * momentum_drift_pz_fz;
 
     /* panel1: omega, alpha, U */
+    /* omega = Rᵀ omega_parent + S_w u */
+    /* alpha = Rᵀ alpha_parent + S_w udot + c_w */
+    /* U = [alpha] + [omega][omega] */
     const real hinge1_u = u[7]; /* rad/s */
     const real panel1_omega_x = hinge1_cos * panel0_omega_x - hinge1_sin * panel0_omega_z;
     const real panel1_omega_z = hinge1_sin * panel0_omega_x + hinge1_cos * panel0_omega_z;
@@ -566,6 +611,9 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real panel1_U_yz = panel1_minus_alpha_x + panel1_omega_z * panel1_omega_y;
 
     /* panel2: omega, alpha, U */
+    /* omega = Rᵀ omega_parent + S_w u */
+    /* alpha = Rᵀ alpha_parent + S_w udot + c_w */
+    /* U = [alpha] + [omega][omega] */
     const real hinge2_u = u[8]; /* rad/s */
     const real panel2_omega_x = hinge2_cos * panel1_omega_x - hinge2_sin * panel1_omega_z;
     const real panel2_omega_z = hinge2_sin * panel1_omega_x + hinge2_cos * panel1_omega_z;
@@ -581,6 +629,11 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real panel2_U_yz = panel2_minus_alpha_x + panel2_omega_z * panel2_omega_y;
 
     /* panel3: omega, alpha, U, inertia force, f */
+    /* omega = Rᵀ omega_parent + S_w u */
+    /* alpha = Rᵀ alpha_parent + S_w udot + c_w */
+    /* U = [alpha] + [omega][omega] */
+    /* inertia_force = [2 vee(skew(U J)) + h x a; m a + U h] */
+    /* f = inertia_force_f - applied_f + sum R f_child */
     const real hinge3_u = u[9]; /* rad/s */
     const wreal panel3_base_second_moment_zz = w[28];
     const real panel3_omega_x = hinge3_cos * panel2_omega_x - hinge3_sin * panel2_omega_z;
@@ -601,6 +654,7 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         panel3_minus_f_x + hinge3_cos * panel3_f_z;
 
     /* panel0: a */
+    /* a = Rᵀ (a_parent + U_parent p) + S_v udot + c_v */
     const real hinge0_position_x_times_hub_minus_U_xx = hinge0_position_x * hub_minus_U_xx;
     const real panel0_a_y = hinge0_position_x * hub_U_xy;
     const real hinge0_position_x_times_hub_U_xz = hinge0_position_x * hub_U_xz;
@@ -608,6 +662,7 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         - hinge0_sin * hinge0_position_x_times_hub_minus_U_xx;
 
     /* panel1: a */
+    /* a = Rᵀ (a_parent + U_parent p) + S_v udot + c_v */
     const real panel1_minus_a_x_part = hinge0_cos * hinge0_position_x_times_hub_minus_U_xx
         + hinge0_sin * hinge0_position_x_times_hub_U_xz + hinge1_position_x * panel0_minus_U_xx;
     const real panel1_a_y = panel0_a_y + hinge1_position_x * panel0_U_yx;
@@ -617,6 +672,8 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         - hinge1_sin * panel1_minus_a_x_part;
 
     /* panel2: a, f */
+    /* a = Rᵀ (a_parent + U_parent p) + S_v udot + c_v */
+    /* f = inertia_force_f - applied_f + sum R f_child */
     const real panel2_minus_a_x_part = hinge1_cos * panel1_minus_a_x_part
         + hinge1_sin * panel0_a_z_plus_hinge1_position_x_times_panel0_U_xz
         + hinge2_position_x * panel1_minus_U_xx;
@@ -634,6 +691,8 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         - hinge2_sin * panel2_f_x;
 
     /* panel3: a, n */
+    /* a = Rᵀ (a_parent + U_parent p) + S_v udot + c_v */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
     const wreal panel3_base_second_moment_xx = w[27];
     const real panel3_a_y = panel2_a_y + hinge3_position_x * panel2_U_yx;
     const real panel3_a_z = hinge3_cos * (panel2_a_z + hinge3_position_x * panel2_U_xz)
@@ -646,6 +705,7 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         + panel3_first_moment_x * panel3_a_y;
 
     /* panel2: n */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
     const wreal panel2_base_second_moment_zz = w[26];
     const wreal panel2_base_second_moment_xx = w[29];
     const real panel2_n_x = hinge3_sin * panel3_n_z - hinge3_cos * panel3_minus_n_x
@@ -659,6 +719,8 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         + hinge3_cos * panel3_n_z + hinge3_position_x * panel3_f_y);
 
     /* panel1: n, f */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
+    /* f = inertia_force_f - applied_f + sum R f_child */
     const wreal panel1_base_second_moment_zz = w[25];
     const wreal panel1_base_second_moment_xx = w[30];
     const real panel1_n_x = hinge2_cos * panel2_n_x + hinge2_sin * panel2_n_z
@@ -678,6 +740,8 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         - hinge1_sin * panel1_f_x;
 
     /* panel0: n, f */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
+    /* f = inertia_force_f - applied_f + sum R f_child */
     const wreal panel0_base_second_moment_zz = w[24];
     const wreal panel0_base_second_moment_xx = w[31];
     const real panel0_n_x = hinge1_cos * panel1_n_x + hinge1_sin * panel1_n_z
@@ -697,6 +761,8 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         - hinge0_sin * panel0_f_x;
 
     /* hub: n, f */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
+    /* f = inertia_force_f - applied_f + sum R f_child */
     const wreal hub_base_second_moment_zz = w[23];
     const wreal hub_base_second_moment_xx = w[32];
     const wreal hub_base_second_moment_yy = w[33];
@@ -716,13 +782,17 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         + hinge0_cos_times_panel0_f_z_minus_sin_times_panel0_f_x;
 
     /* hinge0: tau, drive */
+    /* tau = S . [n; f] - force on the joint */
+    /* drive = tau + f - h */
     const real hinge0_u_tau = tau[6]; /* N*m */
     const wreal spring_stiffness = w[6]; /* N*m/rad */
     const wreal spring_damping = w[7]; /* N*m*s/rad */
     const real hinge0_tau = hinge0_q * spring_stiffness + hinge0_u * spring_damping + panel0_n_y;
     const real hinge0_drive = hinge0_u_tau - hinge0_tau;
 
-    /* drift: tau px, tau py, tau pz, drive, drive px, drive py, drive pz */
+    /* drift: tau, drive */
+    /* tau = S . [n; f] - force on the joint */
+    /* drive = tau + f - h */
     const real drift_u_x_tau = tau[0]; /* N*m */
     const real drift_u_y_tau = tau[1]; /* N*m */
     const real drift_u_z_tau = tau[2]; /* N*m */
@@ -740,18 +810,23 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real drift_drive_pz = drift_u_pz_tau - drift_tau_pz;
 
     /* hinge1: drive */
+    /* drive = tau + f - h */
     const real hinge1_u_tau = tau[7]; /* N*m */
     const real hinge1_drive = hinge1_u_tau - panel1_n_y;
 
     /* hinge2: drive */
+    /* drive = tau + f - h */
     const real hinge2_u_tau = tau[8]; /* N*m */
     const real hinge2_drive = hinge2_u_tau - panel2_n_y;
 
     /* hinge3: drive */
+    /* drive = tau + f - h */
     const real hinge3_u_tau = tau[9]; /* N*m */
     const real hinge3_drive = hinge3_u_tau - panel3_n_y;
 
-    /* constraints: multipliers */
+    /* constraints: factor, multipliers */
+    /* factor = L, D: M = Lᵀ D L, free_udot = M⁻¹ drive, response = M⁻¹ Gᵀ */
+    /* multipliers = circuit⁻¹ (gamma - G free_udot) */
     const wreal M_factor_D_inverse_hinge3 = w[34];
     const real M_factor_L_hinge3_hinge2 = M_hinge3_hinge2 * M_factor_D_inverse_hinge3;
     const real M_factor_DL_hinge2_drift_y = M_hinge2_drift_y
@@ -1280,40 +1355,42 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         + M_factor_L_hinge3_hinge2 * cable3_minus_response_hinge2;
     const real twice_cable1_response_hinge0 = 2.0 * cable1_response_hinge0;
     const real circuit_cable1_cable1 = cable1_response_hinge1 + twice_cable1_response_hinge0;
-    work[0] = circuit_cable1_cable1;
+    circuit_matrix[0][0] = circuit_cable1_cable1;
     const real twice_cable2_response_hinge0 = 2.0 * cable2_response_hinge0;
     const real circuit_cable2_cable1 = cable1_response_hinge2 - twice_cable1_response_hinge0;
-    work[1] = circuit_cable2_cable1;
-    work[3] = circuit_cable2_cable1;
+    circuit_matrix[0][1] = circuit_cable2_cable1;
+    circuit_matrix[1][0] = circuit_cable2_cable1;
     const real circuit_cable2_cable2 = cable2_response_hinge2 - twice_cable2_response_hinge0;
-    work[4] = circuit_cable2_cable2;
+    circuit_matrix[1][1] = circuit_cable2_cable2;
     const real circuit_cable3_cable1 = cable1_response_hinge3 + twice_cable1_response_hinge0;
-    work[2] = circuit_cable3_cable1;
-    work[6] = circuit_cable3_cable1;
+    circuit_matrix[0][2] = circuit_cable3_cable1;
+    circuit_matrix[2][0] = circuit_cable3_cable1;
     const real circuit_cable3_cable2 = cable2_response_hinge3 + twice_cable2_response_hinge0;
-    work[5] = circuit_cable3_cable2;
-    work[7] = circuit_cable3_cable2;
+    circuit_matrix[1][2] = circuit_cable3_cable2;
+    circuit_matrix[2][1] = circuit_cable3_cable2;
     const real circuit_cable3_cable3 = cable3_response_hinge3 + 2.0 * cable3_response_hinge0;
-    work[8] = circuit_cable3_cable3;
+    circuit_matrix[2][2] = circuit_cable3_cable3;
     const real twice_free_udot_hinge0 = 2.0 * free_udot_hinge0;
     const real free_gamma_cable1 = -(free_udot_hinge1 + twice_free_udot_hinge0);
-    work[9] = free_gamma_cable1;
+    circuit_right[0] = free_gamma_cable1;
     const real free_gamma_cable2 = -(free_udot_hinge2 - twice_free_udot_hinge0);
-    work[10] = free_gamma_cable2;
+    circuit_right[1] = free_gamma_cable2;
     const real free_gamma_cable3 = -(free_udot_hinge3 + twice_free_udot_hinge0);
-    work[11] = free_gamma_cable3;
-    status |= CARDAN_SOLVE(semidefinite, 3, 1, work + 0, work + 9, work + 12);
+    circuit_right[2] = free_gamma_cable3;
+    /* circuit_matrix lam = circuit_right; the solution takes its place */
+    status |= CARDAN_SOLVE(semidefinite, 3, 1, circuit_matrix[0], circuit_right, circuit_scratch);
 
     /* cable1: multiplier */
-    const real cable1_multiplier = work[9];
+    const real cable1_multiplier = circuit_right[0];
 
     /* cable2: multiplier */
-    const real cable2_multiplier = work[10];
+    const real cable2_multiplier = circuit_right[1];
 
     /* cable3: multiplier */
-    const real cable3_multiplier = work[11];
+    const real cable3_multiplier = circuit_right[2];
 
-    /* drift: udot, udot px, udot py, udot pz */
+    /* drift: udot */
+    /* udot = free_udot + response multipliers */
     /* udot: drift.u.xdot [rad/s^2] */
     out[0] = cable1_response_drift_x * cable1_multiplier
         + cable2_response_drift_x * cable2_multiplier
@@ -1340,24 +1417,28 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         + cable3_response_drift_pz * cable3_multiplier + free_udot_drift_pz;
 
     /* hinge0: udot */
+    /* udot = free_udot + response multipliers */
     /* udot: hinge0.udot [rad/s^2] */
     out[6] = cable1_response_hinge0 * cable1_multiplier
         + cable2_response_hinge0 * cable2_multiplier + cable3_response_hinge0 * cable3_multiplier
         + free_udot_hinge0;
 
     /* hinge1: udot */
+    /* udot = free_udot + response multipliers */
     /* udot: hinge1.udot [rad/s^2] */
     out[7] = cable1_response_hinge1 * cable1_multiplier
         - cable2_minus_response_hinge1 * cable2_multiplier
         + cable3_response_hinge1 * cable3_multiplier + free_udot_hinge1;
 
     /* hinge2: udot */
+    /* udot = free_udot + response multipliers */
     /* udot: hinge2.udot [rad/s^2] */
     out[8] = cable1_response_hinge2 * cable1_multiplier
         + cable2_response_hinge2 * cable2_multiplier
         - cable3_minus_response_hinge2 * cable3_multiplier + free_udot_hinge2;
 
     /* hinge3: udot */
+    /* udot = free_udot + response multipliers */
     /* udot: hinge3.udot [rad/s^2] */
     out[9] = cable1_response_hinge3 * cable1_multiplier
         + cable2_response_hinge3 * cable2_multiplier + cable3_response_hinge3 * cable3_multiplier

@@ -7,7 +7,7 @@
  *
  * Sizes: out 10, work 0, w 23
  * Operations per call: 392 = 213 mul, 103 add, 68 sub, 4 cos, 4 sin
- * Operations of prepare: 81 = 37 add, 29 mul, 15 sub
+ * Operations of prepare: 69 = 33 add, 21 mul, 15 sub
  *
  * Input q (11): generalized coordinates
  *   q[0]  drift.w
@@ -64,7 +64,10 @@
 
 CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
-    /* panel0: first moment, mass, origin inertia, base, base second moment */
+    /* panel0: first moment, mass, origin inertia, base */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal panel0_mass = p[5]; /* kg */
     const wreal panel0_com_x = p[6]; /* m */
     const wreal panel0_inertia_xx = p[7]; /* kg m^2 */
@@ -79,7 +82,10 @@ CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     const wreal panel0_base_second_moment_zz = panel0_base_half_trace - panel0_origin_inertia_zz;
     w[13] = panel0_base_second_moment_zz;
 
-    /* panel1: first moment, mass, origin inertia, base, base second moment */
+    /* panel1: first moment, mass, origin inertia, base */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal panel1_mass = p[11]; /* kg */
     const wreal panel1_com_x = p[12]; /* m */
     const wreal panel1_inertia_xx = p[13]; /* kg m^2 */
@@ -94,26 +100,30 @@ CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     const wreal panel1_base_second_moment_zz = panel1_base_half_trace - panel1_origin_inertia_zz;
     w[14] = panel1_base_second_moment_zz;
 
-    /* panel2: first moment, mass, origin inertia, base moment, base, base second moment */
+    /* panel2: first moment, mass, origin inertia, base */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal panel2_mass = p[17]; /* kg */
     const wreal panel2_com_x = p[18]; /* m */
     const wreal panel2_inertia_xx = p[19]; /* kg m^2 */
     const wreal panel2_inertia_yy = p[20]; /* kg m^2 */
     const wreal panel2_inertia_zz = p[21]; /* kg m^2 */
-    const wreal hinge3_position_x = p[22]; /* m */
-    const wreal panel3_mass = p[23]; /* kg */
     const wreal panel2_first_moment_x = panel2_mass * panel2_com_x;
     const wreal panel2_com_x_times_first_moment_x = panel2_com_x * panel2_first_moment_x;
     const wreal panel2_origin_inertia_yy = panel2_inertia_yy + panel2_com_x_times_first_moment_x;
     const wreal panel2_origin_inertia_zz = panel2_inertia_zz + panel2_com_x_times_first_moment_x;
-    const wreal panel2_base_moment_x = panel2_first_moment_x + hinge3_position_x * panel3_mass;
     const wreal panel2_base_half_trace = 0.5 * (panel2_inertia_xx + panel2_origin_inertia_zz
         + panel2_origin_inertia_yy);
     const wreal panel2_base_second_moment_zz = panel2_base_half_trace - panel2_origin_inertia_zz;
-    w[7] = panel2_base_moment_x;
     w[15] = panel2_base_second_moment_zz;
 
-    /* panel3: first moment, mass, origin inertia, base, base second moment */
+    /* panel3: first moment, mass, origin inertia, base */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
+    const wreal hinge3_position_x = p[22]; /* m */
+    const wreal panel3_mass = p[23]; /* kg */
     const wreal panel3_com_x = p[24]; /* m */
     const wreal panel3_inertia_xx = p[25]; /* kg m^2 */
     const wreal panel3_inertia_yy = p[26]; /* kg m^2 */
@@ -122,8 +132,7 @@ CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     const wreal panel3_com_x_times_first_moment_x = panel3_com_x * panel3_first_moment_x;
     const wreal panel3_origin_inertia_yy = panel3_inertia_yy + panel3_com_x_times_first_moment_x;
     const wreal panel3_origin_inertia_zz = panel3_inertia_zz + panel3_com_x_times_first_moment_x;
-    const wreal hinge3_position_x_times_panel3_base_mean_moment_x = 0.5 * panel3_mass *
-        hinge3_position_x * hinge3_position_x;
+    const wreal panel3_base_mass_moment_x = hinge3_position_x * panel3_mass;
     const wreal panel2_mass_plus_panel3_mass = panel2_mass + panel3_mass;
     const wreal panel3_base_half_trace = 0.5 * (panel3_inertia_xx + panel3_origin_inertia_zz
         + panel3_origin_inertia_yy);
@@ -133,55 +142,52 @@ CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     w[16] = panel3_base_second_moment_xx;
     w[17] = panel3_base_second_moment_zz;
 
-    /* panel2: base, base second moment */
+    /* panel2: base */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal hinge2_position_x = p[16]; /* m */
-    const wreal hinge2_position_x_times_panel2_base_mean_moment_x = 0.5 *
-        panel2_mass_plus_panel3_mass * hinge2_position_x * hinge2_position_x;
+    const wreal panel2_base_moment_x = panel2_first_moment_x + panel3_base_mass_moment_x;
+    const wreal panel2_base_mass_moment_x = hinge2_position_x * panel2_mass_plus_panel3_mass;
     const wreal panel1_mass_plus_panel2_mass_plus_panel3_mass = panel1_mass
         + panel2_mass_plus_panel3_mass;
-    const wreal panel2_base_second_moment_xx = panel2_base_half_trace - panel2_inertia_xx
-        + (hinge3_position_x_times_panel3_base_mean_moment_x
-        + hinge3_position_x_times_panel3_base_mean_moment_x);
+    const wreal panel2_base_second_moment_xx = hinge3_position_x * panel3_base_mass_moment_x
+        + panel2_base_half_trace - panel2_inertia_xx;
+    w[7] = panel2_base_moment_x;
     w[18] = panel2_base_second_moment_xx;
 
-    /* panel1: base moment, base, base second moment */
+    /* panel1: base */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal hinge1_position_x = p[10]; /* m */
-    const wreal panel1_base_moment_x = panel1_first_moment_x
-        + hinge2_position_x * panel2_mass_plus_panel3_mass;
-    const wreal hinge1_position_x_times_panel1_base_mean_moment_x = 0.5 *
-        panel1_mass_plus_panel2_mass_plus_panel3_mass * hinge1_position_x * hinge1_position_x;
-    const wreal panel0_base_mean_moment_x_part = panel0_mass
+    const wreal panel1_base_moment_x = panel1_first_moment_x + panel2_base_mass_moment_x;
+    const wreal panel1_base_mass_moment_x = hinge1_position_x *
+        panel1_mass_plus_panel2_mass_plus_panel3_mass;
+    const wreal hub_base_moment_x_part = panel0_mass
         + panel1_mass_plus_panel2_mass_plus_panel3_mass;
-    const wreal panel1_base_second_moment_xx = panel1_base_half_trace - panel1_inertia_xx
-        + (hinge2_position_x_times_panel2_base_mean_moment_x
-        + hinge2_position_x_times_panel2_base_mean_moment_x);
+    const wreal panel1_base_second_moment_xx = hinge2_position_x * panel2_base_mass_moment_x
+        + panel1_base_half_trace - panel1_inertia_xx;
     w[8] = panel1_base_moment_x;
     w[19] = panel1_base_second_moment_xx;
 
-    /* panel0: base moment, base, base second moment */
-    const wreal hinge0_position_x = p[4]; /* m */
-    const wreal panel0_base_moment_x = panel0_first_moment_x
-        + hinge1_position_x * panel1_mass_plus_panel2_mass_plus_panel3_mass;
-    const wreal hinge0_position_x_times_panel0_base_mean_moment_x = 0.5 *
-        panel0_base_mean_moment_x_part * hinge0_position_x * hinge0_position_x;
-    const wreal panel0_base_second_moment_xx = panel0_base_half_trace - panel0_inertia_xx
-        + (hinge1_position_x_times_panel1_base_mean_moment_x
-        + hinge1_position_x_times_panel1_base_mean_moment_x);
+    /* panel0: base */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
+    const wreal panel0_base_moment_x = panel0_first_moment_x + panel1_base_mass_moment_x;
+    const wreal panel0_base_second_moment_xx = hinge1_position_x * panel1_base_mass_moment_x
+        + panel0_base_half_trace - panel0_inertia_xx;
     w[9] = panel0_base_moment_x;
     w[20] = panel0_base_second_moment_xx;
 
-    /* hub: base moment, base mass, base, base second moment */
+    /* hub: base */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal hub_mass = p[0]; /* kg */
     const wreal hub_inertia_xx = p[1]; /* kg m^2 */
     const wreal hub_inertia_yy = p[2]; /* kg m^2 */
     const wreal hub_inertia_zz = p[3]; /* kg m^2 */
-    const wreal hub_base_moment_x = hinge0_position_x * panel0_base_mean_moment_x_part;
-    const wreal hub_base_mass = hub_mass + panel0_base_mean_moment_x_part;
+    const wreal hinge0_position_x = p[4]; /* m */
+    const wreal hub_base_moment_x = hinge0_position_x * hub_base_moment_x_part;
+    const wreal hub_base_mass = hub_mass + hub_base_moment_x_part;
     const wreal hub_base_half_trace = 0.5 * (hub_inertia_xx + hub_inertia_zz + hub_inertia_yy);
     const wreal hub_base_second_moment_zz = hub_base_half_trace - hub_inertia_zz;
-    const wreal hub_base_second_moment_xx = hub_base_half_trace - hub_inertia_xx
-        + (hinge0_position_x_times_panel0_base_mean_moment_x
-        + hinge0_position_x_times_panel0_base_mean_moment_x);
+    const wreal hub_base_second_moment_xx = hinge0_position_x * hub_base_moment_x
+        + hub_base_half_trace - hub_inertia_xx;
     const wreal hub_base_second_moment_yy = panel1_base_half_trace - panel1_origin_inertia_yy
         + (panel2_base_half_trace - panel2_origin_inertia_yy) + (panel3_base_half_trace
         - panel3_origin_inertia_yy + (hub_base_half_trace - hub_inertia_yy
@@ -214,6 +220,7 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     (void)work;
 
     /* shared by several: R */
+    /* R = R_fixed R_joint(q) */
     const real hinge0_q = q[7]; /* rad */
     const real hinge1_q = q[8]; /* rad */
     const real hinge2_q = q[9]; /* rad */
@@ -231,6 +238,7 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real hinge3_sin = sine[3];
 
     /* drift: R */
+    /* R = R_fixed R_joint(q) */
     const real drift_w = q[0];
     const real drift_x = q[1];
     const real drift_y = q[2];
@@ -258,6 +266,8 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real drift_R_zy = drift_w_times_twice_drift_x + drift_y_times_twice_drift_z;
 
     /* hub: a, U */
+    /* a = Rᵀ (a_parent + U_parent p) + S_v udot + c_v */
+    /* U = [alpha] + [omega][omega] */
     const real drift_u_x = u[0]; /* rad/s */
     const real drift_u_y = u[1]; /* rad/s */
     const real drift_u_z = u[2]; /* rad/s */
@@ -285,6 +295,10 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real hub_U_zy = drift_u_xdot + drift_u_y_times_u_z;
 
     /* panel0: omega, alpha, a, U */
+    /* omega = Rᵀ omega_parent + S_w u */
+    /* alpha = Rᵀ alpha_parent + S_w udot + c_w */
+    /* a = Rᵀ (a_parent + U_parent p) + S_v udot + c_v */
+    /* U = [alpha] + [omega][omega] */
     const real hinge0_u = u[6]; /* rad/s */
     const real hinge0_udot = udot[6]; /* rad/s^2 */
     const wreal hinge0_position_x = w[0]; /* m */
@@ -314,6 +328,10 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real panel0_U_zx = panel0_omega_x_times_omega_z - panel0_alpha_y;
 
     /* panel1: omega, alpha, a, U */
+    /* omega = Rᵀ omega_parent + S_w u */
+    /* alpha = Rᵀ alpha_parent + S_w udot + c_w */
+    /* a = Rᵀ (a_parent + U_parent p) + S_v udot + c_v */
+    /* U = [alpha] + [omega][omega] */
     const real hinge1_u = u[7]; /* rad/s */
     const real hinge1_udot = udot[7]; /* rad/s^2 */
     const wreal hinge1_position_x = w[1]; /* m */
@@ -343,6 +361,10 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real panel1_U_zx = panel1_omega_x_times_omega_z - panel1_alpha_y;
 
     /* panel2: omega, alpha, a, U */
+    /* omega = Rᵀ omega_parent + S_w u */
+    /* alpha = Rᵀ alpha_parent + S_w udot + c_w */
+    /* a = Rᵀ (a_parent + U_parent p) + S_v udot + c_v */
+    /* U = [alpha] + [omega][omega] */
     const real hinge2_u = u[8]; /* rad/s */
     const real hinge2_udot = udot[8]; /* rad/s^2 */
     const wreal hinge2_position_x = w[2]; /* m */
@@ -372,6 +394,13 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real panel2_U_zx = panel2_omega_x_times_omega_z - panel2_alpha_y;
 
     /* panel3: omega, alpha, a, inertia force, U, n, f */
+    /* omega = Rᵀ omega_parent + S_w u */
+    /* alpha = Rᵀ alpha_parent + S_w udot + c_w */
+    /* a = Rᵀ (a_parent + U_parent p) + S_v udot + c_v */
+    /* inertia_force = [2 vee(skew(U J)) + h x a; m a + U h] */
+    /* U = [alpha] + [omega][omega] */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
+    /* f = inertia_force_f - applied_f + sum R f_child */
     const real hinge3_u = u[9]; /* rad/s */
     const real hinge3_udot = udot[9]; /* rad/s^2 */
     const wreal hinge3_position_x = w[3]; /* m */
@@ -408,6 +437,8 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[9] = panel3_n_y; /* tau: hinge3.u.tau [N*m] */
 
     /* panel2: f, n */
+    /* f = inertia_force_f - applied_f + sum R f_child */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
     const wreal panel2_base_moment_x = w[7];
     const wreal panel2_base_second_moment_zz = w[15];
     const wreal panel2_base_second_moment_xx = w[18];
@@ -430,6 +461,8 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[8] = panel2_n_y; /* tau: hinge2.u.tau [N*m] */
 
     /* panel1: f, n */
+    /* f = inertia_force_f - applied_f + sum R f_child */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
     const wreal panel1_base_moment_x = w[8];
     const wreal panel1_base_second_moment_zz = w[14];
     const wreal panel1_base_second_moment_xx = w[19];
@@ -451,6 +484,8 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[7] = panel1_n_y; /* tau: hinge1.u.tau [N*m] */
 
     /* panel0: f, n */
+    /* f = inertia_force_f - applied_f + sum R f_child */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
     const wreal panel0_base_moment_x = w[9];
     const wreal panel0_base_second_moment_zz = w[13];
     const wreal panel0_base_second_moment_xx = w[20];
@@ -471,6 +506,8 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         - hinge0_sin * panel0_f_x;
 
     /* hub: f, n */
+    /* f = inertia_force_f - applied_f + sum R f_child */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
     const wreal hub_base_moment_x = w[10];
     const wreal hub_base_mass = w[11];
     const wreal hub_base_second_moment_zz = w[12];
@@ -494,12 +531,14 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         - hinge0_sin * panel0_n_x;
 
     /* hinge0: tau */
+    /* tau = S . [n; f] - force on the joint */
     const wreal spring_stiffness = w[5]; /* N*m/rad */
     const wreal spring_damping = w[6]; /* N*m*s/rad */
     /* tau: hinge0.u.tau [N*m] */
     out[6] = hinge0_q * spring_stiffness + hinge0_u * spring_damping + panel0_n_y;
 
-    /* drift: tau px, tau py, tau pz */
+    /* drift: tau */
+    /* tau = S . [n; f] - force on the joint */
     /* tau: drift.u.px.tau [N] */
     out[3] = drift_R_xx * hub_f_x + drift_R_xy * hub_f_y + drift_R_xz * hub_f_z;
     /* tau: drift.u.py.tau [N] */

@@ -7,7 +7,7 @@
  *
  * Sizes: out 100, work 0, w 22
  * Operations per call: 259 = 131 mul, 87 add, 18 sub, 15 neg, 4 cos, 4 sin
- * Operations of prepare: 65 = 33 add, 28 mul, 4 sub
+ * Operations of prepare: 53 = 33 add, 16 mul, 4 sub
  *
  * Input q (11): generalized coordinates
  *   q[0]  drift.w
@@ -31,6 +31,8 @@
 CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
     /* panel0: first moment, mass, origin inertia */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
     const wreal panel0_mass = p[5]; /* kg */
     const wreal panel0_com_x = p[6]; /* m */
     const wreal panel0_inertia_yy = p[8]; /* kg m^2 */
@@ -41,6 +43,8 @@ CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
     const wreal panel0_origin_inertia_zz = panel0_inertia_zz + panel0_com_x_times_first_moment_x;
 
     /* panel1: first moment, mass, origin inertia */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
     const wreal panel1_mass = p[11]; /* kg */
     const wreal panel1_com_x = p[12]; /* m */
     const wreal panel1_inertia_yy = p[14]; /* kg m^2 */
@@ -50,22 +54,25 @@ CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
     const wreal panel1_origin_inertia_yy = panel1_inertia_yy + panel1_com_x_times_first_moment_x;
     const wreal panel1_origin_inertia_zz = panel1_inertia_zz + panel1_com_x_times_first_moment_x;
 
-    /* panel2: first moment, mass, origin inertia, base moment */
+    /* panel2: first moment, mass, origin inertia */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
     const wreal panel2_mass = p[17]; /* kg */
     const wreal panel2_com_x = p[18]; /* m */
     const wreal panel2_inertia_yy = p[20]; /* kg m^2 */
     const wreal panel2_inertia_zz = p[21]; /* kg m^2 */
-    const wreal hinge3_position_x = p[22]; /* m */
-    const wreal panel3_mass = p[23]; /* kg */
     const wreal panel2_first_moment_x = panel2_mass * panel2_com_x;
     const wreal panel2_com_x_times_first_moment_x = panel2_com_x * panel2_first_moment_x;
     const wreal panel2_origin_inertia_yy = panel2_inertia_yy + panel2_com_x_times_first_moment_x;
     const wreal panel2_origin_inertia_zz = panel2_inertia_zz + panel2_com_x_times_first_moment_x;
-    const wreal panel2_base_moment_x = panel2_first_moment_x + hinge3_position_x * panel3_mass;
-    w[7] = panel2_base_moment_x;
 
-    /* panel3: first moment, mass, origin inertia, base inertia, base */
+    /* panel3: first moment, mass, origin inertia, base */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal panel2_inertia_xx = p[19]; /* kg m^2 */
+    const wreal hinge3_position_x = p[22]; /* m */
+    const wreal panel3_mass = p[23]; /* kg */
     const wreal panel3_com_x = p[24]; /* m */
     const wreal panel3_inertia_xx = p[25]; /* kg m^2 */
     const wreal panel3_inertia_yy = p[26]; /* kg m^2 */
@@ -75,21 +82,24 @@ CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
     const wreal panel3_origin_inertia_yy = panel3_inertia_yy + panel3_com_x_times_first_moment_x;
     const wreal panel3_origin_inertia_zz = panel3_inertia_zz + panel3_com_x_times_first_moment_x;
     const wreal panel3_base_inertia_zz = panel3_origin_inertia_zz - panel3_inertia_xx;
-    const wreal panel3_base_shift = 0.5 * panel3_mass * hinge3_position_x * hinge3_position_x * 2.0;
+    const wreal panel3_base_mass_moment_x = hinge3_position_x * panel3_mass;
+    const wreal panel3_base_inertia_yy = hinge3_position_x * panel3_base_mass_moment_x;
     const wreal panel2_mass_plus_panel3_mass = panel2_mass + panel3_mass;
     const wreal panel2_base_inertia_xx = panel2_inertia_xx + panel3_inertia_xx;
     w[4] = panel3_first_moment_x;
     w[5] = panel3_origin_inertia_yy;
     w[6] = panel3_base_inertia_zz;
 
-    /* panel2: base inertia, base, inertia */
+    /* panel2: base, inertia */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal panel1_inertia_xx = p[13]; /* kg m^2 */
     const wreal hinge2_position_x = p[16]; /* m */
-    const wreal panel2_base_inertia_yy = panel2_origin_inertia_yy + panel3_base_shift;
+    const wreal panel2_base_moment_x = panel2_first_moment_x + panel3_base_mass_moment_x;
+    const wreal panel2_base_inertia_yy = panel2_origin_inertia_yy + panel3_base_inertia_yy;
     const wreal panel2_base_inertia_zz = panel2_origin_inertia_zz + panel3_inertia_xx
-        + (panel3_base_shift - panel2_base_inertia_xx);
-    const wreal panel2_base_shift = 0.5 * panel2_mass_plus_panel3_mass * hinge2_position_x *
-        hinge2_position_x * 2.0;
+        + (panel3_base_inertia_yy - panel2_base_inertia_xx);
+    const wreal panel2_base_mass_moment_x = hinge2_position_x * panel2_mass_plus_panel3_mass;
+    const wreal panel2_base_inertia_yy_2 = hinge2_position_x * panel2_base_mass_moment_x;
     const wreal panel1_mass_plus_panel2_mass_plus_panel3_mass = panel1_mass
         + panel2_mass_plus_panel3_mass;
     const wreal panel1_base_inertia_xx = panel1_inertia_xx + panel2_base_inertia_xx;
@@ -97,53 +107,62 @@ CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
         + panel2_base_inertia_yy;
     const wreal panel3_base_inertia_zz_plus_panel2_base_inertia_zz = panel3_base_inertia_zz
         + panel2_base_inertia_zz;
+    w[7] = panel2_base_moment_x;
     w[8] = panel2_base_inertia_zz;
     w[20] = panel3_origin_inertia_yy_plus_panel2_base_inertia_yy;
     w[21] = panel3_base_inertia_zz_plus_panel2_base_inertia_zz;
 
-    /* panel1: base moment, base inertia, base */
+    /* panel1: base */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal panel0_inertia_xx = p[7]; /* kg m^2 */
     const wreal hinge1_position_x = p[10]; /* m */
-    const wreal panel1_base_moment_x = panel1_first_moment_x
-        + hinge2_position_x * panel2_mass_plus_panel3_mass;
-    const wreal panel1_base_inertia_yy = panel1_origin_inertia_yy + panel2_base_shift;
+    const wreal panel1_base_moment_x = panel1_first_moment_x + panel2_base_mass_moment_x;
+    const wreal panel1_base_inertia_yy = panel1_origin_inertia_yy + panel2_base_inertia_yy_2;
     const wreal panel1_base_inertia_zz = panel1_origin_inertia_zz + panel2_base_inertia_xx
-        + (panel2_base_shift - panel1_base_inertia_xx);
-    const wreal panel1_base_shift = 0.5 * panel1_mass_plus_panel2_mass_plus_panel3_mass *
-        hinge1_position_x * hinge1_position_x * 2.0;
-    const wreal panel0_base_mean_moment_x_part = panel0_mass
+        + (panel2_base_inertia_yy_2 - panel1_base_inertia_xx);
+    const wreal panel1_base_mass_moment_x = hinge1_position_x *
+        panel1_mass_plus_panel2_mass_plus_panel3_mass;
+    const wreal panel1_base_inertia_yy_2 = hinge1_position_x * panel1_base_mass_moment_x;
+    const wreal hub_base_moment_x_part = panel0_mass
         + panel1_mass_plus_panel2_mass_plus_panel3_mass;
     const wreal panel0_base_inertia_xx = panel0_inertia_xx + panel1_base_inertia_xx;
     w[9] = panel1_base_moment_x;
     w[10] = panel1_base_inertia_yy;
     w[11] = panel1_base_inertia_zz;
 
-    /* panel0: base moment, base inertia, base */
-    const wreal hinge0_position_x = p[4]; /* m */
-    const wreal panel0_base_moment_x = panel0_first_moment_x
-        + hinge1_position_x * panel1_mass_plus_panel2_mass_plus_panel3_mass;
-    const wreal panel0_base_inertia_yy = panel0_origin_inertia_yy + panel1_base_shift;
+    /* panel0: base */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
+    const wreal panel0_base_moment_x = panel0_first_moment_x + panel1_base_mass_moment_x;
+    const wreal panel0_base_inertia_yy = panel0_origin_inertia_yy + panel1_base_inertia_yy_2;
     const wreal panel0_base_inertia_zz = panel0_origin_inertia_zz + panel1_base_inertia_xx
-        + (panel1_base_shift - panel0_base_inertia_xx);
-    const wreal panel0_base_shift = 0.5 * panel0_base_mean_moment_x_part * hinge0_position_x *
-        hinge0_position_x * 2.0;
+        + (panel1_base_inertia_yy_2 - panel0_base_inertia_xx);
     w[12] = panel0_base_moment_x;
     w[13] = panel0_base_inertia_yy;
     w[14] = panel0_base_inertia_zz;
 
-    /* hub: base moment, base mass, base inertia */
+    /* hub: base */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal hub_mass = p[0]; /* kg */
     const wreal hub_inertia_xx = p[1]; /* kg m^2 */
-    const wreal hub_inertia_yy = p[2]; /* kg m^2 */
-    const wreal hub_inertia_zz = p[3]; /* kg m^2 */
-    const wreal hub_base_moment_x = hinge0_position_x * panel0_base_mean_moment_x_part;
-    const wreal hub_base_mass = hub_mass + panel0_base_mean_moment_x_part;
+    const wreal hinge0_position_x = p[4]; /* m */
+    const wreal hub_base_moment_x = hinge0_position_x * hub_base_moment_x_part;
+    const wreal hub_base_mass = hub_mass + hub_base_moment_x_part;
     const wreal hub_base_inertia_xx = hub_inertia_xx + panel0_base_inertia_xx;
-    const wreal hub_base_inertia_yy = hub_inertia_yy + panel0_base_shift;
-    const wreal hub_base_inertia_zz = hub_inertia_zz + panel0_base_inertia_xx + panel0_base_shift;
     w[15] = hub_base_moment_x;
     w[16] = hub_base_mass;
     w[17] = hub_base_inertia_xx;
+
+    /* panel0: base */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
+    const wreal panel0_base_inertia_yy_2 = hinge0_position_x * hub_base_moment_x;
+
+    /* hub: base */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
+    const wreal hub_inertia_yy = p[2]; /* kg m^2 */
+    const wreal hub_inertia_zz = p[3]; /* kg m^2 */
+    const wreal hub_base_inertia_yy = hub_inertia_yy + panel0_base_inertia_yy_2;
+    const wreal hub_base_inertia_zz = hub_inertia_zz + panel0_base_inertia_xx
+        + panel0_base_inertia_yy_2;
     w[18] = hub_base_inertia_yy;
     w[19] = hub_base_inertia_zz;
 
@@ -165,6 +184,8 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     (void)work;
 
     /* shared by several: turn, R */
+    /* turn = sum of their angles */
+    /* R = R_fixed R_joint(q) */
     const real hinge0_q = q[7]; /* rad */
     const real hinge1_q = q[8]; /* rad */
     const real hinge2_q = q[9]; /* rad */
@@ -185,26 +206,31 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real hinge3_turn_sin = sine[3];
 
     /* panel0: turned */
+    /* turned = R(turn) inertia R(turn)ᵀ */
     const wreal panel0_base_inertia_zz = w[14];
     const real panel0_turned_shear = panel0_base_inertia_zz * hinge0_sin;
     const real hinge0_sin_times_panel0_turned_shear = hinge0_sin * panel0_turned_shear;
 
     /* hinge1: p */
+    /* p = p_fixed + R_fixed p_joint(q) */
     const wreal hinge1_position_x = w[1]; /* m */
     const real hinge1_p_x = hinge1_position_x * hinge0_cos;
     const real hinge1_minus_p_z = hinge1_position_x * hinge0_sin;
 
     /* panel1: turned */
+    /* turned = R(turn) inertia R(turn)ᵀ */
     const wreal panel1_base_inertia_zz = w[11];
     const real panel1_turned_shear = panel1_base_inertia_zz * hinge1_turn_sin;
     const real hinge1_turn_sin_times_panel1_turned_shear = hinge1_turn_sin * panel1_turned_shear;
 
     /* hinge2: p */
+    /* p = p_fixed + R_fixed p_joint(q) */
     const wreal hinge2_position_x = w[2]; /* m */
     const real hinge2_p_x = hinge2_position_x * hinge1_turn_cos;
     const real hinge2_minus_p_z = hinge2_position_x * hinge1_turn_sin;
 
     /* panel2: turned, inertia */
+    /* turned = R(turn) inertia R(turn)ᵀ */
     const wreal panel3_base_inertia_zz = w[6];
     const wreal panel2_base_inertia_zz = w[8];
     const real panel2_turned_shear = panel2_base_inertia_zz * hinge2_turn_sin;
@@ -213,6 +239,7 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real hinge3_turn_sin_times_panel2_inertia_shear = hinge3_turn_sin * panel2_inertia_shear;
 
     /* hinge3: p */
+    /* p = p_fixed + R_fixed p_joint(q) */
     const wreal hinge3_position_x = w[3]; /* m */
     const real hinge3_p_x = hinge3_position_x * hinge2_turn_cos;
     const real hinge3_minus_p_z = hinge3_position_x * hinge2_turn_sin;
@@ -228,7 +255,8 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real panel2_inertia_shift_part = hinge3_p_x_times_panel2_inertia_mean_moment_x
         + hinge3_minus_p_z_times_panel2_minus_inertia_mean_moment_z;
 
-    /* panel2: composite moment, inertia, composite inertia */
+    /* panel2: composite, inertia */
+    /* composite = own + sum R composite_child Rᵀ moved by p */
     const wreal panel2_base_moment_x = w[7];
     const wreal panel3_origin_inertia_yy_plus_panel2_base_inertia_yy = w[20];
     const wreal panel3_base_inertia_zz_plus_panel2_base_inertia_zz = w[21];
@@ -251,7 +279,8 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
         + panel3_origin_inertia_yy_plus_panel2_base_inertia_yy;
     out[88] = panel2_composite_inertia_yy; /* M: hinge2.u,hinge2.u */
 
-    /* panel1: composite moment, inertia, composite inertia */
+    /* panel1: composite, inertia */
+    /* composite = own + sum R composite_child Rᵀ moved by p */
     const wreal panel1_base_moment_x = w[9];
     const real panel1_composite_moment_x = panel1_base_moment_x * hinge1_turn_cos
         + panel2_composite_moment_x;
@@ -261,7 +290,8 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
         + panel2_composite_moment_x * hinge2_minus_p_z + (panel2_composite_inertia_xz
         + panel2_minus_composite_moment_z * hinge2_p_x);
 
-    /* panel0: composite moment, composite inertia */
+    /* panel0: composite */
+    /* composite = own + sum R composite_child Rᵀ moved by p */
     const wreal panel0_base_moment_x = w[12];
     const real panel0_composite_moment_x = panel0_base_moment_x * hinge0_cos
         + panel1_composite_moment_x;
@@ -269,11 +299,13 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
         + panel1_composite_moment_x * hinge1_minus_p_z
         + panel1_minus_composite_moment_z * hinge1_p_x + panel1_composite_inertia_xz;
 
-    /* momentum: drift x fy */
+    /* momentum */
+    /* momentum = composite inertia S */
     const real momentum_drift_x_fy = panel0_base_moment_x * hinge0_sin
         + panel1_minus_composite_moment_z;
 
-    /* M: hinge3 hinge, hinge3 drift */
+    /* M */
+    /* M = S . momentum */
     const wreal hinge0_position_x = w[0]; /* m */
     const wreal panel3_origin_inertia_yy = w[5];
     const real M_hinge3_hinge2 = panel3_origin_inertia_yy + panel2_inertia_shift_part;
@@ -306,7 +338,8 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real hinge0_position_x_times_panel0_composite_moment_x = hinge0_position_x *
         panel0_composite_moment_x;
 
-    /* panel1: inertia, composite inertia */
+    /* panel1: inertia, composite */
+    /* composite = own + sum R composite_child Rᵀ moved by p */
     const wreal panel1_base_inertia_yy = w[10];
     const real panel1_inertia_shift = 2.0 * panel1_inertia_shift_part;
     const real panel1_composite_inertia_xx = hinge1_turn_sin_times_panel1_turned_shear
@@ -320,7 +353,8 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
         + panel1_inertia_shift;
     out[77] = panel1_composite_inertia_yy; /* M: hinge1.u,hinge1.u */
 
-    /* M: hinge2 hinge, hinge1 hinge, hinge2 drift, hinge1 drift */
+    /* M */
+    /* M = S . momentum */
     const real M_hinge2_hinge1 = panel2_composite_inertia_yy + panel1_inertia_shift_part;
     const real M_hinge1_hinge0 = panel1_composite_inertia_yy + panel0_inertia_shift_part;
     const real M_hinge2_hinge0 = panel2_minus_composite_moment_z * hinge1_minus_p_z
@@ -338,7 +372,8 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[17] = M_hinge1_drift_y; /* M: drift.u.y,hinge1.u */
     out[71] = M_hinge1_drift_y; /* M: hinge1.u,drift.u.y */
 
-    /* panel0: inertia, composite inertia */
+    /* panel0: inertia, composite */
+    /* composite = own + sum R composite_child Rᵀ moved by p */
     const wreal panel0_base_inertia_yy = w[13];
     const real panel0_inertia_shift = 2.0 * panel0_inertia_shift_part;
     const real panel0_composite_inertia_xx = hinge0_sin_times_panel0_turned_shear
@@ -352,7 +387,8 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
         + panel1_composite_inertia_yy;
     out[66] = panel0_composite_inertia_yy; /* M: hinge0.u,hinge0.u */
 
-    /* hub: composite inertia, inertia, composite moment */
+    /* hub: composite, inertia */
+    /* composite = own + sum R composite_child Rᵀ moved by p */
     const wreal hub_base_moment_x = w[15];
     const wreal hub_base_inertia_xx = w[17];
     const wreal hub_base_inertia_yy = w[18];
@@ -369,13 +405,15 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     /* M: drift.u.z,drift.u.z */
     out[22] = hub_base_inertia_zz + hub_inertia_shift + panel0_composite_inertia_zz;
 
-    /* M: hinge0 drift */
+    /* M */
+    /* M = S . momentum */
     const real M_hinge0_drift_y = panel0_composite_inertia_yy
         + hinge0_position_x_times_panel0_composite_moment_x;
     out[16] = M_hinge0_drift_y; /* M: drift.u.y,hinge0.u */
     out[61] = M_hinge0_drift_y; /* M: hinge0.u,drift.u.y */
 
     /* drift: R */
+    /* R = R_fixed R_joint(q) */
     const real drift_w = q[0];
     const real drift_x = q[1];
     const real drift_y = q[2];
@@ -403,6 +441,8 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real drift_R_zy = drift_w_times_twice_drift_x + drift_y_times_twice_drift_z;
 
     /* shared by several: momentum, M */
+    /* momentum = composite inertia S */
+    /* M = S . momentum */
     const real momentum_hinge3_about_ground_fx = -(panel2_minus_inertia_mean_moment_z * drift_R_xx +
         panel2_inertia_mean_moment_x * drift_R_xz);
     const real momentum_hinge3_about_ground_fy = -(panel2_minus_inertia_mean_moment_z * drift_R_yx +
@@ -467,7 +507,8 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[15] = momentum_drift_y_about_ground_fz; /* M: drift.u.y,drift.u.pz */
     out[51] = momentum_drift_y_about_ground_fz; /* M: drift.u.pz,drift.u.y */
 
-    /* momentum: drift px mx, drift py mx, drift pz mx, drift px mz, drift py mz, ... */
+    /* momentum */
+    /* momentum = composite inertia S */
     const wreal hub_base_mass = w[16];
     const real momentum_drift_px_mx = momentum_drift_x_fy * drift_R_xy;
     const real momentum_drift_py_mx = momentum_drift_x_fy * drift_R_yy;
@@ -497,7 +538,8 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[25] = momentum_drift_pz_mz; /* M: drift.u.z,drift.u.pz */
     out[52] = momentum_drift_pz_mz; /* M: drift.u.pz,drift.u.z */
 
-    /* M: drift px drift px, drift py drift px, drift py drift py, drift pz drift px, ... */
+    /* M */
+    /* M = S . momentum */
     const real M_drift_py_drift_px = drift_R_xx * momentum_drift_py_fx
         + drift_R_xz * momentum_drift_py_fz + drift_R_xy * momentum_drift_py_fy;
     const real M_drift_pz_drift_px = drift_R_xx * momentum_drift_pz_fx

@@ -7,7 +7,7 @@
  *
  * Sizes: out 21, work 829, w 107
  * Operations per call: 8086 = 4527 mul, 2359 add, 1147 sub, 15 neg, 13 div, 12 cos, 12 sin, 1 solve
- * Operations of prepare: 272 = 123 add, 89 mul, 52 sub, 8 div
+ * Operations of prepare: 268 = 122 add, 86 mul, 52 sub, 8 div
  *
  * Input q (22): generalized coordinates
  *   q[0]  hooke0.angle1 [rad]
@@ -118,7 +118,10 @@
 
 CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
-    /* tube0: first moment, mass, origin inertia, base inertia, base */
+    /* tube0: first moment, mass, origin inertia, base */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal tube0_mass = p[3]; /* kg */
     const wreal tube0_com_z = p[4]; /* m */
     const wreal tube0_inertia_xx = p[5]; /* kg m^2 */
@@ -135,7 +138,10 @@ CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     w[3] = tube0_first_moment_z;
     w[73] = tube0_base_inertia_zz;
 
-    /* rod0: first moment, mass, origin inertia, base mass, base moment, base */
+    /* rod0: first moment, mass, origin inertia, base */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal slide0_position_z = p[8]; /* m */
     const wreal rod0_mass = p[9]; /* kg */
     const wreal rod0_com_z = p[10]; /* m */
@@ -151,14 +157,12 @@ CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     const wreal rod0_origin_inertia_xx_plus_mass_shift = rod0_origin_inertia_xx + rod0_mass_shift;
     const wreal rod0_origin_inertia_yy_plus_mass_shift = rod0_origin_inertia_yy + rod0_mass_shift;
     const wreal rod0_base_mass = rod0_mass + platform_mass;
-    const wreal rod0_base_moment_z = rod0_first_moment_z + slide0_position_z * rod0_mass
-        + slide0_position_z * platform_mass;
     const wreal rod0_base_half_trace = 0.5 * (rod0_origin_inertia_xx_plus_mass_shift
         + rod0_origin_inertia_yy_plus_mass_shift + rod0_inertia_zz);
     w[69] = rod0_base_mass;
-    w[70] = rod0_base_moment_z;
 
-    /* momentum: ball0 y fz, ball0 z fx */
+    /* momentum */
+    /* momentum = composite inertia S */
     const wreal ball0_child_position_x = p[14]; /* m */
     const wreal ball0_child_position_y = p[15]; /* m */
     const wreal momentum_ball0_y_fz = ball0_child_position_x * platform_mass;
@@ -166,7 +170,10 @@ CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     w[5] = momentum_ball0_y_fz;
     w[6] = momentum_ball0_z_fx;
 
-    /* platform: first moment, mass, base second moment, origin inertia, base */
+    /* platform: first moment, mass, base, origin inertia */
+    /* first_moment = sum m c */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
     const wreal platform_com_z = p[17]; /* m */
     const wreal platform_inertia_xx = p[18]; /* kg m^2 */
     const wreal platform_inertia_yy = p[19]; /* kg m^2 */
@@ -186,9 +193,8 @@ CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
         + platform_com_z_times_first_moment_z + platform_inertia_yy;
     const wreal platform_origin_inertia_zz = ball0_child_position_x_times_momentum_ball0_y_fz
         + ball0_child_position_y_times_momentum_ball0_z_fx + platform_inertia_zz;
-    const wreal slide0_position_z_times_platform_base_mean_moment_z = 0.5 * platform_mass *
-        slide0_position_z * slide0_position_z;
-    const wreal platform_base_shift = 2.0 * slide0_position_z_times_platform_base_mean_moment_z;
+    const wreal platform_base_mass_moment_z = slide0_position_z * platform_mass;
+    const wreal platform_base_inertia_xx = slide0_position_z * platform_base_mass_moment_z;
     const wreal platform_base_half_trace = 0.5 * (platform_origin_inertia_xx
         + platform_origin_inertia_yy + platform_origin_inertia_zz);
     const wreal platform_base_second_moment_xx = platform_base_half_trace
@@ -208,7 +214,10 @@ CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     w[75] = platform_base_second_moment_yy;
     w[76] = platform_base_second_moment_zz;
 
-    /* tube1: first moment, mass, origin inertia, base inertia, base */
+    /* tube1: first moment, mass, origin inertia, base */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal tube1_mass = p[23]; /* kg */
     const wreal tube1_com_z = p[24]; /* m */
     const wreal tube1_inertia_xx = p[25]; /* kg m^2 */
@@ -225,7 +234,10 @@ CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     w[16] = tube1_first_moment_z;
     w[68] = tube1_base_inertia_zz;
 
-    /* rod1: first moment, mass, origin inertia, base moment */
+    /* rod1: first moment, mass, origin inertia, base */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal slide1_position_z = p[28]; /* m */
     const wreal rod1_mass = p[29]; /* kg */
     const wreal rod1_com_z = p[30]; /* m */
@@ -238,7 +250,10 @@ CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     const wreal rod1_base_moment_z = rod1_first_moment_z + slide1_position_z * rod1_mass;
     w[45] = rod1_base_moment_z;
 
-    /* tube2: first moment, mass, origin inertia, base inertia, base */
+    /* tube2: first moment, mass, origin inertia, base */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal tube2_mass = p[36]; /* kg */
     const wreal tube2_com_z = p[37]; /* m */
     const wreal tube2_inertia_xx = p[38]; /* kg m^2 */
@@ -255,7 +270,10 @@ CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     w[20] = tube2_first_moment_z;
     w[65] = tube2_base_inertia_zz;
 
-    /* rod2: first moment, mass, origin inertia, base moment */
+    /* rod2: first moment, mass, origin inertia, base */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal slide2_position_z = p[41]; /* m */
     const wreal rod2_mass = p[42]; /* kg */
     const wreal rod2_com_z = p[43]; /* m */
@@ -268,7 +286,10 @@ CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     const wreal rod2_base_moment_z = rod2_first_moment_z + slide2_position_z * rod2_mass;
     w[47] = rod2_base_moment_z;
 
-    /* tube3: first moment, mass, origin inertia, base inertia, base */
+    /* tube3: first moment, mass, origin inertia, base */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal tube3_mass = p[49]; /* kg */
     const wreal tube3_com_z = p[50]; /* m */
     const wreal tube3_inertia_xx = p[51]; /* kg m^2 */
@@ -285,7 +306,10 @@ CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     w[24] = tube3_first_moment_z;
     w[62] = tube3_base_inertia_zz;
 
-    /* rod3: first moment, mass, origin inertia, base moment */
+    /* rod3: first moment, mass, origin inertia, base */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal slide3_position_z = p[54]; /* m */
     const wreal rod3_mass = p[55]; /* kg */
     const wreal rod3_com_z = p[56]; /* m */
@@ -298,7 +322,10 @@ CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     const wreal rod3_base_moment_z = rod3_first_moment_z + slide3_position_z * rod3_mass;
     w[49] = rod3_base_moment_z;
 
-    /* tube4: first moment, mass, origin inertia, base inertia, base */
+    /* tube4: first moment, mass, origin inertia, base */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal tube4_mass = p[62]; /* kg */
     const wreal tube4_com_z = p[63]; /* m */
     const wreal tube4_inertia_xx = p[64]; /* kg m^2 */
@@ -315,7 +342,10 @@ CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     w[28] = tube4_first_moment_z;
     w[59] = tube4_base_inertia_zz;
 
-    /* rod4: first moment, mass, origin inertia, base moment */
+    /* rod4: first moment, mass, origin inertia, base */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal slide4_position_z = p[67]; /* m */
     const wreal rod4_mass = p[68]; /* kg */
     const wreal rod4_com_z = p[69]; /* m */
@@ -328,7 +358,10 @@ CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     const wreal rod4_base_moment_z = rod4_first_moment_z + slide4_position_z * rod4_mass;
     w[51] = rod4_base_moment_z;
 
-    /* tube5: first moment, mass, origin inertia, base inertia, base */
+    /* tube5: first moment, mass, origin inertia, base */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal tube5_mass = p[75]; /* kg */
     const wreal tube5_com_z = p[76]; /* m */
     const wreal tube5_inertia_xx = p[77]; /* kg m^2 */
@@ -345,7 +378,10 @@ CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     w[32] = tube5_first_moment_z;
     w[56] = tube5_base_inertia_zz;
 
-    /* rod5: first moment, mass, origin inertia, base moment */
+    /* rod5: first moment, mass, origin inertia, base */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal slide5_position_z = p[80]; /* m */
     const wreal rod5_mass = p[81]; /* kg */
     const wreal rod5_com_z = p[82]; /* m */
@@ -421,6 +457,7 @@ CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     w[52] = half_rod5_mass;
 
     /* rod1: mass, base */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal rod1_mass_shift = slide1_position_z * (rod1_first_moment_z
         + slide1_position_z * half_rod1_mass) * 2.0;
     const wreal rod1_base_inertia_xx = rod1_origin_inertia_xx + rod1_mass_shift;
@@ -429,6 +466,7 @@ CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
         + rod1_inertia_zz);
 
     /* rod2: mass, base */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal rod2_mass_shift = slide2_position_z * (rod2_first_moment_z
         + slide2_position_z * half_rod2_mass) * 2.0;
     const wreal rod2_base_inertia_xx = rod2_origin_inertia_xx + rod2_mass_shift;
@@ -437,6 +475,7 @@ CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
         + rod2_inertia_zz);
 
     /* rod3: mass, base */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal rod3_mass_shift = slide3_position_z * (rod3_first_moment_z
         + slide3_position_z * half_rod3_mass) * 2.0;
     const wreal rod3_base_inertia_xx = rod3_origin_inertia_xx + rod3_mass_shift;
@@ -445,6 +484,7 @@ CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
         + rod3_inertia_zz);
 
     /* rod4: mass, base */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal rod4_mass_shift = slide4_position_z * (rod4_first_moment_z
         + slide4_position_z * half_rod4_mass) * 2.0;
     const wreal rod4_base_inertia_xx = rod4_origin_inertia_xx + rod4_mass_shift;
@@ -453,6 +493,7 @@ CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
         + rod4_inertia_zz);
 
     /* rod5: mass, base */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal rod5_mass_shift = slide5_position_z * (rod5_first_moment_z
         + slide5_position_z * half_rod5_mass) * 2.0;
     const wreal rod5_base_inertia_xx = rod5_origin_inertia_xx + rod5_mass_shift;
@@ -460,7 +501,8 @@ CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     const wreal rod5_base_half_trace = 0.5 * (rod5_base_inertia_xx + rod5_base_inertia_yy
         + rod5_inertia_zz);
 
-    /* tube5: base inertia, base second moment */
+    /* tube5: base */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal tube5_base_inertia_xx = tube5_origin_inertia_xx + rod5_base_inertia_xx;
     const wreal tube5_base_inertia_yy = tube5_origin_inertia_yy + rod5_base_inertia_yy;
     const wreal tube5_base_second_moment_xx = tube5_base_half_trace - tube5_origin_inertia_xx
@@ -475,7 +517,8 @@ CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     w[78] = tube5_base_second_moment_yy;
     w[79] = tube5_base_second_moment_zz;
 
-    /* tube4: base inertia, base second moment */
+    /* tube4: base */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal tube4_base_inertia_xx = tube4_origin_inertia_xx + rod4_base_inertia_xx;
     const wreal tube4_base_inertia_yy = tube4_origin_inertia_yy + rod4_base_inertia_yy;
     const wreal tube4_base_second_moment_xx = tube4_base_half_trace - tube4_origin_inertia_xx
@@ -490,7 +533,8 @@ CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     w[81] = tube4_base_second_moment_yy;
     w[82] = tube4_base_second_moment_zz;
 
-    /* tube3: base inertia, base second moment */
+    /* tube3: base */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal tube3_base_inertia_xx = tube3_origin_inertia_xx + rod3_base_inertia_xx;
     const wreal tube3_base_inertia_yy = tube3_origin_inertia_yy + rod3_base_inertia_yy;
     const wreal tube3_base_second_moment_xx = tube3_base_half_trace - tube3_origin_inertia_xx
@@ -505,7 +549,8 @@ CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     w[84] = tube3_base_second_moment_yy;
     w[85] = tube3_base_second_moment_zz;
 
-    /* tube2: base inertia, base second moment */
+    /* tube2: base */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal tube2_base_inertia_xx = tube2_origin_inertia_xx + rod2_base_inertia_xx;
     const wreal tube2_base_inertia_yy = tube2_origin_inertia_yy + rod2_base_inertia_yy;
     const wreal tube2_base_second_moment_xx = tube2_base_half_trace - tube2_origin_inertia_xx
@@ -520,7 +565,8 @@ CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     w[87] = tube2_base_second_moment_yy;
     w[88] = tube2_base_second_moment_zz;
 
-    /* tube1: base inertia, base second moment */
+    /* tube1: base */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal tube1_base_inertia_xx = tube1_origin_inertia_xx + rod1_base_inertia_xx;
     const wreal tube1_base_inertia_yy = tube1_origin_inertia_yy + rod1_base_inertia_yy;
     const wreal tube1_base_second_moment_xx = tube1_base_half_trace - tube1_origin_inertia_xx
@@ -535,19 +581,24 @@ CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     w[90] = tube1_base_second_moment_yy;
     w[91] = tube1_base_second_moment_zz;
 
-    /* tube0: base inertia, base second moment, inertia */
+    /* rod0: base */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
+    const wreal rod0_base_moment_z = rod0_first_moment_z + slide0_position_z * rod0_mass
+        + platform_base_mass_moment_z;
+    w[70] = rod0_base_moment_z;
+
+    /* tube0: base, inertia */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal tube0_base_inertia_xx = rod0_origin_inertia_xx_plus_mass_shift
-        + platform_base_shift + tube0_origin_inertia_xx;
+        + platform_base_inertia_xx + tube0_origin_inertia_xx;
     const wreal tube0_base_inertia_yy = rod0_origin_inertia_yy_plus_mass_shift
-        + platform_base_shift + tube0_origin_inertia_yy;
+        + platform_base_inertia_xx + tube0_origin_inertia_yy;
     const wreal tube0_base_second_moment_xx = tube0_base_half_trace - tube0_origin_inertia_xx
         + (rod0_base_half_trace - rod0_origin_inertia_xx_plus_mass_shift);
     const wreal tube0_base_second_moment_yy = tube0_base_half_trace - tube0_origin_inertia_yy
         + (rod0_base_half_trace - rod0_origin_inertia_yy_plus_mass_shift);
     const wreal tube0_base_second_moment_zz = tube0_base_half_trace - tube0_inertia_zz
-        + (rod0_base_half_trace - rod0_inertia_zz
-        + (slide0_position_z_times_platform_base_mean_moment_z
-        + slide0_position_z_times_platform_base_mean_moment_z));
+        + (rod0_base_half_trace - rod0_inertia_zz + platform_base_inertia_xx);
     const wreal half_rod0_base_mass = 0.5 * rod0_base_mass;
     w[71] = tube0_base_inertia_xx;
     w[72] = tube0_base_inertia_yy;
@@ -556,7 +607,8 @@ CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     w[94] = tube0_base_second_moment_zz;
     w[95] = half_rod0_base_mass;
 
-    /* constraints: multipliers */
+    /* constraints: factor */
+    /* factor = L, D: M = Lᵀ D L, free_udot = M⁻¹ drive, response = M⁻¹ Gᵀ */
     const wreal M_factor_D_inverse_slide5 = 1.0 / rod5_mass;
     const wreal M_factor_D_inverse_slide4 = 1.0 / rod4_mass;
     const wreal M_factor_D_inverse_slide3 = 1.0 / rod3_mass;
@@ -621,6 +673,7 @@ CARDAN_PART int forward_dynamics_part1(const cardan_in *in, real *CARDAN_RESTRIC
     (void)out;
 
     /* shared by several: R */
+    /* R = R_fixed R_joint(q) */
     const real hooke0_angle1 = q[0]; /* rad */
     const real hooke0_angle2 = q[1]; /* rad */
     const real hooke1_angle1 = q[7]; /* rad */
@@ -688,6 +741,9 @@ CARDAN_PART int forward_dynamics_part1(const cardan_in *in, real *CARDAN_RESTRIC
     work[413] = hooke5_angle2_sin;
 
     /* hooke0: R, drift, velocity */
+    /* R = R_fixed R_joint(q) */
+    /* drift = S' u + [0; omega x v] */
+    /* velocity = S u */
     const real hooke0_u_angle1 = u[0]; /* rad/s */
     const real hooke0_u_angle2 = u[1]; /* rad/s */
     const real hooke0_R_yx = hooke0_angle1_sin * hooke0_angle2_sin;
@@ -714,6 +770,7 @@ CARDAN_PART int forward_dynamics_part1(const cardan_in *in, real *CARDAN_RESTRIC
     const real tube0_omega_z_rate = hooke0_u_angle1 * hooke0_u_angle2_times_angle2_cos;
 
     /* ball0: R, qdot */
+    /* R = R_fixed R_joint(q) */
     const real ball0_w = q[3];
     const real ball0_x = q[4];
     const real ball0_y = q[5];
@@ -794,6 +851,8 @@ CARDAN_PART int forward_dynamics_part1(const cardan_in *in, real *CARDAN_RESTRIC
     const real ball0_minus_R_zz_rate = ball0_minus_R_yy_rate_part + ball0_minus_R_xx_rate_part;
 
     /* shared by several: pose, twist, inertia */
+    /* pose = [R_Pᵀ R_C, R_Pᵀ (p_C - p_P)] */
+    /* twist = R_Cᵀ sum +-[R w; R v + R w x arm] */
     const real slide0_q = q[2]; /* m */
     const real slide0_u = u[2]; /* m/s */
     const wreal hooke0_position_x = w[1]; /* m */
@@ -902,6 +961,9 @@ CARDAN_PART int forward_dynamics_part1(const cardan_in *in, real *CARDAN_RESTRIC
     work[457] = rod0_inertia_half_turned_zz;
 
     /* hooke1: R, drift, velocity */
+    /* R = R_fixed R_joint(q) */
+    /* drift = S' u + [0; omega x v] */
+    /* velocity = S u */
     const real hooke1_u_angle1 = u[6]; /* rad/s */
     const real hooke1_u_angle2 = u[7]; /* rad/s */
     const real hooke1_R_yx = hooke1_angle1_sin * hooke1_angle2_sin;
@@ -932,7 +994,10 @@ CARDAN_PART int forward_dynamics_part1(const cardan_in *in, real *CARDAN_RESTRIC
     const real tube1_minus_omega_x_rate = hooke1_u_angle1 * hooke1_u_angle2_times_angle2_sin;
     const real tube1_omega_z_rate = hooke1_u_angle1 * hooke1_u_angle2_times_angle2_cos;
 
-    /* ball1: pose, twist, G px hooke0 angle, G px slide, G px ball0, G, G px hooke1 angle, ... */
+    /* ball1: pose, twist, G */
+    /* pose = [R_Pᵀ R_C, R_Pᵀ (p_C - p_P)] */
+    /* twist = R_Cᵀ sum +-[R w; R v + R w x arm] */
+    /* G = d(rate) / du */
     const wreal hooke1_position_x = w[14]; /* m */
     const wreal hooke1_position_y = w[15]; /* m */
     const wreal ball1_child_position_x_minus_ball0_child_position_x = w[34];
@@ -1309,6 +1374,10 @@ CARDAN_PART int forward_dynamics_part1(const cardan_in *in, real *CARDAN_RESTRIC
         + ball1_arm_ball0_x * ball1_base_twist_by_ball0_wy_rate);
 
     /* tube0: omega, alpha, a, U */
+    /* omega = Rᵀ omega_parent + S_w u */
+    /* alpha = Rᵀ alpha_parent + S_w udot + c_w */
+    /* a = Rᵀ (a_parent + U_parent p) + S_v udot + c_v */
+    /* U = [alpha] + [omega][omega] */
     const wreal gravity_z = w[0]; /* m/s^2 */
     const real tube0_omega_x = hooke0_u_angle1 * hooke0_angle2_cos;
     work[525] = tube0_omega_x;
@@ -1324,6 +1393,8 @@ CARDAN_PART int forward_dynamics_part1(const cardan_in *in, real *CARDAN_RESTRIC
     work[530] = tube0_U_xz;
 
     /* shared by several: twist, U */
+    /* twist = R_Cᵀ sum +-[R w; R v + R w x arm] */
+    /* U = [alpha] + [omega][omega] */
     const real ball1_base_twist_by_hooke0_wx = hooke0_angle2_cos * tube0_omega_x
         + hooke0_angle2_sin * tube0_omega_z;
     work[531] = ball1_base_twist_by_hooke0_wx;
@@ -1341,6 +1412,7 @@ CARDAN_PART int forward_dynamics_part1(const cardan_in *in, real *CARDAN_RESTRIC
     work[536] = tube0_minus_U_zz;
 
     /* ball1: twist */
+    /* twist = R_Cᵀ sum +-[R w; R v + R w x arm] */
     const real ball1_base_twist_vx_part = ball1_child_p_z * ball1_base_twist_by_hooke0_wy
         - ball1_arm_hooke0_y * ball1_base_twist_by_hooke0_wz + ball1_base_twist_by_slide0_vx
         + (ball1_arm_ball0_z * ball1_base_twist_by_ball0_wy
@@ -1386,7 +1458,12 @@ CARDAN_PART int forward_dynamics_part1(const cardan_in *in, real *CARDAN_RESTRIC
         - (ball1_base_twist_by_ball0_wz * ball1_arm_ball0_y_rate
         + ball1_arm_ball0_y * ball1_base_twist_by_ball0_wz_rate) + ball1_base_twist_vx_rate_part;
 
-    /* tube1: omega, alpha, inertia, composite inertia, a, U */
+    /* tube1: omega, alpha, inertia, composite, a, U */
+    /* omega = Rᵀ omega_parent + S_w u */
+    /* alpha = Rᵀ alpha_parent + S_w udot + c_w */
+    /* composite = own + sum R composite_child Rᵀ moved by p */
+    /* a = Rᵀ (a_parent + U_parent p) + S_v udot + c_v */
+    /* U = [alpha] + [omega][omega] */
     const real slide1_q = q[9]; /* m */
     const wreal half_rod1_mass = w[44];
     const wreal rod1_base_moment_z = w[45];
@@ -1412,6 +1489,7 @@ CARDAN_PART int forward_dynamics_part1(const cardan_in *in, real *CARDAN_RESTRIC
     work[547] = tube1_U_xz;
 
     /* ball1: twist */
+    /* twist = R_Cᵀ sum +-[R w; R v + R w x arm] */
     const real slide1_u = u[8]; /* m/s */
     const real ball1_minus_base_twist_by_hooke1_wx = hooke1_angle2_cos * tube1_omega_x
         + hooke1_angle2_sin * tube1_omega_z;
@@ -1492,6 +1570,9 @@ CARDAN_PART int forward_dynamics_part1(const cardan_in *in, real *CARDAN_RESTRIC
     work[553] = ball1_twist_vz_rate;
 
     /* hooke2: R, drift, velocity */
+    /* R = R_fixed R_joint(q) */
+    /* drift = S' u + [0; omega x v] */
+    /* velocity = S u */
     const real hooke2_u_angle1 = u[9]; /* rad/s */
     const real hooke2_u_angle2 = u[10]; /* rad/s */
     const real hooke2_R_yx = hooke2_angle1_sin * hooke2_angle2_sin;
@@ -1530,7 +1611,10 @@ CARDAN_PART int forward_dynamics_part1(const cardan_in *in, real *CARDAN_RESTRIC
     const real tube2_omega_z_rate = hooke2_u_angle1 * hooke2_u_angle2_times_angle2_cos;
     work[568] = tube2_omega_z_rate;
 
-    /* ball2: pose, twist, G px hooke0 angle, G px slide, G px ball0, G, G px hooke2 angle, ... */
+    /* ball2: pose, twist, G */
+    /* pose = [R_Pᵀ R_C, R_Pᵀ (p_C - p_P)] */
+    /* twist = R_Cᵀ sum +-[R w; R v + R w x arm] */
+    /* G = d(rate) / du */
     const wreal hooke2_position_x = w[18]; /* m */
     const wreal hooke2_position_y = w[19]; /* m */
     const wreal ball2_child_position_x_minus_ball0_child_position_x = w[36];
@@ -1881,7 +1965,12 @@ CARDAN_PART int forward_dynamics_part1(const cardan_in *in, real *CARDAN_RESTRIC
         + ball1_base_twist_by_ball0_wz * ball2_arm_ball0_y_rate) + ball2_base_twist_vx_rate_part;
     work[624] = ball2_base_twist_vx_rate_part_2;
 
-    /* tube2: omega, alpha, inertia, composite inertia, a, U */
+    /* tube2: omega, alpha, inertia, composite, a, U */
+    /* omega = Rᵀ omega_parent + S_w u */
+    /* alpha = Rᵀ alpha_parent + S_w udot + c_w */
+    /* composite = own + sum R composite_child Rᵀ moved by p */
+    /* a = Rᵀ (a_parent + U_parent p) + S_v udot + c_v */
+    /* U = [alpha] + [omega][omega] */
     const real slide2_q = q[12]; /* m */
     const wreal half_rod2_mass = w[46];
     const wreal rod2_base_moment_z = w[47];
@@ -1917,6 +2006,8 @@ CARDAN_PART int forward_dynamics_part2(const cardan_in *in, real *CARDAN_RESTRIC
     (void)out;
 
     /* ball2: twist, rate */
+    /* twist = R_Cᵀ sum +-[R w; R v + R w x arm] */
+    /* rate = G u + g_t */
     const real hooke2_u_angle2 = u[10]; /* rad/s */
     const real slide2_u = u[11]; /* m/s */
     const real hooke2_angle2_cos = work[400];
@@ -2089,6 +2180,9 @@ CARDAN_PART int forward_dynamics_part2(const cardan_in *in, real *CARDAN_RESTRIC
     work[641] = ball2_rate_pz_rate_part;
 
     /* hooke3: R, drift, velocity */
+    /* R = R_fixed R_joint(q) */
+    /* drift = S' u + [0; omega x v] */
+    /* velocity = S u */
     const real hooke3_u_angle1 = u[12]; /* rad/s */
     const real hooke3_u_angle2 = u[13]; /* rad/s */
     const real hooke3_angle1_sin = work[403];
@@ -2121,7 +2215,10 @@ CARDAN_PART int forward_dynamics_part2(const cardan_in *in, real *CARDAN_RESTRIC
     const real tube3_minus_omega_x_rate = hooke3_u_angle1 * hooke3_u_angle2_times_angle2_sin;
     const real tube3_omega_z_rate = hooke3_u_angle1 * hooke3_u_angle2_times_angle2_cos;
 
-    /* ball3: pose, twist, G px hooke0 angle, G px slide, G px ball0, G, G px hooke3 angle, ... */
+    /* ball3: pose, twist, G */
+    /* pose = [R_Pᵀ R_C, R_Pᵀ (p_C - p_P)] */
+    /* twist = R_Cᵀ sum +-[R w; R v + R w x arm] */
+    /* G = d(rate) / du */
     const wreal hooke0_position_x = w[1]; /* m */
     const wreal hooke0_position_y = w[2]; /* m */
     const wreal hooke3_position_x = w[22]; /* m */
@@ -2482,7 +2579,12 @@ CARDAN_PART int forward_dynamics_part2(const cardan_in *in, real *CARDAN_RESTRIC
         - (ball3_arm_ball0_y * ball1_base_twist_by_ball0_wz_rate
         + ball1_base_twist_by_ball0_wz * ball3_arm_ball0_y_rate) + ball3_base_twist_vx_rate_part;
 
-    /* tube3: omega, alpha, inertia, composite inertia, a, U */
+    /* tube3: omega, alpha, inertia, composite, a, U */
+    /* omega = Rᵀ omega_parent + S_w u */
+    /* alpha = Rᵀ alpha_parent + S_w udot + c_w */
+    /* composite = own + sum R composite_child Rᵀ moved by p */
+    /* a = Rᵀ (a_parent + U_parent p) + S_v udot + c_v */
+    /* U = [alpha] + [omega][omega] */
     const real slide3_q = q[15]; /* m */
     const wreal gravity_z = w[0]; /* m/s^2 */
     const wreal half_rod3_mass = w[48];
@@ -2509,6 +2611,8 @@ CARDAN_PART int forward_dynamics_part2(const cardan_in *in, real *CARDAN_RESTRIC
     work[688] = tube3_U_xz;
 
     /* ball3: twist, rate */
+    /* twist = R_Cᵀ sum +-[R w; R v + R w x arm] */
+    /* rate = G u + g_t */
     const real slide3_u = u[14]; /* m/s */
     const real ball3_minus_base_twist_by_hooke3_wx = hooke3_angle2_cos * tube3_omega_x
         + hooke3_angle2_sin * tube3_omega_z;
@@ -2618,6 +2722,9 @@ CARDAN_PART int forward_dynamics_part2(const cardan_in *in, real *CARDAN_RESTRIC
     work[697] = ball3_rate_pz_rate_part;
 
     /* hooke4: R, drift, velocity */
+    /* R = R_fixed R_joint(q) */
+    /* drift = S' u + [0; omega x v] */
+    /* velocity = S u */
     const real hooke4_u_angle1 = u[15]; /* rad/s */
     const real hooke4_u_angle2 = u[16]; /* rad/s */
     const real hooke4_angle1_sin = work[407];
@@ -2650,7 +2757,10 @@ CARDAN_PART int forward_dynamics_part2(const cardan_in *in, real *CARDAN_RESTRIC
     const real tube4_minus_omega_x_rate = hooke4_u_angle1 * hooke4_u_angle2_times_angle2_sin;
     const real tube4_omega_z_rate = hooke4_u_angle1 * hooke4_u_angle2_times_angle2_cos;
 
-    /* ball4: pose, twist, G px hooke0 angle, G px slide, G px ball0, G, G px hooke4 angle, ... */
+    /* ball4: pose, twist, G */
+    /* pose = [R_Pᵀ R_C, R_Pᵀ (p_C - p_P)] */
+    /* twist = R_Cᵀ sum +-[R w; R v + R w x arm] */
+    /* G = d(rate) / du */
     const wreal hooke4_position_x = w[26]; /* m */
     const wreal hooke4_position_y = w[27]; /* m */
     const wreal ball4_child_position_x_minus_ball0_child_position_x = w[40];
@@ -2979,7 +3089,12 @@ CARDAN_PART int forward_dynamics_part2(const cardan_in *in, real *CARDAN_RESTRIC
         - (ball4_arm_ball0_y * ball1_base_twist_by_ball0_wz_rate
         + ball1_base_twist_by_ball0_wz * ball4_arm_ball0_y_rate) + ball4_base_twist_vx_rate_part;
 
-    /* tube4: omega, alpha, inertia, composite inertia, a, U */
+    /* tube4: omega, alpha, inertia, composite, a, U */
+    /* omega = Rᵀ omega_parent + S_w u */
+    /* alpha = Rᵀ alpha_parent + S_w udot + c_w */
+    /* composite = own + sum R composite_child Rᵀ moved by p */
+    /* a = Rᵀ (a_parent + U_parent p) + S_v udot + c_v */
+    /* U = [alpha] + [omega][omega] */
     const real slide4_q = q[18]; /* m */
     const wreal half_rod4_mass = w[50];
     const wreal rod4_base_moment_z = w[51];
@@ -3005,6 +3120,8 @@ CARDAN_PART int forward_dynamics_part2(const cardan_in *in, real *CARDAN_RESTRIC
     work[744] = tube4_U_xz;
 
     /* ball4: twist, rate */
+    /* twist = R_Cᵀ sum +-[R w; R v + R w x arm] */
+    /* rate = G u + g_t */
     const real slide4_u = u[17]; /* m/s */
     const real ball4_minus_base_twist_by_hooke4_wx = hooke4_angle2_cos * tube4_omega_x
         + hooke4_angle2_sin * tube4_omega_z;
@@ -3114,6 +3231,9 @@ CARDAN_PART int forward_dynamics_part2(const cardan_in *in, real *CARDAN_RESTRIC
     work[753] = ball4_rate_pz_rate_part;
 
     /* hooke5: R, drift, velocity */
+    /* R = R_fixed R_joint(q) */
+    /* drift = S' u + [0; omega x v] */
+    /* velocity = S u */
     const real hooke5_u_angle1 = u[18]; /* rad/s */
     const real hooke5_u_angle2 = u[19]; /* rad/s */
     const real hooke5_angle1_sin = work[411];
@@ -3169,7 +3289,10 @@ CARDAN_PART int forward_dynamics_part3(const cardan_in *in, real *CARDAN_RESTRIC
     const real *const tau = in->tau;
     (void)out;
 
-    /* ball5: pose, twist, G px hooke0 angle, G px slide, G px ball0, G, G px hooke5 angle, ... */
+    /* ball5: pose, twist, G */
+    /* pose = [R_Pᵀ R_C, R_Pᵀ (p_C - p_P)] */
+    /* twist = R_Cᵀ sum +-[R w; R v + R w x arm] */
+    /* G = d(rate) / du */
     const wreal hooke0_position_x = w[1]; /* m */
     const wreal hooke0_position_y = w[2]; /* m */
     const wreal hooke5_position_x = w[30]; /* m */
@@ -3559,7 +3682,12 @@ CARDAN_PART int forward_dynamics_part3(const cardan_in *in, real *CARDAN_RESTRIC
         - (ball5_arm_ball0_y * ball1_base_twist_by_ball0_wz_rate
         + ball1_base_twist_by_ball0_wz * ball5_arm_ball0_y_rate) + ball5_base_twist_vx_rate_part;
 
-    /* tube5: omega, alpha, inertia, composite inertia, a, U */
+    /* tube5: omega, alpha, inertia, composite, a, U */
+    /* omega = Rᵀ omega_parent + S_w u */
+    /* alpha = Rᵀ alpha_parent + S_w udot + c_w */
+    /* composite = own + sum R composite_child Rᵀ moved by p */
+    /* a = Rᵀ (a_parent + U_parent p) + S_v udot + c_v */
+    /* U = [alpha] + [omega][omega] */
     const real slide5_q = q[21]; /* m */
     const real hooke5_u_angle1 = u[18]; /* rad/s */
     const wreal gravity_z = w[0]; /* m/s^2 */
@@ -3581,6 +3709,8 @@ CARDAN_PART int forward_dynamics_part3(const cardan_in *in, real *CARDAN_RESTRIC
     const real tube5_U_xz = tube5_omega_x * tube5_omega_z;
 
     /* ball5: twist, rate */
+    /* twist = R_Cᵀ sum +-[R w; R v + R w x arm] */
+    /* rate = G u + g_t */
     const real hooke5_u_angle2 = u[19]; /* rad/s */
     const real slide5_u = u[20]; /* m/s */
     const real ball5_minus_base_twist_by_hooke5_wx = hooke5_angle2_cos * tube5_omega_x
@@ -3699,7 +3829,9 @@ CARDAN_PART int forward_dynamics_part3(const cardan_in *in, real *CARDAN_RESTRIC
         + ball5_twist_vx_times_R_zx_rate_plus_R_zx_times_twist_vx_rate;
     work[775] = ball5_rate_pz_rate_part;
 
-    /* rod0: composite inertia, inertia, composite moment, a */
+    /* rod0: composite, inertia, a */
+    /* composite = own + sum R composite_child Rᵀ moved by p */
+    /* a = Rᵀ (a_parent + U_parent p) + S_v udot + c_v */
     const real slide0_q = q[2]; /* m */
     const real hooke0_u_angle2 = u[1]; /* rad/s */
     const real slide0_u = u[2]; /* m/s */
@@ -3759,7 +3891,9 @@ CARDAN_PART int forward_dynamics_part3(const cardan_in *in, real *CARDAN_RESTRIC
     const real tube0_U_xz = work[530];
     const real rod0_a_x = tube0_a_x + slide0_q * tube0_U_xz + hooke0_u_angle2 * slide0_u * 2.0;
 
-    /* tube0: inertia, composite inertia, U */
+    /* tube0: inertia, composite, U */
+    /* composite = own + sum R composite_child Rᵀ moved by p */
+    /* U = [alpha] + [omega][omega] */
     const wreal tube0_base_inertia_xx = w[71];
     const wreal tube0_base_inertia_yy = w[72];
     const wreal tube0_base_inertia_zz = w[73];
@@ -3788,7 +3922,8 @@ CARDAN_PART int forward_dynamics_part3(const cardan_in *in, real *CARDAN_RESTRIC
     const real tube0_U_yz = hooke0_minus_drift_relative_wx + hooke0_u_angle2_times_tube0_omega_z;
     const real tube0_U_zy = hooke0_u_angle2_times_tube0_omega_z - hooke0_minus_drift_relative_wx;
 
-    /* momentum: hooke5 angle1 mx, hooke5 angle1 mz, hooke4 angle1 mx, hooke4 angle1 mz, ... */
+    /* momentum */
+    /* momentum = composite inertia S */
     const wreal tube5_base_inertia_zz = w[56];
     const wreal tube4_base_inertia_zz = w[59];
     const wreal tube3_base_inertia_zz = w[62];
@@ -3828,7 +3963,8 @@ CARDAN_PART int forward_dynamics_part3(const cardan_in *in, real *CARDAN_RESTRIC
     const real momentum_hooke0_angle1_mz = hooke0_angle2_cos * tube0_composite_inertia_xz
         + hooke0_angle2_sin * tube0_composite_inertia_zz;
 
-    /* M: hooke5 angle1 hooke5 angle, hooke4 angle1 hooke4 angle, ... */
+    /* M */
+    /* M = S . momentum */
     const real M_hooke5_angle1_hooke5_angle1 = hooke5_angle2_cos * momentum_hooke5_angle1_mx
         + hooke5_angle2_sin * momentum_hooke5_angle1_mz;
     work[780] = M_hooke5_angle1_hooke5_angle1;
@@ -3855,6 +3991,13 @@ CARDAN_PART int forward_dynamics_part3(const cardan_in *in, real *CARDAN_RESTRIC
     work[787] = M_hooke0_angle1_hooke0_angle1;
 
     /* platform: momentum, alpha, omega, a, U, inertia force, f */
+    /* momentum = composite inertia S */
+    /* alpha = Rᵀ alpha_parent + S_w udot + c_w */
+    /* omega = Rᵀ omega_parent + S_w u */
+    /* a = Rᵀ (a_parent + U_parent p) + S_v udot + c_v */
+    /* U = [alpha] + [omega][omega] */
+    /* inertia_force = [2 vee(skew(U J)) + h x a; m a + U h] */
+    /* f = inertia_force_f - applied_f + sum R f_child */
     const real ball0_u_x = u[3]; /* rad/s */
     const real ball0_u_y = u[4]; /* rad/s */
     const real ball0_u_z = u[5]; /* rad/s */
@@ -3940,7 +4083,8 @@ CARDAN_PART int forward_dynamics_part3(const cardan_in *in, real *CARDAN_RESTRIC
     const real rod0_n_x_part = ball0_R_yx * platform_f_x + ball0_R_yy * platform_f_y
         - ball0_R_yz * platform_minus_f_z;
 
-    /* M: ball0 x hooke0 angle, ball0 y hooke0 angle, ball0 z hooke0 angle */
+    /* M */
+    /* M = S . momentum */
     const real M_ball0_x_hooke0_angle2 = rod0_inertia_half_turned_yx
         - slide0_position_z * momentum_minus_ball0_x_about_rod0_fx
         - slide0_q * momentum_minus_ball0_x_about_rod0_fx;
@@ -3970,6 +4114,8 @@ CARDAN_PART int forward_dynamics_part3(const cardan_in *in, real *CARDAN_RESTRIC
     work[793] = M_ball0_z_hooke0_angle1;
 
     /* rod0: a, f */
+    /* a = Rᵀ (a_parent + U_parent p) + S_v udot + c_v */
+    /* f = inertia_force_f - applied_f + sum R f_child */
     const wreal rod0_base_mass = w[69];
     const real tube0_minus_a_y = work[529];
     const real rod0_a_y = slide0_q * tube0_U_yz - tube0_minus_a_y - slide0_u * tube0_omega_x * 2.0;
@@ -3982,6 +4128,8 @@ CARDAN_PART int forward_dynamics_part3(const cardan_in *in, real *CARDAN_RESTRIC
         + rod0_base_moment_z * tube0_minus_U_zz);
 
     /* platform: a, n */
+    /* a = Rᵀ (a_parent + U_parent p) + S_v udot + c_v */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
     const real rod0_a_y_plus_slide0_position_z_times_tube0_U_yz = rod0_a_y
         + slide0_position_z * tube0_U_yz;
     const real platform_a_x = ball0_R_xx * rod0_a_x_plus_slide0_position_z_times_tube0_U_xz
@@ -4001,6 +4149,7 @@ CARDAN_PART int forward_dynamics_part3(const cardan_in *in, real *CARDAN_RESTRIC
         - momentum_ball0_y_fz * platform_a_y + platform_n_z_part;
 
     /* shared by several: U */
+    /* U = [alpha] + [omega][omega] */
     const real hooke1_u_angle2 = u[7]; /* rad/s */
     const real hooke2_u_angle2 = u[10]; /* rad/s */
     const real hooke3_u_angle2 = u[13]; /* rad/s */
@@ -4030,6 +4179,8 @@ CARDAN_PART int forward_dynamics_part3(const cardan_in *in, real *CARDAN_RESTRIC
     const real tube5_minus_U_zz = tube5_omega_x * tube5_omega_x + hooke5_u_angle2 * hooke5_u_angle2;
 
     /* tube1: U, n */
+    /* U = [alpha] + [omega][omega] */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
     const wreal tube1_base_second_moment_xx = w[89];
     const wreal tube1_base_second_moment_yy = w[90];
     const real tube1_alpha_z = work[542];
@@ -4042,6 +4193,9 @@ CARDAN_PART int forward_dynamics_part3(const cardan_in *in, real *CARDAN_RESTRIC
         - tube1_base_second_moment_yy * tube1_U_xy;
 
     /* rod1: a, n, f */
+    /* a = Rᵀ (a_parent + U_parent p) + S_v udot + c_v */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
+    /* f = inertia_force_f - applied_f + sum R f_child */
     const real slide1_q = q[9]; /* m */
     const real slide1_u = u[8]; /* m/s */
     const wreal rod1_mass = w[17]; /* kg */
@@ -4056,6 +4210,8 @@ CARDAN_PART int forward_dynamics_part3(const cardan_in *in, real *CARDAN_RESTRIC
     const real rod1_f_y = rod1_mass * rod1_a_y + rod1_base_moment_z * tube1_U_yz;
 
     /* tube2: U, n */
+    /* U = [alpha] + [omega][omega] */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
     const wreal tube2_base_second_moment_xx = w[86];
     const wreal tube2_base_second_moment_yy = w[87];
     const real tube2_alpha_z = work[627];
@@ -4068,6 +4224,9 @@ CARDAN_PART int forward_dynamics_part3(const cardan_in *in, real *CARDAN_RESTRIC
         - tube2_base_second_moment_yy * tube2_U_xy;
 
     /* rod2: a, n, f */
+    /* a = Rᵀ (a_parent + U_parent p) + S_v udot + c_v */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
+    /* f = inertia_force_f - applied_f + sum R f_child */
     const real slide2_q = q[12]; /* m */
     const real slide2_u = u[11]; /* m/s */
     const wreal rod2_mass = w[21]; /* kg */
@@ -4082,6 +4241,8 @@ CARDAN_PART int forward_dynamics_part3(const cardan_in *in, real *CARDAN_RESTRIC
     const real rod2_f_y = rod2_mass * rod2_a_y + rod2_base_moment_z * tube2_U_yz;
 
     /* tube3: U, n */
+    /* U = [alpha] + [omega][omega] */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
     const wreal tube3_base_second_moment_xx = w[83];
     const wreal tube3_base_second_moment_yy = w[84];
     const real tube3_alpha_z = work[683];
@@ -4094,6 +4255,9 @@ CARDAN_PART int forward_dynamics_part3(const cardan_in *in, real *CARDAN_RESTRIC
         - tube3_base_second_moment_yy * tube3_U_xy;
 
     /* rod3: a, n, f */
+    /* a = Rᵀ (a_parent + U_parent p) + S_v udot + c_v */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
+    /* f = inertia_force_f - applied_f + sum R f_child */
     const real slide3_q = q[15]; /* m */
     const real slide3_u = u[14]; /* m/s */
     const wreal rod3_mass = w[25]; /* kg */
@@ -4108,6 +4272,8 @@ CARDAN_PART int forward_dynamics_part3(const cardan_in *in, real *CARDAN_RESTRIC
     const real rod3_f_y = rod3_mass * rod3_a_y + rod3_base_moment_z * tube3_U_yz;
 
     /* tube4: U, n */
+    /* U = [alpha] + [omega][omega] */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
     const wreal tube4_base_second_moment_xx = w[80];
     const wreal tube4_base_second_moment_yy = w[81];
     const real tube4_alpha_z = work[739];
@@ -4120,6 +4286,9 @@ CARDAN_PART int forward_dynamics_part3(const cardan_in *in, real *CARDAN_RESTRIC
         - tube4_base_second_moment_yy * tube4_U_xy;
 
     /* rod4: a, n, f */
+    /* a = Rᵀ (a_parent + U_parent p) + S_v udot + c_v */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
+    /* f = inertia_force_f - applied_f + sum R f_child */
     const real slide4_q = q[18]; /* m */
     const real slide4_u = u[17]; /* m/s */
     const wreal rod4_mass = w[29]; /* kg */
@@ -4134,6 +4303,8 @@ CARDAN_PART int forward_dynamics_part3(const cardan_in *in, real *CARDAN_RESTRIC
     const real rod4_f_y = rod4_mass * rod4_a_y + rod4_base_moment_z * tube4_U_yz;
 
     /* tube5: U, n */
+    /* U = [alpha] + [omega][omega] */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
     const wreal tube5_base_second_moment_xx = w[77];
     const wreal tube5_base_second_moment_yy = w[78];
     const real tube5_U_xy = hooke5_u_angle2_times_tube5_omega_x - tube5_alpha_z;
@@ -4145,6 +4316,9 @@ CARDAN_PART int forward_dynamics_part3(const cardan_in *in, real *CARDAN_RESTRIC
         - tube5_base_second_moment_yy * tube5_U_xy;
 
     /* rod5: a, n, f */
+    /* a = Rᵀ (a_parent + U_parent p) + S_v udot + c_v */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
+    /* f = inertia_force_f - applied_f + sum R f_child */
     const wreal rod5_mass = w[33]; /* kg */
     const real rod5_a_x = tube5_a_x + slide5_q * tube5_U_xz + hooke5_u_angle2 * slide5_u * 2.0;
     const real rod5_a_y = slide5_q * tube5_U_yz - tube5_minus_a_y - slide5_u * tube5_omega_x * 2.0;
@@ -4153,6 +4327,7 @@ CARDAN_PART int forward_dynamics_part3(const cardan_in *in, real *CARDAN_RESTRIC
     const real rod5_f_y = rod5_mass * rod5_a_y + rod5_base_moment_z * tube5_U_yz;
 
     /* tube5: n */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
     const wreal tube5_first_moment_z = w[32];
     const wreal tube5_base_second_moment_zz = w[79];
     const real tube5_n_x = tube5_base_second_moment_yy * tube5_U_zy
@@ -4163,6 +4338,7 @@ CARDAN_PART int forward_dynamics_part3(const cardan_in *in, real *CARDAN_RESTRIC
         + slide5_q * rod5_f_x);
 
     /* tube4: n */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
     const wreal tube4_first_moment_z = w[28];
     const wreal tube4_base_second_moment_zz = w[82];
     const real tube4_n_x = tube4_base_second_moment_yy * tube4_U_zy
@@ -4173,6 +4349,7 @@ CARDAN_PART int forward_dynamics_part3(const cardan_in *in, real *CARDAN_RESTRIC
         + slide4_q * rod4_f_x);
 
     /* tube3: n */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
     const wreal tube3_first_moment_z = w[24];
     const wreal tube3_base_second_moment_zz = w[85];
     const real tube3_n_x = tube3_base_second_moment_yy * tube3_U_zy
@@ -4183,6 +4360,7 @@ CARDAN_PART int forward_dynamics_part3(const cardan_in *in, real *CARDAN_RESTRIC
         + slide3_q * rod3_f_x);
 
     /* tube2: n */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
     const wreal tube2_first_moment_z = w[20];
     const wreal tube2_base_second_moment_zz = w[88];
     const real tube2_n_x = tube2_base_second_moment_yy * tube2_U_zy
@@ -4193,6 +4371,7 @@ CARDAN_PART int forward_dynamics_part3(const cardan_in *in, real *CARDAN_RESTRIC
         + slide2_q * rod2_f_x);
 
     /* tube1: n */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
     const wreal tube1_first_moment_z = w[16];
     const wreal tube1_base_second_moment_zz = w[91];
     const real tube1_n_x = tube1_base_second_moment_yy * tube1_U_zy
@@ -4203,6 +4382,7 @@ CARDAN_PART int forward_dynamics_part3(const cardan_in *in, real *CARDAN_RESTRIC
         + slide1_q * rod1_f_x);
 
     /* rod0: n */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
     const real rod0_n_z = ball0_R_zx * platform_n_x + ball0_R_zy * platform_n_y
         + ball0_R_zz * platform_n_z;
     const real rod0_n_x = ball0_R_xx * platform_n_x + ball0_R_xy * platform_n_y
@@ -4213,6 +4393,7 @@ CARDAN_PART int forward_dynamics_part3(const cardan_in *in, real *CARDAN_RESTRIC
         + rod0_base_moment_z * rod0_a_x;
 
     /* tube0: n */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
     const wreal tube0_first_moment_z = w[3];
     const wreal tube0_base_second_moment_xx = w[92];
     const wreal tube0_base_second_moment_yy = w[93];
@@ -4226,7 +4407,9 @@ CARDAN_PART int forward_dynamics_part3(const cardan_in *in, real *CARDAN_RESTRIC
     const real tube0_n_z = tube0_base_second_moment_xx * tube0_U_yx
         - tube0_base_second_moment_yy * tube0_U_xy + rod0_n_z;
 
-    /* hooke5: tau angle, drive angle */
+    /* hooke5: tau, drive */
+    /* tau = S . [n; f] - force on the joint */
+    /* drive = tau + f - h */
     const real hooke5_u_angle1_tau = tau[18]; /* N*m */
     const real hooke5_u_angle2_tau = tau[19]; /* N*m */
     const real hooke5_tau_angle1 = hooke5_angle2_cos * tube5_n_x + hooke5_angle2_sin * tube5_n_z;
@@ -4235,7 +4418,9 @@ CARDAN_PART int forward_dynamics_part3(const cardan_in *in, real *CARDAN_RESTRIC
     const real hooke5_drive_angle2 = hooke5_u_angle2_tau - tube5_n_y;
     work[795] = hooke5_drive_angle2;
 
-    /* hooke4: tau angle, drive angle */
+    /* hooke4: tau, drive */
+    /* tau = S . [n; f] - force on the joint */
+    /* drive = tau + f - h */
     const real hooke4_u_angle1_tau = tau[15]; /* N*m */
     const real hooke4_u_angle2_tau = tau[16]; /* N*m */
     const real hooke4_tau_angle1 = hooke4_angle2_cos * tube4_n_x + hooke4_angle2_sin * tube4_n_z;
@@ -4244,7 +4429,9 @@ CARDAN_PART int forward_dynamics_part3(const cardan_in *in, real *CARDAN_RESTRIC
     const real hooke4_drive_angle2 = hooke4_u_angle2_tau - tube4_n_y;
     work[797] = hooke4_drive_angle2;
 
-    /* hooke3: tau angle, drive angle */
+    /* hooke3: tau, drive */
+    /* tau = S . [n; f] - force on the joint */
+    /* drive = tau + f - h */
     const real hooke3_u_angle1_tau = tau[12]; /* N*m */
     const real hooke3_u_angle2_tau = tau[13]; /* N*m */
     const real hooke3_tau_angle1 = hooke3_angle2_cos * tube3_n_x + hooke3_angle2_sin * tube3_n_z;
@@ -4253,7 +4440,9 @@ CARDAN_PART int forward_dynamics_part3(const cardan_in *in, real *CARDAN_RESTRIC
     const real hooke3_drive_angle2 = hooke3_u_angle2_tau - tube3_n_y;
     work[799] = hooke3_drive_angle2;
 
-    /* hooke2: tau angle, drive angle */
+    /* hooke2: tau, drive */
+    /* tau = S . [n; f] - force on the joint */
+    /* drive = tau + f - h */
     const real hooke2_u_angle1_tau = tau[9]; /* N*m */
     const real hooke2_u_angle2_tau = tau[10]; /* N*m */
     const real hooke2_tau_angle1 = hooke2_angle2_cos * tube2_n_x + hooke2_angle2_sin * tube2_n_z;
@@ -4262,7 +4451,9 @@ CARDAN_PART int forward_dynamics_part3(const cardan_in *in, real *CARDAN_RESTRIC
     const real hooke2_drive_angle2 = hooke2_u_angle2_tau - tube2_n_y;
     work[801] = hooke2_drive_angle2;
 
-    /* hooke1: tau angle, drive angle */
+    /* hooke1: tau, drive */
+    /* tau = S . [n; f] - force on the joint */
+    /* drive = tau + f - h */
     const real hooke1_u_angle1_tau = tau[6]; /* N*m */
     const real hooke1_u_angle2_tau = tau[7]; /* N*m */
     const real hooke1_tau_angle1 = hooke1_angle2_cos * tube1_n_x + hooke1_angle2_sin * tube1_n_z;
@@ -4272,13 +4463,17 @@ CARDAN_PART int forward_dynamics_part3(const cardan_in *in, real *CARDAN_RESTRIC
     work[803] = hooke1_drive_angle2;
 
     /* slide0: tau, drive */
+    /* tau = S . [n; f] - force on the joint */
+    /* drive = tau + f - h */
     const real drive0 = r[0];
     const real slide0_u_tau = tau[2]; /* N */
     const real slide0_tau = rod0_f_z - drive0;
     const real slide0_drive = slide0_u_tau - slide0_tau;
     work[804] = slide0_drive;
 
-    /* hooke0: tau angle, drive angle */
+    /* hooke0: tau, drive */
+    /* tau = S . [n; f] - force on the joint */
+    /* drive = tau + f - h */
     const real hooke0_u_angle1_tau = tau[0]; /* N*m */
     const real hooke0_u_angle2_tau = tau[1]; /* N*m */
     const real hooke0_tau_angle1 = hooke0_angle2_cos * tube0_n_x + hooke0_angle2_sin * tube0_n_z;
@@ -4288,6 +4483,7 @@ CARDAN_PART int forward_dynamics_part3(const cardan_in *in, real *CARDAN_RESTRIC
     work[806] = hooke0_drive_angle2;
 
     /* ball0: drive */
+    /* drive = tau + f - h */
     const real ball0_u_x_tau = tau[3]; /* N*m */
     const real ball0_u_y_tau = tau[4]; /* N*m */
     const real ball0_u_z_tau = tau[5]; /* N*m */
@@ -4299,6 +4495,7 @@ CARDAN_PART int forward_dynamics_part3(const cardan_in *in, real *CARDAN_RESTRIC
     work[809] = ball0_drive_z;
 
     /* slide1: drive */
+    /* drive = tau + f - h */
     const real drive1 = r[1];
     const real slide1_u_tau = tau[8]; /* N */
     const real hooke1_R_zz = work[459];
@@ -4307,6 +4504,7 @@ CARDAN_PART int forward_dynamics_part3(const cardan_in *in, real *CARDAN_RESTRIC
     work[810] = slide1_drive;
 
     /* slide2: drive */
+    /* drive = tau + f - h */
     const real drive2 = r[2];
     const real slide2_u_tau = tau[11]; /* N */
     const real hooke2_R_zz = work[557];
@@ -4315,6 +4513,7 @@ CARDAN_PART int forward_dynamics_part3(const cardan_in *in, real *CARDAN_RESTRIC
     work[811] = slide2_drive;
 
     /* slide3: drive */
+    /* drive = tau + f - h */
     const real drive3 = r[3];
     const real slide3_u_tau = tau[14]; /* N */
     const real hooke3_R_zz = work[643];
@@ -4323,6 +4522,7 @@ CARDAN_PART int forward_dynamics_part3(const cardan_in *in, real *CARDAN_RESTRIC
     work[812] = slide3_drive;
 
     /* slide4: drive */
+    /* drive = tau + f - h */
     const real drive4 = r[4];
     const real slide4_u_tau = tau[17]; /* N */
     const real hooke4_R_zz = work[699];
@@ -4331,6 +4531,7 @@ CARDAN_PART int forward_dynamics_part3(const cardan_in *in, real *CARDAN_RESTRIC
     work[813] = slide4_drive;
 
     /* slide5: drive */
+    /* drive = tau + f - h */
     const real drive5 = r[5];
     const real slide5_u_tau = tau[20]; /* N */
     const real slide5_drive = rod5_mass * (gravity_z * hooke5_R_zz + slide5_q * tube5_minus_U_zz)
@@ -4338,6 +4539,7 @@ CARDAN_PART int forward_dynamics_part3(const cardan_in *in, real *CARDAN_RESTRIC
     work[814] = slide5_drive;
 
     /* ball1: rate */
+    /* rate = G u + g_t */
     const real ball1_twist_vx = work[548];
     const real ball1_R_xx_rate_part = work[513];
     const real hooke1_minus_R_zx = work[458];
@@ -4397,8 +4599,11 @@ CARDAN_PART int forward_dynamics_part4(const cardan_in *in, real *CARDAN_RESTRIC
 {
     const wreal *const w = in->w;
     (void)out;
+    real (*const circuit_matrix)[15] = (real (*)[15])(work + 0);
 
-    /* constraints: multipliers */
+    /* constraints: factor, multipliers */
+    /* factor = L, D: M = Lᵀ D L, free_udot = M⁻¹ drive, response = M⁻¹ Gᵀ */
+    /* multipliers = circuit⁻¹ (gamma - G free_udot) */
     const wreal momentum_ball0_z_fx = w[6];
     const wreal platform_first_moment_z = w[7];
     const wreal rod0_base_mass = w[69];
@@ -5643,7 +5848,7 @@ CARDAN_PART int forward_dynamics_part4(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball1_px_ball1_px = circuit_ball1_px_ball1_px_part_2
         + ball1_G_px_hooke1_angle2 * ball1_px_response_hooke1_angle2
         + ball1_minus_G_px_slide1 * ball1_px_minus_response_slide1;
-    work[0] = circuit_ball1_px_ball1_px;
+    circuit_matrix[0][0] = circuit_ball1_px_ball1_px;
     const real circuit_ball1_py_ball1_px_part = ball1_G_py_hooke0_angle1 *
         ball1_px_response_hooke0_angle1
         + ball1_G_py_hooke0_angle2 * ball1_px_response_hooke0_angle2
@@ -5656,8 +5861,8 @@ CARDAN_PART int forward_dynamics_part4(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball1_py_ball1_px = circuit_ball1_py_ball1_px_part_2
         + ball1_G_py_hooke1_angle2 * ball1_px_response_hooke1_angle2
         + ball1_minus_G_py_slide1 * ball1_px_minus_response_slide1;
-    work[1] = circuit_ball1_py_ball1_px;
-    work[15] = circuit_ball1_py_ball1_px;
+    circuit_matrix[0][1] = circuit_ball1_py_ball1_px;
+    circuit_matrix[1][0] = circuit_ball1_py_ball1_px;
     const real circuit_ball1_py_ball1_py_part = ball1_G_py_hooke0_angle1 *
         ball1_py_response_hooke0_angle1
         + ball1_G_py_hooke0_angle2 * ball1_py_response_hooke0_angle2
@@ -5670,7 +5875,7 @@ CARDAN_PART int forward_dynamics_part4(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball1_py_ball1_py = circuit_ball1_py_ball1_py_part_2
         + ball1_G_py_hooke1_angle2 * ball1_py_response_hooke1_angle2
         + ball1_minus_G_py_slide1 * ball1_py_minus_response_slide1;
-    work[16] = circuit_ball1_py_ball1_py;
+    circuit_matrix[1][1] = circuit_ball1_py_ball1_py;
     const real circuit_ball1_pz_ball1_px_part = ball1_G_pz_hooke0_angle1 *
         ball1_px_response_hooke0_angle1
         + ball1_G_pz_hooke0_angle2 * ball1_px_response_hooke0_angle2
@@ -5683,8 +5888,8 @@ CARDAN_PART int forward_dynamics_part4(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball1_pz_ball1_px = circuit_ball1_pz_ball1_px_part_2
         + ball1_G_pz_hooke1_angle2 * ball1_px_response_hooke1_angle2
         + ball1_minus_G_pz_slide1 * ball1_px_minus_response_slide1;
-    work[2] = circuit_ball1_pz_ball1_px;
-    work[30] = circuit_ball1_pz_ball1_px;
+    circuit_matrix[0][2] = circuit_ball1_pz_ball1_px;
+    circuit_matrix[2][0] = circuit_ball1_pz_ball1_px;
     const real circuit_ball1_pz_ball1_py_part = ball1_G_pz_hooke0_angle1 *
         ball1_py_response_hooke0_angle1
         + ball1_G_pz_hooke0_angle2 * ball1_py_response_hooke0_angle2
@@ -5697,8 +5902,8 @@ CARDAN_PART int forward_dynamics_part4(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball1_pz_ball1_py = circuit_ball1_pz_ball1_py_part_2
         + ball1_G_pz_hooke1_angle2 * ball1_py_response_hooke1_angle2
         + ball1_minus_G_pz_slide1 * ball1_py_minus_response_slide1;
-    work[17] = circuit_ball1_pz_ball1_py;
-    work[31] = circuit_ball1_pz_ball1_py;
+    circuit_matrix[1][2] = circuit_ball1_pz_ball1_py;
+    circuit_matrix[2][1] = circuit_ball1_pz_ball1_py;
     const real circuit_ball1_pz_ball1_pz_part = ball1_G_pz_hooke0_angle1 *
         ball1_pz_response_hooke0_angle1
         + ball1_G_pz_hooke0_angle2 * ball1_pz_response_hooke0_angle2
@@ -5711,7 +5916,7 @@ CARDAN_PART int forward_dynamics_part4(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball1_pz_ball1_pz = circuit_ball1_pz_ball1_pz_part_2
         + ball1_G_pz_hooke1_angle2 * ball1_pz_response_hooke1_angle2
         + ball1_minus_G_pz_slide1 * ball1_pz_minus_response_slide1;
-    work[32] = circuit_ball1_pz_ball1_pz;
+    circuit_matrix[2][2] = circuit_ball1_pz_ball1_pz;
     const real circuit_ball2_px_ball1_px_part = ball2_G_px_hooke0_angle1 *
         ball1_px_response_hooke0_angle1
         + ball2_G_px_hooke0_angle2 * ball1_px_response_hooke0_angle2
@@ -5720,8 +5925,8 @@ CARDAN_PART int forward_dynamics_part4(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball2_px_ball1_px = circuit_ball2_px_ball1_px_part
         + ball2_G_px_ball0_y * ball1_px_response_ball0_y
         + ball2_G_px_ball0_z * ball1_px_response_ball0_z;
-    work[3] = circuit_ball2_px_ball1_px;
-    work[45] = circuit_ball2_px_ball1_px;
+    circuit_matrix[0][3] = circuit_ball2_px_ball1_px;
+    circuit_matrix[3][0] = circuit_ball2_px_ball1_px;
     const real circuit_ball2_px_ball1_py_part = ball2_G_px_hooke0_angle1 *
         ball1_py_response_hooke0_angle1
         + ball2_G_px_hooke0_angle2 * ball1_py_response_hooke0_angle2
@@ -5730,8 +5935,8 @@ CARDAN_PART int forward_dynamics_part4(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball2_px_ball1_py = circuit_ball2_px_ball1_py_part
         + ball2_G_px_ball0_y * ball1_py_response_ball0_y
         + ball2_G_px_ball0_z * ball1_py_response_ball0_z;
-    work[18] = circuit_ball2_px_ball1_py;
-    work[46] = circuit_ball2_px_ball1_py;
+    circuit_matrix[1][3] = circuit_ball2_px_ball1_py;
+    circuit_matrix[3][1] = circuit_ball2_px_ball1_py;
     const real circuit_ball2_px_ball1_pz_part = ball2_G_px_hooke0_angle1 *
         ball1_pz_response_hooke0_angle1
         + ball2_G_px_hooke0_angle2 * ball1_pz_response_hooke0_angle2
@@ -5740,8 +5945,8 @@ CARDAN_PART int forward_dynamics_part4(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball2_px_ball1_pz = circuit_ball2_px_ball1_pz_part
         + ball2_G_px_ball0_y * ball1_pz_response_ball0_y
         + ball2_G_px_ball0_z * ball1_pz_response_ball0_z;
-    work[33] = circuit_ball2_px_ball1_pz;
-    work[47] = circuit_ball2_px_ball1_pz;
+    circuit_matrix[2][3] = circuit_ball2_px_ball1_pz;
+    circuit_matrix[3][2] = circuit_ball2_px_ball1_pz;
     const real circuit_ball2_px_ball2_px_part = ball2_G_px_hooke0_angle1 *
         ball2_px_response_hooke0_angle1
         + ball2_G_px_hooke0_angle2 * ball2_px_response_hooke0_angle2
@@ -5754,7 +5959,7 @@ CARDAN_PART int forward_dynamics_part4(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball2_px_ball2_px = circuit_ball2_px_ball2_px_part_2
         + ball2_G_px_hooke2_angle2 * ball2_px_response_hooke2_angle2
         + ball2_minus_G_px_slide2 * ball2_px_minus_response_slide2;
-    work[48] = circuit_ball2_px_ball2_px;
+    circuit_matrix[3][3] = circuit_ball2_px_ball2_px;
     const real circuit_ball2_py_ball1_px_part = ball2_G_py_hooke0_angle1 *
         ball1_px_response_hooke0_angle1
         + ball2_G_py_hooke0_angle2 * ball1_px_response_hooke0_angle2
@@ -5763,8 +5968,8 @@ CARDAN_PART int forward_dynamics_part4(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball2_py_ball1_px = circuit_ball2_py_ball1_px_part
         + ball2_G_py_ball0_y * ball1_px_response_ball0_y
         + ball2_G_py_ball0_z * ball1_px_response_ball0_z;
-    work[4] = circuit_ball2_py_ball1_px;
-    work[60] = circuit_ball2_py_ball1_px;
+    circuit_matrix[0][4] = circuit_ball2_py_ball1_px;
+    circuit_matrix[4][0] = circuit_ball2_py_ball1_px;
     const real circuit_ball2_py_ball1_py_part = ball2_G_py_hooke0_angle1 *
         ball1_py_response_hooke0_angle1
         + ball2_G_py_hooke0_angle2 * ball1_py_response_hooke0_angle2
@@ -5773,8 +5978,8 @@ CARDAN_PART int forward_dynamics_part4(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball2_py_ball1_py = circuit_ball2_py_ball1_py_part
         + ball2_G_py_ball0_y * ball1_py_response_ball0_y
         + ball2_G_py_ball0_z * ball1_py_response_ball0_z;
-    work[19] = circuit_ball2_py_ball1_py;
-    work[61] = circuit_ball2_py_ball1_py;
+    circuit_matrix[1][4] = circuit_ball2_py_ball1_py;
+    circuit_matrix[4][1] = circuit_ball2_py_ball1_py;
     const real circuit_ball2_py_ball1_pz_part = ball2_G_py_hooke0_angle1 *
         ball1_pz_response_hooke0_angle1
         + ball2_G_py_hooke0_angle2 * ball1_pz_response_hooke0_angle2
@@ -5783,8 +5988,8 @@ CARDAN_PART int forward_dynamics_part4(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball2_py_ball1_pz = circuit_ball2_py_ball1_pz_part
         + ball2_G_py_ball0_y * ball1_pz_response_ball0_y
         + ball2_G_py_ball0_z * ball1_pz_response_ball0_z;
-    work[34] = circuit_ball2_py_ball1_pz;
-    work[62] = circuit_ball2_py_ball1_pz;
+    circuit_matrix[2][4] = circuit_ball2_py_ball1_pz;
+    circuit_matrix[4][2] = circuit_ball2_py_ball1_pz;
     const real circuit_ball2_py_ball2_px_part = ball2_G_py_hooke0_angle1 *
         ball2_px_response_hooke0_angle1
         + ball2_G_py_hooke0_angle2 * ball2_px_response_hooke0_angle2
@@ -5797,8 +6002,8 @@ CARDAN_PART int forward_dynamics_part4(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball2_py_ball2_px = circuit_ball2_py_ball2_px_part_2
         + ball2_G_py_hooke2_angle2 * ball2_px_response_hooke2_angle2
         + ball2_minus_G_py_slide2 * ball2_px_minus_response_slide2;
-    work[49] = circuit_ball2_py_ball2_px;
-    work[63] = circuit_ball2_py_ball2_px;
+    circuit_matrix[3][4] = circuit_ball2_py_ball2_px;
+    circuit_matrix[4][3] = circuit_ball2_py_ball2_px;
     const real circuit_ball2_py_ball2_py_part = ball2_G_py_hooke0_angle1 *
         ball2_py_response_hooke0_angle1
         + ball2_G_py_hooke0_angle2 * ball2_py_response_hooke0_angle2
@@ -5811,7 +6016,7 @@ CARDAN_PART int forward_dynamics_part4(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball2_py_ball2_py = circuit_ball2_py_ball2_py_part_2
         + ball2_G_py_hooke2_angle2 * ball2_py_response_hooke2_angle2
         + ball2_minus_G_py_slide2 * ball2_py_minus_response_slide2;
-    work[64] = circuit_ball2_py_ball2_py;
+    circuit_matrix[4][4] = circuit_ball2_py_ball2_py;
     const real circuit_ball2_pz_ball1_px_part = ball2_G_pz_hooke0_angle1 *
         ball1_px_response_hooke0_angle1
         + ball2_G_pz_hooke0_angle2 * ball1_px_response_hooke0_angle2
@@ -5820,8 +6025,8 @@ CARDAN_PART int forward_dynamics_part4(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball2_pz_ball1_px = circuit_ball2_pz_ball1_px_part
         + ball2_G_pz_ball0_y * ball1_px_response_ball0_y
         + ball2_G_pz_ball0_z * ball1_px_response_ball0_z;
-    work[5] = circuit_ball2_pz_ball1_px;
-    work[75] = circuit_ball2_pz_ball1_px;
+    circuit_matrix[0][5] = circuit_ball2_pz_ball1_px;
+    circuit_matrix[5][0] = circuit_ball2_pz_ball1_px;
     const real circuit_ball2_pz_ball1_py_part = ball2_G_pz_hooke0_angle1 *
         ball1_py_response_hooke0_angle1
         + ball2_G_pz_hooke0_angle2 * ball1_py_response_hooke0_angle2
@@ -5830,8 +6035,8 @@ CARDAN_PART int forward_dynamics_part4(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball2_pz_ball1_py = circuit_ball2_pz_ball1_py_part
         + ball2_G_pz_ball0_y * ball1_py_response_ball0_y
         + ball2_G_pz_ball0_z * ball1_py_response_ball0_z;
-    work[20] = circuit_ball2_pz_ball1_py;
-    work[76] = circuit_ball2_pz_ball1_py;
+    circuit_matrix[1][5] = circuit_ball2_pz_ball1_py;
+    circuit_matrix[5][1] = circuit_ball2_pz_ball1_py;
     const real circuit_ball2_pz_ball1_pz_part = ball2_G_pz_hooke0_angle1 *
         ball1_pz_response_hooke0_angle1
         + ball2_G_pz_hooke0_angle2 * ball1_pz_response_hooke0_angle2
@@ -5840,8 +6045,8 @@ CARDAN_PART int forward_dynamics_part4(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball2_pz_ball1_pz = circuit_ball2_pz_ball1_pz_part
         + ball2_G_pz_ball0_y * ball1_pz_response_ball0_y
         + ball2_G_pz_ball0_z * ball1_pz_response_ball0_z;
-    work[35] = circuit_ball2_pz_ball1_pz;
-    work[77] = circuit_ball2_pz_ball1_pz;
+    circuit_matrix[2][5] = circuit_ball2_pz_ball1_pz;
+    circuit_matrix[5][2] = circuit_ball2_pz_ball1_pz;
     const real circuit_ball2_pz_ball2_px_part = ball2_G_pz_hooke0_angle1 *
         ball2_px_response_hooke0_angle1
         + ball2_G_pz_hooke0_angle2 * ball2_px_response_hooke0_angle2
@@ -5854,8 +6059,8 @@ CARDAN_PART int forward_dynamics_part4(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball2_pz_ball2_px = circuit_ball2_pz_ball2_px_part_2
         + ball2_G_pz_hooke2_angle2 * ball2_px_response_hooke2_angle2
         + ball2_minus_G_pz_slide2 * ball2_px_minus_response_slide2;
-    work[50] = circuit_ball2_pz_ball2_px;
-    work[78] = circuit_ball2_pz_ball2_px;
+    circuit_matrix[3][5] = circuit_ball2_pz_ball2_px;
+    circuit_matrix[5][3] = circuit_ball2_pz_ball2_px;
     const real circuit_ball2_pz_ball2_py_part = ball2_G_pz_hooke0_angle1 *
         ball2_py_response_hooke0_angle1
         + ball2_G_pz_hooke0_angle2 * ball2_py_response_hooke0_angle2
@@ -5868,8 +6073,8 @@ CARDAN_PART int forward_dynamics_part4(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball2_pz_ball2_py = circuit_ball2_pz_ball2_py_part_2
         + ball2_G_pz_hooke2_angle2 * ball2_py_response_hooke2_angle2
         + ball2_minus_G_pz_slide2 * ball2_py_minus_response_slide2;
-    work[65] = circuit_ball2_pz_ball2_py;
-    work[79] = circuit_ball2_pz_ball2_py;
+    circuit_matrix[4][5] = circuit_ball2_pz_ball2_py;
+    circuit_matrix[5][4] = circuit_ball2_pz_ball2_py;
     const real circuit_ball2_pz_ball2_pz_part = ball2_G_pz_hooke0_angle1 *
         ball2_pz_response_hooke0_angle1
         + ball2_G_pz_hooke0_angle2 * ball2_pz_response_hooke0_angle2
@@ -5882,7 +6087,7 @@ CARDAN_PART int forward_dynamics_part4(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball2_pz_ball2_pz = circuit_ball2_pz_ball2_pz_part_2
         + ball2_G_pz_hooke2_angle2 * ball2_pz_response_hooke2_angle2
         + ball2_minus_G_pz_slide2 * ball2_pz_minus_response_slide2;
-    work[80] = circuit_ball2_pz_ball2_pz;
+    circuit_matrix[5][5] = circuit_ball2_pz_ball2_pz;
     const real circuit_ball3_px_ball1_px_part = ball3_G_px_hooke0_angle1 *
         ball1_px_response_hooke0_angle1
         + ball3_G_px_hooke0_angle2 * ball1_px_response_hooke0_angle2
@@ -5891,8 +6096,8 @@ CARDAN_PART int forward_dynamics_part4(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball3_px_ball1_px = circuit_ball3_px_ball1_px_part
         + ball3_G_px_ball0_y * ball1_px_response_ball0_y
         + ball3_G_px_ball0_z * ball1_px_response_ball0_z;
-    work[6] = circuit_ball3_px_ball1_px;
-    work[90] = circuit_ball3_px_ball1_px;
+    circuit_matrix[0][6] = circuit_ball3_px_ball1_px;
+    circuit_matrix[6][0] = circuit_ball3_px_ball1_px;
     const real circuit_ball3_px_ball1_py_part = ball3_G_px_hooke0_angle1 *
         ball1_py_response_hooke0_angle1
         + ball3_G_px_hooke0_angle2 * ball1_py_response_hooke0_angle2
@@ -5901,8 +6106,8 @@ CARDAN_PART int forward_dynamics_part4(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball3_px_ball1_py = circuit_ball3_px_ball1_py_part
         + ball3_G_px_ball0_y * ball1_py_response_ball0_y
         + ball3_G_px_ball0_z * ball1_py_response_ball0_z;
-    work[21] = circuit_ball3_px_ball1_py;
-    work[91] = circuit_ball3_px_ball1_py;
+    circuit_matrix[1][6] = circuit_ball3_px_ball1_py;
+    circuit_matrix[6][1] = circuit_ball3_px_ball1_py;
     const real circuit_ball3_px_ball1_pz_part = ball3_G_px_hooke0_angle1 *
         ball1_pz_response_hooke0_angle1
         + ball3_G_px_hooke0_angle2 * ball1_pz_response_hooke0_angle2
@@ -5911,8 +6116,8 @@ CARDAN_PART int forward_dynamics_part4(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball3_px_ball1_pz = circuit_ball3_px_ball1_pz_part
         + ball3_G_px_ball0_y * ball1_pz_response_ball0_y
         + ball3_G_px_ball0_z * ball1_pz_response_ball0_z;
-    work[36] = circuit_ball3_px_ball1_pz;
-    work[92] = circuit_ball3_px_ball1_pz;
+    circuit_matrix[2][6] = circuit_ball3_px_ball1_pz;
+    circuit_matrix[6][2] = circuit_ball3_px_ball1_pz;
     const real circuit_ball3_px_ball2_px_part = ball3_G_px_hooke0_angle1 *
         ball2_px_response_hooke0_angle1
         + ball3_G_px_hooke0_angle2 * ball2_px_response_hooke0_angle2
@@ -5921,8 +6126,8 @@ CARDAN_PART int forward_dynamics_part4(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball3_px_ball2_px = circuit_ball3_px_ball2_px_part
         + ball3_G_px_ball0_y * ball2_px_response_ball0_y
         + ball3_G_px_ball0_z * ball2_px_response_ball0_z;
-    work[51] = circuit_ball3_px_ball2_px;
-    work[93] = circuit_ball3_px_ball2_px;
+    circuit_matrix[3][6] = circuit_ball3_px_ball2_px;
+    circuit_matrix[6][3] = circuit_ball3_px_ball2_px;
     const real circuit_ball3_px_ball2_py_part = ball3_G_px_hooke0_angle1 *
         ball2_py_response_hooke0_angle1
         + ball3_G_px_hooke0_angle2 * ball2_py_response_hooke0_angle2
@@ -5931,8 +6136,8 @@ CARDAN_PART int forward_dynamics_part4(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball3_px_ball2_py = circuit_ball3_px_ball2_py_part
         + ball3_G_px_ball0_y * ball2_py_response_ball0_y
         + ball3_G_px_ball0_z * ball2_py_response_ball0_z;
-    work[66] = circuit_ball3_px_ball2_py;
-    work[94] = circuit_ball3_px_ball2_py;
+    circuit_matrix[4][6] = circuit_ball3_px_ball2_py;
+    circuit_matrix[6][4] = circuit_ball3_px_ball2_py;
     const real circuit_ball3_px_ball2_pz_part = ball3_G_px_hooke0_angle1 *
         ball2_pz_response_hooke0_angle1
         + ball3_G_px_hooke0_angle2 * ball2_pz_response_hooke0_angle2
@@ -5941,8 +6146,8 @@ CARDAN_PART int forward_dynamics_part4(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball3_px_ball2_pz = circuit_ball3_px_ball2_pz_part
         + ball3_G_px_ball0_y * ball2_pz_response_ball0_y
         + ball3_G_px_ball0_z * ball2_pz_response_ball0_z;
-    work[81] = circuit_ball3_px_ball2_pz;
-    work[95] = circuit_ball3_px_ball2_pz;
+    circuit_matrix[5][6] = circuit_ball3_px_ball2_pz;
+    circuit_matrix[6][5] = circuit_ball3_px_ball2_pz;
     const real circuit_ball3_px_ball3_px_part = ball3_G_px_hooke0_angle1 *
         ball3_px_response_hooke0_angle1
         + ball3_G_px_hooke0_angle2 * ball3_px_response_hooke0_angle2
@@ -5955,7 +6160,7 @@ CARDAN_PART int forward_dynamics_part4(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball3_px_ball3_px = circuit_ball3_px_ball3_px_part_2
         + ball3_G_px_hooke3_angle2 * ball3_px_response_hooke3_angle2
         + ball3_minus_G_px_slide3 * ball3_px_minus_response_slide3;
-    work[96] = circuit_ball3_px_ball3_px;
+    circuit_matrix[6][6] = circuit_ball3_px_ball3_px;
     const real circuit_ball3_py_ball1_px_part = ball3_G_py_hooke0_angle1 *
         ball1_px_response_hooke0_angle1
         + ball3_G_py_hooke0_angle2 * ball1_px_response_hooke0_angle2
@@ -5964,8 +6169,8 @@ CARDAN_PART int forward_dynamics_part4(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball3_py_ball1_px = circuit_ball3_py_ball1_px_part
         + ball3_G_py_ball0_y * ball1_px_response_ball0_y
         + ball3_G_py_ball0_z * ball1_px_response_ball0_z;
-    work[7] = circuit_ball3_py_ball1_px;
-    work[105] = circuit_ball3_py_ball1_px;
+    circuit_matrix[0][7] = circuit_ball3_py_ball1_px;
+    circuit_matrix[7][0] = circuit_ball3_py_ball1_px;
     const real circuit_ball3_py_ball1_py_part = ball3_G_py_hooke0_angle1 *
         ball1_py_response_hooke0_angle1
         + ball3_G_py_hooke0_angle2 * ball1_py_response_hooke0_angle2
@@ -5974,8 +6179,8 @@ CARDAN_PART int forward_dynamics_part4(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball3_py_ball1_py = circuit_ball3_py_ball1_py_part
         + ball3_G_py_ball0_y * ball1_py_response_ball0_y
         + ball3_G_py_ball0_z * ball1_py_response_ball0_z;
-    work[22] = circuit_ball3_py_ball1_py;
-    work[106] = circuit_ball3_py_ball1_py;
+    circuit_matrix[1][7] = circuit_ball3_py_ball1_py;
+    circuit_matrix[7][1] = circuit_ball3_py_ball1_py;
     const real circuit_ball3_py_ball1_pz_part = ball3_G_py_hooke0_angle1 *
         ball1_pz_response_hooke0_angle1
         + ball3_G_py_hooke0_angle2 * ball1_pz_response_hooke0_angle2
@@ -5984,8 +6189,8 @@ CARDAN_PART int forward_dynamics_part4(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball3_py_ball1_pz = circuit_ball3_py_ball1_pz_part
         + ball3_G_py_ball0_y * ball1_pz_response_ball0_y
         + ball3_G_py_ball0_z * ball1_pz_response_ball0_z;
-    work[37] = circuit_ball3_py_ball1_pz;
-    work[107] = circuit_ball3_py_ball1_pz;
+    circuit_matrix[2][7] = circuit_ball3_py_ball1_pz;
+    circuit_matrix[7][2] = circuit_ball3_py_ball1_pz;
     const real circuit_ball3_py_ball2_px_part = ball3_G_py_hooke0_angle1 *
         ball2_px_response_hooke0_angle1
         + ball3_G_py_hooke0_angle2 * ball2_px_response_hooke0_angle2
@@ -5994,8 +6199,8 @@ CARDAN_PART int forward_dynamics_part4(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball3_py_ball2_px = circuit_ball3_py_ball2_px_part
         + ball3_G_py_ball0_y * ball2_px_response_ball0_y
         + ball3_G_py_ball0_z * ball2_px_response_ball0_z;
-    work[52] = circuit_ball3_py_ball2_px;
-    work[108] = circuit_ball3_py_ball2_px;
+    circuit_matrix[3][7] = circuit_ball3_py_ball2_px;
+    circuit_matrix[7][3] = circuit_ball3_py_ball2_px;
     const real circuit_ball3_py_ball2_py_part = ball3_G_py_hooke0_angle1 *
         ball2_py_response_hooke0_angle1
         + ball3_G_py_hooke0_angle2 * ball2_py_response_hooke0_angle2
@@ -6004,8 +6209,8 @@ CARDAN_PART int forward_dynamics_part4(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball3_py_ball2_py = circuit_ball3_py_ball2_py_part
         + ball3_G_py_ball0_y * ball2_py_response_ball0_y
         + ball3_G_py_ball0_z * ball2_py_response_ball0_z;
-    work[67] = circuit_ball3_py_ball2_py;
-    work[109] = circuit_ball3_py_ball2_py;
+    circuit_matrix[4][7] = circuit_ball3_py_ball2_py;
+    circuit_matrix[7][4] = circuit_ball3_py_ball2_py;
     const real circuit_ball3_py_ball2_pz_part = ball3_G_py_hooke0_angle1 *
         ball2_pz_response_hooke0_angle1
         + ball3_G_py_hooke0_angle2 * ball2_pz_response_hooke0_angle2
@@ -6014,8 +6219,8 @@ CARDAN_PART int forward_dynamics_part4(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball3_py_ball2_pz = circuit_ball3_py_ball2_pz_part
         + ball3_G_py_ball0_y * ball2_pz_response_ball0_y
         + ball3_G_py_ball0_z * ball2_pz_response_ball0_z;
-    work[82] = circuit_ball3_py_ball2_pz;
-    work[110] = circuit_ball3_py_ball2_pz;
+    circuit_matrix[5][7] = circuit_ball3_py_ball2_pz;
+    circuit_matrix[7][5] = circuit_ball3_py_ball2_pz;
     const real circuit_ball3_py_ball3_px_part = ball3_G_py_hooke0_angle1 *
         ball3_px_response_hooke0_angle1
         + ball3_G_py_hooke0_angle2 * ball3_px_response_hooke0_angle2
@@ -6028,8 +6233,8 @@ CARDAN_PART int forward_dynamics_part4(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball3_py_ball3_px = circuit_ball3_py_ball3_px_part_2
         + ball3_G_py_hooke3_angle2 * ball3_px_response_hooke3_angle2
         + ball3_minus_G_py_slide3 * ball3_px_minus_response_slide3;
-    work[97] = circuit_ball3_py_ball3_px;
-    work[111] = circuit_ball3_py_ball3_px;
+    circuit_matrix[6][7] = circuit_ball3_py_ball3_px;
+    circuit_matrix[7][6] = circuit_ball3_py_ball3_px;
     const real circuit_ball3_py_ball3_py_part = ball3_G_py_hooke0_angle1 *
         ball3_py_response_hooke0_angle1
         + ball3_G_py_hooke0_angle2 * ball3_py_response_hooke0_angle2
@@ -6042,7 +6247,7 @@ CARDAN_PART int forward_dynamics_part4(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball3_py_ball3_py = circuit_ball3_py_ball3_py_part_2
         + ball3_G_py_hooke3_angle2 * ball3_py_response_hooke3_angle2
         + ball3_minus_G_py_slide3 * ball3_py_minus_response_slide3;
-    work[112] = circuit_ball3_py_ball3_py;
+    circuit_matrix[7][7] = circuit_ball3_py_ball3_py;
     const real circuit_ball3_pz_ball1_px_part = ball3_G_pz_hooke0_angle1 *
         ball1_px_response_hooke0_angle1
         + ball3_G_pz_hooke0_angle2 * ball1_px_response_hooke0_angle2
@@ -6051,8 +6256,8 @@ CARDAN_PART int forward_dynamics_part4(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball3_pz_ball1_px = circuit_ball3_pz_ball1_px_part
         + ball3_G_pz_ball0_y * ball1_px_response_ball0_y
         + ball3_G_pz_ball0_z * ball1_px_response_ball0_z;
-    work[8] = circuit_ball3_pz_ball1_px;
-    work[120] = circuit_ball3_pz_ball1_px;
+    circuit_matrix[0][8] = circuit_ball3_pz_ball1_px;
+    circuit_matrix[8][0] = circuit_ball3_pz_ball1_px;
     const real circuit_ball3_pz_ball1_py_part = ball3_G_pz_hooke0_angle1 *
         ball1_py_response_hooke0_angle1
         + ball3_G_pz_hooke0_angle2 * ball1_py_response_hooke0_angle2
@@ -6061,8 +6266,8 @@ CARDAN_PART int forward_dynamics_part4(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball3_pz_ball1_py = circuit_ball3_pz_ball1_py_part
         + ball3_G_pz_ball0_y * ball1_py_response_ball0_y
         + ball3_G_pz_ball0_z * ball1_py_response_ball0_z;
-    work[23] = circuit_ball3_pz_ball1_py;
-    work[121] = circuit_ball3_pz_ball1_py;
+    circuit_matrix[1][8] = circuit_ball3_pz_ball1_py;
+    circuit_matrix[8][1] = circuit_ball3_pz_ball1_py;
     const real circuit_ball3_pz_ball1_pz_part = ball3_G_pz_hooke0_angle1 *
         ball1_pz_response_hooke0_angle1
         + ball3_G_pz_hooke0_angle2 * ball1_pz_response_hooke0_angle2
@@ -6071,8 +6276,8 @@ CARDAN_PART int forward_dynamics_part4(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball3_pz_ball1_pz = circuit_ball3_pz_ball1_pz_part
         + ball3_G_pz_ball0_y * ball1_pz_response_ball0_y
         + ball3_G_pz_ball0_z * ball1_pz_response_ball0_z;
-    work[38] = circuit_ball3_pz_ball1_pz;
-    work[122] = circuit_ball3_pz_ball1_pz;
+    circuit_matrix[2][8] = circuit_ball3_pz_ball1_pz;
+    circuit_matrix[8][2] = circuit_ball3_pz_ball1_pz;
     const real circuit_ball3_pz_ball2_px_part = ball3_G_pz_hooke0_angle1 *
         ball2_px_response_hooke0_angle1
         + ball3_G_pz_hooke0_angle2 * ball2_px_response_hooke0_angle2
@@ -6081,8 +6286,8 @@ CARDAN_PART int forward_dynamics_part4(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball3_pz_ball2_px = circuit_ball3_pz_ball2_px_part
         + ball3_G_pz_ball0_y * ball2_px_response_ball0_y
         + ball3_G_pz_ball0_z * ball2_px_response_ball0_z;
-    work[53] = circuit_ball3_pz_ball2_px;
-    work[123] = circuit_ball3_pz_ball2_px;
+    circuit_matrix[3][8] = circuit_ball3_pz_ball2_px;
+    circuit_matrix[8][3] = circuit_ball3_pz_ball2_px;
     const real circuit_ball3_pz_ball2_py_part = ball3_G_pz_hooke0_angle1 *
         ball2_py_response_hooke0_angle1
         + ball3_G_pz_hooke0_angle2 * ball2_py_response_hooke0_angle2
@@ -6091,8 +6296,8 @@ CARDAN_PART int forward_dynamics_part4(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball3_pz_ball2_py = circuit_ball3_pz_ball2_py_part
         + ball3_G_pz_ball0_y * ball2_py_response_ball0_y
         + ball3_G_pz_ball0_z * ball2_py_response_ball0_z;
-    work[68] = circuit_ball3_pz_ball2_py;
-    work[124] = circuit_ball3_pz_ball2_py;
+    circuit_matrix[4][8] = circuit_ball3_pz_ball2_py;
+    circuit_matrix[8][4] = circuit_ball3_pz_ball2_py;
     const real circuit_ball3_pz_ball2_pz_part = ball3_G_pz_hooke0_angle1 *
         ball2_pz_response_hooke0_angle1
         + ball3_G_pz_hooke0_angle2 * ball2_pz_response_hooke0_angle2
@@ -6101,8 +6306,8 @@ CARDAN_PART int forward_dynamics_part4(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball3_pz_ball2_pz = circuit_ball3_pz_ball2_pz_part
         + ball3_G_pz_ball0_y * ball2_pz_response_ball0_y
         + ball3_G_pz_ball0_z * ball2_pz_response_ball0_z;
-    work[83] = circuit_ball3_pz_ball2_pz;
-    work[125] = circuit_ball3_pz_ball2_pz;
+    circuit_matrix[5][8] = circuit_ball3_pz_ball2_pz;
+    circuit_matrix[8][5] = circuit_ball3_pz_ball2_pz;
     const real circuit_ball3_pz_ball3_px_part = ball3_G_pz_hooke0_angle1 *
         ball3_px_response_hooke0_angle1
         + ball3_G_pz_hooke0_angle2 * ball3_px_response_hooke0_angle2
@@ -6115,8 +6320,8 @@ CARDAN_PART int forward_dynamics_part4(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball3_pz_ball3_px = circuit_ball3_pz_ball3_px_part_2
         + ball3_G_pz_hooke3_angle2 * ball3_px_response_hooke3_angle2
         + ball3_minus_G_pz_slide3 * ball3_px_minus_response_slide3;
-    work[98] = circuit_ball3_pz_ball3_px;
-    work[126] = circuit_ball3_pz_ball3_px;
+    circuit_matrix[6][8] = circuit_ball3_pz_ball3_px;
+    circuit_matrix[8][6] = circuit_ball3_pz_ball3_px;
     const real circuit_ball3_pz_ball3_py_part = ball3_G_pz_hooke0_angle1 *
         ball3_py_response_hooke0_angle1
         + ball3_G_pz_hooke0_angle2 * ball3_py_response_hooke0_angle2
@@ -6129,8 +6334,8 @@ CARDAN_PART int forward_dynamics_part4(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball3_pz_ball3_py = circuit_ball3_pz_ball3_py_part_2
         + ball3_G_pz_hooke3_angle2 * ball3_py_response_hooke3_angle2
         + ball3_minus_G_pz_slide3 * ball3_py_minus_response_slide3;
-    work[113] = circuit_ball3_pz_ball3_py;
-    work[127] = circuit_ball3_pz_ball3_py;
+    circuit_matrix[7][8] = circuit_ball3_pz_ball3_py;
+    circuit_matrix[8][7] = circuit_ball3_pz_ball3_py;
     const real circuit_ball3_pz_ball3_pz_part = ball3_G_pz_hooke0_angle1 *
         ball3_pz_response_hooke0_angle1
         + ball3_G_pz_hooke0_angle2 * ball3_pz_response_hooke0_angle2
@@ -6143,7 +6348,7 @@ CARDAN_PART int forward_dynamics_part4(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball3_pz_ball3_pz = circuit_ball3_pz_ball3_pz_part_2
         + ball3_G_pz_hooke3_angle2 * ball3_pz_response_hooke3_angle2
         + ball3_minus_G_pz_slide3 * ball3_pz_minus_response_slide3;
-    work[128] = circuit_ball3_pz_ball3_pz;
+    circuit_matrix[8][8] = circuit_ball3_pz_ball3_pz;
     const real circuit_ball4_px_ball1_px_part = ball4_G_px_hooke0_angle1 *
         ball1_px_response_hooke0_angle1
         + ball4_G_px_hooke0_angle2 * ball1_px_response_hooke0_angle2
@@ -6152,8 +6357,8 @@ CARDAN_PART int forward_dynamics_part4(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball4_px_ball1_px = circuit_ball4_px_ball1_px_part
         + ball4_G_px_ball0_y * ball1_px_response_ball0_y
         + ball4_G_px_ball0_z * ball1_px_response_ball0_z;
-    work[9] = circuit_ball4_px_ball1_px;
-    work[135] = circuit_ball4_px_ball1_px;
+    circuit_matrix[0][9] = circuit_ball4_px_ball1_px;
+    circuit_matrix[9][0] = circuit_ball4_px_ball1_px;
     const real circuit_ball4_px_ball1_py_part = ball4_G_px_hooke0_angle1 *
         ball1_py_response_hooke0_angle1
         + ball4_G_px_hooke0_angle2 * ball1_py_response_hooke0_angle2
@@ -6162,8 +6367,8 @@ CARDAN_PART int forward_dynamics_part4(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball4_px_ball1_py = circuit_ball4_px_ball1_py_part
         + ball4_G_px_ball0_y * ball1_py_response_ball0_y
         + ball4_G_px_ball0_z * ball1_py_response_ball0_z;
-    work[24] = circuit_ball4_px_ball1_py;
-    work[136] = circuit_ball4_px_ball1_py;
+    circuit_matrix[1][9] = circuit_ball4_px_ball1_py;
+    circuit_matrix[9][1] = circuit_ball4_px_ball1_py;
     const real circuit_ball4_px_ball1_pz_part = ball4_G_px_hooke0_angle1 *
         ball1_pz_response_hooke0_angle1
         + ball4_G_px_hooke0_angle2 * ball1_pz_response_hooke0_angle2
@@ -6172,8 +6377,8 @@ CARDAN_PART int forward_dynamics_part4(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball4_px_ball1_pz = circuit_ball4_px_ball1_pz_part
         + ball4_G_px_ball0_y * ball1_pz_response_ball0_y
         + ball4_G_px_ball0_z * ball1_pz_response_ball0_z;
-    work[39] = circuit_ball4_px_ball1_pz;
-    work[137] = circuit_ball4_px_ball1_pz;
+    circuit_matrix[2][9] = circuit_ball4_px_ball1_pz;
+    circuit_matrix[9][2] = circuit_ball4_px_ball1_pz;
     const real circuit_ball4_px_ball2_px_part = ball4_G_px_hooke0_angle1 *
         ball2_px_response_hooke0_angle1
         + ball4_G_px_hooke0_angle2 * ball2_px_response_hooke0_angle2
@@ -6182,8 +6387,8 @@ CARDAN_PART int forward_dynamics_part4(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball4_px_ball2_px = circuit_ball4_px_ball2_px_part
         + ball4_G_px_ball0_y * ball2_px_response_ball0_y
         + ball4_G_px_ball0_z * ball2_px_response_ball0_z;
-    work[54] = circuit_ball4_px_ball2_px;
-    work[138] = circuit_ball4_px_ball2_px;
+    circuit_matrix[3][9] = circuit_ball4_px_ball2_px;
+    circuit_matrix[9][3] = circuit_ball4_px_ball2_px;
     const real circuit_ball4_px_ball2_py_part = ball4_G_px_hooke0_angle1 *
         ball2_py_response_hooke0_angle1
         + ball4_G_px_hooke0_angle2 * ball2_py_response_hooke0_angle2
@@ -6192,8 +6397,8 @@ CARDAN_PART int forward_dynamics_part4(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball4_px_ball2_py = circuit_ball4_px_ball2_py_part
         + ball4_G_px_ball0_y * ball2_py_response_ball0_y
         + ball4_G_px_ball0_z * ball2_py_response_ball0_z;
-    work[69] = circuit_ball4_px_ball2_py;
-    work[139] = circuit_ball4_px_ball2_py;
+    circuit_matrix[4][9] = circuit_ball4_px_ball2_py;
+    circuit_matrix[9][4] = circuit_ball4_px_ball2_py;
     const real circuit_ball4_px_ball2_pz_part = ball4_G_px_hooke0_angle1 *
         ball2_pz_response_hooke0_angle1
         + ball4_G_px_hooke0_angle2 * ball2_pz_response_hooke0_angle2
@@ -6202,8 +6407,8 @@ CARDAN_PART int forward_dynamics_part4(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball4_px_ball2_pz = circuit_ball4_px_ball2_pz_part
         + ball4_G_px_ball0_y * ball2_pz_response_ball0_y
         + ball4_G_px_ball0_z * ball2_pz_response_ball0_z;
-    work[84] = circuit_ball4_px_ball2_pz;
-    work[140] = circuit_ball4_px_ball2_pz;
+    circuit_matrix[5][9] = circuit_ball4_px_ball2_pz;
+    circuit_matrix[9][5] = circuit_ball4_px_ball2_pz;
     const real circuit_ball4_px_ball3_px_part = ball4_G_px_hooke0_angle1 *
         ball3_px_response_hooke0_angle1
         + ball4_G_px_hooke0_angle2 * ball3_px_response_hooke0_angle2
@@ -6212,8 +6417,8 @@ CARDAN_PART int forward_dynamics_part4(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball4_px_ball3_px = circuit_ball4_px_ball3_px_part
         + ball4_G_px_ball0_y * ball3_px_response_ball0_y
         + ball4_G_px_ball0_z * ball3_px_response_ball0_z;
-    work[99] = circuit_ball4_px_ball3_px;
-    work[141] = circuit_ball4_px_ball3_px;
+    circuit_matrix[6][9] = circuit_ball4_px_ball3_px;
+    circuit_matrix[9][6] = circuit_ball4_px_ball3_px;
     const real circuit_ball4_px_ball3_py_part = ball4_G_px_hooke0_angle1 *
         ball3_py_response_hooke0_angle1
         + ball4_G_px_hooke0_angle2 * ball3_py_response_hooke0_angle2
@@ -6222,8 +6427,8 @@ CARDAN_PART int forward_dynamics_part4(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball4_px_ball3_py = circuit_ball4_px_ball3_py_part
         + ball4_G_px_ball0_y * ball3_py_response_ball0_y
         + ball4_G_px_ball0_z * ball3_py_response_ball0_z;
-    work[114] = circuit_ball4_px_ball3_py;
-    work[142] = circuit_ball4_px_ball3_py;
+    circuit_matrix[7][9] = circuit_ball4_px_ball3_py;
+    circuit_matrix[9][7] = circuit_ball4_px_ball3_py;
     const real circuit_ball4_px_ball3_pz_part = ball4_G_px_hooke0_angle1 *
         ball3_pz_response_hooke0_angle1
         + ball4_G_px_hooke0_angle2 * ball3_pz_response_hooke0_angle2
@@ -6232,8 +6437,8 @@ CARDAN_PART int forward_dynamics_part4(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball4_px_ball3_pz = circuit_ball4_px_ball3_pz_part
         + ball4_G_px_ball0_y * ball3_pz_response_ball0_y
         + ball4_G_px_ball0_z * ball3_pz_response_ball0_z;
-    work[129] = circuit_ball4_px_ball3_pz;
-    work[143] = circuit_ball4_px_ball3_pz;
+    circuit_matrix[8][9] = circuit_ball4_px_ball3_pz;
+    circuit_matrix[9][8] = circuit_ball4_px_ball3_pz;
     const real circuit_ball4_px_ball4_px_part = ball4_G_px_hooke0_angle1 *
         ball4_px_response_hooke0_angle1
         + ball4_G_px_hooke0_angle2 * ball4_px_response_hooke0_angle2
@@ -6246,7 +6451,7 @@ CARDAN_PART int forward_dynamics_part4(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball4_px_ball4_px = circuit_ball4_px_ball4_px_part_2
         + ball4_G_px_hooke4_angle2 * ball4_px_response_hooke4_angle2
         + ball4_minus_G_px_slide4 * ball4_px_minus_response_slide4;
-    work[144] = circuit_ball4_px_ball4_px;
+    circuit_matrix[9][9] = circuit_ball4_px_ball4_px;
     const real circuit_ball4_py_ball1_px_part = ball4_G_py_hooke0_angle1 *
         ball1_px_response_hooke0_angle1
         + ball4_G_py_hooke0_angle2 * ball1_px_response_hooke0_angle2
@@ -6255,8 +6460,8 @@ CARDAN_PART int forward_dynamics_part4(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball4_py_ball1_px = circuit_ball4_py_ball1_px_part
         + ball4_G_py_ball0_y * ball1_px_response_ball0_y
         + ball4_G_py_ball0_z * ball1_px_response_ball0_z;
-    work[10] = circuit_ball4_py_ball1_px;
-    work[150] = circuit_ball4_py_ball1_px;
+    circuit_matrix[0][10] = circuit_ball4_py_ball1_px;
+    circuit_matrix[10][0] = circuit_ball4_py_ball1_px;
     const real circuit_ball4_py_ball1_py_part = ball4_G_py_hooke0_angle1 *
         ball1_py_response_hooke0_angle1
         + ball4_G_py_hooke0_angle2 * ball1_py_response_hooke0_angle2
@@ -6265,8 +6470,8 @@ CARDAN_PART int forward_dynamics_part4(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball4_py_ball1_py = circuit_ball4_py_ball1_py_part
         + ball4_G_py_ball0_y * ball1_py_response_ball0_y
         + ball4_G_py_ball0_z * ball1_py_response_ball0_z;
-    work[25] = circuit_ball4_py_ball1_py;
-    work[151] = circuit_ball4_py_ball1_py;
+    circuit_matrix[1][10] = circuit_ball4_py_ball1_py;
+    circuit_matrix[10][1] = circuit_ball4_py_ball1_py;
     const real circuit_ball4_py_ball1_pz_part = ball4_G_py_hooke0_angle1 *
         ball1_pz_response_hooke0_angle1
         + ball4_G_py_hooke0_angle2 * ball1_pz_response_hooke0_angle2
@@ -6275,8 +6480,8 @@ CARDAN_PART int forward_dynamics_part4(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball4_py_ball1_pz = circuit_ball4_py_ball1_pz_part
         + ball4_G_py_ball0_y * ball1_pz_response_ball0_y
         + ball4_G_py_ball0_z * ball1_pz_response_ball0_z;
-    work[40] = circuit_ball4_py_ball1_pz;
-    work[152] = circuit_ball4_py_ball1_pz;
+    circuit_matrix[2][10] = circuit_ball4_py_ball1_pz;
+    circuit_matrix[10][2] = circuit_ball4_py_ball1_pz;
     const real circuit_ball4_py_ball2_px_part = ball4_G_py_hooke0_angle1 *
         ball2_px_response_hooke0_angle1
         + ball4_G_py_hooke0_angle2 * ball2_px_response_hooke0_angle2
@@ -6285,8 +6490,8 @@ CARDAN_PART int forward_dynamics_part4(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball4_py_ball2_px = circuit_ball4_py_ball2_px_part
         + ball4_G_py_ball0_y * ball2_px_response_ball0_y
         + ball4_G_py_ball0_z * ball2_px_response_ball0_z;
-    work[55] = circuit_ball4_py_ball2_px;
-    work[153] = circuit_ball4_py_ball2_px;
+    circuit_matrix[3][10] = circuit_ball4_py_ball2_px;
+    circuit_matrix[10][3] = circuit_ball4_py_ball2_px;
     const real circuit_ball4_py_ball2_py_part = ball4_G_py_hooke0_angle1 *
         ball2_py_response_hooke0_angle1
         + ball4_G_py_hooke0_angle2 * ball2_py_response_hooke0_angle2
@@ -6295,8 +6500,8 @@ CARDAN_PART int forward_dynamics_part4(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball4_py_ball2_py = circuit_ball4_py_ball2_py_part
         + ball4_G_py_ball0_y * ball2_py_response_ball0_y
         + ball4_G_py_ball0_z * ball2_py_response_ball0_z;
-    work[70] = circuit_ball4_py_ball2_py;
-    work[154] = circuit_ball4_py_ball2_py;
+    circuit_matrix[4][10] = circuit_ball4_py_ball2_py;
+    circuit_matrix[10][4] = circuit_ball4_py_ball2_py;
     const real circuit_ball4_py_ball2_pz_part = ball4_G_py_hooke0_angle1 *
         ball2_pz_response_hooke0_angle1
         + ball4_G_py_hooke0_angle2 * ball2_pz_response_hooke0_angle2
@@ -6305,8 +6510,8 @@ CARDAN_PART int forward_dynamics_part4(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball4_py_ball2_pz = circuit_ball4_py_ball2_pz_part
         + ball4_G_py_ball0_y * ball2_pz_response_ball0_y
         + ball4_G_py_ball0_z * ball2_pz_response_ball0_z;
-    work[85] = circuit_ball4_py_ball2_pz;
-    work[155] = circuit_ball4_py_ball2_pz;
+    circuit_matrix[5][10] = circuit_ball4_py_ball2_pz;
+    circuit_matrix[10][5] = circuit_ball4_py_ball2_pz;
     const real circuit_ball4_py_ball3_px_part = ball4_G_py_hooke0_angle1 *
         ball3_px_response_hooke0_angle1
         + ball4_G_py_hooke0_angle2 * ball3_px_response_hooke0_angle2
@@ -6315,8 +6520,8 @@ CARDAN_PART int forward_dynamics_part4(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball4_py_ball3_px = circuit_ball4_py_ball3_px_part
         + ball4_G_py_ball0_y * ball3_px_response_ball0_y
         + ball4_G_py_ball0_z * ball3_px_response_ball0_z;
-    work[100] = circuit_ball4_py_ball3_px;
-    work[156] = circuit_ball4_py_ball3_px;
+    circuit_matrix[6][10] = circuit_ball4_py_ball3_px;
+    circuit_matrix[10][6] = circuit_ball4_py_ball3_px;
     const real circuit_ball4_py_ball3_py_part = ball4_G_py_hooke0_angle1 *
         ball3_py_response_hooke0_angle1
         + ball4_G_py_hooke0_angle2 * ball3_py_response_hooke0_angle2
@@ -6325,8 +6530,8 @@ CARDAN_PART int forward_dynamics_part4(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball4_py_ball3_py = circuit_ball4_py_ball3_py_part
         + ball4_G_py_ball0_y * ball3_py_response_ball0_y
         + ball4_G_py_ball0_z * ball3_py_response_ball0_z;
-    work[115] = circuit_ball4_py_ball3_py;
-    work[157] = circuit_ball4_py_ball3_py;
+    circuit_matrix[7][10] = circuit_ball4_py_ball3_py;
+    circuit_matrix[10][7] = circuit_ball4_py_ball3_py;
     const real circuit_ball4_py_ball3_pz_part = ball4_G_py_hooke0_angle1 *
         ball3_pz_response_hooke0_angle1
         + ball4_G_py_hooke0_angle2 * ball3_pz_response_hooke0_angle2
@@ -6335,8 +6540,8 @@ CARDAN_PART int forward_dynamics_part4(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball4_py_ball3_pz = circuit_ball4_py_ball3_pz_part
         + ball4_G_py_ball0_y * ball3_pz_response_ball0_y
         + ball4_G_py_ball0_z * ball3_pz_response_ball0_z;
-    work[130] = circuit_ball4_py_ball3_pz;
-    work[158] = circuit_ball4_py_ball3_pz;
+    circuit_matrix[8][10] = circuit_ball4_py_ball3_pz;
+    circuit_matrix[10][8] = circuit_ball4_py_ball3_pz;
     const real circuit_ball4_py_ball4_px_part = ball4_G_py_hooke0_angle1 *
         ball4_px_response_hooke0_angle1
         + ball4_G_py_hooke0_angle2 * ball4_px_response_hooke0_angle2
@@ -6349,8 +6554,8 @@ CARDAN_PART int forward_dynamics_part4(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball4_py_ball4_px = circuit_ball4_py_ball4_px_part_2
         + ball4_G_py_hooke4_angle2 * ball4_px_response_hooke4_angle2
         + ball4_minus_G_py_slide4 * ball4_px_minus_response_slide4;
-    work[145] = circuit_ball4_py_ball4_px;
-    work[159] = circuit_ball4_py_ball4_px;
+    circuit_matrix[9][10] = circuit_ball4_py_ball4_px;
+    circuit_matrix[10][9] = circuit_ball4_py_ball4_px;
     const real circuit_ball4_py_ball4_py_part = ball4_G_py_hooke0_angle1 *
         ball4_py_response_hooke0_angle1
         + ball4_G_py_hooke0_angle2 * ball4_py_response_hooke0_angle2
@@ -6363,7 +6568,7 @@ CARDAN_PART int forward_dynamics_part4(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball4_py_ball4_py = circuit_ball4_py_ball4_py_part_2
         + ball4_G_py_hooke4_angle2 * ball4_py_response_hooke4_angle2
         + ball4_minus_G_py_slide4 * ball4_py_minus_response_slide4;
-    work[160] = circuit_ball4_py_ball4_py;
+    circuit_matrix[10][10] = circuit_ball4_py_ball4_py;
     const real circuit_ball4_pz_ball1_px_part = ball4_G_pz_hooke0_angle1 *
         ball1_px_response_hooke0_angle1
         + ball4_G_pz_hooke0_angle2 * ball1_px_response_hooke0_angle2
@@ -6372,8 +6577,8 @@ CARDAN_PART int forward_dynamics_part4(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball4_pz_ball1_px = circuit_ball4_pz_ball1_px_part
         + ball4_G_pz_ball0_y * ball1_px_response_ball0_y
         + ball4_G_pz_ball0_z * ball1_px_response_ball0_z;
-    work[11] = circuit_ball4_pz_ball1_px;
-    work[165] = circuit_ball4_pz_ball1_px;
+    circuit_matrix[0][11] = circuit_ball4_pz_ball1_px;
+    circuit_matrix[11][0] = circuit_ball4_pz_ball1_px;
     const real circuit_ball4_pz_ball1_py_part = ball4_G_pz_hooke0_angle1 *
         ball1_py_response_hooke0_angle1
         + ball4_G_pz_hooke0_angle2 * ball1_py_response_hooke0_angle2
@@ -6382,8 +6587,8 @@ CARDAN_PART int forward_dynamics_part4(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball4_pz_ball1_py = circuit_ball4_pz_ball1_py_part
         + ball4_G_pz_ball0_y * ball1_py_response_ball0_y
         + ball4_G_pz_ball0_z * ball1_py_response_ball0_z;
-    work[26] = circuit_ball4_pz_ball1_py;
-    work[166] = circuit_ball4_pz_ball1_py;
+    circuit_matrix[1][11] = circuit_ball4_pz_ball1_py;
+    circuit_matrix[11][1] = circuit_ball4_pz_ball1_py;
     const real circuit_ball4_pz_ball1_pz_part = ball4_G_pz_hooke0_angle1 *
         ball1_pz_response_hooke0_angle1
         + ball4_G_pz_hooke0_angle2 * ball1_pz_response_hooke0_angle2
@@ -6392,8 +6597,8 @@ CARDAN_PART int forward_dynamics_part4(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball4_pz_ball1_pz = circuit_ball4_pz_ball1_pz_part
         + ball4_G_pz_ball0_y * ball1_pz_response_ball0_y
         + ball4_G_pz_ball0_z * ball1_pz_response_ball0_z;
-    work[41] = circuit_ball4_pz_ball1_pz;
-    work[167] = circuit_ball4_pz_ball1_pz;
+    circuit_matrix[2][11] = circuit_ball4_pz_ball1_pz;
+    circuit_matrix[11][2] = circuit_ball4_pz_ball1_pz;
     const real circuit_ball4_pz_ball2_px_part = ball4_G_pz_hooke0_angle1 *
         ball2_px_response_hooke0_angle1
         + ball4_G_pz_hooke0_angle2 * ball2_px_response_hooke0_angle2
@@ -6402,8 +6607,8 @@ CARDAN_PART int forward_dynamics_part4(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball4_pz_ball2_px = circuit_ball4_pz_ball2_px_part
         + ball4_G_pz_ball0_y * ball2_px_response_ball0_y
         + ball4_G_pz_ball0_z * ball2_px_response_ball0_z;
-    work[56] = circuit_ball4_pz_ball2_px;
-    work[168] = circuit_ball4_pz_ball2_px;
+    circuit_matrix[3][11] = circuit_ball4_pz_ball2_px;
+    circuit_matrix[11][3] = circuit_ball4_pz_ball2_px;
     const real circuit_ball4_pz_ball2_py_part = ball4_G_pz_hooke0_angle1 *
         ball2_py_response_hooke0_angle1
         + ball4_G_pz_hooke0_angle2 * ball2_py_response_hooke0_angle2
@@ -6412,8 +6617,8 @@ CARDAN_PART int forward_dynamics_part4(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball4_pz_ball2_py = circuit_ball4_pz_ball2_py_part
         + ball4_G_pz_ball0_y * ball2_py_response_ball0_y
         + ball4_G_pz_ball0_z * ball2_py_response_ball0_z;
-    work[71] = circuit_ball4_pz_ball2_py;
-    work[169] = circuit_ball4_pz_ball2_py;
+    circuit_matrix[4][11] = circuit_ball4_pz_ball2_py;
+    circuit_matrix[11][4] = circuit_ball4_pz_ball2_py;
     const real circuit_ball4_pz_ball2_pz_part = ball4_G_pz_hooke0_angle1 *
         ball2_pz_response_hooke0_angle1
         + ball4_G_pz_hooke0_angle2 * ball2_pz_response_hooke0_angle2
@@ -6422,8 +6627,8 @@ CARDAN_PART int forward_dynamics_part4(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball4_pz_ball2_pz = circuit_ball4_pz_ball2_pz_part
         + ball4_G_pz_ball0_y * ball2_pz_response_ball0_y
         + ball4_G_pz_ball0_z * ball2_pz_response_ball0_z;
-    work[86] = circuit_ball4_pz_ball2_pz;
-    work[170] = circuit_ball4_pz_ball2_pz;
+    circuit_matrix[5][11] = circuit_ball4_pz_ball2_pz;
+    circuit_matrix[11][5] = circuit_ball4_pz_ball2_pz;
     const real circuit_ball4_pz_ball3_px_part = ball4_G_pz_hooke0_angle1 *
         ball3_px_response_hooke0_angle1
         + ball4_G_pz_hooke0_angle2 * ball3_px_response_hooke0_angle2
@@ -6432,8 +6637,8 @@ CARDAN_PART int forward_dynamics_part4(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball4_pz_ball3_px = circuit_ball4_pz_ball3_px_part
         + ball4_G_pz_ball0_y * ball3_px_response_ball0_y
         + ball4_G_pz_ball0_z * ball3_px_response_ball0_z;
-    work[101] = circuit_ball4_pz_ball3_px;
-    work[171] = circuit_ball4_pz_ball3_px;
+    circuit_matrix[6][11] = circuit_ball4_pz_ball3_px;
+    circuit_matrix[11][6] = circuit_ball4_pz_ball3_px;
     return CARDAN_OK;
 }
 
@@ -6441,9 +6646,13 @@ CARDAN_PART int forward_dynamics_part5(const cardan_in *in, real *CARDAN_RESTRIC
     real *CARDAN_RESTRICT work)
 {
     (void)in;
+    real (*const circuit_matrix)[15] = (real (*)[15])(work + 0);
+    real *const circuit_right = work + 225;
+    real *const circuit_scratch = work + 240;
     int status = CARDAN_OK;
 
     /* constraints: multipliers */
+    /* multipliers = circuit⁻¹ (gamma - G free_udot) */
     const real ball4_G_pz_hooke0_angle1 = work[726];
     const real ball3_py_response_hooke0_angle1 = work[522];
     const real ball4_G_pz_hooke0_angle2 = work[727];
@@ -6464,8 +6673,8 @@ CARDAN_PART int forward_dynamics_part5(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball4_pz_ball3_py = circuit_ball4_pz_ball3_py_part
         + ball4_G_pz_ball0_y * ball3_py_response_ball0_y
         + ball4_G_pz_ball0_z * ball3_py_response_ball0_z;
-    work[116] = circuit_ball4_pz_ball3_py;
-    work[172] = circuit_ball4_pz_ball3_py;
+    circuit_matrix[7][11] = circuit_ball4_pz_ball3_py;
+    circuit_matrix[11][7] = circuit_ball4_pz_ball3_py;
     const real ball3_pz_response_hooke0_angle1 = work[531];
     const real ball3_pz_response_hooke0_angle2 = work[535];
     const real ball3_pz_response_slide0 = work[536];
@@ -6480,8 +6689,8 @@ CARDAN_PART int forward_dynamics_part5(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball4_pz_ball3_pz = circuit_ball4_pz_ball3_pz_part
         + ball4_G_pz_ball0_y * ball3_pz_response_ball0_y
         + ball4_G_pz_ball0_z * ball3_pz_response_ball0_z;
-    work[131] = circuit_ball4_pz_ball3_pz;
-    work[173] = circuit_ball4_pz_ball3_pz;
+    circuit_matrix[8][11] = circuit_ball4_pz_ball3_pz;
+    circuit_matrix[11][8] = circuit_ball4_pz_ball3_pz;
     const real ball4_px_response_hooke0_angle1 = work[540];
     const real ball4_px_response_hooke0_angle2 = work[545];
     const real ball4_px_response_slide0 = work[546];
@@ -6506,8 +6715,8 @@ CARDAN_PART int forward_dynamics_part5(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball4_pz_ball4_px = circuit_ball4_pz_ball4_px_part_2
         + ball4_G_pz_hooke4_angle2 * ball4_px_response_hooke4_angle2
         + ball4_minus_G_pz_slide4 * ball4_px_minus_response_slide4;
-    work[146] = circuit_ball4_pz_ball4_px;
-    work[174] = circuit_ball4_pz_ball4_px;
+    circuit_matrix[9][11] = circuit_ball4_pz_ball4_px;
+    circuit_matrix[11][9] = circuit_ball4_pz_ball4_px;
     const real ball4_py_response_hooke0_angle1 = work[558];
     const real ball4_py_response_hooke0_angle2 = work[628];
     const real ball4_py_response_slide0 = work[630];
@@ -6529,8 +6738,8 @@ CARDAN_PART int forward_dynamics_part5(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball4_pz_ball4_py = circuit_ball4_pz_ball4_py_part_2
         + ball4_G_pz_hooke4_angle2 * ball4_py_response_hooke4_angle2
         + ball4_minus_G_pz_slide4 * ball4_py_minus_response_slide4;
-    work[161] = circuit_ball4_pz_ball4_py;
-    work[175] = circuit_ball4_pz_ball4_py;
+    circuit_matrix[10][11] = circuit_ball4_pz_ball4_py;
+    circuit_matrix[11][10] = circuit_ball4_pz_ball4_py;
     const real ball4_pz_response_hooke0_angle1 = work[681];
     const real ball4_pz_response_hooke0_angle2 = work[686];
     const real ball4_pz_response_slide0 = work[687];
@@ -6552,7 +6761,7 @@ CARDAN_PART int forward_dynamics_part5(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball4_pz_ball4_pz = circuit_ball4_pz_ball4_pz_part_2
         + ball4_G_pz_hooke4_angle2 * ball4_pz_response_hooke4_angle2
         + ball4_minus_G_pz_slide4 * ball4_pz_minus_response_slide4;
-    work[176] = circuit_ball4_pz_ball4_pz;
+    circuit_matrix[11][11] = circuit_ball4_pz_ball4_pz;
     const real ball5_G_px_hooke0_angle1 = work[407];
     const real ball1_px_response_hooke0_angle1 = work[417];
     const real ball5_G_px_hooke0_angle2 = work[554];
@@ -6573,8 +6782,8 @@ CARDAN_PART int forward_dynamics_part5(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball5_px_ball1_px = circuit_ball5_px_ball1_px_part
         + ball5_G_px_ball0_y * ball1_px_response_ball0_y
         + ball5_G_px_ball0_z * ball1_px_response_ball0_z;
-    work[12] = circuit_ball5_px_ball1_px;
-    work[180] = circuit_ball5_px_ball1_px;
+    circuit_matrix[0][12] = circuit_ball5_px_ball1_px;
+    circuit_matrix[12][0] = circuit_ball5_px_ball1_px;
     const real ball1_py_response_hooke0_angle1 = work[428];
     const real ball1_py_response_hooke0_angle2 = work[432];
     const real ball1_py_response_slide0 = work[434];
@@ -6589,8 +6798,8 @@ CARDAN_PART int forward_dynamics_part5(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball5_px_ball1_py = circuit_ball5_px_ball1_py_part
         + ball5_G_px_ball0_y * ball1_py_response_ball0_y
         + ball5_G_px_ball0_z * ball1_py_response_ball0_z;
-    work[27] = circuit_ball5_px_ball1_py;
-    work[181] = circuit_ball5_px_ball1_py;
+    circuit_matrix[1][12] = circuit_ball5_px_ball1_py;
+    circuit_matrix[12][1] = circuit_ball5_px_ball1_py;
     const real ball1_pz_response_hooke0_angle1 = work[438];
     const real ball1_pz_response_hooke0_angle2 = work[442];
     const real ball1_pz_response_slide0 = work[443];
@@ -6605,8 +6814,8 @@ CARDAN_PART int forward_dynamics_part5(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball5_px_ball1_pz = circuit_ball5_px_ball1_pz_part
         + ball5_G_px_ball0_y * ball1_pz_response_ball0_y
         + ball5_G_px_ball0_z * ball1_pz_response_ball0_z;
-    work[42] = circuit_ball5_px_ball1_pz;
-    work[182] = circuit_ball5_px_ball1_pz;
+    circuit_matrix[2][12] = circuit_ball5_px_ball1_pz;
+    circuit_matrix[12][2] = circuit_ball5_px_ball1_pz;
     const real ball2_px_response_hooke0_angle1 = work[447];
     const real ball2_px_response_hooke0_angle2 = work[451];
     const real ball2_px_response_slide0 = work[452];
@@ -6621,8 +6830,8 @@ CARDAN_PART int forward_dynamics_part5(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball5_px_ball2_px = circuit_ball5_px_ball2_px_part
         + ball5_G_px_ball0_y * ball2_px_response_ball0_y
         + ball5_G_px_ball0_z * ball2_px_response_ball0_z;
-    work[57] = circuit_ball5_px_ball2_px;
-    work[183] = circuit_ball5_px_ball2_px;
+    circuit_matrix[3][12] = circuit_ball5_px_ball2_px;
+    circuit_matrix[12][3] = circuit_ball5_px_ball2_px;
     const real ball2_py_response_hooke0_angle1 = work[456];
     const real ball2_py_response_hooke0_angle2 = work[462];
     const real ball2_py_response_slide0 = work[465];
@@ -6637,8 +6846,8 @@ CARDAN_PART int forward_dynamics_part5(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball5_px_ball2_py = circuit_ball5_px_ball2_py_part
         + ball5_G_px_ball0_y * ball2_py_response_ball0_y
         + ball5_G_px_ball0_z * ball2_py_response_ball0_z;
-    work[72] = circuit_ball5_px_ball2_py;
-    work[184] = circuit_ball5_px_ball2_py;
+    circuit_matrix[4][12] = circuit_ball5_px_ball2_py;
+    circuit_matrix[12][4] = circuit_ball5_px_ball2_py;
     const real ball2_pz_response_hooke0_angle1 = work[501];
     const real ball2_pz_response_hooke0_angle2 = work[505];
     const real ball2_pz_response_slide0 = work[506];
@@ -6653,8 +6862,8 @@ CARDAN_PART int forward_dynamics_part5(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball5_px_ball2_pz = circuit_ball5_px_ball2_pz_part
         + ball5_G_px_ball0_y * ball2_pz_response_ball0_y
         + ball5_G_px_ball0_z * ball2_pz_response_ball0_z;
-    work[87] = circuit_ball5_px_ball2_pz;
-    work[185] = circuit_ball5_px_ball2_pz;
+    circuit_matrix[5][12] = circuit_ball5_px_ball2_pz;
+    circuit_matrix[12][5] = circuit_ball5_px_ball2_pz;
     const real ball3_px_response_hooke0_angle1 = work[511];
     const real ball3_px_response_hooke0_angle2 = work[516];
     const real ball3_px_response_slide0 = work[517];
@@ -6669,8 +6878,8 @@ CARDAN_PART int forward_dynamics_part5(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball5_px_ball3_px = circuit_ball5_px_ball3_px_part
         + ball5_G_px_ball0_y * ball3_px_response_ball0_y
         + ball5_G_px_ball0_z * ball3_px_response_ball0_z;
-    work[102] = circuit_ball5_px_ball3_px;
-    work[186] = circuit_ball5_px_ball3_px;
+    circuit_matrix[6][12] = circuit_ball5_px_ball3_px;
+    circuit_matrix[12][6] = circuit_ball5_px_ball3_px;
     const real circuit_ball5_px_ball3_py_part = ball5_G_px_hooke0_angle1 *
         ball3_py_response_hooke0_angle1
         + ball5_G_px_hooke0_angle2 * ball3_py_response_hooke0_angle2
@@ -6679,8 +6888,8 @@ CARDAN_PART int forward_dynamics_part5(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball5_px_ball3_py = circuit_ball5_px_ball3_py_part
         + ball5_G_px_ball0_y * ball3_py_response_ball0_y
         + ball5_G_px_ball0_z * ball3_py_response_ball0_z;
-    work[117] = circuit_ball5_px_ball3_py;
-    work[187] = circuit_ball5_px_ball3_py;
+    circuit_matrix[7][12] = circuit_ball5_px_ball3_py;
+    circuit_matrix[12][7] = circuit_ball5_px_ball3_py;
     const real circuit_ball5_px_ball3_pz_part = ball5_G_px_hooke0_angle1 *
         ball3_pz_response_hooke0_angle1
         + ball5_G_px_hooke0_angle2 * ball3_pz_response_hooke0_angle2
@@ -6689,8 +6898,8 @@ CARDAN_PART int forward_dynamics_part5(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball5_px_ball3_pz = circuit_ball5_px_ball3_pz_part
         + ball5_G_px_ball0_y * ball3_pz_response_ball0_y
         + ball5_G_px_ball0_z * ball3_pz_response_ball0_z;
-    work[132] = circuit_ball5_px_ball3_pz;
-    work[188] = circuit_ball5_px_ball3_pz;
+    circuit_matrix[8][12] = circuit_ball5_px_ball3_pz;
+    circuit_matrix[12][8] = circuit_ball5_px_ball3_pz;
     const real circuit_ball5_px_ball4_px_part = ball5_G_px_hooke0_angle1 *
         ball4_px_response_hooke0_angle1
         + ball5_G_px_hooke0_angle2 * ball4_px_response_hooke0_angle2
@@ -6699,8 +6908,8 @@ CARDAN_PART int forward_dynamics_part5(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball5_px_ball4_px = circuit_ball5_px_ball4_px_part
         + ball5_G_px_ball0_y * ball4_px_response_ball0_y
         + ball5_G_px_ball0_z * ball4_px_response_ball0_z;
-    work[147] = circuit_ball5_px_ball4_px;
-    work[189] = circuit_ball5_px_ball4_px;
+    circuit_matrix[9][12] = circuit_ball5_px_ball4_px;
+    circuit_matrix[12][9] = circuit_ball5_px_ball4_px;
     const real circuit_ball5_px_ball4_py_part = ball5_G_px_hooke0_angle1 *
         ball4_py_response_hooke0_angle1
         + ball5_G_px_hooke0_angle2 * ball4_py_response_hooke0_angle2
@@ -6709,8 +6918,8 @@ CARDAN_PART int forward_dynamics_part5(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball5_px_ball4_py = circuit_ball5_px_ball4_py_part
         + ball5_G_px_ball0_y * ball4_py_response_ball0_y
         + ball5_G_px_ball0_z * ball4_py_response_ball0_z;
-    work[162] = circuit_ball5_px_ball4_py;
-    work[190] = circuit_ball5_px_ball4_py;
+    circuit_matrix[10][12] = circuit_ball5_px_ball4_py;
+    circuit_matrix[12][10] = circuit_ball5_px_ball4_py;
     const real circuit_ball5_px_ball4_pz_part = ball5_G_px_hooke0_angle1 *
         ball4_pz_response_hooke0_angle1
         + ball5_G_px_hooke0_angle2 * ball4_pz_response_hooke0_angle2
@@ -6719,8 +6928,8 @@ CARDAN_PART int forward_dynamics_part5(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball5_px_ball4_pz = circuit_ball5_px_ball4_pz_part
         + ball5_G_px_ball0_y * ball4_pz_response_ball0_y
         + ball5_G_px_ball0_z * ball4_pz_response_ball0_z;
-    work[177] = circuit_ball5_px_ball4_pz;
-    work[191] = circuit_ball5_px_ball4_pz;
+    circuit_matrix[11][12] = circuit_ball5_px_ball4_pz;
+    circuit_matrix[12][11] = circuit_ball5_px_ball4_pz;
     const real ball5_px_response_hooke0_angle1 = work[738];
     const real ball5_px_response_hooke0_angle2 = work[743];
     const real ball5_px_response_slide0 = work[744];
@@ -6745,7 +6954,7 @@ CARDAN_PART int forward_dynamics_part5(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball5_px_ball5_px = circuit_ball5_px_ball5_px_part_2
         + ball5_G_px_hooke5_angle2 * ball5_px_response_hooke5_angle2
         + ball5_minus_G_px_slide5 * ball5_px_minus_response_slide5;
-    work[192] = circuit_ball5_px_ball5_px;
+    circuit_matrix[12][12] = circuit_ball5_px_ball5_px;
     const real ball5_G_py_hooke0_angle1 = work[567];
     const real ball5_G_py_hooke0_angle2 = work[568];
     const real ball5_G_py_slide0 = work[569];
@@ -6760,8 +6969,8 @@ CARDAN_PART int forward_dynamics_part5(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball5_py_ball1_px = circuit_ball5_py_ball1_px_part
         + ball5_G_py_ball0_y * ball1_px_response_ball0_y
         + ball5_G_py_ball0_z * ball1_px_response_ball0_z;
-    work[13] = circuit_ball5_py_ball1_px;
-    work[195] = circuit_ball5_py_ball1_px;
+    circuit_matrix[0][13] = circuit_ball5_py_ball1_px;
+    circuit_matrix[13][0] = circuit_ball5_py_ball1_px;
     const real circuit_ball5_py_ball1_py_part = ball5_G_py_hooke0_angle1 *
         ball1_py_response_hooke0_angle1
         + ball5_G_py_hooke0_angle2 * ball1_py_response_hooke0_angle2
@@ -6770,8 +6979,8 @@ CARDAN_PART int forward_dynamics_part5(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball5_py_ball1_py = circuit_ball5_py_ball1_py_part
         + ball5_G_py_ball0_y * ball1_py_response_ball0_y
         + ball5_G_py_ball0_z * ball1_py_response_ball0_z;
-    work[28] = circuit_ball5_py_ball1_py;
-    work[196] = circuit_ball5_py_ball1_py;
+    circuit_matrix[1][13] = circuit_ball5_py_ball1_py;
+    circuit_matrix[13][1] = circuit_ball5_py_ball1_py;
     const real circuit_ball5_py_ball1_pz_part = ball5_G_py_hooke0_angle1 *
         ball1_pz_response_hooke0_angle1
         + ball5_G_py_hooke0_angle2 * ball1_pz_response_hooke0_angle2
@@ -6780,8 +6989,8 @@ CARDAN_PART int forward_dynamics_part5(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball5_py_ball1_pz = circuit_ball5_py_ball1_pz_part
         + ball5_G_py_ball0_y * ball1_pz_response_ball0_y
         + ball5_G_py_ball0_z * ball1_pz_response_ball0_z;
-    work[43] = circuit_ball5_py_ball1_pz;
-    work[197] = circuit_ball5_py_ball1_pz;
+    circuit_matrix[2][13] = circuit_ball5_py_ball1_pz;
+    circuit_matrix[13][2] = circuit_ball5_py_ball1_pz;
     const real circuit_ball5_py_ball2_px_part = ball5_G_py_hooke0_angle1 *
         ball2_px_response_hooke0_angle1
         + ball5_G_py_hooke0_angle2 * ball2_px_response_hooke0_angle2
@@ -6790,8 +6999,8 @@ CARDAN_PART int forward_dynamics_part5(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball5_py_ball2_px = circuit_ball5_py_ball2_px_part
         + ball5_G_py_ball0_y * ball2_px_response_ball0_y
         + ball5_G_py_ball0_z * ball2_px_response_ball0_z;
-    work[58] = circuit_ball5_py_ball2_px;
-    work[198] = circuit_ball5_py_ball2_px;
+    circuit_matrix[3][13] = circuit_ball5_py_ball2_px;
+    circuit_matrix[13][3] = circuit_ball5_py_ball2_px;
     const real circuit_ball5_py_ball2_py_part = ball5_G_py_hooke0_angle1 *
         ball2_py_response_hooke0_angle1
         + ball5_G_py_hooke0_angle2 * ball2_py_response_hooke0_angle2
@@ -6800,8 +7009,8 @@ CARDAN_PART int forward_dynamics_part5(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball5_py_ball2_py = circuit_ball5_py_ball2_py_part
         + ball5_G_py_ball0_y * ball2_py_response_ball0_y
         + ball5_G_py_ball0_z * ball2_py_response_ball0_z;
-    work[73] = circuit_ball5_py_ball2_py;
-    work[199] = circuit_ball5_py_ball2_py;
+    circuit_matrix[4][13] = circuit_ball5_py_ball2_py;
+    circuit_matrix[13][4] = circuit_ball5_py_ball2_py;
     const real circuit_ball5_py_ball2_pz_part = ball5_G_py_hooke0_angle1 *
         ball2_pz_response_hooke0_angle1
         + ball5_G_py_hooke0_angle2 * ball2_pz_response_hooke0_angle2
@@ -6810,8 +7019,8 @@ CARDAN_PART int forward_dynamics_part5(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball5_py_ball2_pz = circuit_ball5_py_ball2_pz_part
         + ball5_G_py_ball0_y * ball2_pz_response_ball0_y
         + ball5_G_py_ball0_z * ball2_pz_response_ball0_z;
-    work[88] = circuit_ball5_py_ball2_pz;
-    work[200] = circuit_ball5_py_ball2_pz;
+    circuit_matrix[5][13] = circuit_ball5_py_ball2_pz;
+    circuit_matrix[13][5] = circuit_ball5_py_ball2_pz;
     const real circuit_ball5_py_ball3_px_part = ball5_G_py_hooke0_angle1 *
         ball3_px_response_hooke0_angle1
         + ball5_G_py_hooke0_angle2 * ball3_px_response_hooke0_angle2
@@ -6820,8 +7029,8 @@ CARDAN_PART int forward_dynamics_part5(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball5_py_ball3_px = circuit_ball5_py_ball3_px_part
         + ball5_G_py_ball0_y * ball3_px_response_ball0_y
         + ball5_G_py_ball0_z * ball3_px_response_ball0_z;
-    work[103] = circuit_ball5_py_ball3_px;
-    work[201] = circuit_ball5_py_ball3_px;
+    circuit_matrix[6][13] = circuit_ball5_py_ball3_px;
+    circuit_matrix[13][6] = circuit_ball5_py_ball3_px;
     const real circuit_ball5_py_ball3_py_part = ball5_G_py_hooke0_angle1 *
         ball3_py_response_hooke0_angle1
         + ball5_G_py_hooke0_angle2 * ball3_py_response_hooke0_angle2
@@ -6830,8 +7039,8 @@ CARDAN_PART int forward_dynamics_part5(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball5_py_ball3_py = circuit_ball5_py_ball3_py_part
         + ball5_G_py_ball0_y * ball3_py_response_ball0_y
         + ball5_G_py_ball0_z * ball3_py_response_ball0_z;
-    work[118] = circuit_ball5_py_ball3_py;
-    work[202] = circuit_ball5_py_ball3_py;
+    circuit_matrix[7][13] = circuit_ball5_py_ball3_py;
+    circuit_matrix[13][7] = circuit_ball5_py_ball3_py;
     const real circuit_ball5_py_ball3_pz_part = ball5_G_py_hooke0_angle1 *
         ball3_pz_response_hooke0_angle1
         + ball5_G_py_hooke0_angle2 * ball3_pz_response_hooke0_angle2
@@ -6840,8 +7049,8 @@ CARDAN_PART int forward_dynamics_part5(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball5_py_ball3_pz = circuit_ball5_py_ball3_pz_part
         + ball5_G_py_ball0_y * ball3_pz_response_ball0_y
         + ball5_G_py_ball0_z * ball3_pz_response_ball0_z;
-    work[133] = circuit_ball5_py_ball3_pz;
-    work[203] = circuit_ball5_py_ball3_pz;
+    circuit_matrix[8][13] = circuit_ball5_py_ball3_pz;
+    circuit_matrix[13][8] = circuit_ball5_py_ball3_pz;
     const real circuit_ball5_py_ball4_px_part = ball5_G_py_hooke0_angle1 *
         ball4_px_response_hooke0_angle1
         + ball5_G_py_hooke0_angle2 * ball4_px_response_hooke0_angle2
@@ -6850,8 +7059,8 @@ CARDAN_PART int forward_dynamics_part5(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball5_py_ball4_px = circuit_ball5_py_ball4_px_part
         + ball5_G_py_ball0_y * ball4_px_response_ball0_y
         + ball5_G_py_ball0_z * ball4_px_response_ball0_z;
-    work[148] = circuit_ball5_py_ball4_px;
-    work[204] = circuit_ball5_py_ball4_px;
+    circuit_matrix[9][13] = circuit_ball5_py_ball4_px;
+    circuit_matrix[13][9] = circuit_ball5_py_ball4_px;
     const real circuit_ball5_py_ball4_py_part = ball5_G_py_hooke0_angle1 *
         ball4_py_response_hooke0_angle1
         + ball5_G_py_hooke0_angle2 * ball4_py_response_hooke0_angle2
@@ -6860,8 +7069,8 @@ CARDAN_PART int forward_dynamics_part5(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball5_py_ball4_py = circuit_ball5_py_ball4_py_part
         + ball5_G_py_ball0_y * ball4_py_response_ball0_y
         + ball5_G_py_ball0_z * ball4_py_response_ball0_z;
-    work[163] = circuit_ball5_py_ball4_py;
-    work[205] = circuit_ball5_py_ball4_py;
+    circuit_matrix[10][13] = circuit_ball5_py_ball4_py;
+    circuit_matrix[13][10] = circuit_ball5_py_ball4_py;
     const real circuit_ball5_py_ball4_pz_part = ball5_G_py_hooke0_angle1 *
         ball4_pz_response_hooke0_angle1
         + ball5_G_py_hooke0_angle2 * ball4_pz_response_hooke0_angle2
@@ -6870,8 +7079,8 @@ CARDAN_PART int forward_dynamics_part5(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball5_py_ball4_pz = circuit_ball5_py_ball4_pz_part
         + ball5_G_py_ball0_y * ball4_pz_response_ball0_y
         + ball5_G_py_ball0_z * ball4_pz_response_ball0_z;
-    work[178] = circuit_ball5_py_ball4_pz;
-    work[206] = circuit_ball5_py_ball4_pz;
+    circuit_matrix[11][13] = circuit_ball5_py_ball4_pz;
+    circuit_matrix[13][11] = circuit_ball5_py_ball4_pz;
     const real circuit_ball5_py_ball5_px_part = ball5_G_py_hooke0_angle1 *
         ball5_px_response_hooke0_angle1
         + ball5_G_py_hooke0_angle2 * ball5_px_response_hooke0_angle2
@@ -6887,8 +7096,8 @@ CARDAN_PART int forward_dynamics_part5(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball5_py_ball5_px = circuit_ball5_py_ball5_px_part_2
         + ball5_G_py_hooke5_angle2 * ball5_px_response_hooke5_angle2
         + ball5_minus_G_py_slide5 * ball5_px_minus_response_slide5;
-    work[193] = circuit_ball5_py_ball5_px;
-    work[207] = circuit_ball5_py_ball5_px;
+    circuit_matrix[12][13] = circuit_ball5_py_ball5_px;
+    circuit_matrix[13][12] = circuit_ball5_py_ball5_px;
     const real ball5_py_response_hooke0_angle1 = work[759];
     const real ball5_py_response_hooke0_angle2 = work[763];
     const real ball5_py_response_slide0 = work[764];
@@ -6910,7 +7119,7 @@ CARDAN_PART int forward_dynamics_part5(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball5_py_ball5_py = circuit_ball5_py_ball5_py_part_2
         + ball5_G_py_hooke5_angle2 * ball5_py_response_hooke5_angle2
         + ball5_minus_G_py_slide5 * ball5_py_minus_response_slide5;
-    work[208] = circuit_ball5_py_ball5_py;
+    circuit_matrix[13][13] = circuit_ball5_py_ball5_py;
     const real ball5_G_pz_hooke0_angle1 = work[581];
     const real ball5_G_pz_hooke0_angle2 = work[582];
     const real ball5_G_pz_slide0 = work[583];
@@ -6925,8 +7134,8 @@ CARDAN_PART int forward_dynamics_part5(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball5_pz_ball1_px = circuit_ball5_pz_ball1_px_part
         + ball5_G_pz_ball0_y * ball1_px_response_ball0_y
         + ball5_G_pz_ball0_z * ball1_px_response_ball0_z;
-    work[14] = circuit_ball5_pz_ball1_px;
-    work[210] = circuit_ball5_pz_ball1_px;
+    circuit_matrix[0][14] = circuit_ball5_pz_ball1_px;
+    circuit_matrix[14][0] = circuit_ball5_pz_ball1_px;
     const real circuit_ball5_pz_ball1_py_part = ball5_G_pz_hooke0_angle1 *
         ball1_py_response_hooke0_angle1
         + ball5_G_pz_hooke0_angle2 * ball1_py_response_hooke0_angle2
@@ -6935,8 +7144,8 @@ CARDAN_PART int forward_dynamics_part5(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball5_pz_ball1_py = circuit_ball5_pz_ball1_py_part
         + ball5_G_pz_ball0_y * ball1_py_response_ball0_y
         + ball5_G_pz_ball0_z * ball1_py_response_ball0_z;
-    work[29] = circuit_ball5_pz_ball1_py;
-    work[211] = circuit_ball5_pz_ball1_py;
+    circuit_matrix[1][14] = circuit_ball5_pz_ball1_py;
+    circuit_matrix[14][1] = circuit_ball5_pz_ball1_py;
     const real circuit_ball5_pz_ball1_pz_part = ball5_G_pz_hooke0_angle1 *
         ball1_pz_response_hooke0_angle1
         + ball5_G_pz_hooke0_angle2 * ball1_pz_response_hooke0_angle2
@@ -6945,8 +7154,8 @@ CARDAN_PART int forward_dynamics_part5(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball5_pz_ball1_pz = circuit_ball5_pz_ball1_pz_part
         + ball5_G_pz_ball0_y * ball1_pz_response_ball0_y
         + ball5_G_pz_ball0_z * ball1_pz_response_ball0_z;
-    work[44] = circuit_ball5_pz_ball1_pz;
-    work[212] = circuit_ball5_pz_ball1_pz;
+    circuit_matrix[2][14] = circuit_ball5_pz_ball1_pz;
+    circuit_matrix[14][2] = circuit_ball5_pz_ball1_pz;
     const real circuit_ball5_pz_ball2_px_part = ball5_G_pz_hooke0_angle1 *
         ball2_px_response_hooke0_angle1
         + ball5_G_pz_hooke0_angle2 * ball2_px_response_hooke0_angle2
@@ -6955,8 +7164,8 @@ CARDAN_PART int forward_dynamics_part5(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball5_pz_ball2_px = circuit_ball5_pz_ball2_px_part
         + ball5_G_pz_ball0_y * ball2_px_response_ball0_y
         + ball5_G_pz_ball0_z * ball2_px_response_ball0_z;
-    work[59] = circuit_ball5_pz_ball2_px;
-    work[213] = circuit_ball5_pz_ball2_px;
+    circuit_matrix[3][14] = circuit_ball5_pz_ball2_px;
+    circuit_matrix[14][3] = circuit_ball5_pz_ball2_px;
     const real circuit_ball5_pz_ball2_py_part = ball5_G_pz_hooke0_angle1 *
         ball2_py_response_hooke0_angle1
         + ball5_G_pz_hooke0_angle2 * ball2_py_response_hooke0_angle2
@@ -6965,8 +7174,8 @@ CARDAN_PART int forward_dynamics_part5(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball5_pz_ball2_py = circuit_ball5_pz_ball2_py_part
         + ball5_G_pz_ball0_y * ball2_py_response_ball0_y
         + ball5_G_pz_ball0_z * ball2_py_response_ball0_z;
-    work[74] = circuit_ball5_pz_ball2_py;
-    work[214] = circuit_ball5_pz_ball2_py;
+    circuit_matrix[4][14] = circuit_ball5_pz_ball2_py;
+    circuit_matrix[14][4] = circuit_ball5_pz_ball2_py;
     const real circuit_ball5_pz_ball2_pz_part = ball5_G_pz_hooke0_angle1 *
         ball2_pz_response_hooke0_angle1
         + ball5_G_pz_hooke0_angle2 * ball2_pz_response_hooke0_angle2
@@ -6975,8 +7184,8 @@ CARDAN_PART int forward_dynamics_part5(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball5_pz_ball2_pz = circuit_ball5_pz_ball2_pz_part
         + ball5_G_pz_ball0_y * ball2_pz_response_ball0_y
         + ball5_G_pz_ball0_z * ball2_pz_response_ball0_z;
-    work[89] = circuit_ball5_pz_ball2_pz;
-    work[215] = circuit_ball5_pz_ball2_pz;
+    circuit_matrix[5][14] = circuit_ball5_pz_ball2_pz;
+    circuit_matrix[14][5] = circuit_ball5_pz_ball2_pz;
     const real circuit_ball5_pz_ball3_px_part = ball5_G_pz_hooke0_angle1 *
         ball3_px_response_hooke0_angle1
         + ball5_G_pz_hooke0_angle2 * ball3_px_response_hooke0_angle2
@@ -6985,8 +7194,8 @@ CARDAN_PART int forward_dynamics_part5(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball5_pz_ball3_px = circuit_ball5_pz_ball3_px_part
         + ball5_G_pz_ball0_y * ball3_px_response_ball0_y
         + ball5_G_pz_ball0_z * ball3_px_response_ball0_z;
-    work[104] = circuit_ball5_pz_ball3_px;
-    work[216] = circuit_ball5_pz_ball3_px;
+    circuit_matrix[6][14] = circuit_ball5_pz_ball3_px;
+    circuit_matrix[14][6] = circuit_ball5_pz_ball3_px;
     const real circuit_ball5_pz_ball3_py_part = ball5_G_pz_hooke0_angle1 *
         ball3_py_response_hooke0_angle1
         + ball5_G_pz_hooke0_angle2 * ball3_py_response_hooke0_angle2
@@ -6995,8 +7204,8 @@ CARDAN_PART int forward_dynamics_part5(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball5_pz_ball3_py = circuit_ball5_pz_ball3_py_part
         + ball5_G_pz_ball0_y * ball3_py_response_ball0_y
         + ball5_G_pz_ball0_z * ball3_py_response_ball0_z;
-    work[119] = circuit_ball5_pz_ball3_py;
-    work[217] = circuit_ball5_pz_ball3_py;
+    circuit_matrix[7][14] = circuit_ball5_pz_ball3_py;
+    circuit_matrix[14][7] = circuit_ball5_pz_ball3_py;
     const real circuit_ball5_pz_ball3_pz_part = ball5_G_pz_hooke0_angle1 *
         ball3_pz_response_hooke0_angle1
         + ball5_G_pz_hooke0_angle2 * ball3_pz_response_hooke0_angle2
@@ -7005,8 +7214,8 @@ CARDAN_PART int forward_dynamics_part5(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball5_pz_ball3_pz = circuit_ball5_pz_ball3_pz_part
         + ball5_G_pz_ball0_y * ball3_pz_response_ball0_y
         + ball5_G_pz_ball0_z * ball3_pz_response_ball0_z;
-    work[134] = circuit_ball5_pz_ball3_pz;
-    work[218] = circuit_ball5_pz_ball3_pz;
+    circuit_matrix[8][14] = circuit_ball5_pz_ball3_pz;
+    circuit_matrix[14][8] = circuit_ball5_pz_ball3_pz;
     const real circuit_ball5_pz_ball4_px_part = ball5_G_pz_hooke0_angle1 *
         ball4_px_response_hooke0_angle1
         + ball5_G_pz_hooke0_angle2 * ball4_px_response_hooke0_angle2
@@ -7015,8 +7224,8 @@ CARDAN_PART int forward_dynamics_part5(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball5_pz_ball4_px = circuit_ball5_pz_ball4_px_part
         + ball5_G_pz_ball0_y * ball4_px_response_ball0_y
         + ball5_G_pz_ball0_z * ball4_px_response_ball0_z;
-    work[149] = circuit_ball5_pz_ball4_px;
-    work[219] = circuit_ball5_pz_ball4_px;
+    circuit_matrix[9][14] = circuit_ball5_pz_ball4_px;
+    circuit_matrix[14][9] = circuit_ball5_pz_ball4_px;
     const real circuit_ball5_pz_ball4_py_part = ball5_G_pz_hooke0_angle1 *
         ball4_py_response_hooke0_angle1
         + ball5_G_pz_hooke0_angle2 * ball4_py_response_hooke0_angle2
@@ -7025,8 +7234,8 @@ CARDAN_PART int forward_dynamics_part5(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball5_pz_ball4_py = circuit_ball5_pz_ball4_py_part
         + ball5_G_pz_ball0_y * ball4_py_response_ball0_y
         + ball5_G_pz_ball0_z * ball4_py_response_ball0_z;
-    work[164] = circuit_ball5_pz_ball4_py;
-    work[220] = circuit_ball5_pz_ball4_py;
+    circuit_matrix[10][14] = circuit_ball5_pz_ball4_py;
+    circuit_matrix[14][10] = circuit_ball5_pz_ball4_py;
     const real circuit_ball5_pz_ball4_pz_part = ball5_G_pz_hooke0_angle1 *
         ball4_pz_response_hooke0_angle1
         + ball5_G_pz_hooke0_angle2 * ball4_pz_response_hooke0_angle2
@@ -7035,8 +7244,8 @@ CARDAN_PART int forward_dynamics_part5(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball5_pz_ball4_pz = circuit_ball5_pz_ball4_pz_part
         + ball5_G_pz_ball0_y * ball4_pz_response_ball0_y
         + ball5_G_pz_ball0_z * ball4_pz_response_ball0_z;
-    work[179] = circuit_ball5_pz_ball4_pz;
-    work[221] = circuit_ball5_pz_ball4_pz;
+    circuit_matrix[11][14] = circuit_ball5_pz_ball4_pz;
+    circuit_matrix[14][11] = circuit_ball5_pz_ball4_pz;
     const real circuit_ball5_pz_ball5_px_part = ball5_G_pz_hooke0_angle1 *
         ball5_px_response_hooke0_angle1
         + ball5_G_pz_hooke0_angle2 * ball5_px_response_hooke0_angle2
@@ -7052,8 +7261,8 @@ CARDAN_PART int forward_dynamics_part5(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball5_pz_ball5_px = circuit_ball5_pz_ball5_px_part_2
         + ball5_G_pz_hooke5_angle2 * ball5_px_response_hooke5_angle2
         + ball5_minus_G_pz_slide5 * ball5_px_minus_response_slide5;
-    work[194] = circuit_ball5_pz_ball5_px;
-    work[222] = circuit_ball5_pz_ball5_px;
+    circuit_matrix[12][14] = circuit_ball5_pz_ball5_px;
+    circuit_matrix[14][12] = circuit_ball5_pz_ball5_px;
     const real circuit_ball5_pz_ball5_py_part = ball5_G_pz_hooke0_angle1 *
         ball5_py_response_hooke0_angle1
         + ball5_G_pz_hooke0_angle2 * ball5_py_response_hooke0_angle2
@@ -7066,8 +7275,8 @@ CARDAN_PART int forward_dynamics_part5(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball5_pz_ball5_py = circuit_ball5_pz_ball5_py_part_2
         + ball5_G_pz_hooke5_angle2 * ball5_py_response_hooke5_angle2
         + ball5_minus_G_pz_slide5 * ball5_py_minus_response_slide5;
-    work[209] = circuit_ball5_pz_ball5_py;
-    work[223] = circuit_ball5_pz_ball5_py;
+    circuit_matrix[13][14] = circuit_ball5_pz_ball5_py;
+    circuit_matrix[14][13] = circuit_ball5_pz_ball5_py;
     const real ball5_pz_response_hooke0_angle1 = work[820];
     const real ball5_pz_response_hooke0_angle2 = work[824];
     const real ball5_pz_response_slide0 = work[825];
@@ -7089,7 +7298,7 @@ CARDAN_PART int forward_dynamics_part5(const cardan_in *in, real *CARDAN_RESTRIC
     const real circuit_ball5_pz_ball5_pz = circuit_ball5_pz_ball5_pz_part_2
         + ball5_G_pz_hooke5_angle2 * ball5_pz_response_hooke5_angle2
         + ball5_minus_G_pz_slide5 * ball5_pz_minus_response_slide5;
-    work[224] = circuit_ball5_pz_ball5_pz;
+    circuit_matrix[14][14] = circuit_ball5_pz_ball5_pz;
     const real ball1_G_px_hooke0_angle1 = work[474];
     const real free_udot_hooke0_angle1 = work[390];
     const real ball1_G_px_hooke0_angle2 = work[475];
@@ -7343,7 +7552,7 @@ CARDAN_PART int forward_dynamics_part5(const cardan_in *in, real *CARDAN_RESTRIC
         - (hooke1_minus_R_zx * ball1_platform_R_zz_rate
         + ball1_platform_R_zz * hooke1_minus_R_zx_rate)) + ball1_R_xz * ball1_twist_vz_rate
         + ball1_rate_px_rate_part + free_gamma_minus_ball1_px_part_2);
-    work[225] = free_gamma_ball1_px;
+    circuit_right[0] = free_gamma_ball1_px;
     const real ball1_twist_vx_times_R_yx_rate = work[816];
     const real ball1_R_yx = work[468];
     const real ball1_twist_vx_rate = work[551];
@@ -7356,7 +7565,7 @@ CARDAN_PART int forward_dynamics_part5(const cardan_in *in, real *CARDAN_RESTRIC
         + ball1_R_yx * ball1_twist_vx_rate + (ball1_twist_vy_times_R_yy_rate
         + ball1_R_yy * ball1_twist_vy_rate) + (ball1_twist_vz_times_R_yz_rate
         + ball1_R_yz * ball1_twist_vz_rate) + free_gamma_minus_ball1_py_part_2);
-    work[226] = free_gamma_ball1_py;
+    circuit_right[1] = free_gamma_ball1_py;
     const real ball1_rate_pz_rate_part = work[819];
     const real ball1_R_zz_rate_part = work[518];
     const real hooke1_R_zz = work[459];
@@ -7366,7 +7575,7 @@ CARDAN_PART int forward_dynamics_part5(const cardan_in *in, real *CARDAN_RESTRIC
         - ball1_platform_R_zz * hooke1_minus_R_zz_rate + ball1_R_zz_rate_part)
         + ball1_R_zz * ball1_twist_vz_rate + ball1_rate_pz_rate_part
         + free_gamma_minus_ball1_pz_part_2);
-    work[227] = free_gamma_ball1_pz;
+    circuit_right[2] = free_gamma_ball1_pz;
     const real ball2_rate_px_rate_part = work[637];
     const real ball2_twist_vz = work[633];
     const real ball2_R_xz_rate_part = work[616];
@@ -7378,7 +7587,7 @@ CARDAN_PART int forward_dynamics_part5(const cardan_in *in, real *CARDAN_RESTRIC
         - (hooke2_minus_R_zx * ball1_platform_R_zz_rate
         + ball1_platform_R_zz * hooke2_minus_R_zx_rate)) + ball2_R_xz * ball2_twist_vz_rate
         + ball2_rate_px_rate_part + free_gamma_minus_ball2_px_part_2);
-    work[228] = free_gamma_ball2_px;
+    circuit_right[3] = free_gamma_ball2_px;
     const real ball2_twist_vx_times_R_yx_rate = work[638];
     const real ball2_R_yx = work[573];
     const real ball2_twist_vx_rate = work[634];
@@ -7391,7 +7600,7 @@ CARDAN_PART int forward_dynamics_part5(const cardan_in *in, real *CARDAN_RESTRIC
         + ball2_R_yx * ball2_twist_vx_rate + (ball2_twist_vy_times_R_yy_rate
         + ball2_R_yy * ball2_twist_vy_rate) + (ball2_twist_vz_times_R_yz_rate
         + ball2_R_yz * ball2_twist_vz_rate) + free_gamma_minus_ball2_py_part_2);
-    work[229] = free_gamma_ball2_py;
+    circuit_right[4] = free_gamma_ball2_py;
     const real ball2_rate_pz_rate_part = work[641];
     const real ball2_R_zz_rate_part = work[619];
     const real hooke2_R_zz = work[557];
@@ -7401,7 +7610,7 @@ CARDAN_PART int forward_dynamics_part5(const cardan_in *in, real *CARDAN_RESTRIC
         - ball1_platform_R_zz * hooke2_minus_R_zz_rate + ball2_R_zz_rate_part)
         + ball2_R_zz * ball2_twist_vz_rate + ball2_rate_pz_rate_part
         + free_gamma_minus_ball2_pz_part_2);
-    work[230] = free_gamma_ball2_pz;
+    circuit_right[5] = free_gamma_ball2_pz;
     const real ball3_rate_px_rate_part = work[693];
     const real ball3_twist_vz = work[689];
     const real ball3_R_xz_rate_part = work[679];
@@ -7413,7 +7622,7 @@ CARDAN_PART int forward_dynamics_part5(const cardan_in *in, real *CARDAN_RESTRIC
         - (hooke3_minus_R_zx * ball1_platform_R_zz_rate
         + ball1_platform_R_zz * hooke3_minus_R_zx_rate)) + ball3_R_xz * ball3_twist_vz_rate
         + ball3_rate_px_rate_part + free_gamma_minus_ball3_px_part_2);
-    work[231] = free_gamma_ball3_px;
+    circuit_right[6] = free_gamma_ball3_px;
     const real ball3_twist_vx_times_R_yx_rate = work[694];
     const real ball3_R_yx = work[648];
     const real ball3_twist_vx_rate = work[690];
@@ -7426,7 +7635,7 @@ CARDAN_PART int forward_dynamics_part5(const cardan_in *in, real *CARDAN_RESTRIC
         + ball3_R_yx * ball3_twist_vx_rate + (ball3_twist_vy_times_R_yy_rate
         + ball3_R_yy * ball3_twist_vy_rate) + (ball3_twist_vz_times_R_yz_rate
         + ball3_R_yz * ball3_twist_vz_rate) + free_gamma_minus_ball3_py_part_2);
-    work[232] = free_gamma_ball3_py;
+    circuit_right[7] = free_gamma_ball3_py;
     const real ball3_rate_pz_rate_part = work[697];
     const real ball3_R_zz_rate_part = work[680];
     const real hooke3_R_zz = work[643];
@@ -7436,7 +7645,7 @@ CARDAN_PART int forward_dynamics_part5(const cardan_in *in, real *CARDAN_RESTRIC
         - ball1_platform_R_zz * hooke3_minus_R_zz_rate + ball3_R_zz_rate_part)
         + ball3_R_zz * ball3_twist_vz_rate + ball3_rate_pz_rate_part
         + free_gamma_minus_ball3_pz_part_2);
-    work[233] = free_gamma_ball3_pz;
+    circuit_right[8] = free_gamma_ball3_pz;
     const real ball4_rate_px_rate_part = work[749];
     const real ball4_twist_vz = work[745];
     const real ball4_R_xz_rate_part = work[735];
@@ -7448,7 +7657,7 @@ CARDAN_PART int forward_dynamics_part5(const cardan_in *in, real *CARDAN_RESTRIC
         - (hooke4_minus_R_zx * ball1_platform_R_zz_rate
         + ball1_platform_R_zz * hooke4_minus_R_zx_rate)) + ball4_R_xz * ball4_twist_vz_rate
         + ball4_rate_px_rate_part + free_gamma_minus_ball4_px_part_2);
-    work[234] = free_gamma_ball4_px;
+    circuit_right[9] = free_gamma_ball4_px;
     const real ball4_twist_vx_times_R_yx_rate = work[750];
     const real ball4_R_yx = work[704];
     const real ball4_twist_vx_rate = work[746];
@@ -7461,7 +7670,7 @@ CARDAN_PART int forward_dynamics_part5(const cardan_in *in, real *CARDAN_RESTRIC
         + ball4_R_yx * ball4_twist_vx_rate + (ball4_twist_vy_times_R_yy_rate
         + ball4_R_yy * ball4_twist_vy_rate) + (ball4_twist_vz_times_R_yz_rate
         + ball4_R_yz * ball4_twist_vz_rate) + free_gamma_minus_ball4_py_part_2);
-    work[235] = free_gamma_ball4_py;
+    circuit_right[10] = free_gamma_ball4_py;
     const real ball4_rate_pz_rate_part = work[753];
     const real ball4_R_zz_rate_part = work[736];
     const real hooke4_R_zz = work[699];
@@ -7471,7 +7680,7 @@ CARDAN_PART int forward_dynamics_part5(const cardan_in *in, real *CARDAN_RESTRIC
         - ball1_platform_R_zz * hooke4_minus_R_zz_rate + ball4_R_zz_rate_part)
         + ball4_R_zz * ball4_twist_vz_rate + ball4_rate_pz_rate_part
         + free_gamma_minus_ball4_pz_part_2);
-    work[236] = free_gamma_ball4_pz;
+    circuit_right[11] = free_gamma_ball4_pz;
     const real ball5_rate_px_rate_part = work[771];
     const real ball5_twist_vz = work[622];
     const real ball5_R_xz_rate_part = work[618];
@@ -7483,7 +7692,7 @@ CARDAN_PART int forward_dynamics_part5(const cardan_in *in, real *CARDAN_RESTRIC
         - (hooke5_minus_R_zx * ball1_platform_R_zz_rate
         + ball1_platform_R_zz * hooke5_minus_R_zx_rate)) + ball5_R_xz * ball5_twist_vz_rate
         + ball5_rate_px_rate_part + free_gamma_minus_ball5_px_part_2);
-    work[237] = free_gamma_ball5_px;
+    circuit_right[12] = free_gamma_ball5_px;
     const real ball5_twist_vx_times_R_yx_rate = work[772];
     const real ball5_R_yx = work[399];
     const real ball5_twist_vx_rate = work[623];
@@ -7496,7 +7705,7 @@ CARDAN_PART int forward_dynamics_part5(const cardan_in *in, real *CARDAN_RESTRIC
         + ball5_R_yx * ball5_twist_vx_rate + (ball5_twist_vy_times_R_yy_rate
         + ball5_R_yy * ball5_twist_vy_rate) + (ball5_twist_vz_times_R_yz_rate
         + ball5_R_yz * ball5_twist_vz_rate) + free_gamma_minus_ball5_py_part_2);
-    work[238] = free_gamma_ball5_py;
+    circuit_right[13] = free_gamma_ball5_py;
     const real ball5_rate_pz_rate_part = work[775];
     const real ball5_R_zz_rate_part = work[620];
     const real hooke5_R_zz = work[757];
@@ -7506,35 +7715,37 @@ CARDAN_PART int forward_dynamics_part5(const cardan_in *in, real *CARDAN_RESTRIC
         - ball1_platform_R_zz * hooke5_minus_R_zz_rate + ball5_R_zz_rate_part)
         + ball5_R_zz * ball5_twist_vz_rate + ball5_rate_pz_rate_part
         + free_gamma_minus_ball5_pz_part_2);
-    work[239] = free_gamma_ball5_pz;
-    status |= CARDAN_SOLVE(semidefinite, 15, 1, work + 0, work + 225, work + 240);
+    circuit_right[14] = free_gamma_ball5_pz;
+    /* circuit_matrix lam = circuit_right; the solution takes its place */
+    status |= CARDAN_SOLVE(semidefinite, 15, 1, circuit_matrix[0], circuit_right, circuit_scratch);
 
     /* ball1: multiplier px, multiplier py, multiplier pz */
-    const real ball1_multiplier_px = work[225];
-    const real ball1_multiplier_py = work[226];
-    const real ball1_multiplier_pz = work[227];
+    const real ball1_multiplier_px = circuit_right[0];
+    const real ball1_multiplier_py = circuit_right[1];
+    const real ball1_multiplier_pz = circuit_right[2];
 
     /* ball2: multiplier px, multiplier py, multiplier pz */
-    const real ball2_multiplier_px = work[228];
-    const real ball2_multiplier_py = work[229];
-    const real ball2_multiplier_pz = work[230];
+    const real ball2_multiplier_px = circuit_right[3];
+    const real ball2_multiplier_py = circuit_right[4];
+    const real ball2_multiplier_pz = circuit_right[5];
 
     /* ball3: multiplier px, multiplier py, multiplier pz */
-    const real ball3_multiplier_px = work[231];
-    const real ball3_multiplier_py = work[232];
-    const real ball3_multiplier_pz = work[233];
+    const real ball3_multiplier_px = circuit_right[6];
+    const real ball3_multiplier_py = circuit_right[7];
+    const real ball3_multiplier_pz = circuit_right[8];
 
     /* ball4: multiplier px, multiplier py, multiplier pz */
-    const real ball4_multiplier_px = work[234];
-    const real ball4_multiplier_py = work[235];
-    const real ball4_multiplier_pz = work[236];
+    const real ball4_multiplier_px = circuit_right[9];
+    const real ball4_multiplier_py = circuit_right[10];
+    const real ball4_multiplier_pz = circuit_right[11];
 
     /* ball5: multiplier px, multiplier py, multiplier pz */
-    const real ball5_multiplier_px = work[237];
-    const real ball5_multiplier_py = work[238];
-    const real ball5_multiplier_pz = work[239];
+    const real ball5_multiplier_px = circuit_right[12];
+    const real ball5_multiplier_py = circuit_right[13];
+    const real ball5_multiplier_pz = circuit_right[14];
 
     /* constraints: multipliers */
+    /* multipliers = circuit⁻¹ (gamma - G free_udot) */
     const real hooke0_udot_angle1_part = ball1_px_response_hooke0_angle1 * ball1_multiplier_px
         + ball1_py_response_hooke0_angle1 * ball1_multiplier_py
         + ball1_pz_response_hooke0_angle1 * ball1_multiplier_pz
@@ -7632,7 +7843,8 @@ CARDAN_PART int forward_dynamics_part5(const cardan_in *in, real *CARDAN_RESTRIC
         + ball5_py_response_ball0_z * ball5_multiplier_py
         + ball5_pz_response_ball0_z * ball5_multiplier_pz;
 
-    /* hooke0: udot angle */
+    /* hooke0: udot */
+    /* udot = free_udot + response multipliers */
     /* udot: hooke0.u.angle1dot [rad/s^2] */
     out[0] = hooke0_udot_angle1_part_3 + ball5_px_response_hooke0_angle1 * ball5_multiplier_px
         + ball5_py_response_hooke0_angle1 * ball5_multiplier_py
@@ -7643,14 +7855,17 @@ CARDAN_PART int forward_dynamics_part5(const cardan_in *in, real *CARDAN_RESTRIC
         + ball5_pz_response_hooke0_angle2 * ball5_multiplier_pz + free_udot_hooke0_angle2;
 
     /* slide0: udot */
+    /* udot = free_udot + response multipliers */
     out[2] = free_udot_slide0 + slide0_udot_part_3; /* udot: slide0.udot [m/s^2] */
 
     /* ball0: udot */
+    /* udot = free_udot + response multipliers */
     out[3] = free_udot_ball0_x + ball0_udot_x_part_3; /* udot: ball0.u.xdot [rad/s^2] */
     out[4] = free_udot_ball0_y + ball0_udot_y_part_3; /* udot: ball0.u.ydot [rad/s^2] */
     out[5] = free_udot_ball0_z + ball0_udot_z_part_3; /* udot: ball0.u.zdot [rad/s^2] */
 
-    /* hooke1: udot angle */
+    /* hooke1: udot */
+    /* udot = free_udot + response multipliers */
     const real ball1_px_minus_response_hooke1_angle1 = work[418];
     const real ball1_py_minus_response_hooke1_angle1 = work[429];
     const real ball1_pz_minus_response_hooke1_angle1 = work[439];
@@ -7668,6 +7883,7 @@ CARDAN_PART int forward_dynamics_part5(const cardan_in *in, real *CARDAN_RESTRIC
         + ball1_pz_response_hooke1_angle2 * ball1_multiplier_pz + free_udot_hooke1_angle2;
 
     /* slide1: udot */
+    /* udot = free_udot + response multipliers */
     const real ball1_px_minus_response_slide1 = work[420];
     const real ball1_py_minus_response_slide1 = work[431];
     const real ball1_pz_minus_response_slide1 = work[441];
@@ -7676,7 +7892,8 @@ CARDAN_PART int forward_dynamics_part5(const cardan_in *in, real *CARDAN_RESTRIC
         + ball1_py_minus_response_slide1 * ball1_multiplier_py
         + ball1_pz_minus_response_slide1 * ball1_multiplier_pz);
 
-    /* hooke2: udot angle */
+    /* hooke2: udot */
+    /* udot = free_udot + response multipliers */
     const real ball2_px_minus_response_hooke2_angle1 = work[448];
     const real ball2_py_minus_response_hooke2_angle1 = work[457];
     const real ball2_pz_minus_response_hooke2_angle1 = work[502];
@@ -7694,6 +7911,7 @@ CARDAN_PART int forward_dynamics_part5(const cardan_in *in, real *CARDAN_RESTRIC
         + ball2_pz_response_hooke2_angle2 * ball2_multiplier_pz + free_udot_hooke2_angle2;
 
     /* slide2: udot */
+    /* udot = free_udot + response multipliers */
     const real ball2_px_minus_response_slide2 = work[450];
     const real ball2_py_minus_response_slide2 = work[461];
     const real ball2_pz_minus_response_slide2 = work[504];
@@ -7702,7 +7920,8 @@ CARDAN_PART int forward_dynamics_part5(const cardan_in *in, real *CARDAN_RESTRIC
         + ball2_py_minus_response_slide2 * ball2_multiplier_py
         + ball2_pz_minus_response_slide2 * ball2_multiplier_pz);
 
-    /* hooke3: udot angle */
+    /* hooke3: udot */
+    /* udot = free_udot + response multipliers */
     const real ball3_px_minus_response_hooke3_angle1 = work[512];
     const real ball3_py_minus_response_hooke3_angle1 = work[523];
     const real ball3_pz_minus_response_hooke3_angle1 = work[532];
@@ -7720,6 +7939,7 @@ CARDAN_PART int forward_dynamics_part5(const cardan_in *in, real *CARDAN_RESTRIC
         + ball3_pz_response_hooke3_angle2 * ball3_multiplier_pz + free_udot_hooke3_angle2;
 
     /* slide3: udot */
+    /* udot = free_udot + response multipliers */
     const real ball3_px_minus_response_slide3 = work[514];
     const real ball3_py_minus_response_slide3 = work[525];
     const real ball3_pz_minus_response_slide3 = work[534];
@@ -7728,7 +7948,8 @@ CARDAN_PART int forward_dynamics_part5(const cardan_in *in, real *CARDAN_RESTRIC
         + ball3_py_minus_response_slide3 * ball3_multiplier_py
         + ball3_pz_minus_response_slide3 * ball3_multiplier_pz);
 
-    /* hooke4: udot angle */
+    /* hooke4: udot */
+    /* udot = free_udot + response multipliers */
     /* udot: hooke4.u.angle1dot [rad/s^2] */
     out[15] = free_udot_hooke4_angle1
         - (ball4_px_minus_response_hooke4_angle1 * ball4_multiplier_px
@@ -7740,12 +7961,14 @@ CARDAN_PART int forward_dynamics_part5(const cardan_in *in, real *CARDAN_RESTRIC
         + ball4_pz_response_hooke4_angle2 * ball4_multiplier_pz + free_udot_hooke4_angle2;
 
     /* slide4: udot */
+    /* udot = free_udot + response multipliers */
     /* udot: slide4.udot [m/s^2] */
     out[17] = free_udot_slide4 - (ball4_px_minus_response_slide4 * ball4_multiplier_px
         + ball4_py_minus_response_slide4 * ball4_multiplier_py
         + ball4_pz_minus_response_slide4 * ball4_multiplier_pz);
 
-    /* hooke5: udot angle */
+    /* hooke5: udot */
+    /* udot = free_udot + response multipliers */
     /* udot: hooke5.u.angle1dot [rad/s^2] */
     out[18] = free_udot_hooke5_angle1
         - (ball5_px_minus_response_hooke5_angle1 * ball5_multiplier_px
@@ -7757,6 +7980,7 @@ CARDAN_PART int forward_dynamics_part5(const cardan_in *in, real *CARDAN_RESTRIC
         + ball5_pz_response_hooke5_angle2 * ball5_multiplier_pz + free_udot_hooke5_angle2;
 
     /* slide5: udot */
+    /* udot = free_udot + response multipliers */
     /* udot: slide5.udot [m/s^2] */
     out[20] = free_udot_slide5 - (ball5_px_minus_response_slide5 * ball5_multiplier_px
         + ball5_py_minus_response_slide5 * ball5_multiplier_py

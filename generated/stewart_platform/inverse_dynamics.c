@@ -7,7 +7,7 @@
  *
  * Sizes: out 21, work 0, w 47
  * Operations per call: 666 = 368 mul, 156 add, 118 sub, 12 cos, 12 sin
- * Operations of prepare: 221 = 102 add, 80 mul, 39 sub
+ * Operations of prepare: 218 = 101 add, 78 mul, 39 sub
  *
  * Input q (22): generalized coordinates
  *   q[0]  hooke0.angle1 [rad]
@@ -117,6 +117,9 @@
 CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
     /* tube0: first moment, mass, origin inertia, base */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal tube0_mass = p[3]; /* kg */
     const wreal tube0_com_z = p[4]; /* m */
     const wreal tube0_inertia_xx = p[5]; /* kg m^2 */
@@ -130,7 +133,10 @@ CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
         + tube0_origin_inertia_yy);
     w[1] = tube0_first_moment_z;
 
-    /* rod0: first moment, mass, origin inertia, base mass, base moment, base */
+    /* rod0: first moment, mass, origin inertia, base */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal slide0_position_z = p[8]; /* m */
     const wreal rod0_mass = p[9]; /* kg */
     const wreal rod0_com_z = p[10]; /* m */
@@ -147,14 +153,14 @@ CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     const wreal rod0_origin_inertia_xx_plus_mass_shift = rod0_origin_inertia_xx + rod0_mass_shift;
     const wreal rod0_origin_inertia_yy_plus_mass_shift = rod0_origin_inertia_yy + rod0_mass_shift;
     const wreal rod0_base_mass = rod0_mass + platform_mass;
-    const wreal rod0_base_moment_z = rod0_first_moment_z + slide0_position_z * rod0_mass
-        + slide0_position_z * platform_mass;
     const wreal rod0_base_half_trace = 0.5 * (rod0_inertia_zz
         + rod0_origin_inertia_xx_plus_mass_shift + rod0_origin_inertia_yy_plus_mass_shift);
     w[24] = rod0_base_mass;
-    w[25] = rod0_base_moment_z;
 
-    /* platform: mass, first moment, base second moment, origin inertia, base */
+    /* platform: mass, first moment, base, origin inertia */
+    /* first_moment = sum m c */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
     const wreal ball0_child_position_x = p[14]; /* m */
     const wreal ball0_child_position_y = p[15]; /* m */
     const wreal platform_com_z = p[17]; /* m */
@@ -182,8 +188,7 @@ CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     const wreal platform_origin_inertia_zz = platform_inertia_zz
         + ball0_child_position_x_times_platform_minus_first_moment_x
         + ball0_child_position_y_times_platform_minus_first_moment_y;
-    const wreal slide0_position_z_times_platform_base_mean_moment_z = 0.5 * platform_mass *
-        slide0_position_z * slide0_position_z;
+    const wreal platform_base_mass_moment_z = slide0_position_z * platform_mass;
     const wreal platform_base_half_trace = 0.5 * (platform_origin_inertia_xx
         + platform_origin_inertia_zz + platform_origin_inertia_yy);
     const wreal platform_base_second_moment_xx = platform_base_half_trace
@@ -203,6 +208,9 @@ CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     w[28] = platform_base_second_moment_zz;
 
     /* tube1: first moment, mass, origin inertia, base */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal tube1_mass = p[23]; /* kg */
     const wreal tube1_com_z = p[24]; /* m */
     const wreal tube1_inertia_xx = p[25]; /* kg m^2 */
@@ -216,7 +224,10 @@ CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
         + tube1_origin_inertia_yy);
     w[9] = tube1_first_moment_z;
 
-    /* rod1: first moment, mass, origin inertia, base moment, base */
+    /* rod1: first moment, mass, origin inertia, base */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal slide1_position_z = p[28]; /* m */
     const wreal rod1_mass = p[29]; /* kg */
     const wreal rod1_com_z = p[30]; /* m */
@@ -237,6 +248,9 @@ CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     w[19] = rod1_base_moment_z;
 
     /* tube2: first moment, mass, origin inertia, base */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal tube2_mass = p[36]; /* kg */
     const wreal tube2_com_z = p[37]; /* m */
     const wreal tube2_inertia_xx = p[38]; /* kg m^2 */
@@ -250,7 +264,10 @@ CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
         + tube2_origin_inertia_yy);
     w[11] = tube2_first_moment_z;
 
-    /* rod2: first moment, mass, origin inertia, base moment, base */
+    /* rod2: first moment, mass, origin inertia, base */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal slide2_position_z = p[41]; /* m */
     const wreal rod2_mass = p[42]; /* kg */
     const wreal rod2_com_z = p[43]; /* m */
@@ -271,6 +288,9 @@ CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     w[20] = rod2_base_moment_z;
 
     /* tube3: first moment, mass, origin inertia, base */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal tube3_mass = p[49]; /* kg */
     const wreal tube3_com_z = p[50]; /* m */
     const wreal tube3_inertia_xx = p[51]; /* kg m^2 */
@@ -284,7 +304,10 @@ CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
         + tube3_origin_inertia_yy);
     w[13] = tube3_first_moment_z;
 
-    /* rod3: first moment, mass, origin inertia, base moment, base */
+    /* rod3: first moment, mass, origin inertia, base */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal slide3_position_z = p[54]; /* m */
     const wreal rod3_mass = p[55]; /* kg */
     const wreal rod3_com_z = p[56]; /* m */
@@ -305,6 +328,9 @@ CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     w[21] = rod3_base_moment_z;
 
     /* tube4: first moment, mass, origin inertia, base */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal tube4_mass = p[62]; /* kg */
     const wreal tube4_com_z = p[63]; /* m */
     const wreal tube4_inertia_xx = p[64]; /* kg m^2 */
@@ -318,7 +344,10 @@ CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
         + tube4_origin_inertia_yy);
     w[15] = tube4_first_moment_z;
 
-    /* rod4: first moment, mass, origin inertia, base moment, base */
+    /* rod4: first moment, mass, origin inertia, base */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal slide4_position_z = p[67]; /* m */
     const wreal rod4_mass = p[68]; /* kg */
     const wreal rod4_com_z = p[69]; /* m */
@@ -339,6 +368,9 @@ CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     w[22] = rod4_base_moment_z;
 
     /* tube5: first moment, mass, origin inertia, base */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal tube5_mass = p[75]; /* kg */
     const wreal tube5_com_z = p[76]; /* m */
     const wreal tube5_inertia_xx = p[77]; /* kg m^2 */
@@ -352,7 +384,10 @@ CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
         + tube5_origin_inertia_yy);
     w[17] = tube5_first_moment_z;
 
-    /* rod5: first moment, mass, origin inertia, base moment, base */
+    /* rod5: first moment, mass, origin inertia, base */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal slide5_position_z = p[80]; /* m */
     const wreal rod5_mass = p[81]; /* kg */
     const wreal rod5_com_z = p[82]; /* m */
@@ -372,7 +407,14 @@ CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
         + rod5_base_inertia_yy);
     w[23] = rod5_base_moment_z;
 
-    /* tube5: base second moment */
+    /* rod0: base */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
+    const wreal rod0_base_moment_z = rod0_first_moment_z + slide0_position_z * rod0_mass
+        + platform_base_mass_moment_z;
+    w[25] = rod0_base_moment_z;
+
+    /* tube5: base */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal tube5_base_second_moment_xx = tube5_base_half_trace - tube5_origin_inertia_xx
         + (rod5_base_half_trace - rod5_base_inertia_xx);
     const wreal tube5_base_second_moment_yy = tube5_base_half_trace - tube5_origin_inertia_yy
@@ -383,7 +425,8 @@ CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     w[30] = tube5_base_second_moment_yy;
     w[31] = tube5_base_second_moment_zz;
 
-    /* tube4: base second moment */
+    /* tube4: base */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal tube4_base_second_moment_xx = tube4_base_half_trace - tube4_origin_inertia_xx
         + (rod4_base_half_trace - rod4_base_inertia_xx);
     const wreal tube4_base_second_moment_yy = tube4_base_half_trace - tube4_origin_inertia_yy
@@ -394,7 +437,8 @@ CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     w[33] = tube4_base_second_moment_yy;
     w[34] = tube4_base_second_moment_zz;
 
-    /* tube3: base second moment */
+    /* tube3: base */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal tube3_base_second_moment_xx = tube3_base_half_trace - tube3_origin_inertia_xx
         + (rod3_base_half_trace - rod3_base_inertia_xx);
     const wreal tube3_base_second_moment_yy = tube3_base_half_trace - tube3_origin_inertia_yy
@@ -405,7 +449,8 @@ CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     w[36] = tube3_base_second_moment_yy;
     w[37] = tube3_base_second_moment_zz;
 
-    /* tube2: base second moment */
+    /* tube2: base */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal tube2_base_second_moment_xx = tube2_base_half_trace - tube2_origin_inertia_xx
         + (rod2_base_half_trace - rod2_base_inertia_xx);
     const wreal tube2_base_second_moment_yy = tube2_base_half_trace - tube2_origin_inertia_yy
@@ -416,7 +461,8 @@ CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     w[39] = tube2_base_second_moment_yy;
     w[40] = tube2_base_second_moment_zz;
 
-    /* tube1: base second moment */
+    /* tube1: base */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal tube1_base_second_moment_xx = tube1_base_half_trace - tube1_origin_inertia_xx
         + (rod1_base_half_trace - rod1_base_inertia_xx);
     const wreal tube1_base_second_moment_yy = tube1_base_half_trace - tube1_origin_inertia_yy
@@ -427,14 +473,14 @@ CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     w[42] = tube1_base_second_moment_yy;
     w[43] = tube1_base_second_moment_zz;
 
-    /* tube0: base second moment */
+    /* tube0: base */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal tube0_base_second_moment_xx = tube0_base_half_trace - tube0_origin_inertia_xx
         + (rod0_base_half_trace - rod0_origin_inertia_xx_plus_mass_shift);
     const wreal tube0_base_second_moment_yy = tube0_base_half_trace - tube0_origin_inertia_yy
         + (rod0_base_half_trace - rod0_origin_inertia_yy_plus_mass_shift);
-    const wreal tube0_base_second_moment_zz = slide0_position_z_times_platform_base_mean_moment_z
-        + slide0_position_z_times_platform_base_mean_moment_z + (tube0_base_half_trace
-        - tube0_inertia_zz + (rod0_base_half_trace - rod0_inertia_zz));
+    const wreal tube0_base_second_moment_zz = slide0_position_z * platform_base_mass_moment_z
+        + rod0_base_half_trace + (tube0_base_half_trace - tube0_inertia_zz - rod0_inertia_zz);
     w[44] = tube0_base_second_moment_xx;
     w[45] = tube0_base_second_moment_yy;
     w[46] = tube0_base_second_moment_zz;
@@ -463,6 +509,7 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     (void)work;
 
     /* shared by several: R */
+    /* R = R_fixed R_joint(q) */
     const real hooke0_angle1 = q[0]; /* rad */
     const real hooke0_angle2 = q[1]; /* rad */
     const real hooke1_angle1 = q[7]; /* rad */
@@ -506,6 +553,8 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real hooke5_angle2_sin = sine[11];
 
     /* tube0: a, omega */
+    /* a = Rᵀ (a_parent + U_parent p) + S_v udot + c_v */
+    /* omega = Rᵀ omega_parent + S_w u */
     const real hooke0_u_angle1 = u[0]; /* rad/s */
     const wreal gravity_z = w[0]; /* m/s^2 */
     const real tube0_minus_a_y = gravity_z * hooke0_angle1_sin;
@@ -514,11 +563,14 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real tube0_omega_z = hooke0_u_angle1 * hooke0_angle2_sin;
 
     /* hooke0: R, drift */
+    /* R = R_fixed R_joint(q) */
+    /* drift = S' u + [0; omega x v] */
     const real hooke0_u_angle2 = u[1]; /* rad/s */
     const real hooke0_R_zz = hooke0_angle1_cos * hooke0_angle2_cos;
     const real hooke0_u_angle1_times_u_angle2 = hooke0_u_angle1 * hooke0_u_angle2;
 
     /* tube0: alpha */
+    /* alpha = Rᵀ alpha_parent + S_w udot + c_w */
     const real hooke0_u_angle1dot = udot[0]; /* rad/s^2 */
     const real tube0_alpha_x = hooke0_u_angle1dot * hooke0_angle2_cos
         - hooke0_angle2_sin * hooke0_u_angle1_times_u_angle2;
@@ -526,6 +578,7 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         + hooke0_u_angle1dot * hooke0_angle2_sin;
 
     /* ball0: R */
+    /* R = R_fixed R_joint(q) */
     const real ball0_w = q[3];
     const real ball0_x = q[4];
     const real ball0_y = q[5];
@@ -553,6 +606,11 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real ball0_R_zy = ball0_w_times_twice_ball0_x + ball0_y_times_twice_ball0_z;
 
     /* platform: alpha, omega, U, inertia force, f */
+    /* alpha = Rᵀ alpha_parent + S_w udot + c_w */
+    /* omega = Rᵀ omega_parent + S_w u */
+    /* U = [alpha] + [omega][omega] */
+    /* inertia_force = [2 vee(skew(U J)) + h x a; m a + U h] */
+    /* f = inertia_force_f - applied_f + sum R f_child */
     const real ball0_u_x = u[3]; /* rad/s */
     const real ball0_u_y = u[4]; /* rad/s */
     const real ball0_u_z = u[5]; /* rad/s */
@@ -609,6 +667,8 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         - ball0_R_yz * platform_minus_f_z;
 
     /* tube1: a, omega */
+    /* a = Rᵀ (a_parent + U_parent p) + S_v udot + c_v */
+    /* omega = Rᵀ omega_parent + S_w u */
     const real hooke1_u_angle1 = u[6]; /* rad/s */
     const real tube1_minus_a_y = gravity_z * hooke1_angle1_sin;
     const real tube1_a_x = hooke1_angle1_cos * hooke1_angle2_sin * gravity_z;
@@ -616,11 +676,15 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real tube1_omega_z = hooke1_u_angle1 * hooke1_angle2_sin;
 
     /* hooke1: R, drift */
+    /* R = R_fixed R_joint(q) */
+    /* drift = S' u + [0; omega x v] */
     const real hooke1_u_angle2 = u[7]; /* rad/s */
     const real hooke1_R_zz = hooke1_angle1_cos * hooke1_angle2_cos;
     const real hooke1_u_angle1_times_u_angle2 = hooke1_u_angle1 * hooke1_u_angle2;
 
     /* tube2: a, omega */
+    /* a = Rᵀ (a_parent + U_parent p) + S_v udot + c_v */
+    /* omega = Rᵀ omega_parent + S_w u */
     const real hooke2_u_angle1 = u[9]; /* rad/s */
     const real tube2_minus_a_y = gravity_z * hooke2_angle1_sin;
     const real tube2_a_x = hooke2_angle1_cos * hooke2_angle2_sin * gravity_z;
@@ -628,11 +692,15 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real tube2_omega_z = hooke2_u_angle1 * hooke2_angle2_sin;
 
     /* hooke2: R, drift */
+    /* R = R_fixed R_joint(q) */
+    /* drift = S' u + [0; omega x v] */
     const real hooke2_u_angle2 = u[10]; /* rad/s */
     const real hooke2_R_zz = hooke2_angle1_cos * hooke2_angle2_cos;
     const real hooke2_u_angle1_times_u_angle2 = hooke2_u_angle1 * hooke2_u_angle2;
 
     /* tube3: a, omega */
+    /* a = Rᵀ (a_parent + U_parent p) + S_v udot + c_v */
+    /* omega = Rᵀ omega_parent + S_w u */
     const real hooke3_u_angle1 = u[12]; /* rad/s */
     const real tube3_minus_a_y = gravity_z * hooke3_angle1_sin;
     const real tube3_a_x = hooke3_angle1_cos * hooke3_angle2_sin * gravity_z;
@@ -640,11 +708,15 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real tube3_omega_z = hooke3_u_angle1 * hooke3_angle2_sin;
 
     /* hooke3: R, drift */
+    /* R = R_fixed R_joint(q) */
+    /* drift = S' u + [0; omega x v] */
     const real hooke3_u_angle2 = u[13]; /* rad/s */
     const real hooke3_R_zz = hooke3_angle1_cos * hooke3_angle2_cos;
     const real hooke3_u_angle1_times_u_angle2 = hooke3_u_angle1 * hooke3_u_angle2;
 
     /* tube4: a, omega */
+    /* a = Rᵀ (a_parent + U_parent p) + S_v udot + c_v */
+    /* omega = Rᵀ omega_parent + S_w u */
     const real hooke4_u_angle1 = u[15]; /* rad/s */
     const real tube4_minus_a_y = gravity_z * hooke4_angle1_sin;
     const real tube4_a_x = hooke4_angle1_cos * hooke4_angle2_sin * gravity_z;
@@ -652,11 +724,15 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real tube4_omega_z = hooke4_u_angle1 * hooke4_angle2_sin;
 
     /* hooke4: R, drift */
+    /* R = R_fixed R_joint(q) */
+    /* drift = S' u + [0; omega x v] */
     const real hooke4_u_angle2 = u[16]; /* rad/s */
     const real hooke4_R_zz = hooke4_angle1_cos * hooke4_angle2_cos;
     const real hooke4_u_angle1_times_u_angle2 = hooke4_u_angle1 * hooke4_u_angle2;
 
     /* tube5: a, omega */
+    /* a = Rᵀ (a_parent + U_parent p) + S_v udot + c_v */
+    /* omega = Rᵀ omega_parent + S_w u */
     const real hooke5_u_angle1 = u[18]; /* rad/s */
     const real tube5_minus_a_y = gravity_z * hooke5_angle1_sin;
     const real tube5_a_x = hooke5_angle1_cos * hooke5_angle2_sin * gravity_z;
@@ -664,11 +740,14 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real tube5_omega_z = hooke5_u_angle1 * hooke5_angle2_sin;
 
     /* hooke5: R, drift */
+    /* R = R_fixed R_joint(q) */
+    /* drift = S' u + [0; omega x v] */
     const real hooke5_u_angle2 = u[19]; /* rad/s */
     const real hooke5_R_zz = hooke5_angle1_cos * hooke5_angle2_cos;
     const real hooke5_u_angle1_times_u_angle2 = hooke5_u_angle1 * hooke5_u_angle2;
 
     /* shared by several: U */
+    /* U = [alpha] + [omega][omega] */
     const real tube0_minus_U_zz = tube0_omega_x * tube0_omega_x + hooke0_u_angle2 * hooke0_u_angle2;
     const real hooke0_u_angle2_times_tube0_omega_x = hooke0_u_angle2 * tube0_omega_x;
     const real tube0_omega_x_times_omega_z = tube0_omega_x * tube0_omega_z;
@@ -695,6 +774,7 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real hooke5_u_angle2_times_tube5_omega_z = hooke5_u_angle2 * tube5_omega_z;
 
     /* tube0: U */
+    /* U = [alpha] + [omega][omega] */
     const real tube0_U_xy = hooke0_u_angle2_times_tube0_omega_x - tube0_alpha_z;
     const real tube0_U_yx = tube0_alpha_z + hooke0_u_angle2_times_tube0_omega_x;
     const real tube0_U_xz = hooke0_u_angle2dot + tube0_omega_x_times_omega_z;
@@ -703,6 +783,8 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real tube0_U_zy = tube0_alpha_x + hooke0_u_angle2_times_tube0_omega_z;
 
     /* rod0: a, f */
+    /* a = Rᵀ (a_parent + U_parent p) + S_v udot + c_v */
+    /* f = inertia_force_f - applied_f + sum R f_child */
     const real slide0_q = q[2]; /* m */
     const real slide0_u = u[2]; /* m/s */
     const real slide0_udot = udot[2]; /* m/s^2 */
@@ -720,6 +802,9 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         + rod0_f_y_part;
 
     /* platform: a, inertia force, n */
+    /* a = Rᵀ (a_parent + U_parent p) + S_v udot + c_v */
+    /* inertia_force = [2 vee(skew(U J)) + h x a; m a + U h] */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
     const wreal slide0_position_z = w[2]; /* m */
     const wreal platform_base_second_moment_xy = w[6];
     const wreal platform_origin_inertia_xz = w[7];
@@ -768,6 +853,9 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[5] = platform_n_z; /* tau: ball0.u.z.tau [N*m] */
 
     /* tube1: alpha, U, n */
+    /* alpha = Rᵀ alpha_parent + S_w udot + c_w */
+    /* U = [alpha] + [omega][omega] */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
     const real hooke1_u_angle1dot = udot[6]; /* rad/s^2 */
     const real hooke1_u_angle2dot = udot[7]; /* rad/s^2 */
     const wreal tube1_base_second_moment_xx = w[41];
@@ -786,6 +874,9 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real tube1_U_zy = tube1_alpha_x + hooke1_u_angle2_times_tube1_omega_z;
 
     /* rod1: a, f, n */
+    /* a = Rᵀ (a_parent + U_parent p) + S_v udot + c_v */
+    /* f = inertia_force_f - applied_f + sum R f_child */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
     const real slide1_q = q[9]; /* m */
     const real slide1_u = u[8]; /* m/s */
     const real slide1_udot = udot[8]; /* m/s^2 */
@@ -801,10 +892,14 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real rod1_f_x = rod1_mass * rod1_a_x + rod1_base_moment_z * tube1_U_xz;
 
     /* slide1: tau */
+    /* tau = S . [n; f] - force on the joint */
     const real drive1 = r[1];
     out[8] = rod1_f_z - drive1; /* tau: slide1.u.tau [N] */
 
     /* tube2: alpha, U, n */
+    /* alpha = Rᵀ alpha_parent + S_w udot + c_w */
+    /* U = [alpha] + [omega][omega] */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
     const real hooke2_u_angle1dot = udot[9]; /* rad/s^2 */
     const real hooke2_u_angle2dot = udot[10]; /* rad/s^2 */
     const wreal tube2_base_second_moment_xx = w[38];
@@ -823,6 +918,9 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real tube2_U_zy = tube2_alpha_x + hooke2_u_angle2_times_tube2_omega_z;
 
     /* rod2: a, f, n */
+    /* a = Rᵀ (a_parent + U_parent p) + S_v udot + c_v */
+    /* f = inertia_force_f - applied_f + sum R f_child */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
     const real slide2_q = q[12]; /* m */
     const real slide2_u = u[11]; /* m/s */
     const real slide2_udot = udot[11]; /* m/s^2 */
@@ -838,10 +936,14 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real rod2_f_x = rod2_mass * rod2_a_x + rod2_base_moment_z * tube2_U_xz;
 
     /* slide2: tau */
+    /* tau = S . [n; f] - force on the joint */
     const real drive2 = r[2];
     out[11] = rod2_f_z - drive2; /* tau: slide2.u.tau [N] */
 
     /* tube3: alpha, U, n */
+    /* alpha = Rᵀ alpha_parent + S_w udot + c_w */
+    /* U = [alpha] + [omega][omega] */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
     const real hooke3_u_angle1dot = udot[12]; /* rad/s^2 */
     const real hooke3_u_angle2dot = udot[13]; /* rad/s^2 */
     const wreal tube3_base_second_moment_xx = w[35];
@@ -860,6 +962,9 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real tube3_U_zy = tube3_alpha_x + hooke3_u_angle2_times_tube3_omega_z;
 
     /* rod3: a, f, n */
+    /* a = Rᵀ (a_parent + U_parent p) + S_v udot + c_v */
+    /* f = inertia_force_f - applied_f + sum R f_child */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
     const real slide3_q = q[15]; /* m */
     const real slide3_u = u[14]; /* m/s */
     const real slide3_udot = udot[14]; /* m/s^2 */
@@ -875,10 +980,14 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real rod3_f_x = rod3_mass * rod3_a_x + rod3_base_moment_z * tube3_U_xz;
 
     /* slide3: tau */
+    /* tau = S . [n; f] - force on the joint */
     const real drive3 = r[3];
     out[14] = rod3_f_z - drive3; /* tau: slide3.u.tau [N] */
 
     /* tube4: alpha, U, n */
+    /* alpha = Rᵀ alpha_parent + S_w udot + c_w */
+    /* U = [alpha] + [omega][omega] */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
     const real hooke4_u_angle1dot = udot[15]; /* rad/s^2 */
     const real hooke4_u_angle2dot = udot[16]; /* rad/s^2 */
     const wreal tube4_base_second_moment_xx = w[32];
@@ -897,6 +1006,9 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real tube4_U_zy = tube4_alpha_x + hooke4_u_angle2_times_tube4_omega_z;
 
     /* rod4: a, f, n */
+    /* a = Rᵀ (a_parent + U_parent p) + S_v udot + c_v */
+    /* f = inertia_force_f - applied_f + sum R f_child */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
     const real slide4_q = q[18]; /* m */
     const real slide4_u = u[17]; /* m/s */
     const real slide4_udot = udot[17]; /* m/s^2 */
@@ -912,10 +1024,14 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real rod4_f_x = rod4_mass * rod4_a_x + rod4_base_moment_z * tube4_U_xz;
 
     /* slide4: tau */
+    /* tau = S . [n; f] - force on the joint */
     const real drive4 = r[4];
     out[17] = rod4_f_z - drive4; /* tau: slide4.u.tau [N] */
 
     /* tube5: alpha, U, n */
+    /* alpha = Rᵀ alpha_parent + S_w udot + c_w */
+    /* U = [alpha] + [omega][omega] */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
     const real hooke5_u_angle1dot = udot[18]; /* rad/s^2 */
     const real hooke5_u_angle2dot = udot[19]; /* rad/s^2 */
     const wreal tube5_base_second_moment_xx = w[29];
@@ -934,6 +1050,9 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real tube5_U_zy = tube5_alpha_x + hooke5_u_angle2_times_tube5_omega_z;
 
     /* rod5: a, f, n */
+    /* a = Rᵀ (a_parent + U_parent p) + S_v udot + c_v */
+    /* f = inertia_force_f - applied_f + sum R f_child */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
     const real slide5_q = q[21]; /* m */
     const real slide5_u = u[20]; /* m/s */
     const real slide5_udot = udot[20]; /* m/s^2 */
@@ -949,10 +1068,12 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real rod5_f_x = rod5_mass * rod5_a_x + rod5_base_moment_z * tube5_U_xz;
 
     /* slide5: tau */
+    /* tau = S . [n; f] - force on the joint */
     const real drive5 = r[5];
     out[20] = rod5_f_z - drive5; /* tau: slide5.u.tau [N] */
 
     /* tube1: n */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
     const wreal tube1_first_moment_z = w[9];
     const wreal tube1_base_second_moment_zz = w[43];
     const real tube1_n_x = tube1_base_second_moment_yy * tube1_U_zy
@@ -962,11 +1083,13 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[7] = tube1_base_second_moment_zz * tube1_U_xz + tube1_first_moment_z * tube1_a_x
         - tube1_base_second_moment_xx * tube1_U_zx + rod1_n_y + slide1_q * rod1_f_x;
 
-    /* hooke1: tau angle */
+    /* hooke1: tau */
+    /* tau = S . [n; f] - force on the joint */
     /* tau: hooke1.u.angle1.tau [N*m] */
     out[6] = hooke1_angle2_cos * tube1_n_x + hooke1_angle2_sin * tube1_n_z;
 
     /* tube2: n */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
     const wreal tube2_first_moment_z = w[11];
     const wreal tube2_base_second_moment_zz = w[40];
     const real tube2_n_x = tube2_base_second_moment_yy * tube2_U_zy
@@ -976,11 +1099,13 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[10] = tube2_base_second_moment_zz * tube2_U_xz + tube2_first_moment_z * tube2_a_x
         - tube2_base_second_moment_xx * tube2_U_zx + rod2_n_y + slide2_q * rod2_f_x;
 
-    /* hooke2: tau angle */
+    /* hooke2: tau */
+    /* tau = S . [n; f] - force on the joint */
     /* tau: hooke2.u.angle1.tau [N*m] */
     out[9] = hooke2_angle2_cos * tube2_n_x + hooke2_angle2_sin * tube2_n_z;
 
     /* tube3: n */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
     const wreal tube3_first_moment_z = w[13];
     const wreal tube3_base_second_moment_zz = w[37];
     const real tube3_n_x = tube3_base_second_moment_yy * tube3_U_zy
@@ -990,11 +1115,13 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[13] = tube3_base_second_moment_zz * tube3_U_xz + tube3_first_moment_z * tube3_a_x
         - tube3_base_second_moment_xx * tube3_U_zx + rod3_n_y + slide3_q * rod3_f_x;
 
-    /* hooke3: tau angle */
+    /* hooke3: tau */
+    /* tau = S . [n; f] - force on the joint */
     /* tau: hooke3.u.angle1.tau [N*m] */
     out[12] = hooke3_angle2_cos * tube3_n_x + hooke3_angle2_sin * tube3_n_z;
 
     /* tube4: n */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
     const wreal tube4_first_moment_z = w[15];
     const wreal tube4_base_second_moment_zz = w[34];
     const real tube4_n_x = tube4_base_second_moment_yy * tube4_U_zy
@@ -1004,11 +1131,13 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[16] = tube4_base_second_moment_zz * tube4_U_xz + tube4_first_moment_z * tube4_a_x
         - tube4_base_second_moment_xx * tube4_U_zx + rod4_n_y + slide4_q * rod4_f_x;
 
-    /* hooke4: tau angle */
+    /* hooke4: tau */
+    /* tau = S . [n; f] - force on the joint */
     /* tau: hooke4.u.angle1.tau [N*m] */
     out[15] = hooke4_angle2_cos * tube4_n_x + hooke4_angle2_sin * tube4_n_z;
 
     /* tube5: n */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
     const wreal tube5_first_moment_z = w[17];
     const wreal tube5_base_second_moment_zz = w[31];
     const real tube5_n_x = tube5_base_second_moment_yy * tube5_U_zy
@@ -1018,11 +1147,13 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[19] = tube5_base_second_moment_zz * tube5_U_xz + tube5_first_moment_z * tube5_a_x
         - tube5_base_second_moment_xx * tube5_U_zx + rod5_n_y + slide5_q * rod5_f_x;
 
-    /* hooke5: tau angle */
+    /* hooke5: tau */
+    /* tau = S . [n; f] - force on the joint */
     /* tau: hooke5.u.angle1.tau [N*m] */
     out[18] = hooke5_angle2_cos * tube5_n_x + hooke5_angle2_sin * tube5_n_z;
 
     /* rod0: n */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
     const real rod0_n_y = ball0_R_yy * platform_n_y + ball0_R_yz * platform_n_z
         + (rod0_base_moment_z * rod0_a_x + ball0_R_yx * platform_n_x
         + slide0_position_z * rod0_f_x_part);
@@ -1033,6 +1164,7 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         - slide0_position_z * rod0_f_y_part);
 
     /* tube0: n */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
     const wreal tube0_first_moment_z = w[1];
     const wreal tube0_base_second_moment_xx = w[44];
     const wreal tube0_base_second_moment_yy = w[45];
@@ -1046,11 +1178,13 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[1] = tube0_base_second_moment_zz * tube0_U_xz + tube0_first_moment_z * tube0_a_x
         - tube0_base_second_moment_xx * tube0_U_zx + slide0_q * rod0_f_x + rod0_n_y;
 
-    /* hooke0: tau angle */
+    /* hooke0: tau */
+    /* tau = S . [n; f] - force on the joint */
     /* tau: hooke0.u.angle1.tau [N*m] */
     out[0] = hooke0_angle2_cos * tube0_n_x + hooke0_angle2_sin * tube0_n_z;
 
     /* slide0: tau */
+    /* tau = S . [n; f] - force on the joint */
     const real drive0 = r[0];
     out[2] = rod0_f_z - drive0; /* tau: slide0.u.tau [N] */
     return CARDAN_OK;

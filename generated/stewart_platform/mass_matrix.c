@@ -7,7 +7,7 @@
  *
  * Sizes: out 441, work 0, w 47
  * Operations per call: 279 = 155 mul, 77 add, 33 sub, 6 cos, 6 sin, 2 neg
- * Operations of prepare: 145 = 75 add, 69 mul, 1 neg
+ * Operations of prepare: 142 = 75 add, 66 mul, 1 neg
  *
  * Input q (22): generalized coordinates
  *   q[0]  hooke0.angle1 [rad]
@@ -41,7 +41,10 @@
 
 CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
-    /* tube0: first moment, mass, origin inertia, base inertia */
+    /* tube0: first moment, mass, origin inertia, base */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal tube0_mass = p[3]; /* kg */
     const wreal tube0_com_z = p[4]; /* m */
     const wreal tube0_inertia_xx = p[5]; /* kg m^2 */
@@ -55,8 +58,10 @@ CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
     const wreal tube0_base_inertia_zz = tube0_inertia_zz + rod0_inertia_zz;
     w[45] = tube0_base_inertia_zz;
 
-    /* rod0: first moment, mass, origin inertia, base mass, base moment, base */
-    const wreal slide0_position_z = p[8]; /* m */
+    /* rod0: first moment, mass, origin inertia, base */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal rod0_mass = p[9]; /* kg */
     const wreal rod0_com_z = p[10]; /* m */
     const wreal rod0_inertia_xx = p[11]; /* kg m^2 */
@@ -67,15 +72,10 @@ CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
     const wreal rod0_origin_inertia_xx = rod0_inertia_xx + rod0_com_z_times_first_moment_z;
     const wreal rod0_origin_inertia_yy = rod0_inertia_yy + rod0_com_z_times_first_moment_z;
     const wreal rod0_base_mass = rod0_mass + platform_mass;
-    const wreal rod0_base_moment_z = rod0_first_moment_z + slide0_position_z * rod0_mass
-        + slide0_position_z * platform_mass;
-    const wreal rod0_mass_shift_plus_platform_base_shift = slide0_position_z * (rod0_first_moment_z
-        + 0.5 * rod0_mass * slide0_position_z) * 2.0
-        + 0.5 * platform_mass * slide0_position_z * slide0_position_z * 2.0;
     w[41] = rod0_base_mass;
-    w[42] = rod0_base_moment_z;
 
-    /* momentum: ball0 y fz, ball0 z fx */
+    /* momentum */
+    /* momentum = composite inertia S */
     const wreal ball0_child_position_x = p[14]; /* m */
     const wreal ball0_child_position_y = p[15]; /* m */
     const wreal momentum_ball0_y_fz = ball0_child_position_x * platform_mass;
@@ -83,7 +83,11 @@ CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
     w[1] = momentum_ball0_y_fz;
     w[2] = momentum_ball0_z_fx;
 
-    /* platform: first moment, mass, base second moment, origin inertia */
+    /* platform: first moment, mass, base, origin inertia */
+    /* first_moment = sum m c */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    const wreal slide0_position_z = p[8]; /* m */
     const wreal platform_com_z = p[17]; /* m */
     const wreal platform_inertia_xx = p[18]; /* kg m^2 */
     const wreal platform_inertia_yy = p[19]; /* kg m^2 */
@@ -105,6 +109,7 @@ CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
     const wreal platform_origin_inertia_zz = platform_inertia_zz
         + ball0_child_position_x_times_momentum_ball0_y_fz
         + ball0_child_position_y_times_momentum_ball0_z_fx;
+    const wreal platform_base_mass_moment_z = slide0_position_z * platform_mass;
     w[3] = platform_first_moment_z;
     w[4] = platform_base_second_moment_xy;
     w[5] = platform_origin_inertia_xy;
@@ -114,7 +119,10 @@ CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
     w[9] = platform_origin_inertia_yy;
     w[10] = platform_origin_inertia_zz;
 
-    /* tube1: first moment, mass, origin inertia, base inertia */
+    /* tube1: first moment, mass, origin inertia, base */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal tube1_mass = p[23]; /* kg */
     const wreal tube1_com_z = p[24]; /* m */
     const wreal tube1_inertia_xx = p[25]; /* kg m^2 */
@@ -128,7 +136,10 @@ CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
     const wreal tube1_base_inertia_zz = tube1_inertia_zz + rod1_inertia_zz;
     w[40] = tube1_base_inertia_zz;
 
-    /* rod1: first moment, mass, origin inertia, base moment */
+    /* rod1: first moment, mass, origin inertia, base */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal slide1_position_z = p[28]; /* m */
     const wreal rod1_mass = p[29]; /* kg */
     const wreal rod1_com_z = p[30]; /* m */
@@ -141,7 +152,10 @@ CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
     const wreal rod1_base_moment_z = rod1_first_moment_z + slide1_position_z * rod1_mass;
     w[17] = rod1_base_moment_z;
 
-    /* tube2: first moment, mass, origin inertia, base inertia */
+    /* tube2: first moment, mass, origin inertia, base */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal tube2_mass = p[36]; /* kg */
     const wreal tube2_com_z = p[37]; /* m */
     const wreal tube2_inertia_xx = p[38]; /* kg m^2 */
@@ -155,7 +169,10 @@ CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
     const wreal tube2_base_inertia_zz = tube2_inertia_zz + rod2_inertia_zz;
     w[37] = tube2_base_inertia_zz;
 
-    /* rod2: first moment, mass, origin inertia, base moment */
+    /* rod2: first moment, mass, origin inertia, base */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal slide2_position_z = p[41]; /* m */
     const wreal rod2_mass = p[42]; /* kg */
     const wreal rod2_com_z = p[43]; /* m */
@@ -168,7 +185,10 @@ CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
     const wreal rod2_base_moment_z = rod2_first_moment_z + slide2_position_z * rod2_mass;
     w[19] = rod2_base_moment_z;
 
-    /* tube3: first moment, mass, origin inertia, base inertia */
+    /* tube3: first moment, mass, origin inertia, base */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal tube3_mass = p[49]; /* kg */
     const wreal tube3_com_z = p[50]; /* m */
     const wreal tube3_inertia_xx = p[51]; /* kg m^2 */
@@ -182,7 +202,10 @@ CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
     const wreal tube3_base_inertia_zz = tube3_inertia_zz + rod3_inertia_zz;
     w[34] = tube3_base_inertia_zz;
 
-    /* rod3: first moment, mass, origin inertia, base moment */
+    /* rod3: first moment, mass, origin inertia, base */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal slide3_position_z = p[54]; /* m */
     const wreal rod3_mass = p[55]; /* kg */
     const wreal rod3_com_z = p[56]; /* m */
@@ -195,7 +218,10 @@ CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
     const wreal rod3_base_moment_z = rod3_first_moment_z + slide3_position_z * rod3_mass;
     w[21] = rod3_base_moment_z;
 
-    /* tube4: first moment, mass, origin inertia, base inertia */
+    /* tube4: first moment, mass, origin inertia, base */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal tube4_mass = p[62]; /* kg */
     const wreal tube4_com_z = p[63]; /* m */
     const wreal tube4_inertia_xx = p[64]; /* kg m^2 */
@@ -209,7 +235,10 @@ CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
     const wreal tube4_base_inertia_zz = tube4_inertia_zz + rod4_inertia_zz;
     w[31] = tube4_base_inertia_zz;
 
-    /* rod4: first moment, mass, origin inertia, base moment */
+    /* rod4: first moment, mass, origin inertia, base */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal slide4_position_z = p[67]; /* m */
     const wreal rod4_mass = p[68]; /* kg */
     const wreal rod4_com_z = p[69]; /* m */
@@ -222,7 +251,10 @@ CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
     const wreal rod4_base_moment_z = rod4_first_moment_z + slide4_position_z * rod4_mass;
     w[23] = rod4_base_moment_z;
 
-    /* tube5: first moment, mass, origin inertia, base inertia */
+    /* tube5: first moment, mass, origin inertia, base */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal tube5_mass = p[75]; /* kg */
     const wreal tube5_com_z = p[76]; /* m */
     const wreal tube5_inertia_xx = p[77]; /* kg m^2 */
@@ -236,7 +268,10 @@ CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
     const wreal tube5_base_inertia_zz = tube5_inertia_zz + rod5_inertia_zz;
     w[28] = tube5_base_inertia_zz;
 
-    /* rod5: first moment, mass, origin inertia, base moment */
+    /* rod5: first moment, mass, origin inertia, base */
+    /* first_moment = sum m c */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal slide5_position_z = p[80]; /* m */
     const wreal rod5_mass = p[81]; /* kg */
     const wreal rod5_com_z = p[82]; /* m */
@@ -281,7 +316,8 @@ CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
     const wreal rod5_mass_shift = slide5_position_z * (rod5_first_moment_z
         + slide5_position_z * half_rod5_mass) * 2.0;
 
-    /* tube5: base inertia */
+    /* tube5: base */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal tube5_base_inertia_xx = tube5_origin_inertia_xx + rod5_origin_inertia_xx
         + rod5_mass_shift;
     const wreal tube5_base_inertia_yy = tube5_origin_inertia_yy + rod5_origin_inertia_yy
@@ -289,7 +325,8 @@ CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
     w[26] = tube5_base_inertia_xx;
     w[27] = tube5_base_inertia_yy;
 
-    /* tube4: base inertia */
+    /* tube4: base */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal tube4_base_inertia_xx = tube4_origin_inertia_xx + rod4_origin_inertia_xx
         + rod4_mass_shift;
     const wreal tube4_base_inertia_yy = tube4_origin_inertia_yy + rod4_origin_inertia_yy
@@ -297,7 +334,8 @@ CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
     w[29] = tube4_base_inertia_xx;
     w[30] = tube4_base_inertia_yy;
 
-    /* tube3: base inertia */
+    /* tube3: base */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal tube3_base_inertia_xx = tube3_origin_inertia_xx + rod3_origin_inertia_xx
         + rod3_mass_shift;
     const wreal tube3_base_inertia_yy = tube3_origin_inertia_yy + rod3_origin_inertia_yy
@@ -305,7 +343,8 @@ CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
     w[32] = tube3_base_inertia_xx;
     w[33] = tube3_base_inertia_yy;
 
-    /* tube2: base inertia */
+    /* tube2: base */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal tube2_base_inertia_xx = tube2_origin_inertia_xx + rod2_origin_inertia_xx
         + rod2_mass_shift;
     const wreal tube2_base_inertia_yy = tube2_origin_inertia_yy + rod2_origin_inertia_yy
@@ -313,7 +352,8 @@ CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
     w[35] = tube2_base_inertia_xx;
     w[36] = tube2_base_inertia_yy;
 
-    /* tube1: base inertia */
+    /* tube1: base */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal tube1_base_inertia_xx = tube1_origin_inertia_xx + rod1_origin_inertia_xx
         + rod1_mass_shift;
     const wreal tube1_base_inertia_yy = tube1_origin_inertia_yy + rod1_origin_inertia_yy
@@ -321,11 +361,21 @@ CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
     w[38] = tube1_base_inertia_xx;
     w[39] = tube1_base_inertia_yy;
 
-    /* tube0: base inertia, inertia */
+    /* rod0: base */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
+    const wreal rod0_base_moment_z = rod0_first_moment_z + slide0_position_z * rod0_mass
+        + platform_base_mass_moment_z;
+    const wreal rod0_mass_shift_plus_platform_base_inertia_xx = slide0_position_z *
+        (rod0_first_moment_z + 0.5 * rod0_mass * slide0_position_z) * 2.0
+        + slide0_position_z * platform_base_mass_moment_z;
+    w[42] = rod0_base_moment_z;
+
+    /* tube0: base, inertia */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal tube0_base_inertia_xx = tube0_origin_inertia_xx + rod0_origin_inertia_xx
-        + rod0_mass_shift_plus_platform_base_shift;
+        + rod0_mass_shift_plus_platform_base_inertia_xx;
     const wreal tube0_base_inertia_yy = tube0_origin_inertia_yy + rod0_origin_inertia_yy
-        + rod0_mass_shift_plus_platform_base_shift;
+        + rod0_mass_shift_plus_platform_base_inertia_xx;
     const wreal half_rod0_base_mass = 0.5 * rod0_base_mass;
     w[43] = tube0_base_inertia_xx;
     w[44] = tube0_base_inertia_yy;
@@ -351,6 +401,7 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     (void)work;
 
     /* shared by several: R */
+    /* R = R_fixed R_joint(q) */
     const real hooke0_angle2 = q[1]; /* rad */
     const real hooke1_angle2 = q[8]; /* rad */
     const real hooke2_angle2 = q[11]; /* rad */
@@ -374,7 +425,8 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real hooke0_angle2_cos = cosine[5];
     const real hooke0_angle2_sin = sine[5];
 
-    /* tube5: inertia, composite inertia */
+    /* tube5: inertia, composite */
+    /* composite = own + sum R composite_child Rᵀ moved by p */
     const real slide5_q = q[21]; /* m */
     const wreal half_rod5_mass = w[24];
     const wreal rod5_base_moment_z = w[25];
@@ -385,7 +437,8 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real tube5_composite_inertia_xx = tube5_base_inertia_xx + tube5_inertia_shift;
     out[418] = tube5_base_inertia_yy + tube5_inertia_shift; /* M: hooke5.u.angle2,hooke5.u.angle2 */
 
-    /* tube4: inertia, composite inertia */
+    /* tube4: inertia, composite */
+    /* composite = own + sum R composite_child Rᵀ moved by p */
     const real slide4_q = q[18]; /* m */
     const wreal half_rod4_mass = w[22];
     const wreal rod4_base_moment_z = w[23];
@@ -396,7 +449,8 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real tube4_composite_inertia_xx = tube4_base_inertia_xx + tube4_inertia_shift;
     out[352] = tube4_base_inertia_yy + tube4_inertia_shift; /* M: hooke4.u.angle2,hooke4.u.angle2 */
 
-    /* tube3: inertia, composite inertia */
+    /* tube3: inertia, composite */
+    /* composite = own + sum R composite_child Rᵀ moved by p */
     const real slide3_q = q[15]; /* m */
     const wreal half_rod3_mass = w[20];
     const wreal rod3_base_moment_z = w[21];
@@ -407,7 +461,8 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real tube3_composite_inertia_xx = tube3_base_inertia_xx + tube3_inertia_shift;
     out[286] = tube3_base_inertia_yy + tube3_inertia_shift; /* M: hooke3.u.angle2,hooke3.u.angle2 */
 
-    /* tube2: inertia, composite inertia */
+    /* tube2: inertia, composite */
+    /* composite = own + sum R composite_child Rᵀ moved by p */
     const real slide2_q = q[12]; /* m */
     const wreal half_rod2_mass = w[18];
     const wreal rod2_base_moment_z = w[19];
@@ -418,7 +473,8 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real tube2_composite_inertia_xx = tube2_base_inertia_xx + tube2_inertia_shift;
     out[220] = tube2_base_inertia_yy + tube2_inertia_shift; /* M: hooke2.u.angle2,hooke2.u.angle2 */
 
-    /* tube1: inertia, composite inertia */
+    /* tube1: inertia, composite */
+    /* composite = own + sum R composite_child Rᵀ moved by p */
     const real slide1_q = q[9]; /* m */
     const wreal half_rod1_mass = w[16];
     const wreal rod1_base_moment_z = w[17];
@@ -430,6 +486,7 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[154] = tube1_base_inertia_yy + tube1_inertia_shift; /* M: hooke1.u.angle2,hooke1.u.angle2 */
 
     /* ball0: R */
+    /* R = R_fixed R_joint(q) */
     const real ball0_w = q[3];
     const real ball0_x = q[4];
     const real ball0_y = q[5];
@@ -482,7 +539,8 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real rod0_inertia_half_turned_zz = platform_origin_inertia_xz * ball0_R_zx
         + platform_origin_inertia_yz * ball0_R_zy + platform_origin_inertia_zz * ball0_R_zz;
 
-    /* rod0: composite inertia, composite moment, inertia */
+    /* rod0: composite, inertia */
+    /* composite = own + sum R composite_child Rᵀ moved by p */
     const wreal slide0_position_z = w[0]; /* m */
     const wreal momentum_ball0_y_fz = w[1];
     const wreal momentum_ball0_z_fx = w[2];
@@ -513,7 +571,8 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
         + ball0_R_zy * rod0_inertia_half_turned_yy + ball0_R_zz * rod0_inertia_half_turned_yz
         - slide0_position_z * rod0_composite_moment_y;
 
-    /* tube0: composite inertia, inertia */
+    /* tube0: composite, inertia */
+    /* composite = own + sum R composite_child Rᵀ moved by p */
     const real slide0_q = q[2]; /* m */
     const wreal tube0_base_inertia_xx = w[43];
     const wreal tube0_base_inertia_yy = w[44];
@@ -532,11 +591,13 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[22] = tube0_base_inertia_yy + rod0_composite_inertia_yy + tube0_inertia_shift;
 
     /* shared by several: M */
+    /* M = S . momentum */
     const real momentum_slide0_my = -rod0_composite_moment_x;
     out[23] = momentum_slide0_my; /* M: hooke0.u.angle2,slide0.u */
     out[43] = momentum_slide0_my; /* M: slide0.u,hooke0.u.angle2 */
 
-    /* momentum: hooke5 angle1 mx, hooke5 angle1 mz, hooke4 angle1 mx, hooke4 angle1 mz, ... */
+    /* momentum */
+    /* momentum = composite inertia S */
     const wreal tube5_base_inertia_zz = w[28];
     const wreal tube4_base_inertia_zz = w[31];
     const wreal tube3_base_inertia_zz = w[34];
@@ -564,7 +625,8 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[1] = momentum_hooke0_angle1_my; /* M: hooke0.u.angle1,hooke0.u.angle2 */
     out[21] = momentum_hooke0_angle1_my; /* M: hooke0.u.angle2,hooke0.u.angle1 */
 
-    /* M: hooke5 angle1 hooke5 angle, hooke4 angle1 hooke4 angle, ... */
+    /* M */
+    /* M = S . momentum */
     const real M_ball0_y_slide0 = platform_first_moment_z * ball0_R_zx
         + momentum_ball0_y_fz * ball0_R_zz;
     const real M_ball0_z_slide0 = momentum_ball0_z_fx * ball0_R_zx
@@ -593,6 +655,7 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
         + hooke0_angle2_sin * momentum_hooke0_angle1_mz;
 
     /* platform: momentum */
+    /* momentum = composite inertia S */
     const real momentum_minus_ball0_x_about_rod0_fx = platform_first_moment_z * ball0_R_xy
         + momentum_ball0_z_fx * ball0_R_xz;
     const real momentum_minus_ball0_x_about_rod0_fy = platform_first_moment_z * ball0_R_yy
@@ -610,7 +673,8 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[45] = momentum_ball0_x_about_rod0_fz; /* M: slide0.u,ball0.u.x */
     out[65] = momentum_ball0_x_about_rod0_fz; /* M: ball0.u.x,slide0.u */
 
-    /* M: ball0 x hooke0 angle, ball0 y hooke0 angle, ball0 z hooke0 angle */
+    /* M */
+    /* M = S . momentum */
     const real M_ball0_x_hooke0_angle2 = rod0_inertia_half_turned_yx
         - slide0_position_z * momentum_minus_ball0_x_about_rod0_fx
         - slide0_q * momentum_minus_ball0_x_about_rod0_fx;

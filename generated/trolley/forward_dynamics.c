@@ -59,7 +59,9 @@ static const double table_0_forward_dynamics_coefficients[16] = {
 
 CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
-    /* left.bucket: mass, origin inertia, base, base second moment */
+    /* left.bucket: mass, origin inertia, base */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal left_load = p[3]; /* kg */
     const wreal left_rope = p[4]; /* m */
     const wreal left_size = p[5]; /* m */
@@ -80,7 +82,9 @@ CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     w[11] = left_bucket_base_second_moment_xx;
     w[12] = left_bucket_base_second_moment_zz;
 
-    /* right.bucket: mass, origin inertia, base, base second moment */
+    /* right.bucket: mass, origin inertia, base */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal right_load = p[6]; /* kg */
     const wreal right_rope = p[7]; /* m */
     const wreal right_size = p[8]; /* m */
@@ -102,6 +106,7 @@ CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     w[14] = right_bucket_base_second_moment_zz;
 
     /* wheel: origin inertia */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
     const wreal wheel = p[1]; /* kg */
     const wreal radius = p[2]; /* m */
     const wreal wheel_origin_inertia_yy = radius * radius * (0.5 * wheel);
@@ -109,14 +114,18 @@ CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     /* axle: coupling */
     const wreal radius_inverse = 1.0 / radius;
 
-    /* trolley: base mass */
+    /* trolley: base */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal trolley_mass = p[10]; /* kg */
     const wreal trolley_base_mass = left_load + right_load + (wheel + trolley_mass);
 
-    /* momentum: track my */
+    /* momentum */
+    /* momentum = composite inertia S */
     const wreal momentum_track_my = wheel_origin_inertia_yy * radius_inverse;
 
-    /* M: track track, factor */
+    /* M: factor */
+    /* M = S . momentum */
+    /* factor = L, D with M = Lᵀ D L */
     const wreal M_track_track = trolley_base_mass + radius_inverse * momentum_track_my;
     const wreal M_factor_D_inverse_right_hang_angle2 = 1.0 / right_bucket_origin_inertia_xx;
     const wreal M_factor_D_inverse_left_hang_angle2 = 1.0 / left_bucket_origin_inertia_xx;
@@ -147,6 +156,7 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     (void)work;
 
     /* shared by several: R */
+    /* R = R_fixed R_joint(q) */
     const real left_hang_angle1 = q[1]; /* rad */
     const real left_hang_angle2 = q[2]; /* rad */
     const real right_hang_angle1 = q[3]; /* rad */
@@ -165,6 +175,8 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real right_hang_angle2_sin = sine[3];
 
     /* left.hang: R, drift */
+    /* R = R_fixed R_joint(q) */
+    /* drift = S' u + [0; omega x v] */
     const real left_hang_u_angle1 = u[1]; /* rad/s */
     const real left_hang_u_angle2 = u[2]; /* rad/s */
     const real left_hang_R_yx = left_hang_angle1_sin * left_hang_angle2_sin;
@@ -174,6 +186,12 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         left_hang_u_angle1_times_hang_u_angle2;
 
     /* left.bucket: omega, alpha, v, a, U, n */
+    /* omega = Rᵀ omega_parent + S_w u */
+    /* alpha = Rᵀ alpha_parent + S_w udot + c_w */
+    /* v = Rᵀ (v_parent + omega_parent x p) + S_v u */
+    /* a = Rᵀ (a_parent + U_parent p) + S_v udot + c_v */
+    /* U = [alpha] + [omega][omega] */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
     const real track_u = u[0]; /* m/s */
     const wreal gravity_z = w[2]; /* m/s^2 */
     const wreal left_bucket_base_second_moment_xx = w[11];
@@ -200,6 +218,8 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         - left_bucket_base_second_moment_xx * left_bucket_U_xy;
 
     /* right.hang: R, drift */
+    /* R = R_fixed R_joint(q) */
+    /* drift = S' u + [0; omega x v] */
     const real right_hang_u_angle1 = u[3]; /* rad/s */
     const real right_hang_u_angle2 = u[4]; /* rad/s */
     const real right_hang_R_yx = right_hang_angle1_sin * right_hang_angle2_sin;
@@ -209,6 +229,12 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         right_hang_u_angle1_times_hang_u_angle2;
 
     /* right.bucket: omega, alpha, v, a, U, n */
+    /* omega = Rᵀ omega_parent + S_w u */
+    /* alpha = Rᵀ alpha_parent + S_w udot + c_w */
+    /* v = Rᵀ (v_parent + omega_parent x p) + S_v u */
+    /* a = Rᵀ (a_parent + U_parent p) + S_v udot + c_v */
+    /* U = [alpha] + [omega][omega] */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
     const wreal right_bucket_base_second_moment_xx = w[13];
     const real right_bucket_omega_x = right_hang_u_angle1 * right_hang_angle2_cos;
     const real right_bucket_omega_z = right_hang_u_angle1 * right_hang_angle2_sin;
@@ -234,6 +260,7 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         - right_bucket_base_second_moment_xx * right_bucket_U_xy;
 
     /* left.air: force, data */
+    /* force = R (its components) at the origin */
     const wreal left_rope = w[0]; /* m */
     const real left_bucket_v_x_minus_left_rope_times_hang_u_angle2 = left_bucket_v_x
         - left_rope * left_hang_u_angle2;
@@ -248,6 +275,7 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         left_hang_R_yx * left_air_minus_force_on_left_middle_y;
 
     /* right.air: force, data */
+    /* force = R (its components) at the origin */
     const wreal right_rope = w[1]; /* m */
     const real right_bucket_v_x_minus_right_rope_times_hang_u_angle2 = right_bucket_v_x
         - right_rope * right_hang_u_angle2;
@@ -262,7 +290,8 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         right_air_minus_force_on_right_middle_x
         + right_hang_R_yx * right_air_minus_force_on_right_middle_y;
 
-    /* momentum: right.hang angle1 mx, right.hang angle1 mz, left.hang angle1 mx, ... */
+    /* momentum */
+    /* momentum = composite inertia S */
     const wreal left_bucket_origin_inertia_zz = w[3];
     const wreal left_bucket_minus_first_moment_z = w[4];
     const wreal left_bucket_origin_inertia_xx = w[5];
@@ -280,7 +309,9 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real momentum_left_hang_angle1_fy = left_bucket_minus_first_moment_z *
         left_hang_angle2_cos;
 
-    /* M: right.hang angle1 right.hang angle, left.hang angle1 left.hang angle, factor */
+    /* M: factor */
+    /* M = S . momentum */
+    /* factor = L, D with M = Lᵀ D L */
     const wreal M_track_track = w[15];
     const wreal M_factor_D_inverse_right_hang_angle2 = w[16];
     const wreal M_factor_D_inverse_left_hang_angle2 = w[17];
@@ -297,6 +328,8 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         - momentum_left_hang_angle1_fy * M_minus_factor_L_left_hang_angle2_track);
 
     /* left.bucket: n, f */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
+    /* f = inertia_force_f - applied_f + sum R f_child */
     const wreal left_bucket_base_second_moment_zz = w[12];
     const real left_bucket_n_x = left_bucket_base_second_moment_xx * left_bucket_U_zy
         - gravity_z * left_hang_angle1_sin * left_bucket_minus_first_moment_z
@@ -313,6 +346,8 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         - left_hang_minus_R_yz * left_air_minus_force_on_left_middle_y;
 
     /* right.bucket: n, f */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
+    /* f = inertia_force_f - applied_f + sum R f_child */
     const wreal right_bucket_base_second_moment_zz = w[14];
     const real right_bucket_n_x = right_bucket_base_second_moment_xx * right_bucket_U_zy
         - gravity_z * right_hang_angle1_sin * right_bucket_minus_first_moment_z
@@ -328,7 +363,10 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         + right_hang_u_angle2 * right_hang_u_angle2)
         - right_hang_minus_R_yz * right_air_minus_force_on_right_middle_y;
 
-    /* right.hang: tau angle, drive angle, udot angle */
+    /* right.hang: tau, drive, udot */
+    /* tau = S . [n; f] - force on the joint */
+    /* drive = tau + f - h */
+    /* udot = M⁻¹ drive */
     const real right_hang_u_angle1_tau = tau[3]; /* N*m */
     const real right_hang_u_angle2_tau = tau[4]; /* N*m */
     const real right_hang_tau_angle1 = right_hang_angle2_cos * right_bucket_n_x
@@ -338,7 +376,10 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     /* udot: right.hang.u.angle1dot [rad/s^2] */
     out[3] = 1.0 / M_right_hang_angle1_right_hang_angle1 * right_hang_drive_angle1;
 
-    /* left.hang: tau angle, drive angle, udot angle */
+    /* left.hang: tau, drive, udot */
+    /* tau = S . [n; f] - force on the joint */
+    /* drive = tau + f - h */
+    /* udot = M⁻¹ drive */
     const real left_hang_u_angle1_tau = tau[1]; /* N*m */
     const real left_hang_u_angle2_tau = tau[2]; /* N*m */
     const real left_hang_tau_angle1 = left_hang_angle2_cos * left_bucket_n_x
@@ -349,11 +390,15 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[1] = 1.0 / M_left_hang_angle1_left_hang_angle1 * left_hang_drive_angle1;
 
     /* trolley: f */
+    /* f = inertia_force_f - applied_f + sum R f_child */
     const real trolley_f_x = right_hang_angle2_sin * right_bucket_f_z
         + left_hang_angle2_sin * left_bucket_f_z + (right_hang_angle2_cos * right_bucket_f_x
         + left_hang_angle2_cos * left_bucket_f_x);
 
     /* track: tau, drive, udot */
+    /* tau = S . [n; f] - force on the joint */
+    /* drive = tau + f - h */
+    /* udot = M⁻¹ drive */
     const real track_q = q[0]; /* m */
     const real push = r[0]; /* N */
     const real t_value = t[0]; /* s */
@@ -370,12 +415,14 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         + left_hang_drive_angle2 * M_minus_factor_L_left_hang_angle2_track + track_drive);
     out[0] = track_udot; /* udot: track.udot [m/s^2] */
 
-    /* left.hang: udot angle */
+    /* left.hang: udot */
+    /* udot = M⁻¹ drive */
     /* udot: left.hang.u.angle2dot [rad/s^2] */
     out[2] = left_hang_drive_angle2 * M_factor_D_inverse_left_hang_angle2
         + M_minus_factor_L_left_hang_angle2_track * track_udot;
 
-    /* right.hang: udot angle */
+    /* right.hang: udot */
+    /* udot = M⁻¹ drive */
     /* udot: right.hang.u.angle2dot [rad/s^2] */
     out[4] = right_hang_drive_angle2 * M_factor_D_inverse_right_hang_angle2
         + M_minus_factor_L_right_hang_angle2_track * track_udot;

@@ -59,7 +59,9 @@ static const double table_0_inverse_dynamics_coefficients[16] = {
 
 CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
-    /* left.bucket: mass, origin inertia, base, base second moment */
+    /* left.bucket: mass, origin inertia, base */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal left_load = p[3]; /* kg */
     const wreal left_rope = p[4]; /* m */
     const wreal left_size = p[5]; /* m */
@@ -78,7 +80,9 @@ CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     w[9] = left_bucket_base_second_moment_xx;
     w[10] = left_bucket_base_second_moment_zz;
 
-    /* right.bucket: mass, origin inertia, base, base second moment */
+    /* right.bucket: mass, origin inertia, base */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal right_load = p[6]; /* kg */
     const wreal right_rope = p[7]; /* m */
     const wreal right_size = p[8]; /* m */
@@ -97,7 +101,10 @@ CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     w[11] = right_bucket_base_second_moment_xx;
     w[12] = right_bucket_base_second_moment_zz;
 
-    /* wheel: mass, origin inertia, base second moment, inertia force */
+    /* wheel: mass, origin inertia, base, inertia force */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
+    /* inertia_force = [2 vee(skew(U J)) + h x a; m a + U h] */
     const wreal wheel = p[1]; /* kg */
     const wreal radius = p[2]; /* m */
     const wreal radius_squared = radius * radius;
@@ -113,7 +120,8 @@ CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     const wreal radius_inverse = 1.0 / radius;
     w[5] = radius_inverse;
 
-    /* trolley: base mass */
+    /* trolley: base */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal trolley_mass = p[10]; /* kg */
     const wreal trolley_base_mass = left_load + right_load + (wheel + trolley_mass);
     w[8] = trolley_base_mass;
@@ -141,6 +149,7 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     (void)work;
 
     /* shared by several: R */
+    /* R = R_fixed R_joint(q) */
     const real left_hang_angle1 = q[1]; /* rad */
     const real left_hang_angle2 = q[2]; /* rad */
     const real right_hang_angle1 = q[3]; /* rad */
@@ -159,6 +168,8 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real right_hang_angle2_sin = sine[3];
 
     /* left.hang: R, drift */
+    /* R = R_fixed R_joint(q) */
+    /* drift = S' u + [0; omega x v] */
     const real left_hang_u_angle1 = u[1]; /* rad/s */
     const real left_hang_u_angle2 = u[2]; /* rad/s */
     const real left_hang_R_yx = left_hang_angle1_sin * left_hang_angle2_sin;
@@ -166,6 +177,12 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real left_hang_u_angle1_times_hang_u_angle2 = left_hang_u_angle1 * left_hang_u_angle2;
 
     /* left.bucket: omega, v, alpha, a, U, n */
+    /* omega = Rᵀ omega_parent + S_w u */
+    /* v = Rᵀ (v_parent + omega_parent x p) + S_v u */
+    /* alpha = Rᵀ alpha_parent + S_w udot + c_w */
+    /* a = Rᵀ (a_parent + U_parent p) + S_v udot + c_v */
+    /* U = [alpha] + [omega][omega] */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
     const real track_u = u[0]; /* m/s */
     const real track_udot = udot[0]; /* m/s^2 */
     const real left_hang_u_angle1dot = udot[1]; /* rad/s^2 */
@@ -201,6 +218,8 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         - left_bucket_base_second_moment_xx * left_bucket_U_xy;
 
     /* right.hang: R, drift */
+    /* R = R_fixed R_joint(q) */
+    /* drift = S' u + [0; omega x v] */
     const real right_hang_u_angle1 = u[3]; /* rad/s */
     const real right_hang_u_angle2 = u[4]; /* rad/s */
     const real right_hang_R_yx = right_hang_angle1_sin * right_hang_angle2_sin;
@@ -208,6 +227,12 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real right_hang_u_angle1_times_hang_u_angle2 = right_hang_u_angle1 * right_hang_u_angle2;
 
     /* right.bucket: omega, v, alpha, a, U, n */
+    /* omega = Rᵀ omega_parent + S_w u */
+    /* v = Rᵀ (v_parent + omega_parent x p) + S_v u */
+    /* alpha = Rᵀ alpha_parent + S_w udot + c_w */
+    /* a = Rᵀ (a_parent + U_parent p) + S_v udot + c_v */
+    /* U = [alpha] + [omega][omega] */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
     const real right_hang_u_angle1dot = udot[3]; /* rad/s^2 */
     const real right_hang_u_angle2dot = udot[4]; /* rad/s^2 */
     const wreal right_bucket_base_second_moment_xx = w[11];
@@ -240,6 +265,7 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         - right_bucket_base_second_moment_xx * right_bucket_U_xy;
 
     /* left.air: force, data */
+    /* force = R (its components) at the origin */
     const wreal left_rope = w[0]; /* m */
     const real left_bucket_v_x_minus_left_rope_times_hang_u_angle2 = left_bucket_v_x
         - left_rope * left_hang_u_angle2;
@@ -254,6 +280,7 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         left_hang_R_yx * left_air_minus_force_on_left_middle_y;
 
     /* right.air: force, data */
+    /* force = R (its components) at the origin */
     const wreal right_rope = w[1]; /* m */
     const real right_bucket_v_x_minus_right_rope_times_hang_u_angle2 = right_bucket_v_x
         - right_rope * right_hang_u_angle2;
@@ -269,12 +296,16 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         + right_hang_R_yx * right_air_minus_force_on_right_middle_y;
 
     /* wheel: alpha, n */
+    /* alpha = Rᵀ alpha_parent + S_w udot + c_w */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
     const wreal radius_inverse = w[5];
     const wreal twice_wheel_base_second_moment_xx = w[13];
     const real wheel_alpha_y = radius_inverse * track_udot;
     const real wheel_n_y = wheel_alpha_y * twice_wheel_base_second_moment_xx;
 
     /* left.bucket: n, f */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
+    /* f = inertia_force_f - applied_f + sum R f_child */
     const wreal left_bucket_minus_first_moment_z = w[3];
     const wreal left_bucket_base_second_moment_zz = w[10];
     const real left_bucket_n_x = left_bucket_base_second_moment_xx * left_bucket_U_zy
@@ -293,6 +324,8 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         - left_bucket_minus_first_moment_z * left_bucket_a_x - left_rope * left_bucket_n_y_part;
 
     /* right.bucket: n, f */
+    /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
+    /* f = inertia_force_f - applied_f + sum R f_child */
     const wreal right_bucket_minus_first_moment_z = w[4];
     const wreal right_bucket_base_second_moment_zz = w[12];
     const real right_bucket_n_x = right_bucket_base_second_moment_xx * right_bucket_U_zy
@@ -310,21 +343,25 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         - right_bucket_base_second_moment_xx * right_bucket_U_zx
         - right_bucket_minus_first_moment_z * right_bucket_a_x - right_rope * right_bucket_n_y_part;
 
-    /* right.hang: tau angle */
+    /* right.hang: tau */
+    /* tau = S . [n; f] - force on the joint */
     /* tau: right.hang.u.angle1.tau [N*m] */
     out[3] = right_hang_angle2_cos * right_bucket_n_x + right_hang_angle2_sin * right_bucket_n_z;
 
-    /* left.hang: tau angle */
+    /* left.hang: tau */
+    /* tau = S . [n; f] - force on the joint */
     /* tau: left.hang.u.angle1.tau [N*m] */
     out[1] = left_hang_angle2_cos * left_bucket_n_x + left_hang_angle2_sin * left_bucket_n_z;
 
     /* trolley: f */
+    /* f = inertia_force_f - applied_f + sum R f_child */
     const wreal trolley_base_mass = w[8];
     const real trolley_f_x = right_hang_angle2_sin * right_bucket_f_z
         + left_hang_angle2_cos * left_bucket_f_x + (trolley_base_mass * track_udot
         + left_hang_angle2_sin * left_bucket_f_z + right_hang_angle2_cos * right_bucket_f_x);
 
     /* track: tau */
+    /* tau = S . [n; f] - force on the joint */
     const real track_q = q[0]; /* m */
     const real push = r[0]; /* N */
     const real t_value = t[0]; /* s */

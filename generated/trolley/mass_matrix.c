@@ -25,6 +25,7 @@
 CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
     /* left.bucket: mass, origin inertia */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
     const wreal left_load = p[3]; /* kg */
     const wreal left_rope = p[4]; /* m */
     const wreal left_size = p[5]; /* m */
@@ -38,6 +39,7 @@ CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
     w[2] = left_bucket_origin_inertia_xx;
 
     /* right.bucket: mass, origin inertia */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
     const wreal right_load = p[6]; /* kg */
     const wreal right_rope = p[7]; /* m */
     const wreal right_size = p[8]; /* m */
@@ -51,6 +53,7 @@ CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
     w[5] = right_bucket_origin_inertia_xx;
 
     /* wheel: origin inertia */
+    /* origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ)) */
     const wreal wheel = p[1]; /* kg */
     const wreal radius = p[2]; /* m */
     const wreal wheel_origin_inertia_yy = radius * radius * (0.5 * wheel);
@@ -58,14 +61,17 @@ CARDAN_API void prepare_mass_matrix(const wreal *p, wreal *CARDAN_RESTRICT w)
     /* axle: coupling */
     const wreal radius_inverse = 1.0 / radius;
 
-    /* trolley: base mass */
+    /* trolley: base */
+    /* base = inertia + what the joints outboard do not feel of theirs - what its own does not */
     const wreal trolley_mass = p[10]; /* kg */
     const wreal trolley_base_mass = left_load + right_load + (wheel + trolley_mass);
 
-    /* momentum: track my */
+    /* momentum */
+    /* momentum = composite inertia S */
     const wreal momentum_track_my = wheel_origin_inertia_yy * radius_inverse;
 
-    /* M: track track */
+    /* M */
+    /* M = S . momentum */
     const wreal M_track_track = trolley_base_mass + radius_inverse * momentum_track_my;
     w[6] = M_track_track;
 }
@@ -81,6 +87,7 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     (void)work;
 
     /* shared by several: R */
+    /* R = R_fixed R_joint(q) */
     const real left_hang_angle2 = q[2]; /* rad */
     const real right_hang_angle2 = q[4]; /* rad */
     const real angle[CARDAN_PADDED(2)] = {left_hang_angle2, right_hang_angle2};
@@ -91,7 +98,8 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real right_hang_angle2_cos = cosine[1];
     const real right_hang_angle2_sin = sine[1];
 
-    /* momentum: right.hang angle1 mx, right.hang angle1 mz, left.hang angle1 mx, ... */
+    /* momentum */
+    /* momentum = composite inertia S */
     const wreal left_bucket_origin_inertia_zz = w[0];
     const wreal left_bucket_minus_first_moment_z = w[1];
     const wreal left_bucket_origin_inertia_xx = w[2];
@@ -109,7 +117,8 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real momentum_left_hang_angle1_fy = left_bucket_minus_first_moment_z *
         left_hang_angle2_cos;
 
-    /* M: right.hang angle1 right.hang angle, left.hang angle1 left.hang angle */
+    /* M */
+    /* M = S . momentum */
     /* M: right.hang.u.angle1,right.hang.u.angle1 */
     out[18] = right_hang_angle2_cos * momentum_right_hang_angle1_mx
         + right_hang_angle2_sin * momentum_right_hang_angle1_mz;
@@ -118,6 +127,7 @@ CARDAN_API int mass_matrix(const cardan_in *in, real *CARDAN_RESTRICT out,
         + left_hang_angle2_sin * momentum_left_hang_angle1_mz;
 
     /* shared by several: M */
+    /* M = S . momentum */
     const real momentum_right_hang_angle2_about_trolley_fx = -momentum_right_hang_angle1_fy;
     const real momentum_left_hang_angle2_about_trolley_fx = -momentum_left_hang_angle1_fy;
     out[4] = momentum_right_hang_angle2_about_trolley_fx; /* M: track.u,right.hang.u.angle2 */

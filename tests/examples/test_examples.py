@@ -36,6 +36,7 @@ LEAVES = {
     "23_dual_spin": ("dual_spin.html",),
     "24_computed_torque": ("arm.html",),
     "26_lqr": ("drone.html",),
+    "27_sliding_door": ("door.html",),
 }
 
 

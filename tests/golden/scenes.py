@@ -4,16 +4,36 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import cardan as cd
+from cardan.codegen.layout import KERNELS
 from explain.scenes import scene_of
 
-__all__ = ["EXAMPLES", "FUNCTIONS", "ROOT", "scene_of"]
+__all__ = ["EXAMPLES", "FLEXIBLE", "FUNCTIONS", "ROOT", "scene_of", "written"]
 
 ROOT = Path(__file__).parents[2]
 FUNCTIONS = ("forward_dynamics", "inverse_dynamics", "mass_matrix")
+HAPPENING = ("events", "transition")
 # a script has a variable ``scene``; a file is one. Of beams the C is that of their elements, which
-# no scene changes
+# no scene changes: one of them shows it
 EXAMPLES = sorted(
     path
     for path in (ROOT / "examples").iterdir()
     if path.suffix in (".py", ".yaml", ".urdf") and "scene.beam(" not in path.read_text("utf-8")
 )
+FLEXIBLE = ROOT / "examples" / "17_flexible_pendulum.py"
+
+
+def written(example: Path, folder: Path) -> Path:
+    """The C of an example, as far as ``generated/`` shows it.
+
+    Kernels of the solver and of the mesh, and expressions for derivatives, stand elsewhere.
+    """
+    equations = cd.derive(scene_of(example))
+    if example == FLEXIBLE:
+        equations.export(folder, functions=("forward_dynamics",))
+        for path in (*folder.glob("*.c"), folder / "functions.json"):
+            if path.suffix == ".json" or (KERNELS / path.name).exists():
+                path.unlink()
+        return folder
+    more = HAPPENING if "events" in equations.names() else ()
+    return equations.export(folder, functions=(*FUNCTIONS, *more))

@@ -36,7 +36,7 @@ FUNCTIONS: dict[str, tuple[tuple[float, ...], Any]] = {
 def test_values_and_slopes(name: str, angle: float) -> None:
     coefficients, function = FUNCTIONS[name]
     x = block(Graph(), "q", 1)[0]
-    found = slopes(coefficients, x)
+    found = slopes(coefficients, x, "f")
     with mpmath.workdps(60):
         square = mpmath.mpf(angle) ** 2
 
@@ -65,7 +65,7 @@ def test_no_choices_and_no_library() -> None:
     g = Graph()
     q = block(g, "q", 4)
     rotation_vector(q[0], q.block(slice(1, 4)))
-    slopes(INVERSE_TANGENT, q[0])
+    slopes(INVERSE_TANGENT, q[0], "a")
     assert {node[0] for node in g.nodes} <= {"const", "var", "add", "sub", "mul", "div", "neg"}
 
 

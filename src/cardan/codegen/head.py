@@ -50,6 +50,10 @@ def head(
     first = [comment(title)]
     if function.about:
         first.append(comment(function.about))
+    if isinstance(function, Function):
+        # of a kind of elements
+        formula = function.graph.formulas.get(function.name.partition("__")[0])
+        first.extend([comment(formula)] if formula else [])
     first.extend(comment(note) for note in notes)
     size = sum(output.size for output in function.outputs)
     sizes = (

@@ -111,7 +111,8 @@ class Names:
 
 # how tightly the words of a name hold together
 SUM, PRODUCT, WORD = 0, 1, 2
-FACTORS = {"c0p5": "half", "c2": "twice"}
+FACTORS = {"c0p5": "half", "two": "twice"}
+NUMBERS = {0.0: "zero", 1.0: "one", 2.0: "two", -1.0: "minus_one"}
 OPAQUE = frozenset({"atom", "solve", "item", "select", "table"})
 # letters of a name that is made of several
 MAX_LETTERS = 60
@@ -184,7 +185,7 @@ class ValueNames:
 def _number(value: float) -> str:
     """Phrase for a number: ``one``, ``c0p75``."""
     text = repr(value).removesuffix(".0").replace("-", "m").replace(".", "p").replace("+", "")
-    return "one" if value == 1.0 else f"c{text}"
+    return NUMBERS.get(value, f"c{text}")
 
 
 def _joined(a: Phrase, word: str, b: Phrase, level: int) -> Phrase:
@@ -227,6 +228,11 @@ def _difference(_: str, read: Sequence[Phrase]) -> Phrase:
     return _joined(read[0], "minus", _tight(read[1], PRODUCT, "sum"), SUM)
 
 
+def _comparison(op: str, read: Sequence[Phrase]) -> Phrase:
+    a, b = (read[1], read[0]) if op == "eq" and not read[0].owner else read
+    return _joined(a, op, b, SUM)
+
+
 def _negative(_: str, read: Sequence[Phrase]) -> Phrase:
     return Phrase(f"minus_{_tight(read[0], PRODUCT, 'sum').text}", "", PRODUCT)
 
@@ -246,4 +252,7 @@ _COMPOSERS: Mapping[str, Callable[[str, Sequence[Phrase]], Phrase]] = {
     "add": _sum,
     "sub": _difference,
     "neg": _negative,
+    "eq": _comparison,
+    "lt": _comparison,
+    "le": _comparison,
 }

@@ -14,7 +14,8 @@ class Owner(NamedTuple):
     """Whose a value is.
 
     Attributes:
-        section: Owner whose section it stands in; "shared" where there are several.
+        section: Owner whose section it stands in, or the quantity of nobody; "shared" where there
+            are several.
         quantity: What it is, or what it was made for.
     """
 
@@ -48,7 +49,7 @@ class Owners:
         found = made.get(origin)
         if found is None:
             name, quantity = origin
-            section = name if made is self._alone else SHARED
+            section = name or quantity if made is self._alone else SHARED
             found = made[origin] = Owner(section, quantity)
         return found
 
@@ -56,5 +57,5 @@ class Owners:
         """First origin of a node in graph numbering, and whether owners differ."""
         last = len(self._rank)
         origins = {*self._graph.shared[i], self._graph.origins[i]}
-        known = sorted(origins, key=lambda o: (o[0] == "", self._rank.get(o[0], last), o))
+        known = sorted(origins, key=lambda o: (o[0] == "", self._rank.get(o[0], last), not o[1], o))
         return known[0], len({owner for owner, _ in known if owner}) > 1

@@ -6,7 +6,7 @@ are written out where they are read.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import NamedTuple, TypeAlias
 
@@ -85,21 +85,22 @@ class Call(NamedTuple):
 
 
 class Solve(NamedTuple):
-    """A linear system goes to a kernel; the solution replaces B, which follows A in ``array``.
+    """A linear system goes to a kernel; the solution replaces B.
 
     Attributes:
         kind: As in :func:`cardan.ir.solve.solve`.
         n, m: Rows of A, columns of B.
-        entries: Nodes of A and of B, row by row; None where they stand in the array already.
-        array, start: Where A begins; B and the scratch of the kernel follow it.
+        entries: Nodes of A and of B, row by row; None where they stand in the arrays already.
+        arrays: Names of A, of B and of the scratch of the kernel: :class:`Array`.
+        comment: What is solved for.
     """
 
     kind: str
     n: int
     m: int
     entries: tuple[int | None, ...]
-    array: str
-    start: int
+    arrays: tuple[str, ...]
+    comment: str
 
 
 class Loop(NamedTuple):
@@ -143,15 +144,24 @@ class Turning(NamedTuple):
 
 
 class Section(NamedTuple):
-    """Statements that belong together, under a title."""
+    """Statements that belong together, under a title and the formulas of what they compute."""
 
     title: str
     body: tuple[Statement, ...]
+    formulas: tuple[str, ...] = ()
 
 
 Statement: TypeAlias = (
     Declare | Assign | Angles | Call | Dispatch | Turning | Solve | Loop | Section
 )
+
+
+class Array(NamedTuple):
+    """A part of work or w under a name of its own, as a matrix where it has several columns."""
+
+    base: str
+    start: int
+    columns: int = 1
 
 
 @dataclass(frozen=True)
@@ -164,6 +174,7 @@ class Scope:
         names: How a node is read that is not written out.
         outside: Nodes that are not computed here but read by name.
         file: Name of the function whose file it is; tables are called after it.
+        arrays: Parts of work or w with names of their own.
     """
 
     graph: Graph = field(repr=False)
@@ -171,6 +182,7 @@ class Scope:
     names: dict[int, str]
     outside: Collection[int] = field(default=(), repr=False)
     file: str = ""
+    arrays: Mapping[str, Array] = field(default_factory=dict, repr=False)
 
     def table(self, number: int) -> str:
         """Name of an interpolation table of the graph, before ``_breaks``, ``_coefficients``."""

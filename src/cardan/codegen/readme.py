@@ -23,6 +23,11 @@ ELEMENT_FILES = {
     "`functions.json`, `mesh.npz`": "expressions and numbers, for programs",
 }
 RUN_FILES = {"`simulate.h`": "a run from C: methods, tolerances, rows of output, events"}
+NOTATION = """\
+Values are called `<owner>_<quantity>_<component>`; above a section stand formulas of what it
+computes: R turns axes of the child to those of its parent, p is where the child is, S its modes of
+motion, [x] the matrix of x cross; h and J are first and second moment of mass, I is inertia, all
+about the origin of a body and in its axes; X takes twists from parent to child."""
 EVENTS = """\
 This model has events: where a number of `events` falls through zero the states become those of
 `transition`. A run that calls `rhs` alone runs past them; exported with integrators,
@@ -64,6 +69,7 @@ def readme(
         *(_table(("elements", "how many", "functions"), _kinds(manifest)) if meshed else ()),
         *_table(("function", "reads", "gives"), rows),
     ]
+    lines += ["", *NOTATION.splitlines()]
     if manifest.get("events"):
         lines += ["", *EVENTS.splitlines()]
     for block, key, _ in BLOCKS:

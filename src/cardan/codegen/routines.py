@@ -8,12 +8,14 @@ from collections.abc import Iterable, Sequence
 from functools import lru_cache
 from typing import NamedTuple
 
+from ..ir.graph import SystemNames
 from . import angles, parts
-from .naming import comment
+from .naming import comment, mangle
 from .owners import SHARED
 from .plan import Plan, make_plan
 from .program import (
     Angles,
+    Array,
     Assign,
     Call,
     Declare,
@@ -115,7 +117,8 @@ def build(stage: Stage, values: Values, longest: int = parts.LONGEST) -> Built:
     bodies[-1].extend(builder.plain())
 
     # one routine, or parts and the routine that calls them
-    scope = Scope(graph, plan.order, builder.names, plan.outside, values.function.name)
+    file = values.function.name
+    scope = Scope(graph, plan.order, builder.names, plan.outside, file, builder.arrays)
     about = values.function.about if after else ""
     routines = []
     if len(bodies) > 1:
@@ -151,9 +154,11 @@ class _Builder:
         self.results: dict[int, list[Result]] = {}
         for result in stage.results:
             self.results.setdefault(result.node, []).append(result)
-        # room for A, B and the scratch of the kernel of every linear system
-        self.systems: dict[int, int] = {}
+        # names of A, B and the scratch of the kernel of every linear system
+        self.systems: dict[int, tuple[str, ...]] = {}
+        self.arrays: dict[str, Array] = {}
         self.turned: dict[int, Place] = {}
+        self.turns, self.named = 0, Counter[str]()
         self.tables: tuple[Table, ...] = ()
         self.length = stage.start
         # entries that are computed go to their places at once, solutions are read in theirs
@@ -169,16 +174,28 @@ class _Builder:
 
     def _reserve(self, i: int, n: int, m: int) -> None:
         """Room for a linear system and what its kernel needs."""
-        start = self.systems[i] = self.length
+        name = mangle(self._system(i).name)
+        array, start, number = self.stage.array, self.length, self.named[name]
+        self.named[name] += 1
+        matrix, right, scratch = self.systems[i] = tuple(
+            self.values.local(f"{name}_{part}", number) for part in ("matrix", "right", "scratch")
+        )
+        self.arrays[matrix] = Array(array, start, n)
+        self.arrays[right] = Array(array, start + n * n, m)
+        self.arrays[scratch] = Array(array, start + n * (n + m))
         self.length += room(n, m)
         left: list[int | None] = []
-        for at, k in enumerate(self.graph.nodes[i][4:], start):
+        for at, k in enumerate(self.graph.nodes[i][4:]):
             left.append(None if k in self.plan.reads else k)
             if k in self.plan.reads:
-                self.entries.setdefault(k, []).append(Place(self.stage.array, at))
+                place = Place(matrix, at) if at < n * n else Place(right, at - n * n)
+                self.entries.setdefault(k, []).append(place)
         self.left[i] = tuple(left)
         missing = set(left)
         self.reads[i] = tuple(k for k in self.plan.reads[i] if k in missing)
+
+    def _system(self, i: int) -> SystemNames:
+        return self.graph.systems.get(i) or SystemNames("system", (), ())
 
     def part(self, sections: Sections) -> list[Statement]:
         """The statements of some sections; each section after what it loads from outside.
@@ -210,7 +227,8 @@ class _Builder:
                     if i in crossing:
                         lines.append(Assign(Place(self.stage.array, crossing[i]), i))
             loads = [self._load(k) for k in sorted(outer, key=lambda k: self._place(k).key)]
-            found.append(Section(self._title(title, statements), (*loads, *lines, *results)))
+            heading, formulas = self._heading(title, statements)
+            found.append(Section(heading, (*loads, *lines, *results), formulas))
         return found
 
     def plain(self) -> list[Statement]:
@@ -259,7 +277,9 @@ class _Builder:
         """Add the statement that computes some sines and cosines."""
         nodes = self.graph.nodes
         number = {angle: k for k, angle in enumerate(dict.fromkeys(nodes[i][1] for i in group))}
-        angle, sine, cosine = (self.values.local(name) for name in ("angle", "sine", "cosine"))
+        names = ("angle", "sine", "cosine")
+        angle, sine, cosine = (self.values.local(name, self.turns) for name in names)
+        self.turns += 1
         lines.append(Angles(tuple(number), (angle, sine, cosine), not self.after))
         for i in group:
             op, turned = nodes[i]
@@ -276,26 +296,36 @@ class _Builder:
             return
         if node[0] == "solve":
             kind, n, m = node[1:4]
-            lines.append(Solve(kind, n, m, self.left[i], self.stage.array, self.systems[i]))
+            arrays = self.systems[i]
+            unknown = ", ".join(self._system(i).columns) or "x"
+            about = f"{arrays[0]} {unknown} = {arrays[1]}; the solution takes its place"
+            lines.append(Solve(kind, n, m, self.left[i], arrays, about))
             return
         name = self.names[i] = self.values.named(i)
         if node[0] == "item":
-            n = self.graph.nodes[node[1]][2]
-            value = Place(self.stage.array, self.systems[node[1]] + n * n + node[2])
+            value = Place(self.systems[node[1]][1], node[2])
         lines.append(Declare(name, value, "", not self.after))
         if i in self.results:
             for r in self.results[i]:
                 results.append(Assign(r.place, i, r.comment if self.after else ""))
 
-    def _title(self, owner: str, statements: Iterable[int]) -> str:
-        """Whose section it is and what it computes."""
-        owners = self.plan.owners
-        words = dict.fromkeys(whole(q) for q in {owners[i].quantity: None for i in statements})
-        what = ", ".join(word for word in words if word)
+    def _heading(self, owner: str, statements: Iterable[int]) -> tuple[str, tuple[str, ...]]:
+        """Whose section it is and what it computes, and the formulas of that."""
+        owners, graph = self.plan.owners, self.graph
+        quantities = {owners[i].quantity: "" for i in statements}
+        # what belongs to the whole system is called after its owner: entries of M
+        own = owner in self.values.function.owners or owner == SHARED
+        whose = "" if own else graph.described(owner)
+        for q in quantities:
+            quantities[q] = q if q in graph.formulas else whose or graph.described(q)
+        words = dict.fromkeys(whole(known or q) for q, known in quantities.items())
+        what = ", ".join(word for word in words if word and word != whole(owner))
         if len(what) > TITLE - len(owner):
             what = what[: TITLE - len(owner)].rsplit(", ", 1)[0] + ", ..."
         who = "shared by several" if owner == SHARED else owner
-        return comment(": ".join(word for word in (who, what) if word) or "common")
+        title = comment(": ".join(word for word in (who, what) if word) or "common")
+        found = [graph.formulas[known] for known in dict.fromkeys(quantities.values()) if known]
+        return title, tuple(comment(formula) for formula in found)
 
 
 @lru_cache(maxsize=4096)

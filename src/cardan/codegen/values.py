@@ -44,6 +44,7 @@ class Values:
         self.namer = ValueNames(function, order, self._input_phrase)
         self.w = {node: k for k, node in enumerate(prepared)}
         self._unique = Names((function.name, f"prepare_{function.name}"))
+        self._locals: dict[str, list[str]] = {}
         self.names: dict[int, str] = {}
         # names of the user first; prepared values have one name in both stages
         nodes = function.graph.nodes
@@ -74,9 +75,12 @@ class Values:
             found = self.names[i] = self._unique.new(self.namer.of(i))
         return found
 
-    def local(self, base: str) -> str:
-        """An identifier that belongs to no node."""
-        return self._unique.new(base)
+    def local(self, base: str, number: int) -> str:
+        """An identifier that belongs to no node: the next of a stage, the same in every stage."""
+        found = self._locals.setdefault(base, [])
+        while len(found) <= number:
+            found.append(self._unique.new(base))
+        return found[number]
 
     def entry(self, i: int) -> tuple[str, str]:
         """(name, unit) of an input entry as the user knows it, ("", "") for other nodes."""

@@ -35,7 +35,11 @@ class Accelerations:
 def accelerations(
     k: Kinematics, udot: list[Matrix], gravity: Matrix, moving: bool = True, word: str = ""
 ) -> Accelerations:
-    """Accelerations of all bodies, outward.
+    """Accelerations of all bodies, outward, with c of :meth:`.Kinematics.convective`.
+
+    ``alpha = Rᵀ alpha_parent + S_w udot + c_w``,
+    ``a = Rᵀ (a_parent + U_parent p) + S_v udot + c_v``, where the ground has a = -gravity, and
+    ``U = [alpha] + [omega][omega]``.
 
     Args:
         k: Motion of the tree.
@@ -45,6 +49,7 @@ def accelerations(
         word: Begins the names of the quantities, where there are several sets of them.
     """
     result = Accelerations([], [], [])
+    k.graph.describe(accelerations)
     for i, (body, joint) in enumerate(zip(k.system.bodies, k.joints, strict=True)):
         name, to_child = k.owner(i), joint.rotation.T
         with k.graph.made_by(name, f"{word}alpha"):
@@ -83,7 +88,11 @@ def _spread(omega: Matrix, alpha: Matrix) -> Matrix:
 
 
 def inertia_force(k: Kinematics, i: int, acc: Accelerations) -> tuple[Matrix, Matrix]:
-    """Rate of change of momentum of a body about its origin: moment and force."""
+    """Rate of change of momentum of a body about its origin: moment and force.
+
+    ``inertia_force = [2 vee(skew(U J)) + h x a; m a + U h]``, h the first and J the second moment.
+    """
+    k.graph.describe(inertia_force)
     inertia, second = of_body(k, i), second_moment_of_body(k, i)
     with k.graph.made_by(k.owner(i), "inertia_force"):
         return second_moment_force(inertia, second, acc.a[i], acc.spread[i])

@@ -20,7 +20,11 @@ COMPONENTS = ("mx", "my", "mz", "fx", "fy", "fz")
 
 
 def composites(k: Kinematics) -> list[Inertia]:
-    """Inertia of every body with all bodies outboard of it, about its origin in its axes."""
+    """Inertia of every body with all bodies outboard of it, about its origin in its axes.
+
+    ``composite = own + sum R composite_child Rᵀ moved by p``: of first moments and of inertias.
+    """
+    k.graph.describe(composites)
     result = [of_body(k, i) for i in range(len(k.system.bodies))]
     for i in range(len(result) - 1, -1, -1):
         parent, name = k.system.bodies[i].parent, k.owner(i)
@@ -43,7 +47,12 @@ def carried(k: Kinematics, i: int, inertia: Inertia) -> Inertia:
 
 
 def projected(k: Kinematics, inertias: Sequence[Inertia], loads: Loads) -> Matrix:
-    """M (nu, nu) of composite inertias, with the structural zeros of the branches of the tree."""
+    """M (nu, nu) of composite inertias, with the structural zeros of the branches of the tree.
+
+    ``momentum = composite inertia S`` of a column of S, moved inward from body to body;
+    ``M = S . momentum`` for all joints on the way.
+    """
+    k.graph.describe(projected)
     nu, g = k.system.nu, k.graph
     entries = [[ZERO] * nu for _ in range(nu)]
     for i in range(len(k.joints) - 1, -1, -1):

@@ -21,7 +21,7 @@ from ..errors import DerivationError
 from ..ir.arithmetic import Scalar
 from ..ir.derivative import forward
 from ..ir.function import live
-from ..ir.graph import ONE, ZERO
+from ..ir.graph import ONE, ZERO, Graph
 from ..ir.matrix import Matrix, Name
 from ..ir.rewrite import rebuild
 from ..topology.internals import slides
@@ -187,7 +187,8 @@ class Constraints:
 
     @cached_property
     def rates(self) -> Matrix:
-        """G u + g_t (m, 1): derivative of g, then velocities that vanish."""
+        """Derivative of g, then velocities that vanish (m, 1): ``rate = G u + g_t``."""
+        self.k.graph.describe(Constraints.rates)
         g, held, slipping = self.k.graph, list[int](), list[int]()
         for n, cut in enumerate(self.k.system.cuts):
             with g.made_by(cut.name, "rate"):
@@ -210,11 +211,12 @@ class Constraints:
 
     @cached_property
     def jacobian(self) -> Matrix:
-        """G (m, nu).
+        """Jacobian of the constraints (m, nu), ``G = d(rate) / du``.
 
         Raises:
             DerivationError: a relation is not linear in the speeds.
         """
+        self.k.graph.describe(Constraints.jacobian)
         g, nu = self.k.graph, self.k.system.nu
         if self.k.chosen:
             # the columns of the joints belong to their own speeds
@@ -260,8 +262,9 @@ class Constraints:
 
     @cached_property
     def gamma(self) -> Matrix:
-        """G udot = gamma (m, 1)."""
-        nodes = (-self.k.derivative(self.rates)).nodes
+        """The right side of G udot = gamma (m, 1), ``gamma = -d(rate)/dt at udot = 0``."""
+        self.k.graph.describe(Constraints.gamma)
+        nodes = [_negated(self.k.graph, x) for x in self.k.derivative(self.rates).nodes]
         return self._named(nodes, self.k.graph.label, "gamma")
 
     def _named(self, nodes: Sequence[int], name: Name, quantity: str) -> Matrix:
@@ -335,6 +338,18 @@ class Constraints:
             slips = [self._slip(cut, unit.column(j))[n] for j in range(6)]
             total = total + self._column(slips) * multipliers[at[f"{record.name}.{component.name}"]]
         return total
+
+
+def _negated(g: Graph, x: int) -> int:
+    """-x by differences with exchanged sides where x has some: what has a name needs no sign."""
+    op, *read = g.nodes[x]
+    if op == "sub":
+        return g.intern(("sub", read[1], read[0]))
+    for a, b in (read, read[::-1]) if op == "add" else ():
+        other = _negated(g, a)
+        if g.nodes[other][0] != "neg":
+            return g.intern(("sub", other, b))
+    return g.neg(x)
 
 
 def _times(gradient: Matrix, i: int, twist: Matrix) -> int:

@@ -100,10 +100,11 @@ class Dynamics:
         return with_values(udot, values), with_values(lam, values)
 
     def _free(self, tau: Matrix) -> Matrix:
-        """udot of a tree."""
+        """udot of a tree: ``udot = M⁻¹ drive`` by ``factor = L, D with M = Lᵀ D L``."""
         if self.formalism.forward is not None:
             return self.formalism.forward(self.k, tau, self.loads, self.gravity)
         self._refuse_massless()
+        self.k.graph.describe(Dynamics._free)
         drive = self._drive(tau)
         with self.k.graph.made_by("M", "factor"):
             names = SystemNames("M", self.k.speed_names, ("",))
@@ -111,7 +112,8 @@ class Dynamics:
         return self._label(udot, "udot")
 
     def _drive(self, tau: Matrix) -> Matrix:
-        """tau + f - h (nu, 1)."""
+        """Forces that accelerate (nu, 1): ``drive = tau + f - h``."""
+        self.k.graph.describe(Dynamics._drive)
         rest = Matrix.zeros(self.k.graph, self.k.system.nu)
         return self._label(tau - self.inverse(rest), "drive")
 
@@ -144,8 +146,7 @@ class Dynamics:
         c = self.constraints
         mass, drive = self._regular(self.mass_matrix, self._drive(tau))
         # what is made here first would belong to the multipliers
-        rows = tuple(row.word(row.owner) for row in c.rows)
-        labels = Labels(self.k.speed_names, rows)
+        labels = self._labels()
         problem = Bound(mass, drive, c.jacobian, c.gamma, c.position, c.rates, labels)
         with self.k.graph.made_by("constraints", "multipliers"):
             udot, lam = self.treatment.accelerations(problem)
@@ -154,6 +155,10 @@ class Dynamics:
         if isinstance(self.treatment, Multipliers) and mass is self.mass_matrix:
             self.solutions.append((tau, udot, lam))
         return self._label(udot, "udot"), lam
+
+    def _labels(self, *system: str) -> Labels:
+        rows = tuple(row.word(row.owner) for row in self.constraints.rows)
+        return Labels(self.k.speed_names, rows, *system)
 
     def _owners(self) -> list[str]:
         return [row.owner for row in self.constraints.rows]
@@ -185,15 +190,17 @@ class Dynamics:
         rest = Matrix.zeros(self.k.graph, row.columns)
         mass, G = self._regular(self.mass_matrix, rest)[0], self.constraints.jacobian
         still = Matrix.zeros(self.k.graph, G.rows)
-        return Multipliers().accelerations(Bound(mass, row.T, G, still, nothing, nothing))[0]
+        labels = self._labels("response", "response_gamma")
+        problem = Bound(mass, row.T, G, still, nothing, nothing, labels)
+        return Multipliers().accelerations(problem)[0]
 
-    def pushed(self, jacobian: Matrix, residual: Matrix) -> tuple[Matrix, Matrix]:
+    def pushed(self, jacobian: Matrix, residual: Matrix, labels: Labels) -> tuple[Matrix, Matrix]:
         """du (nu, 1) and impulses P with M du = Jᵀ P and J du = -residual."""
         rest, nothing = Matrix.zeros(self.k.graph, jacobian.columns), self.k.block("u", 0, 0)
         mass = (
             self._regular(self.mass_matrix, rest)[0] if self.k.system.closed else self.mass_matrix
         )
-        problem = Bound(mass, rest, jacobian, -residual, nothing, nothing)
+        problem = Bound(mass, rest, jacobian, -residual, nothing, nothing, labels)
         return Multipliers().accelerations(problem)
 
     def projected(self, mass: Matrix, jacobian: Matrix, residual: Matrix) -> Matrix:

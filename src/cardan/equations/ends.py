@@ -40,6 +40,9 @@ class Ends:
 def ends(k: Kinematics, cut: Cut, unknown: Collection[int] = (), meeting: bool = False) -> Ends:
     """The frames of a cut joint by the joints of its circuit, from where its branches part.
 
+    ``pose = [R_Pᵀ R_C, R_Pᵀ (p_C - p_P)]`` of its frames P and C, and
+    ``twist = R_Cᵀ sum +-[R w; R v + R w x arm]``, each joint of the circuit adding its w, v.
+
     Args:
         k: Motion of the tree.
         cut: The joint.
@@ -48,6 +51,7 @@ def ends(k: Kinematics, cut: Cut, unknown: Collection[int] = (), meeting: bool =
             of the frames meet, and shorter.
     """
     g = k.graph
+    g.describe(ends)
     at = {cut.base: (Matrix.identity(g, 3), Matrix.zeros(g, 3))}
     with g.made_by(cut.name, "pose"):
         for i, _ in cut.path:

@@ -14,7 +14,11 @@ from .kinematics import Kinematics
 
 
 def kinetic(k: Kinematics, rotors: Mapping[int, Matrix]) -> Scalar:
-    """Kinetic energy of bodies and rotors; it contains t where motions are prescribed."""
+    """Kinetic energy of bodies and rotors; it contains t where motions are prescribed.
+
+    ``energy = sum (1/2 [omega; v] . inertia [omega; v] - m g . c)``, with the work of gravity.
+    """
+    k.graph.describe(kinetic)
     total = Scalar(k.graph, ZERO)
     for i in range(len(k.system.bodies)):
         with k.graph.made_by(k.owner(i), "energy"):

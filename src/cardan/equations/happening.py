@@ -20,9 +20,11 @@ from ..topology.system import Force
 from .constraints import VELOCITY
 from .dynamics import Dynamics
 from .loads import places
+from .treatments import Labels
 
 # how often impulses that would pull are left out before the rest is taken as it is
 PASSES = 3
+ATTEMPTS = ("", "second_", "third_", "fourth_")
 
 
 class Along:
@@ -69,17 +71,19 @@ class Own:
 
 
 def rates(d: Dynamics) -> Matrix:
-    """zdot (nz, 1)."""
+    """Rates of internal states, ``zdot = law of the element`` (nz, 1)."""
+    d.k.graph.describe(rates)
     nodes: list[int] = []
     for force in d.k.system.forces:
         if force.element.internals():
-            with d.k.graph.made_by(force.name, "rate"):
+            with d.k.graph.made_by(force.name, "zdot"):
                 nodes += force.element.rates(places(d.k, force)).nodes
     return Matrix(d.k.graph, len(nodes), 1, nodes)
 
 
 def signs(d: Dynamics) -> Matrix:
-    """Values of all events (ne, 1): each happens where its value falls through zero."""
+    """Values of all events (ne, 1): it happens where ``event = value that falls through zero``."""
+    d.k.graph.describe(signs)
     along, nodes = Along(d), list[int]()
     for force in d.k.system.forces:
         if force.element.events():
@@ -118,15 +122,23 @@ class Jump:
 
 
 def transition(d: Dynamics) -> tuple[Matrix, Matrix, Matrix]:
-    """u (nu, 1), z (nz, 1) and s (ns, 1) behind the events that the block ``e`` says happened."""
+    """u (nu, 1), z (nz, 1) and s (ns, 1) behind the events that the block ``e`` says happened.
+
+    Impulses P along velocities J u go through the whole system:
+    ``speeds = u + M⁻¹ Jᵀ P, J speeds as the events ask``.
+    """
     k = d.k
+    k.graph.describe(transition)
     before = k.block("u", 0, k.system.nu)
     impulses: list[Impulse] = []
+    names: list[str] = []
     for force in k.system.forces:
         with k.graph.made_by(force.name, "impulse"):
-            impulses += force.element.impulses(places(k, force), Jump(d, force, before))
+            found = force.element.impulses(places(k, force), Jump(d, force, before))
+        impulses += found
+        names += [f"{force.name}.{event.name}" for event in force.element.events()[: len(found)]]
     with k.graph.made_by("impact", "speeds"):
-        behind = _jumped(d, before, impulses)
+        behind = _jumped(d, before, impulses, names)
     z, s = list[int](), list[int]()
     for force in k.system.forces:
         with k.graph.made_by(force.name, "change"):
@@ -141,7 +153,9 @@ def _behind(at: Places, changed: Matrix | None, stays: Matrix) -> Sequence[int]:
     return (stays if changed is None else changed).nodes
 
 
-def _jumped(d: Dynamics, before: Matrix, impulses: Sequence[Impulse]) -> Matrix:
+def _jumped(
+    d: Dynamics, before: Matrix, impulses: Sequence[Impulse], names: Sequence[str]
+) -> Matrix:
     """Speeds behind impulses: M du = Jᵀ P + Gᵀ P', J u as wanted, the circuits closed.
 
     Impulses that would pull where they can only push are left out, again and again.
@@ -149,7 +163,7 @@ def _jumped(d: Dynamics, before: Matrix, impulses: Sequence[Impulse]) -> Matrix:
     if not impulses:
         return before
     g = d.k.graph
-    bound = _bound_rows(d)
+    bound, held = _bound_rows(d)
     active = [impulse.active for impulse in impulses]
     unilateral = [i for i, impulse in enumerate(impulses) if impulse.unilateral]
     jacobian = [
@@ -157,29 +171,39 @@ def _jumped(d: Dynamics, before: Matrix, impulses: Sequence[Impulse]) -> Matrix:
         for i in impulses
     ]
     behind = before
-    for _ in range(min(len(unilateral) - 1, PASSES) + 1):
+    for attempt in ATTEMPTS[: min(len(unilateral) - 1, PASSES) + 1]:
+        for on, name in zip(active, names, strict=True):
+            g.hint(on.node, name, f"{attempt}active")
         rows = [row * on for row, on in zip(jacobian, active, strict=True)]
         missing = [(i.velocity - i.after) * on for i, on in zip(impulses, active, strict=True)]
         step, pushes = d.pushed(
             Matrix.vstack(*rows, *([bound] if bound.rows else [])),
             Matrix(g, len(rows) + bound.rows, 1, [m.node for m in missing] + [ZERO] * bound.rows),
+            Labels(
+                d.k.speed_names,
+                tuple(f"{attempt}{name}" for name in (*names, *held)),
+                f"{attempt}impact",
+                "missing_speed",
+            ),
         )
-        behind = before + step
+        behind = (before + step).hint("", f"{attempt}behind", d.k.speed_names)
+        for push, name in zip(pushes, names, strict=False):
+            g.hint(push.node, name, f"{attempt}impulse")
         for i in unilateral:
             pushing = (pushes[i] * 0).apply("le", pushes[i])
             active[i] = active[i] * select(pushing, 1, 0)
     return behind
 
 
-def _bound_rows(d: Dynamics) -> Matrix:
-    """G of everything but what elements hold: that says itself what it bears."""
+def _bound_rows(d: Dynamics) -> tuple[Matrix, list[str]]:
+    """G of everything but what elements hold: that says itself what it bears; names of the rows."""
     g, nu = d.k.graph, d.k.system.nu
     if not d.k.system.closed:
-        return Matrix(g, 0, nu, ())
+        return Matrix(g, 0, nu, ()), []
     own = {
         f"{force.name}.{name}" for force in d.k.system.forces for name, _ in force.element.holding()
     }
     G = d.constraints.jacobian
     kept = [i for i, row in enumerate(d.constraints.rows) if row.name not in own]
     nodes = [n for i in kept for n in G.block(slice(i, i + 1)).nodes]
-    return Matrix(g, len(kept), nu, nodes)
+    return Matrix(g, len(kept), nu, nodes), [d.constraints.rows[i].name for i in kept]

@@ -10,7 +10,11 @@ from .kinematics import Kinematics
 
 
 def of_body(k: Kinematics, i: int) -> Inertia:
-    """Inertia of a body about its origin; depends on p alone where it has axes of its own."""
+    """Inertia of a body about its origin; depends on p alone where it has axes of its own.
+
+    ``turned = R(turn) inertia R(turn)ᵀ`` where its axes do not turn with it.
+    """
+    k.graph.describe(of_body)
     body, name = k.system.bodies[i], k.owner(i)
     mass = Scalar(k.graph, k.resolve([body.mass])[0])
     k.graph.label(mass.node, name, "whole_mass")

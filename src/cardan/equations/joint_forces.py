@@ -24,7 +24,12 @@ class JointForces:
 
 
 def joint_forces(k: Kinematics, acc: Accelerations, loads: Loads) -> JointForces:
-    """Forces that the joints transmit, inward."""
+    """Moments and forces that the joints transmit, inward.
+
+    ``f = inertia_force_f - applied_f + sum R f_child`` and
+    ``n = inertia_force_n - applied_n + sum (R n_child + p x R f_child)``.
+    """
+    k.graph.describe(joint_forces)
     n = len(k.system.bodies)
     sums = Sums(k, ("n", "f"), [own_force(k, i, acc, loads) for i in range(n)])
     result: dict[int, tuple[Matrix, Matrix]] = {}
@@ -44,7 +49,8 @@ def joint_forces(k: Kinematics, acc: Accelerations, loads: Loads) -> JointForces
 def inverse_dynamics(
     k: Kinematics, udot: Matrix, loads: Loads, gravity: Matrix, moving: bool = True
 ) -> Matrix:
-    """tau with M udot + h = f_model + tau (nu, 1)."""
+    """tau with M udot + h = f_model + tau (nu, 1): ``tau = S . [n; f] - force on the joint``."""
+    k.graph.describe(inverse_dynamics)
     along = [along_joint(k, i, udot) for i in range(len(k.joints))]
     acc = accelerations(k, along, gravity, moving)
     forces = joint_forces(k, acc, loads)

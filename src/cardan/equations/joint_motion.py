@@ -65,7 +65,12 @@ class JointMotion:
 
 
 def joint_pose(k: Kinematics, i: int) -> JointPose:
-    """Place of body i against its parent, told in the axes of the two."""
+    """Place of body i against its parent, told in the axes of the two.
+
+    ``R = R_fixed R_joint(q)`` turns child axes to parent axes, ``p = p_fixed + R_fixed p_joint(q)``
+    is the origin of the child there; ``S = d(twist of the child) / du`` in child axes.
+    """
+    k.graph.describe(joint_pose)
     joint, q, data = k.system.joints[i], k.coordinates[i], k.data[i]
     g, name, parent = k.graph, joint.name, k.system.bodies[i].parent
     fixed, at = k.matrix(3, 3, joint.rotation), k.vector(joint.position)
@@ -85,7 +90,11 @@ def joint_pose(k: Kinematics, i: int) -> JointPose:
 
 
 def joint_motion(k: Kinematics, i: int) -> JointMotion:
-    """Motion of body i against its parent, told in the axes of the two."""
+    """Motion of body i against its parent, told in the axes of the two.
+
+    ``velocity = S u`` and ``drift = S' u + [0; omega x v]``, its acceleration without udot.
+    """
+    k.graph.describe(joint_motion)
     joint, g, at = k.system.joints[i], k.graph, k.pose_of(i)
     u = k.joint_speeds(i)
     with g.made_by(joint.name, "velocity"):
@@ -101,7 +110,11 @@ def joint_motion(k: Kinematics, i: int) -> JointMotion:
 
 
 def turn(k: Kinematics, made: Turn | None) -> Matrix | None:
-    """R from the axes of a body to those that do not turn with it."""
+    """R from the axes of a body to those that do not turn with it.
+
+    Joints with parallel axes turn by ``turn = sum of their angles``.
+    """
+    k.graph.describe(turn)
     if made is None:
         return None
     with k.graph.made_by(k.system.joints[made.joints[-1][0]].name, "turn"):

@@ -46,7 +46,7 @@ class Kinematics:
         following: Following | None = None,
     ) -> None:  # fmt: skip
         self.system, self.following = system, following
-        self.graph = system.graph.fork()
+        self.graph = system.graph.fork().describe(Kinematics)
         self.cuts = Cuts(self.graph) if cut else None
         # angular acceleration and acceleration of a frame (6, 1), where udot is known
         self.acceleration: Callable[[int], Matrix] | None = None
@@ -250,7 +250,7 @@ class Kinematics:
 
     @cached_property
     def omega(self) -> list[Matrix]:
-        """Angular velocity of every body."""
+        """Angular velocity of every body, ``omega = Rᵀ omega_parent + S_w u``."""
         result: list[Matrix] = []
         for i, (body, joint) in enumerate(zip(self.system.bodies, self.joints, strict=True)):
             with self.graph.made_by(self.owner(i), "omega"):
@@ -262,12 +262,12 @@ class Kinematics:
 
     @cached_property
     def v(self) -> list[Matrix]:
-        """Velocity of the origin of every body."""
+        """Velocity of all origins, ``v = Rᵀ (v_parent + omega_parent x p) + S_v u``."""
         return self._origin_velocities("v", from_root=False)
 
     @cached_property
     def v_from_root(self) -> list[Matrix]:
-        """The same less the velocity of the origin of the first body of its tree."""
+        """The same, ``v_from_root = v - v of the first body of the tree``."""
         return self._origin_velocities("v_from_root", from_root=True)
 
     def _origin_velocities(self, quantity: str, from_root: bool) -> list[Matrix]:
@@ -285,7 +285,7 @@ class Kinematics:
 
     @cached_property
     def ground_rotation(self) -> list[Matrix]:
-        """R from body axes to ground axes."""
+        """R from body axes to ground axes, ``orientation = orientation_parent R``."""
         result: list[Matrix] = []
         for i, (body, joint) in enumerate(zip(self.system.bodies, self.joints, strict=True)):
             with self.graph.made_by(self.owner(i), "orientation"):
@@ -298,7 +298,7 @@ class Kinematics:
 
     @cached_property
     def ground_position(self) -> list[Matrix]:
-        """Origin of every body in ground axes."""
+        """Origins in ground axes, ``position = position_parent + orientation_parent p``."""
         result: list[Matrix] = []
         for i, (body, joint) in enumerate(zip(self.system.bodies, self.joints, strict=True)):
             with self.graph.made_by(self.owner(i), "position"):

@@ -89,7 +89,9 @@ def summed(
     potential = Scalar(k.graph, ZERO)
     power: dict[str, Scalar] = {}
     for force in forces:
-        with k.graph.made_by(force.name, "force"):
+        kind = force.element.kind
+        k.graph.describe(type(force.element), kind)
+        with k.graph.made_by(force.name, kind):
             for action in _actions(k, force, given):
                 counted = stored or action.potential is None
                 for load in action.loads if counted else ():

@@ -74,11 +74,12 @@ def energy(d: Dynamics) -> tuple[Scalar, Scalar]:
 
 
 def center_of_mass(k: Kinematics) -> Matrix:
-    """Center of mass of everything that moves (3, 1), ground axes.
+    """Center of mass of everything that moves (3, 1), ground axes: ``com = sum m c / sum m``.
 
     Raises:
         DerivationError: nothing that moves has a mass.
     """
+    k.graph.describe(center_of_mass)
     total, moment = Scalar(k.graph, ZERO), Matrix.zeros(k.graph, 3)
     for i in range(len(k.system.bodies)):
         with k.graph.made_by(k.owner(i), "com"):

@@ -158,7 +158,7 @@ class _Steps:
     def _expressions(self, work: _Work) -> tuple[Graph, list[int]]:
         """A graph of a visit's own, and the nodes of what it stores and gives out."""
         graph, local = self.sweeps.graph, Graph()
-        local.tables = graph.tables.copy()
+        local.tables, local.formulas = graph.tables.copy(), graph.formulas.copy()
         copies = {leaf: local.var(*entry) for leaf, entry in work.local.items()}
 
         # a value that is computed here is no leaf here: it goes on as its expression

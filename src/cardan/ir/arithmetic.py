@@ -59,6 +59,10 @@ class Scalar:
     def __pow__(self, exponent: float) -> Scalar:
         return self._new(self.graph.power(self.node, exponent))
 
+    def note(self, word: str) -> Scalar:
+        """Name it as a step to what is made here, see :meth:`.Graph.note`."""
+        return self._new(self.graph.note(self.node, word))
+
     @property
     def value(self) -> float | None:
         """The number this is, or None."""

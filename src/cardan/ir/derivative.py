@@ -229,7 +229,10 @@ def _solve_reverse(graph: Graph, i: int, bars: Mapping[int, int]) -> list[tuple[
 
 
 def directional(
-    graph: Graph, roots: Sequence[int], directions: Sequence[Mapping[int, int]]
+    graph: Graph,
+    roots: Sequence[int],
+    directions: Sequence[Mapping[int, int]],
+    words: Sequence[str] = (),
 ) -> list[list[int]]:
     """Derivatives of all roots along all directions: column by column, one per direction.
 
@@ -239,10 +242,12 @@ def directional(
         graph: Where the roots live; the derivatives are added to it.
         roots: Nodes to differentiate.
         directions: Node -> node of its derivative, as :func:`forward` takes them.
+        words: For the names of derivatives by columns, one per direction.
     """
     wanted = [root for root in dict.fromkeys(roots) if graph.value(root) is None]
     if len(wanted) >= len(directions):
-        return [forward(graph, roots, seeds) for seeds in directions]
+        each = words or [""] * len(directions)
+        return [forward(graph, roots, *one) for one in zip(directions, each, strict=True)]
     leaves = list(dict.fromkeys(node for seeds in directions for node in seeds))
     place = {node: n for n, node in enumerate(leaves)}
     rows = {root: gradient(graph, root, leaves) for root in wanted}

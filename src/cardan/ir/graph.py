@@ -7,6 +7,7 @@ smaller indices, so the list order is a valid order of evaluation and every pass
 from __future__ import annotations
 
 import math
+import re
 from bisect import bisect_right
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -23,6 +24,8 @@ ZERO, ONE, MINUS_ONE = 0, 1, 2
 # sines and cosines are called after their angles
 NAMED_ALREADY = frozenset({"const", "var", "atom", "sin", "cos"})
 MADE_BY_NOBODY: Origin = ("", "")
+# of a docstring: ``omega = Rᵀ omega_parent + S_w u``
+FORMULA = re.compile(r"``(\w+) = ([^`]+)``")
 
 
 @dataclass(frozen=True)
@@ -68,12 +71,14 @@ class Graph:
         shared: further origins of a node, where several owners use it.
         labels: readable names given to nodes, (owner, quantity) with the component in quantity.
         hints: the same for nodes that need not be shown; those that are have these names.
+        formulas: quantity -> formula of the step that derived it, see :meth:`describe`.
         systems: names of the rows and columns of ``solve`` nodes.
         tables: the interpolation tables that ``table`` nodes refer to.
     """
 
     __slots__ = (
-        *("_index", "hints", "labels", "nodes", "origin", "origins", "shared", "systems", "tables"),
+        *("_index", "formulas", "hints", "labels", "nodes", "origin", "origins", "shared"),
+        *("systems", "tables"),
     )
 
     def __init__(self) -> None:
@@ -84,6 +89,7 @@ class Graph:
         self.shared: dict[int, set[Origin]] = {}
         self.labels: dict[int, Origin] = {}
         self.hints: dict[int, Origin] = {}
+        self.formulas: dict[str, str] = {}
         self.systems: dict[int, SystemNames] = {}
         self.tables: list[Table] = []
 
@@ -103,6 +109,7 @@ class Graph:
         other.shared = {k: set(v) for k, v in self.shared.items()}
         other.labels = self.labels.copy()
         other.hints = self.hints.copy()
+        other.formulas = self.formulas.copy()
         other.systems = self.systems.copy()
         other.tables = self.tables.copy()
         return other
@@ -116,6 +123,25 @@ class Graph:
             yield
         finally:
             self.origin = before
+
+    def describe(self, step: object, kind: str = "") -> Graph:
+        """Take the formulas of a step of the derivation from its docstring, for readers of code.
+
+        Each stands in double backticks there, its left side being the quantity that nodes are made
+        or labeled under. Those of a class stand in its docstring and in those of its methods;
+        ``kind`` is the quantity where it is a class of elements. Returns the graph.
+        """
+        parts = vars(step).values() if isinstance(step, type) and not kind else ()
+        for part in (step, *parts):
+            for left, right in FORMULA.findall(part.__doc__ or ""):
+                self.formulas.setdefault(kind or left, " ".join(f"{left} = {right}".split()))
+        return self
+
+    def described(self, name: str) -> str:
+        """The quantity with a formula that begins a name, ``G`` of ``G_px_rod``; "" for none."""
+        while name and name not in self.formulas:
+            name = name.rpartition("_")[0]
+        return name
 
     def label(self, node: int, owner: str, quantity: str) -> int:
         """Give a node a readable name; the first name stays. Leaves need none."""
@@ -131,13 +157,17 @@ class Graph:
             self.hints.setdefault(node, (owner, quantity))
         # a changed sign is written where it is read: what has the name is shown
         if self.nodes[node][0] == "neg":
-            self.hint(self.nodes[node][1], owner, f"minus_{quantity}")
+            plain = quantity.removeprefix("minus_")
+            self.hint(
+                self.nodes[node][1], owner, f"minus_{quantity}" if plain == quantity else plain
+            )
         return node
 
     def note(self, node: int, word: str) -> int:
         """Give a node the name of a step to what is made here, see :meth:`made_by`."""
         owner, quantity = self.origin
-        return self.hint(node, owner, "_".join(filter(None, (quantity, word))))
+        # what belongs to nobody needs no more than the word
+        return self.hint(node, owner, f"{quantity}_{word}" if owner and quantity else word)
 
     def adopt(self, copy: int, other: Graph, i: int) -> None:
         """Give a node the names that node i of another graph has, whose value it has."""

@@ -208,6 +208,8 @@ class Matrix:
         i, j = divmod(k, self.columns)
         if self.columns == 1 and self.rows == 6:
             return (("w" if i < 3 else "v") + "xyz"[i % 3],)
+        if self.columns == 1 and self.rows == 4:
+            return ("wxyz"[i],)
         if self.rows <= 3 and self.columns <= 3:
             return (("xyz"[i] if self.rows > 1 else "") + ("xyz"[j] if self.columns > 1 else ""),)
         return str(i + 1), str(j + 1)

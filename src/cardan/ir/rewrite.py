@@ -40,7 +40,7 @@ def rebuild(
     """
     target = Graph() if into is None else into
     if into is None:
-        target.tables = graph.tables.copy()
+        target.tables, target.formulas = graph.tables.copy(), graph.formulas.copy()
     if callable(replace):
         rule: Rule | None = replace
         copies: dict[int, int] = {}

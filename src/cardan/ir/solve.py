@@ -158,6 +158,17 @@ def multiply(
 Factor = tuple[list[list[int]], list[int]]
 
 
+def factored(a: Matrix, names: SystemNames | None = None) -> Factor:
+    """As :func:`ltl`, with names for the entries of the factors."""
+    namer = _Namer(a.graph, a.rows, 0, names)
+    lower, inverse = ltl(a, namer.factor)
+    for k in range(a.rows):
+        namer.factor(inverse[k], "D_inverse", k)
+        for j in range(k):
+            namer.factor(lower[k][j], "L", k, j)
+    return lower, inverse
+
+
 def unrolled(
     graph: Graph,
     n: int,
@@ -181,11 +192,7 @@ def unrolled(
     a, b = tuple(entries[: n * n]), entries[n * n :]
     namer = _Namer(graph, n, m, names)
     if a not in factors:
-        lower, inverse = factors[a] = ltl(Matrix(graph, n, n, a), namer.factor)
-        for k in range(n):
-            namer.factor(inverse[k], "D_inverse", k)
-            for j in range(k):
-                namer.factor(lower[k][j], "L", k, j)
+        factors[a] = factored(Matrix(graph, n, n, a), names)
     lower, inverse = factors[a]
     if m > n and any(lower[k][j] == ZERO for k in range(n) for j in range(k)):
         # what is 0 in a column stays 0 in branches that it does not reach

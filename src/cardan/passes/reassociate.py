@@ -78,7 +78,7 @@ class _Copier:
         self.inner = inner
         self.block = block
         self.target = Graph()
-        self.target.tables = graph.tables.copy()
+        self.target.tables, self.target.formulas = graph.tables.copy(), graph.formulas.copy()
         self.copies = [0] * len(graph.nodes)
         self.known: list[float] = []
         self.plain: set[int] = set()

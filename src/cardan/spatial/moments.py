@@ -124,9 +124,12 @@ def turn_general(r: Matrix, x: Matrix) -> Matrix:
 
 def moved(inertia: Inertia, p: Matrix) -> Inertia:
     """The same body about a point from which its origin is seen at p."""
-    m = inertia.mass
+    m, g = inertia.mass, p.graph
+    if not any(inertia.moment.nodes):
+        s, spread = _of_mass(m, p)
+        shift = Matrix.identity(g, 3) * s.dot(p) - spread
+        return Inertia(m, s, inertia.tensor + shift)
     s = (inertia.moment + p * (m * 0.5)).note("mean_moment")
-    g = p.graph
     twice = s.dot(p) * 2
     g.note(twice.node, "shift")
     rows = [
@@ -138,7 +141,16 @@ def moved(inertia: Inertia, p: Matrix) -> Inertia:
 
 def moved_second(mass: Scalar, moment: Matrix, second: Matrix, p: Matrix) -> Matrix:
     """Second moment about a point from which the origin is seen at p."""
+    if not any(moment.nodes):
+        return second + _of_mass(mass, p)[1]
     s = (moment + p * (mass * 0.5)).note("mean_moment")
     upper = {(i, j): s[i] * p[j] + s[j] * p[i] for i in range(3) for j in range(i, 3)}
     rows = [[upper[min(i, j), max(i, j)] for j in range(3)] for i in range(3)]
     return second + Matrix.of(p.graph, rows)
+
+
+def _of_mass(mass: Scalar, p: Matrix) -> tuple[Matrix, Matrix]:
+    """First moment m p (3, 1) and second moment m p pᵀ, symmetric (3, 3), of a point of mass."""
+    s = (p * mass).note("mass_moment")
+    rows = [[s[min(i, j)] * p[max(i, j)] for j in range(3)] for i in range(3)]
+    return s, Matrix.of(p.graph, rows)

@@ -70,16 +70,18 @@ def _horner(coefficients: Sequence[float], x: Scalar) -> Scalar | float:
     return total
 
 
-def slopes(coefficients: Sequence[float], x: Scalar) -> Slopes:
-    """A polynomial and its derivatives."""
+def slopes(coefficients: Sequence[float], x: Scalar, word: str) -> Slopes:
+    """A polynomial and its derivatives, called ``word``, ``word_slope`` and ``word_bend``."""
     first = [k * c for k, c in enumerate(coefficients)][1:]
     second = [k * c for k, c in enumerate(first)][1:]
-    return Slopes(*(polynomial(c, x) for c in (coefficients, first, second)))
+    words = (word, f"{word}_slope", f"{word}_bend")
+    rows = zip((coefficients, first, second), words, strict=True)
+    return Slopes(*(polynomial(c, x).note(name) for c, name in rows))
 
 
 def rotation_vector(w: Scalar, v: Matrix) -> Matrix:
     """Rotation vector (3, 1) [rad] of a unit quaternion (w, v) with w >= 0."""
     # tangent of a quarter of the angle, at most 1
-    quarter = v * (1.0 / (1.0 + w))
-    square = quarter.dot(quarter)
-    return v * (2.0 * (1.0 + square) * polynomial(ARCTANGENT, square))
+    quarter = (v * (1.0 / (1.0 + w))).note("tan_quarter")
+    square = quarter.dot(quarter).note("tan_quarter_squared")
+    return (v * (2.0 * (1.0 + square) * polynomial(ARCTANGENT, square))).note("theta")

@@ -28,7 +28,12 @@ class Rigid:
     index: dict[str, int] = field(default_factory=dict)
 
     def body(self, g: Graph) -> Body:
-        """The finished body: sums over the parts."""
+        """The finished body: sums over the parts.
+
+        ``whole_mass = sum m``, ``first_moment = sum m c`` and
+        ``origin_inertia = sum (R I Rᵀ + m (c·c 1 - c cᵀ))``.
+        """
+        g.describe(Rigid.body)
         if not self.parts:
             return Body(self.name, self.parent, ZERO, ORIGIN, (ZERO,) * 9, ())
         first = self.parts[0]

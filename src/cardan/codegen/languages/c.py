@@ -10,6 +10,7 @@ from ...ir.graph import ZERO
 from ..naming import comment
 from ..program import (
     Angles,
+    Array,
     Assign,
     Call,
     Declare,
@@ -106,13 +107,16 @@ def _routine(routine: Routine, writer: _Writer) -> list[str]:
     prepares = routine.kind.startswith("prepare")
     writer.touched, writer.checked = set(), False
     lines = writer.all(routine.body, STEP)
-    arrays = writer.touched
+    arrays, named = writer.touched, writer.scope.arrays
+    declared = [_array(name, named[name]) for name in named if name in arrays]
+    arrays.update(named[name].base for name in named if name in arrays)
     body = [] if prepares else [_block(block) for block in BLOCKS if block in arrays]
     # what this routine leaves alone
     if body:
         arrays.add("in")
     unused = [name for name in ARGUMENTS[routine.kind] if name not in arrays]
     body.extend(f"{STEP}(void){name};" for name in unused)
+    body.extend(declared)
     checked = writer.checked and not prepares
     if checked:
         body.append(f"{STEP}int status = CARDAN_OK;")
@@ -127,6 +131,15 @@ def _routine(routine: Routine, writer: _Writer) -> list[str]:
 def _block(block: str) -> str:
     """An input block by its letter."""
     return f"{STEP}const {'wreal' if block == 'w' else 'real'} *const {block} = in->{block};"
+
+
+def _array(name: str, array: Array) -> str:
+    """A part of work or w under its name."""
+    kind, at = "wreal" if array.base == "w" else "real", f"{array.base} + {array.start}"
+    if array.columns == 1:
+        return f"{STEP}{kind} *const {name} = {at};"
+    row = f"[{array.columns}]"
+    return f"{STEP}{kind} (*const {name}){row} = ({kind} (*){row})({at});"
 
 
 class _Writer:
@@ -158,7 +171,8 @@ class _Writer:
         _line(head, text, s.comment, indent, lines)
 
     def _assign(self, s: Assign, indent: str, lines: list[str]) -> None:
-        text = self._number(s.value, s.target.array in PREPARES)
+        array = self.scope.arrays.get(s.target.array)
+        text = self._number(s.value, (array.base if array else s.target.array) in PREPARES)
         _line(f"{indent}{self._place(s.target)} = ", text, s.comment, indent, lines)
 
     def _number(self, value: Value, prepared: bool) -> str:
@@ -199,6 +213,7 @@ class _Writer:
         lines.append("")
         if s.title:
             lines.append(f"{indent}/* {comment(s.title)} */")
+        lines.extend(f"{indent}/* {formula} */" for formula in s.formulas)
         for statement in s.body:
             _WRITERS[type(statement)](self, statement, indent, lines)
 
@@ -243,24 +258,30 @@ class _Writer:
         lines.append(f"{indent}}}")
 
     def _solve(self, s: Solve, indent: str, lines: list[str]) -> None:
-        """What is missing of A and B into the array, then the kernel."""
-        right, scratch = s.start + s.n * s.n, s.start + s.n * (s.n + s.m)
-        at = s.start
+        """What is missing of A and B into the arrays, then the kernel."""
+        size, whole = s.n * s.n, self.scope.arrays[s.arrays[0]]
+        at = 0
         for node, run in groupby(s.entries):
             start, at = at, at + len(list(run))
-            if node is None:
-                continue
             if node == ZERO and at - start > FEW:
-                lines.append(f"{indent}for (int i = {start}; i < {at}; ++i) {s.array}[i] = 0.0;")
-                continue
-            for k in range(start, at):
-                value = self._number(node, s.array == "w")
-                _line(f"{indent}{s.array}[{k}] = ", value, "", indent, lines)
-        places = ", ".join(f"{s.array} + {at}" for at in (s.start, right, scratch))
-        status = "status |= " if s.array == "work" else "(void)"
-        self.touched.add(s.array)
+                begin, end = whole.start + start, whole.start + at
+                lines.append(
+                    f"{indent}for (int i = {begin}; i < {end}; ++i) {whole.base}[i] = 0.0;"
+                )
+                self.touched.add(whole.base)
+            elif node is not None:
+                for k in range(start, at):
+                    place = Place(s.arrays[k >= size], k - size * (k >= size))
+                    self._assign(Assign(place, node), indent, lines)
+        arguments = []
+        for name in s.arrays:
+            self.touched.add(name)
+            arguments.append(f"{name}[0]" if self.scope.arrays[name].columns > 1 else name)
+        status = "status |= " if whole.base == "work" else "(void)"
         self.checked = True
-        lines.append(f"{indent}{status}CARDAN_SOLVE({s.kind}, {s.n}, {s.m}, {places});")
+        lines.append(f"{indent}/* {comment(s.comment)} */")
+        call = f"{indent}{status}CARDAN_SOLVE({s.kind}, {s.n}, {s.m}, {', '.join(arguments)});"
+        lines.extend(_wrapped(call, "", indent + STEP))
 
     def _loop(self, s: Loop, indent: str, lines: list[str]) -> None:
         inner = _Writer(s.scope, self.program)
@@ -276,7 +297,11 @@ class _Writer:
         self.touched.add(place.array)
         at = place.at
         if isinstance(at, int):
-            return f"{place.array}[{at}]"
+            columns = (
+                self.scope.arrays[place.array].columns if place.array in self.scope.arrays else 1
+            )
+            row = f"[{at // columns}]" if columns > 1 else ""
+            return f"{place.array}{row}[{at % columns if row else at}]"
         stride = f"{at.stride} * " if at.stride != 1 else ""
         offset = f" + {at.offset}" if at.offset else ""
         text = f"{stride}{at.counter}"
@@ -324,9 +349,11 @@ def _wrapped(text: str, first: str, indent: str) -> list[str]:
         if at <= least:
             at = text.rfind(" ", least, COLUMNS + 1)
         if at <= least:
+            at = text.rfind("(", least, COLUMNS) + 1
+        if at <= least:
             at = text.find(" ", COLUMNS)
         if at < 0:
             break
         lines.append(text[:at].rstrip())
-        text = indent + text[at + 1 :]
+        text = indent + text[at:].lstrip()
     return [*lines, text]

@@ -21,8 +21,8 @@ class Bushing(StrainElement):
     """Linear springs in all six relative directions, coupled as one likes.
 
     Strain is the rotation vector and the distance of the ends in the axes halfway between them, so
-    that both ends are treated alike; at angles up to pi. Rows and columns of the stiffness are
-    rotations [N m/rad] before displacements [N/m].
+    that both ends are treated alike: ``energy = y·k y / 2``; at angles up to pi. Rows and columns
+    of the stiffness are rotations [N m/rad] before displacements [N/m].
 
     Source: Géradin and Cardona, Flexible Multibody Dynamics (2001), section 7.7; Masarati and
         Morandini, Multibody System Dynamics 24 (2010) for the halfway axes.

@@ -16,8 +16,8 @@ from .ends import Ends
 class Cable(FlexibleElement):
     """Elastic along the line between its ends, between points or anything else.
 
-    The strain is that of the distance, ell/L - 1 less ``strain_4``; pieces of a cable are slack
-    where it is negative.
+    The strain is that of the distance, ell/L - 1 less ``strain_4``: ``energy = EA L strain² / 2``;
+    pieces of a cable are slack where it is negative.
 
     Args:
         compression: The bar of a truss: it pushes too.

@@ -15,6 +15,8 @@ from .section import GRAVITY
 class CableInertia(InertiaElement):
     """Mass of the straight line between the ends, whatever their axes do.
 
+    ``kinetic = m (v_1·v_1 + v_1·v_2 + v_2·v_2) / 6``.
+
     Source: T. J. R. Hughes, The Finite Element Method, 1987, section 7.3.
     """
 

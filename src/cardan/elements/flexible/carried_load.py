@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 
 from ...ir.matrix import Matrix
 from ...spatial.short_rotations import Slopes
-from .ends import Ends
+from .ends import NAMES, Ends
 from .relative import Relative, carried_by, carried_slope, forces, moved, tangent
 from .section import weight
 from .strain import Law, respond
@@ -45,7 +45,8 @@ class CarriedLoad:
     ) -> CarriedLoad:
         """With the loads of the data."""
         fixed, _ = weight(ends)
-        seen = (at.start.rotation.T @ fixed, at.end.rotation.T @ fixed)
+        start, end = at.start.rotation.T @ fixed, at.end.rotation.T @ fixed
+        seen = (start.note("start_load"), end.note("end_load"))
         return CarriedLoad(at, measures, field, fixed, seen)
 
     @property
@@ -88,7 +89,7 @@ class CarriedLoad:
             skew = seen.skew
             for r in range(4):
                 change = by_mean[r] * 0.5 + by_length[r] * (twelfth * SIGNS[i])
-                across = change @ skew
+                across = change.note(f"load_{r}_by_{NAMES[i]}_load") @ skew
                 blocks[r][2 * i] = blocks[r][2 * i] + across
                 blocks[2 * i][r] = blocks[2 * i][r] + across.T
             for j, other in enumerate(self.seen):
@@ -112,14 +113,16 @@ class CarriedLoad:
 
     def _by_seen(self, k: int, by_load: Matrix) -> Matrix:
         """Derivative of the energy by a_k (3, 1)."""
-        return by_load * 0.5 + self.field.e * (self.field.section.length * (SIGNS[k] / 12))
+        own = by_load * 0.5 + self.field.e * (self.field.section.length * (SIGNS[k] / 12))
+        return own.note(f"by_{NAMES[k]}_load")
 
     def _told(self, columns: Matrix) -> list[Matrix]:
         """Columns along theta and e (6, 3) as moments and forces on the ends, (3, 3) each."""
         at, upper = self.at, slice(3)
         m, n = columns.block(upper), columns.block(slice(3, 6))
         carried = carried_by(at.turn, *self.measures)
-        moment = at.slope.T @ (m + carried_slope(at.turn, *self.measures, at.position).T @ n)
-        force = carried.T @ n
+        turned = m + carried_slope(at.turn, *self.measures, at.position).T @ n
+        moment = (at.slope.T @ turned.note("load_by_theta")).note("load_by_rho")
+        force = (carried.T @ n).note("load_by_d")
         parts = [forces(at, moment.column(j), force.column(j)) for j in range(3)]
         return [Matrix.hstack(*(part[r] for part in parts)) for r in range(4)]

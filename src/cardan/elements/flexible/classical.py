@@ -18,7 +18,8 @@ class Classical(StrainElement):
     """Simo's geometrically exact beam, two nodes, integrated by its middle point.
 
     Positions and the rotation between the ends vary linearly, so that the strain is objective and
-    independent of the path. Second order in statics.
+    independent of the path, ``energy = y·C y / (2 L), y = (theta, R_middleᵀ (p_2 - p_1)) - free``.
+    Second order in statics.
 
     Args:
         residual_flexibility: The shear compliance gains L²/(12 EI), which makes straight elements

@@ -18,8 +18,8 @@ class Damping(FlexibleElement):
     """Stress proportional to the rate of strain, after Kelvin and Voigt.
 
     It is the stiffness of the section times ``damping`` [s] times the rate of the helicoidal
-    strain; shear is as soft as in an element that bends linearly, so that slender elements are not
-    damped for strains that they do not have.
+    strain, ``stress = damping C y' / L``; shear is as soft as in an element that bends linearly, so
+    that slender elements are not damped for strains that they do not have.
 
     Source: J. Linn, H. Lang, A. Tuganov, Geometrically exact Cosserat rods with Kelvin-Voigt type
         viscous damping, Mechanical Sciences 4, 2013.

@@ -18,7 +18,8 @@ MOMENT = ("dead_moment_1", "dead_moment_2", "dead_moment_3")
 class DeadLoad(LoadElement):
     """Force and moment per length of the reference shape in ground axes.
 
-    The force has a potential; a moment that keeps its direction has none.
+    The force has a potential, ``potential = -f · integral of x``; a moment that keeps its
+    direction has none.
 
     Source: J. S. Przemieniecki, Theory of Matrix Structural Analysis, 1968, section 5.6.
     """

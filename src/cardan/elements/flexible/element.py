@@ -99,8 +99,9 @@ class FlexibleElement(HasSource, ABC):
         self, ends: Ends, name: str, blocks: Sequence[Block], *outputs: Output
     ) -> Function:
         """A function of the kind."""
-        symbol, kind = f"{self.name(ends.kinds)}__{name}", self.kind.replace("_", " ")
-        owners = ("", kind)
+        own, kind = self.name(ends.kinds), self.kind.replace("_", " ")
+        ends.graph.describe(type(self), own)
+        symbol, owners = f"{own}__{name}", ("", kind)
         return Function(symbol, ends.graph, tuple(blocks), outputs, owners, self.about)
 
 
@@ -133,7 +134,9 @@ def tangents(ends: Ends, loads: Matrix, *letters: str) -> tuple[Output, ...]:
     for letter, name in (("q", "K"), ("u", "C"), ("udot", "M")):
         if letter not in letters:
             continue
-        columns = directional(g, loads.nodes, ends.directions(letter))
+        head = "by_" if letter == "q" else f"by_{letter}_"
+        words = [f"{head}{speed}" for speed in ends.speeds]
+        columns = directional(g, loads.nodes, ends.directions(letter), words)
         rows = zip(*columns, strict=True)
         values = Matrix(g, loads.rows, loads.rows, [x for row in rows for x in row])
         if not values.is_zero:

@@ -21,6 +21,7 @@ PLACES: dict[str, type[Place]] = {
 }
 NODE, OFFSET, GROUND = "node", "offset", "ground"
 NAMES = ("start", "end")
+CELLS = tuple(i + j for i in "xyz" for j in "xyz")
 RATES = {"q": "", "u": "/s", "udot": "/s^2", "du": ""}
 LOADS = {"rad": "N*m", "m": "N"}
 STRESSES = ("m1", "m2", "m3", "n1", "n2", "n3")
@@ -38,11 +39,12 @@ def relative_rotation(start: Pose, end: Pose) -> tuple[Matrix, Matrix]:
         return Matrix.vector(rotation.graph, [0.0, 0.0, turn]), rotation
     assert start.quaternion is not None
     assert end.quaternion is not None
-    quaternion = multiply(conjugate(start.quaternion), end.quaternion)
-    rotation = Quaternion().matrix(quaternion)
+    quaternion = multiply(conjugate(start.quaternion), end.quaternion).note("relative")
+    rotation = Quaternion().matrix(quaternion).note("r")
     # of the two quaternions that are this rotation the one that turns by less than pi
     negative = quaternion[0].apply("lt", 0.0)
-    w, *v = (select(negative, -x, x) for x in quaternion)
+    short = [select(negative, -x, x) for x in quaternion]
+    w, *v = Matrix.vector(quaternion.graph, short).note("short")
     return rotation_vector(w, Matrix.vector(quaternion.graph, v)), rotation
 
 
@@ -107,7 +109,9 @@ class Ends:
 
     def pose(self, k: int) -> Pose:
         """Where end k is."""
-        return self.places[k].pose()
+        pose = self.places[k].pose()
+        pose.rotation.hint("", f"{NAMES[k]}_R", CELLS)
+        return pose
 
     def motion(self, k: int) -> Motion:
         """How end k moves."""

@@ -18,7 +18,8 @@ MOMENT = ("follower_moment_1", "follower_moment_2", "follower_moment_3")
 class FollowerLoad(LoadElement):
     """Force and moment per length of the reference shape in section axes.
 
-    It has no potential, and its tangent is not symmetric.
+    As ends have it, ``load = R_i f per length``; it has no potential, and its tangent is not
+    symmetric.
 
     Source: J. H. Argyris, S. Symeonidis, Nonlinear finite element analysis of elastic systems under
         nonconservative loading, CMAME 26, 1981.

@@ -17,7 +17,8 @@ from .strain import Elastic, Field, StrainElement
 class Helicoidal(StrainElement):
     """Geometrically exact beam whose shape is a helix: constant strain, exact for pure bending.
 
-    Second order in statics; does not lock in bending of slender beams.
+    Second order in statics, ``energy = y·C y / (2 L), y = (theta, e) - free``; does not lock in
+    bending of slender beams.
 
     Source: V. Sonneville, A. Cardona, O. Brüls, Geometrically exact beam finite element formulated
         on the special Euclidean group SE(3), CMAME 268, 2014.

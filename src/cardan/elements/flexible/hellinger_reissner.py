@@ -22,7 +22,8 @@ class HellingerReissner(StrainElement):
     """Geometrically exact beam with a stress field in equilibrium and helicoidal strain.
 
     Stress resultants vary linearly along the element as equilibrium has them, n' = -K x n and
-    m' = -K x m - E x n; their six unknowns are those of the middle and are condensed exactly. The
+    m' = -K x m - E x n; their six unknowns are those of the middle and are condensed exactly:
+    ``energy = y·s - s·F s / 2, F s = y, F = c + Aᵀ c A / 12, A = d(stress end to end) / ds``. The
     complementary energy is that of this field: nodal displacements are of fourth order in statics
     and nothing locks, however slender.
 

@@ -21,7 +21,8 @@ class FlexibleHinge(StrainElement):
     """A solid hinge that turns about axis 1 of its ends and gives a little elsewhere.
 
     Four stiffnesses: about the axis, across it, along it, and across it. Strain as of a bushing:
-    the rotation vector and the distance of the ends in the axes halfway between them.
+    the rotation vector and the distance of the ends in the axes halfway between them;
+    ``energy = y·k y / 2``.
 
     Source: Howell, Compliant Mechanisms (2001), chapter 5; Masarati and Morandini, Multibody System
         Dynamics 24 (2010).

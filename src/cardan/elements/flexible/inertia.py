@@ -37,8 +37,13 @@ class InertiaElement(FlexibleElement):
         """Angular momentum about the origin of the ground, momentum (6, 1)."""
 
     def functions(self, ends: Ends) -> dict[str, Function]:
-        loads = ends.told(self.loads(ends))
-        momentum = self.momentum(ends)
+        made_by = ends.graph.made_by
+        with made_by("", "loads"):
+            loads = ends.told(self.loads(ends))
+        with made_by("", "momentum"):
+            momentum = self.momentum(ends)
+        with made_by("", "energy"):
+            energies = self.energies(ends)
         names = ("hx", "hy", "hz", "px", "py", "pz")
         units = ("N*m*s",) * 3 + ("N*s",) * 3
         moved = ends.blocks("q", "u", "udot", "p")
@@ -47,9 +52,7 @@ class InertiaElement(FlexibleElement):
             "balance_tangent": self.function(
                 ends, "balance_tangent", moved, *tangents(ends, loads, "q", "u", "udot")
             ),
-            "energy": self.function(
-                ends, "energy", ends.blocks("q", "u", "p"), energy(*self.energies(ends))
-            ),
+            "energy": self.function(ends, "energy", ends.blocks("q", "u", "p"), energy(*energies)),
             "momentum": self.function(
                 ends,
                 "momentum",

@@ -7,11 +7,13 @@ from typing import ClassVar
 
 from ...ir.arithmetic import Scalar
 from ...ir.matrix import Matrix
-from .ends import Ends
+from .ends import NAMES, Ends
 from .inertia import DENSITY, InertiaElement, spin
 from .places import Motion, Pose
 from .section import GRAVITY
 
+# of p_1, p_2, t_1, t_2
+WORDS = ("start", "end", "start_tangent", "end_tangent")
 SHEAR = ("EI2", "EI3", "GA2", "GA3")
 
 
@@ -20,10 +22,13 @@ class LinkedInertia(InertiaElement):
     """Mass of the cubic through both ends along their tangents, and of rotations between them.
 
     x is linear in the positions p_1, p_2 and in the tangents t_i = R_i e_1, so that the mass of
-    these four vectors is constant; where shear is soft the cubic share is 1/(1 + Φ), that of the
-    straight beam's own shape, Φ = 12 EI/(GA L²). Frequencies of bending are of fourth order with a
-    beam that is exact for small displacements. Momentum, angular momentum and weight are those of
-    the shape. Angular velocities vary linearly in section axes.
+    these four vectors is constant:
+    ``kinetic = 1/2 sum mass_ij x_i'·x_j' + 1/2 integral omega·rhoI omega``.
+
+    Where shear is soft the cubic share is 1/(1 + Φ), that of the straight beam's own shape,
+    Φ = 12 EI/(GA L²). Frequencies of bending are of fourth order with a beam that is exact for
+    small displacements. Momentum, angular momentum and weight are those of the shape. Angular
+    velocities vary linearly in section axes.
 
     Source: Archer, J. Structural Division ASCE 89 (1963); Przemieniecki, Theory of Matrix
         Structural Analysis (1968), section 11.4, for small displacements; its finite form is our
@@ -41,19 +46,28 @@ class LinkedInertia(InertiaElement):
         gravity = ends.vector(*GRAVITY)
         poses, motions = _poses(ends)
         # accelerations against free fall, and those of the tangents in axes of their end
-        linear = [motion.acceleration - gravity for motion in motions]
+        linear = [
+            (motion.acceleration - gravity).note(f"{name}_a")
+            for motion, name in zip(motions, NAMES, strict=True)
+        ]
         curved = [_tangent_acceleration(motion) for motion in motions]
-        turned = [pose.rotation @ c for pose, c in zip(poses, curved, strict=True)]
+        turned = [
+            (pose.rotation @ c.note(f"{name}_own_tangent_a")).note(f"{name}_tangent_a")
+            for pose, c, name in zip(poses, curved, NAMES, strict=True)
+        ]
         mass = _mass(ends)
         inertia = spin(ends, 1 / 3)
         found: list[Matrix] = []
         for i, (pose, motion) in enumerate(zip(poses, motions, strict=True)):
             other = motions[1 - i]
-            along = _combined(mass[2 + i], [*linear, *turned])
+            name = NAMES[i]
+            along = _combined(mass[2 + i], [*linear, *turned]).note(f"{name}_tangent_force")
             rate = inertia @ (motion.omega_rate + other.omega_rate * 0.5)
-            momentum = inertia @ (motion.omega + other.omega * 0.5)
-            moment = _about_axis(pose.rotation.T @ along) + rate + motion.omega.cross(momentum)
-            found += [moment, _combined(mass[i], [*linear, *turned])]
+            momentum = (inertia @ (motion.omega + other.omega * 0.5)).note(f"{name}_spin")
+            own = (pose.rotation.T @ along).note(f"{name}_own_tangent_force")
+            moment = _about_axis(own) + rate + motion.omega.cross(momentum)
+            force = _combined(mass[i], [*linear, *turned])
+            found += [moment.note(f"{name}_moment"), force.note(f"{name}_force")]
         return found
 
     def energies(self, ends: Ends) -> tuple[Matrix, Matrix]:
@@ -63,9 +77,10 @@ class LinkedInertia(InertiaElement):
         one, two = (motion.omega for motion in motions)
         kinetic = one.T @ (inertia @ (one + two)) + two.T @ (inertia @ two)
         for i, rate in enumerate(rates):
-            kinetic = kinetic + rate.T @ _combined(mass[i], rates)
+            momentum = _combined(mass[i], rates).note(f"momentum_{WORDS[i]}")
+            kinetic = kinetic + rate.T @ momentum
         gravity = ends.vector(*GRAVITY)
-        weight = _combined(_column_sums(mass), _vectors(poses))
+        weight = _combined(_column_sums(mass), _vectors(poses)).note("first_moment")
         return kinetic * 0.5, -(gravity.T @ weight)
 
     def momentum(self, ends: Ends) -> Matrix:
@@ -74,10 +89,11 @@ class LinkedInertia(InertiaElement):
         rates, vectors = _rates(poses, motions), _vectors(poses)
         angular = Matrix.zeros(ends.graph, 3)
         for i, vector in enumerate(vectors):
-            angular = angular + vector.cross(_combined(mass[i], rates))
+            own = _combined(mass[i], rates).note(f"momentum_{WORDS[i]}")
+            angular = angular + vector.cross(own)
         for i, pose in enumerate(poses):
-            own = motions[i].omega + motions[1 - i].omega * 0.5
-            angular = angular + pose.rotation @ (inertia @ own)
+            own = inertia @ (motions[i].omega + motions[1 - i].omega * 0.5)
+            angular = angular + pose.rotation @ own.note(f"{NAMES[i]}_spin")
         return Matrix.vstack(angular, _combined(_column_sums(mass), rates))
 
 
@@ -92,13 +108,15 @@ def _mass(ends: Ends) -> list[list[Scalar]]:
     soft = ends.number("EI2") / ends.number("GA3") + ends.number("EI3") / ends.number("GA2")
     share = 1.0 / (1.0 + 6.0 * soft / (length * length))
     # integrals of the squares of 1, of what is odd, and of its product with the cubic
-    odd = 1 / 12 + share / 30.0 + share * share / 210.0
-    mixed = share / 120.0 + share * share / 420.0
-    cubic = share * share / 840.0
-    first, second = whole * length, whole * length * length
-    pp, pq = whole * (0.25 + odd), whole * (0.25 - odd)
+    odd = (1 / 12 + share.note("share") / 30.0 + share * share / 210.0).note("odd")
+    mixed = (share / 120.0 + share * share / 420.0).note("mixed")
+    cubic = (share * share / 840.0).note("cubic")
+    first, second = whole.note("mass") * length, whole * length * length
+    pp, pq = (whole * (0.25 + odd)).note("mass_pp"), (whole * (0.25 - odd)).note("mass_pq")
     pt, pu = first * (1 / 24 + mixed), first * (mixed - 1 / 24)
     tt, tu = second * (1 / 120 + cubic), second * (cubic - 1 / 120)
+    for entry, word in ((pt, "pt"), (pu, "pu"), (tt, "tt"), (tu, "tu")):
+        entry.note(f"mass_{word}")
     return [[pp, pq, pt, pu], [pq, pp, -pu, -pt], [pt, -pu, tt, tu], [pu, -pt, tu, tt]]
 
 
@@ -137,7 +155,7 @@ def _vectors(poses: list[Pose]) -> list[Matrix]:
 def _rates(poses: list[Pose], motions: list[Motion]) -> list[Matrix]:
     """Derivatives of p_1, p_2, t_1, t_2."""
     turning = [
-        pose.rotation @ motion.omega.cross(_axis(motion.omega))
-        for pose, motion in zip(poses, motions, strict=True)
+        (pose.rotation @ motion.omega.cross(_axis(motion.omega))).note(f"{name}_tangent_rate")
+        for pose, motion, name in zip(poses, motions, NAMES, strict=True)
     ]
     return [motion.velocity for motion in motions] + turning

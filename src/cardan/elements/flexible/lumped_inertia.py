@@ -15,7 +15,8 @@ from .section import GRAVITY
 class LumpedInertia(InertiaElement):
     """Half of the mass and of the moments of inertia at each end.
 
-    The quickest; second order, and frequencies come out too low.
+    The quickest, ``kinetic = sum of the ends of m v·v / 4 + omega·I omega / 4``; second order, and
+    frequencies come out too low.
 
     Source: T. J. R. Hughes, The Finite Element Method, 1987, section 7.3.
     """

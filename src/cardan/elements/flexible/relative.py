@@ -48,50 +48,61 @@ class Relative:
 
     @staticmethod
     def of(start: Pose, end: Pose) -> Relative:
-        """The pose of ``end`` seen from ``start``."""
+        """The pose of end 2 seen from end 1.
+
+        ``pose = theta, d: exp[theta] = R_1ᵀ R_2 = r, d = R_1ᵀ (p_2 - p_1)``; theta' = D rho.
+        """
+        start.rotation.graph.describe(Relative.of)
         turn, rotation = relative_rotation(start, end)
-        inverse = slopes(INVERSE_TANGENT, turn.dot(turn))
-        slope = carried_by(turn, Slopes(0.5), inverse)
-        position = start.rotation.T @ (end.position - start.position)
+        inverse = slopes(INVERSE_TANGENT, turn.dot(turn).note("theta_squared"), "a")
+        slope = carried_by(turn, Slopes(0.5), inverse).note("D")
+        apart = (end.position - start.position).note("apart")
+        position = (start.rotation.T @ apart).note("d")
         return Relative(start, end, turn, position, rotation, inverse, slope)
 
 
 def carried_by(turn: Matrix, first: Slopes, second: Slopes) -> Matrix:
     """U = 1 + first [theta] + second [theta]², (3, 3)."""
     g = turn.graph
-    square = turn.outer(turn) - Matrix.identity(g, 3) * turn.dot(turn)
+    square = (turn.outer(turn) - Matrix.identity(g, 3) * turn.dot(turn)).note("theta_skew_squared")
     return Matrix.identity(g, 3) + turn.skew * first.value + square * second.value
 
 
-def carried_slope(turn: Matrix, first: Slopes, second: Slopes, d: Matrix) -> Matrix:
-    """Derivative of U d by theta, (3, 3), with U of :func:`carried_by`."""
-    across = turn.cross(d)
-    twice = turn.cross(across)
-    along = Matrix.identity(turn.graph, 3) * turn.dot(d) + turn.outer(d) - d.outer(turn) * 2.0
+def carried_slope(
+    turn: Matrix, first: Slopes, second: Slopes, d: Matrix, word: str = "d"
+) -> Matrix:
+    """Derivative of U d by theta, (3, 3), with U of :func:`carried_by`; d is called ``word``."""
+    across = turn.cross(d).note(f"theta_cross_{word}")
+    twice = turn.cross(across).note(f"theta_cross_theta_cross_{word}")
+    along = Matrix.identity(turn.graph, 3) * turn.dot(d).note(f"theta_dot_{word}")
+    along = (along + turn.outer(d) - d.outer(turn) * 2.0).note(f"U_{word}_slope_along")
     change = across * (2.0 * first.first) + twice * (2.0 * second.first)
+    change = change.note(f"U_{word}_slope_by_squared")
     return along * second.value - d.skew * first.value + change.outer(turn)
 
 
 def carried_bend(turn: Matrix, first: Slopes, second: Slopes, d: Matrix, g: Matrix) -> Matrix:
     """Second derivative of g · U d by theta, symmetric (3, 3)."""
     identity = Matrix.identity(turn.graph, 3)
-    c = d.cross(g)
-    once, both = turn.dot(c), g.dot(d)
-    along_g, along_d = turn.dot(g), turn.dot(d)
-    twice = along_g * along_d - both * turn.dot(turn)
-    r = g * along_d + d * along_g - turn * (2.0 * both)
+    c = d.cross(g).note("d_cross_force")
+    once, both = turn.dot(c).note("theta_dot_d_cross_force"), g.dot(d).note("force_dot_d")
+    along_g, along_d = turn.dot(g).note("theta_dot_force"), turn.dot(d)
+    twice = (along_g * along_d - both * turn.dot(turn)).note("force_dot_theta_cross_theta_cross_d")
+    r = (g * along_d + d * along_g - turn * (2.0 * both)).note("bend_by_theta")
     # terms of slopes with theta at one side, those of second slopes at both
     side = c * (2.0 * first.first) + r * (2.0 * second.first)
     side = side + turn * (2.0 * (first.second * once + second.second * twice))
+    side = side.note("bend_side")
     round_about = 2.0 * (first.first * once + second.first * twice) - 2.0 * second.value * both
-    pair = g.outer(d) * second.value + turn.outer(side)
+    round_about.note("bend_diagonal")
+    pair = (g.outer(d) * second.value + turn.outer(side)).note("bend_pair")
     return pair + pair.T + identity * round_about
 
 
 def mean_axes(turn: Matrix) -> tuple[Slopes, Slopes]:
     """What U is made of where it turns from axes of end 1 to those halfway, exp(-theta/2)."""
     x = turn.dot(turn)
-    return -slopes(HALF_SINE, x), slopes(HALF_COSINE, x)
+    return -slopes(HALF_SINE, x, "half_sine"), slopes(HALF_COSINE, x, "half_cosine")
 
 
 @dataclass(frozen=True)
@@ -115,27 +126,35 @@ class Response:
 def forces(at: Relative, moment: Matrix, force: Matrix) -> list[Matrix]:
     """What the ends must be held with: moment and force on end 1, on end 2.
 
+    ``loads = [n x d - r m, -R_1 n, m, R_1 n]`` of m and n by rho and d.
+
     Moments are in axes of their end, forces in ground axes.
 
     Args:
         at: The relative pose.
         moment, force: What works along rho and along d (3, 1).
     """
-    held = at.start.rotation @ force
-    return [force.cross(at.position) - at.rotation @ moment, -held, moment, held]
+    force.graph.describe(forces)
+    held = (at.start.rotation @ force).note("force_on_end")
+    first = (force.cross(at.position) - at.rotation @ moment).note("moment_on_start")
+    return [first, -held, moment.note("moment_on_end"), held]
 
 
 def tangent(at: Relative, response: Response) -> list[list[Matrix]]:
-    """Derivatives of :func:`forces` along the increments of the ends: 4 x 4 blocks (3, 3)."""
+    """Derivatives of :func:`forces` along the increments of the ends: 4 x 4 blocks (3, 3).
+
+    ``tangent = d(loads) along theta_1, p_1, theta_2, p_2: rho = theta_2 - rᵀ theta_1``.
+    """
+    response.force.graph.describe(tangent)
     R, r, d = at.start.rotation, at.rotation, at.position.skew
     moment, _, _, _ = forces(at, response.moment, response.force)
     # columns of end 1: rho = -rᵀ theta_1, d changes by [d] theta_1
-    by_force = response.stretching @ d - response.mixed @ r.T
-    by_moment = response.mixed.T @ d - response.turning @ r.T
-    pp = R.congruence(response.stretching)
-    p2 = R @ response.mixed
-    p1 = R @ (by_force - response.force.skew)
-    inner = by_moment + response.moment.skew @ r.T
+    by_force = (response.stretching @ d - response.mixed @ r.T).note("force_by_start")
+    by_moment = (response.mixed.T @ d - response.turning @ r.T).note("moment_by_start")
+    pp = R.congruence(response.stretching).note("K_pp")
+    p2 = (R @ response.mixed).note("K_p2")
+    p1 = (R @ (by_force - response.force.skew).note("force_turned_by_start")).note("K_p1")
+    inner = (by_moment + response.moment.skew @ r.T).note("moment_turned_by_start")
     own = upper(response.force.skew @ d - r @ inner - d @ by_force, moment)
     return [
         [own, -p1.T, by_moment.T, p1.T],
@@ -154,11 +173,12 @@ def moved(at: Relative, increments: Sequence[Matrix], first: Slopes, second: Slo
         first, second: What U is made of, see :func:`carried_by`.
     """
     turn_1, move_1, turn_2, move_2 = increments
-    rho = turn_2 - at.rotation.T @ turn_1
-    d = at.start.rotation.T @ (move_2 - move_1) + at.position.cross(turn_1)
-    theta = at.slope @ rho
+    rho = (turn_2 - at.rotation.T @ turn_1).note("rho")
+    d = at.start.rotation.T @ (move_2 - move_1).note("apart_step") + at.position.cross(turn_1)
+    theta = (at.slope @ rho).note("theta_step")
     bent = carried_slope(at.turn, first, second, at.position)
-    return Matrix.vstack(theta, bent @ theta + carried_by(at.turn, first, second) @ d)
+    e = bent @ theta + carried_by(at.turn, first, second) @ d.note("d_step")
+    return Matrix.vstack(theta, e.note("e_step"))
 
 
 def upper(whole: Matrix, moment: Matrix) -> Matrix:

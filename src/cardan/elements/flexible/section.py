@@ -49,7 +49,8 @@ class Section:
         """From the data of an element that has ``SECTION`` and ``SHAPE``."""
         length = ends.number("length")
         strain = flat(ends, ends.vector(*SHAPE[1:]) + ends.vector(*FREE))
-        return Section(length, tuple(ends.vector(*STIFFNESS)), strain * length)
+        free = (strain * length).hint("", "free", SHAPE[1:])
+        return Section(length, tuple(ends.vector(*STIFFNESS)), free)
 
 
 def flat(ends: Ends, column: Matrix) -> Matrix:

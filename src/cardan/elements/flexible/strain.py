@@ -65,7 +65,8 @@ class Law:
 class Field(ABC):
     """Stress and strain of an element at a relative pose.
 
-    What it stores is y · s less an energy of the stress s alone, s · F s / 2 where it is linear.
+    What it stores is y · s less an energy of the stress s alone, s · F s / 2 where it is linear:
+    ``stress = s: F s = y, y = (theta, e) - free``.
 
     Attributes:
         strain: y (6, 1): (theta, e) less what it is without stress.
@@ -117,13 +118,22 @@ class StrainElement(FlexibleElement):
         """Stress and strain at a relative pose with the strain e."""
 
     def functions(self, ends: Ends) -> dict[str, Function]:
-        at = Relative.of(ends.pose(0), ends.pose(1))
-        first, second = self.measures(at)
-        field = self.field(ends, at, carried_strain(at, first, second))
-        law = field.law(field.solved(field.strain))
-        response = respond(at, first, second, law)
-        loads = forces(at, response.moment, response.force)
-        stiffness = ends.derivative(tangent(at, response), loads)
+        made_by = ends.graph.made_by
+        with made_by("", "pose"):
+            at = Relative.of(ends.pose(0), ends.pose(1))
+        with made_by("", "strain"):
+            first, second = self.measures(at)
+            e = carried_strain(at, first, second)
+        ends.graph.describe(Field)
+        with made_by("", "stress"):
+            field = self.field(ends, at, e)
+            law = field.law(field.solved(field.strain))
+        with made_by("", "response"):
+            response = respond(at, first, second, law)
+        with made_by("", "loads"):
+            loads = forces(at, response.moment, response.force)
+        with made_by("", "tangent"):
+            stiffness = ends.derivative(tangent(at, response), loads)
         found = {
             "balance": (balance(ends, ends.told(loads)),),
             "balance_tangent": (matrix(ends, "K", stiffness),),
@@ -140,17 +150,14 @@ class StrainElement(FlexibleElement):
         """Balance and tangent at a stress that is not yet that of the strain, and its increment."""
         first, second = self.measures(at)
         stress = unknown(ends)
-        gap, slope, law = (
-            field.strain - field.relaxed(stress),
-            field.slope(stress),
-            field.law(stress),
-        )
+        gap = (field.strain - field.relaxed(stress)).hint("", "gap", STRAINS)
+        slope, law = field.slope(stress), field.law(stress)
         response = respond(at, first, second, law)
         stiffness = ends.derivative(
             tangent(at, response), forces(at, response.moment, response.force)
         )
         # what the missing strain adds to the forces
-        added = slope.T @ field.solved(gap)
+        added = (slope.T @ field.solved(gap)).hint("", "added", STRESSES)
         whole = replace(
             law,
             moment=law.moment + added.block(slice(3)),
@@ -159,7 +166,8 @@ class StrainElement(FlexibleElement):
         held = respond(at, first, second, whole)
         loads = ends.told(forces(at, held.moment, held.force))
         change = moved(at, ends.increments(), first, second)
-        new = stress + field.solved(gap + slope @ change)
+        missing = (gap + slope @ change).hint("", "missing_strain", STRAINS)
+        new = stress + field.solved(missing)
         found = {
             "mixed": (balance(ends, loads), matrix(ends, "K", stiffness)),
             "mixed_step": (increment(new),),
@@ -202,29 +210,35 @@ def increment(stress: Matrix) -> Output:
 
 
 def carried_strain(at: Relative, first: Slopes, second: Slopes) -> Matrix:
-    """e (3, 1) [m]."""
-    return carried_by(at.turn, first, second) @ at.position
+    """e (3, 1) [m]: ``strain = e: U d, U = 1 + first [theta] + second [theta]²``."""
+    at.turn.graph.describe(carried_strain)
+    return (carried_by(at.turn, first, second).note("U") @ at.position).note("e")
 
 
 def respond(at: Relative, first: Slopes, second: Slopes, law: Law) -> Response:
-    """Force and tangent in the increments of the relative pose."""
+    """Force and tangent in the increments of the relative pose.
+
+    ``response = m, n: Dᵀ (by_theta + e_by_thetaᵀ by_e), Uᵀ by_e`` and their derivatives.
+    """
+    at.turn.graph.describe(respond)
     turn, d, slope = at.turn, at.position, at.slope
-    carried = carried_by(turn, first, second)
-    bent = carried_slope(turn, first, second, d)
+    carried = carried_by(turn, first, second).note("U")
+    bent = carried_slope(turn, first, second, d).note("e_by_theta")
     # derivatives by theta and d
-    by_theta = law.moment + bent.T @ law.force
-    force = carried.T @ law.force
+    by_theta = (law.moment + bent.T @ law.force).note("by_theta")
+    force = (carried.T @ law.force).note("by_d")
     theta_theta, theta_e, e_e = law.tangent
-    across = theta_e + bent.T @ e_e
-    stretching = carried.T.congruence(e_e)
-    bend = carried_bend(turn, first, second, d, law.force)
-    both = mirrored(theta_theta + theta_e @ bent + (across @ bent).T + bend)
-    mixed = (across @ carried).T + carried_slope(turn, -first, second, law.force)
+    across = (theta_e + bent.T @ e_e).note("across")
+    stretching = carried.T.congruence(e_e).note("by_d_d")
+    bend = carried_bend(turn, first, second, d, law.force).note("bend")
+    both = mirrored(theta_theta + theta_e @ bent + (across @ bent).T + bend).note("by_theta_theta")
+    mixed = (across @ carried).T + carried_slope(turn, -first, second, law.force, "n")
     # theta changes by D rho, and D with it
-    moment = slope.T @ by_theta
-    turned = slope.T @ both + carried_slope(turn, Slopes(-0.5), at.inverse, by_theta)
-    turning = upper(turned @ slope, moment)
-    return Response(moment, force, turning, mixed @ slope, stretching)
+    moment = (slope.T @ by_theta).note("by_rho")
+    turned = slope.T @ both + carried_slope(turn, Slopes(-0.5), at.inverse, by_theta, "by_theta")
+    turning = upper(turned.note("by_theta_rho") @ slope, moment).note("by_rho_rho")
+    mixed = (mixed.note("by_d_theta") @ slope).note("by_d_rho")
+    return Response(moment, force, turning, mixed, stretching)
 
 
 @dataclass(frozen=True)

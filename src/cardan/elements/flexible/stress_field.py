@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from ...ir.graph import SystemNames
 from ...ir.matrix import Matrix
-from ...ir.solve import ltl, substitute
-from .ends import Ends
+from ...ir.solve import factored, substitute
+from .ends import STRESSES, Ends
 from .relative import mirrored
 from .section import Section, diagonal
-from .strain import Field, Law
+from .strain import STRAINS, Field, Law
 
 
 @dataclass(frozen=True)
@@ -52,16 +53,17 @@ class Varying(Field):
         # a twelfth of the compliance counts where the stress varies
         c, twelfth = diagonal(g, entries), diagonal(g, [x / 12.0 for x in entries])
         change = _blocks(theta.skew, e.skew, Matrix.zeros(g, 3, 3), theta.skew)
-        flexibility = c + change.T.congruence(twelfth)
-        strain, whole = Matrix.vstack(theta, e) - section.free, None
+        flexibility = (c.note("c") + change.T.congruence(twelfth.note("twelfth"))).note("F")
+        strain, whole = (Matrix.vstack(theta, e) - section.free).hint("", "y", STRAINS), None
         if load is not None:
             whole = Matrix.vstack(Matrix.zeros(g, 3), load * section.length)
             strain = strain - change.T @ (twelfth @ whole)
-        return Varying(strain, section, e, whole, c, twelfth, change, flexibility, ltl(flexibility))
+        factors = factored(flexibility, SystemNames("F", STRESSES, ()))
+        return Varying(strain, section, e, whole, c, twelfth, change, flexibility, factors)
 
     def _varied(self, stress: Matrix) -> Matrix:
         """t (6, 1)."""
-        varied = self.change @ stress
+        varied = (self.change @ stress).hint("", "t", STRESSES)
         return varied if self.load is None else varied + self.load
 
     def relaxed(self, stress: Matrix) -> Matrix:
@@ -69,29 +71,31 @@ class Varying(Field):
 
     def solved(self, right: Matrix) -> Matrix:
         g = right.graph
-        return Matrix(g, 6, 1, substitute(*self.factors, g, list(right.nodes)))
+        nodes = substitute(*self.factors, g, list(right.nodes))
+        return Matrix(g, 6, 1, nodes).hint("", "s", STRESSES)
 
     def slope(self, stress: Matrix) -> Matrix:
         g = stress.graph
-        tau = self.twelfth @ self._varied(stress)
+        tau = (self.twelfth @ self._varied(stress)).hint("", "tau", STRAINS)
         t1, t2 = tau.block(slice(3)).skew, tau.block(slice(3, 6)).skew
         direct = _blocks(t1, Matrix.zeros(g, 3, 3), t2, t1)
-        return Matrix.identity(g, 6) - direct - self.change.T @ (self.twelfth @ _turned(stress))
+        varied = (self.twelfth @ _turned(stress)).note("tau_by_strain")
+        return (Matrix.identity(g, 6) - direct - self.change.T @ varied).note("B")
 
     def law(self, stress: Matrix) -> Law:
         g, turned = stress.graph, _turned(stress)
         m, n = stress.block(slice(3)), stress.block(slice(3, 6))
         varied = self._varied(stress)
-        tau = self.twelfth @ varied
+        tau = (self.twelfth @ varied).hint("", "tau", STRAINS)
         t1, t2 = tau.block(slice(3)), tau.block(slice(3, 6))
-        bend = mirrored(turned.T @ (self.twelfth @ turned))
+        bend = mirrored(turned.T @ (self.twelfth @ turned).note("tau_by_strain")).note("t_bend")
         tangent = _condensed(*self.factors, self.slope(stress), bend)
         middle, half = self._at_ends(stress), varied * 0.5
         ends = (middle + half, middle - half)
         elastic = diagonal(g, [1.0 / x for x in self.section.stiffness])
         return Law(
-            m - m.cross(t1) - n.cross(t2),
-            n - n.cross(t1),
+            (m - m.cross(t1) - n.cross(t2)).note("m"),
+            (n - n.cross(t1)).note("n"),
             tangent,
             (stress.T @ (self.compliance @ stress) + tau.T @ self._stored(varied)) * 0.5,
             ends,
@@ -108,7 +112,7 @@ class Varying(Field):
         """Derivative of the strain, less F s, by the force per length (6, 3)."""
         g = self.strain.graph
         theta, yielding = self.change.block(slice(3), slice(3)), self._yielding
-        return Matrix.vstack(Matrix.zeros(g, 3, 3), theta @ yielding)
+        return Matrix.vstack(Matrix.zeros(g, 3, 3), theta @ yielding).note("strain_by_load")
 
     @property
     def _yielding(self) -> Matrix:
@@ -118,7 +122,7 @@ class Varying(Field):
     def load_slopes(self, stress: Matrix) -> tuple[Matrix, Matrix]:
         """Second derivatives of the energy by strain and force (6, 3), by force (3, 3)."""
         n, change = stress.block(slice(3, 6)), self.by_force
-        solved = Matrix.hstack(*(self.solved(change.column(j)) for j in range(3)))
+        solved = Matrix.hstack(*(self.solved(change.column(j)) for j in range(3))).note("s_by_load")
         direct = Matrix.vstack(-(n.skew @ self._yielding), Matrix.zeros(stress.graph, 3, 3))
         both = change.T @ solved - self._yielding * self.section.length
         return direct + self.slope(stress).T @ solved, mirrored(both)
@@ -153,9 +157,9 @@ def _condensed(
             for i in range(k):
                 x[i] = g.sub(x[i], g.mul(lower[k][i], x[k]))
         columns.append(x)
-    left = Matrix(g, n, n, [x for column in columns for x in column])
+    left = Matrix(g, n, n, [x for column in columns for x in column]).note("LB")
     scaled = [g.mul(d, x) for column in columns for d, x in zip(inverse, column, strict=True)]
-    whole = mirrored(left @ Matrix(g, n, n, scaled).T - bend)
+    whole = mirrored(left @ Matrix(g, n, n, scaled).note("DLB").T - bend).note("by_strain_strain")
     upper, below = slice(3), slice(3, 6)
     return whole.block(upper, upper), whole.block(upper, below), whole.block(below, below)
 

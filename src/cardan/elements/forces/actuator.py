@@ -19,7 +19,7 @@ from .force import Action, ForceElement, JointLoad, Places
 class Actuator(ForceElement):
     """A motor or cylinder on a joint whose force follows the command with a first-order lag.
 
-    lag d(force)/dt = command - force; the joint feels the force, cut off at +-limit.
+    lag d(force)/dt = command - force; the joint feels ``force = state cut off at +-limit``.
 
     Args:
         joint: Name of a joint with one speed.

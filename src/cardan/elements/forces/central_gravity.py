@@ -17,7 +17,7 @@ from .gravitation import Gravitation
 class CentralGravity(Gravitation):
     """The pull mu m / r^2 of a point or of a spherical planet on the mass centres of bodies.
 
-    On each body, fixed ones included, the force -mu m r / r^3 acts at its centre of mass, and its
+    On each body, fixed ones included, ``force = -mu m r / r^3`` acts at its centre of mass, and its
     opposite at the centre of the field: where that is on a body that moves, both attract each
     other. The uniform gravity of the scene acts besides; ``gravity=(0, 0, 0)`` leaves it out. What
     the extent of bodies adds is a :class:`GravityGradient`.

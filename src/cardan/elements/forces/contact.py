@@ -22,7 +22,7 @@ UNDECIDED, APART, TOUCHING = 0, 1, 2
 class Contact(ForceElement):
     """A sphere that is pressed against a plane, or against another sphere, with friction.
 
-    The normal force is stiffness d^exponent (1 + damping d') as long as that pushes, d being how
+    The normal ``force = stiffness d^exponent (1 + damping d')`` as long as that pushes, d being how
     deep the two overlap; friction is mu times it against the sliding velocity v, smoothed as
     v / sqrt(v^2 + slip^2). Touching and parting are events, so that no step goes over them.
 

@@ -21,7 +21,8 @@ from .force import Action, ForceElement, JointLoad, Places
 class Controller(ForceElement):
     """Feedback: a force on a joint from what is measured and from states of the controller.
 
-    Continuous (``sample`` left out): d(states)/dt = changes, and the force follows at once.
+    Continuous (``sample`` left out): d(states)/dt = changes, and the force follows at once,
+    ``force = expression in states, coordinates, speeds, inputs, t``.
     Sampled: every ``sample`` seconds the force is computed, then the states become ``changes``;
     both are held in between, as a digital controller does. Without a joint the states alone are
     computed, for other elements and outputs as ``scene.state("name.state")``.

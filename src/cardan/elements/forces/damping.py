@@ -11,7 +11,7 @@ from .force import Action, ForceElement, JointLoad, Places
 
 @dataclass(frozen=True)
 class Damping(ForceElement):
-    """Viscous damping along all speeds of a joint: -damping u.
+    """Viscous damping along all speeds of a joint: ``force = -damping u``.
 
     Args:
         joint: Name of the joint.

@@ -29,8 +29,8 @@ class Drive(ForceElement):
     Rigid and not gyroscopic, the rotor adds ratio^2 inertia to the joint and no more. With
     ``gyroscopic`` it is a body that turns in the joint's parent and feels the parent's motion.
     With ``stiffness`` gear and shaft are elastic: the rotor is a body with a coordinate
-    ``<drive>.rotor`` (gyroscopic coupling included) and the joint torque is
-    stiffness (rotor / ratio - q) + damping (its rate).
+    ``<drive>.rotor`` (gyroscopic coupling included) and
+    ``torque = stiffness (rotor / ratio - q) + damping (its rate)`` acts on the joint.
 
     Args:
         joint: Name of a joint with one coordinate.

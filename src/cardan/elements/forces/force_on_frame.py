@@ -12,7 +12,7 @@ from .force import Action, ForceElement, Load, Places
 
 @dataclass(frozen=True)
 class Force(ForceElement):
-    """A force at the origin of a frame.
+    """A force at the origin of a frame, ``force = R (its components) at the origin``.
 
     Args:
         frame: Body or frame it acts on; ``body.at(x, y, z)`` for a point.

@@ -25,8 +25,9 @@ class Friction(ForceElement):
     """Coulomb friction along a joint, with true sticking: while it sticks the joint is held.
 
     Sliding at the speed v against the surface, the joint feels
-    -sign(v) (coulomb + (static - coulomb) exp(-(v/stribeck)^2)) - viscous v. At v = 0 it sticks
-    for as long as that takes no more than ``static``. Beginning and end of sticking are events.
+    ``force = -sign(v) (coulomb + (static - coulomb) exp(-(v/stribeck)^2)) - viscous v``. At v = 0
+    it sticks for as long as that takes no more than ``static``. Beginning and end of sticking are
+    events.
     With ``smooth`` there are none: sign(v) becomes tanh(v/smooth), and nothing ever sticks.
 
     Args:
@@ -156,7 +157,7 @@ class Friction(ForceElement):
         mode = at.s[0]
         sign = select((v * 0).apply("lt", v), 1, select(v.apply("lt", 0.0), -1, 0))
         sliding = select(mode.apply("eq", float(STICKING)), 0, mode)
-        return select(mode.apply("eq", float(UNDECIDED)), sign, sliding)
+        return select(mode.apply("eq", float(UNDECIDED)), sign, sliding).note("direction")
 
     def paired(self) -> bool:
         return True
@@ -212,18 +213,20 @@ class Friction(ForceElement):
             return Change()
         mode, v = at.s[0], self._speed(at)
         behind = jumped.after(v)
-        along = select((behind * 0).apply("lt", behind), FORWARD, BACKWARD)
+        along = select((behind * 0).apply("lt", behind), FORWARD, BACKWARD).note("along")
         # coming to rest: it sticks where friction can take all of what accelerates it
-        response = jumped.response(v)
+        response = jumped.response(v).note("response")
         rate = jumped.before.derivative(v) + response * self._sliding(at) * self._direction(at)
+        rate.note("rate")
         bears = (rate.apply("abs") - response * self._most(at)).apply("le", 0.0)
         turned = select((rate * 0).apply("lt", rate), FORWARD, BACKWARD)
         # or found sliding at the start
         moves = (v * 0).apply("lt", v.apply("abs")).apply("and", mode.apply("eq", float(UNDECIDED)))
-        stopped = select(moves, along, select(bears, STICKING, turned))
+        stopped = select(moves, along, select(bears, STICKING, turned)).note("stopped")
         # sticking gives way to what pushes against it
         pushed = select(jumped.before.held[0].apply("lt", 0.0), FORWARD, BACKWARD)
         changed = select(jumped.fired(0), stopped, select(jumped.fired(1), pushed, mode))
+        changed.note("unless_struck")
         # impacts, elsewhere too, tear it loose, turn it round or bring it to rest
         struck = (LOOSE * (1 + behind.apply("abs"))).apply("lt", (behind - v).apply("abs"))
         rest = behind.apply("abs").apply("le", LOOSE * (1 + v.apply("abs")))

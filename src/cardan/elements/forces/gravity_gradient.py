@@ -15,7 +15,7 @@ from .gravitation import Gravitation
 
 @dataclass(frozen=True)
 class GravityGradient(Gravitation):
-    """The torque 3 mu / r^5 r x I r of a central field on bodies, and the force that goes with it.
+    """The ``torque = 3 mu / r^5 r x I r`` of a central field on bodies, and the force with it.
 
     These are the terms of second order in size / r; those of order 0 are :class:`CentralGravity`,
     which acts besides where the place of the bodies is not prescribed. Torque and force have the

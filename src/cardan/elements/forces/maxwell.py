@@ -20,12 +20,10 @@ from .line import between, direction
 class Maxwell(ForceElement):
     """A spring in series with a damper between two frames: a strut that gives way in time.
 
-    The length of the damper is a state ``<name>.flow``, and
-
-        force = stiffness (distance - length - flow),   damping d(flow)/dt = force
-
-    pull the frames together where positive. What it takes, stores and gives back is its work in the
-    ledger. Beside a :class:`SpringDamper` it makes a standard linear solid.
+    The length of the damper is a state ``<name>.flow``: damping d(flow)/dt = force, and
+    ``force = stiffness (distance - length - flow)`` pulls the frames together where positive. What
+    it takes, stores and gives back is its work in the ledger. Beside a :class:`SpringDamper` it
+    makes a standard linear solid.
 
     Args:
         frame_a, frame_b: Frames or bodies at its ends.

@@ -15,7 +15,7 @@ from .line import between, direction
 class SpringDamper(ForceElement):
     """A straight spring with a damper in parallel between the origins of two frames.
 
-    The force along the line is stiffness (distance - length) + damping d(distance)/dt, pulling the
+    Along the line ``force = stiffness (distance - length) + damping d(distance)/dt``, pulling the
     frames together where positive. Where the points meet it has no direction and is zero, unless
     the free length is zero: then the spring is smooth there. A start with a force there is warned
     of.

@@ -107,7 +107,7 @@ class Stop(ForceElement):
 
     def impulses(self, at: Places, jumped: Jumped) -> tuple[Impulse, ...]:
         v, settle, found = self._of_joint(at)[1], at.data["settle"][0], []
-        for event, (_, side) in enumerate(self._sides):
+        for event, (name, side) in enumerate(self._sides):
             # away from the stop
             leaving = v * -side
             bounce = -(leaving * at.data["restitution"][0])
@@ -115,13 +115,14 @@ class Stop(ForceElement):
             after = select(leaving.apply("lt", 0.0), after, leaving)
             lying = at.s[0].apply("eq", float(side))
             active = select(lying, 1, jumped.fired(event))
-            found.append(Impulse(leaving, select(lying, 0, after), active, unilateral=True))
+            after = select(lying, 0, after).note(f"{name}_after")
+            found.append(Impulse(leaving, after, active, unilateral=True))
         return tuple(found)
 
     def change(self, at: Places, jumped: Jumped) -> Change:
         v, mode = self._of_joint(at)[1], at.s[0]
         behind = jumped.after(v)
-        none = (behind.apply("abs") - v.apply("abs") * NONE).apply("le", NONE)
+        none = (behind.apply("abs") - v.apply("abs") * NONE).apply("le", NONE).note("at_rest")
         # what lies there is torn off by impacts elsewhere only
         changed = select(mode.apply("eq", float(FREE)), FREE, select(none, mode, FREE))
         for event, (_, side) in enumerate(self._sides):

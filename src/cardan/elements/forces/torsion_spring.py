@@ -14,7 +14,7 @@ from .force import Action, ForceElement, JointLoad, Places, constant, one_coordi
 class TorsionSpring(ForceElement):
     """A spring with a damper in parallel along the coordinate of a joint.
 
-    The generalized force is -stiffness (q - rest) - damping u.
+    The generalized ``force = -stiffness (q - rest) - damping u``.
 
     Args:
         joint: Name of a joint with one coordinate, turning or sliding.

@@ -82,7 +82,13 @@ def _refuse_coupled(k: Kinematics) -> None:
 
 
 def _inward(k: Kinematics, tau: Matrix, loads: Loads, known: Accelerations) -> list[Elimination]:
-    """Articulated inertias from the leaves to the ground, eliminating each joint's speeds."""
+    """Articulated inertias from the leaves to the ground, eliminating each joint's speeds.
+
+    ``articulated = I + sum Xᵀ (I_A - U D⁻¹ Uᵀ)_child X`` of the children, with
+    ``elimination = U, D: U = I_A S, D = Sᵀ U``,
+    ``free = D⁻¹ (tau + f - Sᵀ bias)`` and ``gain = D⁻¹ Uᵀ``.
+    """
+    k.graph.describe(_inward)
     n = len(k.system.bodies)
     sums = Sums(k, ("I", "H", "M", "bias"), [_rigid(k, i, loads, known).parts for i in range(n)])
     eliminations: dict[int, Elimination] = {}
@@ -206,7 +212,11 @@ def _symmetric(a: Matrix, b: Matrix) -> Matrix:
 
 
 def _outward(k: Kinematics, eliminations: list[Elimination]) -> Matrix:
-    """What udot adds to the accelerations of the bodies, and the udot they leave to the joints."""
+    """What udot adds to the accelerations of the bodies, and the udot they leave to the joints.
+
+    ``udot = free - gain X reached_parent``, ``reached = X reached_parent + S udot``.
+    """
+    k.graph.describe(_outward)
     g, reached = k.graph, list[Matrix]()
     udot = [ZERO] * k.system.nu
     for i, elimination in enumerate(eliminations):

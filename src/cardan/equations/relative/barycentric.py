@@ -50,7 +50,8 @@ class Augmented:
 
 
 def augmented(k: Kinematics) -> list[Augmented]:
-    """The augmented bodies of a tree."""
+    """The augmented bodies of a tree, ``augmented = body + carried masses m_n at p_n``."""
+    k.graph.describe(augmented)
     own = [of_body(k, i) for i in range(len(k.system.bodies))]
     mass = [inertia.mass for inertia in own]
     moment, tensor = [x.moment for x in own], [x.tensor for x in own]
@@ -111,7 +112,11 @@ class Course:
 
 
 def _course(k: Kinematics, along: list[Matrix], gravity: Matrix, moving: bool) -> Course:
-    """The accelerations at given ones along the speeds of the joints."""
+    """The accelerations at given ones along the speeds of the joints.
+
+    ``course = alpha, U, a: Rᵀ alpha_parent + S_w udot + c_w, ...`` of every body.
+    """
+    k.graph.describe(_course)
     found = Course([], [], [], [])
     for i, (body, joint) in enumerate(zip(k.system.bodies, k.joints, strict=True)):
         with k.graph.made_by(k.owner(i), "course"):
@@ -136,7 +141,8 @@ def _course(k: Kinematics, along: list[Matrix], gravity: Matrix, moving: bool) -
 def _balance(
     k: Kinematics, along: list[Matrix], loads: Loads, gravity: Matrix, moving: bool
 ) -> Matrix:
-    """M udot + h - f (nu, 1) for given accelerations along the speeds of the joints."""
+    """M udot + h - f (nu, 1) for given accelerations, ``balance = S . [N; F]``."""
+    k.graph.describe(_balance)
     g, bodies = k.graph, augmented(k)
     course = _course(k, along, gravity, moving)
     N, F = list[Matrix](), list[Matrix]()

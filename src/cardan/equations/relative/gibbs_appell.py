@@ -35,7 +35,11 @@ def _udot(k: Kinematics) -> Matrix:
 
 
 def gibbs(k: Kinematics, loads: Loads, gravity: Matrix, moving: bool = True) -> Scalar:
-    """G as a function of ``_udot``; without ``moving`` speeds and prescribed motions rest."""
+    """G as a function of ``_udot``; without ``moving`` speeds and prescribed motions rest.
+
+    ``gibbs = sum of 1/2 m a·a + 1/2 alpha·I alpha + a·(alpha x h + omega x (omega x h)) + ...``.
+    """
+    k.graph.describe(gibbs)
     g, total = k.graph, Scalar(k.graph, ZERO)
     for i in range(len(k.system.bodies)):
         inertia, omega, v = of_body(k, i), k.omega[i], k.v[i]

@@ -19,7 +19,8 @@ from .formalism import Formalism, within_bodies
 
 
 def mass_matrix(k: Kinematics, loads: Loads) -> Matrix:
-    """M (nu, nu): M_rs = sum over bodies of partial momentum s on partial velocity r."""
+    """M (nu, nu): ``M = sum over bodies of partial velocity r . partial momentum s``."""
+    k.graph.describe(mass_matrix)
     g, nu = k.graph, k.system.nu
     lower = [[ZERO] * nu for _ in range(nu)]
     for i, partial in enumerate(partials(k)):
@@ -45,9 +46,11 @@ def mass_matrix(k: Kinematics, loads: Loads) -> Matrix:
 def bias(k: Kinematics, loads: Loads, gravity: Matrix, moving: bool = True) -> Matrix:
     """h (nu, 1): inertia forces at udot = 0 and gravity, projected on the partial velocities.
 
+    ``h = sum over bodies of partial velocity r . rate of momentum at udot = 0``.
     With ``moving`` False the speeds and prescribed motions rest and only gravity is left.
     """
     g, nu = k.graph, k.system.nu
+    g.describe(bias)
     total = [ZERO] * nu
     for i, partial in enumerate(partials(k)):
         inertia = of_body(k, i)

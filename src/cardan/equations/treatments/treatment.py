@@ -19,10 +19,12 @@ LARGEST = 1e100
 
 @dataclass(frozen=True)
 class Labels:
-    """Names for what is about speeds and about constraints, for the reader."""
+    """Names for the reader: of speeds, constraints, and the system for the multipliers."""
 
     speeds: tuple[str, ...] = ()
     rows: tuple[str, ...] = ()
+    system: str = "circuit"
+    right: str = "free_gamma"
 
 
 @dataclass(frozen=True)
@@ -73,21 +75,26 @@ class Treatment(HasSource, ABC):
 def by_multipliers(bound: Bound, gamma: Matrix, compliance: float = 0.0) -> tuple[Matrix, Matrix]:
     """udot and lam with G udot + compliance lam = gamma, column by column of drive and gamma.
 
-    M is eliminated in static order; what is left for the multipliers is factored with pivoting.
+    M is eliminated in static order, ``factor = L, D: M = Lᵀ D L, free_udot = M⁻¹ drive,
+    response = M⁻¹ Gᵀ``; what is left, circuit = G response, is factored with pivoting for
+    ``multipliers = circuit⁻¹ (gamma - G free_udot)``; then
+    ``udot = free_udot + response multipliers``.
     """
+    bound.mass.graph.describe(by_multipliers)
     G, count, labels = bound.jacobian, bound.drive.columns, bound.labels
     names = SystemNames("M", labels.speeds, ("free",) * (count == 1) + labels.rows)
-    both = solve("spd", bound.mass, Matrix.hstack(bound.drive, G.T), names)
+    with G.graph.made_by("constraints", "factor"):
+        both = solve("spd", bound.mass, Matrix.hstack(bound.drive, G.T), names)
     rows = slice(0, both.rows)
     free, answers = both.block(rows, slice(0, count)), both.block(rows, slice(count, both.columns))
     circuit, right = (G @ answers).mirrored, gamma - G @ free
     for row, name in enumerate(labels.rows):
         answers.column(row).hint(name, "response", labels.speeds)
-        circuit.block(slice(row, row + 1)).hint("circuit", name, labels.rows[: row + 1])
+        circuit.block(slice(row, row + 1)).hint(labels.system, name, labels.rows[: row + 1])
     if count == 1:
         free.hint("free_udot", "", labels.speeds)
-        right.hint("free_gamma", "", labels.rows)
-    names = SystemNames("circuit", labels.rows, ("lam",))
+        right.hint(labels.right, "", labels.rows)
+    names = SystemNames(labels.system, labels.rows, ("lam",))
     if compliance:
         circuit = circuit + Matrix.identity(G.graph, G.rows) * compliance
         lam = solve("spd", circuit, right, names)

@@ -143,8 +143,12 @@ def _of_body(graph: Graph, body: Body, second: bool) -> Ten:
 
 
 def _with(body: Body, first: Ten, second: Ten) -> Body:
-    """The body with regrouped numbers, which are called what they are."""
+    """The body with regrouped numbers, which are called what they are.
+
+    ``base = inertia + what the joints outboard do not feel of theirs - what its own does not``.
+    """
     name = body.name
+    first.tensor.graph.describe(_with)
     first.tensor.graph.label(first.mass.node, name, "base_mass")
     first.moment.label(name, "base_moment")
     first.tensor.label(name, "base_inertia", CELLS)
