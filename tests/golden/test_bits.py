@@ -28,7 +28,8 @@ CASES = [
 def inputs(model: cd.CompiledModel) -> list[dict[str, np.ndarray]]:
     """Blocks at random states."""
     rng = np.random.default_rng(11)
-    start = {"t": np.array([0.3]), "p": model.parameters.vector, "r": model._layout.start("r")}
+    start = {"t": np.array([0.3]), "p": model.parameters.vector}
+    start |= {block: model._layout.start(block) for block in "rzs"}
     found = []
     for x in model.random_state(rng, (STATES,)):
         q, u = model.split(x)
