@@ -34,8 +34,8 @@
  */
 #include "run.h"
 
-/* The next piece of a block; a NULL block is only measured. */
-static real *piece(real *block, size_t *used, ptrdiff_t size)
+/* Reserve the next part of a block; a NULL block is only measured. */
+static real *reserve(real *block, size_t *used, ptrdiff_t size)
 {
     real *start = block ? block + *used : NULL;
 
@@ -48,24 +48,24 @@ static size_t lay(cardan_run *run, real *block, size_t rest, size_t work)
 {
     size_t used = 0;
 
-    run->y = piece(block, &used, run->n);
-    run->y_old = piece(block, &used, run->n);
-    run->trial = piece(block, &used, run->n);
-    run->f = piece(block, &used, run->n);
-    run->k = piece(block, &used, run->stages * run->n);
-    run->spread = piece(block, &used, run->dense_rows * run->n);
-    run->r = piece(block, &used, run->nr);
-    run->s = piece(block, &used, run->ns);
-    run->at_rest = piece(block, &used, (ptrdiff_t)rest);
-    run->work = piece(block, &used, (ptrdiff_t)work);
-    run->closing = piece(block, &used, cardan_closing_length(run));
-    run->chart = piece(block, &used, cardan_chart_length(run));
-    run->holding = piece(block, &used, cardan_hold_length(run));
-    run->passing = piece(block, &used, cardan_passing_length(run));
-    run->own = piece(block, &used, run->length(run));
-    run->e = piece(block, &used, run->ne + run->watched);
-    run->board = piece(block, &used, cardan_board_length(run));
-    run->ledger = piece(block, &used, 4 * (run->positions + run->rates));
+    run->y = reserve(block, &used, run->n);
+    run->y_old = reserve(block, &used, run->n);
+    run->trial = reserve(block, &used, run->n);
+    run->f = reserve(block, &used, run->n);
+    run->k = reserve(block, &used, run->stages * run->n);
+    run->spread = reserve(block, &used, run->dense_rows * run->n);
+    run->r = reserve(block, &used, run->nr);
+    run->s = reserve(block, &used, run->ns);
+    run->at_rest = reserve(block, &used, (ptrdiff_t)rest);
+    run->work = reserve(block, &used, (ptrdiff_t)work);
+    run->closing = reserve(block, &used, cardan_closing_length(run));
+    run->chart = reserve(block, &used, cardan_chart_length(run));
+    run->holding = reserve(block, &used, cardan_hold_length(run));
+    run->passing = reserve(block, &used, cardan_passing_length(run));
+    run->own = reserve(block, &used, run->length(run));
+    run->e = reserve(block, &used, run->ne + run->watched);
+    run->board = reserve(block, &used, cardan_board_length(run));
+    run->ledger = reserve(block, &used, 4 * (run->positions + run->rates));
     return used;
 }
 

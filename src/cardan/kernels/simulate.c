@@ -16,8 +16,8 @@ typedef struct block {
     cardan_tick *ticks;
 } block;
 
-/* The next piece of a memory; where that is NULL it is only measured. */
-static void *piece(char *memory, size_t *used, size_t size)
+/* Reserve the next part of a memory; where that is NULL it is only measured. */
+static void *reserve(char *memory, size_t *used, size_t size)
 {
     void *start = memory ? memory + *used : NULL;
 
@@ -107,12 +107,12 @@ static size_t lay(const cardan_export *model, char *memory, cardan_run *run, blo
     size_t used = 0;
 
     /* what is connected decides how much the run takes */
-    at->prepared = piece(memory, &used, cardan_prepared_size(model));
+    at->prepared = reserve(memory, &used, cardan_prepared_size(model));
     connect(model, at->prepared, run);
-    at->options = piece(memory, &used, OPTIONS * sizeof(real));
-    at->log = piece(memory, &used, (size_t)(run->log_capacity * width) * sizeof(real));
-    at->ticks = piece(memory, &used, (size_t)run->tick_count * sizeof(cardan_tick));
-    at->memory = piece(memory, &used, cardan_run_length(run, rest, work) * sizeof(real));
+    at->options = reserve(memory, &used, OPTIONS * sizeof(real));
+    at->log = reserve(memory, &used, (size_t)(run->log_capacity * width) * sizeof(real));
+    at->ticks = reserve(memory, &used, (size_t)run->tick_count * sizeof(cardan_tick));
+    at->memory = reserve(memory, &used, cardan_run_length(run, rest, work) * sizeof(real));
     return used;
 }
 
