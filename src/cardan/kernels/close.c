@@ -213,8 +213,9 @@ int cardan_close(cardan_run *run, real t, real *y, int noted)
     return status;
 }
 
-/* Project states x (count, nx), each at its time t, with its inputs r and discrete states s; where
- * one does not close it stays what it was. */
+/* Project states x (count, nx), each at its time t, with its inputs r and discrete states s. Where
+ * positions do not close a state stays what it was; rates that contradict each other, as rounded
+ * lengths make them, leave speeds as near as they come. */
 void cardan_close_states(cardan_run *run, ptrdiff_t count, const real *t, real *x, const real *r,
                          const real *s)
 {
@@ -223,7 +224,8 @@ void cardan_close_states(cardan_run *run, ptrdiff_t count, const real *t, real *
     for (ptrdiff_t i = 0; i < count && run->stop == 0; i++, x += run->nx) {
         copy(run->r, r + i * run->nr, run->nr);
         copy(run->s, s + i * run->ns, run->ns);
-        if (cardan_close(run, t[i], x, 0) != 0)
+        const int status = cardan_close(run, t[i], x, 0);
+        if (status == CARDAN_MODEL || (status != 0 && run->open_row < run->positions))
             copy(x, given, run->nx);
     }
 }
