@@ -9,18 +9,20 @@ from __future__ import annotations
 import copy
 from collections.abc import Callable, Iterable, Mapping
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..errors import ModelError
 from ..runtime.closing import Closing, columns_of, size_of
-from ..runtime.compiled import CompiledModel
 from ..runtime.initial import entries
 from ..runtime.rotations import unit
 from ..runtime.states import random_state
 from .connection import Connection, connect
+
+if TYPE_CHECKING:
+    from ..runtime.compiled import CompiledModel
 
 Array = NDArray[np.float64]
 REACHED = 1e-9  # beyond limits that counts as on them

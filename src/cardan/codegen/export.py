@@ -102,7 +102,7 @@ def _texts(data: dict[str, Any], wanted: Wanted, content: Content) -> dict[str, 
         "functions.h": header.prototypes(data["name"], functions, headers, content.declared),
         "model.c": model_file.text(data, content, methods),
         "example.c": f"/* Try it:  {line} */\n{source('example.c')}",
-        "README.md": readme(data, functions, line, bool(methods), package),
+        "README.md": readme(data, functions, line, elements, bool(methods), package),
         **content.files,
     }
     return files | (cython.files(data, flags) if package else {})

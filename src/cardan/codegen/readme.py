@@ -39,6 +39,7 @@ def readme(
     manifest: Mapping[str, Any],
     functions: Mapping[str, Entry],
     compile_line: str,
+    elements: bool,
     simulates: bool,
     package: str = "",
 ) -> str:
@@ -48,12 +49,12 @@ def readme(
         manifest: Of the model.
         functions: Those of the export.
         compile_line: How to compile and run the example.
+        elements: Whether the model is one of elements in tables.
         simulates: Whether integrators came along.
         package: Name of the package for NumPy, if there is one.
     """
-    meshed = "mesh" in manifest
     files = {**FILES, "`example.c`": f"a call from C: `{compile_line}`"}
-    files |= (ELEMENT_FILES if meshed else {}) | (RUN_FILES if simulates else {})
+    files |= (ELEMENT_FILES if elements else {}) | (RUN_FILES if simulates else {})
     if package:
         use = f"`pip install .`, then `import {package}`"
         files[f"`{package}.pyx`, `setup.py`"] = f"a package for NumPy: {use}"
@@ -66,7 +67,7 @@ def readme(
         "",
         "C of a multibody model, written by cardan; nothing here needs cardan or Python.",
         *_table(("file", "what it is"), files.items()),
-        *(_table(("elements", "how many", "functions"), _kinds(manifest)) if meshed else ()),
+        *(_table(("elements", "how many", "functions"), _kinds(manifest)) if elements else ()),
         *_table(("function", "reads", "gives"), rows),
     ]
     lines += ["", *NOTATION.splitlines()]
@@ -77,7 +78,7 @@ def readme(
         more = len(manifest[key]) - len(names)
         listed = ", ".join(names) + (f" and {more} more in `model.h`" if more > 0 else "")
         lines += ["", f"**{block}** ({key}, {len(manifest[key])}): {listed or 'none'}"]
-    return "\n".join([*lines, "", source("elements.md" if meshed else "relative.md")])
+    return "\n".join([*lines, "", source("elements.md" if elements else "relative.md")])
 
 
 def _table(head: Sequence[str], rows: Iterable[Sequence[str]]) -> list[str]:

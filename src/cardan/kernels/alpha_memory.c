@@ -2,7 +2,7 @@
 #include "alpha.h"
 
 /* The next piece of a block; a NULL block is only measured. */
-static real *piece(real *block, ptrdiff_t *used, ptrdiff_t size)
+static real *reserve(real *block, ptrdiff_t *used, ptrdiff_t size)
 {
     real *start = block ? block + *used : block;
 
@@ -20,34 +20,34 @@ static ptrdiff_t lay(const cardan_run *run, cardan_alpha *v)
 
     v->nq = nq, v->nu = nu, v->mp = mp, v->m = m, v->size = size;
     /* rows read them at the start of `own` */
-    v->lam_old = piece(own, &used, m);
-    v->lam = piece(own, &used, m);
-    v->now = piece(own, &used, ALPHA_NOW);
-    v->a = piece(own, &used, nu);
-    v->udot = piece(own, &used, nu);
-    v->rise = piece(own, &used, nu);
-    v->amplitude = piece(own, &used, nq);
-    v->picked = piece(own, &used, m);
-    v->a_new = piece(own, &used, nu);
-    v->udot_new = piece(own, &used, nu);
-    v->lam_new = piece(own, &used, m);
-    v->shift = piece(own, &used, nu);
-    v->increment = piece(own, &used, nu);
-    v->residual = piece(own, &used, nu + mp + m);
-    v->rates = piece(own, &used, nq);
-    v->dx = piece(own, &used, nu);
+    v->lam_old = reserve(own, &used, m);
+    v->lam = reserve(own, &used, m);
+    v->now = reserve(own, &used, ALPHA_NOW);
+    v->a = reserve(own, &used, nu);
+    v->udot = reserve(own, &used, nu);
+    v->rise = reserve(own, &used, nu);
+    v->amplitude = reserve(own, &used, nq);
+    v->picked = reserve(own, &used, m);
+    v->a_new = reserve(own, &used, nu);
+    v->udot_new = reserve(own, &used, nu);
+    v->lam_new = reserve(own, &used, m);
+    v->shift = reserve(own, &used, nu);
+    v->increment = reserve(own, &used, nu);
+    v->residual = reserve(own, &used, nu + mp + m);
+    v->rates = reserve(own, &used, nq);
+    v->dx = reserve(own, &used, nu);
     v->mesh = run->mesh;
     if (v->mesh)
         return used + cardan_alpha_sparse_lay(v->mesh, own ? own + used : own, v);
-    v->moved = piece(own, &used, nq + nu * nu);
-    v->tangent = piece(own, &used, 3 * nu * nu + 2 * m * nu);
-    v->weight = piece(own, &used, nu);
-    v->unit = piece(own, &used, m);
-    v->matrix = piece(own, &used, size * size);
-    v->order = piece(own, &used, size);
-    v->right = piece(own, &used, size);
-    v->room = piece(own, &used, size * nu);
-    v->probe = piece(own, &used, nu + 2 * size + nq + nu * nu);
+    v->moved = reserve(own, &used, nq + nu * nu);
+    v->tangent = reserve(own, &used, 3 * nu * nu + 2 * m * nu);
+    v->weight = reserve(own, &used, nu);
+    v->unit = reserve(own, &used, m);
+    v->matrix = reserve(own, &used, size * size);
+    v->order = reserve(own, &used, size);
+    v->right = reserve(own, &used, size);
+    v->room = reserve(own, &used, size * nu);
+    v->probe = reserve(own, &used, nu + 2 * size + nq + nu * nu);
     return used;
 }
 

@@ -16,7 +16,7 @@
 
 enum { SHORTEST = 64 /* parts of a step */ };
 
-static real *piece(real *block, ptrdiff_t *used, ptrdiff_t size)
+static real *reserve(real *block, ptrdiff_t *used, ptrdiff_t size)
 {
     real *start = block ? block + *used : block;
 
@@ -41,25 +41,25 @@ static ptrdiff_t lay(const cardan_run *run, cardan_conserving *v)
             widest = mesh->groups[k].nu;
     }
     /* rows read them at the start of `own` */
-    v->lam_old = piece(own, &used, m);
-    v->lam = piece(own, &used, m);
-    v->now = piece(own, &used, CONSERVING_NOW);
-    v->mass = piece(own, &used, CONSERVING_MASS * mesh->places);
-    v->pose = piece(own, &used, mesh->places);
-    v->middle = piece(own, &used, m);
-    v->rise = piece(own, &used, nu);
-    v->open = piece(own, &used, v->mp);
-    v->eta = piece(own, &used, nu);
-    v->lam_new = piece(own, &used, m);
-    v->half = piece(own, &used, v->nq);
-    v->mean = piece(own, &used, nu);
-    v->before = piece(own, &used, v->elements);
-    v->after = piece(own, &used, v->elements);
-    v->missing = piece(own, &used, nu);
-    v->gaps = piece(own, &used, nu + v->mp + m);
-    v->dx = piece(own, &used, nu);
-    v->element = piece(own, &used, 2 * widest);
-    v->start = piece(own, &used, nu + m);
+    v->lam_old = reserve(own, &used, m);
+    v->lam = reserve(own, &used, m);
+    v->now = reserve(own, &used, CONSERVING_NOW);
+    v->mass = reserve(own, &used, CONSERVING_MASS * mesh->places);
+    v->pose = reserve(own, &used, mesh->places);
+    v->middle = reserve(own, &used, m);
+    v->rise = reserve(own, &used, nu);
+    v->open = reserve(own, &used, v->mp);
+    v->eta = reserve(own, &used, nu);
+    v->lam_new = reserve(own, &used, m);
+    v->half = reserve(own, &used, v->nq);
+    v->mean = reserve(own, &used, nu);
+    v->before = reserve(own, &used, v->elements);
+    v->after = reserve(own, &used, v->elements);
+    v->missing = reserve(own, &used, nu);
+    v->gaps = reserve(own, &used, nu + v->mp + m);
+    v->dx = reserve(own, &used, nu);
+    v->element = reserve(own, &used, 2 * widest);
+    v->start = reserve(own, &used, nu + m);
     return used + cardan_mesh_lay(mesh, own ? own + used : own, &v->system);
 }
 

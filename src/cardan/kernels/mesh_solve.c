@@ -20,7 +20,7 @@ static const real FORCES = 1e-6;
 static const real LEAST = 1e-8;
 enum { IMPROVE = 4 };
 
-static real *piece(real *block, ptrdiff_t *used, ptrdiff_t size)
+static real *reserve(real *block, ptrdiff_t *used, ptrdiff_t size)
 {
     real *start = block ? block + *used : block;
 
@@ -35,22 +35,22 @@ ptrdiff_t cardan_mesh_lay(const cardan_mesh *mesh, real *block, cardan_mesh_syst
     cardan_sparse_factors *factors = &system->factors;
     ptrdiff_t used = 0;
 
-    system->right = piece(block, &used, n);
-    system->found = piece(block, &used, n);
-    system->rows = piece(block, &used, n);
-    system->units = piece(block, &used, n);
-    system->a = piece(block, &used, plan->values);
-    factors->values = piece(block, &used, plan->factors);
-    factors->scale = piece(block, &used, n);
-    factors->shift = piece(block, &used, n);
-    factors->work = piece(block, &used, cardan_sparse_work(plan));
+    system->right = reserve(block, &used, n);
+    system->found = reserve(block, &used, n);
+    system->rows = reserve(block, &used, n);
+    system->units = reserve(block, &used, n);
+    system->a = reserve(block, &used, plan->values);
+    factors->values = reserve(block, &used, plan->factors);
+    factors->scale = reserve(block, &used, n);
+    factors->shift = reserve(block, &used, n);
+    factors->work = reserve(block, &used, cardan_sparse_work(plan));
     /* two of them in the room of a number */
-    factors->pivot = (int32_t *)(void *)piece(block, &used, n);
+    factors->pivot = (int32_t *)(void *)reserve(block, &used, n);
     factors->exchanged = block ? factors->pivot + n : NULL;
-    factors->replaced = (int32_t *)(void *)piece(block, &used, n);
+    factors->replaced = (int32_t *)(void *)reserve(block, &used, n);
     factors->rows = system->rows;
     factors->columns = system->units;
-    system->work = piece(block, &used, 3 * n + cardan_mesh_room(mesh));
+    system->work = reserve(block, &used, 3 * n + cardan_mesh_room(mesh));
     return used;
 }
 

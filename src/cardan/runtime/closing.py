@@ -32,7 +32,7 @@ class Closing:
     Attributes:
         rows: Multipliers of the manifest, those of positions first.
         size: Of the mechanism, against which residuals count [m].
-        watched: Whether runs look out for places where branches meet.
+        watched: Whether runs look out for places where branches meet: not those of elements.
     """
 
     rows: tuple[dict[str, Any], ...]
@@ -159,7 +159,7 @@ def project(model: CompiledModel, t: Array, x: Array, r: Array, s: Array, ledger
     rooms["quaternions"], run.quaternion_count = quaternions, len(quaternions)
     for name, room in rooms.items():
         setattr(run, name, room.ctypes.data)
-    if "mesh" in model.manifest:
+    if not closing.watched:
         run.mesh = model._source.mesh(model)
     for name, block, count in (("x", x, model.nx), ("r", r, model.nr), ("s", s, model.ns)):
         if block.shape != (len(t), count):
