@@ -11,11 +11,9 @@ from typing import Any
 
 from ..equations.record import Equations
 from ..errors import CodegenError, DerivationError, near, shown
-from ..schema.c_functions import FunctionRow
-from ..schema.manifest import Manifest
 from . import companions, header, layout, manifest, model_file
 from . import prefix as prefixes
-from .header import Exported
+from .header import Entry
 from .languages import LANGUAGES, cython
 from .model_file import Content
 from .readme import readme
@@ -83,7 +81,7 @@ def written(wanted: Wanted, fill: Callable[[Path], Content]) -> Path:
 
     def complete(folder: Path) -> None:
         content = fill(folder)
-        layout.add_files(folder, _texts(layout.manifest_of(folder), wanted, content))
+        layout.add_files(folder, _texts(layout.read(folder) or {}, wanted, content))
         if wanted.prefix:
             prefixes.add(folder, wanted.prefix)
         (folder / layout.LOCK).unlink()
@@ -92,19 +90,19 @@ def written(wanted: Wanted, fill: Callable[[Path], Content]) -> Path:
     return wanted.target
 
 
-def _texts(data: Manifest, wanted: Wanted, content: Content) -> dict[str, str]:
+def _texts(data: dict[str, Any], wanted: Wanted, content: Content) -> dict[str, str]:
     """Everything beside the functions, by file name."""
-    methods, functions, elements = wanted.integrators, content.functions, data.absolute
+    methods, functions, elements = wanted.integrators, content.functions, "mesh" in data
     flags = (*FLAGS, f"-ffp-contract={'off' if wanted.reproducible else 'on'}")
     line = f"cc {' '.join(flags)} -DCARDAN_EXAMPLE -o example *.c -lm && ./example"
     package = cython.package(data) if wanted.language == "cython" else ""
     headers = ["simulate.h" if methods else "export.h", *(["mesh_export.h"] if elements else [])]
     files = companions.kernels(methods, elements)
     files |= {
-        "functions.h": header.prototypes(data.name, functions, headers, content.declared),
+        "functions.h": header.prototypes(data["name"], functions, headers, content.declared),
         "model.c": model_file.text(data, content, methods),
         "example.c": f"/* Try it:  {line} */\n{source('example.c')}",
-        "README.md": readme(data, functions, line, bool(methods), package),
+        "README.md": readme(data, functions, line, elements, bool(methods), package),
         **content.files,
     }
     return files | (cython.files(data, flags) if package else {})
@@ -159,7 +157,7 @@ def export(
             notes = equations.notes(name, of, function)
             made.append((generate(function, equations.system.name, notes, of=of), function))
         layout.add_functions(folder, made)
-        entries = layout.manifest_of(folder).functions
+        entries = (layout.read(folder) or {})["functions"]
         return Content(_ordered(entries), _closed(equations))
 
     return written(wanted, fill)
@@ -188,12 +186,11 @@ def _asked(
     return asked
 
 
-def _ordered(entries: Mapping[str, FunctionRow]) -> dict[str, Exported]:
+def _ordered(entries: Mapping[str, Entry]) -> dict[str, Entry]:
     """Functions of the manifest; first one that no run calls beside rhs, if there is one."""
     called = {*companions.CLOSING, *companions.HAPPENING}
     called |= {*companions.needed(companions.INTEGRATORS)}
-    ordered = sorted(entries, key=called.__contains__)
-    return {name: Exported.of(entries[name]) for name in ordered}
+    return {name: entries[name] for name in sorted(entries, key=called.__contains__)}
 
 
 def _closed(equations: Equations) -> dict[str, list[float]]:

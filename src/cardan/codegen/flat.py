@@ -16,7 +16,6 @@ from ..equations.blocks import blocks
 from ..ir.function import Block, Function, Output, live
 from ..ir.graph import ZERO, Graph
 from ..ir.matrix import Matrix
-from ..schema.tree import CloserRow
 from ..spatial.axis import complement, unit
 from ..topology.system import Cut, Joint, System, own_lengths
 
@@ -151,14 +150,14 @@ def pose_names(system: System) -> list[str]:
     return [f"scene_pose_{k}" for k in _poses(system)[1]]
 
 
-def closers(system: System) -> list[CloserRow]:
+def closers(system: System) -> list[dict[str, str | int | None]]:
     """Pose, and number of coordinates and speeds, of the joints that close circuits."""
-    found = []
+    found: list[dict[str, str | int | None]] = []
     poses = pose_names(system)[len(system.joints) :]
     for cut, pose in zip(system.closing, poses, strict=True):
         element, turns = _closer(cut), "quaternion" if rotation_of(cut) else None
-        q, u = len(element.coordinates), len(element.speeds)
-        found.append(CloserRow(pose=pose, rotation=turns, q=q, u=u))
+        sizes = {"q": len(element.coordinates), "u": len(element.speeds)}
+        found.append({"pose": pose, "rotation": turns, **sizes})
     return found
 
 

@@ -7,16 +7,15 @@ among them.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import Any
 
 import numpy as np
 
-from ...schema.c_functions import FunctionRow
-from ...schema.finite_elements import ElementKind
 from ...schema.planned import Fields
 from ...schema.records import PARTS
 from .elements import INNER
 from .matrices import Matrices
-from .tables import Tables
+from .tables import Kind, Tables
 
 SIZES = ("nq", "nu", "nz", "ns", "mp", "m")
 
@@ -60,7 +59,7 @@ def mover_fields(tables: Tables) -> list[tuple[Fields, dict[str, str]]]:
     return listed
 
 
-def mesh_fields(tables: Tables, entries: Mapping[str, FunctionRow]) -> Fields:
+def mesh_fields(tables: Tables, entries: Mapping[str, Mapping[str, Any]]) -> Fields:
     """Of ``cardan_mesh``, but for its groups, its movers and its plan.
 
     Args:
@@ -78,7 +77,7 @@ def mesh_fields(tables: Tables, entries: Mapping[str, FunctionRow]) -> Fields:
         "flat": flats,
         "unknown": matrices.unknown,
         "diagonal": matrices.diagonal,
-        "work": max((entry.work_size for entry in entries.values()), default=0),
+        "work": max((int(entry["work_size"]) for entry in entries.values()), default=0),
         "local": max((_local(group.kind, entries) for group in tables.groups), default=0),
         "powers": len(tables.powers),
         "driven": int(tables.driven),
@@ -86,7 +85,8 @@ def mesh_fields(tables: Tables, entries: Mapping[str, FunctionRow]) -> Fields:
     }
 
 
-def _local(kind: ElementKind, entries: Mapping[str, FunctionRow]) -> int:
+def _local(kind: Kind, entries: Mapping[str, Mapping[str, Any]]) -> int:
     """Numbers that an element reads, and gives at most."""
     reads = kind.nq + 3 * kind.nu + kind.m + kind.nz + kind.ns + INNER
-    return reads + max((entries[x].output_size for x in kind.functions.values()), default=0)
+    sizes = (int(entries[symbol]["output_size"]) for symbol in kind.functions.values())
+    return reads + max(sizes, default=0)
