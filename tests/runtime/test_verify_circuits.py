@@ -23,6 +23,8 @@ from mechanisms.closed import CLOSED
 from mechanisms.rolling import ROLLING
 from table import each
 
+# they harm what they compile
+pytestmark = pytest.mark.usefixtures("cache_directory")
 OF_CIRCUITS = (
     "forward_dynamics",
     "rhs",
