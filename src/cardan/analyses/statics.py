@@ -124,7 +124,8 @@ def _follow(
         raise SolveError(
             f"statics, at the start ({_said(way, 0.0)}): {missed(problem.system, start, load)}"
         )
-    here = begin = first(problem, start, load)
+    here = first(problem, start, load)
+    places = [here]
     rows.append((0.0, record(model, problem, start, load, here.standing)))
     for goal in _goals(way, steps):
         length = goal - here.s
@@ -139,14 +140,21 @@ def _follow(
             if there is not None:
                 crossed += step.crossings(there)
                 here = there
+                places.append(here)
                 length *= 1.5 if found.iterations <= GOOD else 1.0
                 if way.stations is None or s == goal:
                     rows.append((s, record(model, problem, found, load, there.standing)))
                 continue
             length *= 0.5
             if shortest:
-                limit = limit_load(problem, way, begin, here)
-                crossed += [Crossing(here, limit, "limit")] if limit is not None else []
+                limit = limit_load(problem, way, places[0], here)
+                if limit is not None:
+                    # what balances beyond it does so within rounding alone
+                    most = max(limit.s, 0.0)
+                    here = [place for place in places if place.s <= most][-1]
+                    rows[:] = [row for row in rows if row[0] <= most]
+                    crossed[:] = [one for one in crossed if one.after.s <= most]
+                    crossed.append(Crossing(here, limit, "limit"))
                 return _stopped(problem.system, way, here, found, limit)
     return ""
 
