@@ -1,7 +1,7 @@
 /*
  * cardan.h: what every C file written by cardan stands on.
  *
- * The calling convention of a function (ABI 1)
+ * The calling convention of a function (ABI 2)
  *
  *     int name(const cardan_in *in, real *out, real *work);
  *     void prepare_name(const wreal *p, wreal *w);
@@ -26,7 +26,7 @@
 #include <stdint.h>
 #include <string.h>
 
-#define CARDAN_ABI 1
+#define CARDAN_ABI 2
 
 /* vectors of doubles: as wide as the lanes; pairs for single states, where wider ones are no gain */
 #ifndef CARDAN_LANES

@@ -88,13 +88,27 @@ def written_by(writer: object) -> str:
 ANEW = "start the run anew"
 # scenes, runs and ensembles are read for ever
 SCENE = Format("scene", "cardan", 1, 1, "write the scene for this one")
-RUN = Format("run", "run", 2, 1, "save the run again")
+RUN = Format(
+    "run",
+    "run",
+    3,
+    1,
+    "save the run again",
+    {
+        2: {
+            "manifest.cuts.*.circuit": "loop",
+            "manifest.joints.*.solved.circuit": "loop",
+            "manifest.limits.*.told": "message",
+            "manifest.limits.*.who": "element",
+        }
+    },
+)
 ENSEMBLE = Format("ensemble", "ensemble", 1, 0, "save the ensemble again")
 # these are read by the version that wrote them, and refused by others
 STEPPER = Format("stepper checkpoint", "cardan_checkpoint", 4, 4, ANEW)
 RUN_FILE = Format("run checkpoint", "run", 3, 3, ANEW)
 ENSEMBLE_FILE = Format("ensemble checkpoint", "ensemble", 1, 1, "start the ensemble anew")
-MANIFEST = Format("manifest", "schema", 1, 1, "compile the model again")
-ABI = Format("C interface", "abi", 1, 1, "compile the model again")
-PICKLE = Format("pickle", "pickle", 1, 1, "pickle again what it was made of")
+MANIFEST = Format("manifest", "schema", 2, 2, "compile the model again")
+ABI = Format("C interface", "abi", 2, 2, "compile the model again")
+PICKLE = Format("pickle", "pickle", 2, 2, "pickle again what it was made of")
 FORMATS = (SCENE, RUN, ENSEMBLE, STEPPER, RUN_FILE, ENSEMBLE_FILE, MANIFEST, ABI, PICKLE)

@@ -13,12 +13,13 @@ from cardan.codegen import flat, generate, layout, manifest
 from cardan.equations.record import Equations
 from cardan.ir.interpreter import evaluate
 from cardan.ir.serialize import from_dict
+from cardan.schema.fields import dumped
+from cardan.schema.manifest import json_schema
 from codegen.models import arm
 from mechanisms import ZOO
 
-SCHEMA = json.loads(
-    (Path(__file__).parents[2] / "docs" / "manifest.schema.json").read_text("utf-8")
-)
+PAGE = Path(__file__).parents[2] / "docs" / "manifest.schema.json"
+SCHEMA = json.loads(json_schema())
 
 
 def written(folder: Path, equations: Equations, *names: str) -> dict[str, Any]:
@@ -49,6 +50,23 @@ def test_schema_is_a_schema() -> None:
     jsonschema.Draft202012Validator.check_schema(SCHEMA)
 
 
+def test_published_schema_is_that_of_the_records(pytestconfig: pytest.Config) -> None:
+    """``pytest tests/codegen/test_manifest.py --accept`` writes it anew."""
+    if pytestconfig.getoption("--accept"):
+        PAGE.write_text(json_schema(), "utf-8")
+    assert PAGE.read_text("utf-8") == json_schema()
+
+
+def test_what_is_written_is_what_is_read(tmp_path: Path) -> None:
+    base = manifest.base(cd.derive(arm()), ["bias"])
+    layout.write_model(tmp_path, base)
+    again = layout.manifest_of(tmp_path)
+    assert dumped(again.replaced(sha256={})) == dumped(base.data)
+    assert again.joints[1].limits == {"lower": -2.0, "upper": 2.0}
+    with pytest.raises(AttributeError):
+        again.joints[1].name = "other"  # type: ignore[misc]
+
+
 @pytest.mark.parametrize("mechanism", ZOO.values(), ids=str)
 def test_zoo_is_valid_and_documented(mechanism: Any, tmp_path: Path) -> None:
     data = written(tmp_path, cd.derive(mechanism.build()), "inverse_dynamics")
@@ -65,11 +83,11 @@ def test_names_stand_in_the_order_of_the_arrays(tmp_path: Path) -> None:
     assert tuple(row["name"] for row in data["parameters"]) == equations.parameters
     for joint in data["joints"]:
         for block, rows in (("q", "coordinates"), ("u", "speeds")):
-            start, size = joint[block] or (0, 0)
+            start, size = joint.get(block, (0, 0))
             assert all(r["joint"] == joint["name"] for r in data[rows][start : start + size])
     spin = next(j for j in data["joints"] if j["name"] == "spin")
     assert spin["prescribed"]
-    assert spin["q"] is None
+    assert "q" not in spin
     assert data["quaternions"] == [0]
     assert data["fixed"] == ["flange"]
     assert data["bodies"][2] == {"name": "lower", "parent": "upper", "parts": ["lower", "tool"]}

@@ -83,7 +83,7 @@ def test_a_pickle_names_nothing_that_may_move() -> None:
             named.add((module, name))
             return super().find_class(module, name)
 
-    with lzma.open(FILES / "pickle_1_motion.xz") as file:
+    with lzma.open(max(FILES.glob("pickle_*_motion.xz"))) as file:
         Reader(file).load()
     ours = {one for one in named if not one[0].startswith("numpy")}
     assert ours == {("cardan", "_unpickled_model"), ("cardan", "_unpickled_motion")}

@@ -14,9 +14,9 @@ import pytest
 
 import cardan as cd
 from cardan.analyses.saved_record import GIVEN, PASSING, record_of
-from cardan.ir.seal import sealed
 from cardan.runtime import cache, folder, trust
 from cardan.schema.records import POINTER, Run
+from cardan.schema.seal import sealed
 from hostile.harness import campaign
 from hostile.kinds import RUNS, double, run, stepper
 from hostile.mutations import Mutant

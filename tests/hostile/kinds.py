@@ -17,8 +17,8 @@ import numpy as np
 import cardan as cd
 from cardan.analyses.checkpoint import digest
 from cardan.analyses.growing import DIGEST, LENGTH
-from cardan.ir.seal import sealed
 from cardan.runtime.number_file import packed, unpacked
+from cardan.schema.seal import sealed
 from hostile.harness import Kind
 from mechanisms.closed_planar import four_bar
 

@@ -31,6 +31,15 @@ def test_mutants_of_folders_of_models_do_no_harm(name: str, tmp_path: Path) -> N
     assert not tally.failures, str(tally)
 
 
+def elements(parts: dict[str, Any]) -> dict[str, Any]:
+    found: dict[str, Any] = parts["finite_elements"]
+    return found
+
+
+def kinds(parts: dict[str, Any]) -> list[dict[str, Any]]:
+    return list(elements(parts)["kinds"])
+
+
 # what ended in errors from below, or crashed; by hand, as what a seed draws depends on what was
 # compiled before
 CHANGES: dict[str, dict[str, Callable[[dict[str, Any]], object]]] = {
@@ -46,20 +55,18 @@ CHANGES: dict[str, dict[str, Callable[[dict[str, Any]], object]]] = {
         "ticks at one time": lambda parts: parts["ticks"][0].update(period=1e-320),
     },
     "shaft": {
-        "modes beyond all memory": lambda parts: parts["mesh"]["kinds"][4].update(ns=2**62),
-        "rows below none": lambda parts: parts["mesh"]["kinds"][2].update(mp=-1),
-        "more coordinates than nodes have": lambda parts: parts["mesh"]["kinds"][1].update(nq=8),
-        "a tangent elsewhere": lambda parts: parts["mesh"]["kinds"][1]["parts"].update(K=10**6),
-        "a tangent that ends elsewhere": lambda parts: parts["mesh"]["kinds"][2]["parts"].update(
-            K=2
-        ),
-        "no such function": lambda parts: parts["mesh"]["kinds"][1]["functions"].update(mixed="t"),
-        "no such place": lambda parts: parts["mesh"].update(loose=[3]),
-        "no places": lambda parts: parts["mesh"].update(loose=None),
-        "powers without names": lambda parts: parts["mesh"].update(powers=[1, 2]),
-        "frames without name": lambda parts: parts["mesh"].update(frames=1.5),
-        "frames that nobody knows": lambda parts: parts["mesh"].update(frames="nowhere"),
-        "a node at rest without size": lambda parts: parts["mesh"]["rest"].insert(0, -1e300),
+        "modes beyond all memory": lambda parts: kinds(parts)[4].update(ns=2**62),
+        "rows below none": lambda parts: kinds(parts)[2].update(mp=-1),
+        "more coordinates than nodes have": lambda parts: kinds(parts)[1].update(nq=8),
+        "a tangent elsewhere": lambda parts: kinds(parts)[1]["parts"].update(K=10**6),
+        "a tangent that ends elsewhere": lambda parts: kinds(parts)[2]["parts"].update(K=2),
+        "no such function": lambda parts: kinds(parts)[1]["functions"].update(mixed="t"),
+        "no such place": lambda parts: elements(parts).update(beam_nodes=[3]),
+        "no places": lambda parts: elements(parts).update(beam_nodes=None),
+        "powers without names": lambda parts: elements(parts).update(power_sources=[1, 2]),
+        "frames without name": lambda parts: elements(parts).update(frames=1.5),
+        "frames that nobody knows": lambda parts: elements(parts).update(frames="nowhere"),
+        "a node at rest without size": lambda parts: elements(parts)["reference"].insert(0, -1e300),
         "a frame less": lambda parts: parts["frames"].pop(),
         "no frames": lambda parts: parts.update(frames=[]),
         "a domain of another type": lambda parts: parts["joints"][0].update(domain=[1]),
@@ -91,7 +98,7 @@ def test_a_manifest_that_lacks_a_part(which: str, tmp_path: Path) -> None:
     assert kind.pack is not None
     whole = kind.unpack(kind.file.read_bytes())
     # what is said only where there is something to say
-    parts = set(whole) - {"cuts", "events", "ticks", "isolated", "mesh"}
+    parts = set(whole) - {"events", "ticks", "isolated", "projected"}
     assert parts > {"method", "structural", "fixed", "shapes", "scene", "available"}
     for name in parts:
         kind.file.write_bytes(kind.pack({k: v for k, v in whole.items() if k != name}))

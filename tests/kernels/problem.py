@@ -14,7 +14,9 @@ from cardan.analyses.simulate import simulate
 from cardan.runtime import abi, cache, kernels, prebuilt
 from cardan.runtime.methods import Energy
 from cardan.runtime.trajectory import Trajectory
+from cardan.schema.c_functions import ResultRow
 from cardan.schema.integrators import INTEGRATORS
+from cardan.schema.manifest import Manifest
 
 # those that take x' = f(t, x) as it comes; others step what mechanics gives them
 METHODS = {name: m for name, m in INTEGRATORS.items() if set(m.needs) <= {"rhs_jacobian"}}
@@ -73,7 +75,7 @@ def function(folder: Path, name: str, body: str, entries: list[str], before: str
     path.write_text(before + HEAD.replace("NAME", name).replace("BODY", body))
     library = ctypes.CDLL(str(cache.build([path], [prebuilt.DIRECTORY]).path))
     address = ctypes.cast(getattr(library, name), ctypes.c_void_p).value
-    outputs = [{"name": name, "entries": entries, "shape": [len(entries)]}]
+    outputs = [ResultRow(name=name, entries=entries, shape=[len(entries)])]
     return SimpleNamespace(
         address=address,
         w=np.zeros(1),
@@ -190,8 +192,8 @@ class Problem(CompiledModel):
         return tuple(f"u{k}" for k in range(self.nu))
 
     @property
-    def manifest(self) -> dict[str, Any]:
-        return {
+    def manifest(self) -> Manifest:
+        plain = {
             "name": self.name,
             "coordinates": [{"name": n, "default": 0.0} for n in self.coordinates],
             "speeds": [{"name": n} for n in self.speeds],
@@ -213,6 +215,7 @@ class Problem(CompiledModel):
                 *(name for name in WRITTEN if getattr(self, name)),
             ],
         }
+        return Manifest.read(plain, run=True)
 
     def prepare(self, *_: Any) -> None:
         """Nothing to compile side by side."""

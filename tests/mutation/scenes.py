@@ -85,7 +85,7 @@ def loaded(name: str, folder: Path) -> Loaded:
             model.verify()
     saved = model._objects.saved()
     judged = [f for f in saved if f in model.manifest["functions"]]
-    kinds = model.manifest["mesh"]["kinds"] if beams else []
+    kinds = model.manifest["finite_elements"]["kinds"] if beams else []
     own = {symbol for kind in kinds for symbol in kind["functions"].values()}
     wanted = [f for f in judged if not beams or f in own]
     return Loaded(name, model, keys, {f: saved[f] for f in wanted}, equations)

@@ -186,6 +186,8 @@ def manifest(names: list[str]) -> dict[str, Any]:
         "kind": "revolute",
         "parent": "ground",
         "child": "bob",
+        "parent_frame": "ground",
+        "child_frame": "bob",
         "q": [0, 1],
         "u": [0, 1],
         "q0": None,
@@ -197,8 +199,8 @@ def manifest(names: list[str]) -> dict[str, Any]:
     }
     numbers = {"m": (2.0, "kg"), "l": (0.5, "m"), "g": (9.81, "m/s^2")}
     return {
-        "abi": 1,
-        "schema": 1,
+        "abi": 2,
+        "schema": 2,
         "cardan": "0.1.0",
         "name": "pendulum",
         "method": "by hand",
@@ -208,11 +210,11 @@ def manifest(names: list[str]) -> dict[str, Any]:
         "s": [],
         "inputs": [],
         "parameters": [
-            {"name": n, "unit": unit, "default": value, "kind": "free"}
-            for n, (value, unit) in numbers.items()
+            {"name": n, "unit": unit, "default": value} for n, (value, unit) in numbers.items()
         ],
         "structural": {"swing.axis.y": 1.0},
         "multipliers": [],
+        "cuts": [],
         "joints": [joint],
         "fixed": [],
         "bodies": [{"name": "bob", "parent": "ground", "parts": ["bob"]}],
@@ -230,7 +232,7 @@ def manifest(names: list[str]) -> dict[str, Any]:
         "available": list(FUNCTIONS),
         "scene": {
             **{"parents": [-1], "kinds": ["revolute"], "rotations": [None]},
-            "poses": ["scene_pose_0"],
+            **{"poses": ["scene_pose_0"], "forces": ["none"], "unknown": []},
         },
         "sha256": {},
     }

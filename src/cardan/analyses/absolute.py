@@ -56,7 +56,7 @@ class Absolute(Modeled):
             ModelError: its elements have internal states.
         """
         if model.internals:
-            beams = model.manifest.get("beams")
+            beams = model.manifest.beams
             cure = "Beams have no others: leave out what has them" if beams else RELATIVE
             raise ModelError(
                 f"model '{model.name}' has internal states ('{model.internals[0]}'): in absolute "
@@ -66,8 +66,8 @@ class Absolute(Modeled):
         self.model = model
         self.tables = self._mesh(None).tables
         super().__init__(model, self.tables.mp, _extent(model, self.tables))
-        rows = model.manifest.get("multipliers", ())
-        self.rows = np.array([1.0 if row["unit"] == "rad" else self.size for row in rows])
+        rows = model.manifest.multipliers
+        self.rows = np.array([1.0 if row.unit == "rad" else self.size for row in rows])
         self.reach = REACH
         blockwise = _blocks(self.tables)
         self.saddle: Saddle = Sparse(blockwise, blockwise.counted)
@@ -116,7 +116,7 @@ class Absolute(Modeled):
 
     @cached_property
     def _carriage(self) -> Carriage:
-        names = [row["name"] for row in self.model.manifest["beams"]]
+        names = [row.name for row in self.model.manifest.beams]
         return Carriage(self.tables, names, self.leading, self.columns, self.rows, self.size)
 
     def carried(self, at: Moment, given: Mapping[str, Any]) -> Moment:
@@ -130,7 +130,7 @@ class Absolute(Modeled):
         said = ", ".join(f"'{name}'" for name in given) or "prescribed motions"
         if np.abs(open_by).max(initial=0.0) > OPEN * max(1.0, largest):
             rows = np.abs(open_by[: len(self.rows)])
-            joint = self.model.manifest["multipliers"][int(rows.argmax())]["joint"]
+            joint = self.model.manifest.multipliers[int(rows.argmax())].joint
             raise ModelError(
                 f"speeds of {said} cannot hold together: joint '{joint}' would come apart at "
                 f"{rows.max():.3g}. Leave one of them out"
@@ -340,7 +340,7 @@ class Absolute(Modeled):
 
     def integrate(self, q: Array, du: Array) -> Array:
         """As :meth:`Contract.integrate`."""
-        moved: Array = unit(self._mesh(None).move(q, du), self.model.manifest["quaternions"])
+        moved: Array = unit(self._mesh(None).move(q, du), self.model.manifest.quaternions)
         return moved
 
     def difference(self, q0: Array, q: Array) -> Array:

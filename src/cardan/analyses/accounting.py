@@ -169,7 +169,7 @@ def _energy(
 ) -> list[Account]:
     """The energy of a run."""
     model = motion.model
-    if model is None or motion.sources is None or "energy" not in motion.manifest["available"]:
+    if model is None or motion.sources is None or "energy" not in motion.manifest.available:
         return []
     t, x = motion.t[rows], motion.x[rows]
     q, u = model.split(x)[:2]
@@ -191,7 +191,7 @@ def _momentum(
 ) -> list[Account]:
     """Both momenta of a run, where nothing acts from outside."""
     model = motion.model
-    known = motion.manifest["available"]
+    known = motion.manifest.available
     if model is None or not isolated(motion) or "momentum" not in known or not model.nu:
         return []
     t, x = motion.t[rows], motion.x[rows]
@@ -217,9 +217,9 @@ def _momentum(
 
 def isolated(motion: Trajectory) -> bool:
     """Whether nothing acts on the scene from outside, gravity included."""
-    if not motion.manifest.get("isolated") or motion.model is None:
+    if not motion.manifest.isolated or motion.model is None:
         return False
-    fixed: Mapping[str, float] = motion.manifest["structural"]
+    fixed: Mapping[str, float] = motion.manifest.structural
     free = motion.model.parameters
     names = [f"gravity.{axis}" for axis in "xyz"]
     return not any(free[name] if name in free else fixed.get(name, 0.0) for name in names)

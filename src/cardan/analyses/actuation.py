@@ -295,10 +295,10 @@ def named_speeds(model: CompiledModel, names: Sequence[str] | None) -> list[int]
 
 
 def _named(model: CompiledModel, name: str) -> list[int]:
-    rows = model.manifest["speeds"]
-    found = [i for i, row in enumerate(rows) if name in (row["name"], row["joint"])]
+    rows = model.manifest.speeds
+    found = [i for i, row in enumerate(rows) if name in (row.name, row.joint)]
     if not found:
-        joints = dict.fromkeys(row["joint"] for row in rows if row["joint"])
+        joints = dict.fromkeys(row.joint for row in rows if row.joint)
         why = ""
         if name in model.joints:
             why = " The joint has no speed of its own here: it is cut, fixed, prescribed or solved."

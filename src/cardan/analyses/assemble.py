@@ -131,7 +131,7 @@ def finish(
     m.slack = m.slack or slack(m, q)
     rest = start_of(model, {}, {})[0][model.nq : model.nx - model.nz]
     velocities, rates = speeds(m, q, u, rest), None
-    if "forward_dynamics" in model.manifest["available"]:
+    if "forward_dynamics" in model.manifest.available:
         rates = accelerations(m, q, velocities, udot)
     elif udot:
         raise ModelError(

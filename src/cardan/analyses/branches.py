@@ -72,7 +72,7 @@ def branches(model: CompiledModel, named: Mapping[str, Any]) -> list[Branch]:
             low, high = float(value[0]), float(value[1])
         else:
             raise ArgumentError(f"branch: '{name}' is {shown(value)}; give '+', '-' or (low, high)")
-        found.append(Branch(name, k, low, high, model.manifest["coordinates"][k]["unit"] == "rad"))
+        found.append(Branch(name, k, low, high, model.manifest.coordinates[k].unit == "rad"))
     return found
 
 

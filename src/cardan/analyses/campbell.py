@@ -191,7 +191,7 @@ def campbell(
     if found.message != END:
         warn(found.message, SolveWarning)
     label = next(iter(members.columns))
-    along = "mesh" in model.manifest if turning is None else bool(turning)
+    along = model.manifest.absolute if turning is None else bool(turning)
     return _record(found, label, along)
 
 
@@ -232,7 +232,7 @@ def _seen(diagram: Campbell, member: Member, place: int, speed: float) -> tuple[
 def _rotor(member: Member) -> tuple[Array, tuple[str, ...]]:
     """Direction (3,) about which the fastest body turns, and those that turn like it."""
     state, turning = member.state, dict[str, Array]()
-    known = "frame_jacobian" not in state.model.manifest.get("absent", ())
+    known = "frame_jacobian" not in state.model.manifest.absent
     for body in state.model.bodies if known else ():
         J = state.model.frame_jacobian(body, state.q, **_rest(member))
         turning[body] = J[:3] @ state.u

@@ -107,7 +107,7 @@ class Carriage:
             columns = tables.u[places][:, None] + np.arange(count)
             spread = np.broadcast_to(np.eye(6), (len(places), 6, 6))
             if flat:
-                planes = [tables.kinds[tables.kind[k]].plane for k in places]
+                planes = [tables.plane(k) for k in places]
                 own = [plane.spread for plane in planes if plane is not None]
                 spread = np.array(own).reshape(-1, 6, 3)
             found.append(_Nodes(places, columns, spread))

@@ -51,7 +51,7 @@ def write(runner: Runner, how: Settings, saved: Saved, path: Path) -> None:
         )
     if not path.parent.is_dir():
         raise ModelError(f"{path}: the directory {path.parent} does not exist")
-    if "mesh" in runner.model.manifest:
+    if runner.model.manifest.absolute:
         raise ModelError(
             f"{path}: model '{runner.model.name}' is in absolute coordinates, whose steppers are "
             "kept in no file; stepper.save() keeps a checkpoint in memory"
@@ -104,7 +104,7 @@ def read(
     head, memory = _parts(path)
     writer = head.get("cardan")
     how = _settings(head, path)
-    given = signals(model.manifest["inputs"], None, None, (0.0, 0.0))
+    given = signals(model.manifest.inputs, None, None, (0.0, 0.0))
     runner = runner_of(model, how, given, happenings(model, events))
     if head["key"] != _key(runner):
         raise ModelError(

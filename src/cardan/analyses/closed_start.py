@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from ..errors import ModelError
 from ..runtime.compiled import CompiledModel
 from ..runtime.initial import entries, followers
+from ..schema.manifest import Manifest
 from .consistent import speeds
 from .crossing import refuse_singular
 from .followers import place
@@ -45,13 +46,13 @@ def closed_start(model: CompiledModel, begin: Start, q: Any, u: Any, t: float, r
         ModelError: loops that cannot be assembled with what is named.
     """
     manifest = model.manifest
-    if "mesh" in manifest:
+    if manifest.absolute:
         return replace(begin, x=meshed_start(model, begin.x, q, u, t, r))
     if followers(manifest, "q"):
         q, u = (_own(manifest, letter, block) for letter, block in (("q", q), ("u", u)))
         begin = _followed(model, begin, q, u, t, r)
-    always = [row for row in manifest.get("multipliers", ()) if not row.get("switched")]
-    if not always or "constraints" not in manifest["available"]:
+    always = [row for row in manifest.multipliers if not row.switched]
+    if not always or "constraints" not in manifest.available:
         # the run itself projects what it is given; what modes hold is not held before it begins
         return begin
     m = Mechanism.at(model, t, r)
@@ -62,7 +63,7 @@ def closed_start(model: CompiledModel, begin: Start, q: Any, u: Any, t: float, r
     return replace(begin, x=np.concatenate([place, speed, internal]), slack=m.slack)
 
 
-def _own(manifest: Mapping[str, Any], letter: str, given: Any) -> Any:
+def _own(manifest: Manifest, letter: str, given: Any) -> Any:
     """What was given, less joints that follow from loops."""
     if not isinstance(given, Mapping):
         return given
@@ -129,7 +130,7 @@ def _speeds(m: Mechanism, q: Array, u: Array, named: Mapping[str, Any] | None) -
         return speeds(m, q, {}, u)
     row = m.closing.rows[worst]
     raise ModelError(
-        f"u: all speeds are given, and joint '{row['joint']}' would come apart at "
-        f"{abs(rates[worst]) * m.rows[worst]:.3g} in '{row['name']}'. Name only those that are to "
+        f"u: all speeds are given, and joint '{row.joint}' would come apart at "
+        f"{abs(rates[worst]) * m.rows[worst]:.3g} in '{row.name}'. Name only those that are to "
         "be held: the others follow"
     )

@@ -6,9 +6,9 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from ..errors import ModelError
-from ..ir.rows import column
 from ..runtime.compiled import CompiledModel
 from ..schema.integrators import Integrator
+from ..schema.rows import column
 from .alpha import Alpha
 from .conserving import conservative
 
@@ -42,7 +42,7 @@ def _damping_capped(model: CompiledModel, method: Integrator) -> tuple[Integrato
 
 def _assembled(model: CompiledModel, method: Integrator) -> tuple[Integrator, str]:
     """Tangents of elements in tables are assembled where the elements are."""
-    if "mesh" not in model.manifest:
+    if not model.manifest.absolute:
         return method, ""
     needs = tuple(name for name in method.needs if name not in method.differenced)
     return replace(method, needs=needs), ""
@@ -50,7 +50,7 @@ def _assembled(model: CompiledModel, method: Integrator) -> tuple[Integrator, st
 
 def _joint_speeds(model: CompiledModel, method: Integrator) -> tuple[Integrator, str]:
     """Nobody chose other speeds than those of the joints."""
-    if None in column(model.manifest["speeds"], "joint"):
+    if None in column(model.manifest.speeds, "joint"):
         raise ModelError(
             f"method '{method.name}' moves along the speeds of the joints, and those of model "
             f"'{model.name}' were chosen: derive without speeds="
@@ -60,8 +60,8 @@ def _joint_speeds(model: CompiledModel, method: Integrator) -> tuple[Integrator,
 
 def _no_internal_states(model: CompiledModel, method: Integrator) -> tuple[Integrator, str]:
     """No element keeps states of its own."""
-    if model.manifest["z"]:
-        names = ", ".join(f"'{row['name']}'" for row in model.manifest["z"][:3])
+    if model.manifest.z:
+        names = ", ".join(f"'{row.name}'" for row in model.manifest.z[:3])
         raise ModelError(
             f"method '{method.name}' takes no internal states, and model '{model.name}' has "
             f"{names}: take method='auto'"
@@ -71,8 +71,8 @@ def _no_internal_states(model: CompiledModel, method: Integrator) -> tuple[Integ
 
 def _own_constraints(model: CompiledModel, method: Integrator) -> tuple[Integrator, str]:
     """The model leaves its constraints to the method."""
-    if model.nlam and not model.manifest.get("projected", True):
-        treatment = model.manifest["scene"]["treatment"]["name"]
+    if model.nlam and not model.manifest.projected:
+        treatment = model.manifest.treatment
         raise ModelError(
             f"method '{method.name}' keeps constraints itself, and model '{model.name}' has "
             f"constraints='{treatment}': compile with constraints='multipliers'"
@@ -97,7 +97,7 @@ def _damped(model: CompiledModel, method: Integrator) -> tuple[Integrator, str]:
 
 def _in_elements(model: CompiledModel, method: Integrator) -> tuple[Integrator, str]:
     """The model is in absolute coordinates."""
-    if "mesh" not in model.manifest:
+    if not model.manifest.absolute:
         raise ModelError(
             f"method '{method.name}' moves bodies as such, and model '{model.name}' is in relative "
             "coordinates: cd.compile(scene, coordinates='absolute'), or method='EnergyMidpoint'"
@@ -108,7 +108,7 @@ def _in_elements(model: CompiledModel, method: Integrator) -> tuple[Integrator, 
 def _nothing_discrete(model: CompiledModel, method: Integrator) -> tuple[Integrator, str]:
     """There is nothing but motion: no internal states, modes or events."""
     for key, what in (("z", "internal states"), ("s", "modes"), ("events", "events")):
-        if model.manifest.get(key):
+        if getattr(model.manifest, key):
             raise ModelError(
                 f"method '{method.name}' keeps what is conserved, and model '{model.name}' has "
                 f"{what}: take method='auto'"

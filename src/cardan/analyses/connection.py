@@ -89,14 +89,14 @@ def connect(m: Mechanism, required: NDArray[np.bool_]) -> Connection:
         "kept": np.flatnonzero(required),
         "rows": m.rows[: len(required)].copy(),
         "columns": m.columns,
-        "quaternions": np.array(model.manifest["quaternions"], dtype=np.intp),
+        "quaternions": np.array(model.manifest.quaternions, dtype=np.intp),
     }
     for name, array in arrays.items():
         setattr(record, name, array.ctypes.data)
     record.nq, record.nu, record.positions = model.nq, m.nu, len(required)
     record.kept_count, record.quaternion_count = len(arrays["kept"]), len(arrays["quaternions"])
     names = ["constraints", "constraint_jacobian"] if len(required) else []
-    names += ["facing"] if m.cuts and "facing" in model.manifest["available"] else []
+    names += ["facing"] if m.cuts and "facing" in model.manifest.available else []
     names += [] if m.chosen else ["integrate"]
     functions = model._load([(name, None) for name in names])
     kept: list[Any] = [arrays, functions]

@@ -126,8 +126,8 @@ def _apart(m: Mechanism, row: int, residual: float) -> str:
     if row >= len(m.closing.rows):
         return ""
     told = m.closing.rows[row]
-    return f": joint '{told['joint']}' would come apart at {residual * m.rows[row]:.3g} in " + (
-        f"'{told['name']}'"
+    return f": joint '{told.joint}' would come apart at {residual * m.rows[row]:.3g} in " + (
+        f"'{told.name}'"
     )
 
 

@@ -342,7 +342,7 @@ def contract_of(model: Any) -> Contract:
 
     if not isinstance(model, CompiledModel):
         raise ModelError(f"{model!r} is no compiled model: cd.compile(scene) makes one")
-    if "mesh" in model.manifest:
+    if model.manifest.absolute:
         from .absolute import Absolute
 
         return Absolute(model)

@@ -33,6 +33,6 @@ def refuse_singular(m: Mechanism, q: Array) -> None:
     weakest = int(np.abs(U[:, rank:]).max(axis=1).argmax())
     raise ModelError(
         f"the start is a singular position: {rank} of {usual} independent constraints hold there, "
-        f"branches of the motion meet at joint '{m.closing.rows[weakest]['joint']}'. Give all "
+        f"branches of the motion meet at joint '{m.closing.rows[weakest].joint}'. Give all "
         "speeds, u=: they say which branch is meant; or start beside it"
     )

@@ -219,7 +219,7 @@ def family(
 def _single(model: Any, name: str) -> bool:
     """Whether a name has one value, so that several are a sweep."""
     single = {*model.coordinates, *model.speeds}
-    single |= {str(row["name"]) for row in model.manifest["outputs"]}
+    single |= {row.name for row in model.manifest.outputs}
     single |= {name.removesuffix(".u") for name in model.speeds}
     return name in single
 

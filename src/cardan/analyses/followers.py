@@ -74,11 +74,7 @@ def _following(m: Mechanism, q: Array) -> Array:
 def _numbers(m: Mechanism, letter: str, name: str, value: Any) -> Array:
     """Values of a joint or entry that follows, checked."""
     found, where = np.asarray(value, dtype=np.float64).reshape(-1), f"{letter}={{'{name}': ...}}"
-    own = {
-        row["name"]: row["solved"][letter]
-        for row in m.model.manifest["joints"]
-        if row.get("solved")
-    }
+    own = {row.name: row.solved.names(letter) for row in m.model.manifest.joints if row.solved}
     entries = own.get(name, (name,))
     if found.size != len(entries):
         raise ArgumentError(miscounted(where, found.size, entries))
@@ -102,8 +98,8 @@ def _follower(m: Mechanism, entries: NDArray[np.intp], value: Array, name: str) 
 
 def _kinds(model: CompiledModel) -> NDArray[np.str_]:
     """The kind of joint of every coordinate that follows."""
-    solved = [joint for joint in model.manifest["joints"] if joint.get("solved")]
-    return np.array([joint["kind"] for joint in solved for _ in joint["solved"]["q"]])
+    joints = model.manifest.joints
+    return np.array([joint.kind for joint in joints if joint.solved for _ in joint.solved.q])
 
 
 def place(m: Mechanism, q: Array, named: Mapping[str, Any], given: Mapping[str, Any]) -> Array:
@@ -166,22 +162,23 @@ def _starts(model: CompiledModel, count: int) -> Array:
     """Where joints that follow start: q0 as declared, else in the reference position."""
     found = np.zeros(count)
     places = followers(model.manifest, "q")
-    for joint in model.manifest["joints"]:
-        if joint["name"] in places and joint.get("solved") and joint["q0"]:
-            found[places[joint["name"]]] = joint["q0"]
+    for joint in model.manifest.joints:
+        if joint.name in places and joint.solved and joint.q0:
+            found[places[joint.name]] = joint.q0
     return found
 
 
 def _refuse(m: Mechanism, q: Array, one: Follower) -> None:
-    joint = next(
-        row for row in m.model.manifest["joints"]
-        if row.get("solved") and (row["name"] == one.name or one.name in row["solved"]["q"])
-    )  # fmt: skip
+    solution = next(
+        row.solved
+        for row in m.model.manifest.joints
+        if row.solved and (row.name == one.name or one.name in row.solved.q)
+    )
     found = _following(m, q[None])[0][one.entries]
     gives = ", ".join(f"{x:.6g}" for x in found) if np.isfinite(found).all() else "none"
     raise ModelError(
         f"q={{'{one.name}': {', '.join(f'{x:.6g}' for x in one.value)}}}: the circuit that "
-        f"'{joint['solved']['circuit']}' closes gives {gives} next to the other named values, on "
+        f"'{solution.loop}' closes gives {gives} next to the other named values, on "
         "the branch of its formulas. Name fewer coordinates, or take constraints='multipliers', "
         "which takes either branch"
     )

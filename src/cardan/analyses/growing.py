@@ -213,10 +213,10 @@ def model_key(model: CompiledModel) -> str:
     # a function is in the manifest once it is there to be called
     model._function("rhs")
     manifest = model.manifest
-    if "mesh" in manifest:
+    if manifest.absolute:
         # every function of its elements, and the tables
-        return digest(model.name, dict(manifest["sha256"]), model.parameters.vector)
-    text = manifest["functions"]["rhs"]["sha256"]
+        return digest(model.name, dict(manifest.sha256), model.parameters.vector)
+    text = manifest.functions["rhs"].sha256
     return digest(model.name, text, model.parameters.vector)
 
 

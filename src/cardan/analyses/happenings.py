@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from ..errors import ArgumentError, ModelError, SolveError, named, near, shown
 from ..runtime.compiled import CompiledModel
+from ..schema.entries import EventRow, TickRow
 from . import record as abi
 from .signals import checked
 
@@ -71,7 +72,7 @@ class Happenings:
     rows: tuple[dict[str, Any], ...]
     kinds: tuple[int, ...]
     model: int
-    ticks: tuple[Mapping[str, Any], ...]
+    ticks: tuple[TickRow, ...]
     watches: tuple[Watch, ...]
 
     @property
@@ -113,10 +114,10 @@ class Happenings:
             ModelError: such an event.
         """
         for tick in self.ticks:
-            resolved = 4 * sys.float_info.epsilon * max(farthest, abs(tick["phase"]))
-            if tick["period"] < resolved:
+            resolved = 4 * sys.float_info.epsilon * max(farthest, abs(tick.phase))
+            if tick.period < resolved:
                 raise ModelError(
-                    f"'{self.rows[tick['event']]['name']}' happens every {tick['period']:g} s; in "
+                    f"'{self.rows[tick.event]['name']}' happens every {tick.period:g} s; in "
                     f"a run to {farthest:g} s such times cannot be told from each other. Give it a "
                     f"period above {resolved:.2g} s"
                 )
@@ -140,15 +141,15 @@ def check_start(model: CompiledModel, x: Array, t: float, r: Array) -> None:
     Raises:
         ModelError: it lies where it could not have come to, such as behind a stop.
     """
-    rows = model.manifest.get("events", ())
-    if not any(row.get("beyond") for row in rows):
+    rows = model.manifest.events
+    if not any(row.beyond for row in rows):
         return
     q, u, z = model.parts_of(x)
     values = model.events(q, u, z=z, t=t, r=r)
     for row, value in zip(rows, values.tolist(), strict=True):
-        if row.get("beyond") and value < -BESIDE:
+        if row.beyond and value < -BESIDE:
             raise ModelError(
-                f"{row['beyond']} ('{row['element']}'), by {-value:.6g}: start within its range"
+                f"{row.beyond} ('{row.element}'), by {-value:.6g}: start within its range"
             )
 
 
@@ -168,7 +169,7 @@ def happenings(model: CompiledModel, given: Mapping[str, Any] | None) -> Happeni
         ModelError: an unknown name, kind or direction. ArgumentError: nothing to watch.
         SolveError: a value that is not finite.
     """
-    rows = [_row(model, row) for row in model.manifest.get("events", ())]
+    rows = [_row(model, row) for row in model.manifest.events]
     kinds = [KINDS[row["kind"]] for row in rows]
     count = len(rows)
     taken = [row["name"] for row in rows]
@@ -180,18 +181,18 @@ def happenings(model: CompiledModel, given: Mapping[str, Any] | None) -> Happeni
         for _ in DIRECTIONS[watch.direction]:
             rows.append({"name": watch.name, "element": "", "kind": watch.kind})
             kinds.append(OWN[watch.kind])
-    ticks = tuple(model.manifest.get("ticks", ()))
+    ticks = tuple(model.manifest.ticks)
     for tick in ticks:
-        if not (math.isfinite(tick["period"]) and tick["period"] > 0):
-            name = rows[tick["event"]]["name"]
-            raise ModelError(f"'{name}' has a period of {tick['period']:g} s: it must be positive")
+        if not (math.isfinite(tick.period) and tick.period > 0):
+            name = rows[tick.event]["name"]
+            raise ModelError(f"'{name}' has a period of {tick.period:g} s: it must be positive")
     return Happenings(tuple(rows), tuple(kinds), count, ticks, tuple(watches))
 
 
-def _row(model: CompiledModel, stated: Mapping[str, Any]) -> dict[str, Any]:
+def _row(model: CompiledModel, stated: EventRow) -> dict[str, Any]:
     """An event of the model, as runs keep it."""
-    row = {key: stated[key] for key in ("name", "element", "kind")}
-    for mode, value in stated.get("decides", {}).items():
+    row: dict[str, Any] = {"name": stated.name, "element": stated.element, "kind": stated.kind}
+    for mode, value in stated.decides.items():
         # counted from the end, as the length of what lies before the modes differs
         row["decides"] = [model.mode_names.index(mode) - model.ns, value]
     return row

@@ -138,7 +138,7 @@ class Kept:
             status=told[0],
             message=told[1],
             statistics={**counts, **more},
-            reason=remark(how.method.name, run, JACOBIAN in runner.model.manifest["available"])
+            reason=remark(how.method.name, run, JACOBIAN in runner.model.manifest.available)
             or how.reason,
         )
 
@@ -151,7 +151,7 @@ class Kept:
         s, lam = table[:, end : end + model.ns], table[:, end + model.ns :]
         dense = None
         if spreads is not None and len(t) > 1:
-            quaternions = tuple(model.manifest["quaternions"])
+            quaternions = tuple(model.manifest.quaternions)
             dense = Dense(t, y, spreads[1:], quaternions, runner.settings.method.charted)
         return Trajectory(
             t=t,

@@ -19,6 +19,7 @@ from ..runtime.closing import Closing, columns_of, size_of
 from ..runtime.initial import entries
 from ..runtime.rotations import unit
 from ..runtime.states import random_state
+from ..schema.mechanism import CutRow
 from .connection import Connection, connect
 
 if TYPE_CHECKING:
@@ -91,18 +92,18 @@ class Mechanism:
     @cached_property
     def closing(self) -> Closing:
         """The constraints, whether or not runs keep to them."""
-        rows = tuple(self.model.manifest.get("multipliers", ()))
+        rows = tuple(self.model.manifest.multipliers)
         return Closing(rows, self.size)
 
     @cached_property
     def rows(self) -> Array:
         """Size of the unit of every constraint (m,)."""
-        return np.array([self.size if r["unit"] == "N" else 1.0 for r in self.closing.rows])
+        return np.array([self.size if r.unit == "N" else 1.0 for r in self.closing.rows])
 
     @property
-    def cuts(self) -> list[dict[str, Any]]:
+    def cuts(self) -> list[CutRow]:
         """The joints that close circuits, from the manifest."""
-        return list(self.model.manifest.get("cuts", ()))
+        return list(self.model.manifest.cuts)
 
     def evaluate(self, name: str, *values: ArrayLike) -> Array:
         """Result of a function of t, the values, and r."""
@@ -118,13 +119,13 @@ class Mechanism:
 
     def turned(self, q: Array) -> str:
         """The cut joint whose closing conditions hold with an axis turned round; "" if none."""
-        if not self.cuts or "facing" not in self.model.manifest["available"]:
+        if not self.cuts or "facing" not in self.model.manifest.available:
             return ""
         values = self.evaluate("facing", q)
         wrong = np.flatnonzero(values <= 0)
         if not len(wrong):
             return ""
-        entries = self.model.manifest["functions"]["facing"]["outputs"][0]["entries"]
+        entries = self.model.manifest.functions["facing"].outputs[0].entries
         return str(entries[wrong[0]]).rpartition(".")[0]
 
     @property
@@ -178,11 +179,11 @@ class Mechanism:
     def relations(self) -> list[str]:
         """Relations of positions that the user wrote."""
         rows = self.closing.rows[: self.closing.positions]
-        return [str(row["name"]) for row in rows if row["name"] == row["joint"]]
+        return [str(row.name) for row in rows if row.name == row.joint]
 
     @cached_property
     def _unreleased(self) -> NDArray[np.bool_]:
-        return np.array([row["name"] not in self.released for row in self.closing.rows], bool)
+        return np.array([row.name not in self.released for row in self.closing.rows], bool)
 
     @property
     def _kept(self) -> NDArray[np.bool_]:
@@ -200,7 +201,7 @@ class Mechanism:
     def advance(self, q: Array, step: Array) -> Array:
         """Coordinates a step (nu,) without units away."""
         moved = self.moved(q, step * self.columns)
-        return unit(moved, self.model.manifest["quaternions"])
+        return unit(moved, self.model.manifest.quaternions)
 
     def moved(self, q: Array, along: Array) -> Array:
         """Coordinates moved along speeds (nu,), whatever these are."""
@@ -219,7 +220,7 @@ class Mechanism:
     @cached_property
     def chosen(self) -> bool:
         """Whether the speeds are not those of the joints, along which coordinates are moved."""
-        return any(row.get("joint") is None for row in self.model.manifest["speeds"])
+        return any(row.joint is None for row in self.model.manifest.speeds)
 
     def _joint_speeds(self, q: Array) -> Array:
         """Speeds of the joints per chosen speed (nu, nu), by central differences along qdot."""
@@ -273,7 +274,7 @@ class Mechanism:
 
     def mass(self, q: Array) -> Array | None:
         """Mass matrix per step (nu, nu), None where the model has none."""
-        if "mass_matrix" not in self.model.manifest["available"]:
+        if "mass_matrix" not in self.model.manifest.available:
             return None
         found: Array = self.model.mass_matrix(q, t=self.t, r=self.r)
         return found * np.outer(self.columns, self.columns)
@@ -283,10 +284,10 @@ class Mechanism:
         """Which coordinates are angles that come back after a turn (nq,): of free joints alone."""
         manifest = self.model.manifest
         kinds = ("revolute", "cylindrical", "universal", "planar")
-        leaders = {j["coupled"]["leader"] for j in manifest["joints"] if j.get("coupled")}
-        whole = {j["name"] for j in manifest["joints"] if j["kind"] in kinds} - leaders
-        rows = manifest["coordinates"]
-        return np.array([row["unit"] == "rad" and row.get("joint") in whole for row in rows], bool)
+        leaders = {j.coupled.leader for j in manifest.joints if j.coupled}
+        whole = {j.name for j in manifest.joints if j.kind in kinds} - leaders
+        rows = manifest.coordinates
+        return np.array([row.unit == "rad" and row.joint in whole for row in rows], bool)
 
     def nearest(self, q: Array, to: Array) -> Array:
         """The same position with every angle within half a turn of that of another one."""
@@ -336,12 +337,12 @@ class Mechanism:
         values = self.evaluate("constraints", q) if count else np.zeros(0)
         found: dict[str, tuple[float, float]] = {}
         for row, value in zip(self.closing.rows[:count], values.tolist(), strict=True):
-            length, other = found.get(row["joint"], (0.0, 0.0))
-            if row["unit"] == "N":
+            length, other = found.get(row.joint, (0.0, 0.0))
+            if row.unit == "N":
                 length = float(np.hypot(length, value))
             else:
                 other = float(np.hypot(other, value))
-            found[row["joint"]] = length, other
+            found[row.joint] = length, other
         return found
 
 
@@ -355,10 +356,10 @@ def refuse_nodes(model: CompiledModel, what: str) -> None:
     Raises:
         ModelError: the model is in absolute coordinates.
     """
-    if "mesh" not in model.manifest:
+    if not model.manifest.absolute:
         return
     cure = "its bodies are nodes. Compile it with coordinates='relative', which has joints for it"
-    if model.manifest.get("beams"):
+    if model.manifest.beams:
         cure = (
             "it has beams, whose shape follows from forces. model.equilibrium(hold={'...': value}) "
             "gives a position with a joint held, model.statics(hold={'...': (start, end)}) many"

@@ -146,9 +146,9 @@ class _Start:
         gaps = self._gaps(q)
         worst = int(np.abs(gaps).argmax()) if len(gaps) else 0
         if len(gaps) and abs(gaps[worst]) > NEARLY * self.scale:
-            row = self.model.manifest["multipliers"][worst]
+            row = self.model.manifest.multipliers[worst]
             raise ModelError(
-                f"q: all coordinates are given, and '{row['name']}' stays open by "
+                f"q: all coordinates are given, and '{row.name}' stays open by "
                 f"{abs(gaps[worst]):.3g}. Name only those that are to be held: the others follow"
             )
         return self.by_nodes(q, np.zeros(self.model.nu))
@@ -169,7 +169,7 @@ class _Start:
             ModelError: some constraint stays open.
         """
         place, speed, gap = q.copy(), np.zeros(self.model.nu), np.inf
-        positions = sum(row["level"] == "position" for row in self.model.manifest["multipliers"])
+        positions = sum(row.level == "position" for row in self.model.manifest.multipliers)
         if not positions:
             return place
         for _ in range(MOST):
@@ -225,10 +225,10 @@ class _Start:
         rates, size = self._rates(q, u), max(1.0, float(np.abs(u).max(initial=0.0)))
         worst = int(np.abs(rates).argmax()) if len(rates) else 0
         if len(rates) and abs(rates[worst]) > NEARLY * self.scale * size:
-            row = self.model.manifest["multipliers"][worst]
+            row = self.model.manifest.multipliers[worst]
             raise ModelError(
-                f"u: all speeds are given, and joint '{row['joint']}' would come apart at "
-                f"{abs(rates[worst]):.3g} in '{row['name']}'. Name only those that are to be held: "
+                f"u: all speeds are given, and joint '{row.joint}' would come apart at "
+                f"{abs(rates[worst]):.3g} in '{row.name}'. Name only those that are to be held: "
                 "the others follow"
             )
         return self._closed("close_velocity", q, u, np.zeros(self.model.nu))[: self.model.nu]
@@ -245,10 +245,10 @@ class _Start:
         worst = int(np.abs(rates).argmax()) if len(rates) else 0
         size = self.scale * max(1.0, float(np.abs(u).max(initial=0.0)))
         if len(rates) and abs(rates[worst]) > GOOD * size:
-            row = self.model.manifest["multipliers"][worst]
+            row = self.model.manifest.multipliers[worst]
             raise ModelError(
-                f"speeds of {said} cannot hold together: joint '{row['joint']}' would come apart "
-                f"at {abs(rates[worst]):.3g} in '{row['name']}'. Leave one of them out"
+                f"speeds of {said} cannot hold together: joint '{row.joint}' would come apart "
+                f"at {abs(rates[worst]):.3g} in '{row.name}'. Leave one of them out"
             )
 
     # names
@@ -283,7 +283,7 @@ def _own_nodes(model: CompiledModel, named: Mapping[str, Any] | None, letter: st
         return []
     tables, manifest = loading.tables_of(model), model.manifest
     inside = sum(len(line) - 2 for line in tables.beams)
-    free = {*manifest["mesh"]["loose"], *range(len(tables.kind) - inside, len(tables.kind))}
+    free = {*manifest.elements.beam_nodes, *range(len(tables.kind) - inside, len(tables.kind))}
     starts = tables.q if letter == "q" else tables.u
     own = {k for place in free for k in range(starts[place], starts[place + 1])}
     places = entries(manifest, letter)
@@ -300,8 +300,8 @@ def _held(model: CompiledModel, named: Any, letter: str) -> Array:
     places = entries(model.manifest, letter)
     sizes = {"q": model.nq, "u": model.nu}[letter]
     known = {k for name in named for k in range(*places[name].indices(sizes))}
-    for joint in model.manifest["joints"]:
-        (start, count), (first, speeds) = joint["q"], joint["u"]
+    for joint in model.manifest.joints:
+        (start, count), (first, speeds) = joint.slot("q"), joint.slot("u")
         if letter == "u":
             held[[k for k in range(first, first + speeds) if k in known]] = 1.0
         elif known & set(range(start, start + count)):
@@ -311,15 +311,15 @@ def _held(model: CompiledModel, named: Any, letter: str) -> Array:
 
 
 def _normalize(model: CompiledModel, q: Array) -> None:
-    entries = np.array(model.manifest["quaternions"], dtype=np.intp)[:, None] + np.arange(4)
+    entries = np.array(model.manifest.quaternions, dtype=np.intp)[:, None] + np.arange(4)
     q[entries] /= np.linalg.norm(q[entries], axis=1)[:, None]
 
 
 def _open(model: CompiledModel, gaps: Array) -> str:
     """What cannot be closed."""
     k = int(np.argmax(np.abs(gaps)))
-    row = model.manifest["multipliers"][k]
+    row = model.manifest.multipliers[k]
     return (
-        f"the start cannot be assembled: '{row['name']}' stays open by {abs(gaps[k]):.3g}. "
-        f"Name other coordinates of the loop of joint '{row['joint']}', or fewer"
+        f"the start cannot be assembled: '{row.name}' stays open by {abs(gaps[k]):.3g}. "
+        f"Name other coordinates of the loop of joint '{row.joint}', or fewer"
     )

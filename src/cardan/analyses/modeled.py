@@ -37,16 +37,14 @@ class Modeled(ABC):
         self.model, self.name, self.size = model, model.name, size
         self.coordinates, self.speeds = model.coordinates, model.speeds
         self.internals, self.inputs = model.internals, model.inputs
-        rows = manifest.get("multipliers", ())
-        self.multipliers = tuple(str(row["name"]) for row in rows)
-        self.outputs = tuple(str(row["name"]) for row in manifest["outputs"])
-        self.owners = tuple(
-            str(row.get("of") or row.get("joint") or row["name"]) for row in manifest["speeds"]
-        )
+        rows = manifest.multipliers
+        self.multipliers = tuple(str(row.name) for row in rows)
+        self.outputs = tuple(str(row.name) for row in manifest.outputs)
+        self.owners = tuple(str(row.of or row.joint or row.name) for row in manifest.speeds)
         self.positions = np.arange(positions)
-        units = [row.get("unit", "") for row in manifest["speeds"]]
+        units = [row.unit for row in manifest.speeds]
         self.columns = np.array([size if name == "m/s" else 1.0 for name in units])
-        self.rows = np.array([size if row["unit"] == "N" else 1.0 for row in rows])
+        self.rows = np.array([size if row.unit == "N" else 1.0 for row in rows])
 
     @property
     @abstractmethod
@@ -76,24 +74,24 @@ class Modeled(ABC):
     @cached_property
     def modes(self) -> Array:
         """Modes of elements as they start (ns,)."""
-        rows = self.model.manifest["s"]
-        return np.array([row["default"] or 0.0 for row in rows], dtype=np.float64)
+        rows = self.model.manifest.s
+        return np.array([row.default or 0.0 for row in rows], dtype=np.float64)
 
     @cached_property
     def events(self) -> tuple[tuple[str, str, str], ...]:
         """As :meth:`Contract.events`."""
-        rows = self.model.manifest.get("events", ())
-        return tuple((row["element"], row["kind"], row.get("beyond", "")) for row in rows)
+        rows = self.model.manifest.events
+        return tuple((row.element, row.kind, row.beyond) for row in rows)
 
     @cached_property
     def sign_units(self) -> tuple[str, ...]:
         """As :meth:`Contract.sign_units`; models saved earlier do not tell."""
-        return tuple(row.get("unit", "") for row in self.model.manifest.get("events", ()))
+        return tuple(row.unit for row in self.model.manifest.events)
 
     def labels(self, s: Array) -> dict[str, str]:
         """As :meth:`Contract.labels`."""
-        rows = zip(self.model.manifest["s"], s, strict=True)
-        return {row["name"]: row.get("labels", {}).get(str(int(x)), f"{x:g}") for row, x in rows}
+        rows = zip(self.model.manifest.s, s, strict=True)
+        return {row.name: row.labels.get(str(int(x)), f"{x:g}") for row, x in rows}
 
     def signs(self, at: Moment) -> Array:
         """As :meth:`Contract.signs`."""
@@ -132,8 +130,8 @@ class Modeled(ABC):
     def places(self) -> dict[str, tuple[int, int]]:
         """As :meth:`Contract.places`."""
         speeds = {name: k for k, name in enumerate(self.speeds)}
-        told = enumerate(self.model.manifest["speeds"])
-        speeds |= {f"{row['of']}.u": k for k, row in told if row.get("of")}
+        told = enumerate(self.model.manifest.speeds)
+        speeds |= {f"{row.of}.u": k for k, row in told if row.of}
         known = set(self.coordinates)
         pairs = ((n, k, speeds.get(f"{n}.u")) for k, n in enumerate(self.coordinates))
         found = {name: (k, speed) for name, k, speed in pairs if speed is not None}

@@ -90,7 +90,7 @@ def modes(
 
 def _momentum(model: Any, at: Moment) -> Array:
     """Momentum by speeds (6, nu); (0, nu) of equations without bodies."""
-    if "momentum" in model.manifest.get("absent", ()):
+    if "momentum" in model.manifest.absent:
         return np.zeros((0, len(at.u)))
     found = np.asarray(model.momentum(at.q, np.eye(len(at.u)), t=at.t, r=at.r)).T
     rest = np.asarray(model.momentum(at.q, 0 * at.u, t=at.t, r=at.r))

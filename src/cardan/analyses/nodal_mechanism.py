@@ -21,6 +21,9 @@ from ..runtime.closing import Closing
 from ..runtime.compiled import CompiledModel
 from ..runtime.rotations import unit
 from ..runtime.states import random_state
+from ..schema.entries import MultiplierRow
+from ..schema.manifest import Manifest
+from ..schema.mechanism import JointRow
 from ..schema.records import PositionRecord
 from .connection import Connection, called, searching
 from .mechanism import Mechanism
@@ -65,13 +68,13 @@ class NodalMechanism(Mechanism):
         if q is not None:
             stays = np.isin(model.coordinates, list(kept))
             self._start[stays] = q[stays]
-        self._every: tuple[dict[str, Any], ...] = tuple(model.manifest["multipliers"])
+        self._every: tuple[MultiplierRow, ...] = tuple(model.manifest.multipliers)
         self.lead = np.flatnonzero(leading(model))
         self.columns = self.columns[self.lead]
         moved = {int(k) for k in self.lead}
         own = set[str]()
-        for row in model.manifest["joints"]:
-            (start, count), (first, _) = row["q"], row["u"]
+        for row in model.manifest.joints:
+            (start, count), (first, _) = row.slot("q"), row.slot("u")
             if first in moved:
                 own |= set(model.coordinates[start : start + count])
         own |= {model.speeds[k] for k in self.lead} | set(kept)
@@ -126,10 +129,9 @@ class NodalMechanism(Mechanism):
     @cached_property
     def closing(self) -> Closing:
         """As :attr:`Mechanism.closing`, less what holds wherever joints stand."""
-        rows = [dict(self._every[k]) for k in self._rows]
-        for row in rows:
-            row["unit"] = FORCES.get(row["unit"], row["unit"])
-        return Closing(tuple(rows), self.size)
+        rows = (self._every[k] for k in self._rows)
+        told = (row.replaced(unit=FORCES.get(row.unit, row.unit)) for row in rows)
+        return Closing(tuple(told), self.size)
 
     def _evaluated(self, name: str, *values: Array) -> Array:
         return super().evaluate(name, *values)
@@ -229,7 +231,7 @@ class NodalMechanism(Mechanism):
     def advance(self, q: Array, step: Array) -> Array:
         """As :meth:`Mechanism.advance`; nodes go along."""
         moved = np.asarray(self.model.integrate(q, self._along(step)), dtype=np.float64)
-        return self.carry(unit(moved, self.model.manifest["quaternions"]))
+        return self.carry(unit(moved, self.model.manifest.quaternions))
 
     def drawn(self, rng: np.random.Generator) -> Array:
         """As :meth:`Mechanism.drawn`: the same joints are drawn in any kind of coordinates."""
@@ -240,23 +242,26 @@ class NodalMechanism(Mechanism):
     @cached_property
     def led(self) -> NDArray[np.intp]:
         """As :attr:`Mechanism.led`: joints of the tree."""
-        places = [np.arange(row["q"][0], sum(row["q"])) for row in self._joints]
+        places = [np.arange(row.slot("q")[0], sum(row.slot("q"))) for row in self._joints]
         return np.concatenate([np.zeros(0, dtype=np.intp), *places])
 
     @cached_property
-    def _tree(self) -> dict[str, Any]:
+    def _tree(self) -> Manifest:
         """What the manifest of a tree says about the joints that are moved."""
-        manifest, rows = self.model.manifest, [dict(row) for row in self._joints]
+        manifest = self.model.manifest
         at = {int(k): n for n, k in enumerate(self.led)}
-        for row in rows:
-            row["q"] = [at[row["q"][0]], row["q"][1]]
-        return {
-            "coordinates": [manifest["coordinates"][k] for k in self.led],
-            "speeds": [manifest["speeds"][k] for k in self.lead],
-            "joints": rows,
-            "z": [],
-            "scene": {"rotations": [row["rotation"] for row in rows]},
-        }
+        slots = [row.slot("q") for row in self._joints]
+        return manifest.replaced(
+            coordinates=[manifest.coordinates[int(k)] for k in self.led],
+            speeds=[manifest.speeds[int(k)] for k in self.lead],
+            joints=[
+                row.replaced(q=(at[start], size))
+                for row, (start, size) in zip(self._joints, slots, strict=True)
+            ],
+            z=[],
+            quaternions=[],
+            scene=manifest.scene.replaced(rotations=[row.rotation for row in self._joints]),
+        )
 
     def between(self, q0: Array, q1: Array) -> Array:
         """As :meth:`Mechanism.between`: the shortest step along which joints change so, to first
@@ -277,7 +282,7 @@ class NodalMechanism(Mechanism):
             return np.stack([rates(q, row) - rates(q, T[0]) for row in T[1:]], axis=-1)
         # coordinates of a joint change by its own speeds alone: all joints at once
         found = np.zeros((len(q), self.nu))
-        own = [(row["q"], row["u"]) for row in self._joints]
+        own = [(row.slot("q"), row.slot("u")) for row in self._joints]
         steps = np.cumsum([0, *(count for _, (_, count) in own)])
         for k in range(max((count for _, (_, count) in own), default=0)):
             u = np.zeros(self.model.nu)
@@ -291,12 +296,11 @@ class NodalMechanism(Mechanism):
         return found
 
     @cached_property
-    def _joints(self) -> list[dict[str, Any]]:
+    def _joints(self) -> list[JointRow]:
         """Rows of the manifest of the joints that are moved."""
         moved = frozenset(self.lead.tolist())
-        return [
-            row for row in self.model.manifest["joints"] if row["u"][1] and row["u"][0] in moved
-        ]
+        rows = self.model.manifest.joints
+        return [row for row in rows if row.u and row.u[1] and row.u[0] in moved]
 
     def frame_jacobian(self, frame: str, q: Array) -> Array:
         """As :meth:`Mechanism.frame_jacobian`."""

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from typing import Any
 
 import numpy as np
 
@@ -74,7 +73,7 @@ def explain(runner: Runner, answer: int, over: Span) -> tuple[str, str]:
 def _masses(runner: Runner) -> str:
     """What has no mass."""
     model, views = runner.model, runner.views
-    if "mesh" not in model.manifest:
+    if not model.manifest.absolute:
         return "The mass matrix is singular there: look at the state motion.x[-1]"
     q, u = model.split(views["y"][: model.nx])[:2]
     at = State(q, u, t=float(runner.record.t), r=views["r"])
@@ -107,8 +106,8 @@ def _not_finite(runner: Runner, who: str) -> str:
 
 def _domain(runner: Runner) -> str:
     """What may have no value."""
-    rows = [joint.get("solved") for joint in runner.model.manifest["joints"]]
-    circuits = dict.fromkeys(f"'{row['circuit']}'" for row in rows if row)
+    rows = [joint.solved for joint in runner.model.manifest.joints]
+    circuits = dict.fromkeys(f"'{row.loop}'" for row in rows if row)
     if not circuits:
         return f"{_rotation(runner)}A force or a rotation leaves its domain there"
     return (
@@ -122,13 +121,12 @@ def _rotation(runner: Runner) -> str:
     model, k = runner.model, runner.record.culprit
     if not 0 <= k < len(model.coordinates):
         return ""
-    owner = model.manifest["coordinates"][k].get("joint")
-    rows = [row for row in model.manifest["joints"] if row["name"] == owner]
-    joint: dict[str, Any] = rows[0] if rows else {}
-    if not is_bounded(joint):
+    owner = model.manifest.coordinates[k].joint
+    joint = next((row for row in model.manifest.joints if row.name == owner), None)
+    if joint is None or not is_bounded(joint):
         return ""
     return (
-        f"Joint '{owner}' turns by rotation='{joint['rotation']}' ({joint['domain']}); "
+        f"Joint '{owner}' turns by rotation='{joint.rotation}' ({joint.domain}); "
         "rotation='quaternion' has no such limits. "
     )
 
@@ -137,7 +135,7 @@ def _open(runner: Runner) -> str:
     """Which circuit does not stay closed, and what to do about it."""
     run, closing = runner.record, runner.closing
     level, name = closing.row(run.open_row)
-    joint = next(row["joint"] for row in closing.rows if row["name"] == name)
+    joint = next(row.joint for row in closing.rows if row.name == name)
     kind = "constraint" if joint == name else "joint"
     who = f"motion is not defined here: {kind} '{joint}' ({level} of '{name}')"
     if run.steps == 0 and run.correction <= 1:
@@ -161,8 +159,8 @@ def _open(runner: Runner) -> str:
 
 def _driven(runner: Runner) -> str:
     """Joints and constraints that time or inputs move, in words."""
-    joints = [j["name"] for j in runner.model.manifest["joints"] if j["prescribed"]]
-    written = [row["name"] for row in runner.closing.rows if row["name"] == row["joint"]]
+    joints = [j.name for j in runner.model.manifest.joints if j.prescribed]
+    written = [row.name for row in runner.closing.rows if row.name == row.joint]
     moved = [name for name in written if f"{name}.motion" in runner.sources]
     return ", ".join(f"'{name}'" for name in (*joints, *moved))
 

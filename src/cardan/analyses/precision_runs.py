@@ -120,7 +120,7 @@ def compare(
 
 def twin(model: CompiledModel, method: Integrator) -> str:
     """The method that a Lie group method is where nothing turns by quaternions, "" of others."""
-    if not method.charted or model.manifest["quaternions"]:
+    if not method.charted or model.manifest.quaternions:
         return ""
     others = (n for n, m in INTEGRATORS.items() if m.kernel == method.kernel and not m.charted)
     return next(others, "")
@@ -148,7 +148,7 @@ class Bench:
         Raises:
             SolveError: no method reaches the end.
         """
-        derived = JACOBIAN in self._model.manifest["available"]
+        derived = JACOBIAN in self._model.manifest.available
         # the reference may take longer than what it judges
         allowed = LONGER * self._patience
 
@@ -249,7 +249,7 @@ class Bench:
         if len(q) != len(other):
             return math.inf
         found = q.copy()
-        for first in self._model.manifest["quaternions"]:
+        for first in self._model.manifest.quaternions:
             four = slice(first, first + 4)
             along = (found[:, four] * other[:, four]).sum(axis=1)
             found[:, four] *= np.where(along < 0, -1.0, 1.0)[:, None]

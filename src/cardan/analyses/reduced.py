@@ -77,7 +77,7 @@ class Partition:
             )
         self._last = place
         G, count = m.jacobian(place), m.closing.positions
-        units = [row["unit"] for row in model.manifest["coordinates"]]
+        units = [row.unit for row in model.manifest.coordinates]
         lengths = np.array([m.size if name == "m" else 1.0 for name in units])
         moves = m.kinematics(place) @ _free(G[:count]) / lengths[:, None]
         self._q, worst = _independent(moves)

@@ -14,6 +14,7 @@ from ..errors import SolveWarning, warn
 from ..runtime.compiled import CompiledModel
 from ..runtime.evaluation import State
 from ..runtime.initial import start_of
+from ..schema.entries import MultiplierRow
 from .mechanism import Mechanism
 from .self_stress import COMPONENTS, RANK, determined, passed
 
@@ -140,9 +141,9 @@ def doubt(model: CompiledModel, joint: str, q: Any, t: Any, r: Any) -> None:
     """
     if not bound(model):
         return
-    treatment = model.manifest["scene"].get("treatment")
-    rests = any(cut.get("left_out") for cut in model.manifest.get("cuts", ()))
-    if treatment and not treatment["exact"] and not rests:
+    treatment = model.manifest.scene.treatment
+    rests = any(cut.left_out for cut in model.manifest.cuts)
+    if treatment and not treatment.exact and not rests:
         return
     states = np.reshape(model._vector("q", q), (-1, model.nq))
     times = np.broadcast_to(np.ravel(t), len(states)) if np.size(t) > 1 else np.ravel(t)
@@ -154,7 +155,7 @@ def doubt(model: CompiledModel, joint: str, q: Any, t: Any, r: Any) -> None:
         if found.joints.get(joint, True):
             return
     if len(states):
-        elastic = rests or "mesh" in model.manifest
+        elastic = rests or model.manifest.absolute
         warn(
             f"the reaction of '{joint}' is not determined ({found.loose(joint)}): constraints of "
             f"its loop say the same twice, {found.directions[0]}. One of the possible wrenches "
@@ -171,8 +172,8 @@ def undetermined(model: CompiledModel, q: Array, t: float = 0.0) -> tuple[str, .
 
 def bound(model: CompiledModel) -> bool:
     """Whether constraints bind a model whose rows are known."""
-    rows, known = model.manifest["multipliers"], model.manifest["available"]
-    return bool(model.manifest.get("cuts")) or bool(rows and "constraint_jacobian" in known)
+    rows, known = model.manifest.multipliers, model.manifest.available
+    return bool(model.manifest.cuts) or bool(rows and "constraint_jacobian" in known)
 
 
 def position(model: CompiledModel, q: Any) -> Array:
@@ -199,18 +200,18 @@ def report(m: Mechanism, q: Array) -> Redundancy:
         U = np.linalg.svd(np.concatenate([G, _slopes(m, q, rest)]), full_matrices=True)[0]
     vectors = _plain(U[:, rank:].T)
     unique = {
-        str(row["name"]): bool(np.abs(vectors[:, k]).max(initial=0.0) < UNIQUE)
+        str(row.name): bool(np.abs(vectors[:, k]).max(initial=0.0) < UNIQUE)
         for k, row in enumerate(rows)
     }
-    owners = np.array([row["joint"] for row in m.closing.rows])
+    owners = np.array([row.joint for row in m.closing.rows])
     circuits = {owner: (n, n) for owner, n in _solved(m).items()}
     for owner in dict.fromkeys(owners.tolist()):
         values = np.linalg.svd(G[owners == owner], compute_uv=False)
         own = int(np.sum(values > RANK * float(s.max(initial=0.0))))
         circuits[owner] = int(np.sum(owners == owner)), own
     for row in rest:
-        count, own = circuits.get(row["joint"], (0, 0))
-        circuits[row["joint"]] = count + 1, own
+        count, own = circuits.get(row.joint, (0, 0))
+        circuits[row.joint] = count + 1, own
     solved = sum(_solved(m).values())
     components = determined(m, q)
     return Redundancy(
@@ -219,7 +220,7 @@ def report(m: Mechanism, q: Array) -> Redundancy:
         constraints=len(rows) + solved,
         rank=rank + solved,
         circuits=circuits,
-        left_out=tuple(row["name"] for row in rest),
+        left_out=tuple(row.name for row in rest),
         directions=tuple(_described(vector, rows) for vector in vectors),
         vectors=vectors,
         unique=unique,
@@ -228,39 +229,43 @@ def report(m: Mechanism, q: Array) -> Redundancy:
     )
 
 
-def _left_out(m: Mechanism) -> list[dict[str, Any]]:
+def _left_out(m: Mechanism) -> list[MultiplierRow]:
     """Conditions that the motion of their circuit fulfills by itself, as rows of multipliers."""
-    return [{**row, "joint": cut["name"]} for cut in m.cuts for row in cut.get("left_out", ())]
+    return [
+        MultiplierRow(name=row.name, unit=row.unit, joint=cut.name, level="position")
+        for cut in m.cuts
+        for row in cut.left_out
+    ]
 
 
 def _solved(m: Mechanism) -> dict[str, int]:
     """Circuits in closed form, and how many conditions each of them fulfills."""
     found: dict[str, int] = {}
-    for joint in m.model.manifest["joints"]:
-        if told := joint.get("solved"):
-            found[told["circuit"]] = found.get(told["circuit"], 0) + len(told["u"])
+    for joint in m.model.manifest.joints:
+        if told := joint.solved:
+            found[told.loop] = found.get(told.loop, 0) + len(told.u)
     return found
 
 
-def _slopes(m: Mechanism, q: Array, rest: Sequence[Mapping[str, Any]]) -> Array:
+def _slopes(m: Mechanism, q: Array, rest: Sequence[MultiplierRow]) -> Array:
     """G (k, nu), without units, of what is left out, by central differences along the speeds.
 
     Zeros where circuits are in closed form: the joints that follow fulfill it.
     """
     found = np.zeros((len(rest), m.nu))
-    if "closure" not in m.model.manifest["available"]:
+    if "closure" not in m.model.manifest.available:
         return found
     steps = NEARBY * np.eye(m.nu)
     values = {
         k: np.array([m.evaluate("closure", m.advance(q, k * step)) for step in steps])
         for k in DIFFERENCE
     }
-    entries = m.model.manifest["functions"]["closure"]["outputs"][0]["entries"]
+    entries = m.model.manifest.functions["closure"].outputs[0].entries
     for n, row in enumerate(rest):
-        if row["name"] in entries:
-            k = entries.index(row["name"])
+        if row.name in entries:
+            k = entries.index(row.name)
             along = sum(weight * values[step][:, k] for step, weight in DIFFERENCE.items())
-            found[n] = along / NEARBY / (m.size if row["unit"] == "N" else 1.0)
+            found[n] = along / NEARBY / (m.size if row.unit == "N" else 1.0)
     return np.where(np.abs(found) > ROUNDING, found, 0.0)
 
 
@@ -268,11 +273,11 @@ def _of_circuits(m: Mechanism, unique: Mapping[str, bool]) -> dict[str, tuple[bo
     """As :func:`.self_stress.determined` where joints are not known by their poses: a self-stress
     is taken to load every joint of its circuit in full."""
     rows = [*m.closing.rows, *_left_out(m)]
-    loose = {str(row["joint"]) for row in rows if not unique[str(row["name"])]}
+    loose = {row.joint for row in rows if not unique[row.name]}
     found: dict[str, bool] = {}
     for cut in m.cuts:
         for joint in passed(cut):
-            found[joint] = found.get(joint, True) and cut["name"] not in loose
+            found[joint] = found.get(joint, True) and cut.name not in loose
     return {joint: (held,) * len(COMPONENTS) for joint, held in found.items()}
 
 
@@ -296,22 +301,22 @@ def _plain(vectors: Array) -> Array:
     return np.asarray(basis / np.where(largest == 0, 1.0, largest))
 
 
-def _described(vector: Array, rows: Sequence[Mapping[str, Any]]) -> str:
+def _described(vector: Array, rows: Sequence[MultiplierRow]) -> str:
     """A combination of constraints in words: ``translation along y of joint 'J3'``."""
     told: list[tuple[str, str]] = []
     sizes = np.abs(vector).round(9) / np.abs(vector).max()
 
     # a translation first, if it has much of it
     def order(k: int) -> tuple[bool, float]:
-        return sizes[k] < 0.5 or rows[k]["unit"] != "N", -float(sizes[k])
+        return sizes[k] < 0.5 or rows[k].unit != "N", -float(sizes[k])
 
     for k in sorted(np.flatnonzero(sizes >= SHARE).tolist(), key=order):
-        joint, name = str(rows[k]["joint"]), str(rows[k]["name"])
+        joint, name = str(rows[k].joint), str(rows[k].name)
         part = name.removeprefix(f"{joint}.")
         form = FORMS.get(part[:1]) if len(part) == 2 and part[1] in "xyz" else None
         told.append((form.format(part[1]) if form else f"'{part}'", joint))
     first, joint = told[0]
-    if len(told) == 1 and not rows[int(sizes.argmax())].get("level"):
+    if len(told) == 1 and not rows[int(sizes.argmax())].level:
         return f"{first} of joint '{joint}' (its loop moves in a group that holds it)"
     others = [part if owner == joint else f"{part} of joint '{owner}'" for part, owner in told[1:]]
     rest = f" (it follows from {', '.join(others)} and the other joints)" if others else ""

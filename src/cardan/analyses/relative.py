@@ -43,13 +43,13 @@ class Relative(Modeled):
         Raises:
             ModelError: ``balance`` cannot be had.
         """
-        if "balance" not in model.manifest["available"]:
+        if "balance" not in model.manifest.available:
             raise ModelError(
                 f"model '{model.name}' was compiled without 'balance' and 'balance_tangent': "
                 "compile(..., functions=[...]) with them, or without functions="
             )
-        if not model.manifest.get("projected", True):
-            treatment = model.manifest["scene"]["treatment"]["name"]
+        if not model.manifest.projected:
+            treatment = model.manifest.treatment
             raise ModelError(
                 f"model '{model.name}' has constraints='{treatment}': equilibria and linear models "
                 "keep constraints exactly. Compile with constraints='multipliers'"
@@ -136,9 +136,9 @@ class Relative(Modeled):
         balance each other count too.
         """
         model = self.model.with_parameters(dict(at.parameters)) if at.parameters else self.model
-        known = {**model.manifest["structural"], **model.parameters}
+        known = {**model.manifest.structural, **model.parameters}
         gravity = np.array([known.get(f"gravity.{axis}", 0.0) for axis in "xyz"])
-        mass = sum(abs(known.get(f"{body['name']}.mass", 0.0)) for body in model.manifest["bodies"])
+        mass = sum(abs(known.get(f"{body.name}.mass", 0.0)) for body in model.manifest.bodies)
         moving = np.abs(np.diag(self.tangents(at).M)) * self.columns**2
         found: Array = float(np.linalg.norm(gravity)) * np.sqrt(mass * moving)
         if np.any(at.r):
@@ -223,7 +223,7 @@ class Relative(Modeled):
         q, u = model.split(model.random_state(0))
         N = self.turning(Moment(0.0, q, u, u, r=self.given_inputs(None)))
         for k, name in enumerate(self.speeds):
-            own = model.manifest["speeds"][k].get("of") or of_rate(name)
+            own = model.manifest.speeds[k].of or of_rate(name)
             place = self.coordinates.index(own) if own in self.coordinates else -1
             same = place >= 0 and N[place, k] == 1 and np.count_nonzero(N[place]) == 1
             found.append(own if same else f"along {name}")
@@ -273,7 +273,7 @@ class Relative(Modeled):
         """As :meth:`Contract.integrate`."""
         if self._mechanism.chosen:
             return self._mechanism.advance(q, du / self.columns)
-        moved: Array = unit(self.model.integrate(q, du), self.model.manifest["quaternions"])
+        moved: Array = unit(self.model.integrate(q, du), self.model.manifest.quaternions)
         return moved
 
     def difference(self, q0: Array, q: Array) -> Array:

@@ -71,7 +71,7 @@ def tell(m: Mechanism, residual: float) -> None:
     """Warn of a residual without units, if it is more than the last digits."""
     if residual < TOLD:
         return
-    joints = ", ".join(f"'{cut['name']}'" for cut in m.cuts)
+    joints = ", ".join(f"'{cut.name}'" for cut in m.cuts)
     warn(
         f"model '{m.model.name}': circuits (of {joints}) close to {residual * m.size:.1g} m only. "
         "Conditions that say the same twice disagree by that much, as rounded lengths or axes "

@@ -84,7 +84,7 @@ class Runner:
         self.closers = [model._function(name) for name in self.closing.functions]
         self.needed = [model._function(name) for name in (*settings.method.needs, *may.functions)]
         outputs = self.functions[-1].outputs if power else []
-        self.sources: tuple[str, ...] = tuple(outputs[0]["entries"] or ()) if outputs else ()
+        self.sources: tuple[str, ...] = tuple(outputs[0].entries or ()) if outputs else ()
         self.n = model.nx + len(self.sources)
         self.error: BaseException | None = None
         called = [*self.functions, *self.closers, *self.needed]
@@ -109,7 +109,7 @@ class Runner:
         run.positions, run.rates = self.closing.positions, self.closing.rates
         run.size = self.closing.size
         run.nlam = model.nlam if self.settings.method.multipliers else 0
-        run.charted = self.settings.method.charted and len(model.manifest["quaternions"]) > 0
+        run.charted = self.settings.method.charted and len(model.manifest.quaternions) > 0
         run.jumps = jumps(model)
         run.on_grid = not self.settings.method.adaptive
         names = (*self.closing.functions, *self.settings.method.needs, *self.may.functions)
@@ -119,7 +119,7 @@ class Runner:
         run.columns = self._pointer(columns_of(model, run.size))
         method = self.settings.method
         run.options = self._pointer(np.array([*method.options, method.adaptive], dtype=np.float64))
-        if "mesh" in model.manifest:
+        if model.manifest.absolute:
             run.mesh = model._source.mesh(model)
 
     def loosen(self, slack: float) -> None:
@@ -130,7 +130,7 @@ class Runner:
     def _allocate(self) -> None:
         """One block of numbers for everything but output rows."""
         run, called = self.record, [*self.functions, *self.closers, *self.needed]
-        parts = sum(len(body["parts"]) for body in self.model.manifest["bodies"])
+        parts = sum(len(body.parts) for body in self.model.manifest.bodies)
         rooms = max(self.model.nu, 6 * parts), max(function.work_size for function in called)
         self.memory = np.zeros(self.library.cardan_run_length(run, *rooms))
         first = self.memory.ctypes.data
@@ -146,7 +146,7 @@ class Runner:
         run.rhs, run.rhs_w = self.functions[0].address, self._pointer(self.functions[0].w)
         if self.sources:
             run.power, run.power_w = self.functions[1].address, self._pointer(self.functions[1].w)
-        quaternions = np.array(model.manifest["quaternions"], dtype=np.intp)
+        quaternions = np.array(model.manifest.quaternions, dtype=np.intp)
         run.quaternions, run.quaternion_count = self._pointer(quaternions), len(quaternions)
         limited = np.array(bounded(model.manifest), dtype=np.intp)
         run.bounded, run.bounded_count = self._pointer(limited), len(limited)
@@ -184,7 +184,7 @@ class Runner:
         run.kinds = self._pointer(np.array(self.may.kinds, dtype=np.intp))
         self.ticks = (Tick * max(1, len(ticks)))()
         for row, tick in zip(self.ticks, ticks, strict=False):
-            row.event, row.period, row.phase = tick["event"], tick["period"], tick["phase"]
+            row.event, row.period, row.phase = tick.event, tick.period, tick.phase
         run.ticks, run.tick_count = ctypes.addressof(self.ticks), len(ticks)
         width = 1 + len(self.may.rows) + 2 * (self.model.nx + self.model.ns)
         run.log_capacity = LOG + ROOM * len(self.may.rows) if self.may.rows else 0

@@ -229,7 +229,7 @@ def run_file(
         raise ModelError(f"checkpoint={shown(path)}: name a file, such as 'run.part'")
     if not (isinstance(every, int | float) and math.isfinite(every) and every >= 0):
         raise ModelError(f"every={shown(every)}: the time between two checkpoints [s], 0 or more")
-    if "mesh" in model.manifest:
+    if model.manifest.absolute:
         raise ModelError(
             f"checkpoint= of simulate: model '{model.name}' is in absolute coordinates, whose runs "
             "are kept in no file; leave it out, and save the motion by motion.save(path)"

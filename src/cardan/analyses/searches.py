@@ -50,8 +50,8 @@ def drawn(m: Mechanism, given: Array, rng: np.random.Generator) -> Array:
     """Random coordinates; lengths without limits as far from their start as the mechanism is."""
     manifest = m.model.manifest
     q = m.drawn(rng)
-    bound = {joint["name"] for joint in manifest["joints"] if joint["limits"]}
-    for k, row in enumerate(manifest["coordinates"]):
-        if row["unit"] == "m" and row.get("joint") not in bound:
-            q[k] = given[k] + m.size * (q[k] - (row["default"] or 0.0))
+    bound = {joint.name for joint in manifest.joints if joint.limits}
+    for k, row in enumerate(manifest.coordinates):
+        if row.unit == "m" and row.joint not in bound:
+            q[k] = given[k] + m.size * (q[k] - (row.default or 0.0))
     return q

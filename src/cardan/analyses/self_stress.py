@@ -15,7 +15,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,6 +24,7 @@ from ..runtime.closed_states import closers_at, unbound
 from ..runtime.judged import motion_of, scene_of, unknown
 from ..runtime.newton_euler import moving
 from ..runtime.written_bounds import written
+from ..schema.mechanism import CutRow
 from .mechanism import Mechanism
 
 Array = NDArray[np.float64]
@@ -47,7 +47,7 @@ def determined(m: Mechanism, q: Array) -> Components | None:
         Joint -> (Mx, My, Mz, Fx, Fy, Fz) as ``model.reaction`` orders them, of all joints of the
         loops; None where joints are not known by their poses.
     """
-    if "mesh" in m.model.manifest:
+    if m.model.manifest.absolute:
         return _of_rows(m, q)
     return _of_loops(m, q) if m.cuts else {}
 
@@ -109,7 +109,7 @@ def _poses(circuits: Circuits, q: Array, motion: Array | None, size: float) -> P
 
 def _carried(m: Mechanism, circuits: Circuits, poses: Poses, stresses: Array) -> Components:
     """What self-stresses (k, loops, 6) bring to every joint of the loops, fixed ones too."""
-    names = [joint["name"] for joint in m.model.manifest["joints"]]
+    names = [joint.name for joint in m.model.manifest.joints]
     through: dict[str, Array] = {}
     seats: dict[str, Seat] = {}
     for n, (closer, cut) in enumerate(zip(circuits.closers, m.cuts, strict=True)):
@@ -118,11 +118,11 @@ def _carried(m: Mechanism, circuits: Circuits, poses: Poses, stresses: Array) ->
         wrench = np.concatenate([moment + np.cross(child[1], force), force], axis=-1)
         for body, sign in _path(circuits.scene.parents, closer.parent.body, closer.child.body):
             through[names[body]] = through.get(names[body], 0.0) + sign * wrench
-            frame = m.model.manifest["joints"][body]["child_frame"]
+            frame = m.model.manifest.joints[body].child_frame
             seats[names[body]] = _placed(poses, _end(m, circuits, frame), m.size)
-        for weld in cut.get("fixed", ()):
-            through[weld["joint"]] = through.get(weld["joint"], 0.0) + weld["side"] * wrench
-            seats[weld["joint"]] = _placed(poses, _end(m, circuits, weld["frame"]), m.size)
+        for weld in cut.fixed:
+            through[weld.joint] = through.get(weld.joint, 0.0) + weld.side * wrench
+            seats[weld.joint] = _placed(poses, _end(m, circuits, weld.frame), m.size)
         if closer.name not in names:
             through[closer.name] = wrench
             seats[closer.name] = child
@@ -130,17 +130,17 @@ def _carried(m: Mechanism, circuits: Circuits, poses: Poses, stresses: Array) ->
     return {name: _free(_seen(through[name], *seats[name])) for name in every}
 
 
-def passed(cut: Mapping[str, Any]) -> list[str]:
+def passed(cut: CutRow) -> list[str]:
     """Joints of a loop: those of the tree, fixed ones, the one that closes it."""
-    welds = [weld["joint"] for weld in cut.get("fixed", ())]
-    return list(dict.fromkeys([*cut["circuit"], *welds, cut["name"]]))
+    welds = [weld.joint for weld in cut.fixed]
+    return list(dict.fromkeys([*cut.loop, *welds, cut.name]))
 
 
 def _end(m: Mechanism, circuits: Circuits, frame: str) -> End:
     """A frame on its body."""
-    rows, bodies = m.model.manifest["frames"], [b["name"] for b in m.model.manifest["bodies"]]
-    k = [row["name"] for row in rows].index(frame)
-    body, numbers = rows[k]["body"], circuits.scene.numbers
+    rows, bodies = m.model.manifest.frames, [b.name for b in m.model.manifest.bodies]
+    k = [row.name for row in rows].index(frame)
+    body, numbers = rows[k].body, circuits.scene.numbers
     number = bodies.index(body) if body in bodies else -1
     return End(number, numbers["frame_rotation"][k], numbers["frame_position"][k])
 
@@ -179,7 +179,7 @@ def _of_rows(m: Mechanism, q: Array) -> Components:
     from ..runtime.absolute.elements import State
 
     model = m.model
-    source, named = model._source, model.manifest["mesh"]["reactions"]
+    source, named = model._source, model.manifest.elements.reactions
     assert isinstance(source, Assembled)
     mesh, layout = source.results(model).mesh, model._layout
     groups = mesh.tables.groups

@@ -11,11 +11,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..errors import ArgumentError, ModelError, ModelWarning, SolveError, near, outside, shown, warn
-from ..ir.rows import having
 from ..runtime.calling import numbers
 from ..runtime.compiled import CompiledModel
 from ..runtime.initial import followers, start_of
 from ..schema.integrators import INTEGRATORS, Integrator
+from ..schema.rows import having
 from .alpha import Alpha, GeneralizedAlpha, method_of
 from .signals import Signals
 
@@ -219,13 +219,13 @@ def start(model: CompiledModel, x0: Any, q: Any, u: Any, z: Any = None) -> Start
 
 def _within_limits(model: CompiledModel, x: Array, named: Values) -> None:
     """Warn of coordinates that were named outside the limits of their joints."""
-    for joint in having(model.manifest["joints"], "limits"):
-        first, size = joint.get("q") or (0, 0)
-        if size == 1 and (joint["name"] in named or model.coordinates[first] in named):
-            limits, unit = joint["limits"], model.manifest["coordinates"][first]["unit"]
+    for joint in having(model.manifest.joints, "limits"):
+        first, size = joint.q or (0, 0)
+        if size == 1 and (joint.name in named or model.coordinates[first] in named):
+            limits, unit = joint.limits, model.manifest.coordinates[first].unit
             problem = outside(float(x[first]), limits.get("lower"), limits.get("upper"), unit)
             if problem:
-                warn(f"joint '{joint['name']}': q: {problem}", ModelWarning)
+                warn(f"joint '{joint.name}': q: {problem}", ModelWarning)
 
 
 def blocks(x0: Any, q: Any, u: Any) -> tuple[Any, Any]:

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from ..errors import ArgumentError, FunctionError, ModelError, SolveError, named, near, shown
 from ..runtime.calling import numbers
 from ..runtime.recorded import Pieces, Recorded
+from ..schema.entries import Entry
 
 Array = NDArray[np.float64]
 InputFunction = Callable[[float, Array], float]
@@ -94,7 +95,7 @@ class Signals:
 
 
 def signals(
-    rows: Sequence[Mapping[str, Any]],
+    rows: Sequence[Entry],
     given: Mapping[str, Any] | None,
     sample: float | None,
     span: tuple[float, float],
@@ -102,7 +103,7 @@ def signals(
     """Inputs as they are given to ``simulate``.
 
     Args:
-        rows: ``manifest["inputs"]``: name, unit, default.
+        rows: ``manifest.inputs``: name, unit, default.
         given: Name -> constant, ``(times, values)`` or ``f(t, x)``.
         sample: Sampling time of the functions [s].
         span: Start and end of the run [s].
@@ -112,9 +113,9 @@ def signals(
             the run; a sampling time without functions.
         ArgumentError: wrong shape. SolveError: a value that is not finite.
     """
-    names = [str(row["name"]) for row in rows]
+    names = [str(row.name) for row in rows]
     own = [n for n in names if not _derived(n, names)]
-    constants = np.array([row.get("default") or 0.0 for row in rows], dtype=np.float64)
+    constants = np.array([row.default or 0.0 for row in rows], dtype=np.float64)
     pieces: list[Pieces] = []
     functions: dict[int, InputFunction] = {}
     for name, value in named("inputs", given, f"'{own[0] if own else 'force'}': 1.0").items():

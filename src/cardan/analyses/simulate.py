@@ -18,6 +18,7 @@ from ..runtime.interpreted import CURE
 from ..runtime.trajectory import Trajectory
 from ..schema.functions import OF_ELEMENTS
 from ..schema.integrators import INTEGRATORS
+from ..schema.manifest import Manifest
 from . import record as abi
 from .accounting import excess
 from .alpha import Alpha, GeneralizedAlpha
@@ -114,7 +115,7 @@ def simulate(
     may = happenings(model, events)
     may.forward(over.start, over.end)
     how = settings(method, rtol, atol, step, max_step, over.length)
-    given = signals(model.manifest["inputs"], inputs, sample, (over.start, over.end))
+    given = signals(model.manifest.inputs, inputs, sample, (over.start, over.end))
     how = watched(how, given, over.length, max_step)
     begin = closed_start(model, begin, *blocks(x0, q, u), over.start, r := given.first(over.start))
     check_start(model, begin.x, over.start, r)
@@ -168,17 +169,17 @@ def _settled(
 
 def case_of(model: CompiledModel, rtol: float, over: Span, given: Signals, may: Happenings) -> Case:
     """What ``method="auto"`` chooses from."""
-    periods = [float(tick["period"]) for tick in may.ticks]
+    periods = [float(tick.period) for tick in may.ticks]
     if given.functions and given.sample is not None:
         periods.append(given.sample)
     return Case(
         rtol=rtol,
         period=min(periods, default=None),
         length=over.length,
-        derived=JACOBIAN in model.manifest["available"],
+        derived=JACOBIAN in model.manifest.available,
         asked=bool(given.functions),
-        elements="mesh" in model.manifest,
-        beams=bool(model.manifest.get("beams")),
+        elements=model.manifest.absolute,
+        beams=bool(model.manifest.beams),
     )
 
 
@@ -204,15 +205,15 @@ def runner_of(
     left = spare(model, how, given, may)
     if left is not None:
         return left
-    available = model.manifest["available"]
+    available = model.manifest.available
     power = "power" in available
     needs = [(f"method '{how.method.name}'", name) for name in how.method.needs]
     needs += [("a run with events", name) for name in may.functions]
     for what, name in needs:
         if name not in available:
             cure = f"cd.compile(..., functions=[..., '{name}'])"
-            cure = model.manifest.get("absent", {}).get(name, cure)
-            if "mesh" in model.manifest and name not in OF_ELEMENTS:
+            cure = model.manifest.absent.get(name, cure)
+            if model.manifest.absolute and name not in OF_ELEMENTS:
                 cure = "absolute coordinates offer none; method='GeneralizedAlpha' needs none"
             raise ModelError(
                 f"{what} needs the function '{name}', which model '{model.name}' lacks: {cure}"
@@ -304,11 +305,10 @@ def _loop(
     return answer
 
 
-def speed_pairs(manifest: dict[str, Any]) -> int:
+def speed_pairs(manifest: Manifest) -> int:
     """Pairs of speeds of which one moves what the other moves: entries of M that are not 0."""
-    rows = [row for row in manifest["joints"] if row["u"] is not None]
-    size = {row["child"]: row["u"][1] for row in rows}
-    parent = {row["child"]: row["parent"] for row in manifest["joints"]}
+    size = {row.child: row.u[1] for row in manifest.joints if row.u is not None}
+    parent = {row.child: row.parent for row in manifest.joints}
     count = 0
     for body, own in size.items():
         count += own * own

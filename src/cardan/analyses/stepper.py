@@ -42,7 +42,7 @@ class Stepper:
 
     def __init__(self, runner: Runner, how: Settings, over: str = "") -> None:
         self._runner, self._model, self._how = runner, runner.model, how
-        self._names = [str(row["name"]) for row in runner.model.manifest["inputs"]]
+        self._names = [str(row.name) for row in runner.model.manifest.inputs]
         self._log = runner.drained()
         self._over = over
         # steps of one length count from the first of them: sums would drift from the grid
@@ -223,7 +223,7 @@ def stepper(
             raise ModelError(
                 f"inputs: '{name}': a stepper takes numbers; new ones go to step(dt, inputs=...)"
             )
-    given = signals(model.manifest["inputs"], inputs, None, (t, t))
+    given = signals(model.manifest.inputs, inputs, None, (t, t))
     begin = start(model, x0, q, u, z)
     begin = closed_start(model, begin, *blocks(x0, q, u), t, given.constants)
     check_start(model, begin.x, t, given.constants)

@@ -30,10 +30,10 @@ def warn_of_strain(model: CompiledModel, x: Array) -> None:
     if not tables.beams:
         return
     reference, q = Carrier(model, ()).reference, model.split(x)[0]
-    strains = [_strain(model, k, reference, q) for k in range(len(model.manifest["beams"]))]
+    strains = [_strain(model, k, reference, q) for k in range(len(model.manifest.beams))]
     worst = int(np.argmax(strains))
     if strains[worst] > LARGE:
-        name = model.manifest["beams"][worst]["name"]
+        name = model.manifest.beams[worst].name
         warn(
             f"model '{model.name}': the start strains beam '{name}' by {strains[worst]:.2g}, more "
             f"than any elastic material bears ({LARGE:g}): its ends are not where an unstrained "
@@ -50,7 +50,7 @@ def _strain(model: CompiledModel, number: int, reference: Array, q: Array) -> fl
     stretch = np.linalg.norm(now[1] - before[1], axis=1) / length
     bend = np.linalg.norm(now[0] - before[0], axis=1) / length
     # about which axis it bends is not asked: the thinner side strains least
-    half = min(model.manifest["beams"][number]["outline"][:2])
+    half = min(model.manifest.beams[number].outline[:2])
     return float(np.maximum(stretch, bend * half).max(initial=0.0))
 
 
@@ -58,9 +58,9 @@ def _poses(model: CompiledModel, number: int, q: Array) -> tuple[Array, Array]:
     """Rotations (n, 3, 3) and positions (n, 3) of the nodes of a segment, ends on their bodies."""
     from scipy.spatial.transform import Rotation
 
-    tables, row = loading.tables_of(model), model.manifest["beams"][number]
+    tables, row = loading.tables_of(model), model.manifest.beams[number]
     inner = tables.poses(q, tables.beams[number][1:-1])
-    ends = [model.pose(row[end], q) for end in ("start", "end")]
+    ends = [model.pose(end, q) for end in (row.start, row.end)]
     turns = Rotation.from_quat(np.roll(inner[:, :4], -1, axis=1)).as_matrix() if len(inner) else ()
     rotations = [ends[0][:3, :3], *turns, ends[1][:3, :3]]
     positions = [ends[0][:3, 3], *inner[:, 4:], ends[1][:3, 3]]

@@ -227,7 +227,7 @@ def _motion(
 ) -> tuple[Array, Array, Array, Array]:
     """q, u, udot and the quality of the drive at all positions."""
     model = drive.m.model
-    dynamic = "forward_dynamics" in model.manifest["available"]
+    dynamic = "forward_dynamics" in model.manifest.available
     slopes = _slopes(table)
     u, udot, quality = [], [], []
     for q, values, slope in zip(rows, table, slopes, strict=False):

@@ -43,8 +43,8 @@ class Target:
 
     def scales_of(self, m: Mechanism) -> Array:
         """What these count in."""
-        rows = m.model.manifest["coordinates"][self.place]
-        return np.array([m.size if row["unit"] == "m" else 1.0 for row in rows])
+        rows = m.model.manifest.coordinates[self.place]
+        return np.array([m.size if row.unit == "m" else 1.0 for row in rows])
 
     def residual(self, m: Mechanism, q: Array) -> Array:
         """What a frame misses of it, without units: its rotation vector, then its place."""

@@ -178,7 +178,7 @@ def torques(
         forces, unique = made.forces, bool(np.all(made.unique))
     else:
         forces, unique = model.inverse_dynamics(data.q, data.u, data.udot, **given), True
-    units = [UNITS.get(row["unit"], "") for row in model.manifest["speeds"]]
+    units = [UNITS.get(row.unit, "") for row in model.manifest.speeds]
     return Torques(
         model,
         data.t,

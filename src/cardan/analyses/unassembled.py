@@ -129,7 +129,7 @@ def turned_round(joint: str) -> str:
 
 def moment(m: Mechanism) -> str:
     """When and with what prescribed motions, in words; "" where time does not matter."""
-    moved = [f"'{j['name']}'" for j in m.model.manifest["joints"] if j.get("prescribed")]
+    moved = [f"'{j.name}'" for j in m.model.manifest.joints if j.prescribed]
     if moved:
         return f" at t = {m.t:g} s, where the motion of {', '.join(moved)} is prescribed"
     return f" at t = {m.t:g} s" if m.t else ""
@@ -176,9 +176,9 @@ def _open(m: Mechanism, found: Sequence[Solution]) -> str:
     name = max(gaps, key=lambda one: max(gaps[one][0] / m.size, gaps[one][1]))
     length, other = gaps[name]
     many = f"{len(found)} start{'s' if len(found) != 1 else ''}"
-    cut = next((cut for cut in m.cuts if cut["name"] == name), None)
+    cut = next((cut for cut in m.cuts if cut.name == name), None)
     if cut is None:
-        row = next(row for row in m.closing.rows if name in (row["name"], row["joint"]))
+        row = next(row for row in m.closing.rows if name in (row.name, row.joint))
         least = f"{max(length, other):.3g} {residual_unit(row)}".strip()
         return (
             f"constraint '{name}' cannot be met{moment(m)}: its residual comes no nearer to 0 than "
@@ -192,10 +192,10 @@ def _open(m: Mechanism, found: Sequence[Solution]) -> str:
             f". Redundant conditions of rounded numbers leave such residuals: up to {ROUNDED:g} of "
             "the size of the mechanism they are ignored, so give lengths and axes more digits"
         )
-    path = ", ".join(f"'{joint}'" for joint in cut["circuit"] if joint != name)
-    between = f"frames '{cut['parent_frame']}' and '{cut['child_frame']}'"
-    if name in cut["circuit"]:
-        between = f"frame '{cut['child_frame']}' and where the joint would have it"
+    path = ", ".join(f"'{joint}'" for joint in cut.loop if joint != name)
+    between = f"frames '{cut.parent_frame}' and '{cut.child_frame}'"
+    if name in cut.loop:
+        between = f"frame '{cut.child_frame}' and where the joint would have it"
     return (
         f"the circuit that joint '{name}' closes ({path}) cannot be assembled{moment(m)}: the "
         f"least residual found is {gap}, between {between}, from {many}. Check lengths and places "

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from ..equations.absolute.record import Absolute
+from ..schema.c_functions import FunctionRow
 from ..schema.planned import Planned
 from . import tables
-from .header import Entry
+from .header import Exported
 
 
 class Whole(NamedTuple):
@@ -64,15 +65,14 @@ WHOLE = {
 }
 
 
-def exported(names: Sequence[str], shown: str) -> dict[str, Entry]:
-    """Functions of the whole model as manifests say it, the one that the example shows first."""
-    keys = ("about", "inputs", "output_size")
-    listed = dict.fromkeys((shown, *names))
-    return {name: dict(zip(keys, WHOLE[name], strict=True)) for name in listed}
+def exported(names: Sequence[str], shown: str) -> dict[str, Exported]:
+    """Functions of the whole model, the one that the example shows first."""
+    found = {name: WHOLE[name] for name in dict.fromkeys((shown, *names))}
+    return {name: Exported(w.about, w.reads, {"out": w.size}) for name, w in found.items()}
 
 
 def declared(
-    absolute: Absolute, entries: Mapping[str, Any], planned: Planned, names: Sequence[str]
+    absolute: Absolute, entries: Mapping[str, FunctionRow], planned: Planned, names: Sequence[str]
 ) -> list[str]:
     """Lines of ``functions.h``: sizes, the model as a record, the list of its functions.
 

@@ -11,9 +11,11 @@ from typing import Any
 
 from ..equations.record import Equations
 from ..errors import CodegenError, DerivationError, near, shown
+from ..schema.c_functions import FunctionRow
+from ..schema.manifest import Manifest
 from . import companions, header, layout, manifest, model_file
 from . import prefix as prefixes
-from .header import Entry
+from .header import Exported
 from .languages import LANGUAGES, cython
 from .model_file import Content
 from .readme import readme
@@ -81,7 +83,7 @@ def written(wanted: Wanted, fill: Callable[[Path], Content]) -> Path:
 
     def complete(folder: Path) -> None:
         content = fill(folder)
-        layout.add_files(folder, _texts(layout.read(folder) or {}, wanted, content))
+        layout.add_files(folder, _texts(layout.manifest_of(folder), wanted, content))
         if wanted.prefix:
             prefixes.add(folder, wanted.prefix)
         (folder / layout.LOCK).unlink()
@@ -90,19 +92,19 @@ def written(wanted: Wanted, fill: Callable[[Path], Content]) -> Path:
     return wanted.target
 
 
-def _texts(data: dict[str, Any], wanted: Wanted, content: Content) -> dict[str, str]:
+def _texts(data: Manifest, wanted: Wanted, content: Content) -> dict[str, str]:
     """Everything beside the functions, by file name."""
-    methods, functions, elements = wanted.integrators, content.functions, "mesh" in data
+    methods, functions, elements = wanted.integrators, content.functions, data.absolute
     flags = (*FLAGS, f"-ffp-contract={'off' if wanted.reproducible else 'on'}")
     line = f"cc {' '.join(flags)} -DCARDAN_EXAMPLE -o example *.c -lm && ./example"
     package = cython.package(data) if wanted.language == "cython" else ""
     headers = ["simulate.h" if methods else "export.h", *(["mesh_export.h"] if elements else [])]
     files = companions.kernels(methods, elements)
     files |= {
-        "functions.h": header.prototypes(data["name"], functions, headers, content.declared),
+        "functions.h": header.prototypes(data.name, functions, headers, content.declared),
         "model.c": model_file.text(data, content, methods),
         "example.c": f"/* Try it:  {line} */\n{source('example.c')}",
-        "README.md": readme(data, functions, line, elements, bool(methods), package),
+        "README.md": readme(data, functions, line, bool(methods), package),
         **content.files,
     }
     return files | (cython.files(data, flags) if package else {})
@@ -157,7 +159,7 @@ def export(
             notes = equations.notes(name, of, function)
             made.append((generate(function, equations.system.name, notes, of=of), function))
         layout.add_functions(folder, made)
-        entries = (layout.read(folder) or {})["functions"]
+        entries = layout.manifest_of(folder).functions
         return Content(_ordered(entries), _closed(equations))
 
     return written(wanted, fill)
@@ -186,11 +188,12 @@ def _asked(
     return asked
 
 
-def _ordered(entries: Mapping[str, Entry]) -> dict[str, Entry]:
+def _ordered(entries: Mapping[str, FunctionRow]) -> dict[str, Exported]:
     """Functions of the manifest; first one that no run calls beside rhs, if there is one."""
     called = {*companions.CLOSING, *companions.HAPPENING}
     called |= {*companions.needed(companions.INTEGRATORS)}
-    return {name: entries[name] for name in sorted(entries, key=called.__contains__)}
+    ordered = sorted(entries, key=called.__contains__)
+    return {name: Exported.of(entries[name]) for name in ordered}
 
 
 def _closed(equations: Equations) -> dict[str, list[float]]:

@@ -16,6 +16,7 @@ from ..equations.blocks import blocks
 from ..ir.function import Block, Function, Output, live
 from ..ir.graph import ZERO, Graph
 from ..ir.matrix import Matrix
+from ..schema.tree import CloserRow
 from ..spatial.axis import complement, unit
 from ..topology.system import Cut, Joint, System, own_lengths
 
@@ -150,14 +151,14 @@ def pose_names(system: System) -> list[str]:
     return [f"scene_pose_{k}" for k in _poses(system)[1]]
 
 
-def closers(system: System) -> list[dict[str, str | int | None]]:
+def closers(system: System) -> list[CloserRow]:
     """Pose, and number of coordinates and speeds, of the joints that close circuits."""
-    found: list[dict[str, str | int | None]] = []
+    found = []
     poses = pose_names(system)[len(system.joints) :]
     for cut, pose in zip(system.closing, poses, strict=True):
         element, turns = _closer(cut), "quaternion" if rotation_of(cut) else None
-        sizes = {"q": len(element.coordinates), "u": len(element.speeds)}
-        found.append({"pose": pose, "rotation": turns, **sizes})
+        q, u = len(element.coordinates), len(element.speeds)
+        found.append(CloserRow(pose=pose, rotation=turns, q=q, u=u))
     return found
 
 

@@ -3,38 +3,53 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Any, TypeAlias
+from typing import NamedTuple
 
-from ..ir.rows import Rows
+from ..schema.c_functions import FunctionRow, ResultRow
+from ..schema.entries import Entry
+from ..schema.manifest import Manifest
+from ..schema.rows import Rows
 from .naming import Names, comment, mangle
 
-BLOCKS = (
-    ("q", "coordinates", "generalized coordinates"),
-    ("u", "speeds", "generalized speeds"),
-    ("r", "inputs", "inputs"),
-    ("p", "parameters", "parameters"),
-)
-
-
-# sizes of a function in C and in manifests
-SIZES = {"out": "output_size", "work": "work_size", "w": "prepared_size"}
-# where the manifest has the values of a block at the start
-VALUES = {
-    **{block: key for block, key, _ in BLOCKS},
-    "z": "z",
-    "s": "s",
+BLOCKS = {
+    "q": "generalized coordinates",
+    "u": "generalized speeds",
+    "r": "inputs",
+    "p": "parameters",
 }
+# those with values at the start
+VALUES = (*BLOCKS, "z", "s")
 
 
-Entry: TypeAlias = Mapping[str, Any]
+class Exported(NamedTuple):
+    """What an export says of a function.
+
+    Attributes:
+        about: What it gives, in words.
+        inputs: The blocks that it reads.
+        sizes: Length of ``out``, ``work`` and ``w``, as C has them; those without ``w`` read
+            elements, which are prepared together.
+        outputs: Its results by name and shape, where they are known.
+    """
+
+    about: str
+    inputs: Sequence[str]
+    sizes: Mapping[str, int | str]
+    outputs: Sequence[ResultRow] = ()
+
+    @staticmethod
+    def of(row: FunctionRow) -> Exported:
+        """What the manifest says of one."""
+        sizes = {"out": row.output_size, "work": row.work_size, "w": row.prepared_size}
+        return Exported(row.about, row.inputs, sizes, row.outputs)
 
 
-def slots(manifest: dict[str, Any]) -> str:
+def slots(manifest: Manifest) -> str:
     """The header: sizes, and per block an enumeration ``<block>_<name>`` with units."""
     names = Names()
     lines = [
         "/*",
-        f" * model.h: places of the entries of model '{comment(manifest['name'])}'.",
+        f" * model.h: places of the entries of model '{comment(manifest.name)}'.",
         " *",
         " * Such as q[q_<coordinate>] or p[p_<parameter>]; units behind the names.",
         " */",
@@ -46,15 +61,15 @@ def slots(manifest: dict[str, Any]) -> str:
         "/* sizes */",
         "enum {",
     ]
-    sizes = [f"    cardan_n{b} = {len(manifest[key])}" for b, key in VALUES.items()]
-    sizes.append(f"    cardan_nbodies = {len(manifest['bodies'])}")
-    parts = sum(len(body["parts"]) for body in manifest["bodies"])
+    sizes = [f"    cardan_n{b} = {len(manifest.block(b))}" for b in VALUES]
+    sizes.append(f"    cardan_nbodies = {len(manifest.bodies)}")
+    parts = sum(len(body.parts) for body in manifest.bodies)
     sizes.append(f"    cardan_nparts = {parts}")
     lines += [*(f"{size}," for size in sizes[:-1]), sizes[-1], "};"]
-    for block, key, meaning in BLOCKS:
-        if manifest[key]:
+    for block, meaning in BLOCKS.items():
+        if manifest.block(block):
             lines += ["", f"/* {meaning} */", "enum {"]
-            lines += [*_entries(block, manifest[key], names), "};"]
+            lines += [*_entries(block, manifest.block(block), names), "};"]
     return "\n".join([*lines, "", "#endif"]) + "\n"
 
 
@@ -63,7 +78,7 @@ def array(block: str) -> str:
     return f"cardan_default_{block}[cardan_n{block} + (cardan_n{block} == 0)]"
 
 
-def _entries(block: str, rows: Sequence[dict[str, Any]], names: Names) -> list[str]:
+def _entries(block: str, rows: Sequence[Entry], names: Names) -> list[str]:
     """Lines of an enumeration; of runs of rows only the first of each kind."""
     told = list(enumerate(rows.listed if isinstance(rows, Rows) else rows))
     repeated: dict[int, str] = {}
@@ -77,22 +92,21 @@ def _entries(block: str, rows: Sequence[dict[str, Any]], names: Names) -> list[s
         start += len(run)
     lines = []
     for k, row in told:
-        about = row["name"] + (f" [{row['unit']}]" if row["unit"] else "") + repeated.get(k, "")
+        about = row.name + (f" [{row.unit}]" if row.unit else "") + repeated.get(k, "")
         comma = "," if k != told[-1][0] else ""
-        name = names.new(f"{block}_{mangle(row['name'])}")
+        name = names.new(f"{block}_{mangle(row.name)}")
         lines.append(f"    {name} = {k}{comma} /* {comment(about)} */")
     return lines
 
 
 def prototypes(
-    name: str, functions: Mapping[str, Entry], headers: Sequence[str], more: Sequence[str] = ()
+    name: str, functions: Mapping[str, Exported], headers: Sequence[str], more: Sequence[str] = ()
 ) -> str:
     """``functions.h``: the functions of an export, with the sizes a caller must provide.
 
     Args:
         name: Of the model.
-        functions: What manifests say of its functions; those without ``prepared_size`` read
-            elements, which are prepared together.
+        functions: Its functions by name.
         headers: What it stands on.
         more: Other lines.
     """
@@ -113,11 +127,11 @@ def prototypes(
         *more,
     ]
     for own, entry in functions.items():
-        sizes = [f"    {own}_{k}_size = {entry[key]}" for k, key in SIZES.items() if key in entry]
-        reads = ", ".join(entry["inputs"]) or "nothing"
-        lines += ["", f"/* {comment(entry['about'] or own)}; reads {reads} */"]
+        sizes = [f"    {own}_{k}_size = {size}" for k, size in entry.sizes.items()]
+        reads = ", ".join(entry.inputs) or "nothing"
+        lines += ["", f"/* {comment(entry.about or own)}; reads {reads} */"]
         lines += ["enum {", ",\n".join(sizes), "};"]
         lines.append(f"CARDAN_API int {own}(const cardan_in *in, real *out, real *work);")
-        if "prepared_size" in entry:
+        if "w" in entry.sizes:
             lines.append(f"CARDAN_API void prepare_{own}(const wreal *p, wreal *w);")
     return "\n".join([*lines, "", "#endif"]) + "\n"

@@ -16,13 +16,16 @@ from pathlib import Path
 from typing import Any
 
 from .. import processes, regular_file
-from ..errors import CodegenError
+from ..errors import CodegenError, ModelError
 from ..ir.function import Function
 from ..ir.recursion import Recursion
-from ..ir.rows import dumped, opened
-from ..ir.seal import sealed, unsealed
 from ..ir.serialize import to_dict
+from ..schema.c_functions import FunctionRow
+from ..schema.fields import dumped
+from ..schema.manifest import Manifest, opened
 from ..schema.records import KERNELS
+from ..schema.seal import sealed, unsealed
+from ..version import ABI
 from . import header
 from .manifest import Base
 from .writing import CFile
@@ -52,12 +55,12 @@ def write_model(directory: Path, base: Base) -> None:
     with _locked(directory):
         there, damaged = _there(directory)
         if there and not all(
-            _is_unchanged(directory, there, name) for name in _shared(there["sha256"])
+            _is_unchanged(directory, there, name) for name in _shared(there.sha256)
         ):
             there, damaged = None, True
-        if there is not None and {**there, **_EMPTY} == {**_plain(base.data), **_EMPTY}:
-            if there["available"] != base.data["available"]:
-                _write_manifest(directory, {**there, "available": base.data["available"]})
+        if there is not None and _stated(there) == _stated(base.data):
+            if list(there.available) != list(base.data.available):
+                _write_manifest(directory, there.replaced(available=base.data.available))
             return
         # a damaged model of ours is written anew, as a damaged object is compiled anew
         if there is None and not damaged and any(path.name != LOCK for path in directory.iterdir()):
@@ -65,16 +68,16 @@ def write_model(directory: Path, base: Base) -> None:
                 f"directory {directory} is not empty and holds no model of cardan: "
                 "name a new or empty one"
             )
-        for name in (there or {}).get("sha256", {}):
+        for name in there.sha256 if there else ():
             (directory / Path(name).name).unlink(missing_ok=True)
         hashes = {name: _write(directory / name, kernel(name)) for name in HEADERS}
         hashes["model.h"] = _write(directory / "model.h", header.slots(base.data))
         saved = [(f.name, to_dict(f)) for f in base.saved()]
         hashes[SAVED] = _write(directory / SAVED, _joined(saved))
-        _write_manifest(directory, {**base.data, "sha256": hashes})
+        _write_manifest(directory, base.data.replaced(sha256=hashes))
 
 
-def _there(directory: Path) -> tuple[dict[str, Any] | None, bool]:
+def _there(directory: Path) -> tuple[Manifest | None, bool]:
     """The manifest, and whether one of cardan is damaged."""
     try:
         found = read(directory)
@@ -93,13 +96,13 @@ def _shared(hashes: Mapping[str, str]) -> list[str]:
     return [SAVED, *(name for name in hashes if name.endswith(".h"))]
 
 
-def _is_unchanged(directory: Path, manifest: dict[str, Any], name: str) -> bool:
+def _is_unchanged(directory: Path, manifest: Manifest, name: str) -> bool:
     """Whether a file is the one that the manifest speaks of."""
     try:
         content = regular_file.content(directory / Path(name).name)
     except OSError:
         return False
-    return hashlib.sha256(content).hexdigest() == str(manifest["sha256"].get(name))
+    return hashlib.sha256(content).hexdigest() == manifest.sha256.get(name)
 
 
 def has_function(directory: Path, name: str) -> bool:
@@ -109,18 +112,19 @@ def has_function(directory: Path, name: str) -> bool:
 
 def missing(directory: Path, names: Sequence[str]) -> list[str]:
     """Those that :func:`has_function` denies, by one look at the manifest."""
-    functions = (_there(directory)[0] or {}).get("functions", {})
+    there = _there(directory)[0]
+    functions = there.functions if there else {}
     return [name for name in names if not _is_there(directory, functions.get(name))]
 
 
-def _is_there(directory: Path, entry: dict[str, Any] | None) -> bool:
+def _is_there(directory: Path, entry: FunctionRow | None) -> bool:
     if entry is None:
         return False
     try:
-        content = regular_file.content(directory / Path(entry["file"]).name)
-    except (OSError, KeyError, TypeError, ValueError):
+        content = regular_file.content(directory / entry.file)
+    except (OSError, ValueError):
         return False
-    return hashlib.sha256(content).hexdigest() == str(entry.get("sha256"))
+    return hashlib.sha256(content).hexdigest() == entry.sha256
 
 
 def add_function(directory: Path, cfile: CFile, function: Function | Recursion) -> None:
@@ -139,62 +143,71 @@ def add_functions(directory: Path, made: Sequence[tuple[CFile, Function | Recurs
         CodegenError: :func:`write_model` was not called before.
     """
     saved = [(cfile.name, to_dict(function)) for cfile, function in made]
-    with _locked(directory):
-        manifest = read(directory)
-        if manifest is None:
-            raise CodegenError(f"directory {directory} holds no model: call write_model first")
-        hashes, functions = manifest["sha256"], manifest["functions"]
+
+    def added(manifest: Manifest) -> Manifest:
+        hashes = dict(manifest.sha256)
         for cfile, _ in made:
             for name in cfile.includes:
                 if name not in hashes:
                     hashes[name] = _write(directory / name, kernel(name))
-            hashes[cfile.entry["file"]] = _write(directory / cfile.entry["file"], cfile.text)
-            functions[cfile.name] = cfile.entry
+            hashes[cfile.entry.file] = _write(directory / cfile.entry.file, cfile.text)
         if not _is_unchanged(directory, manifest, SAVED):
             raise Damaged(f"{directory / SAVED} is damaged: remove the directory")
         text = _appended((directory / SAVED).read_text("utf-8"), saved)
         hashes[SAVED] = _write(directory / SAVED, text)
-        _write_manifest(directory, manifest)
+        functions = {**manifest.functions, **{cfile.name: cfile.entry for cfile, _ in made}}
+        return manifest.replaced(sha256=hashes, functions=functions)
+
+    change(directory, added)
 
 
-def add_files(directory: Path, texts: Mapping[str, str]) -> None:
-    """Write more files that belong to the model, by name."""
+def add_files(directory: Path, files: Mapping[str, str | bytes]) -> None:
+    """Write more files that belong to the model, by name, unless they are there."""
+
+    def added(manifest: Manifest) -> Manifest:
+        own = {name: x.encode() if isinstance(x, str) else x for name, x in files.items()}
+        stated = {name: hashlib.sha256(content).hexdigest() for name, content in own.items()}
+        for name, content in own.items():
+            if manifest.sha256.get(name) != stated[name] or not (directory / name).exists():
+                _write(directory / name, content)
+        return manifest.replaced(sha256={**manifest.sha256, **stated})
+
+    change(directory, added)
+
+
+def manifest_of(directory: Path) -> Manifest:
+    """The manifest of a directory.
+
+    Raises:
+        CodegenError: it holds no model, or a damaged one.
+    """
+    manifest = read(directory)
+    if manifest is None:
+        raise CodegenError(f"directory {directory} holds no model: call write_model first")
+    return manifest
+
+
+def change(directory: Path, edit: Callable[[Manifest], Manifest]) -> None:
+    """Change what the manifest of a directory says.
+
+    Raises:
+        CodegenError: it holds no model.
+    """
     with _locked(directory):
-        manifest = read(directory)
-        if manifest is None:
-            raise CodegenError(f"directory {directory} holds no model: call write_model first")
-        for name, text in texts.items():
-            manifest["sha256"][name] = _write(directory / name, text)
-        _write_manifest(directory, manifest)
-
-
-def change(directory: Path, edit: Callable[[dict[str, Any]], None]) -> None:
-    """Change what the manifest of a directory says."""
-    with _locked(directory):
-        manifest = read(directory)
-        if manifest is None:
-            raise CodegenError(f"directory {directory} holds no model: call write_model first")
-        edit(manifest)
-        _write_manifest(directory, manifest)
-
-
-def add_bytes(directory: Path, name: str, content: bytes) -> None:
-    """Write one more file of numbers that belongs to the model, unless it is there."""
-    digest = hashlib.sha256(content).hexdigest()
-    with _locked(directory):
-        manifest = read(directory)
-        if manifest is None:
-            raise CodegenError(f"directory {directory} holds no model: call write_model first")
-        if manifest["sha256"].get(name) == digest and (directory / name).exists():
-            return
-        manifest["sha256"][name] = _write(directory / name, content)
-        _write_manifest(directory, manifest)
+        manifest = manifest_of(directory)
+        changed = edit(manifest)
+        if changed != manifest:
+            _write_manifest(directory, changed)
 
 
 def written(directory: Path) -> set[str]:
     """Names of the files in a directory that belong to its model; empty where there is none."""
-    manifest = read(directory)
-    return set() if manifest is None else {MANIFEST, LOCK, *manifest["sha256"]}
+    found = _plain(directory)
+    if found is None:
+        return set()
+    # earlier versions wrote files of ours too
+    hashes = found.get("sha256")
+    return {MANIFEST, LOCK, *(Path(name).name for name in hashes or {})}
 
 
 def kernel(name: str) -> str:
@@ -202,48 +215,44 @@ def kernel(name: str) -> str:
     return (KERNELS / name).read_text("utf-8")
 
 
-# what changes when functions are added
-_EMPTY: dict[str, Any] = {"functions": {}, "sha256": {}, "available": []}
+def _stated(manifest: Manifest) -> str:
+    """What is said of a model, whatever functions are there."""
+    return dumped(manifest.replaced(functions={}, sha256={}, available=[]))
 
 
-def _plain(data: dict[str, Any]) -> Any:
-    """Data as it reads after JSON."""
-    return opened(json.loads(dumped(data)))
-
-
-def read(directory: Path) -> dict[str, Any] | None:
-    """The manifest of a directory; None where there is none of this schema.
+def read(directory: Path) -> Manifest | None:
+    """The manifest of a directory; None where there is none of cardan.
 
     Raises:
-        Damaged: there is one, but not as it was written.
+        Damaged: there is one, but not as this cardan writes it.
     """
+    found, path = _plain(directory), directory / MANIFEST
     try:
-        found = unsealed(regular_file.content(directory / MANIFEST))
+        return None if found is None else opened(found, str(path))
+    except ModelError as problem:
+        raise Damaged(f"{problem}, or remove {directory}") from problem
+
+
+def _plain(directory: Path) -> dict[str, Any] | None:
+    """What JSON holds of the manifest of a directory; None where there is none of cardan."""
+    path = directory / MANIFEST
+    try:
+        found = unsealed(regular_file.content(path))
     except FileNotFoundError:
         return None
     except (ValueError, OSError) as problem:
-        raise Damaged(
-            f"{directory / MANIFEST} is damaged ({problem}): remove the directory"
-        ) from problem
-    if not (isinstance(found, dict) and "abi" in found):
-        return None
-    wanted = (("functions", dict), ("sha256", dict), ("available", list))
-    wrong = [name for name, kind in wanted if not isinstance(found.get(name), kind)]
-    rows = found["functions"].values() if not wrong else ()
-    if wrong or not all(isinstance(row, dict) for row in rows):
-        name = wrong[0] if wrong else "functions"
-        raise Damaged(f"{directory / MANIFEST} is damaged ('{name}'): remove the directory")
-    return found
+        raise Damaged(f"{path} is damaged ({problem}): remove the directory") from problem
+    return found if isinstance(found, dict) and ABI.word in found else None
 
 
-def _write_manifest(directory: Path, manifest: dict[str, Any]) -> None:
-    ordered = dict(manifest)
-    for name in ("functions", "sha256"):
-        ordered[name] = dict(sorted(ordered[name].items()))
+def _write_manifest(directory: Path, manifest: Manifest) -> None:
+    ordered = manifest.replaced(
+        **{name: dict(sorted(getattr(manifest, name).items())) for name in ("functions", "sha256")}
+    )
     # one entry per line for readers; of thousands of bodies nobody reads, and lines take a minute
-    rows = max(len(ordered["frames"]), len(ordered["joints"]))
+    rows = max(len(ordered.frames), len(ordered.joints))
     indent = 1 if rows <= READ else None
-    text = sealed(ordered, indent=indent, ensure_ascii=False, allow_nan=False)
+    text = sealed(vars(ordered), indent=indent, ensure_ascii=False, allow_nan=False)
     _write(directory / MANIFEST, text)
 
 

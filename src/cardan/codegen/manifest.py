@@ -1,11 +1,8 @@
-"""The manifest: everything the runtime must know about a model, as plain data.
-
-Its schema is ``docs/manifest.schema.json``. Within an ABI version, entries are only added.
-"""
+"""What the manifest says about equations; its fields are those of :mod:`cardan.schema.manifest`."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from math import isfinite
 from typing import Any
@@ -19,6 +16,21 @@ from ..equations.dynamics import Dynamics
 from ..equations.kinematics import Kinematics
 from ..equations.record import Equations
 from ..ir.function import Function
+from ..schema import mechanism
+from ..schema.entries import (
+    CoordinateRow,
+    Entry,
+    EventRow,
+    LimitRow,
+    ModeRow,
+    MultiplierRow,
+    OutputRow,
+    ParameterRow,
+    SpeedRow,
+    TickRow,
+)
+from ..schema.manifest import Manifest
+from ..schema.tree import SampleRow, Treatment, Tree
 from ..topology.internals import slides
 from ..topology.segment import Segment
 from ..topology.system import Cut, Force, Frame, Joint, System
@@ -27,7 +39,6 @@ from ..version import ABI, MANIFEST, VERSION
 from . import flat
 
 LOADS = ("dead_force", "dead_moment", "follower_force", "follower_moment")
-LIMITS = ("lower", "upper", "speed", "effort")
 
 
 @dataclass(frozen=True)
@@ -39,7 +50,7 @@ class Base:
         saved: Makes the Functions of the flat scene, which are saved beside it.
     """
 
-    data: dict[str, Any]
+    data: Manifest
     saved: Callable[[], tuple[Function, ...]] = field(repr=False, compare=False)
 
 
@@ -56,53 +67,66 @@ def base(equations: Equations, functions: Sequence[str] = ()) -> Base:
     once = {force.name: force for force in system.forces}.values()
     limits = [row for force in once for row in _limits(system, force)]
     absent = {name: why for joint in system.joints for name, why in joint.element.lacks.items()}
-    data: dict[str, Any] = {
+    rows = equations.constraint_rows
+    data = Manifest(
+        **common(system, equations.method, functions),
+        coordinates=_coordinates(system),
+        speeds=_speeds(equations),
+        events=_events(system),
+        ticks=_ticks(system),
+        limits=limits,
+        multipliers=[_multiplier(row) for row in rows],
+        # what holds such a system together is that its constraints give way
+        projected=not rows or equations.treatment.exact,
+        cuts=[_cut(equations, cut) for cut in system.closing],
+        joints=joints,
+        bodies=[
+            mechanism.BodyRow(
+                name=b.name, parent=_body(system, b.parent), parts=[p.name for p in b.parts]
+            )
+            for b in system.bodies
+        ],
+        frames=[_frame(system, frame) for frame in system.frames],
+        outputs=[OutputRow(name=o.name, unit=o.unit) for o in system.outputs],
+        quaternions=[j.quaternion for j in joints if j.quaternion is not None],
+        absent=absent,
+        scene=_scene(equations),
+    )
+    return Base(data, lambda: _saved(equations))
+
+
+def common(system: System, method: str, functions: Sequence[str]) -> dict[str, Any]:
+    """What manifests say in the same way whatever coordinates a model has."""
+    return {
         "abi": ABI.version,
         "schema": MANIFEST.version,
         "cardan": VERSION,
         "name": system.name,
-        "method": equations.method,
-        "coordinates": _coordinates(system),
-        "speeds": _speeds(equations),
-        "z": [
-            {"name": name, "unit": unit, "default": default}
-            for name, unit, default in blocks.internals(system)
-        ],
+        "method": method,
+        "z": [Entry(name=n, unit=u, default=d) for n, u, d in blocks.internals(system)],
         "s": [
-            {"name": name, "default": mode.default, "labels": {str(k): v for k, v in mode.labels}}
-            for name, mode in blocks.discrete(system)
+            ModeRow(name=n, default=m.default, labels={str(k): v for k, v in m.labels})
+            for n, m in blocks.discrete(system)
         ],
-        **({"events": _events(system), "ticks": _ticks(system)} if system.events else {}),
-        "inputs": [{"name": i.name, "unit": i.unit, "default": i.default} for i in system.inputs],
-        "parameters": parameter_rows(system),
+        "inputs": [Entry(name=i.name, unit=i.unit, default=i.default) for i in system.inputs],
+        "parameters": [
+            ParameterRow(name=p.name, unit=p.unit, default=p.value, declared=p.declared)
+            for p in system.parameters
+        ],
         "structural": dict(system.structural),
-        **({"limits": limits} if limits else {}),
-        "multipliers": [_multiplier(row) for row in equations.constraint_rows],
-        "cuts": [_cut(equations, cut) for cut in system.closing],
-        "joints": joints,
+        "isolated": isolated(system),
         "fixed": list(system.fixed),
-        "bodies": [
-            {"name": b.name, "parent": _body(system, b.parent), "parts": [p.name for p in b.parts]}
-            for b in system.bodies
-        ],
-        "frames": [_frame(system, frame) for frame in system.frames],
-        "shapes": [{"frame": system.frames[k].name, **shape} for k, shape in system.shapes],
-        "outputs": [{"name": o.name, "unit": o.unit} for o in system.outputs],
-        "quaternions": [j["quaternion"] for j in joints if j["quaternion"] is not None],
+        "shapes": [_shape(system.frames[k].name, shape) for k, shape in system.shapes],
         "notes": list(system.notes),
         "snaps": list(system.snaps),
         "available": list(functions),
-        **({"absent": absent} if absent else {}),
-        "scene": _scene(equations),
         "functions": {},
         "sha256": {},
     }
-    if isolated(system):
-        data["isolated"] = True
-    if data["multipliers"] and not equations.treatment.exact:
-        # what holds such a system together is that its constraints give way
-        data["projected"] = False
-    return Base(data, lambda: _saved(equations))
+
+
+def _shape(frame: str, shape: Mapping[str, Any]) -> mechanism.ShapeRow:
+    return mechanism.ShapeRow(frame=frame, **shape)
 
 
 def isolated(system: System) -> bool:
@@ -140,31 +164,21 @@ def _loaded(system: System, segment: Segment) -> bool:
     return any(system.graph.nodes[node] != ("const", 0.0) for node in nodes)
 
 
-def parameter_rows(system: System) -> list[dict[str, Any]]:
-    """What the manifest says about every entry of p."""
-    return [
-        {
-            "name": p.name,
-            "unit": p.unit,
-            "default": p.value,
-            "kind": "free",
-            "declared": p.declared,
-        }
-        for p in system.parameters
-    ]
-
-
-def _limits(system: System, force: Force) -> Iterator[dict[str, Any]]:
+def _limits(system: System, force: Force) -> Iterator[LimitRow]:
     """What parameters may be that are numbers of a force element."""
     for limit in force.element.limits():
         name, other = (_source(system, force, part) for part in (limit.name, limit.other))
         if not isinstance(name, str) or (limit.other and other is None):
             continue
         least = other if limit.other else limit.least
-        row = {"who": force.element.title, "parameter": name, "told": limit.told}
-        ends: dict[str, Any] = {"least": least, "most": limit.most}
-        ends = {k: v for k, v in ends.items() if isinstance(v, str) or isfinite(v)}
-        yield {**row, **ends, **({"open": True} if limit.open else {})}
+        yield LimitRow(
+            parameter=name,
+            element=force.element.title,
+            message=limit.told,
+            least=least if isinstance(least, str) or isfinite(least or 0.0) else None,
+            most=limit.most if isfinite(limit.most) else None,
+            open=limit.open,
+        )
 
 
 def _source(system: System, force: Force, quantity: str) -> str | float | None:
@@ -178,28 +192,36 @@ def _source(system: System, force: Force, quantity: str) -> str | float | None:
     return system.parameters[node[2]].name if node[:2] == ("var", "p") else None
 
 
-def _multiplier(row: Row) -> dict[str, Any]:
-    told = {"name": row.name, "unit": row.force_unit, "joint": row.owner, "level": row.level}
-    return {**told, **({"switched": True} if row.switched else {})}
+def _multiplier(row: Row) -> MultiplierRow:
+    return MultiplierRow(
+        name=row.name,
+        unit=row.force_unit,
+        joint=row.owner,
+        level=row.level,
+        switched=bool(row.switched),
+    )
 
 
-def _events(system: System) -> list[dict[str, Any]]:
+def _events(system: System) -> list[EventRow]:
     """Everything that can happen, in the order of the block e."""
     return [
-        {
-            **{"name": name, "element": force.name, "kind": event.kind, "about": event.about},
-            "unit": written_unit(event.unit, slides(system.joints, force.joints.values())),
-            **({"beyond": event.beyond} if event.beyond else {}),
-            **({} if event.decides is None else {"decides": {force.name: event.decides}}),
-        }
+        EventRow(
+            name=name,
+            element=force.name,
+            kind=event.kind,
+            about=event.about,
+            unit=written_unit(event.unit, slides(system.joints, force.joints.values())),
+            beyond=event.beyond,
+            decides={} if event.decides is None else {force.name: event.decides},
+        )
         for name, (force, event) in zip(blocks.event_names(system), system.events, strict=True)
     ]
 
 
-def _ticks(system: System) -> list[dict[str, Any]]:
+def _ticks(system: System) -> list[TickRow]:
     """When events at known times happen."""
     return [
-        {"event": i, "period": event.period, "phase": event.phase}
+        TickRow(event=i, period=event.period, phase=event.phase)
         for i, (_, event) in enumerate(system.events)
         if event.kind == TICK
     ]
@@ -221,7 +243,7 @@ def _saved(equations: Equations) -> tuple[Function, ...]:
     return tuple(found)
 
 
-def _scene(equations: Equations) -> dict[str, Any]:
+def _scene(equations: Equations) -> Tree:
     """The structure of the tree; its numbers are in the saved Function ``scene``."""
     system = equations.system
     unknown = ["the speeds are chosen by the user"] if equations.chosen else []
@@ -236,39 +258,35 @@ def _scene(equations: Equations) -> dict[str, Any]:
         for joint in system.joints
         if flat.own_speeds(joint)
     ]
-    samples = _samples(system)
     curves = [flat.curve(system.graph, joint) for joint in system.joints]
-    return {
-        "parents": [b.parent for b in system.bodies],
-        "kinds": [flat.kind(j) for j in system.joints],
-        "rotations": [flat.rotation_of(j) for j in system.joints],
-        "poses": flat.pose_names(system)[: len(system.joints)],
-        "forces": list(dict.fromkeys(force.name for force in system.forces)),
-        "unknown": unknown,
-        **({"curves": curves} if any(curves) else {}),
-        **({"pressed": judged} if judged else {}),
-        **({"samples": samples} if samples else {}),
-        **(_circuits(equations) if system.closed or system.closures else {}),
+    treatment = equations.treatment
+    closing: dict[str, Any] = {
+        "cuts": [flat.kind(cut) for cut in system.closing],
+        "closers": flat.closers(system),
+        "treatment": Treatment(name=treatment.name, exact=treatment.exact),
     }
+    return Tree(
+        parents=[b.parent for b in system.bodies],
+        kinds=[flat.kind(j) for j in system.joints],
+        rotations=[flat.rotation_of(j) for j in system.joints],
+        poses=flat.pose_names(system)[: len(system.joints)],
+        forces=list(dict.fromkeys(force.name for force in system.forces)),
+        unknown=unknown,
+        curves=curves if any(curves) else (),
+        pressed=judged,
+        samples=_samples(system),
+        # what closes loops, and how accelerations are made to obey
+        **(closing if system.closed or system.closures else {}),
+    )
 
 
-def _samples(system: System) -> list[Any]:
+def _samples(system: System) -> list[SampleRow]:
     """What another program says of written equations, unless the user added to them."""
     held = [entry.name for entry in system.constraints]
     if len(system.forces) != len(system.joints):
         return []
     found = (sample for joint in system.joints for sample in joint.element.samples)
-    return [sample for sample in found if sample["held"] == held]
-
-
-def _circuits(equations: Equations) -> dict[str, Any]:
-    """What closes circuits, and how accelerations are made to obey."""
-    treatment, system = equations.treatment, equations.system
-    return {
-        "cuts": [flat.kind(cut) for cut in system.closing],
-        "closers": flat.closers(system),
-        "treatment": {"name": treatment.name, "exact": treatment.exact},
-    }
+    return [SampleRow(**sample) for sample in found if sample["held"] == held]
 
 
 def _body(system: System, number: int) -> str:
@@ -282,105 +300,101 @@ def _owners(system: System) -> tuple[list[str], list[str]]:
     return q, u
 
 
-def _coordinates(system: System) -> list[dict[str, Any]]:
+def _coordinates(system: System) -> list[CoordinateRow]:
     rows = zip(blocks.coordinates(system), _owners(system)[0], strict=True)
-    made: list[dict[str, Any]] = [
-        {"name": name, "unit": unit, "default": default, "joint": joint}
-        for (name, unit, default), joint in rows
+    components = (c for j in system.joints if j.q >= 0 for c in j.element.coordinates)
+    return [
+        CoordinateRow(name=name, unit=unit, default=default, joint=joint, reach=component.reach)
+        for ((name, unit, default), joint), component in zip(rows, components, strict=True)
     ]
-    components = [c for j in system.joints if j.q >= 0 for c in j.element.coordinates]
-    for row, component in zip(made, components, strict=True):
-        if component.reach is not None:
-            row["reach"] = component.reach
-    return made
 
 
-def _speeds(equations: Equations) -> list[dict[str, Any]]:
+def _speeds(equations: Equations) -> list[SpeedRow]:
     block = equations.blocks["u"]
-    owners: list[str | None] = [*_owners(equations.system)[1]]
     if equations.chosen:
-        owners = [None] * len(block)
-    rows = zip(block.entries, block.units, owners, strict=True)
-    made: list[dict[str, Any]] = [
-        {"name": name, "unit": unit, "joint": joint} for name, unit, joint in rows
-    ]
+        rows = zip(block.entries, block.units, strict=True)
+        return [SpeedRow(name=name, unit=unit) for name, unit in rows]
+    owners = _owners(equations.system)[1]
     components = [c for j in equations.system.joints if j.u >= 0 for c in j.element.speeds]
-    for row, component in zip(made, components if not equations.chosen else (), strict=False):
-        if component.of:
-            row["of"] = component.of
-    return made
+    return [
+        SpeedRow(name=name, unit=unit, joint=joint, of=component.of)
+        for name, unit, joint, component in zip(
+            block.entries, block.units, owners, components, strict=True
+        )
+    ]
 
 
 def limits_of(joint: Joint) -> dict[str, float]:
     """What is declared of the limits of a joint, by name."""
-    limits = zip(LIMITS, joint.limits, strict=True)
+    limits = zip(mechanism.LIMITS, joint.limits, strict=True)
     return {name: value for name, value in limits if value is not None and isfinite(value)}
 
 
-def _joint(equations: Equations, number: int) -> dict[str, Any]:
+def _joint(equations: Equations, number: int) -> mechanism.JointRow:
     system = equations.system
     joint, element = system.joints[number], system.joints[number].element
     quaternion = element.quaternion
     own_speeds = joint.u >= 0 and not equations.chosen
     coupled = None
     if joint.coupling is not None:
-        coupled = {"leader": system.joints[joint.coupling.leader].name}
+        coupled = mechanism.Coupling(leader=system.joints[joint.coupling.leader].name)
     # as declared, not as the tree goes
     bodies = _body(system, system.bodies[number].parent), system.bodies[number].name
     frames = system.frames[joint.parent_frame].name, system.frames[joint.child_frame].name
     parent, child = reversed(bodies) if joint.reversed else bodies
     parent_frame, child_frame = reversed(frames) if joint.reversed else frames
-    return {
-        "name": joint.name,
-        "kind": element.kind,
-        "parent": parent,
-        "child": child,
-        "parent_frame": parent_frame,
-        "child_frame": child_frame,
-        "q": [joint.q, len(element.coordinates)] if joint.q >= 0 else None,
-        "u": [joint.u, len(element.speeds)] if own_speeds else None,
-        "q0": list(joint.q0) if joint.q0 is not None else None,
-        "u0": list(joint.u0) if joint.u0 is not None else None,
-        "limits": limits_of(joint),
-        "quaternion": joint.q + quaternion if quaternion is not None and joint.q >= 0 else None,
-        "rotation": flat.rotation_of(joint),
-        "domain": element.domain,
-        "coupled": coupled,
-        "solved": _solved(system, joint),
-        "prescribed": joint.motion is not None,
-    }
+    return mechanism.JointRow(
+        name=joint.name,
+        kind=element.kind,
+        parent=parent,
+        child=child,
+        parent_frame=parent_frame,
+        child_frame=child_frame,
+        q=(joint.q, len(element.coordinates)) if joint.q >= 0 else None,
+        u=(joint.u, len(element.speeds)) if own_speeds else None,
+        q0=list(joint.q0) if joint.q0 is not None else None,
+        u0=list(joint.u0) if joint.u0 is not None else None,
+        limits=limits_of(joint),
+        quaternion=joint.q + quaternion if quaternion is not None and joint.q >= 0 else None,
+        rotation=flat.rotation_of(joint),
+        domain=element.domain,
+        coupled=coupled,
+        solved=_solved(system, joint),
+        prescribed=joint.motion is not None,
+    )
 
 
-def _solved(system: System, joint: Joint) -> dict[str, Any] | None:
-    """The circuit that determines a joint, and the names of its coordinates and speeds."""
+def _solved(system: System, joint: Joint) -> mechanism.LoopSolution | None:
+    """The loop that determines a joint, and the names of its coordinates and speeds."""
     if joint.closure < 0:
         return None
-    names = {
-        "q": entries(joint.name, joint.element.coordinates),
-        "u": entries(f"{joint.name}.u", joint.element.speeds),
-    }
-    return {"circuit": system.closures[joint.closure].cut.name, **names}
+    return mechanism.LoopSolution(
+        loop=system.closures[joint.closure].cut.name,
+        q=entries(joint.name, joint.element.coordinates),
+        u=entries(f"{joint.name}.u", joint.element.speeds),
+    )
 
 
-def _cut(equations: Equations, cut: Cut) -> dict[str, Any]:
-    system, rest = equations.system, left_out(cut)
-    welds = [
-        {"joint": weld.joint, "frame": system.frames[weld.frame].name, "side": weld.side}
-        for weld in passed(system, cut)
-    ]
-    return {
-        "name": cut.name,
-        "kind": cut.element.kind,
-        "parent_frame": system.frames[cut.parent_frame].name,
-        "child_frame": system.frames[cut.child_frame].name,
-        "circuit": [system.joints[i].name for i, _ in cut.path],
-        "reason": cut.reason,
-        **({"fixed": welds} if welds else {}),
-        **({"left_out": rest} if rest else {}),
-    }
+def _cut(equations: Equations, cut: Cut) -> mechanism.CutRow:
+    system = equations.system
+    return mechanism.CutRow(
+        name=cut.name,
+        kind=cut.element.kind,
+        parent_frame=system.frames[cut.parent_frame].name,
+        child_frame=system.frames[cut.child_frame].name,
+        loop=[system.joints[i].name for i, _ in cut.path],
+        reason=cut.reason,
+        fixed=[
+            mechanism.WeldRow(
+                joint=weld.joint, frame=system.frames[weld.frame].name, side=weld.side
+            )
+            for weld in passed(system, cut)
+        ],
+        left_out=[mechanism.ConditionRow(**row) for row in left_out(cut)],
+    )
 
 
-def _frame(system: System, frame: Frame) -> dict[str, Any]:
+def _frame(system: System, frame: Frame) -> mechanism.FrameRow:
     parts = system.bodies[frame.body].parts if frame.body >= 0 else ()
     part = parts[frame.part].name if parts else None
-    return {"name": frame.name, "body": _body(system, frame.body), "part": part}
+    return mechanism.FrameRow(name=frame.name, body=_body(system, frame.body), part=part)

@@ -11,13 +11,16 @@ from typing import Any
 
 import numpy as np
 
-from ..equations import blocks
 from ..equations.absolute.record import GROUND, Absolute, BlockKind, Group, Kind
 from ..ir.function import Function
+from ..schema.entries import MultiplierRow, OutputRow
+from ..schema.finite_elements import ElementKind, FiniteElements, GroupRow, PlaceKind
+from ..schema.manifest import Manifest
+from ..schema.mechanism import BeamRow, BodyRow, FrameRow
 from ..schema.records import PARTS
-from ..version import ABI, MANIFEST, VERSION
+from ..schema.tree import Tree
 from . import flat, layout
-from .manifest import Base, isolated, parameter_rows
+from .manifest import Base, common
 from .mesh_rows import plane_of, rows
 from .writing import generate
 
@@ -33,56 +36,36 @@ def base(absolute: Absolute, functions: Sequence[str]) -> Base:
     """
     system, places = absolute.system, absolute.places
     coordinates, speeds, joints = rows(absolute)
-    data: dict[str, Any] = {
-        "abi": ABI.version,
-        "schema": MANIFEST.version,
-        "cardan": VERSION,
-        "name": system.name,
-        "method": "absolute",
-        "coordinates": coordinates,
-        "speeds": speeds,
-        "z": [{"name": n, "unit": u, "default": d} for n, u, d in blocks.internals(system)],
-        "s": [
-            {"name": name, "default": mode.default, "labels": {str(k): v for k, v in mode.labels}}
-            for name, mode in blocks.discrete(system)
-        ],
-        "inputs": [{"name": i.name, "unit": i.unit, "default": i.default} for i in system.inputs],
-        "parameters": parameter_rows(system),
-        "structural": dict(system.structural),
-        "multipliers": _multipliers(absolute),
-        "cuts": [],
-        "joints": joints,
-        "fixed": list(system.fixed),
-        "bodies": [
-            {"name": b.name, "parent": "ground", "parts": [p.name for p in b.parts]}
+    data = Manifest(
+        **common(system, "absolute", functions),
+        coordinates=coordinates,
+        speeds=speeds,
+        multipliers=_multipliers(absolute),
+        cuts=[],
+        joints=joints,
+        bodies=[
+            BodyRow(name=b.name, parent="ground", parts=[p.name for p in b.parts])
             for b in system.bodies
             if b.parts
         ],
-        "beams": list(_beams(absolute)),
-        "frames": [_frame(absolute, k) for k in range(len(system.frames))],
-        "shapes": [{"frame": system.frames[k].name, **shape} for k, shape in system.shapes],
-        "outputs": [{"name": name, "unit": unit} for name, unit in absolute.results],
-        "quaternions": _quaternions(absolute),
-        "notes": list(system.notes),
-        "snaps": list(system.snaps),
-        "available": list(functions),
-        **({"isolated": True} if isolated(system) else {}),
-        "scene": {"parents": [], "kinds": [], "rotations": [], "forces": [], "unknown": []},
-        "mesh": {
-            "places": [_place(kind) for kind in places.kinds],
-            "kinds": [_kind(kind, absolute.groups) for kind in absolute.kinds],
-            "groups": [_group(k, group) for k, group in enumerate(absolute.groups)],
-            "loose": _loose(absolute),
-            "lines": len(absolute.lines),
-            "frames": "frames__data",
-            "states": absolute.states.name,
-            "rest": _rest(absolute),
-            "powers": list(absolute.powers),
-            "reactions": {name: list(at) for name, at in absolute.joints.items()},
-        },
-        "functions": {},
-        "sha256": {},
-    }
+        beams=list(_beams(absolute)),
+        frames=[_frame(absolute, k) for k in range(len(system.frames))],
+        outputs=[OutputRow(name=name, unit=unit) for name, unit in absolute.results],
+        quaternions=_quaternions(absolute),
+        scene=Tree(parents=[], kinds=[], rotations=[], forces=[], unknown=[]),
+        finite_elements=FiniteElements(
+            places=[_place(kind) for kind in places.kinds],
+            kinds=[_kind(kind, absolute.groups) for kind in absolute.kinds],
+            groups=[_group(k, group) for k, group in enumerate(absolute.groups)],
+            beam_nodes=_beam_nodes(absolute),
+            segments=len(absolute.lines),
+            frames="frames__data",
+            states=absolute.states.name,
+            reference=_reference(absolute),
+            power_sources=list(absolute.powers),
+            reactions={name: (int(group), int(k)) for name, (group, k) in absolute.joints.items()},
+        ),
+    )
     return Base(data, lambda: saved(absolute))
 
 
@@ -143,7 +126,7 @@ def write(folder: Path, absolute: Absolute, available: Sequence[str]) -> None:
         available: Names of the functions of the whole model.
     """
     layout.write_model(folder, base(absolute, available))
-    layout.add_bytes(folder, FILE, numbers(absolute))
+    layout.add_files(folder, {FILE: numbers(absolute)})
     wanted = {f.name: f for f in functions(absolute)}
     missing = [wanted[each] for each in layout.missing(folder, list(wanted))]
     # no word of the model: what its elements share with those of others is compiled once
@@ -152,30 +135,30 @@ def write(folder: Path, absolute: Absolute, available: Sequence[str]) -> None:
         layout.add_functions(folder, made)
 
 
-def _place(kind: BlockKind) -> dict[str, Any]:
-    return {
-        "name": kind.name,
-        "nq": kind.nq,
-        "nu": kind.nu,
-        "quaternion": kind.quaternion,
-        "functions": {name: f.name for name, f in kind.functions.items()},
-        "plane": plane_of(kind),
-    }
+def _place(kind: BlockKind) -> PlaceKind:
+    return PlaceKind(
+        name=kind.name,
+        nq=kind.nq,
+        nu=kind.nu,
+        quaternion=kind.quaternion,
+        functions={name: f.name for name, f in kind.functions.items()},
+        plane=plane_of(kind),
+    )
 
 
-def _kind(kind: Kind, groups: Sequence[Group]) -> dict[str, Any]:
+def _kind(kind: Kind, groups: Sequence[Group]) -> ElementKind:
     group = next(group for group in groups if group.kind.name == kind.name)
-    return {
-        "name": kind.name,
-        "nq": kind.nq,
-        "nu": kind.nu,
-        "m": kind.m,
-        "mp": kind.mp,
-        "nz": 0 if group.z is None else group.z.shape[1],
-        "ns": 0 if group.s is None else group.s.shape[1],
-        "functions": {name: f.name for name, f in kind.functions.items()},
-        "parts": parts(kind.functions),
-    }
+    return ElementKind(
+        name=kind.name,
+        nq=kind.nq,
+        nu=kind.nu,
+        m=kind.m,
+        mp=kind.mp,
+        nz=0 if group.z is None else group.z.shape[1],
+        ns=0 if group.s is None else group.s.shape[1],
+        functions={name: f.name for name, f in kind.functions.items()},
+        parts=parts(kind.functions),
+    )
 
 
 def parts(found: Mapping[str, Function]) -> dict[str, int]:
@@ -190,15 +173,11 @@ def parts(found: Mapping[str, Function]) -> dict[str, int]:
     return starts
 
 
-def _group(k: int, group: Group) -> dict[str, Any]:
-    return {
-        "kind": group.kind.name,
-        "common": common_name(k, group),
-        "members": list(group.members),
-    }
+def _group(k: int, group: Group) -> GroupRow:
+    return GroupRow(kind=group.kind.name, common=common_name(k, group), members=list(group.members))
 
 
-def _rest(absolute: Absolute) -> list[float]:
+def _reference(absolute: Absolute) -> list[float]:
     """Coordinates of the joints in the reference configuration, as ``states`` takes them."""
     found: list[float] = []
     for joint in absolute.system.joints:
@@ -208,7 +187,7 @@ def _rest(absolute: Absolute) -> list[float]:
     return [float(x) for x in found]
 
 
-def _loose(absolute: Absolute) -> list[int]:
+def _beam_nodes(absolute: Absolute) -> list[int]:
     """Places of nodes that only beams hold."""
     implicit = {joint.name for joint in absolute.system.joints if joint.implicit}
     named = len(absolute.places) - len(absolute.inner)
@@ -223,45 +202,52 @@ def _quaternions(absolute: Absolute) -> list[int]:
     return [int(start) for start in (places.q[:-1] + own)[own >= 0]]
 
 
-def _multipliers(absolute: Absolute) -> list[dict[str, Any]]:
+def _multipliers(absolute: Absolute) -> list[MultiplierRow]:
     """Rows of the multipliers, those of positions first."""
-    positions: list[dict[str, Any]] = []
-    others: list[dict[str, Any]] = []
-    for group in absolute.groups:
-        for member in group.members:
-            for k, (row, unit) in enumerate(group.kind.rows):
-                level = "position" if k < group.kind.mp else "velocity"
-                told = {"name": f"{member}.{row}" if row else member, "unit": unit}
-                told |= {"joint": member, "level": level}
-                (positions if k < group.kind.mp else others).append(told)
-    return [*positions, *others]
+    made = [
+        MultiplierRow(
+            name=f"{member}.{row}" if row else member,
+            unit=unit,
+            joint=member,
+            level="position" if k < group.kind.mp else "velocity",
+        )
+        for group in absolute.groups
+        for member in group.members
+        for k, (row, unit) in enumerate(group.kind.rows)
+    ]
+    return sorted(made, key=lambda row: row.level != "position")
 
 
-def _beams(absolute: Absolute) -> Iterator[dict[str, Any]]:
+def _beams(absolute: Absolute) -> Iterator[BeamRow]:
     """Rows of the segments: ends, first of the q of the nodes between, their number, length."""
     system, places = absolute.system, absolute.places
     # the nodes inside of beams are the last places, in the order of the segments
     at, size = absolute.places.nq - absolute.reference.size, absolute.inner.shape[1]
     for segment, line in zip(system.segments, absolute.lines, strict=True):
         inner = segment.line.elements - 1
-        yield {
-            "name": segment.name,
-            "start": system.frames[segment.frame_a].name,
-            "end": system.frames[segment.frame_b].name,
-            "q": [at, inner],
-            "outline": list(segment.outline),
-            "length": float(segment.line.stations[-1] - segment.line.stations[0]),
-            "plane": plane_of(places.kinds[places.kind[line[1]]]) if inner else None,
-        }
+        width, height, is_round = segment.outline
+        yield BeamRow(
+            name=segment.name,
+            start=system.frames[segment.frame_a].name,
+            end=system.frames[segment.frame_b].name,
+            q=(at, inner),
+            outline=(width, height, is_round),
+            length=float(segment.line.stations[-1] - segment.line.stations[0]),
+            plane=plane_of(places.kinds[places.kind[line[1]]]) if inner else None,
+        )
         at += size * inner
 
 
-def _frame(absolute: Absolute, k: int) -> dict[str, Any]:
+def _frame(absolute: Absolute, k: int) -> FrameRow:
     system, places = absolute.system, absolute.places
     frame, place = system.frames[k], int(absolute.frames.place[k])
-    starts = None if place == GROUND else [int(places.q[place]), int(places.u[place])]
     body = system.bodies[frame.body] if frame.body >= 0 else None
-    part = body.parts[frame.part].name if body is not None and body.parts else None
-    name = body.name if body is not None and body.parts else "ground"
-    plane = None if place == GROUND else plane_of(places.kinds[places.kind[place]])
-    return {"name": frame.name, "body": name, "part": part, "node": starts, "plane": plane}
+    parts = body.parts if body is not None else ()
+    fixed = place == GROUND
+    return FrameRow(
+        name=frame.name,
+        body=body.name if body is not None and parts else "ground",
+        part=parts[frame.part].name if parts else None,
+        node=None if fixed else (int(places.q[place]), int(places.u[place])),
+        plane=None if fixed else plane_of(places.kinds[places.kind[place]]),
+    )

@@ -77,7 +77,7 @@ def export(
         if commons:
             model = absolute.system.name
             layout.add_functions(folder, [(generate(f, model=model), f) for f in commons])
-        entries, planned = (layout.read(folder) or {})["functions"], plan(folder)
+        entries, planned = layout.manifest_of(folder).functions, plan(folder)
         nq, start = absolute.places.nq, planned.start.tolist()
         calls = Name("&cardan_calls_of_elements")
         return Content(

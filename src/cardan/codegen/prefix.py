@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import hashlib
 import re
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 
 from ..errors import CodegenError, shown
+from ..schema.manifest import Manifest
 from . import layout, linkage
 
 _ENUMERATORS = re.compile(r"^ {4}(\w+) = ", re.M)
@@ -37,15 +37,15 @@ def add(folder: Path, prefix: str) -> None:
     texts = {path.name: path.read_text("utf-8") for path in paths}
     names = _names(texts)
     layout.add_files(folder, {name: renamed(text, names, prefix) for name, text in texts.items()})
-    layout.change(folder, lambda manifest: _told(manifest, folder, prefix))
 
+    def renamed_functions(manifest: Manifest) -> Manifest:
+        functions = {
+            name: entry.replaced(sha256=manifest.sha256[entry.file])
+            for name, entry in manifest.functions.items()
+        }
+        return manifest.replaced(prefix=prefix, functions=functions)
 
-def _told(manifest: dict[str, object], folder: Path, prefix: str) -> None:
-    manifest["prefix"] = prefix
-    functions = manifest["functions"]
-    assert isinstance(functions, dict)
-    for entry in functions.values():
-        entry["sha256"] = hashlib.sha256((folder / entry["file"]).read_bytes()).hexdigest()
+    layout.change(folder, renamed_functions)
 
 
 def _names(texts: Mapping[str, str]) -> frozenset[str]:

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from typing import Any
 
-from .header import BLOCKS, Entry
+from ..schema.manifest import BLOCKS, Manifest
+from .header import BLOCKS as LISTED
+from .header import Exported
 from .sources import source
 
 MOST = 60  # names in a list
@@ -36,10 +37,9 @@ defaults in `manifest.json`."""
 
 
 def readme(
-    manifest: Mapping[str, Any],
-    functions: Mapping[str, Entry],
+    manifest: Manifest,
+    functions: Mapping[str, Exported],
     compile_line: str,
-    elements: bool,
     simulates: bool,
     package: str = "",
 ) -> str:
@@ -49,36 +49,37 @@ def readme(
         manifest: Of the model.
         functions: Those of the export.
         compile_line: How to compile and run the example.
-        elements: Whether the model is one of elements in tables.
         simulates: Whether integrators came along.
         package: Name of the package for NumPy, if there is one.
     """
+    meshed = manifest.absolute
     files = {**FILES, "`example.c`": f"a call from C: `{compile_line}`"}
-    files |= (ELEMENT_FILES if elements else {}) | (RUN_FILES if simulates else {})
+    files |= (ELEMENT_FILES if meshed else {}) | (RUN_FILES if simulates else {})
     if package:
         use = f"`pip install .`, then `import {package}`"
         files[f"`{package}.pyx`, `setup.py`"] = f"a package for NumPy: {use}"
-    rows = [
-        (f"`{name}`", ", ".join(entry["inputs"]), words(entry["about"]) + _shapes(entry))
+    listed = [
+        (f"`{name}`", ", ".join(entry.inputs), words(entry.about) + _shapes(entry))
         for name, entry in functions.items()
     ]
     lines = [
-        f"# {words(manifest['name'])}",
+        f"# {words(manifest.name)}",
         "",
         "C of a multibody model, written by cardan; nothing here needs cardan or Python.",
         *_table(("file", "what it is"), files.items()),
-        *(_table(("elements", "how many", "functions"), _kinds(manifest)) if elements else ()),
-        *_table(("function", "reads", "gives"), rows),
+        *(_table(("elements", "how many", "functions"), _kinds(manifest)) if meshed else ()),
+        *_table(("function", "reads", "gives"), listed),
     ]
     lines += ["", *NOTATION.splitlines()]
-    if manifest.get("events"):
+    if manifest.events:
         lines += ["", *EVENTS.splitlines()]
-    for block, key, _ in BLOCKS:
-        names = [f"{words(row['name'])} [{row['unit'] or '1'}]" for row in manifest[key][:MOST]]
-        more = len(manifest[key]) - len(names)
-        listed = ", ".join(names) + (f" and {more} more in `model.h`" if more > 0 else "")
-        lines += ["", f"**{block}** ({key}, {len(manifest[key])}): {listed or 'none'}"]
-    return "\n".join([*lines, "", source("elements.md" if elements else "relative.md")])
+    for block in LISTED:
+        rows = manifest.block(block)
+        names = [f"{words(row.name)} [{row.unit or '1'}]" for row in rows[:MOST]]
+        more = len(rows) - len(names)
+        shown = ", ".join(names) + (f" and {more} more in `model.h`" if more > 0 else "")
+        lines += ["", f"**{block}** ({BLOCKS[block]}, {len(rows)}): {shown or 'none'}"]
+    return "\n".join([*lines, "", source("elements.md" if meshed else "relative.md")])
 
 
 def _table(head: Sequence[str], rows: Iterable[Sequence[str]]) -> list[str]:
@@ -88,19 +89,18 @@ def _table(head: Sequence[str], rows: Iterable[Sequence[str]]) -> list[str]:
     return ["", first, f"|{'---|' * len(head)}", *lines]
 
 
-def _shapes(entry: Entry) -> str:
+def _shapes(entry: Exported) -> str:
     """What a function gives by name and shape."""
-    outputs = entry.get("outputs", ())
-    shapes = ", ".join(f"{output['name']} {tuple(output['shape'])}" for output in outputs)
+    shapes = ", ".join(f"{output.name} {tuple(output.shape)}" for output in entry.outputs)
     return f": {shapes}" if shapes else ""
 
 
-def _kinds(manifest: Mapping[str, Any]) -> list[tuple[str, str, str]]:
+def _kinds(manifest: Manifest) -> list[tuple[str, str, str]]:
     """Kinds of elements, how many there are of each, and their functions."""
     counts: dict[str, int] = {}
-    for group in manifest["mesh"]["groups"]:
-        counts[group["kind"]] = counts.get(group["kind"], 0) + len(group["members"])
-    functions = {kind["name"]: ", ".join(kind["functions"]) for kind in manifest["mesh"]["kinds"]}
+    for group in manifest.elements.groups:
+        counts[group.kind] = counts.get(group.kind, 0) + len(group.members)
+    functions = {kind.name: ", ".join(kind.functions) for kind in manifest.elements.kinds}
     return [(words(k), str(count), words(functions[k])) for k, count in counts.items()]
 
 

@@ -7,21 +7,20 @@ entry would be read by nobody: numbers follow each other, which compilers take b
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any, TypeAlias
 
 from ..equations.absolute.record import Absolute, Group
+from ..schema.c_functions import FunctionRow
 from ..schema.planned import Fields, Planned
 from ..schema.records import FORMS
 from .constants import Constants, Name, Value
 from .mesh import common_name
 from .naming import comment
 
-Entry: TypeAlias = Mapping[str, Any]
 # tables of the plan whose entries are records
 RECORDS = {"load": "cardan_sparse_load", "run": "cardan_sparse_run"}
 
 
-def functions(absolute: Absolute, entries: Entry) -> list[dict[str, Value]]:
+def functions(absolute: Absolute, entries: Mapping[str, FunctionRow]) -> list[dict[str, Value]]:
     """The functions of the elements of all groups, as ``cardan_element_function``.
 
     Args:
@@ -34,17 +33,17 @@ def functions(absolute: Absolute, entries: Entry) -> list[dict[str, Value]]:
             if name in group.kind.functions:
                 entry = entries[group.kind.functions[name].name]
                 form = Name(f"CARDAN_{name.upper().removeprefix('BALANCE_')}")
-                sizes = {"nw": entry["prepared_size"], "size": entry["output_size"]}
+                sizes = {"nw": entry.prepared_size, "size": entry.output_size}
                 listed.append({"group": k, "form": form, **_called(entry), **sizes})
     return listed
 
 
-def _called(entry: Entry) -> dict[str, Value]:
-    symbol = entry["symbol"]
+def _called(entry: FunctionRow) -> dict[str, Value]:
+    symbol = entry.symbol
     return {"function": Name(symbol), "prepare": Name(f"prepare_{symbol}")}
 
 
-def rooms(absolute: Absolute, entries: Entry) -> tuple[int, int]:
+def rooms(absolute: Absolute, entries: Mapping[str, FunctionRow]) -> tuple[int, int]:
     """Numbers that the data of a group take with what finds them, and those that are prepared."""
     data, prepared = 0, 0
     for k, group in enumerate(absolute.groups):
@@ -52,14 +51,14 @@ def rooms(absolute: Absolute, entries: Entry) -> tuple[int, int]:
         scratch, each = 0, 0
         if group.common is not None:
             entry, each = entries[common_name(k, group)], group.common.outputs[0].shape[-1]
-            scratch = sum(entry[f"{name}_size"] for name in ("output", "prepared", "work"))
+            scratch = entry.output_size + entry.prepared_size + entry.work_size
         data = max(data, (own + each) * len(group) + scratch)
         used = (f.name for name, f in group.kind.functions.items() if name in FORMS)
-        prepared += len(group) * sum(entries[name]["prepared_size"] for name in used)
+        prepared += len(group) * sum(entries[name].prepared_size for name in used)
     return data, prepared
 
 
-def tables(absolute: Absolute, entries: Entry, planned: Planned) -> str:
+def tables(absolute: Absolute, entries: Mapping[str, FunctionRow], planned: Planned) -> str:
     """The file.
 
     Args:
@@ -83,7 +82,7 @@ def tables(absolute: Absolute, entries: Entry, planned: Planned) -> str:
         entries[common_name(k, g)] if g.common else None for k, g in enumerate(absolute.groups)
     ]
     symbols = [str(row["function"]) for row in called]
-    symbols += [entry["symbol"] for entry in commons if entry is not None]
+    symbols += [entry.symbol for entry in commons if entry is not None]
     symbols += [symbol for _, named in planned.movers for symbol in named.values()]
     for symbol in dict.fromkeys(symbols):
         c.lines.append(f"CARDAN_API int {symbol}(const cardan_in *in, real *out, real *work);")
@@ -108,12 +107,12 @@ def tables(absolute: Absolute, entries: Entry, planned: Planned) -> str:
     return c.text
 
 
-def _data(c: Constants, k: int, group: Group, entry: Entry | None) -> dict[str, Value]:
+def _data(c: Constants, k: int, group: Group, entry: FunctionRow | None) -> dict[str, Value]:
     """What the elements of a group are given, as ``cardan_element_data``."""
     fields: dict[str, Value] = {"size": 0}
     if entry is not None and group.common is not None:
         shape = group.common.outputs[0].shape
-        fields = _called(entry) | {"size": entry["output_size"], "nw": entry["prepared_size"]}
+        fields = _called(entry) | {"size": entry.output_size, "nw": entry.prepared_size}
         fields |= {"each": shape[-1], "alike": len(shape) == 1}
     if group.own is not None and group.own.size:
         fields |= {"own": c.numbers(f"own_{k}", group.own), "more": group.own.shape[1]}

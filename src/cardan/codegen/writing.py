@@ -5,7 +5,6 @@ from __future__ import annotations
 import hashlib
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import Any
 
 from .. import passes
 from ..ir.collector import collector_paused
@@ -13,6 +12,7 @@ from ..ir.function import Function, Output
 from ..ir.graph import ZERO
 from ..ir.recursion import Recursion
 from ..schema.blocks import ORDER
+from ..schema.c_functions import FunctionRow, ResultRow
 from . import loops
 from .languages import LANGUAGES
 from .lowering import lower
@@ -34,7 +34,7 @@ class CFile:
 
     name: str
     text: str = field(repr=False)
-    entry: dict[str, Any] = field(repr=False)
+    entry: FunctionRow = field(repr=False)
     includes: tuple[str, ...] = ("cardan.h",)
     prepare_operations: dict[str, int] = field(default_factory=dict, repr=False)
 
@@ -81,24 +81,24 @@ def generate(
 
 def _entry(
     function: Function | Recursion, program: Program, file: str, text: str, of: str | None
-) -> dict[str, Any]:
+) -> FunctionRow:
     """What a caller must know: blocks read, results, sizes."""
     blocks = set(program.blocks)
-    return {
-        "file": file,
-        "symbol": function.name,
-        "of": of,
-        "about": function.about,
-        "inputs": [block.name for block in function.inputs if block.name in blocks],
-        "outputs": [_result(output) for output in function.outputs],
-        "output_size": sum(output.size for output in function.outputs),
-        "work_size": program.work_size,
-        "prepared_size": program.prepared_size,
-        "lanes": [1, 2, 4, 8],
-        "operations": program.operations,
-        "headers": list(program.includes),
-        "sha256": hashlib.sha256(text.encode()).hexdigest(),
-    }
+    return FunctionRow(
+        file=file,
+        symbol=function.name,
+        of=of,
+        about=function.about,
+        inputs=[block.name for block in function.inputs if block.name in blocks],
+        outputs=[_result(output) for output in function.outputs],
+        output_size=sum(output.size for output in function.outputs),
+        work_size=program.work_size,
+        prepared_size=program.prepared_size,
+        lanes=[1, 2, 4, 8],
+        operations=program.operations,
+        headers=list(program.includes),
+        sha256=hashlib.sha256(text.encode()).hexdigest(),
+    )
 
 
 def _sizes(function: Function | Recursion, program: Program) -> list[int]:
@@ -108,14 +108,13 @@ def _sizes(function: Function | Recursion, program: Program) -> list[int]:
     return [out, program.work_size, program.prepared_size, *(read.get(b, 0) for b in ORDER)]
 
 
-def _result(output: Output) -> dict[str, Any]:
+def _result(output: Output) -> ResultRow:
     """One result; of matrices also where they are not 0 for structural reasons."""
-    found: dict[str, Any] = {
-        "name": output.name,
-        "shape": list(output.shape),
-        "entries": list(output.entries),
-        "units": list(output.units),
-    }
-    if len(output.shape) > 1:
-        found["sparsity"] = [k for k, node in enumerate(output.nodes) if node != ZERO]
-    return found
+    matrix = len(output.shape) > 1
+    return ResultRow(
+        name=output.name,
+        shape=list(output.shape),
+        entries=list(output.entries),
+        units=list(output.units),
+        sparsity=[k for k, x in enumerate(output.nodes) if x != ZERO] if matrix else None,
+    )

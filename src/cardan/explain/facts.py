@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
@@ -9,6 +10,7 @@ from numpy.typing import NDArray
 
 from ..codegen import flat, manifest
 from ..ir.interpreter import evaluate
+from ..schema.mechanism import FrameRow
 
 if TYPE_CHECKING:
     from ..equations.record import Equations
@@ -19,10 +21,10 @@ Numbers: TypeAlias = NDArray[np.float64]
 
 def facts(equations: Equations) -> dict[str, Any]:
     """The manifest without functions, with counts and sources."""
-    data = dict(manifest.base(equations, ()).data)
-    for key in ("abi", "available", "functions", "scene", "sha256", "shapes"):
-        data.pop(key, None)
-    data["frames"] = placed(equations.system, data["frames"])
+    stated = manifest.base(equations, ()).data
+    left_out = ("abi", "available", "functions", "scene", "sha256", "shapes")
+    data = {key: part for key, part in vars(stated).items() if key not in left_out}
+    data["frames"] = placed(equations.system, stated.frames)
     data["operations"] = {
         name: {"total": counts.total, "operators": dict(counts), "blocks": counts.blocks}
         for name, counts in equations.operations.items()
@@ -31,13 +33,13 @@ def facts(equations: Equations) -> dict[str, Any]:
     return data
 
 
-def placed(system: System, frames: list[dict[str, Any]]) -> list[dict[str, Any]]:
+def placed(system: System, frames: Sequence[FrameRow]) -> list[dict[str, Any]]:
     """Frames with position (3) and rotation (3, 3) in body axes at the defaults of parameters."""
     return [
-        frame | {"position": p.tolist(), "rotation": r.tolist()}
+        {**vars(frame), "position": p.tolist(), "rotation": r.tolist()}
         for frame, p, r in zip(frames, *poses(system), strict=True)
         # bodies without parts only stand for joints
-        if frame["part"] is not None or frame["body"] == "ground"
+        if frame.part is not None or frame.body == "ground"
     ]
 
 

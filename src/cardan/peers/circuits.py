@@ -11,7 +11,6 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any
 
 import numpy as np
 
@@ -20,6 +19,7 @@ from ..runtime.joint_motion import cross, joint_data, joint_motion, times
 from ..runtime.judged import scene_of
 from ..runtime.kind_poses import KindNumbers, pose_of
 from ..runtime.newton_euler import Scene, own
+from ..schema.mechanism import CutRow
 from .peer import Array, States
 
 # what can hang on a joint of a split body: coordinates and speeds
@@ -165,23 +165,21 @@ def _speeds(kind: str, axes: Array, relative: _Motion) -> Array:
 
 def circuits(model: CompiledModel) -> Circuits | str:
     """The circuits of a model, or why they cannot be handed over."""
-    scene, cuts = scene_of(model), model.manifest["cuts"]
+    scene, cuts = scene_of(model), model.manifest.cuts
     rows: Mapping[str, int] = {}
-    for row in model.manifest["multipliers"]:
-        if row["joint"] not in {cut["name"] for cut in cuts} or row["level"] != "position":
-            return f"'{row['name']}' is no closing condition of a joint"
-        turning = row["name"].rpartition(".")[2].startswith("r")
-        rows = {**rows, row["joint"]: rows.get(row["joint"], 0) + turning}
-    bodies = {body["name"]: k for k, body in enumerate(model.manifest["bodies"])}
-    frames = {
-        f["name"]: (k, bodies.get(f["body"], -1)) for k, f in enumerate(model.manifest["frames"])
-    }
+    for row in model.manifest.multipliers:
+        if row.joint not in {cut.name for cut in cuts} or row.level != "position":
+            return f"'{row.name}' is no closing condition of a joint"
+        turning = row.name.rpartition(".")[2].startswith("r")
+        rows = {**rows, row.joint: rows.get(row.joint, 0) + turning}
+    bodies = {body.name: k for k, body in enumerate(model.manifest.bodies)}
+    frames = {f.name: (k, bodies.get(f.body, -1)) for k, f in enumerate(model.manifest.frames)}
     held: list[Held] = []
     parts: list[Part] = []
     for number, cut in enumerate(cuts):
         axes = np.stack([scene.numbers[name][number] for name in ("cut_axis", "cut_axis2")])
-        ends = [frames[cut[side]] for side in ("parent_frame", "child_frame")]
-        found = _closed(cut, rows.get(cut["name"], 0), scene, axes, ends)
+        ends = [frames[cut.parent_frame], frames[cut.child_frame]]
+        found = _closed(cut, rows.get(cut.name, 0), scene, axes, ends)
         if isinstance(found, str):
             return found
         (held if isinstance(found, Held) else parts).append(found)  # type: ignore[arg-type]
@@ -198,14 +196,14 @@ class Part:
 
 
 def _closed(
-    cut: Mapping[str, Any],
+    cut: CutRow,
     turning: int,
     scene: Scene,
     axes: Array,
     ends: Sequence[tuple[int, int]],
 ) -> Held | Part | str:
     """How a cut joint is closed: its frames held together, or a part of its body on it."""
-    n, kind = scene.numbers, cut["kind"]
+    n, kind = scene.numbers, cut.kind
     placed = tuple((body, n["frame_rotation"][k], n["frame_position"][k]) for k, body in ends)
     # a hinge of which only points have to be held, as in planar circuits, is a ball to others
     if kind in ("spherical", "fixed") or (kind == "revolute" and not turning):
@@ -216,10 +214,10 @@ def _closed(
             np.stack([end[2] for end in placed]),
         )
     if kind not in SPLIT:
-        return f"joint '{cut['name']}' that closes a circuit is {kind}"
+        return f"joint '{cut.name}' that closes a circuit is {kind}"
     if placed[1][0] < 0:
         if kind == "universal":
-            return f"joint '{cut['name']}' ends at the ground"
+            return f"joint '{cut.name}' ends at the ground"
         placed, axes = placed[::-1], -axes
     return Part(kind, axes, placed)
 

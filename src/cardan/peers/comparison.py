@@ -145,8 +145,8 @@ def taking_part(
     model: CompiledModel, chosen: Sequence[str], show: Show = lambda text: None
 ) -> tuple[dict[str, Contender], dict[str, str]]:
     """Peers made ready for the mechanism of a model, and why the others are not."""
-    scene, joints = scene_of(model), [row["name"] for row in model.manifest["joints"]]
-    closed = circuits(model) if model.manifest["multipliers"] else None
+    scene, joints = scene_of(model), [row.name for row in model.manifest.joints]
+    closed = circuits(model) if model.manifest.multipliers else None
     contenders, absent = {}, {}
     for name in chosen:
         found = peer(name)
@@ -175,7 +175,7 @@ def drawn(model: CompiledModel, count: int) -> States:
     Those of a closed system are on its constraints, around the position next to its initial one.
     """
     rng = np.random.default_rng(SEED)
-    if model.manifest["multipliers"]:
+    if model.manifest.multipliers:
         q, u = _on_constraints(model, rng)
     else:
         q, u = model.split(model.random_state(SEED, (BATCH,)))

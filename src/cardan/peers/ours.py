@@ -56,7 +56,7 @@ class Ours:
     @property
     def functions(self) -> tuple[str, ...]:
         """What the model was compiled with, of ``FUNCTIONS``."""
-        known = self.model.manifest["available"]
+        known = self.model.manifest.available
         return tuple(f for f in FUNCTIONS if {"derivatives": "derivative"}.get(f, f) in known)
 
     @property

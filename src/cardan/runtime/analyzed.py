@@ -48,7 +48,7 @@ class Analyzed(Identified):
         if joint in self._doubted:
             return
         self._doubted.add(joint)
-        if self.manifest["multipliers"] or self.manifest.get("cuts"):
+        if self.manifest.multipliers or self.manifest.cuts:
             from ..analyses.redundancy import doubt
 
             doubt(self._itself, joint, q, t, r)

@@ -77,7 +77,7 @@ def losses(motion: Trajectory) -> Array:
     if "losses" in motion.stored:
         return motion.stored["losses"]
     log = motion.happened.log
-    available = "energy" in motion.manifest.get("available", ())
+    available = "energy" in motion.manifest.available
     if motion.model is None or not len(log) or not available:
         return np.zeros(0)
     before, after = motion.happened.states(motion.x.shape[1])

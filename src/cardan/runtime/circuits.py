@@ -9,12 +9,12 @@ Source: Roberson, Schwertassek, Dynamics of Multibody Systems, chapters 4 and 8.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import Any
 
 import numpy as np
 
+from ..schema.manifest import Manifest
 from .joint_motion import Array, JointData, JointMotion, cross, joint_motion, times
 from .newton_euler import Scene, own
 from .rotations import PARAMETERS, vector_of
@@ -251,31 +251,29 @@ def kept(circuits: Circuits, q: Array) -> Array:
     return q
 
 
-def circuits_of(manifest: Mapping[str, Any], scene: Scene, nq: int) -> Circuits:
+def circuits_of(manifest: Manifest, scene: Scene, nq: int) -> Circuits:
     """The circuits of a model by its manifest and flat scene with ``nq`` tree coordinates."""
     numbers = scene.numbers
-    bodies = {body["name"]: k for k, body in enumerate(manifest["bodies"])}
+    bodies = {body.name: k for k, body in enumerate(manifest.bodies)}
     ends = {
-        f["name"]: End(
-            bodies.get(f["body"], -1), numbers["frame_rotation"][k], numbers["frame_position"][k]
+        f.name: End(
+            bodies.get(f.body, -1), numbers["frame_rotation"][k], numbers["frame_position"][k]
         )
-        for k, f in enumerate(manifest["frames"])
+        for k, f in enumerate(manifest.frames)
     }
     closers, nu = [], scene.nu
-    rows = manifest["scene"].get("closers", ())
-    for cut, joint, row in zip(manifest["cuts"], scene.closers, rows, strict=True):
-        sides = ends[cut["parent_frame"]], ends[cut["child_frame"]]
-        size, count = row["q"], row["u"]
-        closers.append(Closer(cut["name"], joint, *sides, (nq, size), (nu, count)))
+    rows = manifest.scene.closers
+    for cut, joint, row in zip(manifest.cuts, scene.closers, rows, strict=True):
+        sides = ends[cut.parent_frame], ends[cut.child_frame]
+        size, count = row.q, row.u
+        closers.append(Closer(cut.name, joint, *sides, (nq, size), (nu, count)))
         nq, nu = nq + size, nu + count
     return Circuits(scene, tuple(closers), _slips(manifest, scene, closers), nq, nu)
 
 
-def _slips(
-    manifest: Mapping[str, Any], scene: Scene, closers: Sequence[Closer]
-) -> tuple[Slip, ...]:
+def _slips(manifest: Manifest, scene: Scene, closers: Sequence[Closer]) -> tuple[Slip, ...]:
     """What may not slip, by the names of the constraints of velocities."""
-    names = [joint["name"] for joint in manifest["joints"]]
+    names = [joint.name for joint in manifest.joints]
     joints = [*scene.joints, *(closer.joint for closer in closers)]
     lines = [np.stack([scene.numbers[k] for k in ("axis", "axis2")], axis=1)]
     if closers:
@@ -283,10 +281,10 @@ def _slips(
     axes = np.concatenate(lines)
     names += [closer.name for closer in closers]
     rows: dict[str, list[int]] = {}
-    for row in manifest["multipliers"]:
-        if row["level"] == "velocity" and row["joint"] in names:
-            component = row["name"].rpartition(".")[2]
-            rows.setdefault(row["joint"], []).append(SLIPS.index(component))
+    for row in manifest.multipliers:
+        if row.level == "velocity" and row.joint in names:
+            component = row.name.rpartition(".")[2]
+            rows.setdefault(row.joint, []).append(SLIPS.index(component))
     found = []
     for name, which in rows.items():
         at = names.index(name)

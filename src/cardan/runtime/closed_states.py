@@ -64,13 +64,13 @@ class Bound:
 def bound(model: CompiledModel) -> bool:
     """Whether anything beyond the tree binds a model."""
     # what modes of elements hold they do not hold where states are judged
-    always = [row for row in model.manifest.get("multipliers", ()) if not row.get("switched")]
-    return bool(always or model.manifest.get("cuts"))
+    always = [row for row in model.manifest.multipliers if not row.switched]
+    return bool(always or model.manifest.cuts)
 
 
 def unbound(model: CompiledModel) -> str:
     """Why what binds a model cannot be judged; "" if it can."""
-    known = "closers" in model.manifest["scene"]
+    known = len(model.manifest.scene.closers) == len(model.manifest.cuts)
     return "" if known else "not checked: the poses of joints that close circuits are not saved"
 
 
@@ -142,8 +142,8 @@ def closers_at(
 
 def _solved(model: CompiledModel) -> int:
     """Number of circuits in closed form."""
-    joints = model.manifest["joints"]
-    return len({joint["solved"]["circuit"] for joint in joints if joint.get("solved")})
+    joints = model.manifest.joints
+    return len({joint.solved.loop for joint in joints if joint.solved})
 
 
 def _started(model: CompiledModel, circuits: Circuits, starts: Array) -> Array:

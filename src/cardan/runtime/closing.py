@@ -6,13 +6,14 @@ import ctypes
 from contextlib import nullcontext
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ..errors import ArgumentError
-from ..ir.rows import column
+from ..schema.entries import MultiplierRow
 from ..schema.records import Run, check
+from ..schema.rows import column
 from .absolute.frames import standing
 from .calling import Array
 from .interpreted import called_back
@@ -35,17 +36,17 @@ class Closing:
         watched: Whether runs look out for places where branches meet: not those of elements.
     """
 
-    rows: tuple[dict[str, Any], ...]
+    rows: tuple[MultiplierRow, ...]
     size: float
     watched: bool = True
 
     @classmethod
     def of(cls, model: CompiledModel) -> Closing:
         """Constraints of a model that states are projected onto; none for a tree."""
-        rows = tuple(model.manifest.get("multipliers", ()))
-        if not model.manifest.get("projected", True):
+        rows = tuple(model.manifest.multipliers)
+        if not model.manifest.projected:
             rows = ()
-        meshed = "mesh" in model.manifest
+        meshed = model.manifest.absolute
         return cls(rows, size_of(model) if rows or meshed else 1.0, not meshed)
 
     def loosened(self, slack: float) -> Closing:
@@ -55,7 +56,7 @@ class Closing:
     @cached_property
     def positions(self) -> int:
         """Number of constraints of positions."""
-        return sum(row["level"] == "position" for row in self.rows)
+        return sum(row.level == "position" for row in self.rows)
 
     @property
     def rates(self) -> int:
@@ -73,12 +74,12 @@ class Closing:
 
     def ledger(self, numbers: Array) -> Ledger | None:
         """The ledger of a run from its numbers (4 (positions + rates),)."""
-        return Ledger.of(list(self.rows), numbers.reshape(-1, 4)) if self.rows else None
+        return Ledger.of(self.rows, numbers.reshape(-1, 4)) if self.rows else None
 
     def row(self, k: int) -> tuple[str, str]:
         """Level (``position`` or ``velocity``) and multiplier name of a row of the ledger."""
         level = "position" if k < self.positions else "velocity"
-        return level, str(self.rows[k if k < self.positions else k - self.positions]["name"])
+        return level, self.rows[k if k < self.positions else k - self.positions].name
 
 
 def size_of(model: CompiledModel) -> float:
@@ -91,16 +92,16 @@ def size_of(model: CompiledModel) -> float:
 
 def _measured(model: CompiledModel) -> float:
     """The size from the saved scene."""
-    told = "scene" if "mesh" not in model.manifest else str(model.manifest["mesh"]["frames"])
+    told = model.manifest.elements.frames if model.manifest.absolute else "scene"
     if told not in model.saved:
         return 1.0
     known, vector = model._objects.sizes, model.parameters.vector
     size = known.get(vector.tobytes())
     if size is None:
         found = model._evaluate_saved(told, p=vector)
-        if "mesh" in model.manifest:
+        if model.manifest.absolute:
             # where the ground has frames says nothing
-            carried = [row["node"] is not None for row in model.manifest["frames"]]
+            carried = [row.node is not None for row in model.manifest.frames]
             places = standing(model)[1][carried]
         else:
             parts = [np.ravel(found[key]) for key in ("position", "frame_position")]
@@ -108,7 +109,7 @@ def _measured(model: CompiledModel) -> float:
         lengths = [float(np.linalg.norm(places, axis=1).max(initial=0.0))]
         own = [np.ravel(found[key]) for key in ("lengths", "sizes", "cut_sizes") if key in found]
         lengths += [float(np.abs(some).max(initial=0.0)) for some in own]
-        lengths += [float(beam["length"]) for beam in model.manifest.get("beams", ())]
+        lengths += [beam.length for beam in model.manifest.beams]
         size = max(lengths) or 1.0
         if len(known) >= MOST_SIZES:
             known.clear()
@@ -118,7 +119,7 @@ def _measured(model: CompiledModel) -> float:
 
 def columns_of(model: CompiledModel, size: float) -> Array:
     """What every speed counts in (nu,): sizes of the mechanism, or radians."""
-    units = column(model.manifest["speeds"], "unit")
+    units = column(model.manifest.speeds, "unit")
     return np.array([size if name == "m/s" else 1.0 for name in units])
 
 
@@ -142,7 +143,7 @@ def project(model: CompiledModel, t: Array, x: Array, r: Array, s: Array, ledger
     check(library, "cardan_run", Run)
     run = Run(nq=model.nq, nu=model.nu, nz=model.nz, nx=model.nx, n=model.nx, nr=model.nr)
     run.ns, run.positions, run.rates, run.size = model.ns, closing.positions, closing.rates, size
-    run.atol, quaternions = 1.0, np.array(model.manifest["quaternions"], dtype=np.intp)
+    run.atol, quaternions = 1.0, np.array(model.manifest.quaternions, dtype=np.intp)
     for name, function in zip(names, functions, strict=True):
         setattr(run, name, function.address)
         setattr(run, f"{name}_w", function.w.ctypes.data)
@@ -151,7 +152,7 @@ def project(model: CompiledModel, t: Array, x: Array, r: Array, s: Array, ledger
         "y": model.nx,
         "r": model.nr,
         "s": model.ns,
-        "at_rest": model.nu + 6 * len(model.manifest["bodies"]),
+        "at_rest": model.nu + 6 * len(model.manifest.bodies),
         "work": max(function.work_size for function in functions),
         "closing": library.cardan_closing_length(ctypes.byref(run)),
     }

@@ -98,7 +98,7 @@ class CompiledModel(Analyzed):
 
     def _source_of(self) -> Source:
         """Where functions come from: elements in tables, or C of their own."""
-        if "mesh" not in self.manifest:
+        if not self.manifest.absolute:
             return Generated()
         from .absolute.assembled import Assembled
 
@@ -106,7 +106,7 @@ class CompiledModel(Analyzed):
 
     def __repr__(self) -> str:
         return (
-            f"CompiledModel('{self.name}', {self.manifest['method']}: "
+            f"CompiledModel('{self.name}', {self.manifest.method}: "
             f"{counted(len(self.bodies), 'body', 'bodies')}, "
             f"{counted(self.nq, 'coordinate')}, {counted(self.nu, 'speed')}, "
             f"{counted(len(self.parameters), 'parameter')})"
@@ -190,8 +190,8 @@ class CompiledModel(Analyzed):
 
     def _written(self) -> list[Key]:
         """Keys of the functions whose C is in the directory."""
-        rows = self.manifest["functions"].items()
-        keys = [(name.split("__")[0], entry.get("of")) for name, entry in rows]
+        rows = self.manifest.functions.items()
+        keys = [(name.split("__")[0], entry.of) for name, entry in rows]
         return [key for key in keys if key[0] in STANDARD]
 
     @property
@@ -225,7 +225,7 @@ class CompiledModel(Analyzed):
         if parameters is None:
             result: Array = self._calls[key](out, *values)
             return result
-        if "mesh" in self.manifest:
+        if self.manifest.absolute:
             # its tables are filled for one set of parameters
             vector = self._parameters.changed(parameters)
             if vector.ndim != 1:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from ..errors import CardanError
+from ..schema.rows import column
 
 if TYPE_CHECKING:
     from .trajectory import Trajectory
@@ -23,7 +24,7 @@ def to_xarray(motion: Trajectory) -> Any:
             "to_xarray needs xarray, which is not installed: pip install 'cardan[data]'"
         ) from error
     manifest = motion.manifest
-    names = {key: [row["name"] for row in manifest[key]] for key in (*KEYS, "z", "s")}
+    names = {letter: column(manifest.block(letter), "name") for letter in "qurzs"}
     data = xarray.Dataset(
         {
             "q": (("time", "coordinate"), motion.q),
@@ -33,19 +34,19 @@ def to_xarray(motion: Trajectory) -> Any:
         },
         coords={
             "time": ("time", motion.t, {"units": "s"}),
-            "coordinate": names["coordinates"],
-            "speed": names["speeds"],
-            "input": names["inputs"],
+            "coordinate": names["q"],
+            "speed": names["u"],
+            "input": names["r"],
             "source": list(motion.sources or ()),
         },
-        attrs={"model": manifest["name"], "method": motion.conduct.method, "status": motion.status},
+        attrs={"model": manifest.name, "method": motion.conduct.method, "status": motion.status},
     )
     for key, dimension, values in (("z", "internal_state", motion.z), ("s", "mode", motion.s)):
         if names[key]:
             data[key] = (("time", dimension), values)
             data = data.assign_coords({dimension: names[key]})
-    for key, dimension in KEYS.items():
-        units = [row.get("unit", "") for row in manifest[key]]
+    for letter, dimension in (("q", "coordinate"), ("u", "speed"), ("r", "input")):
+        units = column(manifest.block(letter), "unit")
         data = data.assign_coords({f"{dimension}_unit": (dimension, units)})
     try:
         energy = motion.energy
@@ -55,6 +56,3 @@ def to_xarray(motion: Trajectory) -> Any:
     for name, values in zip(("kinetic", "potential"), energy, strict=False):
         data[name] = ("time", values, {"units": "J"})
     return data
-
-
-KEYS = {"coordinates": "coordinate", "speeds": "speed", "inputs": "input"}

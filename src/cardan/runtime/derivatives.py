@@ -83,8 +83,8 @@ class Derivatives(Functions, ABC):
             raise ArgumentError(
                 f"derivative: {function} does not read {entry}; it reads {', '.join(sorted(reads))}"
             )
-        inputs = tuple(row["name"] for row in self.manifest["inputs"])
-        parameters = tuple(row["name"] for row in self.manifest["parameters"])
+        inputs = tuple(row.name for row in self.manifest.inputs)
+        parameters = tuple(row.name for row in self.manifest.parameters)
         if entry not in (*DIRECTIONS, *inputs, *parameters):
             raise ModelError(
                 f"derivative: '{entry}' is no block ({', '.join(DIRECTIONS)}), parameter or input."
@@ -191,10 +191,10 @@ class Derivative:
         if len(outputs) == 1:
             return {self.wrt[0]: flat}
         for output in outputs:
-            shape = tuple(output["shape"])
+            shape = tuple(output.shape)
             end = start + prod(shape)
             part = flat[..., start:end]
-            found[output["name"].removeprefix("d_")] = part.reshape(part.shape[:-1] + shape)
+            found[output.name.removeprefix("d_")] = part.reshape(part.shape[:-1] + shape)
             start = end
         return found
 

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
 
+from ..schema.manifest import Manifest
+from ..schema.rows import column, having
 from .derivatives import Derivatives
 from .layout import Layout
 from .objects import Objects
@@ -21,10 +22,10 @@ class Described(Derivatives):
     @property
     def name(self) -> str:
         """Name of the model."""
-        return str(self.manifest["name"])
+        return self.manifest.name
 
     @property
-    def manifest(self) -> dict[str, Any]:
+    def manifest(self) -> Manifest:
         """Everything the compiler says about the model; see ``docs/manifest.schema.json``."""
         return self._objects.manifest
 
@@ -66,11 +67,11 @@ class Described(Derivatives):
     @property
     def joints(self) -> tuple[str, ...]:
         """Names of the joints: those of the tree, those that are cut, those that are fixed."""
-        cut = self.manifest.get("cuts", [])
-        moving = [row["name"] for row in (*self.manifest["joints"], *cut)]
+        manifest = self.manifest
+        moving = [*column(manifest.joints, "name"), *(row.name for row in manifest.cuts)]
         # elements that transmit a reaction, some without coordinates of their own
-        moving += self.manifest.get("mesh", {}).get("reactions", ())
-        return (*dict.fromkeys(moving), *self.manifest["fixed"])
+        moving += manifest.elements.reactions if manifest.absolute else ()
+        return (*dict.fromkeys(moving), *manifest.fixed)
 
     @property
     def nq(self) -> int:
@@ -120,17 +121,17 @@ class Described(Derivatives):
     @property
     def multipliers_of(self) -> tuple[str, ...]:
         """Names of the constraints and their multipliers."""
-        return tuple(row["name"] for row in self.manifest["multipliers"])
+        return tuple(row.name for row in self.manifest.multipliers)
 
     @property
     def nlam(self) -> int:
         """Number of Lagrange multipliers."""
-        return len(self.manifest["multipliers"])
+        return len(self.manifest.multipliers)
 
     @property
     def limits(self) -> dict[str, dict[str, float | None]]:
         """Limits of the joints that have some: lower, upper, speed, effort."""
-        return {row["name"]: row["limits"] for row in self.manifest["joints"] if row["limits"]}
+        return {row.name: {**row.limits} for row in having(self.manifest.joints, "limits")}
 
     @property
     def parameters(self) -> Parameters:
@@ -140,10 +141,10 @@ class Described(Derivatives):
     @property
     def source(self) -> dict[str, str]:
         """C text by C name, of every function written so far."""
-        names = self.manifest["functions"]
+        names = self.manifest.functions
         return {name: self._objects.text_path(name).read_text("utf-8") for name in names}
 
     @property
     def operations(self) -> dict[str, dict[str, int]]:
         """Number of each operator by C name, of every function written so far."""
-        return {name: entry["operations"] for name, entry in self.manifest["functions"].items()}
+        return {name: {**entry.operations} for name, entry in self.manifest.functions.items()}

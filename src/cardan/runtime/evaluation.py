@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 
 from ..errors import ArgumentError, ModelError, near
 from ..schema.functions import FUNCTIONS, STANDARD
+from ..schema.manifest import Manifest
 from .calling import Array
 from .objects import Key
 
@@ -48,8 +49,8 @@ class Evaluation(ABC):
         """
         if name not in STANDARD:
             raise ModelError(f"function '{name}' does not exist.{near(name, STANDARD)}")
-        if name in self.manifest.get("absent", ()):
-            raise ModelError(f"{name}: {self.manifest['absent'][name]}")
+        if name in self.manifest.absent:
+            raise ModelError(f"{name}: {self.manifest.absent[name]}")
         kind = FUNCTIONS[name].of
         known = self.joints if kind == "joint" else self.frames
         if kind in ("joint", "frame") and of is None:
@@ -76,7 +77,7 @@ class Evaluation(ABC):
 
     @property
     @abstractmethod
-    def manifest(self) -> dict[str, Any]:
+    def manifest(self) -> Manifest:
         """What the compiler states about the model."""
 
     @property

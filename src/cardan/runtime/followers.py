@@ -2,28 +2,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ..errors import ModelError
+from ..schema.manifest import Manifest
 from .calling import Array
 
 if TYPE_CHECKING:
     from .trajectory import Trajectory
 
 
-def names(manifest: Mapping[str, Any]) -> list[str]:
+def names(manifest: Manifest) -> list[str]:
     """Histories that follow from others: ``<joint>`` and ``<joint>.u``."""
-    rows = [j["name"] for j in manifest["joints"] if j["coupled"] or j["prescribed"]]
+    rows = [j.name for j in manifest.joints if j.coupled or j.prescribed]
     return [name + suffix for name in rows for suffix in ("", ".u")] + _solved(manifest)
 
 
-def _solved(manifest: Mapping[str, Any]) -> list[str]:
+def _solved(manifest: Manifest) -> list[str]:
     """Coordinates and speeds of joints that circuits in closed form determine."""
-    rows = [j["solved"] for j in manifest["joints"] if j.get("solved")]
-    return [name for block in ("q", "u") for row in rows for name in row[block]]
+    rows = [j.solved for j in manifest.joints if j.solved]
+    return [name for block in ("q", "u") for row in rows for name in row.names(block)]
 
 
 def history(motion: Trajectory, name: str) -> Array:
@@ -35,14 +35,15 @@ def history(motion: Trajectory, name: str) -> Array:
     if name in _solved(motion.manifest):
         return _from_circuit(motion, name)
     joint, rate = name.removesuffix(".u"), name.endswith(".u")
-    rows = motion.manifest["joints"]
-    number = [row["name"] for row in rows].index(joint)
-    if rows[number]["prescribed"]:
+    rows = motion.manifest.joints
+    number = [row.name for row in rows].index(joint)
+    if rows[number].prescribed:
         return _prescribed(motion, number, rate)
     ratio = float(np.ravel(motion.scene["ratio"])[number])
     offset = 0.0 if rate else float(np.ravel(motion.scene["offset"])[number])
-    leader = rows[number]["coupled"]["leader"] + (".u" if rate else "")
-    return ratio * motion[leader] + offset
+    coupling = rows[number].coupled
+    assert coupling is not None
+    return ratio * motion[coupling.leader + (".u" if rate else "")] + offset
 
 
 def _from_circuit(motion: Trajectory, name: str) -> Array:
@@ -54,8 +55,8 @@ def _from_circuit(motion: Trajectory, name: str) -> Array:
         )
     values = motion.model.dependents(motion.q, motion.u, t=motion.t, r=motion.r)
     column: Array = values[:, _solved(motion.manifest).index(name)].copy()
-    (angles, _) = motion.model.manifest["functions"]["dependents"]["outputs"]
-    if (name, "rad") in zip(angles["entries"], angles["units"], strict=True):
+    (angles, _) = motion.model.manifest.functions["dependents"].outputs
+    if (name, "rad") in zip(angles.entries, angles.units, strict=True):
         column = np.unwrap(column)
     return column
 
@@ -64,7 +65,7 @@ def _prescribed(motion: Trajectory, number: int, rate: bool) -> Array:
     """What the motion of a joint is prescribed to be, at the times of the run."""
     model = motion.model
     if model is None:
-        joint = motion.manifest["joints"][number]["name"]
+        joint = motion.manifest.joints[number].name
         raise ModelError(
             f"motion['{joint}']: the joint is prescribed, which a file does not hold. Compile the "
             "model and give it: load_motion(path, model=...)"

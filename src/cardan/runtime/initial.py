@@ -2,22 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
-from typing import TYPE_CHECKING, Any
+from collections.abc import Iterable, Mapping, Sequence
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from ..errors import ArgumentError, ModelError, SolveError, miscounted, near, shown
-from ..ir.rows import column, having
+from ..schema.entries import Entry
+from ..schema.manifest import Manifest
+from ..schema.mechanism import JointRow
+from ..schema.rows import column, having
 from .calling import Array
 from .named_rotations import check_units, component, refuse_components
 from .rotations import unit
 
 if TYPE_CHECKING:
     from .compiled import CompiledModel
-
-Rows = list[dict[str, Any]]
 
 
 def start_of(
@@ -42,7 +43,7 @@ def _placed(
     z: Mapping[str, ArrayLike] | None,
 ) -> tuple[Array, tuple[str, ...]]:
     x, rest = initial_state(model.manifest, q, u, z)
-    if "mesh" not in model.manifest:
+    if not model.manifest.absolute:
         return x, rest
     from .absolute.carried import carried
 
@@ -50,7 +51,7 @@ def _placed(
 
 
 def initial_state(
-    manifest: Mapping[str, Any],
+    manifest: Manifest,
     q: Mapping[str, ArrayLike],
     u: Mapping[str, ArrayLike],
     z: Mapping[str, ArrayLike] | None = None,
@@ -73,12 +74,12 @@ def initial_state(
         ArgumentError: the wrong number of values.
         SolveError: a value that is not finite, or a quaternion whose length is not 1.
     """
-    joints: Rows = manifest["joints"]
+    joints = manifest.joints
     values, given = [], []
     for letter, rows, named in (
-        ("q", manifest["coordinates"], q),
-        ("u", manifest["speeds"], u),
-        ("z", manifest["z"], z or {}),
+        ("q", manifest.coordinates, q),
+        ("u", manifest.speeds, u),
+        ("z", manifest.z, z or {}),
     ):
         block = _defaults(letter, rows, joints)
         named_here = _fill(letter, block, rows, manifest, named)
@@ -90,38 +91,38 @@ def initial_state(
             else [n for n, k in zip(names, named_here, strict=True) if not k]
         )
     check_units(manifest, values[0])
-    values[0][:] = unit(values[0], manifest["quaternions"])
+    values[0][:] = unit(values[0], manifest.quaternions)
     return np.concatenate(values), (*given[0], *given[1], *given[2])
 
 
-def _defaults(letter: str, rows: Rows, joints: Rows) -> Array:
+def _defaults(letter: str, rows: Sequence[Entry], joints: Sequence[JointRow]) -> Array:
     """q0 or u0 where a joint has them, else what the coordinates start from."""
     block = np.array([x or 0.0 for x in column(rows, "default")], dtype=np.float64)
     for joint in having(joints, f"{letter}0"):
-        start, size = joint.get(letter) or (0, 0)
+        start, size = joint.slot(letter)
         if size:
-            block[start : start + size] = joint[f"{letter}0"]
+            block[start : start + size] = joint.q0 if letter == "q" else joint.u0
     return block
 
 
 def _fill(
     letter: str,
     block: Array,
-    rows: Rows,
-    manifest: Mapping[str, Any],
+    rows: Sequence[Entry],
+    manifest: Manifest,
     named: Mapping[str, ArrayLike],
 ) -> list[bool]:
     """Write named values into a block; which entries they cover, none where nothing is named."""
     if not named:
         return []
-    places = _places(letter, rows, manifest["joints"])
+    places = _places(letter, rows, manifest.joints)
     covered = [False] * len(rows)
     for name, value in named.items():
         where = f"{letter}={{'{name}': ...}}"
         place = places.get(name)
         if place is None:
             raise ModelError(f"{where}: {missing(manifest, letter, name, places)}")
-        entries = [row["name"] for row in rows[place]]
+        entries = [row.name for row in rows[place]]
         if any(covered[place]):
             raise ModelError(
                 f"{where}: '{entries[0]}' is given twice, once by joint, once by entry"
@@ -134,25 +135,24 @@ def _fill(
     return covered
 
 
-def _places(letter: str, rows: Rows, joints: Rows) -> dict[str, slice]:
+def _places(letter: str, rows: Sequence[Entry], joints: Sequence[JointRow]) -> dict[str, slice]:
     """Name -> entries: every entry by its own name, every joint for all of its entries."""
     places = {}
     for joint in joints:
-        start, size = joint.get(letter) or (0, 0)
+        start, size = joint.slot(letter)
         if size:
-            places[str(joint["name"])] = slice(start, start + size)
+            places[joint.name] = slice(start, start + size)
     for k, row in enumerate(rows):
-        places.setdefault(str(row["name"]), slice(k, k + 1))
+        places.setdefault(row.name, slice(k, k + 1))
     return places
 
 
-def entries(manifest: Mapping[str, Any], letter: str) -> dict[str, slice]:
+def entries(manifest: Manifest, letter: str) -> dict[str, slice]:
     """Name -> entries of q, u or z: every entry by its name, every joint for all of its own."""
-    rows = manifest[{"q": "coordinates", "u": "speeds", "z": "z"}[letter]]
-    return _places(letter, rows, manifest["joints"])
+    return _places(letter, manifest.block(letter), manifest.joints)
 
 
-def followers(manifest: Mapping[str, Any], letter: str) -> dict[str, slice]:
+def followers(manifest: Manifest, letter: str) -> dict[str, slice]:
     """Joints and entries that follow from loops -> their places among all that follow.
 
     Args:
@@ -161,17 +161,17 @@ def followers(manifest: Mapping[str, Any], letter: str) -> dict[str, slice]:
     """
     found: dict[str, slice] = {}
     at = 0
-    for joint in manifest["joints"]:
-        own = (joint.get("solved") or {}).get(letter, ())
+    for joint in having(manifest.joints, "solved"):
+        own = joint.solved.names(letter) if joint.solved else ()
         if own:
-            found[joint["name"]] = slice(at, at + len(own))
+            found[joint.name] = slice(at, at + len(own))
         for name in own:
             found.setdefault(name, slice(at, at + 1))
             at += 1
     return found
 
 
-def missing(manifest: Mapping[str, Any], letter: str, name: str, known: Iterable[str]) -> str:
+def missing(manifest: Manifest, letter: str, name: str, known: Iterable[str]) -> str:
     """Why there is no such entry of q, u or z, with the known names and the likely one.
 
     Who names one component of a rotation is not sent to another one.
@@ -189,25 +189,23 @@ def missing(manifest: Mapping[str, Any], letter: str, name: str, known: Iterable
     return f"there is no joint or {what} '{name}'.{near(name, known)}"
 
 
-def _follows(name: str, what: str, manifest: Mapping[str, Any]) -> str:
+def _follows(name: str, what: str, manifest: Manifest) -> str:
     """Why a joint that is there has nothing of its own; "" where there is no such joint."""
-    joint = next((j for j in manifest["joints"] if j["name"] == name), None)
-    closing = {row["name"] for row in manifest.get("cuts", ())}
+    joint = next((j for j in manifest.joints if j.name == name), None)
+    closing = {row.name for row in manifest.cuts}
     if joint is None and name in closing:
         return (
             f"joint '{name}' closes a kinematic loop and has no {what} of its own: the others "
             "determine it. Name others, or let cut=True cut another joint of the loop."
         )
-    if joint is not None and joint.get("coupled"):
-        return (
-            f"joint '{name}' follows '{joint['coupled']['leader']}' and has no {what} of its own."
-        )
-    if joint is not None and joint.get("solved"):
-        return f"joint '{name}' follows from the loop that '{joint['solved']['circuit']}' closes."
+    if joint is not None and joint.coupled:
+        return f"joint '{name}' follows '{joint.coupled.leader}' and has no {what} of its own."
+    if joint is not None and joint.solved:
+        return f"joint '{name}' follows from the loop that '{joint.solved.loop}' closes."
     if joint is not None:
         return f"joint '{name}' moves as prescribed and has no {what} of its own."
     # in absolute coordinates every joint has multipliers, and one that closes a loop nothing else
-    if "mesh" in manifest and name in {row["joint"] for row in manifest["multipliers"]}:
+    if manifest.absolute and name in {row.joint for row in manifest.multipliers}:
         return (
             f"'{name}' closes a kinematic loop and has no {what} of its own: the others determine "
             "it. Name others."

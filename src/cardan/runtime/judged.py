@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ..schema.manifest import Manifest
 from .joint_motion import Array, JointData, joint_data
 from .newton_euler import Scene
 from .rotations import PARAMETERS
@@ -19,27 +20,26 @@ if TYPE_CHECKING:
 def unknown(model: CompiledModel) -> str:
     """Why the scene of a model cannot be judged; "" if it can."""
     manifest = model.manifest
-    scene = manifest.get("scene") or {}
-    if not scene or "scene" not in model.saved:
+    scene = manifest.scene
+    if "scene" not in model.saved:
         return "not checked: the directory holds no scene"
-    reasons = [str(r) for r in scene.get("unknown", [])]
-    for joint, rotation in zip(manifest["joints"], scene["rotations"], strict=True):
+    reasons = list(scene.unknown)
+    for joint, rotation in zip(manifest.joints, scene.rotations, strict=True):
         if rotation is not None and rotation not in PARAMETERS:
-            reasons.append(f"joint '{joint['name']}' is described by {rotation}")
-    if not all(name in model.saved for name in scene.get("poses", [""])):
+            reasons.append(f"joint '{joint.name}' is described by {rotation}")
+    if not all(name in model.saved for name in scene.poses):
         reasons.append("the poses of its joints are not saved")
-    moved = any(joint["prescribed"] for joint in manifest["joints"])
+    moved = any(joint.prescribed for joint in manifest.joints)
     if moved and "scene_motion" not in model.saved:
         reasons.append("the motion of prescribed joints is not saved")
-    if any(joint.get("solved") for joint in manifest["joints"]) and "dependents" not in model.saved:
+    if any(joint.solved for joint in manifest.joints) and "dependents" not in model.saved:
         reasons.append("the joints that circuits determine are not saved")
     return "not checked: " + "; ".join(reasons[:3]) if reasons else ""
 
 
 def unjudged(model: CompiledModel) -> str:
     """Why nothing but its own expressions speaks for a model; "" where something does."""
-    scene = model.manifest.get("scene") or {}
-    if "mesh" in model.manifest or scene.get("samples"):
+    if model.manifest.absolute or model.manifest.scene.samples:
         return ""
     from .closed_states import bound, unbound
 
@@ -64,42 +64,40 @@ def _joint(model: CompiledModel, function: str, kind: str, rotation: str | None)
 def scene_of(model: CompiledModel) -> Scene:
     """The flat scene of a model with its parameter values, as :func:`scene_from` says it."""
     numbers = model._evaluate_saved("scene", p=model.parameters.vector)
-    scene = model.manifest["scene"]
-    rows = zip(scene["poses"], scene["kinds"], scene["rotations"], strict=True)
+    scene = model.manifest.scene
+    rows = zip(scene.poses, scene.kinds, scene.rotations, strict=True)
     found = scene_from(model.manifest, numbers, [_joint(model, *row) for row in rows])
-    closing = zip(scene.get("closers", ()), scene.get("cuts", ()), strict=False)
-    closers = (_joint(model, row["pose"], kind, row["rotation"]) for row, kind in closing)
+    closing = zip(scene.closers, scene.cuts, strict=False)
+    closers = (_joint(model, row.pose, kind, row.rotation) for row, kind in closing)
     return replace(found, closers=tuple(closers))
 
 
-def scene_from(
-    manifest: Mapping[str, Any], given: Mapping[str, Any], known: Sequence[JointData]
-) -> Scene:
+def scene_from(manifest: Manifest, given: Mapping[str, Any], known: Sequence[JointData]) -> Scene:
     """The flat scene of a manifest with these numbers and joints.
 
     Joints that circuits determine have their coordinates and speeds behind those of the model.
     """
-    joints, scene = manifest["joints"], manifest["scene"]
-    place = {joint["name"]: i for i, joint in enumerate(joints)}
+    joints, scene = manifest.joints, manifest.scene
+    place = {joint.name: i for i, joint in enumerate(joints)}
     numbers = {"axis2": np.zeros((len(joints), 3)), **given}
-    leaders = [place[j["coupled"]["leader"]] if j["coupled"] else -1 for j in joints]
-    ends = {"q": len(manifest["coordinates"]), "u": len(manifest["speeds"])}
+    leaders = [place[j.coupled.leader] if j.coupled else -1 for j in joints]
+    ends = {"q": len(manifest.coordinates), "u": len(manifest.speeds)}
     slots: dict[str, list[tuple[int, int]]] = {"q": [], "u": []}
     for joint in joints:
         for block, rows in slots.items():
-            first, size = (joint[block] or (0, 0))[:2]
-            if joint.get("solved"):
-                first, size = ends[block], len(joint["solved"][block])
+            first, size = joint.slot(block)
+            if joint.solved:
+                first, size = ends[block], len(joint.solved.names(block))
                 ends[block] += size
             rows.append((first, size))
     return Scene(
-        parents=tuple(scene["parents"]),
-        kinds=tuple(scene["kinds"]),
-        rotations=tuple(scene["rotations"]),
+        parents=tuple(scene.parents),
+        kinds=tuple(scene.kinds),
+        rotations=tuple(scene.rotations),
         q=tuple(slots["q"]),
         u=tuple(slots["u"]),
         leaders=tuple(leaders),
-        prescribed=tuple(bool(j["prescribed"]) for j in joints),
+        prescribed=tuple(j.prescribed for j in joints),
         numbers=numbers,
         nu=ends["u"],
         joints=tuple(known),

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..schema.manifest import Manifest
 from .joint_motion import REVERSED, JointData, Pose, cross, joint_data, times
 from .rotations import PARAMETERS, about, quaternion
 
@@ -80,14 +81,14 @@ def normalized(v: Array) -> Array:
     return np.asarray(v / np.linalg.norm(v))
 
 
-def joints_of(manifest: Mapping[str, Any], numbers: Mapping[str, Array]) -> list[JointData]:
+def joints_of(manifest: Manifest, numbers: Mapping[str, Array]) -> list[JointData]:
     """The joints of a saved run: by the kinds in its manifest and the numbers of its scene."""
-    scene, count = manifest["scene"], len(manifest["joints"])
-    none, curves = np.zeros((count, 3)), scene.get("curves", [None] * count)
+    scene, count = manifest.scene, len(manifest.joints)
+    none, curves = np.zeros((count, 3)), scene.curves or [None] * count
     axis2, sizes = numbers.get("axis2", none), numbers.get("sizes", none[:, :2])
     found = []
     for i, (kind, rotation, curve) in enumerate(
-        zip(scene["kinds"], scene["rotations"], curves, strict=True)
+        zip(scene.kinds, scene.rotations, curves, strict=True)
     ):
         line = Curve(np.array(curve[0]), np.array(curve[1]), curve[2]) if curve else None
         pitch, axis = float(numbers["pitch"][i]), numbers["axis"][i]

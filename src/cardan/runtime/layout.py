@@ -4,13 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
-from typing import Any, final
+from typing import final
 
 import numpy as np
 
 from ..ir.request import reads
-from ..ir.rows import column
 from ..schema.blocks import ARGUMENTS, SLOT
+from ..schema.manifest import Manifest
+from ..schema.mechanism import JointRow
+from ..schema.rows import column
 from .calling import Argument, Array
 
 AXES = ("mx", "my", "mz", "fx", "fy", "fz")
@@ -25,16 +27,18 @@ class Places(Mapping[str, slice]):
         joints, letter: Whose names stand for all of their own, and where they say which.
     """
 
-    def __init__(self, names: Sequence[str], joints: Sequence[Any] = (), letter: str = "") -> None:
+    def __init__(
+        self, names: Sequence[str], joints: Sequence[JointRow] = (), letter: str = ""
+    ) -> None:
         self._names, self._joints, self._letter = names, joints, letter
 
     @cached_property
     def _found(self) -> dict[str, slice]:
         found = {name: slice(k, k + 1) for k, name in enumerate(self._names)}
         for joint in self._joints:
-            start, size = joint[self._letter] or (0, 0)
+            start, size = joint.slot(self._letter)
             if size:
-                found.setdefault(joint["name"], slice(start, start + size))
+                found.setdefault(joint.name, slice(start, start + size))
         return found
 
     def __getitem__(self, name: str) -> slice:
@@ -50,27 +54,27 @@ class Places(Mapping[str, slice]):
 class Layout:
     """Names, sizes and defaults of the blocks of a model."""
 
-    def __init__(self, manifest: dict[str, Any]) -> None:
+    def __init__(self, manifest: Manifest) -> None:
         self.manifest = manifest
-        self.coordinates: tuple[str, ...] = tuple(column(manifest["coordinates"], "name"))
-        self.speeds: tuple[str, ...] = tuple(column(manifest["speeds"], "name"))
-        self.inputs = tuple(row["name"] for row in manifest["inputs"])
-        self.internals = tuple(row["name"] for row in manifest["z"])
-        self.modes = tuple(row["name"] for row in manifest["s"])
-        self.events = tuple(row["name"] for row in manifest.get("events", ()))
-        self.multipliers = tuple(row["name"] for row in manifest.get("multipliers", ()))
-        self.parts = tuple(part for body in manifest["bodies"] for part in body["parts"])
+        self.coordinates: tuple[str, ...] = tuple(column(manifest.coordinates, "name"))
+        self.speeds: tuple[str, ...] = tuple(column(manifest.speeds, "name"))
+        self.inputs = tuple(row.name for row in manifest.inputs)
+        self.internals = tuple(row.name for row in manifest.z)
+        self.modes = tuple(row.name for row in manifest.s)
+        self.events = tuple(row.name for row in manifest.events)
+        self.multipliers = tuple(row.name for row in manifest.multipliers)
+        self.parts = tuple(part for body in manifest.bodies for part in body.parts)
         # bodies without parts only stand for joints: their frames are nobody's
         self.part_of = {
-            row["name"]: row.get("part")
-            for row in manifest["frames"]
-            if row.get("part") is not None or row["body"] == "ground"
+            row.name: row.part
+            for row in manifest.frames
+            if row.part is not None or row.body == "ground"
         }
 
     @cached_property
     def places(self) -> Mapping[str, Mapping[str, slice]]:
         """Block -> name -> where its entries lie; a joint's name stands for its whole block."""
-        joints = self.manifest["joints"]
+        joints = self.manifest.joints
         q, u = (
             Places(names, joints, letter)
             for names, letter in ((self.coordinates, "q"), (self.speeds, "u"))
@@ -92,10 +96,9 @@ class Layout:
 
     def start(self, block: str) -> Array:
         """Entries of a block that are not named: defaults of q, r, z and s, else zeros."""
-        rows = {"q": "coordinates", "q0": "coordinates", "r": "inputs", "z": "z", "s": "s"}
-        if block not in rows:
+        if block not in ("q", "q0", "r", "z", "s"):
             return np.zeros(len(self.names(block)))
-        defaults = column(self.manifest[rows[block]], "default")
+        defaults = column(self.manifest.block(block), "default")
         return np.array([x or 0.0 for x in defaults], dtype=np.float64)
 
     @cached_property

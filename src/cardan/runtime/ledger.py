@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, final
 
 import numpy as np
 
+from ..schema.entries import MultiplierRow
 from .calling import Array
 
 if TYPE_CHECKING:
@@ -51,7 +52,7 @@ class Ledger:
     velocity: dict[str, Worst]
 
     @classmethod
-    def of(cls, rows: list[dict[str, Any]], table: Array) -> Ledger:
+    def of(cls, rows: Sequence[MultiplierRow], table: Array) -> Ledger:
         """A ledger from the numbers of a run.
 
         Args:
@@ -60,9 +61,9 @@ class Ledger:
         """
         count = len(table) - len(rows)
 
-        def named(some: list[dict[str, Any]], numbers: Array, rate: bool) -> dict[str, Worst]:
+        def named(some: Sequence[MultiplierRow], numbers: Array, rate: bool) -> dict[str, Worst]:
             return {
-                row["name"]: Worst(b, b_at, a, a_at, _unit(row, rate))
+                row.name: Worst(b, b_at, a, a_at, _unit(row, rate))
                 for row, (b, b_at, a, a_at) in zip(some, numbers.tolist(), strict=True)
             }
 
@@ -91,22 +92,22 @@ class Ledger:
         return "\n".join(lines)
 
 
-def residual_unit(row: Mapping[str, Any]) -> str:
+def residual_unit(row: MultiplierRow) -> str:
     """Unit of a residual, at the level where it holds first, from that of its multiplier.
 
     Args:
         row: Of the multipliers of the manifest: a force belongs to a length.
     """
-    known = {"N": "m", "N*m": "rad"}.get(row["unit"])
+    known = {"N": "m", "N*m": "rad"}.get(row.unit)
     if known is not None:
-        return known if row["level"] == "position" else f"{known}/s"
-    return str(row["unit"]).removeprefix("J").removeprefix("/(").removesuffix(")")
+        return known if row.level == "position" else f"{known}/s"
+    return row.unit.removeprefix("J").removeprefix("/(").removesuffix(")")
 
 
-def _unit(row: Mapping[str, Any], rate: bool) -> str:
+def _unit(row: MultiplierRow, rate: bool) -> str:
     """Unit of a residual or of its rate."""
     unit = residual_unit(row)
-    return f"{unit or '1'}/s" if rate and row["level"] == "position" else unit
+    return f"{unit or '1'}/s" if rate and row.level == "position" else unit
 
 
 class Drift(np.ndarray[Any, np.dtype[np.float64]]):
@@ -146,13 +147,13 @@ class Drift(np.ndarray[Any, np.dtype[np.float64]]):
 
 def residuals_of(motion: Trajectory) -> dict[str, Array]:
     """Residual (nt,) of every constraint of positions by multiplier."""
-    rows = [row for row in motion.manifest["multipliers"] if row["level"] == "position"]
+    rows = [row for row in motion.manifest.multipliers if row.level == "position"]
     if rows and "constraints" not in motion.stored:
         model = motion._model("the constraints")
         motion.stored["constraints"] = model._evaluate(
             ("constraints", None), (motion.t, motion.q, motion._r), None, None
         )
-    return {row["name"]: motion.stored["constraints"][:, k] for k, row in enumerate(rows)}
+    return {row.name: motion.stored["constraints"][:, k] for k, row in enumerate(rows)}
 
 
 def multipliers_of(motion: Trajectory) -> dict[str, Array]:
@@ -161,10 +162,10 @@ def multipliers_of(motion: Trajectory) -> dict[str, Array]:
     Those that the method found along with the motion, else those of the accelerations at its
     states. Where rows follow from others their forces are not unique: then one set of them.
     """
-    rows = motion.manifest.get("multipliers", ())
+    rows = motion.manifest.multipliers
     if rows and "multipliers" not in motion.stored:
         model = motion._model("the multipliers")
         motion.stored["multipliers"] = model.multipliers(
             motion.q, motion.u, t=motion.t, r=motion._r, **motion._own
         )
-    return {row["name"]: motion.stored["multipliers"][:, k] for k, row in enumerate(rows)}
+    return {row.name: motion.stored["multipliers"][:, k] for k, row in enumerate(rows)}

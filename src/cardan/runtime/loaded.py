@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from math import prod
 from typing import Any
@@ -11,6 +11,7 @@ import numpy as np
 
 from ..errors import BuildError
 from ..schema.blocks import ORDER, SLOT
+from ..schema.c_functions import FunctionRow, ResultRow
 from . import abi
 from .batch import Batch
 from .calling import Argument, Array, Caller
@@ -49,19 +50,19 @@ class LoadedFunction:
         return self.code.address
 
     @property
-    def entry(self) -> dict[str, Any]:
+    def entry(self) -> FunctionRow:
         """Entry in the manifest."""
         return self.code.entry
 
     @property
     def work_size(self) -> int:
         """Numbers of work memory a call needs."""
-        return int(self.code.entry["work_size"])
+        return self.code.entry.work_size
 
     @property
-    def outputs(self) -> list[dict[str, Any]]:
+    def outputs(self) -> list[ResultRow]:
         """Name, shape, entries and units of every result."""
-        return list(self.code.entry["outputs"])
+        return list(self.code.entry.outputs)
 
     def prepared(self, p: Array) -> Array:
         """w of parameter vectors, (..., np) -> (..., nw)."""
@@ -74,7 +75,7 @@ def prepare(code: Code, p: Array) -> Array:
         # expressions read the parameters themselves
         return np.ascontiguousarray(p, dtype=np.float64)
     code.take({"p": p.shape[-1]})
-    lead, size = p.shape[:-1], int(code.entry["prepared_size"])
+    lead, size = p.shape[:-1], code.entry.prepared_size
     rows = np.ascontiguousarray(p, dtype=np.float64).reshape(prod(lead), p.shape[-1])
     w = np.empty((prod(lead), size))
     if size:
@@ -93,10 +94,10 @@ def batch(code: Code, arguments: list[Argument], threads: int | None) -> Batch:
     entry = code.entry
     sizes = [0] * len(ORDER)
     for slot, size in _sized(arguments):
-        sizes[slot] = size if ORDER[slot] in entry["inputs"] else 0
-    sizes[SLOT["w"]] = int(entry["prepared_size"])
-    work = int(entry["work_size"])
-    recipe = code.recipe if max(entry["lanes"]) > 1 else None
+        sizes[slot] = size if ORDER[slot] in entry.inputs else 0
+    sizes[SLOT["w"]] = entry.prepared_size
+    work = entry.work_size
+    recipe = code.recipe if max(entry.lanes) > 1 else None
     address = code.address if code.interpreted is None else 0
     return Batch(code.symbol, recipe, address, sizes, work, threads)
 
@@ -118,13 +119,13 @@ def assemble(
         BuildError: the C reads a block that is no argument.
     """
     given = {ORDER[slot] for argument in arguments for slot, _ in argument.blocks} | {"p", "w"}
-    unknown = [block for block in code.entry["inputs"] if block not in given]
+    unknown = [block for block in code.entry.inputs if block not in given]
     if unknown:
         raise BuildError(f"{code.symbol} reads {', '.join(unknown)}, which {name} does not take")
     code.take({ORDER[slot]: size for slot, size in _sized(arguments)})
-    outputs = code.entry["outputs"]
+    outputs = code.entry.outputs
     # one result keeps its shape; several are handed on as one flat row
-    shape = tuple(outputs[0]["shape"]) if len(outputs) == 1 else (int(code.entry["output_size"]),)
+    shape = tuple(outputs[0].shape) if len(outputs) == 1 else (code.entry.output_size,)
     w = prepare(code, p)
     caller = Caller(
         f"{name}('{of}')" if of else name,
@@ -132,9 +133,9 @@ def assemble(
         arguments,
         shape,
         entry_names(outputs),
-        int(code.entry["work_size"]),
+        code.entry.work_size,
         w,
-        sum(code.entry["operations"].values()),
+        sum(code.entry.operations.values()),
         code.interpreted,
         batch,
     )
@@ -143,11 +144,11 @@ def assemble(
     return LoadedFunction(name, of, code, w, caller, fast, interpreted)
 
 
-def entry_names(outputs: list[dict[str, Any]]) -> list[str]:
+def entry_names(outputs: Sequence[ResultRow]) -> list[str]:
     """Name of every number of a result, such as ``elbow.udot``."""
     names: list[str] = []
     for output in outputs:
-        size = prod(output["shape"])
-        own = output.get("entries") or []
-        names += own if len(own) == size else [f"{output['name']}[{k}]" for k in range(size)]
+        size = prod(output.shape)
+        own = output.entries
+        names += own if len(own) == size else [f"{output.name}[{k}]" for k in range(size)]
     return names

@@ -258,7 +258,7 @@ def _three(model: Evaluation, result: Array, x: ArrayLike) -> tuple[Array, Array
 
 
 def _by_name(model: Evaluation, result: Array) -> dict[str, Any]:
-    names = model._function("inertial_parameters").outputs[0].get("entries") or []
+    names = model._function("inertial_parameters").outputs[0].entries or []
     return {name: result[..., k][()] for k, name in enumerate(names)}
 
 

@@ -6,20 +6,20 @@ rescaled, itself.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
-from typing import Any
+from collections.abc import Collection
 
 import numpy as np
 
 from ..arguments import UNIT
 from ..errors import ModelError, SolveError
+from ..schema.manifest import Manifest
 from .calling import Array
 
 ZERO = 1e-6  # a length below stands for no rotation
 COMPONENTS = ("w", "x", "y", "z")
 
 
-def refuse_components(manifest: Mapping[str, Any], where: str, covered: Collection[int]) -> None:
+def refuse_components(manifest: Manifest, where: str, covered: Collection[int]) -> None:
     """Refuse quaternions of which some components are named and others are not.
 
     Args:
@@ -30,37 +30,36 @@ def refuse_components(manifest: Mapping[str, Any], where: str, covered: Collecti
     Raises:
         ModelError: single components of a rotation.
     """
-    for start in manifest["quaternions"] if covered else ():
+    for start in manifest.quaternions if covered else ():
         named = [k for k in range(start, start + 4) if k in covered]
         if 0 < len(named) < 4:
-            name = str(manifest["coordinates"][named[0]]["name"])
+            name = str(manifest.coordinates[named[0]].name)
             raise ModelError(f"{where}: {_one_component(manifest, int(start), name)}")
 
 
-def component(manifest: Mapping[str, Any], name: str) -> str:
+def component(manifest: Manifest, name: str) -> str:
     """Why a name such as ``base.x`` or ``base.qx`` cannot be given alone; "" if it is another."""
     head, _, last = str(name).rpartition(".")
     own = f"{head}.{last.removeprefix('q')}"
-    for start in manifest["quaternions"]:
-        names = [str(row["name"]) for row in manifest["coordinates"][start : start + 4]]
+    for start in manifest.quaternions:
+        names = [str(row.name) for row in manifest.coordinates[start : start + 4]]
         if own in names and last.removeprefix("q") in COMPONENTS:
             return _one_component(manifest, int(start), own)
     return ""
 
 
-def _one_component(manifest: Mapping[str, Any], start: int, name: str) -> str:
+def _one_component(manifest: Manifest, start: int, name: str) -> str:
     """The message about one component of the quaternion that starts at an entry."""
-    rows = manifest["coordinates"]
+    rows = manifest.coordinates
     head, _, last = name.rpartition(".")
-    names = [str(row["name"]) for row in rows[start : start + 4]]
-    owner = next(
-        (j for j in manifest["joints"] if j.get("q") and j["q"][0] <= start < sum(j["q"])), None
-    )
+    names = [str(row.name) for row in rows[start : start + 4]]
+    owners = (j for j in manifest.joints if j.slot("q")[0] <= start < sum(j.slot("q")))
+    owner = next(owners, None)
     whole, entries = head, names
     if owner is not None:
-        first, count = owner["q"]
-        whole = str(owner["name"])
-        entries = [str(row["name"]) for row in rows[first : first + count]]
+        first, count = owner.slot("q")
+        whole = str(owner.name)
+        entries = [str(row.name) for row in rows[first : first + count]]
     place = f"{head}.p{last}"
     hint = f" The position along {last} is '{place}'." if place in entries else ""
     return (
@@ -70,7 +69,7 @@ def _one_component(manifest: Mapping[str, Any], start: int, name: str) -> str:
     )
 
 
-def check_units(manifest: Mapping[str, Any], q: Array, where: str = "", first: int = 0) -> None:
+def check_units(manifest: Manifest, q: Array, where: str = "", first: int = 0) -> None:
     """Refuse quaternions whose length is not 1.
 
     Args:
@@ -82,7 +81,7 @@ def check_units(manifest: Mapping[str, Any], q: Array, where: str = "", first: i
     Raises:
         SolveError: a length that is off by more than rounded digits explain.
     """
-    starts = np.array(manifest["quaternions"], dtype=np.intp)
+    starts = np.array(manifest.quaternions, dtype=np.intp)
     if not len(starts):
         return
     entries = starts[:, None] + np.arange(4)
@@ -91,7 +90,7 @@ def check_units(manifest: Mapping[str, Any], q: Array, where: str = "", first: i
     if not len(wrong):
         return
     row, k = wrong[0].tolist()
-    name, length = manifest["coordinates"][int(starts[k])]["name"], float(lengths[row, k])
+    name, length = manifest.coordinates[int(starts[k])].name, float(lengths[row, k])
     if len(lengths) > 1:
         where += f"run {first + row}: "
     if length < ZERO:

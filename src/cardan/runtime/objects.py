@@ -15,9 +15,11 @@ from typing import TYPE_CHECKING, Any
 
 from .. import regular_file
 from ..errors import BuildError, CompilerMissing, DerivationError, ModelError, near
-from ..ir.seal import unsealed
 from ..schema.blocks import ORDER
-from . import cache, schema
+from ..schema.c_functions import FunctionRow
+from ..schema.manifest import Manifest, opened
+from ..schema.seal import unsealed
+from . import cache
 from .interpreted import Interpreted, announce
 from .lanes import Recipe
 from .together import together
@@ -48,7 +50,7 @@ class Code:
     """
 
     symbol: str
-    entry: dict[str, Any] = field(repr=False)
+    entry: FunctionRow = field(repr=False)
     fresh: bool
     address: int = 0
     prepare: int = 0
@@ -89,7 +91,7 @@ LOADED = ("-DCARDAN_LOADED",)
 SIZES = ("output_size", "work_size", "prepared_size")
 
 
-def _blocks(library: ctypes.CDLL, symbol: str, entry: Mapping[str, Any]) -> dict[str, int]:
+def _blocks(library: ctypes.CDLL, symbol: str, entry: FunctionRow) -> dict[str, int]:
     """Sizes of the blocks that a function reads, from its object.
 
     Raises:
@@ -101,10 +103,10 @@ def _blocks(library: ctypes.CDLL, symbol: str, entry: Mapping[str, Any]) -> dict
     except ValueError:
         raise ValueError(f"the sizes of {symbol} do not stand in it") from None
     for name, size in zip(SIZES, numbers, strict=False):
-        if entry[name] != size:
-            raise ValueError(f"{name} of {symbol} is {size}, not {entry[name]}")
+        if getattr(entry, name) != size:
+            raise ValueError(f"{name} of {symbol} is {size}, not {getattr(entry, name)}")
     blocks = dict(zip(ORDER, numbers[len(SIZES) :], strict=True))
-    unsaid = [name for name, size in blocks.items() if size and name not in (*entry["inputs"], "p")]
+    unsaid = [name for name, size in blocks.items() if size and name not in (*entry.inputs, "p")]
     if unsaid:
         raise ValueError(f"{symbol} reads {', '.join(unsaid)} too")
     return blocks
@@ -141,12 +143,12 @@ class Objects:
         self._saved: dict[str, Any] = {}
         self._saved_mark = (0, 0)
         self._parsed: dict[str, tuple[Any, Any]] = {}
-        self.manifest: dict[str, Any] = self._read()
+        self.manifest = self._read()
 
-    def _read(self) -> dict[str, Any]:
+    def _read(self) -> Manifest:
         path = self.directory / "manifest.json"
         try:
-            manifest: dict[str, Any] = unsealed(regular_file.content(path))
+            found = unsealed(regular_file.content(path))
         except FileNotFoundError:
             raise ModelError(
                 f"{self.directory} holds no compiled model: {path} is missing"
@@ -158,8 +160,7 @@ class Objects:
             ) from None
         except OSError as error:
             raise ModelError(f"{path} cannot be read: {error.strerror or error}") from error
-        schema.check(manifest, str(path))
-        return manifest
+        return opened(found, str(path))
 
     def saved(self) -> dict[str, Any]:
         """The saved Functions of ``functions.json`` as plain data, by C name."""
@@ -189,7 +190,7 @@ class Objects:
         """
         for attempt in range(ATTEMPTS):
             content = regular_file.content(path)
-            stated = self.manifest["sha256"].get(path.name)
+            stated = self.manifest.sha256.get(path.name)
             if stated is None or hashlib.sha256(content).hexdigest() == stated:
                 found = json.loads(content)
                 if not isinstance(found, dict):
@@ -223,11 +224,11 @@ class Objects:
         with self.lock:
             if self._provide is not None:
                 symbol = self._provide(name, of)
-                if symbol not in self.manifest["functions"]:
+                if symbol not in self.manifest.functions:
                     self.manifest = self._read()
             else:
                 symbol = self._stored(name, of)
-            if symbol not in self.manifest["functions"]:
+            if symbol not in self.manifest.functions:
                 raise BuildError(f"function '{symbol}' was not written to {self.directory}")
             return symbol
 
@@ -242,13 +243,13 @@ class Objects:
 
     def _stored(self, name: str, of: str | None) -> str:
         """C name of a function that is in the directory."""
-        functions = self.manifest["functions"]
+        functions = self.manifest.functions
         for symbol, entry in functions.items():
-            if symbol.split("__")[0] == name and entry.get("of") == of:
+            if symbol.split("__")[0] == name and entry.of == of:
                 return str(symbol)
         asked = f"('{name}', '{of}')" if of else f"'{name}'"
         raise ModelError(
-            f"model '{self.manifest['name']}' was compiled without {asked}. Export it again with "
+            f"model '{self.manifest.name}' was compiled without {asked}. Export it again with "
             f"functions=(..., {asked}), or use it once before pickling.{near(name, functions)}"
         )
 
@@ -286,7 +287,7 @@ class Objects:
 
     def _made(self, symbol: str) -> Code:
         """A function as C, or as expressions where there is no compiler."""
-        path, entry = self.text_path(symbol), self.manifest["functions"][symbol]
+        path, entry = self.text_path(symbol), self.manifest.functions[symbol]
         try:
             by = cache.compiler().for_models()
             built = cache.compiled([path], [self.directory], self.reproducible, by, LOADED)
@@ -296,7 +297,7 @@ class Objects:
         try:
             library = built.load()
             # exports may have a prefix before all names
-            before = str(self.manifest.get("prefix", ""))
+            before = self.manifest.prefix
             address = ctypes.cast(library[f"{before}{symbol}"], ctypes.c_void_p).value or 0
             shared = library[f"{before}prepare_{symbol}"]
             prepare = ctypes.cast(shared, ctypes.c_void_p).value or 0
@@ -345,16 +346,14 @@ class Objects:
         Raises:
             BuildError: it is missing or was changed.
         """
-        entry = self.manifest["functions"].get(symbol)
+        entry = self.manifest.functions.get(symbol)
         if entry is None:
             raise BuildError(
                 f"{self.directory}: its manifest has no function '{symbol}'. It was changed, or "
                 "removed while this process used it: compile the model again"
             )
-        path: Path = self.directory / entry["file"]
-        if path.parent != self.directory:
-            raise BuildError(f"the manifest of {self.directory} names a file outside: {path}")
-        self._verify(path, entry.get("sha256") or self.manifest["sha256"].get(entry["file"]))
+        path = self.directory / entry.file
+        self._verify(path, entry.sha256)
         return path
 
     def _verify_headers(self) -> None:
@@ -363,7 +362,7 @@ class Objects:
         Raises:
             BuildError: one is missing or was changed.
         """
-        for name, stated in self.manifest["sha256"].items():
+        for name, stated in self.manifest.sha256.items():
             if name.endswith(".h"):
                 self._verify(self.directory / Path(name).name, stated)
 

@@ -3,27 +3,27 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from ..errors import ModelError, named, near
+from ..schema.manifest import Manifest
 from .calling import Array, common, numbers
 
 
 class Parameters(Mapping[str, float]):
     """Ordered, read-only: name -> value in SI units. Prints as a table with units."""
 
-    def __init__(self, manifest: dict[str, Any], values: ArrayLike | None = None) -> None:
-        self._rows = manifest["parameters"]
-        self._structural = manifest.get("structural", {})
-        self._place = {row["name"]: k for k, row in enumerate(self._rows)}
+    def __init__(self, manifest: Manifest, values: ArrayLike | None = None) -> None:
+        self._rows = manifest.parameters
+        self._structural = manifest.structural
+        self._place = {row.name: k for k, row in enumerate(self._rows)}
         self._values = np.array(
-            [row["default"] for row in self._rows] if values is None else values, dtype=np.float64
+            [row.default for row in self._rows] if values is None else values, dtype=np.float64
         )
         self._values.flags.writeable = False
-        self._limits = manifest.get("limits", ())
+        self._limits = manifest.limits
         self.judge(self._values)
 
     @property
@@ -49,7 +49,7 @@ class Parameters(Mapping[str, float]):
 
     def unit(self, name: str) -> str:
         """Unit of a parameter."""
-        return str(self._rows[self._place[name]]["unit"])
+        return str(self._rows[self._place[name]].unit)
 
     def changed(self, values: Mapping[str, ArrayLike]) -> Array:
         """The vector with some values replaced; values of shape (...) give (..., np).
@@ -77,19 +77,19 @@ class Parameters(Mapping[str, float]):
             ModelError: what the element said where the scene was written.
         """
         for limit in self._limits:
-            value, least = values[..., self._place[limit["parameter"]]], limit.get("least")
+            value, least = values[..., self._place[limit.parameter]], limit.least
             low = values[..., self._place[least]] if isinstance(least, str) else least
             low = np.full_like(value, -np.inf if low is None else low)
-            bad = (value < low) | (value > limit.get("most", np.inf))
-            if limit.get("open"):
+            bad = (value < low) | (value > (np.inf if limit.most is None else limit.most))
+            if limit.open:
                 bad |= value == low
             if bad.any():
                 one = tuple(np.argwhere(bad)[0])
-                told = limit["told"].replace("{value}", f"{value[one]:g}")
+                told = limit.message.replace("{value}", f"{value[one]:g}")
                 told = told.replace("{other}", f"{low[one]:g}")
                 where = f" at {tuple(map(int, one))}" if one else ""
-                name = limit["parameter"]
-                raise ModelError(f"parameter '{name}'{where}: {limit['who']}: {told}")
+                name = limit.parameter
+                raise ModelError(f"parameter '{name}'{where}: {limit.element}: {told}")
 
     def checked(self, name: str, value: ArrayLike) -> Array:
         """Values (...) that a parameter may have.

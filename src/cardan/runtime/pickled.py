@@ -11,9 +11,9 @@ from typing import Any
 import numpy as np
 
 from ..errors import ModelError
-from ..ir.rows import dumped, opened
+from ..schema.fields import dumped
+from ..schema.manifest import Manifest, opened
 from ..version import PICKLE, VERSION
-from . import schema
 from .conduct import Conduct
 from .dense import Dense
 from .events import Happened
@@ -31,9 +31,9 @@ RECORD = ""  # the key of the name of a record
 def parts(motion: Trajectory) -> tuple[dict[str, Any], str]:
     """The fields of a motion, and their hash; its model takes along what draws the motion."""
     model = motion.model
-    drawn = model is not None and "pose" in model.manifest["available"]
+    drawn = model is not None and "pose" in model.manifest.available
     # elements in tables take theirs along as they are
-    if model is not None and drawn and "mesh" not in model.manifest:
+    if model is not None and drawn and not model.manifest.absolute:
         for body in model.bodies:
             model._objects.symbol("pose", body)
     values = {field.name: getattr(motion, field.name) for field in fields(motion)}
@@ -60,7 +60,10 @@ def plain(value: object) -> object:
 def read(values: Mapping[str, object]) -> dict[str, Any]:
     """The fields of a motion that :func:`parts` made data of."""
     entries = {name: x if name == "model" else records(x) for name, x in values.items()}
-    return {**entries, "manifest": opened(json.loads(str(entries["manifest"])))}
+    manifest = json.loads(str(entries["manifest"]))
+    if entries["model"] is None:
+        return {**entries, "manifest": Manifest.read(manifest, run=True)}
+    return {**entries, "manifest": opened(manifest, "a pickled motion")}
 
 
 def records(value: object) -> object:
@@ -120,12 +123,12 @@ def restore(values: dict[str, Any], stated: str) -> Trajectory:
     try:
         values = read(values)
         whole = digest(values) == stated and set(values) == {f.name for f in fields(Trajectory)}
+    except ModelError:
+        raise
     except (KeyError, TypeError, ValueError, AttributeError) as error:
         raise _damaged(f"a part is missing or of another kind ({error})") from None
     if not whole:
         raise _damaged("its content is not what it was made of")
-    if values["model"] is not None:
-        schema.check(values["manifest"], "a pickled motion")
     _check(values)
     return Trajectory(**values)
 
@@ -133,12 +136,12 @@ def restore(values: dict[str, Any], stated: str) -> Trajectory:
 def _check(values: Mapping[str, Any]) -> None:
     """Shapes that fit each other and the manifest."""
     manifest, count = values["manifest"], len(values["t"])
-    width = sum(len(manifest[key]) for key in ("coordinates", "speeds", "z"))
+    width = sum(len(manifest.block(letter)) for letter in "quz")
     given = len(values["sources"] or ())
-    for name, size in (("x", width), ("r", len(manifest["inputs"])), ("given", given)):
+    for name, size in (("x", width), ("r", len(manifest.inputs)), ("given", given)):
         if np.shape(values[name]) != (count, size):
             raise _damaged(f"{name} has shape {np.shape(values[name])}, not ({count}, {size})")
-    known, modes = values["happened"], len(manifest["s"])
+    known, modes = values["happened"], len(manifest.s)
     columns = 1 + len(known.rows) + 2 * (width + modes)
     if (modes and np.shape(known.s) != (count, modes)) or (
         len(known.log) and np.shape(known.log)[1] != columns

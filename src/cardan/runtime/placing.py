@@ -25,7 +25,7 @@ ABSOLUTE = "absolute"  # the method of models whose coordinates are those of nod
 
 def numbers(model: CompiledModel) -> Mapping[str, Array]:
     """Numbers of the scene of a model, see :attr:`.Trajectory.scene`."""
-    if "mesh" in model.manifest:
+    if model.manifest.absolute:
         return frames.numbers(model)
     found: Mapping[str, Array] = model._evaluate_saved("scene", p=model.parameters.vector)
     return found
@@ -39,27 +39,27 @@ def pose(motion: Trajectory, frame: str) -> Array:
     Raises:
         ModelError: no such frame, or the file does not say how its body moves.
     """
-    rows = motion.manifest["frames"]
-    own = next((row for row in rows if row["name"] == frame), None)
+    rows = motion.manifest.frames
+    own = next((row for row in rows if row.name == frame), None)
     if own is None:
         raise ModelError(
-            f"frame '{frame}' does not exist.{near(frame, [row['name'] for row in rows])}"
+            f"frame '{frame}' does not exist.{near(frame, [row.name for row in rows])}"
         )
-    place, body = placed(motion, frame), own["body"]
+    place, body = placed(motion, frame), own.body
     # nodes of their own, such as those that joints of the user's carry, belong to no body
-    if body == "ground" and not own.get("node"):
+    if body == "ground" and not own.node:
         return np.broadcast_to(place, (len(motion), 4, 4)).copy()
     for row in rows if body != "ground" else ():
-        history = motion.stored.get(f"pose {row['name']}")
-        if row["body"] == body and history is not None:
-            found: Array = history @ inverse(placed(motion, row["name"])) @ place
+        history = motion.stored.get(f"pose {row.name}")
+        if row.body == body and history is not None:
+            found: Array = history @ inverse(placed(motion, row.name)) @ place
             return found
     if not told(motion):
         motion._model(f"the pose of '{frame}'")
-    if motion.manifest["method"] == ABSOLUTE:
+    if motion.manifest.absolute:
         parts = (motion.scene[name] for name in ("frame_rotation", "frame_position"))
         return frames.Frames(rows, *parts).pose(frame, motion.q)
-    bodies = [row["name"] for row in motion.manifest["bodies"]]
+    bodies = [row.name for row in motion.manifest.bodies]
     try:
         joints = joints_of(motion.manifest, motion.scene)
         scene = judged.scene_from(motion.manifest, motion.scene, joints)
@@ -85,16 +85,16 @@ def inverse(pose: Array) -> Array:
 def told(motion: Trajectory) -> bool:
     """Whether a run without its model tells poses by its coordinates alone."""
     manifest = motion.manifest
-    if manifest["method"] == ABSOLUTE:
+    if manifest.absolute:
         return "frame_rotation" in motion.scene
-    scene = manifest.get("scene") or {}
+    scene = manifest.scene
     known = all(
         kind.removeprefix(REVERSED) in POSES and (rotation is None or rotation in PARAMETERS)
-        for kind, rotation in zip(scene.get("kinds", ()), scene.get("rotations", ()), strict=True)
+        for kind, rotation in zip(scene.kinds, scene.rotations, strict=True)
     )
-    joints = manifest["joints"]
-    given = any(joint["prescribed"] or joint.get("solved") for joint in joints)
-    return bool(scene) and "position" in motion.scene and known and not given
+    joints = manifest.joints
+    given = any(joint.prescribed or joint.solved for joint in joints)
+    return not scene.empty and "position" in motion.scene and known and not given
 
 
 def placed(motion: Trajectory, frame: str) -> Array:
@@ -103,7 +103,7 @@ def placed(motion: Trajectory, frame: str) -> Array:
     Raises:
         ModelError: the file does not say.
     """
-    names = [row["name"] for row in motion.manifest["frames"]]
+    names = [row.name for row in motion.manifest.frames]
     if frame not in names:
         raise ModelError(f"frame '{frame}' does not exist.{near(frame, names)}")
     if "frame_rotation" not in motion.scene:
@@ -120,17 +120,17 @@ def line(motion: Trajectory, beam: str) -> Array:
     Raises:
         ModelError: no such beam.
     """
-    rows = motion.manifest.get("beams", [])
-    pieces = [row for row in rows if row["name"] == beam]
+    rows = motion.manifest.beams
+    pieces = [row for row in rows if row.name == beam]
     if not pieces:
-        names = list(dict.fromkeys(row["name"] for row in rows))
+        names = list(dict.fromkeys(row.name for row in rows))
         raise ModelError(f"beam '{beam}' does not exist.{near(beam, names)}")
-    found = [motion.pose(pieces[0]["start"])[:, None, :3, 3]]
+    found = [motion.pose(pieces[0].start)[:, None, :3, 3]]
     for piece in pieces:
-        first, count = piece["q"]
-        plane = Plane.of(piece["plane"])
+        first, count = piece.q
+        plane = Plane.of(piece.plane)
         size = 7 if plane is None else 3
         inner = motion.q[:, first : first + size * count].reshape(len(motion), count, size)
         places = inner[:, :, 4:] if plane is None else inner[:, :, :2] @ plane.spread[3:, :2].T
-        found += [places, motion.pose(piece["end"])[:, None, :3, 3]]
+        found += [places, motion.pose(piece.end)[:, None, :3, 3]]
     return np.concatenate(found, axis=1)

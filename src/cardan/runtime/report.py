@@ -83,7 +83,7 @@ def report(model: CompiledModel, seed: int = 1) -> Report:
 
     judged = importlib.util.find_spec("mpmath") is not None
     notes = [] if judged else ["errors need mpmath: pip install mpmath"]
-    if "mesh" in model.manifest:
+    if model.manifest.absolute:
         notes.append("of elements, <kind>__<function>: one element")
     rows = model._source.measured(model, seed, judged)
     result = Report(model.name, tuple(rows), _compiler(), abi.NAME, "; ".join(notes))
@@ -123,7 +123,7 @@ def _measure(function: LoadedFunction, values: dict[str, Array], error: float | 
     still = one_by_one(caller.call, replace(many, strides=[0] * len(many.strides)))
     return Row(
         function=function.symbol,
-        operations=sum(function.entry["operations"].values()),
+        operations=sum(function.entry.operations.values()),
         python_ns=timed(lambda: function.fast(None, *one), 1),
         call_ns=math.nan if function.interpreted else timed(lambda: still(0, BATCH), BATCH),
         state_ns=timed(lambda: way(0, BATCH), BATCH),

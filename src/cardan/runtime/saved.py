@@ -12,10 +12,11 @@ from typing import TYPE_CHECKING, Any
 from .. import regular_file
 from ..arguments import checked
 from ..errors import BuildError, ModelError
-from ..ir.seal import unsealed
 from ..schema.functions import FUNCTIONS
+from ..schema.manifest import Manifest, opened
+from ..schema.seal import unsealed
 from ..version import PICKLE, VERSION
-from . import cache, folder, schema
+from . import cache, folder
 from .parameters import Parameters
 
 if TYPE_CHECKING:
@@ -65,7 +66,7 @@ def load(directory: str | Path) -> CompiledModel:
     from .compiled import CompiledModel
 
     model = CompiledModel(directory)
-    for name, stated in model.manifest.get("sha256", {}).items():
+    for name, stated in model.manifest.sha256.items():
         path = model.directory / name
         try:
             content = regular_file.content(path)
@@ -91,7 +92,7 @@ def parts(model: CompiledModel) -> tuple[dict[str, str], list[float], bool, str]
 
     Functions of a frame or joint travel as far as they were used.
     """
-    rows = (FUNCTIONS[name] for name in model.manifest["available"] if name in FUNCTIONS)
+    rows = (FUNCTIONS[name] for name in model.manifest.available if name in FUNCTIONS)
     model._objects.write(row.name for row in rows if not row.of and not row.rare)
     files, values = texts(model.directory), model.parameters.vector.tolist()
     return files, values, model._objects.reproducible, digest(files)
@@ -141,7 +142,7 @@ def restore(
     from .compiled import CompiledModel
 
     manifest = _checked(files, stated)
-    if not isinstance(values, list) or len(values) != len(manifest["parameters"]):
+    if not isinstance(values, list) or len(values) != len(manifest.parameters):
         raise _damaged("it does not hold one value per parameter")
     name = f"models/{stated}"
     try:
@@ -156,7 +157,7 @@ def restore(
     return model._with(Parameters(model.manifest, values))
 
 
-def _checked(files: Any, stated: Any) -> dict[str, Any]:
+def _checked(files: Any, stated: Any) -> Manifest:
     """The manifest of a pickle whose texts are all there, unchanged and in order."""
     if not isinstance(files, dict) or not all(
         isinstance(name, str) and isinstance(text, str) for name, text in files.items()
@@ -170,18 +171,18 @@ def _checked(files: Any, stated: Any) -> dict[str, Any]:
     if digest(files) != stated:
         raise _damaged("its texts are not those it was made of")
     try:
-        manifest = unsealed(files.get(MANIFEST, "null").encode())
+        found = unsealed(files.get(MANIFEST, "null").encode())
         saved = json.loads(files.get("functions.json", "{}"))
     except (ValueError, RecursionError) as error:
         raise _damaged(f"a file is no JSON: {error}") from None
-    schema.check(manifest, "a pickled model")
+    manifest = opened(found, "a pickled model")
     if not isinstance(saved, dict):
         raise _damaged("functions.json holds no functions")
-    stated_ones = {e["file"]: e.get("sha256") for e in manifest["functions"].values()}
-    for name, known in {**stated_ones, **manifest["sha256"]}.items():
+    stated_ones = {e.file: e.sha256 for e in manifest.functions.values()}
+    for name, known in {**stated_ones, **manifest.sha256}.items():
         if hashlib.sha256(_content(name, files.get(name, ""))).hexdigest() != known:
             raise _damaged(f"{name} is not the file its manifest speaks of")
-    return dict(manifest)
+    return manifest
 
 
 def _damaged(why: str) -> ModelError:

@@ -30,10 +30,10 @@ def html(motion: Trajectory) -> str:
         t = np.linspace(t[0], t[-1], BINS)
         q = motion.at(t)[:, : motion.nq]
     panels = [paragraph(head)]
-    rows = motion.manifest["coordinates"]
-    units = dict.fromkeys(row.get("unit", "") for row in rows)
+    rows = motion.manifest.coordinates
+    units = dict.fromkeys(row.unit for row in rows)
     for unit in units if len(motion) > 1 else ():
-        own = [(k, row["name"]) for k, row in enumerate(rows) if row.get("unit", "") == unit]
+        own = [(k, row.name) for k, row in enumerate(rows) if row.unit == unit]
         shown = own[: len(COLORS)]
         histories = [(name, q[:, k]) for k, name in shown]
         panels.append(panel(t, histories, unit))

@@ -17,7 +17,9 @@ import numpy as np
 
 from ..arguments import checked
 from ..errors import ModelError
-from ..ir.rows import column, dumped
+from ..schema.fields import dumped
+from ..schema.manifest import BLOCKS, Manifest
+from ..schema.rows import column
 from ..version import RUN
 from . import balance, formats, motion_schema
 from .calling import Array
@@ -35,7 +37,7 @@ if TYPE_CHECKING:
 NOTES = ("manifest", "conduct", "scene", "happenings", "sources", "signals")
 DENSE = ("spreads", "increments")  # what is between, of quaternions or of their increments
 KEPT = ("kinetic", "potential", "constraints", "multipliers", "losses")
-LEFT_OUT = ("functions", "sha256", "available", "mesh")
+LEFT_OUT = ("functions", "sha256", "available", "finite_elements")
 COLUMNS = "largest before projection, when, largest after it, when"
 FEWER = "Simulate with an array of output times to keep fewer of them"
 
@@ -56,18 +58,18 @@ def _variables(motion: Trajectory) -> dict[str, Variable]:
     manifest = motion.manifest
 
     def listed(key: str) -> dict[str, str]:
-        rows = manifest[key]
+        rows = manifest.block(key)
         return {"names": _list(column(rows, "name")), "units": _list(column(rows, "unit"))}
 
     found = {
         "time": Variable(("time",), motion.t, {"units": "s"}),
-        "q": Variable(("time", "coordinate"), motion.q, listed("coordinates")),
-        "u": Variable(("time", "speed"), motion.u, listed("speeds")),
-        "r": Variable(("time", "input"), motion.r, listed("inputs")),
+        "q": Variable(("time", "coordinate"), motion.q, listed("q")),
+        "u": Variable(("time", "speed"), motion.u, listed("u")),
+        "r": Variable(("time", "input"), motion.r, listed("r")),
     }
-    if manifest["z"]:
+    if manifest.z:
         found["z"] = Variable(("time", "internal_state"), motion.z, listed("z"))
-    if manifest["s"]:
+    if manifest.s:
         found["s"] = Variable(("time", "mode"), motion.s, listed("s"))
     if len(motion.happened.log):
         about = {"columns": "when, 1 for every event that happened, x and s before, x and s behind"}
@@ -87,7 +89,7 @@ def _variables(motion: Trajectory) -> dict[str, Variable]:
 def _computed(motion: Trajectory) -> dict[str, Variable]:
     """What follows from the states by the model."""
     found = {}
-    available = set(motion.manifest.get("available", ()))
+    available = set(motion.manifest.available)
     if "kinetic" in motion.stored or "energy" in available:
         found["kinetic"] = Variable(("time",), motion.energy.kinetic, {"units": "J"})
         found["potential"] = Variable(("time",), motion.energy.potential, {"units": "J"})
@@ -118,10 +120,10 @@ def _signals(recorded: Recorded | None) -> dict[str, Variable]:
 
 def _bodies(motion: Trajectory) -> list[str]:
     """Frames whose motion goes into the file: one of every body that moves."""
-    bodies = [body["parts"][0] for body in motion.manifest["bodies"] if body["parts"]]
+    bodies = [body.parts[0] for body in motion.manifest.bodies if body.parts]
     if motion.model is None:
         return [body for body in bodies if f"pose {body}" in motion.stored]
-    if "pose" not in motion.manifest.get("available", ()):
+    if "pose" not in motion.manifest.available:
         return []
     motion.model.prepare(*(("pose", body) for body in bodies))
     return bodies
@@ -135,8 +137,8 @@ def _notes(motion: Trajectory) -> dict[str, str]:
     """What the run says about itself."""
     kept = {
         key: value
-        for key, value in motion.manifest.items()
-        if key not in LEFT_OUT and (value or key not in motion_schema.EMPTY)
+        for key, value in vars(motion.manifest).items()
+        if key not in LEFT_OUT and (value or Manifest.lacking(key))
     }
     scene = {name: np.asarray(values).tolist() for name, values in motion.scene.items()}
     recorded = motion.inputs_at
@@ -149,7 +151,7 @@ def _notes(motion: Trajectory) -> dict[str, str]:
             "held": recorded.held,
         }
     return {
-        "title": f"motion of {motion.manifest['name']}".encode("ascii", "replace").decode(),
+        "title": f"motion of {motion.manifest.name}".encode("ascii", "replace").decode(),
         "manifest": dumped(kept),
         "conduct": json.dumps(asdict(motion.conduct)),
         "scene": json.dumps(scene),
@@ -202,9 +204,9 @@ def _made(
     for charted, name in enumerate(DENSE):
         if name in values:
             rows = np.concatenate([states, given], axis=1)
-            quaternions = tuple(notes["manifest"]["quaternions"])
+            quaternions = tuple(notes["manifest"].quaternions)
             dense = Dense(t, rows, values[name], quaternions, charted=charted > 0)
-    rows = notes["manifest"]["multipliers"]
+    multipliers = notes["manifest"].multipliers
     return Trajectory(
         t=t,
         x=states,
@@ -218,30 +220,31 @@ def _made(
         inputs_at=_recorded(notes["signals"], values),
         stored={k: values[k] for k in KEPT if k in values},
         numbers=notes["scene"],
-        ledger=Ledger.of([*rows], values["ledger"]) if "ledger" in values else None,
+        ledger=Ledger.of(multipliers, values["ledger"]) if "ledger" in values else None,
         happened=Happened(s, notes["happenings"], values["events"]),
     )
 
 
-def _recorded(told: dict[str, Any] | None, values: dict[str, Array]) -> Recorded | None:
+def _recorded(told: motion_schema.Signals | None, values: dict[str, Array]) -> Recorded | None:
     """The inputs of a run."""
     if told is None:
         return None
     pieces = tuple(
         Pieces(number, values[f"breaks_{k}"], values[f"coefficients_{k}"])
-        for k, number in enumerate(told["pieces"])
+        for k, number in enumerate(told.pieces)
     )
-    constants = np.array(told["constants"], dtype=np.float64)
-    asked, held = tuple(told["asked"]), told["held"]
+    constants = np.array(told.constants, dtype=np.float64)
+    asked, held = tuple(told.asked), told.held
     return Recorded(constants, pieces, asked, held, values["time"], values["r"])
 
 
-def _compare(path: Path, manifest: dict[str, Any], model: CompiledModel) -> None:
-    for key in ("coordinates", "speeds", "inputs", "z", "s"):
-        here = [row["name"] for row in manifest[key]]
-        there = [row["name"] for row in model.manifest[key]]
+def _compare(path: Path, manifest: Manifest, model: CompiledModel) -> None:
+    for letter in "qurzs":
+        here = column(manifest.block(letter), "name")
+        there = column(model.manifest.block(letter), "name")
         if here != there:
             raise ModelError(
-                f"{path} is a run of another model: its {key} are {', '.join(here) or 'none'}; "
-                f"those of '{model.name}' are {', '.join(there) or 'none'}"
+                f"{path} is a run of another model: its {BLOCKS[letter]} are "
+                f"{', '.join(here) or 'none'}; those of '{model.name}' are "
+                f"{', '.join(there) or 'none'}"
             )

@@ -26,7 +26,7 @@ def summary(motion: Trajectory) -> str:
     conduct, count = motion.conduct, motion.conduct.statistics
     span = f"{motion.t[0]:g} s to {motion.t[-1]:g} s" if len(motion) else "no time"
     lines = [
-        f"motion of '{motion.manifest['name']}', {span}: {motion.message}",
+        f"motion of '{motion.manifest.name}', {span}: {motion.message}",
         f"  method    {conduct.method}, {conduct.settings}",
         f"  rows      {counted(len(motion), 'time')}, {counted(motion.q.shape[1], 'coordinate')}, "
         f"{counted(motion.u.shape[1], 'speed')}{_own(motion)}",
@@ -43,8 +43,8 @@ def summary(motion: Trajectory) -> str:
         lines.append(f"            over {counted(int(count['passed']), 'singular position')}")
     lines += _values("start", "given", given)
     rest = {n: v for n, v in conduct.initial.items() if n in defaulted}
-    inputs = {row["name"] for row in motion.manifest["inputs"]}
-    if any(not row.get("switched") for row in motion.manifest.get("multipliers", ())):
+    inputs = {row.name for row in motion.manifest.inputs}
+    if any(not row.switched for row in motion.manifest.multipliers):
         # circuits determine coordinates and speeds; inputs keep what the scene says
         lines += _values("start", "assembled", {n: v for n, v in rest.items() if n not in inputs})
         rest = {n: v for n, v in rest.items() if n in inputs}

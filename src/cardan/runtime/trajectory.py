@@ -12,6 +12,7 @@ import numpy as np
 
 from ..arguments import Times, checked
 from ..errors import ModelError, near
+from ..schema.manifest import Manifest
 from . import followers
 from .balance import Balance, balance, impacts
 from .between import inputs_at, states_at
@@ -59,7 +60,7 @@ class Trajectory:
     r: Array
     given: Array
     sources: tuple[str, ...] | None
-    manifest: Mapping[str, Any]
+    manifest: Manifest
     conduct: Conduct
     model: CompiledModel | None = None
     dense: Dense | None = None
@@ -116,7 +117,7 @@ class Trajectory:
     @property
     def nq(self) -> int:
         """Number of coordinates."""
-        return len(self.manifest["coordinates"])
+        return len(self.manifest.coordinates)
 
     @property
     def q(self) -> Array:
@@ -126,12 +127,12 @@ class Trajectory:
     @property
     def u(self) -> Array:
         """Speeds (nt, nu)."""
-        return self.x[:, self.nq : self.nq + len(self.manifest["speeds"])]
+        return self.x[:, self.nq : self.nq + len(self.manifest.speeds)]
 
     @property
     def z(self) -> Array:
         """Internal states of elements (nt, nz)."""
-        return self.x[:, self.nq + len(self.manifest["speeds"]) :]
+        return self.x[:, self.nq + len(self.manifest.speeds) :]
 
     @property
     def s(self) -> Array:
@@ -168,14 +169,14 @@ class Trajectory:
             return followers.history(self, name)
         for what, names, function in (
             ("output", self._outputs, "outputs"),
-            ("multiplier", [row["name"] for row in self.manifest["multipliers"]], "multipliers"),
+            ("multiplier", [row.name for row in self.manifest.multipliers], "multipliers"),
         ):
             if name in names:
                 model = self._model(f"{what} '{name}'")
                 given = {"t": self.t, "r": self._r, **self._own}
                 table: Array = getattr(model, function)(self.q, self.u, **given)
                 return table[:, names.index(name)]
-        forces = [row["name"] for row in self.manifest["multipliers"]]
+        forces = [row.name for row in self.manifest.multipliers]
         known = [*self._places, *follow, *self._outputs, *forces]
         raise ModelError(f"motion['{name}']: there is no such history.{near(name, known)}")
 
@@ -184,23 +185,21 @@ class Trajectory:
         """Name -> the array it lies in, and its column or columns there."""
         places: dict[str, tuple[Array, int | slice]] = {}
         for letter, values, suffix in (("q", self.q, ""), ("u", self.u, ".u")):
-            for joint in self.manifest["joints"]:
-                start, size = joint[letter] or (0, 0)
+            for joint in self.manifest.joints:
+                start, size = joint.slot(letter)
                 if size:
                     columns = start if size == 1 else slice(start, start + size)
-                    places[joint["name"] + suffix] = (values, columns)
-        for key, values in (
-            *(("coordinates", self.q), ("speeds", self.u), ("inputs", self.r)),
-            *(("z", self.z), ("s", self.s)),
-        ):
-            for k, row in enumerate(self.manifest[key]):
-                places.setdefault(row["name"], (values, k))
+                    places[joint.name + suffix] = (values, columns)
+        blocks = {"q": self.q, "u": self.u, "r": self.r, "z": self.z, "s": self.s}
+        for letter, values in blocks.items():
+            for k, row in enumerate(self.manifest.block(letter)):
+                places.setdefault(row.name, (values, k))
         return places
 
     @cached_property
     def _outputs(self) -> list[str]:
         """Names of the outputs."""
-        return [row["name"] for row in self.manifest["outputs"]]
+        return [row.name for row in self.manifest.outputs]
 
     @property
     def _r(self) -> Array | None:

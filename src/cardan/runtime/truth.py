@@ -113,7 +113,7 @@ def truth_of(
         friction = pressed(model, scene, states, given)
         values = model._evaluate_saved("applied", **given)
         f = np.broadcast_to(values["f"], h.shape)
-    elif model.manifest["scene"].get("forces") == []:
+    elif model.manifest.scene.forces == []:
         f = np.zeros_like(h)
     none = np.zeros(states)
     return Truth(q, u, udot, tau, TIME, r, None, none, h, gravity, f, motion, bound, friction)

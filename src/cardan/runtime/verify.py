@@ -107,7 +107,7 @@ def verify(
     """
     if functions is None:
         # a folder of the cache may hold more functions than this model was asked for
-        keys = [key for key in model._written() if key[0] in model.manifest["available"]]
+        keys = [key for key in model._written() if key[0] in model.manifest.available]
     else:
         keys = [(key, None) if isinstance(key, str) else key for key in functions]
     found = _judged(model, states, seed, keys, functions is None)
@@ -142,7 +142,7 @@ def _judged(
         keys: Functions.
         whole: Whether C is compared with its expressions where something else judges it too.
     """
-    if "mesh" in model.manifest:
+    if model.manifest.absolute:
         elements: Elements = model._source.results(model).mesh  # type: ignore[attr-defined]
         return _of_elements(model, elements, states, seed)
     order = [key for key in CHECKED if key in keys]
@@ -269,7 +269,7 @@ def verify_elements(model: CompiledModel, elements: Elements, fresh: Iterable[st
     new = list(fresh)
     found = _of_elements(model, elements, STATES, 1, new)
     differences: dict[str, float | str] = {}
-    if model.manifest["multipliers"] and any(constraints.binds(name) for name in new):
+    if model.manifest.multipliers and any(constraints.binds(name) for name in new):
         differences = constraints.said(constraints.of_elements(model, elements, 3, 1))
     _approved(model, _together(found, differences, STATES))
 
@@ -280,7 +280,7 @@ def _unjudged(model: CompiledModel) -> str:
         return ""
     if model.nu > WHOLE:
         return f"not checked: circuits with more than {WHOLE} speeds"
-    if constrained(model) and RATES - set(model.manifest["available"]):
+    if constrained(model) and RATES - set(model.manifest.available):
         return "not checked: the rates of constraints that the user wrote were not asked for"
     return unbound(model)
 

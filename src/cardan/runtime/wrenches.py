@@ -62,7 +62,7 @@ def refuse_ground(model: Evaluation, wrenches: Mapping[str, ArrayLike], joint: s
         ModelError: a wrench on a frame fixed to the ground; names it.
     """
     still = [frame for frame in read_wrenches(model, wrenches) if model.part_of[frame] is None]
-    if still and joint in model.manifest["fixed"]:
+    if still and joint in model.manifest.fixed:
         raise ModelError(
             f"reaction('{joint}'): the wrench on '{still[0]}' acts on a body fixed to the ground "
             "and would not be counted. Put it into the scene as a Force and a Torque"

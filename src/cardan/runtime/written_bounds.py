@@ -24,8 +24,8 @@ if TYPE_CHECKING:
 
 def written(model: CompiledModel) -> list[int]:
     """Numbers of the multipliers of constraints that the user wrote."""
-    rows = enumerate(model.manifest.get("multipliers", ()))
-    return [k for k, row in rows if row["name"] == row["joint"] and not row.get("switched")]
+    rows = enumerate(model.manifest.multipliers)
+    return [k for k, row in rows if row.name == row.joint and not row.switched]
 
 
 # what slopes of rates may be off by, of the largest, to say what accelerations have to be
@@ -61,7 +61,7 @@ def with_written(model: CompiledModel, bound: Bound, t: float) -> Bound | None:
         (found,) = evaluate(function, {**rest, **blocks}, "numpy").values()
         return np.broadcast_to(found, (len(blocks["q"]), *shape))
 
-    m = len(model.manifest["multipliers"])
+    m = len(model.manifest.multipliers)
     G = value(jacobian, at, (m, nu))[:, rows]
     along = {"q": value(motion, at, (model.nq,)), "t": np.ones((n, 1))}
     if model.inputs:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -10,6 +9,7 @@ from numpy.typing import NDArray
 
 from ..runtime.placing import inverse
 from ..runtime.trajectory import Trajectory
+from ..schema.mechanism import ShapeRow
 from .scene import SOLIDS, THICK, link, solid
 
 Array = NDArray[np.float64]
@@ -21,7 +21,7 @@ THIN = 1 / 400
 
 def tubes(motion: Trajectory) -> list[dict[str, Any]]:
     """Beams as tubes: name, radius, and the points of the line in every picture (nt, 3 n)."""
-    rows = {row["name"]: row for row in motion.manifest.get("beams", ())}
+    rows = {row.name: row for row in motion.manifest.beams}
     if not rows:
         return []
     lines = {name: motion.line(name) for name in rows}
@@ -33,7 +33,7 @@ def tubes(motion: Trajectory) -> list[dict[str, Any]]:
         count = int(np.clip(room, 2, min(MOST_POINTS, line.shape[1])))
         chosen = np.unique(np.linspace(0, line.shape[1] - 1, count).round().astype(int))
         points = np.round(line[:, chosen].reshape(len(motion), -1), 5).tolist()
-        e2, e3, _ = rows[name]["outline"]
+        e2, e3, _ = rows[name].outline
         found.append({"name": name, "r": max((e2 + e3) / 2, least), "path": points})
     return found
 
@@ -41,22 +41,22 @@ def tubes(motion: Trajectory) -> list[dict[str, Any]]:
 def drawing(motion: Trajectory) -> dict[str, Any]:
     """Everything the page needs to know, as :func:`.scene.drawing` says it, and ``beams``."""
     manifest, lines = motion.manifest, tubes(motion)
-    nodes = {row[end] for row in manifest.get("beams", ()) for end in ("start", "end")}
+    nodes = {end for row in manifest.beams for end in (row.start, row.end)}
     frames: dict[str, list[str]] = {}
-    for row in manifest["frames"]:
-        frames.setdefault(row["body"], []).append(row["name"])
-    shapes: dict[str, list[Mapping[str, Any]]] = {}
-    for row in manifest["shapes"]:
-        if row["kind"] in SOLIDS:
-            shapes.setdefault(row["frame"], []).append(row)
+    for row in manifest.frames:
+        frames.setdefault(row.body, []).append(row.name)
+    shapes: dict[str, list[ShapeRow]] = {}
+    for shape in manifest.shapes:
+        if shape.kind in SOLIDS:
+            shapes.setdefault(shape.frame, []).append(shape)
     bodies = []
-    for body in manifest["bodies"]:
-        name, own = str(body["name"]), frames[body["name"]]
+    for body in manifest.bodies:
+        name, own = body.name, frames[body.name]
         pose = motion.pose(own[0])
         places = {frame: inverse(pose[0]) @ motion.pose(frame)[0] for frame in own}
         # a node of beams with nothing on it is drawn with its beams
         bare = all(np.linalg.norm(place[:3, 3]) < 1e-9 for place in places.values())
-        if bare and body["parts"] == [name] and name in nodes:
+        if bare and body.parts == [name] and name in nodes:
             continue
         solids = [solid(row, places[f]) for f in own for row in shapes.get(f, ())]
         flat = np.concatenate([pose[:, :3, :3].reshape(-1, 9), pose[:, :3, 3]], axis=1)
@@ -67,7 +67,7 @@ def drawing(motion: Trajectory) -> dict[str, Any]:
         solid(row, motion.pose(f)[0]) for f in frames.get("ground", ()) for row in shapes.get(f, ())
     ]
     _without_shapes(bodies, lines)
-    return {"name": manifest["name"], "bodies": bodies, "ground": ground, "beams": lines}
+    return {"name": manifest.name, "bodies": bodies, "ground": ground, "beams": lines}
 
 
 def _without_shapes(bodies: list[dict[str, Any]], lines: list[dict[str, Any]]) -> None:

@@ -33,22 +33,22 @@ def write_page(
     Raises:
         ModelError: a motion without poses, or the file cannot be written.
     """
-    absent = motion.manifest.get("absent", {})
+    absent = motion.manifest.absent
     if "pose" in absent:
         raise ModelError(f"a page shows bodies: {absent['pose']}; plot() draws coordinates")
     shown = _resampled(motion, fps)
-    drawn = (meshed if shown.manifest["method"] == "absolute" else scene).drawing(shown)
+    drawn = (meshed if shown.manifest.method == "absolute" else scene).drawing(shown)
     data = {"t": np.round(shown.t, 6).tolist(), **drawn}
     # names are the user's: nothing in them may end the script or open a tag
     try:
         text = json.dumps(data, separators=(",", ":"), allow_nan=False)
     except ValueError:
         raise ModelError(
-            f"a page shows bodies at finite places; some of '{motion.manifest['name']}' are not"
+            f"a page shows bodies at finite places; some of '{motion.manifest.name}' are not"
         ) from None
     for character in "<>&\u2028\u2029":
         text = text.replace(character, f"\\u{ord(character):04x}")
-    headline = html.escape(str(title if title is not None else motion.manifest["name"]))
+    headline = html.escape(str(title if title is not None else motion.manifest.name))
     parts = {"TITLE": headline, "SCRIPT": SCRIPT.read_text(encoding="utf-8"), "DATA": text}
     # in one sweep: what is filled in is never searched for marks
     page = MARK.sub(lambda mark: parts[mark[1]], TEMPLATE.read_text(encoding="utf-8"))

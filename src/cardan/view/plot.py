@@ -30,8 +30,8 @@ def plot(motion: Trajectory, path: Any, names: Any) -> Any:
     chosen = None if names is None else asked(names)
     motion = _smooth(motion)
     panels = _everything(motion) if chosen is None else _chosen(motion, chosen)
-    held = {str(row["name"]) for row in motion.manifest.get("s", ())}
-    return _figure(str(motion.manifest["name"]), "t [s]", motion.t, panels, path, held)
+    held = {str(row.name) for row in motion.manifest.s}
+    return _figure(str(motion.manifest.name), "t [s]", motion.t, panels, path, held)
 
 
 def plot_over(title: str, label: str, over: Curve, curves: dict[str, Curve], path: Any) -> Any:
@@ -169,12 +169,12 @@ def _smooth(motion: Trajectory) -> Trajectory:
 def _everything(motion: Trajectory) -> Panels:
     """Coordinates by unit, speeds by unit, energies."""
     panels: Panels = []
-    for key, values in (("coordinates", motion.q), ("speeds", motion.u)):
+    for letter, values in (("q", motion.q), ("u", motion.u)):
         by_unit: dict[str, dict[str, NDArray[np.float64]]] = {}
-        for k, row in enumerate(motion.manifest[key]):
-            by_unit.setdefault(str(row["unit"]), {})[str(row["name"])] = values[:, k]
+        for k, row in enumerate(motion.manifest.block(letter)):
+            by_unit.setdefault(row.unit, {})[row.name] = values[:, k]
         panels += [(f"[{unit}]" if unit else "", curves) for unit, curves in by_unit.items()]
-    available = motion.model is not None and "energy" in motion.model.manifest["available"]
+    available = motion.model is not None and "energy" in motion.model.manifest.available
     if available or "kinetic" in motion.stored:
         panels.append(("energy [J]", dict(motion.energy._asdict())))
     return panels

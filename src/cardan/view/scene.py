@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -10,6 +9,8 @@ from numpy.typing import NDArray
 
 from ..runtime.placing import inverse
 from ..runtime.trajectory import Trajectory
+from ..schema.manifest import Manifest
+from ..schema.mechanism import BodyRow, ShapeRow
 
 Array = NDArray[np.float64]
 THICK = 0.08  # radius of a drawn link, relative to the mean length of the links
@@ -31,24 +32,24 @@ def drawing(motion: Trajectory) -> dict[str, Any]:
     radius = THICK * float(np.mean(lengths)) if lengths else 0.02
     bodies = []
     for k, body in _bodies(manifest):
-        name = str(body["name"])
+        name = str(body.name)
         solids = _shapes(motion, name)
         if not solids:
             solids = [link(a, b, radius) for a, b in links[name]]
             solids += _center(motion, k, links[name], radius)
         bodies.append({"name": name, "solids": solids, "pose": _poses(motion, name)})
     ground = _shapes(motion, "ground") or [link(a, b, radius) for a, b in links["ground"]]
-    return {"name": manifest["name"], "bodies": bodies, "ground": ground}
+    return {"name": manifest.name, "bodies": bodies, "ground": ground}
 
 
-def _bodies(manifest: Mapping[str, Any]) -> list[tuple[int, Mapping[str, Any]]]:
+def _bodies(manifest: Manifest) -> list[tuple[int, BodyRow]]:
     """Number and row of every body; those without parts only stand for joints."""
-    return [(k, body) for k, body in enumerate(manifest["bodies"]) if body["parts"]]
+    return [(k, body) for k, body in enumerate(manifest.bodies) if body.parts]
 
 
 def _poses(motion: Trajectory, body: str) -> list[list[float]]:
     """Pose of the rigid body (nt, 12): rotation row by row, then position."""
-    frame = next(r["name"] for r in motion.manifest["frames"] if r["body"] == body)
+    frame = next(r.name for r in motion.manifest.frames if r.body == body)
     pose = motion.pose(frame) @ inverse(motion.placed(frame))
     flat = np.concatenate([pose[:, :3, :3].reshape(-1, 9), pose[:, :3, 3]], axis=1)
     rows: list[list[float]] = np.round(flat, 5).tolist()
@@ -59,22 +60,18 @@ def _links(motion: Trajectory) -> dict[str, list[tuple[Array, Array]]]:
     """Straight links in body axes: from the inboard joint to every outboard one, or to the tip."""
     manifest = motion.manifest
     bodies = _bodies(manifest)
-    links: dict[str, list[tuple[Array, Array]]] = {str(body["name"]): [] for _, body in bodies}
+    links: dict[str, list[tuple[Array, Array]]] = {str(body.name): [] for _, body in bodies}
     links["ground"] = []
-    names = [row["name"] for row in manifest["frames"]]
+    names = [row.name for row in manifest.frames]
     position = np.reshape(motion.scene["position"], (-1, 3))
     for k, body in bodies:
-        if manifest["joints"][k]["kind"] not in LOOSE and body["parent"] in links:
-            links[str(body["parent"])].append((np.zeros(3), position[k]))
+        if manifest.joints[k].kind not in LOOSE and body.parent in links:
+            links[str(body.parent)].append((np.zeros(3), position[k]))
     for k, body in bodies:
-        rows = links[str(body["name"])]
+        rows = links[str(body.name)]
         if not rows or all(np.linalg.norm(b) == 0 for _, b in rows):
             # nothing hangs on it: its farthest frame, or twice the way to its center of mass
-            own = [
-                n
-                for n in names
-                if motion.manifest["frames"][names.index(n)]["body"] == body["name"]
-            ]
+            own = [n for n in names if motion.manifest.frames[names.index(n)].body == body.name]
             tips = [motion.placed(n)[:3, 3] for n in own] + [2 * _com(motion, k)]
             rows.append((np.zeros(3), max(tips, key=lambda tip: float(np.linalg.norm(tip)))))
     return links
@@ -123,29 +120,29 @@ def short(x: Array) -> list[float]:
 
 def _shapes(motion: Trajectory, body: str) -> list[dict[str, Any]]:
     """The user's shapes on a body, in its axes; meshes are left to the links."""
-    bodies = {row["name"]: row["body"] for row in motion.manifest["frames"]}
+    bodies = {row.name: row.body for row in motion.manifest.frames}
     solids = []
-    for row in motion.manifest["shapes"]:
-        if row["kind"] in SOLIDS and bodies.get(row["frame"]) == body:
-            solids.append(solid(row, motion.placed(row["frame"])))
+    for row in motion.manifest.shapes:
+        if row.kind in SOLIDS and bodies.get(row.frame) == body:
+            solids.append(solid(row, motion.placed(row.frame)))
     return solids
 
 
-def solid(row: Mapping[str, Any], place: Array) -> dict[str, Any]:
+def solid(row: ShapeRow, place: Array) -> dict[str, Any]:
     """A shape of the user; ``place`` (4, 4) is that of its frame in the body."""
     local = np.eye(4)
-    local[:3, 3] = row["position"]
-    if row["rotation"] is not None:
-        local[:3, :3] = row["rotation"]
+    local[:3, 3] = row.position
+    if row.rotation is not None:
+        local[:3, :3] = row.rotation
     at = place @ local
-    color = None if row["color"] is None else [float(c) for c in row["color"]]
-    if row["kind"] == "sphere":
-        return {"kind": "sphere", "a": short(at[:3, 3]), "r": row["radius"], "color": color}
-    if row["kind"] == "box":
-        size = [row["x"], row["y"], row["z"]]
+    color = None if row.color is None else [float(c) for c in row.color]
+    if row.kind == "sphere":
+        return {"kind": "sphere", "a": short(at[:3, 3]), "r": row.radius, "color": color}
+    if row.kind == "box":
+        size = [row.x, row.y, row.z]
         turned = {"R": short(at[:3, :3].ravel()), "a": short(at[:3, 3])}
         return {"kind": "box", "size": size, "color": color, **turned}
-    axis = at[:3, "xyz".index(row.get("axis", "z"))] * (row["length"] / 2)
+    axis = at[:3, "xyz".index(row.axis or "z")] * ((row.length or 0.0) / 2)
     ends = {"a": short(at[:3, 3] - axis), "b": short(at[:3, 3] + axis)}
-    kind = "cylinder" if row["kind"] == "cylinder" else "link"
-    return {"kind": kind, **ends, "r": row["radius"], "color": color}
+    kind = "cylinder" if row.kind == "cylinder" else "link"
+    return {"kind": kind, **ends, "r": row.radius, "color": color}

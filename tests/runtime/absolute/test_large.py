@@ -14,9 +14,9 @@ import pytest
 import cardan as cd
 from cardan.codegen import mesh, mesh_rows
 from cardan.errors import ModelError
-from cardan.ir.rows import Rows, dumped
 from cardan.runtime.absolute import matrices
 from cardan.runtime.absolute.mesh import Mesh
+from cardan.schema.rows import Rows, dumped
 from mechanisms.flexible import elastica
 
 DOCS = Path(__file__).parents[3] / "docs"

@@ -115,7 +115,7 @@ def histories(job: Job, part: Varied, ends: Ends) -> Histories:
     r = ends.rows[:, :, 1 + model.nx : 1 + model.nx + model.nr]
     columns = {name: x[:, :, k] for k, name in enumerate(entries(model))}
     columns |= {name: r[:, :, k] for k, name in enumerate(model.inputs)}
-    outputs = [row["name"] for row in model.manifest["outputs"]]
+    outputs = [row.name for row in model.manifest.outputs]
     found: dict[str, Array] = {}
 
     def of(name: str) -> Array:
@@ -150,7 +150,7 @@ def _outputs(model: CompiledModel, part: Varied, rows: Array) -> Array:
 
 def histories_of(model: CompiledModel) -> list[str]:
     """Names that reductions may speak of."""
-    outputs = [row["name"] for row in model.manifest["outputs"]]
+    outputs = [row.name for row in model.manifest.outputs]
     return [*entries(model), *model.inputs, *outputs]
 
 

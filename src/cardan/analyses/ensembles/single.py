@@ -46,12 +46,12 @@ def motion(
     constants = part.block("r")[0]
     own = Signals(constants, given.pieces, given.functions, given.sample, given.defaulted)
     named = part.named("q", 0), part.named("u", 0)
-    if "mesh" in model.manifest:
+    if model.manifest.absolute:
         # what is not named goes where its own parameters and what is named carry it
         begin = start(model, None, *named, part.named("z", 0))
     else:
         begin = Start(part.states()[0], ())
-    if Closing.of(model).rows or "mesh" in model.manifest:
+    if Closing.of(model).rows or model.manifest.absolute:
         begin = closed_start(model, begin, *named, over.start, own.first(over.start))
     runner = runner_of(model, how, own, may)
     return driven(runner, over, begin, False, case), runner

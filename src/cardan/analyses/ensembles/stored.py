@@ -157,13 +157,13 @@ def load(path: str | Path) -> Ensemble:
         final=read.final,
         results=read.results,
         codes=read.codes,
-        words=tuple(told["words"]),
+        words=tuple(told.words),
         numbers=np.stack([read.statistics[name] for name in NUMBERS], axis=1),
         messages=read.messages,
-        seconds=float(told["seconds"]),
-        hands=told["hands"],
-        restored=told["restored"],
-        kept=told["kept"],
+        seconds=float(told.seconds),
+        hands=told.hands,
+        restored=told.restored,
+        kept=told.kept,
     )
 
 
@@ -172,17 +172,17 @@ def _asked(read: Read) -> Asked:
 
     told = read.told
     return Asked(
-        model=told["model"],
-        entries=tuple(told["entries"]),
-        counts=None if told["counts"] is None else (told["counts"][0], told["counts"][1]),
-        start=float(told["start"]),
-        end=float(told["end"]),
+        model=told.model,
+        entries=tuple(told.entries),
+        counts=None if told.counts is None else (told.counts[0], told.counts[1]),
+        start=float(told.start),
+        end=float(told.end),
         times=read.times,
-        names=tuple(told["names"]),
-        method=told["method"],
-        settings=told["settings"],
-        reason=told["reason"],
-        lanes=told["lanes"],
+        names=tuple(told.names),
+        method=told.method,
+        settings=told.settings,
+        reason=told.reason,
+        lanes=told.lanes,
         varied=read.varied,
-        axes={name: tuple(axes) for name, axes in told["axes"].items()},
+        axes={name: tuple(axes) for name, axes in told.axes.items()},
     )

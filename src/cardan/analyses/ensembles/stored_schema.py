@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import dataclasses
 import json
 import math
-from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
 from itertools import takewhile
 from typing import Any
 
@@ -13,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...runtime.formats.contents import Contents, Variable
-from ...runtime.motion_rows import count, listed, number, row_of, text
+from ...schema.fields import Record, count, field, is_text, listed, number, one_of, table, text
 from .crew import NUMBERS
 from .reductions import Bins
 
@@ -23,24 +24,25 @@ MOST = 127  # words of a status
 AXES = ("run", "time", "entry", "bin")
 
 
-def _axis(value: Any) -> bool:
-    return value in AXES
+class Notes(Record):
+    """What an ensemble says about itself."""
 
-
-TOLD = row_of(
-    **dict.fromkeys(("model", "method", "settings", "hands"), text),
-    **dict.fromkeys(("reason", "kept"), text),
-    entries=listed(text),
-    maybe_counts=listed(count, 2),
-    start=number,
-    end=number,
-    names=listed(text),
-    lanes=count,
-    axes=lambda value: isinstance(value, dict) and all(map(listed(_axis), value.values())),
-    words=listed(text),
-    seconds=number,
-    restored=count,
-)
+    model: str = field(text)
+    method: str = field(text)
+    settings: str = field(text)
+    hands: str = field(text)
+    reason: str = field(text)
+    kept: str = field(text)
+    entries: Sequence[str] = field(listed(text))
+    counts: Sequence[int] | None = field(listed(count, 2), default=None)
+    start: float = field(number)
+    end: float = field(number)
+    names: Sequence[str] = field(listed(text))
+    lanes: int = field(count)
+    axes: Mapping[str, Sequence[str]] = field(table(listed(one_of(*AXES))))
+    words: Sequence[str] = field(listed(text))
+    seconds: float = field(number)
+    restored: int = field(count)
 
 
 @dataclass
@@ -53,14 +55,14 @@ class Read:
         messages, statistics, varied, results: The same, by name.
     """
 
-    told: dict[str, Any]
+    told: Notes
     final: Array
     codes: NDArray[np.int8]
     messages: dict[int, str]
-    times: Array = field(default_factory=lambda: np.empty(0))
-    statistics: dict[str, Array] = field(default_factory=dict)
-    varied: dict[str, Array] = field(default_factory=dict)
-    results: dict[str, Any] = field(default_factory=dict)
+    times: Array = dataclasses.field(default_factory=lambda: np.empty(0))
+    statistics: dict[str, Array] = dataclasses.field(default_factory=dict)
+    varied: dict[str, Array] = dataclasses.field(default_factory=dict)
+    results: dict[str, Any] = dataclasses.field(default_factory=dict)
 
 
 def checked(held: Contents) -> Read:
@@ -72,30 +74,28 @@ def checked(held: Contents) -> Read:
     variables = dict(held.variables)
     if "ensemble" not in held.notes:
         return _filled(*_older(held))
-    told = json.loads(held.notes["ensemble"])
-    _require(TOLD(told), "it does not say what was asked for")
-    told.setdefault("counts", None)
-    words = told["words"]
+    told = Notes.read(json.loads(held.notes["ensemble"]))
+    words = told.words
     _require(0 < len(words) <= MOST, "it has no words for a status")
     for name in ("final", "status", "entry"):
         _require(name in variables, f"it has no '{name}'")
     status = _texts(variables.pop("status"))
     _require(set(status) <= set(words), "a status is none of its words")
-    _require(_texts(variables.pop("entry")) == told["entries"], "its entries have other names")
+    _require(_texts(variables.pop("entry")) == told.entries, "its entries have other names")
     places = {word: k for k, word in enumerate(words)}
     codes = np.array([places[word] for word in status], dtype=np.int8)
     return _filled(held, told, codes, variables)
 
 
 def _filled(
-    held: Contents, told: dict[str, Any], codes: NDArray[np.int8], variables: dict[str, Variable]
+    held: Contents, told: Notes, codes: NDArray[np.int8], variables: dict[str, Variable]
 ) -> Read:
     final = variables.pop("final").values
     runs = len(codes)
-    _require(final.shape == (runs, len(told["entries"])), f"'final' has shape {final.shape}")
+    _require(final.shape == (runs, len(told.entries)), f"'final' has shape {final.shape}")
     _require(final.dtype.kind == "f", "'final' is a text")
-    told_counts = told["counts"]
-    _require(told_counts is None or sum(told_counts) <= final.shape[1], "it has too many speeds")
+    counts = told.counts
+    _require(counts is None or sum(counts) <= final.shape[1], "it has too many speeds")
     read = Read(told, final, codes, _messages(held.notes.get("messages", "{}"), runs))
     edges: dict[str, Array] = {}
     # times first, which others are as long as
@@ -104,7 +104,7 @@ def _filled(
         if kind is None:
             continue
         own = json.loads(one.attributes.get("name", "null"))
-        _require(text(own) and one.values.dtype.kind == "f", f"'{name}' is damaged")
+        _require(is_text(own) and one.values.dtype.kind == "f", f"'{name}' is damaged")
         _put(read, edges, kind, own, one)
     for name, found in read.results.items():
         if isinstance(found, Bins):
@@ -113,8 +113,8 @@ def _filled(
             read.results[name] = Bins(found.counts, own, found.below, found.above)
     _require(set(read.statistics) == set(NUMBERS), "it has other statistics")
     # files have their own order
-    read.results = _ordered(read.results, told["axes"])
-    read.varied = _ordered(read.varied, told["names"])
+    read.results = _ordered(read.results, told.axes)
+    read.varied = _ordered(read.varied, told.names)
     return read
 
 
@@ -138,11 +138,12 @@ def _put(read: Read, edges: dict[str, Array], kind: str, own: str, one: Variable
     elif kind == "bins":
         whole = values.ndim == 1 and bool(((values >= 0) & (values < 2**53)).all())
         outside = json.loads(one.attributes.get("below_and_above", "[0, 0]"))
-        _require(whole and listed(count, 2)(outside), f"'{own}' is damaged")
+        _require(whole, f"'{own}' is damaged")
+        listed(count, 2).read(outside, False)
         read.results[own] = Bins(values.astype(np.intp), np.empty(0), *outside)
     elif kind == "reduction":
         sizes = {"run": runs, "time": len(read.times), "entry": read.final.shape[1]}
-        axes = read.told["axes"].get(own, ())
+        axes = read.told.axes.get(own, ())
         told = tuple(sizes.get(axis, -1) for axis in axes)
         _require(values.shape[: len(axes)] == told, f"'{own}' has shape {values.shape}")
         read.results[own] = values
@@ -150,7 +151,9 @@ def _put(read: Read, edges: dict[str, Array], kind: str, own: str, one: Variable
 
 def _messages(told: str, runs: int) -> dict[int, str]:
     found = json.loads(told)
-    _require(isinstance(found, dict) and all(map(text, found.values())), "its messages are damaged")
+    _require(
+        isinstance(found, dict) and all(map(is_text, found.values())), "its messages are damaged"
+    )
     _require(all(k.isdecimal() and k.isascii() and len(k) < 16 for k in found), "of no run")
     messages = {int(k): words for k, words in found.items()}
     _require(all(k < runs for k in messages), "a message is of no run")
@@ -176,35 +179,47 @@ def _require(good: bool, what: str) -> None:
 
 def _older(
     held: Contents,
-) -> tuple[Contents, dict[str, Any], NDArray[np.int8], dict[str, Variable]]:
+) -> tuple[Contents, Notes, NDArray[np.int8], dict[str, Variable]]:
     """The parts of a file whose variables have the names of reductions, with blanks."""
     variables = dict(held.variables)
     for name in ("final", "status"):
         _require(name in variables, f"it has no '{name}'")
-    entries = json.loads(variables["final"].attributes.get("names", "null"))
+    names = json.loads(variables["final"].attributes.get("names", "null"))
+    entries = listed(text).read(names, False)
     status = variables.pop("status")
-    words = json.loads(status.attributes.get("words", "null"))
-    _require(listed(text)(entries) and listed(text)(words), "it does not name its entries")
+    words = listed(text).read(json.loads(status.attributes.get("words", "null")), False)
     _require(0 < len(words) <= MOST and status.values.ndim == 1, "it has no status")
     known = bool(np.isin(status.values, np.arange(len(words))).all())
     _require(known and status.values.dtype.kind == "f", "a status is none of its words")
     end = variables["t"].values if "t" in variables else np.empty(0)
     last = float(end[np.isfinite(end)].max(initial=0.0))
-    told: dict[str, Any] = {
-        **dict.fromkeys(("method", "settings", "hands"), "not told"),
-        **dict.fromkeys(("reason", "kept"), ""),
-        "model": held.notes.get("title", "").removeprefix("ensemble of "),
-        **{"entries": entries, "counts": None, "start": 0.0, "end": last, "names": []},
-        **{"lanes": 1, "axes": {}, "words": words, "seconds": math.nan, "restored": 0},
-    }
     found: dict[str, Variable] = {"final": variables.pop("final")}
+    varied: list[str] = []
+    axes: dict[str, list[str]] = {}
     for name, one in variables.items():
         kind, own = _older_kind(name, variables)
         if kind == "varied":
-            told["names"].append(own)
+            varied.append(own)
         shared = list(takewhile(lambda axis: axis in ("run", "time"), one.dimensions))
-        told["axes"] |= {own: shared} if kind == "reduction" else {}
+        axes |= {own: shared} if kind == "reduction" else {}
         found[name] = Variable(one.dimensions, one.values, {"kind": kind, "name": json.dumps(own)})
+    told = Notes(
+        model=held.notes.get("title", "").removeprefix("ensemble of "),
+        method="not told",
+        settings="not told",
+        hands="not told",
+        reason="",
+        kept="",
+        entries=entries,
+        start=0.0,
+        end=last,
+        names=varied,
+        lanes=1,
+        axes=axes,
+        words=words,
+        seconds=math.nan,
+        restored=0,
+    )
     return held, told, status.values.astype(np.int8), found
 
 

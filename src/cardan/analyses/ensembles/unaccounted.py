@@ -30,7 +30,7 @@ def unaccounted(job: Job, final: Array, numbers: Array, finished: Bools) -> dict
         finished: Which of them reached their end (runs,).
     """
     model = job.model
-    known = {"energy", "power"} <= set(model.manifest["available"])
+    known = {"energy", "power"} <= set(model.manifest.available)
     if not (known and finished.any() and suits(model, job.how, job.given, job.may)):
         return {}
     steps = numbers[:, NUMBERS.index("steps")]
@@ -46,7 +46,7 @@ def unaccounted(job: Job, final: Array, numbers: Array, finished: Bools) -> dict
 def _conservative(job: Job) -> bool:
     """Whether nothing gives or takes energy."""
     outputs = job.model._function("power").outputs
-    return not (outputs and outputs[0]["entries"]) and not job.may.rows
+    return not (outputs and outputs[0].entries) and not job.may.rows
 
 
 def _suspicious(job: Job, final: Array, steps: Array, finished: Bools) -> NDArray[np.intp]:

@@ -232,11 +232,11 @@ def varied(
     for name, column in _plan(vary).items():
         _named(reader, name, column)
     total = reader.total()
-    given = signals(model.manifest["inputs"], shared, sample_time, over)
+    given = signals(model.manifest.inputs, shared, sample_time, over)
     start, _ = initial_state(model.manifest, {}, {})
     base = dict(zip("quz", np.split(start, ends), strict=True))
     base |= {"p": model._parameters.vector, "r": given.constants}
-    made = Varied(total, base, tuple(model.manifest["quaternions"]), tuple(reader.columns))
+    made = Varied(total, base, tuple(model.manifest.quaternions), tuple(reader.columns))
     _check_rotations(model, made)
     for first in range(0, total if made.own_parameters else 0, SOME):
         model._parameters.judge(made.part(first, min(first + SOME, total)).block("p"))
@@ -319,7 +319,7 @@ def _named(reader: Reader, name: str, column: Array) -> None:
         raise ModelError(
             f"vary: '{name}' is a {words} here. Say which by q=, u=, z=, parameters= or inputs="
         )
-    if not found and name in model.manifest.get("structural", {}):
+    if not found and name in model.manifest.structural:
         model._parameters.checked(name, 0.0)
     if not found:
         part = component(model.manifest, name)

@@ -159,7 +159,7 @@ def needed(model: CompiledModel, who: str, wanted: Sequence[str]) -> None:
         ModelError: it does not.
     """
     for name in wanted:
-        if name not in model.manifest["available"]:
+        if name not in model.manifest.available:
             raise ModelError(
                 f"{who}: model '{model.name}' has no function '{name}'. Compile it in relative "
                 f"coordinates, with functions=(..., '{name}') if you choose them"
@@ -168,7 +168,7 @@ def needed(model: CompiledModel, who: str, wanted: Sequence[str]) -> None:
 
 def circuits(model: CompiledModel) -> bool:
     """Whether constraints bind a model always; those of sticking friction do not."""
-    return any(not row.get("switched") for row in model.manifest["multipliers"])
+    return any(not row.switched for row in model.manifest.multipliers)
 
 
 def _found(name: str, names: tuple[str, ...], rows: Array, rank: float) -> Base:

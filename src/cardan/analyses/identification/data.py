@@ -61,7 +61,7 @@ def columns(model: CompiledModel) -> dict[str, tuple[str, ...]]:
     """
 
     def along(word: str) -> tuple[str, ...]:
-        heads = (row["joint"] for row in model.manifest["speeds"])
+        heads = (row.joint for row in model.manifest.speeds)
         return tuple(
             name.replace(f"{joint}.u", f"{joint}.{word}", 1) if joint else f"{name}.{word}"
             for name, joint in zip(model.speeds, heads, strict=True)

@@ -198,7 +198,7 @@ def _refuse(model: CompiledModel) -> None:
             "Sweep its drivers through motions of your own and give these to identify(...)"
         )
     if not model.nu or not is_plain(model):
-        wide = [row["name"] for row in model.manifest["joints"] if (row["q"] or (0, 0))[1] > 1]
+        wide = [row.name for row in model.manifest.joints if (row.q or (0, 0))[1] > 1]
         raise SolveError(
             f"excitation: model '{model.name}' has coordinates that are no angles or lengths of "
             f"driven joints{' (' + ', '.join(wide) + ')' if wide else ''}. Excite the joints of a "
@@ -212,7 +212,7 @@ def _limits(model: CompiledModel, position: Any, speed: Any, acceleration: Any) 
     Raises:
         ArgumentError: unknown names, empty ranges, a sliding joint without any.
     """
-    units = [row["unit"] for row in model.manifest["coordinates"]]
+    units = [row.unit for row in model.manifest.coordinates]
     own = [model.limits.get(name, {}) for name in model.coordinates]
     # None becomes NaN
     lower = np.array([x.get("lower") for x in own], dtype=float)

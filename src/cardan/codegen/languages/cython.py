@@ -12,13 +12,14 @@ from typing import Any
 from ...errors import counted
 from ...ir.request import reads
 from ...schema.blocks import ARGUMENTS, ORDER
+from ...schema.c_functions import FunctionRow, ResultRow
+from ...schema.manifest import BLOCKS as BLOCK_KEYS
+from ...schema.manifest import Manifest
 from ..naming import mangle
 from ..sources import source
 
 SUFFIX = ".pyx"
 NEEDED = ("numpy", "cython", "setuptools", "setup", "cardan")
-# blocks of elements and of events: where the manifest lists them
-OWN = {"z": "z", "s": "s", "e": "events"}
 
 HEAD = '''\
 # cython: language_level=3
@@ -99,14 +100,14 @@ packages = []
 """
 
 
-def package(manifest: dict[str, Any]) -> str:
+def package(manifest: Manifest) -> str:
     """Name of the package of a model: one that can be imported and hides nothing it needs."""
-    name = mangle(manifest["name"]).lower()
+    name = mangle(manifest.name).lower()
     taken = keyword.iskeyword(name) or name in sys.stdlib_module_names or name in NEEDED
     return f"{name}_model" if taken else name
 
 
-def files(manifest: dict[str, Any], flags: Sequence[str]) -> dict[str, str]:
+def files(manifest: Manifest, flags: Sequence[str]) -> dict[str, str]:
     """The files of the package, by name.
 
     Args:
@@ -121,35 +122,34 @@ def files(manifest: dict[str, Any], flags: Sequence[str]) -> dict[str, str]:
     }
 
 
-def write(manifest: dict[str, Any]) -> str:
+def write(manifest: Manifest) -> str:
     """The ``.pyx`` of a model."""
     names = {
-        key: tuple(row["name"] for row in manifest[key])
-        for key in ("coordinates", "speeds", "inputs", "parameters")
+        BLOCK_KEYS[letter]: tuple(row.name for row in manifest.block(letter)) for letter in "qurp"
     }
-    bodies = tuple(part for body in manifest["bodies"] for part in body["parts"])
+    bodies = tuple(part for body in manifest.bodies for part in body.parts)
     nq, nu = len(names["coordinates"]), len(names["speeds"])
     sizes = {"q": nq, "q0": nq, "r": len(names["inputs"]), "wrench": 6 * len(bodies)}
     sizes |= dict.fromkeys(("u", "udot", "tau", "du"), nu)
-    sizes |= {block: len(manifest.get(key, ())) for block, key in OWN.items()}
+    sizes |= {"z": len(manifest.z), "s": len(manifest.s), "e": len(manifest.events)}
     head = HEAD.format(
-        title=_text(f"{manifest['name']}: C functions of a multibody model."),
+        title=_text(f"{manifest.name}: C functions of a multibody model."),
         about=_text(
             f"{counted(nq, 'coordinate')}, {counted(nu, 'speed')}, "
             f"{counted(len(names['parameters']), 'parameter')}."
         ),
-        name=manifest["name"],
+        name=manifest.name,
         bodies=_literal(bodies),
         sizes=_literal(sizes),
         slots=_literal({block: k for k, block in enumerate(ORDER)}),
         **{key: _literal(value) for key, value in names.items()},
     )
-    functions = manifest["functions"].items()
+    functions = manifest.functions.items()
     parts = [_function(name, entry, nq, nu, sizes["z"]) for name, entry in functions]
     return "\n\n".join([head + source("package.pyx"), *parts])
 
 
-def _function(name: str, entry: dict[str, Any], nq: int, nu: int, nz: int) -> str:
+def _function(name: str, entry: FunctionRow, nq: int, nu: int, nz: int) -> str:
     """The Python function of one C function."""
     takes = _arguments(name, entry)
     # solvers call rhs(t, x)
@@ -160,12 +160,12 @@ def _function(name: str, entry: dict[str, Any], nq: int, nu: int, nz: int) -> st
     needed = [block for block in takes if block not in left]
     options = [f"{block}={default}" for block, default in left.items()]
     signature = ", ".join([*needed, "*", *options, "parameters=None"])
-    outputs = entry["outputs"]
-    shape = tuple(outputs[0]["shape"]) if len(outputs) == 1 else (entry["output_size"],)
+    outputs = entry.outputs
+    shape = tuple(outputs[0].shape) if len(outputs) == 1 else (entry.output_size,)
     entries = [text for o in outputs for text in _named(o)]
     lines = [
         f"def {name}({signature}):",
-        f'    """{_text(entry["about"] or name)}.',
+        f'    """{_text(entry.about or name)}.',
         "",
         "    Args:",
     ]
@@ -190,17 +190,17 @@ def _function(name: str, entry: dict[str, Any], nq: int, nu: int, nz: int) -> st
     return "\n".join(lines)
 
 
-def _arguments(name: str, entry: dict[str, Any]) -> list[str]:
+def _arguments(name: str, entry: FunctionRow) -> list[str]:
     """Arguments as a compiled model takes them, as far as the C can read them."""
-    letters = reads(name.split("__")[0], entry["of"])
-    usual = (*entry["inputs"], "t", "r")
+    letters = reads(name.split("__")[0], entry.of)
+    usual = (*entry.inputs, "t", "r")
     return [x for x in letters if not ARGUMENTS[x].default or x in usual]
 
 
-def _named(output: dict[str, Any]) -> list[str]:
+def _named(output: ResultRow) -> list[str]:
     """Entries of a result with their units."""
-    units = output["units"] or [""] * len(output["entries"])
-    pairs = zip(output["entries"], units, strict=True)
+    units = output.units or [""] * len(output.entries)
+    pairs = zip(output.entries, units, strict=True)
     return [f"{entry} [{unit}]" if unit else entry for entry, unit in pairs]
 
 

@@ -5,12 +5,13 @@ from __future__ import annotations
 import ctypes
 from collections.abc import Callable, Sequence
 from math import prod
-from typing import TYPE_CHECKING, Any, final
+from typing import TYPE_CHECKING, final
 
 import numpy as np
 
 from ...errors import ModelError
 from ...schema.blocks import ORDER
+from ...schema.c_functions import FunctionRow, ResultRow
 from ...schema.functions import OF_ELEMENTS
 from ..calling import Array, Caller
 from ..generated import Source
@@ -91,14 +92,18 @@ class Assembled(Source):
         # runs call these from C: closures over the mesh
         if name in NEEDED:
             address, work = mesh.closure(name), mesh.work
-        entry: dict[str, Any] = {
-            "work_size": work,
-            "output_size": prod(shape),
-            "outputs": [{"name": name, "shape": list(shape), "entries": list(entries)}],
-            "operations": {},
-            "inputs": [],
-            "lanes": [1],
-        }
+        entry = FunctionRow(
+            file="",
+            symbol=name,
+            work_size=work,
+            prepared_size=0,
+            output_size=prod(shape),
+            outputs=[ResultRow(name=name, shape=list(shape), entries=list(entries))],
+            operations={},
+            inputs=[],
+            lanes=[1],
+            sha256="",
+        )
         return Code(name, entry, False, address)
 
 

@@ -102,9 +102,9 @@ def beam_stress(model: CompiledModel, name: str, q: Any) -> BeamStress:
     Raises:
         ModelError: no such beam. ArgumentError: q of another shape.
     """
-    rows = [row for row in model.manifest.get("beams", ()) if row["name"] == name]
+    rows = [row for row in model.manifest.beams if row.name == name]
     if not rows:
-        known = list(dict.fromkeys(row["name"] for row in model.manifest.get("beams", ())))
+        known = list(dict.fromkeys(row.name for row in model.manifest.beams))
         raise ModelError(f"model '{model.name}' has no beam '{name}'.{near(name, known)}")
     places = np.asarray(model._vector("q", q), dtype=np.float64)
     if places.shape[-1:] != (model.nq,):
@@ -116,8 +116,8 @@ def beam_stress(model: CompiledModel, name: str, q: Any) -> BeamStress:
     ends = [found[..., k : k + ENDS, :].reshape(*lead, -1, 6) for k in (0, ENDS)]
     stations = [
         line
-        for row, line in zip(model.manifest["beams"], elements.tables.stations, strict=True)
-        if row["name"] == name
+        for row, line in zip(model.manifest.beams, elements.tables.stations, strict=True)
+        if row.name == name
     ]
     return BeamStress(
         name=name,
@@ -126,7 +126,7 @@ def beam_stress(model: CompiledModel, name: str, q: Any) -> BeamStress:
         force=ends[0][..., 3:],
         curvature=ends[1][..., :3],
         strain=ends[1][..., 3:],
-        outline=(*rows[0]["outline"][:2], bool(rows[0]["outline"][2])),
+        outline=(*rows[0].outline[:2], bool(rows[0].outline[2])),
         modulus=dict(model.parameters).get(f"{name}.material.E"),
     )
 

@@ -75,7 +75,7 @@ class Carrier:
         # nodes that only beams hold go along, unless somebody says where they are
         self.loose = {
             k
-            for k in model.manifest["mesh"]["loose"]
+            for k in model.manifest.elements.beam_nodes
             if not self.kept[self.tables.q[k] : self.tables.q[k + 1]].any()
         }
 
@@ -153,7 +153,7 @@ class Carrier:
     @cached_property
     def reference(self) -> Array:
         """Coordinates (nq,) at which beams are without stress: all joints at their own defaults."""
-        rest = np.array(self.model.manifest["mesh"]["rest"], dtype=np.float64)
+        rest = np.array(self.model.manifest.elements.reference, dtype=np.float64)
         still = np.zeros(len(self._blocks["u"]))
         placed = self._evaluated(rest, still)["q"]
         found: Array = self.model._layout.start("q").copy()
@@ -175,7 +175,7 @@ class Carrier:
                 zip((q, u), self._sources, strict=True)]  # fmt: skip
         for place, at, along in self._planes:
             # nodes of a plane told in space
-            plane, tables = self.tables.kinds[self.tables.kind[place]].plane, self.tables
+            plane, tables = self.tables.plane(place), self.tables
             tree[0][..., at] = pose(plane, q[..., tables.q[place] : tables.q[place + 1]])
             tree[1][..., along] = speeds(plane, u[..., tables.u[place] : tables.u[place + 1]])
         return self._evaluated(*tree)
@@ -218,11 +218,11 @@ def _planes(
     # nodes inside of beams are the last places and no joints
     named = len(tables.kind) - sum(len(line) - 2 for line in tables.beams)
     found = []
-    for place, row in enumerate(islice(model.manifest["joints"], named)):
-        first = f"{row['name']}.{POSE[0]}"
-        if tables.kinds[tables.kind[place]].plane is not None and first in at["q"]:
-            own = [at["q"][f"{row['name']}.{x}"] for x in POSE]
-            along = [at["u"][f"{row['name']}.u.{x}"] for x in MOTION]
+    for place, row in enumerate(islice(model.manifest.joints, named)):
+        first = f"{row.name}.{POSE[0]}"
+        if tables.plane(place) is not None and first in at["q"]:
+            own = [at["q"][f"{row.name}.{x}"] for x in POSE]
+            along = [at["u"][f"{row.name}.u.{x}"] for x in MOTION]
             found.append((place, np.array(own), np.array(along)))
     return found
 
@@ -232,9 +232,9 @@ def leading(model: CompiledModel) -> NDArray[np.bool_]:
     made = model._objects.function(SAVED)
     told = next(set(block.entries) for block in made.inputs if block.name == "u")
     tables = loading.tables_of(model)
-    loose, found = set(model.manifest["mesh"]["loose"]), np.zeros(model.nu, dtype=bool)
-    for place, row in enumerate(model.manifest["joints"]):
-        start, count = row["u"]
-        free = f"{row['name']}.u.px" in told and place not in loose
+    loose, found = set(model.manifest.elements.beam_nodes), np.zeros(model.nu, dtype=bool)
+    for place, row in enumerate(model.manifest.joints):
+        start, count = row.slot("u")
+        free = f"{row.name}.u.px" in told and place not in loose
         found[start : start + count] = free or not tables.kinds[tables.kind[place]].node
     return found

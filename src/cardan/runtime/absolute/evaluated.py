@@ -39,7 +39,7 @@ class Results:
         self.manifest = model.manifest
         self.name = model.name
         self.frames = Frames.of(model)
-        outputs = [row["name"] for row in self.manifest["outputs"]]
+        outputs = [row.name for row in self.manifest.outputs]
         lam = model.multipliers_of
         self._names: dict[str, Sequence[str]] = {
             **{"q": model.coordinates, "u": model.speeds, "z": model.internals, "lam": lam},
@@ -185,7 +185,7 @@ class Results:
 
     def _of_member(self, form: str, name: str, at: State) -> Array:
         """The result of one element of the scene."""
-        told = self.manifest["mesh"]["reactions"].get(name)
+        told = self.manifest.elements.reactions.get(name)
         if told is None:
             raise ModelError(
                 f"{form}: '{name}' transmits none in model '{self.name}' in absolute coordinates"

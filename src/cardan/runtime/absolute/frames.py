@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ...errors import ModelError
+from ...schema.mechanism import FrameRow
 from ..calling import Array
 from .standing import Plane, pose, speeds
 
@@ -31,24 +32,22 @@ def rotation(q: Array) -> Array:
 class Frames:
     """Frames by where they stand on their places: nodes, or the ground."""
 
-    def __init__(
-        self, rows: Sequence[Mapping[str, Any]], rotations: Array, positions: Array
-    ) -> None:
+    def __init__(self, rows: Sequence[FrameRow], rotations: Array, positions: Array) -> None:
         """Args:
         rows: Of the manifest.
         rotations: Axes of every frame in those of its place (n, 3, 3).
         positions: Its origin there (n, 3).
         """
-        self._rotation = dict(zip((r["name"] for r in rows), rotations, strict=True))
-        self._position = dict(zip((r["name"] for r in rows), positions, strict=True))
+        self._rotation = dict(zip((r.name for r in rows), rotations, strict=True))
+        self._position = dict(zip((r.name for r in rows), positions, strict=True))
         # first coordinate and speed of the node
-        self._starts = {row["name"]: row["node"] for row in rows}
-        self._planes = {row["name"]: Plane.of(row["plane"]) for row in rows}
+        self._starts = {row.name: row.node for row in rows}
+        self._planes = {row.name: Plane.of(row.plane) for row in rows}
 
     @classmethod
     def of(cls, model: CompiledModel) -> Frames:
         """The frames of a model at its parameters."""
-        return cls(model.manifest["frames"], *standing(model))
+        return cls(model.manifest.frames, *standing(model))
 
     def _node(self, frame: str, q: Array) -> tuple[Array, Array]:
         """R (..., 3, 3) and origin (..., 3) of the node that carries a frame."""
@@ -61,7 +60,7 @@ class Frames:
 
     def _speeds(self, frame: str, u: Array) -> tuple[Array, Array]:
         """Angular velocity in its axes and velocity in ground axes of the node, (3,) each."""
-        start, plane = self._starts[frame][1], self._planes[frame]
+        (_, start), plane = self._starts[frame] or (0, 0), self._planes[frame]
         size = 6 if plane is None else 3
         found = speeds(plane, u[start : start + size])
         return found[:3], found[3:]
@@ -117,10 +116,10 @@ def numbers(model: CompiledModel) -> dict[str, Array]:
 
 def standing(model: CompiledModel) -> tuple[Array, Array]:
     """Rotations (n, 3, 3) and origins (n, 3) of all frames on their places."""
-    at = model._evaluate_saved(model.manifest["mesh"]["frames"], p=model.parameters.vector)
+    at = model._evaluate_saved(model.manifest.elements.frames, p=model.parameters.vector)
     rotations, positions = (np.asarray(at[k], dtype=np.float64) for k in ("rotation", "position"))
     rotations, positions = rotations.reshape(-1, 3, 3), positions.reshape(-1, 3)
-    count = len(model.manifest["frames"])
+    count = len(model.manifest.frames)
     if len(rotations) != count:
         raise ModelError(
             f"{model.directory}: the manifest has {count} frames, functions.json {len(rotations)}. "

@@ -11,20 +11,18 @@ import numpy as np
 
 from ... import regular_file
 from ...errors import ModelError
+from ...schema.manifest import Manifest
 from ...schema.records import PARTS
 from ..calling import Array
-from ..motion_rows import count, listed, number, text
 from ..number_file import unpacked
 from ..objects import Code
 from .elements import Elements
 from .mesh import Mesh
-from .standing import Plane
-from .tables import Kind, PlaceKind, Table, Tables
+from .tables import Table, Tables
 
 if TYPE_CHECKING:
     from ..compiled import CompiledModel
 
-Manifest = Mapping[str, Any]
 FILE = "mesh.npz"
 WHOLE = ("z", "s", "outputs", "powers")
 
@@ -35,13 +33,11 @@ def tables(manifest: Manifest, directory: Path) -> Tables:
     Raises:
         ModelError: the file with its numbers is missing or damaged.
     """
-    mesh = manifest["mesh"]
     try:
         content = regular_file.content(directory / FILE)
-        if hashlib.sha256(content).hexdigest() != manifest["sha256"].get(FILE):
+        if hashlib.sha256(content).hexdigest() != manifest.sha256.get(FILE):
             raise ValueError("it is not the file its manifest speaks of")
-        sizes = (len(manifest[block]) for block in ("inputs", "z", "s", "outputs"))
-        found = _tables(mesh, unpacked(content), *sizes)
+        found = _tables(manifest, unpacked(content))
         _fit(found, manifest)
         _check_mesh(found, manifest)
         return found
@@ -58,7 +54,7 @@ def _fit(found: Tables, manifest: Manifest) -> None:
     kinds, places = len(found.kinds), len(found.kind)
     inside = found.kind.ndim == 1 and bool(np.all((found.kind >= 0) & (found.kind < kinds)))
     sizes = (found.nq, found.nu) if inside else ()
-    if sizes != (len(manifest["coordinates"]), len(manifest["speeds"])):
+    if sizes != (len(manifest.coordinates), len(manifest.speeds)):
         raise ValueError("its nodes are not those of the coordinates")
     for group in found.groups:
         n = len(group.place)
@@ -66,7 +62,7 @@ def _fit(found: Tables, manifest: Manifest) -> None:
             (places, group.place),
             (found.nz, group.z),
             (found.ns, group.s),
-            (len(manifest["outputs"]), group.outputs),
+            (len(manifest.outputs), group.outputs),
             (len(found.powers), group.powers),
         )
         for most, table in limits:
@@ -96,10 +92,10 @@ def _check_sizes(elements: Tables, group: Table) -> None:
     }
     for name, sizes in sums.items():
         stated = getattr(kind, name)
-        if type(stated) is not int or not np.all(sizes == stated):
-            raise ValueError(f"elements of '{kind.name}' have {name} = {stated!r:.40}")
-    if not (type(kind.m) is type(kind.mp) is int and 0 <= kind.mp <= kind.m):
-        raise ValueError(f"elements of '{kind.name}' have {kind.m!r:.40} constraints")
+        if not np.all(sizes == stated):
+            raise ValueError(f"elements of '{kind.name}' have {name} = {stated}")
+    if kind.mp > kind.m:
+        raise ValueError(f"elements of '{kind.name}' have {kind.m} constraints")
 
 
 def _check_mesh(elements: Tables, manifest: Manifest) -> None:
@@ -108,54 +104,56 @@ def _check_mesh(elements: Tables, manifest: Manifest) -> None:
     Raises:
         ValueError: it is not.
     """
-    mesh, available, places = manifest["mesh"], manifest["functions"], len(elements.kind)
-    levels = [row["level"] for row in manifest["multipliers"]]
+    mesh, available, places = manifest.elements, manifest.functions, len(elements.kind)
     kinds = [group.kind for group in elements.groups]
     functions = [kind.functions for kind in elements.kinds] + [kind.functions for kind in kinds]
     missing = [name for each in functions for name in each.values() if name not in available]
     if missing:
         raise ValueError(f"functions of elements are not there: {missing!r:.80}")
     for kind in kinds:
-        most = available[kind.functions["balance_tangent"]]["output_size"] if kind.parts else 0
+        most = available[kind.functions["balance_tangent"]].output_size if kind.parts else 0
         for name, start in kind.parts.items():
             size = (kind.m if name in "RG" else kind.nu) * kind.nu
-            if not (type(start) is int and name in PARTS and 0 <= start <= most - size):
+            if name not in PARTS or start > most - size:
                 raise ValueError(f"matrices of '{kind.name}' lie outside of its tangent")
     inside = all(np.all((line >= -1) & (line < places)) for line in elements.beams)
-    names = [mesh["frames"], mesh["states"], *elements.powers, *(g.common for g in elements.groups)]
     for right, what in (
-        ((elements.mp, elements.m) == (levels.count("position"), len(levels)), "multipliers"),
-        (inside and len(elements.beams) == len(manifest["beams"]), "beams"),
-        (listed(count)(mesh["loose"]) and all(k < places for k in mesh["loose"]), "loose nodes"),
-        (all(map(text, names)), "saved functions and powers"),
+        ((elements.mp, elements.m) == (manifest.held, len(manifest.multipliers)), "multipliers"),
+        (inside and len(elements.beams) == len(manifest.beams), "beams"),
+        (all(k < places for k in mesh.beam_nodes), "loose nodes"),
         # squares of them are numbers
-        (listed(number)(mesh["rest"]) and all(abs(x) < 1e150 for x in mesh["rest"]), "rest"),
-        (isinstance(mesh["reactions"], dict), "reactions"),
+        (all(abs(x) < 1e150 for x in mesh.reference), "rest"),
     ):
         if not right:
             raise ValueError(f"its {what} are not those of the manifest")
 
 
-def _tables(told: Manifest, numbers: Manifest, nr: int, nz: int, ns: int, outputs: int) -> Tables:
-    kinds = {row["name"]: Kind(**row) for row in told["kinds"]}
-    groups = []
-    for k, row in enumerate(told["groups"]):
-        groups.append(
-            Table(
-                kind=kinds[row["kind"]],
-                place=numbers[f"place_{k}"].astype(np.intp),
-                common=row["common"],
-                own=numbers.get(f"own_{k}"),
-                members=row["members"],
-                **{name: _whole(numbers.get(f"{name}_{k}")) for name in WHOLE},
-            )
+def _tables(manifest: Manifest, numbers: Mapping[str, Any]) -> Tables:
+    told = manifest.elements
+    kinds = {kind.name: kind for kind in told.kinds}
+    groups = tuple(
+        Table(
+            kind=kinds[row.kind],
+            place=numbers[f"place_{k}"].astype(np.intp),
+            common=row.common,
+            own=numbers.get(f"own_{k}"),
+            members=row.members,
+            **{name: _whole(numbers.get(f"{name}_{k}")) for name in WHOLE},
         )
-    places = tuple(PlaceKind(**{**row, "plane": Plane.of(row["plane"])}) for row in told["places"])
-    lines = tuple(numbers[f"line_{k}"].astype(np.intp) for k in range(told["lines"]))
-    stations = tuple(numbers[f"stations_{k}"] for k in range(told["lines"]))
-    kind = numbers["kind"].astype(np.intp)
-    powers = tuple(told["powers"])
-    return Tables(places, kind, tuple(groups), nr, nz, ns, lines, stations, powers, outputs)
+        for k, row in enumerate(told.groups)
+    )
+    return Tables(
+        kinds=tuple(told.places),
+        kind=numbers["kind"].astype(np.intp),
+        groups=groups,
+        nr=len(manifest.inputs),
+        nz=len(manifest.z),
+        ns=len(manifest.s),
+        beams=tuple(numbers[f"line_{k}"].astype(np.intp) for k in range(told.segments)),
+        stations=tuple(numbers[f"stations_{k}"] for k in range(told.segments)),
+        powers=tuple(told.power_sources),
+        outputs=len(manifest.outputs),
+    )
 
 
 def _whole(array: Any) -> Any:
@@ -210,5 +208,5 @@ def load(model: CompiledModel) -> Mesh:
 
     data = [data_of(model, group) for group in found.groups]
     # of the model: whoever loads its functions holds it already
-    lock, entries = objects.lock, model.manifest["functions"]
+    lock, entries = objects.lock, model.manifest.functions
     return Mesh(found, entries, codes, data, model._kernels(), lock, judge)

@@ -52,10 +52,10 @@ def rows(model: CompiledModel, results: Results, seed: int, judged: bool) -> lis
 
 def _whole(model: CompiledModel, results: Results, q: Array, u: Array) -> Iterator[Row]:
     """What adds up the elements, called from Python."""
-    entries = model.manifest["functions"]
+    entries = model.manifest.functions
     for name, asked in WHOLE.items():
         operations = sum(
-            len(group) * sum(entries[group.kind.functions[form]]["operations"].values())
+            len(group) * sum(entries[group.kind.functions[form]].operations.values())
             for group in results.tables.groups
             for form in NEEDED[asked]
             if form in group.kind.functions
@@ -80,7 +80,7 @@ def _elements(model: CompiledModel, results: Results, at: State, judged: bool) -
             run, found = _ready(code, given, len(group))
             spent = measuring.timed(run, len(found)) if code.interpreted is None else math.nan
             run()
-            operations = sum(code.entry["operations"].values())
+            operations = sum(code.entry.operations.values())
             several = found[: len(groups[number])]
             error = _error(saved[symbol], given, several) if judged else None
             yield Row(
@@ -97,7 +97,7 @@ def _ready(code: Code, given: dict[str, Array], n: int) -> tuple[Callable[[], An
     for name, array in (arrays | {"w": loaded.prepare(code, given["p"])}).items():
         rows = np.broadcast_to(array, (n, array.shape[-1]))[which]
         blocks[SLOT[name]], strides[SLOT[name]] = rows.flatten(), rows.shape[1]
-    size, work = (int(code.entry[f"{name}_size"]) for name in ("output", "work"))
+    size, work = code.entry.output_size, code.entry.work_size
     out = np.empty((len(which), size))
     if code.interpreted is not None:
         return partial(code.interpreted.run, blocks, strides, out), out
@@ -106,7 +106,7 @@ def _ready(code: Code, given: dict[str, Array], n: int) -> tuple[Callable[[], An
 
 def _lanes(code: Code, group: Table) -> int:
     """Elements side by side where the mesh runs through them."""
-    return width() if len(group) >= WORTH and width() in code.entry["lanes"] else 1
+    return width() if len(group) >= WORTH and width() in code.entry.lanes else 1
 
 
 def _error(saved: dict[str, Any], given: dict[str, Array], found: Array) -> float:

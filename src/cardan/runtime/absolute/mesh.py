@@ -13,6 +13,8 @@ from numpy.typing import NDArray
 
 from ...errors import SolveError
 from ...schema.blocks import ORDER
+from ...schema.c_functions import FunctionRow
+from ...schema.finite_elements import ElementKind
 from ...schema.planned import Fields
 from ...schema.records import FORMS, Form, Group, MeshRecord, Movers, StateRecord
 from .. import lanes as lane_builds
@@ -27,7 +29,7 @@ from .elements import INNER, Elements, State
 from .massless import refusal
 from .matrices import Matrices
 from .record_fields import group_fields, mesh_fields, mover_fields
-from .tables import Kind, Table, Tables
+from .tables import Table, Tables
 
 Array = NDArray[np.float64]
 # elements of a group from which on lanes are compiled
@@ -51,7 +53,7 @@ NEEDED = {
 }
 
 
-def _given(kind: Kind, nr: int) -> dict[str, int]:
+def _given(kind: ElementKind, nr: int) -> dict[str, int]:
     """Sizes of the blocks that the functions of a kind are given."""
     along = dict.fromkeys(("u", "udot", "du"), kind.nu)
     # elements of mixed form are given their stress as z while one searches for rest
@@ -76,7 +78,7 @@ class Mesh(Elements):
     def __init__(
         self,
         tables: Tables,
-        entries: Mapping[str, Mapping[str, Any]],
+        entries: Mapping[str, FunctionRow],
         load: Callable[[Sequence[str]], Mapping[str, Code]],
         data: Sequence[Array],
         library: ctypes.CDLL,
@@ -179,7 +181,7 @@ class Mesh(Elements):
         recipes = {
             code.symbol: code.recipe
             for code in codes
-            if code.recipe is not None and 1 < self._width in code.entry["lanes"]
+            if code.recipe is not None and 1 < self._width in code.entry.lanes
         }
         made = together([partial(recipe.made, self._width, True) for recipe in recipes.values()])
         for built in made:
@@ -191,7 +193,7 @@ class Mesh(Elements):
         """Connect a function of a kind, with the data of its elements prepared."""
         w = prepare(code, data)
         form.one, form.w, form.nw = code.address, self._pointer(w), w.shape[1]
-        form.size = int(code.entry["output_size"])
+        form.size = int(code.entry.output_size)
         if built is None:
             return
         self._keep.append(built)
@@ -302,7 +304,7 @@ class Mesh(Elements):
         self.connect(form)
         k = FORMS.index(form)
         with_it = [g for g in self.tables.groups if form in g.kind.functions]
-        sizes = [int(self._codes[g.kind.functions[form]].entry["output_size"]) for g in with_it]
+        sizes = [int(self._codes[g.kind.functions[form]].entry.output_size) for g in with_it]
         counts = [len(g) * size for g, size in zip(with_it, sizes, strict=True)]
         out = np.empty(sum(counts))
         self._call("results", at, k, _at(out))

@@ -30,7 +30,7 @@ def planned(folder: Path) -> Planned:
     model = CompiledModel(folder)
     tables, size = loading.tables_of(model), size_of(model)
     return Planned(
-        mesh_fields(tables, model.manifest["functions"]),
+        mesh_fields(tables, model.manifest.functions),
         group_fields(tables),
         mover_fields(tables),
         plan_fields(tables.once(Matrices.of).plan),
@@ -44,8 +44,8 @@ def planned(folder: Path) -> Planned:
 def _start(folder: Path, model: CompiledModel) -> Array:
     """Where a run starts (nx,); what joints of the tree carry needs no search."""
     start, free = start_of(model, {}, {}, {})
-    tree = {row["name"] for row in model.manifest["joints"]}
-    closed = any(row["joint"] not in tree for row in model.manifest["multipliers"])
+    tree = {row.name for row in model.manifest.joints}
+    closed = any(row.joint not in tree for row in model.manifest.multipliers)
     if closed or Carrier(model, free).links:
         # equal bits on every machine; a start that cannot be assembled is told when it is asked for
         with suppress(ModelError):
@@ -58,7 +58,7 @@ def _held(model: CompiledModel) -> NDArray[np.bool_]:
     if not loading.tables_of(model).beams:
         lead = leading(model)
         held[model.nq :] = lead
-        for row in model.manifest["joints"]:
-            (place, count), (first, _) = row["q"], row["u"]
+        for row in model.manifest.joints:
+            (place, count), (first, _) = row.slot("q"), row.slot("u")
             held[place : place + count] = lead[first]
     return held

@@ -7,15 +7,16 @@ among them.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
 
 import numpy as np
 
+from ...schema.c_functions import FunctionRow
+from ...schema.finite_elements import ElementKind
 from ...schema.planned import Fields
 from ...schema.records import PARTS
 from .elements import INNER
 from .matrices import Matrices
-from .tables import Kind, Tables
+from .tables import Tables
 
 SIZES = ("nq", "nu", "nz", "ns", "mp", "m")
 
@@ -59,7 +60,7 @@ def mover_fields(tables: Tables) -> list[tuple[Fields, dict[str, str]]]:
     return listed
 
 
-def mesh_fields(tables: Tables, entries: Mapping[str, Mapping[str, Any]]) -> Fields:
+def mesh_fields(tables: Tables, entries: Mapping[str, FunctionRow]) -> Fields:
     """Of ``cardan_mesh``, but for its groups, its movers and its plan.
 
     Args:
@@ -77,7 +78,7 @@ def mesh_fields(tables: Tables, entries: Mapping[str, Mapping[str, Any]]) -> Fie
         "flat": flats,
         "unknown": matrices.unknown,
         "diagonal": matrices.diagonal,
-        "work": max((int(entry["work_size"]) for entry in entries.values()), default=0),
+        "work": max((entry.work_size for entry in entries.values()), default=0),
         "local": max((_local(group.kind, entries) for group in tables.groups), default=0),
         "powers": len(tables.powers),
         "driven": int(tables.driven),
@@ -85,8 +86,7 @@ def mesh_fields(tables: Tables, entries: Mapping[str, Mapping[str, Any]]) -> Fie
     }
 
 
-def _local(kind: Kind, entries: Mapping[str, Mapping[str, Any]]) -> int:
+def _local(kind: ElementKind, entries: Mapping[str, FunctionRow]) -> int:
     """Numbers that an element reads, and gives at most."""
     reads = kind.nq + 3 * kind.nu + kind.m + kind.nz + kind.ns + INNER
-    sizes = (int(entries[symbol]["output_size"]) for symbol in kind.functions.values())
-    return reads + max(sizes, default=0)
+    return reads + max((entries[x].output_size for x in kind.functions.values()), default=0)

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
+from ...schema import finite_elements
 from ..calling import Array
 
 
@@ -25,9 +25,9 @@ class Plane:
     home: Array
 
     @staticmethod
-    def of(told: dict[str, Any] | None) -> Plane | None:
+    def of(row: finite_elements.Plane | None) -> Plane | None:
         """From the manifest, None of other places."""
-        return None if told is None else Plane(*(np.array(told[x]) for x in ("spread", "home")))
+        return None if row is None else Plane(np.array(row.spread), np.array(row.home))
 
     def pose(self, q: Array) -> Array:
         """Unit quaternions and positions (..., 7) of coordinates (..., 3)."""

@@ -2,68 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ...schema.finite_elements import ElementKind, PlaceKind
 from .standing import Plane, pose, speeds
 
 Array = NDArray[np.float64]
 Integers = NDArray[np.intp]
 T = TypeVar("T")
-
-
-@dataclass(frozen=True)
-class PlaceKind:
-    """What a place holds.
-
-    Attributes:
-        name: "node", "plane_node", "line<k>" or that of a joint.
-        nq, nu: Numbers of coordinates and speeds.
-        quaternion: Index of the scalar part of a unit quaternion in its q, None without one.
-        functions: C name of ``move`` and ``qdot`` where speeds are not rates.
-        plane: Of nodes of a plane how they stand in space.
-    """
-
-    name: str
-    nq: int
-    nu: int
-    quaternion: int | None = None
-    functions: Mapping[str, str] = field(default_factory=dict)
-    plane: Plane | None = None
-
-    @property
-    def node(self) -> bool:
-        """Whether it is a node, which moves by itself."""
-        return self.name == "node" or self.plane is not None
-
-
-@dataclass(frozen=True)
-class Kind:
-    """What elements share.
-
-    Attributes:
-        name: C identifier.
-        nq, nu, nz, ns: Local sizes.
-        m, mp: Rows of constraints, and those of them of positions, which come first.
-        functions: Name -> C name.
-        parts: Matrices of the tangent -> where they begin in it.
-        outputs: Name -> number of results of functions.
-    """
-
-    name: str
-    nq: int
-    nu: int
-    m: int
-    mp: int
-    nz: int = 0
-    ns: int = 0
-    functions: Mapping[str, str] = field(default_factory=dict)
-    parts: Mapping[str, int] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -81,7 +33,7 @@ class Table:
         outputs, powers: (n, k) entries of the scene's to which they contribute.
     """
 
-    kind: Kind
+    kind: ElementKind
     place: Integers
     common: str = ""
     own: Array | None = None
@@ -195,6 +147,15 @@ class Tables:
 
     # nodes in space
 
+    @cached_property
+    def planes(self) -> tuple[Plane | None, ...]:
+        """Of every kind of place how nodes of a plane stand in space, None of others."""
+        return tuple(Plane.of(kind.plane) for kind in self.kinds)
+
+    def plane(self, place: int) -> Plane | None:
+        """How a node of a plane stands in space, None of others."""
+        return self.planes[int(self.kind[place])]
+
     def nodes(self, flat: bool) -> Integers:
         """Places that are nodes, those of a plane or all others."""
         kinds = [k for k, x in enumerate(self.kinds) if x.node and (x.plane is not None) == flat]
@@ -202,11 +163,11 @@ class Tables:
 
     def pose(self, q: Array, place: int) -> Array:
         """Unit quaternion and position (7,) of a node at coordinates of the model."""
-        return pose(self.kinds[self.kind[place]].plane, q[self.q[place] : self.q[place + 1]])
+        return pose(self.plane(place), q[self.q[place] : self.q[place + 1]])
 
     def speeds(self, u: Array, place: int) -> Array:
         """Angular velocity in its axes and velocity in those of the ground (6,) of a node."""
-        return speeds(self.kinds[self.kind[place]].plane, u[self.u[place] : self.u[place + 1]])
+        return speeds(self.plane(place), u[self.u[place] : self.u[place + 1]])
 
     def distances(self, q: Array, units: Array) -> Array:
         """How large the coordinates are that speeds change (nu,), in units; angles count 1.
@@ -235,13 +196,15 @@ class Tables:
         """Unit quaternions and positions (n, 7) of nodes at coordinates of the model."""
         found = np.empty((len(places), 7))
         for kind, some in self._alike(places):
-            found[some] = pose(kind.plane, q[self._entries(self.q, places[some], kind.nq)])
+            found[some] = pose(
+                Plane.of(kind.plane), q[self._entries(self.q, places[some], kind.nq)]
+            )
         return found
 
     def put(self, x: Array, places: Integers, poses: Array, speeds: Array) -> None:
         """Write poses (n, 7) and speeds (n, 6) of nodes into a state."""
         for kind, some in self._alike(places):
-            plane, here, u = kind.plane, poses[some], speeds[some]
+            plane, here, u = Plane.of(kind.plane), poses[some], speeds[some]
             at = self._entries(self.q, places[some], kind.nq)
             x[at] = here if plane is None else plane.told(here, x[at[:, 2]])
             at = self.nq + self._entries(self.u, places[some], kind.nu)

@@ -132,8 +132,8 @@ class Asked:
         n, scale = len(self.truth.q), self.length
         found = np.zeros(n)
         for name, rate in rates.items():
-            rows = self.model.manifest["coordinates"] if name == "q" else ()
-            sizes = np.array([scale if row["unit"] == "m" else 1.0 for row in rows])
+            rows = self.model.manifest.coordinates if name == "q" else ()
+            sizes = np.array([scale if row.unit == "m" else 1.0 for row in rows])
             parts = np.abs(rate / sizes if len(sizes) else rate)
             found = np.maximum(found, parts.max(axis=-1, initial=0.0))
         return found

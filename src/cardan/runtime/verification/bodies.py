@@ -13,10 +13,10 @@ from .differences import relative
 def _frame(asked: Asked, name: str) -> tuple[int, Array, Array]:
     """Number of the body of a frame behind the ground, rotation and place in its axes."""
     manifest, numbers = asked.model.manifest, asked.scene.numbers
-    bodies = {body["name"]: k for k, body in enumerate(manifest["bodies"])}
-    for k, row in enumerate(manifest["frames"]):
-        if row["name"] == name:
-            body = bodies.get(row["body"], -1) + 1
+    bodies = {body.name: k for k, body in enumerate(manifest.bodies)}
+    for k, row in enumerate(manifest.frames):
+        if row.name == name:
+            body = bodies.get(row.body, -1) + 1
             return body, numbers["frame_rotation"][k], numbers["frame_position"][k]
     raise ValueError(f"no frame '{name}'")
 

@@ -163,9 +163,9 @@ def checks(
         functions: Names that are checked; all that are loaded by default.
         states, seed: Number of random motions, and what they are drawn from.
     """
-    if not model.manifest["multipliers"]:
+    if not model.manifest.multipliers:
         return {}
-    if "mesh" in model.manifest:
+    if model.manifest.absolute:
         elements = model._source.results(model).mesh  # type: ignore[attr-defined]
         return said(of_elements(model, elements, states, seed))
     loaded = {name for name, of in model._functions if of is None}
@@ -202,7 +202,7 @@ def _motions(
     rng, time = np.random.default_rng(seed), np.asarray(TIME)
     # as the scene tells it: circuits that no motion closes there say nothing against constraints
     start, r0 = start_of(model, {}, {})[0][: model.nq], model._layout.start("r")
-    names = [row["name"] for row in model.manifest["inputs"]]
+    names = [row.name for row in model.manifest.inputs]
     for _ in range(states):
         q = move(start, MOVE * rng.uniform(-1, 1, model.nu))
         u, udot = rng.uniform(-1, 1, (2, model.nu))
@@ -293,7 +293,7 @@ def of_functions(model: CompiledModel, states: int, seed: int) -> dict[str, floa
             G = saved(JACOBIAN, blocks(at), (model.nlam, model.nu))
         return G @ x, np.abs(G * x).max(axis=-1, initial=0.0)
 
-    held = sum(row["level"] == "position" for row in model.manifest["multipliers"])
+    held = sum(row.level == "position" for row in model.manifest.multipliers)
     levels = Levels(lambda at: saved("constraints", blocks(at), (len(at.q), held)), rates, product)
     t = np.array([TIME])
     drawn = _motions(

@@ -66,7 +66,7 @@ def rhs(asked: Asked, of: str) -> float:
 
 def _unknown(asked: Asked, name: str) -> str:
     """Why a function cannot be judged; "" if it can."""
-    truth, treatment = asked.truth, asked.model.manifest["scene"].get("treatment")
+    truth, treatment = asked.truth, asked.model.manifest.scene.treatment
     if asked.adrift and name in BOUND_BY_LOOPS:
         return asked.adrift
     if name in loops.JUDGES and name not in SOLVED and truth.bound is None:
@@ -75,8 +75,8 @@ def _unknown(asked: Asked, name: str) -> str:
         return SINGULAR
     if truth.f is None and name in (*SOLVED, "inverse_dynamics"):
         return "the forces of the model are not saved"
-    if name in SOLVED and treatment and not treatment["exact"]:
-        return f"constraints treated by '{treatment['name']}' give way"
+    if name in SOLVED and treatment and not treatment.exact:
+        return f"constraints treated by '{treatment.name}' give way"
     if name == "multipliers" and not asked.knows("constraint_jacobian"):
         return "constraint_jacobian is not compiled"
     return ""

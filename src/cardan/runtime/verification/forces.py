@@ -54,7 +54,7 @@ def _generalized(asked: Asked, loads: Loads) -> Array:
 def applied(asked: Asked, of: str | None) -> float | str:
     """Generalized forces of the wrenches of all elements, and of what acts along joints."""
     value = asked.call("applied")
-    if asked.model.manifest["scene"].get("forces") == []:
+    if asked.model.manifest.scene.forces == []:
         return relative(value, np.ones_like(value))
     if "wrenches" not in asked.model.saved:
         return "what elements do on bodies is not saved"
@@ -71,10 +71,10 @@ def _outside(asked: Asked) -> tuple[Array, Loads]:
     block = np.random.default_rng(5).uniform(-1, 1, (n, len(parts), 6))
     moments = [np.zeros((n, 3)) for _ in asked.scene.parents]
     forces = [np.zeros((n, 3)) for _ in asked.scene.parents]
-    places = {row["name"]: k for k, row in enumerate(manifest["frames"])}
+    places = {row.name: k for k, row in enumerate(manifest.frames)}
     row = 0
-    for i, body in enumerate(manifest["bodies"]):
-        for part in body["parts"]:
+    for i, body in enumerate(manifest.bodies):
+        for part in body.parts:
             at = asked.scene.numbers["frame_position"][places[part]]
             arm = times(m.turned[i + 1], at)
             moment, force = block[:, row, :3], block[:, row, 3:]
@@ -87,8 +87,8 @@ def _outside(asked: Asked) -> tuple[Array, Loads]:
 def reaction(asked: Asked, of: str) -> float | str:
     """What a joint hands on: what the bodies behind it need, less what acts on them otherwise."""
     manifest, model = asked.model.manifest, asked.model
-    joints = [row["name"] for row in manifest["joints"]]
-    cuts = [row["name"] for row in manifest.get("cuts", ())]
+    joints = [row.name for row in manifest.joints]
+    cuts = [row.name for row in manifest.cuts]
     why = _why_not(asked, of, joints, cuts)
     if why:
         return why
@@ -122,9 +122,9 @@ def _why_not(asked: Asked, of: str, joints: list[str], cuts: list[str]) -> str:
     manifest = asked.model.manifest
     if of not in joints and of not in cuts:
         return "inside of a rigid body"
-    if any(joint.get("solved") for joint in manifest["joints"]):
+    if any(joint.solved for joint in manifest.joints):
         return "loops in closed form"
-    if any(row["name"] == row["joint"] for row in manifest["multipliers"]):
+    if any(row.name == row.joint for row in manifest.multipliers):
         return "constraints of the user's own"
     if asked.redundant:
         return "redundant constraints leave it undetermined"
@@ -189,7 +189,7 @@ def _at_joint(asked: Asked, i: int, moment: Array, force: Array) -> Array:
     """What joint i hands on, on its declared child at its frame in its axes."""
     m, scene = asked.moving, asked.scene
     manifest = asked.model.manifest
-    if manifest["joints"][i]["child"] == manifest["bodies"][i]["name"]:
+    if manifest.joints[i].child == manifest.bodies[i].name:
         back = np.swapaxes(m.turned[i + 1], -1, -2)
         return np.concatenate([times(back, moment), times(back, force)], axis=-1)
     q, u, _, motion = asked.tree

@@ -51,7 +51,7 @@ FRAMES = ("pose", "velocity", "acceleration", "frame_jacobian")
 
 def _placed(asked: Asked, frame: str | None) -> bool:
     """Whether the flat scene has a frame."""
-    frames = [row["name"] for row in asked.model.manifest["frames"]]
+    frames = [row.name for row in asked.model.manifest.frames]
     return frame in frames and "frame_rotation" in asked.scene.numbers
 
 

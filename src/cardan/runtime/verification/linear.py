@@ -22,10 +22,10 @@ CHANGED = 0.25
 def _frames(asked: Asked) -> Iterator[tuple[int, Array, Array]]:
     """Of every body with parts its number, and the frame of the first part in its axes."""
     manifest, numbers = asked.model.manifest, asked.scene.numbers
-    places = {row["name"]: k for k, row in enumerate(manifest["frames"])}
-    for i, body in enumerate(manifest["bodies"]):
-        if body["parts"]:
-            k = places[body["parts"][0]]
+    places = {row.name: k for k, row in enumerate(manifest.frames)}
+    for i, body in enumerate(manifest.bodies):
+        if body.parts:
+            k = places[body.parts[0]]
             yield i, numbers["frame_rotation"][k], numbers["frame_position"][k]
 
 
@@ -88,7 +88,7 @@ def _elements(asked: Asked, value: Array, first: int, name: str, worst: float) -
     if not asked.knows(name, "inertial_parameters"):
         return ELSEWHERE
     known = dict(model.parameters)
-    entries = model._function("inertial_parameters", None).outputs[0]["entries"][first:]
+    entries = model._function("inertial_parameters", None).outputs[0].entries[first:]
     left = {k for k, entry in enumerate(entries) if entry not in known}
     phi = asked.call("inertial_parameters")
     # those that are parameters, and expressions of other parameters
@@ -143,7 +143,7 @@ def inertial_parameters(asked: Asked, of: str | None) -> float:
         inertia = numbers["inertia"][i] - P.T @ S - S.T @ P
         own = R.T @ (inertia + m * P.T @ P) @ R
         known += [m, *(R.T @ (s - m * p)), *(own[cell] for cell in CELLS.values())]
-    entries = model._function("inertial_parameters", None).outputs[0]["entries"]
+    entries = model._function("inertial_parameters", None).outputs[0].entries
     values = dict(model.parameters)
     rest = [float(values.get(name, found)) for name, found in zip(entries, value, strict=True)]
     whole = np.array([*known, *rest[len(known) :]])

@@ -12,9 +12,10 @@ import numpy as np
 from ...ir.interpreter import evaluate
 from ...ir.serialize import from_dict
 from ...schema.blocks import ORDER, SLOT
+from ...schema.finite_elements import PlaceKind
 from .. import abi, loaded
 from ..absolute.elements import Elements, State
-from ..absolute.tables import PlaceKind, Table, Tables
+from ..absolute.tables import Table, Tables
 from ..initial import start_of
 from ..joint_motion import Array
 from ..objects import Code
@@ -80,7 +81,7 @@ class Members:
             # pointers of blocks without entries are read by nobody
             room = rows.reshape(-1) if rows.size else np.zeros(1)
             flat[SLOT[name]], strides[SLOT[name]] = room, rows.shape[1]
-        size, work = (int(code.entry[f"{name}_size"]) for name in ("output", "work"))
+        size, work = code.entry.output_size, code.entry.work_size
         out = np.empty((n, size))
         with np.errstate(all="ignore"):
             if code.interpreted is not None:

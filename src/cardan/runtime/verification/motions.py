@@ -26,15 +26,15 @@ def rates(asked: Asked, udot: Array) -> dict[str, Array]:
 def moves_alone(asked: Asked) -> str:
     """Why the motion cannot be followed; "" where it can."""
     truth, manifest = asked.truth, asked.model.manifest
-    treatment = manifest["scene"].get("treatment")
+    treatment = manifest.scene.treatment
     if asked.adrift:
         return asked.adrift
     if truth.f is None or truth.M is None:
         return "its own motion is not known"
     if singular(truth):
         return "the mass matrix is singular"
-    if treatment and not treatment["exact"]:
-        return f"constraints treated by '{treatment['name']}' give way"
+    if treatment and not treatment.exact:
+        return f"constraints treated by '{treatment.name}' give way"
     if "scene_motion" in asked.model.saved and asked.model.nr:
         return "inputs move joints"
     if not asked.knows("qdot", *(["rhs"] if asked.model.nz else [])):
@@ -47,7 +47,7 @@ def energy(asked: Asked, of: str | None) -> float | str:
     value, known, falls = asked.call("energy"), kinetic(asked), weight(asked)
     error = relative((value[:, 0] - known)[:, None], known[:, None])
     error = max(error, relative(value[:, 2] - value[:, :2].sum(axis=-1), value))
-    if asked.model.manifest["scene"].get("forces") == []:
+    if asked.model.manifest.scene.forces == []:
         height = np.abs(falls)[:, None]
         return max(error, relative((value[:, 1] - falls)[:, None], height, known[:, None]))
     gained = ledger(asked, of)
@@ -116,7 +116,7 @@ def balance(asked: Asked, of: str | None) -> float | str:
     inertia = push(asked.scene, truth, udot) if truth.M is None else times(truth.M, udot)
     # with friction from reactions it is that of the model's own motion
     f = np.zeros_like(truth.h) if truth.f is None else truth.f
-    lam = np.random.default_rng(2).uniform(-1, 1, (len(udot), len(model.manifest["multipliers"])))
+    lam = np.random.default_rng(2).uniform(-1, 1, (len(udot), len(model.manifest.multipliers)))
     known = inertia + truth.h - f
     value = asked.call("balance", None, {"lam": lam})
     if lam.shape[-1]:
@@ -136,7 +136,7 @@ def balance_tangent(asked: Asked, of: str | None) -> float | str:
     model = asked.model
     if not asked.knows("balance", "qdot"):
         return ELSEWHERE
-    n, nu, m = len(asked.truth.q), model.nu, len(model.manifest["multipliers"])
+    n, nu, m = len(asked.truth.q), model.nu, len(model.manifest.multipliers)
     lam = np.random.default_rng(2).uniform(-1, 1, (n, m))
     given = {"lam": lam}
     flat, worst = asked.call("balance_tangent", None, given), np.nan

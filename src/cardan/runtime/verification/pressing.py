@@ -117,7 +117,7 @@ def pressed(model: CompiledModel, scene: Scene, n: int, given: dict[str, Any]) -
         n: States.
         given: Blocks at the states.
     """
-    rows = model.manifest["scene"].get("pressed")
+    rows = model.manifest.scene.pressed
     if not rows:
         return None
 

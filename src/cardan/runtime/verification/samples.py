@@ -5,49 +5,49 @@ The manifest has its numbers at some states; neither SymPy nor an expression of 
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ...schema.tree import SampleRow
+
 if TYPE_CHECKING:
     from ..compiled import CompiledModel
 
 Array = NDArray[np.float64]
-Sample = Mapping[str, Any]
 CHANGED = "not checked: values are built in that SymPy's numbers do not belong to"
 YIELDING = "not checked: constraints treated by '{}' give way"
 APART = "not checked: SymPy tells no numbers of it"
 
 
-def samples_of(model: CompiledModel) -> Sequence[Sample]:
+def samples_of(model: CompiledModel) -> Sequence[SampleRow]:
     """The states of which SymPy's numbers are known; none of models of bodies."""
-    found: Sequence[Sample] = (model.manifest.get("scene") or {}).get("samples", ())
-    return found
+    return model.manifest.scene.samples
 
 
 def error(model: CompiledModel, name: str) -> tuple[float, str]:
     """Largest difference of a function over the largest term of its equation, or why not known."""
     found = samples_of(model)
-    built = model.manifest.get("structural", {})
-    if any(built.get(key, value) != value for s in found for key, value in s["p"].items()):
+    built = model.manifest.structural
+    if any(built.get(key, value) != value for s in found for key, value in s.p.items()):
         return np.nan, CHANGED
-    treatment = model.manifest["scene"].get("treatment")
-    if name in ("forward_dynamics", "rhs") and treatment and not treatment["exact"]:
-        return np.nan, YIELDING.format(treatment["name"])
+    treatment = model.manifest.scene.treatment
+    if name in ("forward_dynamics", "rhs") and treatment and not treatment.exact:
+        return np.nan, YIELDING.format(treatment.name)
     if name not in CHECKS:
         return np.nan, APART
     return max(CHECKS[name](model, sample) for sample in found), ""
 
 
-def _given(model: CompiledModel, sample: Sample, *blocks: str) -> dict[str, Any]:
+def _given(model: CompiledModel, sample: SampleRow, *blocks: str) -> dict[str, Any]:
     """Arguments of a function at a sample."""
     known = set(model.parameters)
-    values = {key: value for key, value in sample["p"].items() if key in known}
-    arrays = {block: np.array(sample[block], dtype=np.float64) for block in blocks}
-    r = model._vector("r", dict(sample["r"]))
-    return {**arrays, "t": sample["t"], "r": r, "parameters": values or None}
+    values = {key: value for key, value in sample.p.items() if key in known}
+    arrays = {block: np.array(getattr(sample, block), dtype=np.float64) for block in blocks}
+    r = model._vector("r", dict(sample.r))
+    return {**arrays, "t": sample.t, "r": r, "parameters": values or None}
 
 
 def _relative(difference: Array, *terms: Array) -> float:
@@ -58,44 +58,44 @@ def _relative(difference: Array, *terms: Array) -> float:
     return float(apart.max(initial=0.0)) / max(largest, 1e-300)
 
 
-def _mass_matrix(model: CompiledModel, sample: Sample) -> float:
-    M = np.array(sample["M"])
+def _mass_matrix(model: CompiledModel, sample: SampleRow) -> float:
+    M = np.array(sample.M)
     return _relative(model.mass_matrix(**_given(model, sample, "q")) - M, M)
 
 
-def _qdot(model: CompiledModel, sample: Sample) -> float:
-    rates = np.array(sample["qdot"])
+def _qdot(model: CompiledModel, sample: SampleRow) -> float:
+    rates = np.array(sample.qdot)
     return _relative(model.qdot(**_given(model, sample, "q", "u")) - rates, rates)
 
 
-def _bias(model: CompiledModel, sample: Sample) -> float:
+def _bias(model: CompiledModel, sample: SampleRow) -> float:
     """All forces are applied ones."""
     return _relative(model.bias(**_given(model, sample, "q", "u")), np.ones(1))
 
 
-def _inverse(model: CompiledModel, sample: Sample) -> float:
-    M, f = np.array(sample["M"]), np.array(sample["f"])
+def _inverse(model: CompiledModel, sample: SampleRow) -> float:
+    M, f = np.array(sample.M), np.array(sample.f)
     udot = np.linspace(-1.0, 1.0, len(f))
     tau = model.inverse_dynamics(**_given(model, sample, "q", "u"), udot=udot)
     return _relative(tau - (M @ udot - f), M * udot, f)
 
 
-def _forward(model: CompiledModel, sample: Sample) -> float:
+def _forward(model: CompiledModel, sample: SampleRow) -> float:
     return _balance(sample, model.forward_dynamics(**_given(model, sample, "q", "u")))
 
 
-def _rhs(model: CompiledModel, sample: Sample) -> float:
+def _rhs(model: CompiledModel, sample: SampleRow) -> float:
     given = _given(model, sample, "q", "u")
     start = model._layout.start("z")
     x = np.concatenate([given.pop("q"), given.pop("u"), start])
     qdot, udot = model.split(model.rhs(given.pop("t"), x, given.pop("r"), **given))
-    rates = np.array(sample["qdot"])
+    rates = np.array(sample.qdot)
     return max(_balance(sample, udot), _relative(qdot - rates, rates))
 
 
-def _balance(sample: Sample, udot: Array) -> float:
+def _balance(sample: SampleRow, udot: Array) -> float:
     """Residual of SymPy's rows at the accelerations, over the largest product or number in it."""
-    rows, right = np.array(sample["rows"]), np.array(sample["right"])
+    rows, right = np.array(sample.rows), np.array(sample.right)
     return _relative(rows @ udot - right, rows * udot, right)
 
 

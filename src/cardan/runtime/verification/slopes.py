@@ -21,7 +21,7 @@ def derivative(asked: Asked, of: str) -> float | str:
     flat, at, worst, judged = asked.call("derivative", of), 0, np.nan, 0
     entry = asked.model._function("derivative", of).outputs
     for output in entry:
-        letter, size = output["name"].removeprefix("d_"), int(np.prod(output["shape"]))
+        letter, size = output.name.removeprefix("d_"), int(np.prod(output.shape))
         part, at = flat[:, at : at + size], at + size
         if letter not in LETTERS or (letter == "q" and not asked.knows("qdot")):
             continue
@@ -71,7 +71,7 @@ def rhs_jacobian(asked: Asked, of: str | None) -> float | str:
 def _turning(asked: Asked, way: Array) -> Array:
     """A way of the state along which quaternions turn and keep their lengths."""
     way = way.copy()
-    for first in asked.model.manifest["quaternions"]:
+    for first in asked.model.manifest.quaternions:
         own = slice(first, first + 4)
         whole = asked.truth.q[:, own]
         way[:, own] -= whole * (whole * way[:, own]).sum(axis=-1, keepdims=True)

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import Any
+from collections.abc import Mapping, Sequence
+from math import prod
 
 import numpy as np
 
@@ -11,6 +11,7 @@ from ...errors import CardanError
 from ...ir.function import Function
 from ...ir.interpreter import evaluate
 from ...ir.serialize import from_dict
+from ...schema.c_functions import ResultRow
 from ..joint_motion import Array
 from .asked import Asked
 
@@ -36,7 +37,7 @@ def written(asked: Asked, name: str, of: str | None) -> float | str:
     saved = model._objects.saved().get(function.symbol)
     if saved is None:
         return "its expressions are not saved"
-    if sum(function.entry.get("operations", {}).values()) > LARGEST:
+    if sum(function.entry.operations.values()) > LARGEST:
         return f"more than {LARGEST} operations"
     blocks = {k: np.array(x, dtype=float) for k, x in _blocks(asked).items()}
     with np.errstate(all="ignore"):
@@ -103,11 +104,11 @@ def results(expressions: Function, given: Mapping[str, Array], n: int) -> Array:
     return np.concatenate(parts, axis=-1)
 
 
-def _apart(value: Array, known: Array, outputs: list[dict[str, Any]]) -> float:
+def _apart(value: Array, known: Array, outputs: Sequence[ResultRow]) -> float:
     """Largest difference of an output over its largest entry; where both are no numbers, none."""
     value, worst, at = value.reshape(len(value), -1), 0.0, 0
     for output in outputs:
-        size = int(np.prod(output["shape"]))
+        size = prod(output.shape)
         a, b, at = value[:, at : at + size], known[:, at : at + size], at + size
         both = np.isfinite(a) & np.isfinite(b)
         if (np.isfinite(a) != np.isfinite(b)).any():

@@ -9,9 +9,10 @@ from __future__ import annotations
 import hashlib
 import json
 import re
+from collections.abc import Mapping
 from typing import Any
 
-from .rows import dumped, opened
+from .fields import dumped
 
 KEY = "digest"
 ZEROS = b"0" * 64
@@ -20,7 +21,7 @@ SEAL = re.compile(rb'"digest":\s*"([0-9a-f]{64})"')
 HEAD = 200
 
 
-def sealed(data: dict[str, Any], **options: Any) -> str:
+def sealed(data: Mapping[str, Any], **options: Any) -> str:
     """The JSON text of data with its hash as the first entry."""
     text = dumped({KEY: ZEROS.decode(), **data}, **options) + "\n"
     found = hashlib.sha256(text.encode()).hexdigest()
@@ -39,8 +40,8 @@ def unsealed(content: bytes) -> Any:
         if hashlib.sha256(blank).hexdigest().encode() != seal[1]:
             raise ValueError("its hash is that of another content")
     try:
-        data = opened(json.loads(content))
-    except (TypeError, KeyError, IndexError, AttributeError, RecursionError) as error:
+        data = json.loads(content)
+    except RecursionError as error:
         raise ValueError(f"it is damaged: {error}") from error
     if isinstance(data, dict):
         data.pop(KEY, None)

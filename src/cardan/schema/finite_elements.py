@@ -1,0 +1,87 @@
+"""Records of the elements of a model in absolute coordinates: what the manifest says of them.
+
+Their numbers, such as which places an element couples, stand in tables beside the manifest.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from .fields import NOTHING, Record, count, field, listed, number, pair, table, text
+
+
+class Plane(Record):
+    """A node of a plane, told by x, y and angle."""
+
+    spread: Sequence[Sequence[float]] = field(
+        listed(listed(number, 3), 6),
+        "speeds in space, angular velocity in axes of the node and velocity in those of the "
+        "ground, from the rates of x, y and angle (6, 3)",
+    )
+    home: Sequence[float] = field(listed(number, 4), "unit quaternion at x = y = angle = 0 (4)")
+
+
+class PlaceKind(Record):
+    """What a place holds."""
+
+    name: str = field(text, "node, plane_node, line<k> or that of a joint")
+    nq: int = field(count, "number of coordinates")
+    nu: int = field(count, "number of speeds")
+    quaternion: int | None = field(
+        count, "entry of its q that is the scalar part of a unit quaternion", default=None
+    )
+    functions: Mapping[str, str] = field(
+        table(text), "C names of move and qdot where speeds are not rates", default=NOTHING
+    )
+    plane: Plane | None = field(Plane, "of nodes of a plane how they stand in space", default=None)
+
+    @property
+    def node(self) -> bool:
+        """Whether it is a node, which moves by itself."""
+        return self.name == "node" or self.plane is not None
+
+
+class ElementKind(Record):
+    """What elements share."""
+
+    name: str = field(text, "C identifier")
+    nq: int = field(count, "number of local coordinates")
+    nu: int = field(count, "number of local speeds")
+    m: int = field(count, "rows of constraints")
+    mp: int = field(count, "those of positions among them, which come first")
+    nz: int = field(count, "number of internal states", default=0)
+    ns: int = field(count, "number of modes", default=0)
+    functions: Mapping[str, str] = field(table(text), "name -> C name", default=NOTHING)
+    parts: Mapping[str, int] = field(
+        table(count), "matrices of the tangent -> where they begin in it", default=NOTHING
+    )
+
+
+class GroupRow(Record):
+    """The elements of a kind that follow each other; their tables stand in mesh.npz."""
+
+    kind: str = field(text, "name of what they share")
+    common: str = field(text, "saved Function p -> data of the elements", default="")
+    members: Sequence[str] = field(listed(text), "their names")
+
+
+class FiniteElements(Record):
+    """Of a model in absolute coordinates: what its elements are."""
+
+    places: Sequence[PlaceKind] = field(listed(PlaceKind), "kinds of places")
+    kinds: Sequence[ElementKind] = field(listed(ElementKind), "kinds of elements")
+    groups: Sequence[GroupRow] = field(listed(GroupRow), "tables of elements")
+    beam_nodes: Sequence[int] = field(listed(count), "places of nodes that only beams hold")
+    segments: int = field(count, "segments of beams, whose nodes are line_<k> in mesh.npz")
+    frames: str = field(text, "saved Function: where frames sit on their nodes")
+    states: str = field(text, "saved Function: states of nodes by coordinates of joints")
+    reference: Sequence[float] = field(
+        listed(number),
+        "coordinates of the joints in the reference configuration, as states takes them",
+    )
+    power_sources: Sequence[str] = field(
+        listed(text), "sources of power: elements, <joint>.motion, <relation>.motion"
+    )
+    reactions: Mapping[str, tuple[int, int]] = field(
+        table(pair()), "joint -> group and member whose reaction it is"
+    )
