@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, TypeAlias
 
@@ -10,6 +11,7 @@ from numpy.typing import NDArray
 
 from ..codegen import flat, manifest
 from ..ir.interpreter import evaluate
+from ..schema.fields import dumped
 from ..schema.mechanism import FrameRow
 
 if TYPE_CHECKING:
@@ -30,7 +32,8 @@ def facts(equations: Equations) -> dict[str, Any]:
         for name, counts in equations.operations.items()
     }
     data["sources"] = list(equations.sources)
-    return data
+    found: dict[str, Any] = json.loads(dumped(data))
+    return found
 
 
 def placed(system: System, frames: Sequence[FrameRow]) -> list[dict[str, Any]]:
