@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import Any, Self
 
 from .fields import (
     Misfit,
@@ -103,6 +103,11 @@ class Tree(Record):
     treatment: Treatment | None = field(
         Treatment, "absent where nothing binds the tree", default=None
     )
+
+    @classmethod
+    def read(cls, plain: Any, run: bool = False) -> Self:
+        """As :meth:`Record.read`; a saved run says all of it or nothing."""
+        return super().read(plain, run and not plain)
 
     @property
     def empty(self) -> bool:
