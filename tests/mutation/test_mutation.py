@@ -21,7 +21,7 @@ def test_faults_are_found_by_verify(tmp_path: Path, monkeypatch: pytest.MonkeyPa
     """At least 95 % of 60 faults drawn by a seed: the run of 1,000 finds more than 99 %."""
     assert set(SPREAD) <= set(SCENES)
     assert len(SCENES) == 40
-    monkeypatch.setattr(cache, "compiled", cache.compiled)
+    monkeypatch.setattr(cache, "compiled_apart", cache.compiled_apart)
     without_compiler()
     run, found = Run(SEED, tmp_path, SPREAD), []
     while len(found) < FAULTS:

@@ -14,7 +14,8 @@ static ptrdiff_t whole(ptrdiff_t n)
 
 ptrdiff_t cardan_mesh_room(const cardan_mesh *mesh)
 {
-    return whole(mesh->lanes * (mesh->local + mesh->work + mesh->nr + 1)) + 8;
+    /* elements of a block that go one by one leave their results in another */
+    return whole((mesh->lanes + 1) * (mesh->local + mesh->work + mesh->nr + 1)) + 16;
 }
 
 /* Vectors begin at multiples of their length. */
@@ -100,33 +101,54 @@ static cardan_in blocks(const cardan_group *g, const real *t, const real *r, con
     return in;
 }
 
-/* The elements of a group, `lanes` at a time. */
+/* Time and inputs for elements side by side. Returns where what they read begins. */
+static real *same_for_all(const cardan_mesh *mesh, const cardan_state *at, ptrdiff_t lanes, real *to)
+{
+    for (ptrdiff_t lane = 0; lane < lanes; lane++)
+        *to++ = at->t;
+    for (ptrdiff_t i = 0; i < mesh->nr; i++)
+        for (ptrdiff_t lane = 0; lane < lanes; lane++)
+            *to++ = at->r ? at->r[i] : 0;
+    return to;
+}
+
+/* The elements of a group in blocks of `lanes`. Those of a block go side by side where the function
+ * is compiled so, else one by one; either way results are taken block by block, in the same order,
+ * for sums to have the same bits. */
 static int each(const cardan_mesh *mesh, const cardan_group *g, const cardan_state *at, int form,
                 ptrdiff_t lanes, cardan_taker *take, void *to, real *room)
 {
     const cardan_form *f = &g->forms[form];
-    real *t = room, *r = t + lanes, *local = r + mesh->nr * lanes;
-    cardan_in in = blocks(g, t, r, local, lanes);
+    const int abreast = lanes > 1 && f->lanes;
+    const ptrdiff_t stride = abreast ? lanes : 1;
+    real *results = room, *t = abreast || lanes == 1 ? room : room + whole(f->size * lanes);
+    real *local = same_for_all(mesh, at, stride, t);
+    cardan_in in = blocks(g, t, t + stride, local, stride);
     int status = 0;
 
-    for (ptrdiff_t lane = 0; lane < lanes; lane++) {
-        t[lane] = at->t;
-        for (ptrdiff_t i = 0; i < mesh->nr; i++)
-            r[i * lanes + lane] = at->r ? at->r[i] : 0;
-    }
     for (ptrdiff_t first = 0; first < g->count && status == 0; first += lanes) {
         const ptrdiff_t left = g->count - first;
         cardan_element_lanes some = {lanes, left < lanes ? left : lanes, {0}};
-        real *out;
 
         /* lanes that are left over repeat the last element */
         for (ptrdiff_t lane = 0; lane < lanes; lane++)
             some.element[lane] = first + (lane < some.filled ? lane : some.filled - 1);
-        out = gather(mesh, g, some.element, lanes, at, local);
-        in.w = lanes > 1 ? f->w_lanes + first * f->nw : f->w + first * f->nw;
-        status = (lanes > 1 ? f->lanes : f->one)(&in, out, out + f->size * lanes);
+        if (abreast) {
+            results = gather(mesh, g, some.element, lanes, at, local);
+            in.w = f->w_lanes + first * f->nw;
+            status = f->lanes(&in, results, results + f->size * lanes);
+        }
+        for (ptrdiff_t lane = 0; lane < some.filled && !abreast; lane++) {
+            real *own = gather(mesh, g, some.element + lane, 1, at, local);
+
+            in.w = f->w + some.element[lane] * f->nw;
+            status |= f->one(&in, own, own + f->size);
+            for (ptrdiff_t i = 0; i < f->size && lanes > 1; i++)
+                results[i * lanes + lane] = own[i];
+            results = lanes > 1 ? results : own;
+        }
         if (status == 0)
-            take(mesh, g, &some, out, to);
+            take(mesh, g, &some, results, to);
     }
     return status;
 }
@@ -137,7 +159,7 @@ static int of_group(const cardan_mesh *mesh, const cardan_group *g, const cardan
 {
     const cardan_form *f = &g->forms[form];
 
-    return f->one ? each(mesh, g, at, form, f->lanes ? mesh->lanes : 1, take, to, aligned(room))
+    return f->one ? each(mesh, g, at, form, f->w_lanes ? mesh->lanes : 1, take, to, aligned(room))
                   : 0;
 }
 

@@ -39,9 +39,9 @@ enum { CARDAN_K, CARDAN_C, CARDAN_M, CARDAN_R, CARDAN_G, CARDAN_PARTS };
 /* A function of a kind with what was prepared of the data of every element. */
 typedef struct cardan_form {
     cardan_function one;   /* NULL: the kind has none, all zeros */
-    cardan_function lanes; /* the same for `lanes` elements side by side, NULL: none */
+    cardan_function lanes; /* the same for `lanes` elements side by side, NULL: not compiled */
     const real *w;         /* (count, nw) */
-    const real *w_lanes;   /* (ceil(count / lanes), nw, lanes) */
+    const real *w_lanes;   /* (ceil(count / lanes), nw, lanes), NULL: elements come one by one */
     ptrdiff_t nw, size;    /* size: numbers of a result */
 } cardan_form;
 

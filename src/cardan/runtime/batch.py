@@ -21,7 +21,7 @@ import numpy as np
 from ..arrays import Array
 from ..errors import BuildError, BuildWarning, warn
 from ..schema.blocks import ORDER, SLOT
-from .lanes import Answer, Lanes, Recipe, States, width
+from .lanes import Answer, Lanes, Recipe, States, made, width
 
 Single = Callable[[list[Array | None], Sequence[int], Array], tuple[int, int]]
 Run = Callable[[int, int], Answer]
@@ -218,7 +218,7 @@ class Batch:
             if self.recipe is None or lanes == 1:
                 return 1
             if found is None:
-                found = self.recipe.made(lanes, own)
+                (found,) = made([self.recipe], lanes, own)
                 try:
                     if found.built.fresh:
                         self._compare(found, one, states)

@@ -19,13 +19,15 @@ import time
 from collections.abc import Callable, Iterable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
-from functools import lru_cache
+from functools import lru_cache, partial
 from pathlib import Path
+from typing import Any
 
 from .. import processes
 from ..errors import BuildError
 from . import folder, prebuilt
 from .levels import LEVELS, Level, family
+from .together import together
 from .toolchain import Compiler, compile_shared, find_compiler
 from .trust import exposed, own
 
@@ -239,17 +241,91 @@ def compiled(
     Raises:
         CompilerMissing: no compiler. BuildError: it failed, or there is no room to write.
     """
-    cache, by = folder.directory(), by or compiler()
+    by = by or compiler()
     name = _name(sources, include, by, reproducible, words)
     there = _there(name)
     if there is not None:
         return there
+    return _made_somewhere([name], sources, include, by, reproducible, words)[0]
+
+
+def compiled_apart(
+    texts: Sequence[Path],
+    include: Path,
+    reproducible: bool,
+    by: Compiler,
+    words: Sequence[str] = (),
+) -> list[Object]:
+    """An object of every C file: from the cache, or compiled now and not yet published.
+
+    One run of the compiler takes many files, as each run spends 50 ms on itself: there are as many
+    runs as processors. What it makes holds them all, and is each of their objects.
+
+    Args:
+        texts: C files of one directory, whose names are distinct from each other's.
+        include: That directory.
+        reproducible, by, words: As :func:`compiled` takes them.
+
+    Raises:
+        BuildError: the compiler failed, or there is no room to write.
+    """
+    names = [_name([text], [include], by, reproducible, words) for text in texts]
+    found = {name: _there(name) for name in names}
+    missing = {n: text for n, text in zip(names, texts, strict=True) if found[n] is None}
+    tasks = [
+        partial(_Several.made, share, [missing[n] for n in share], include, by, reproducible, words)
+        for share in _shares({name: text.stat().st_size for name, text in missing.items()})
+    ]
+    for several in together(tasks):
+        found |= several.objects
+    return [one for name in names if (one := found[name]) is not None]
+
+
+@dataclass(frozen=True)
+class _Several:
+    """What one run of a compiler made.
+
+    Attributes:
+        objects: By their names in the cache.
+    """
+
+    objects: dict[str, Object]
+
+    @staticmethod
+    def made(names: Sequence[str], *what: Any) -> _Several:
+        """Compiled under these names."""
+        return _Several(dict(zip(names, _made_somewhere(names, *what), strict=True)))
+
+    def discard(self) -> None:
+        """As :meth:`Object.discard`."""
+        for one in self.objects.values():
+            one.discard()
+
+
+def _shares(sizes: dict[str, int]) -> list[list[str]]:
+    """Names in as many shares of like size as there are processors."""
+    shares: list[list[str]] = [[] for _ in range(min(len(sizes), os.cpu_count() or 1))]
+    weights = [0] * len(shares)
+    for name in sorted(sizes, key=lambda name: (-sizes[name], name)):
+        least = weights.index(min(weights))
+        shares[least].append(name)
+        weights[least] += sizes[name]
+    return shares
+
+
+def _made_somewhere(names: Sequence[str], *what: Any) -> list[Object]:
+    """Compiled in the cache, or where else there is room; as :func:`_made` takes it.
+
+    Raises:
+        BuildError: the compiler failed, or there is no room to write.
+    """
+    cache = folder.directory()
     try:
-        return _made(cache / name, sources, include, by, reproducible, words)
+        return _made([cache / name for name in names], *what)
     except OSError as error:
         elsewhere = folder.instead(cache, f"{error.strerror or error}. {folder.cure(error)}")
     try:
-        return _made(elsewhere / name, sources, include, by, reproducible, words)
+        return _made([elsewhere / name for name in names], *what)
     except OSError as error:
         raise _unwritable(elsewhere, error) from error
 
@@ -312,28 +388,60 @@ def _unwritable(place: Path, error: OSError) -> BuildError:
 
 
 def _made(
-    place: Path,
+    places: Sequence[Path],
     sources: Sequence[Path],
-    include: Sequence[Path],
+    include: Path | Sequence[Path],
     by: Compiler,
     reproducible: bool,
     words: Sequence[str],
-) -> Object:
-    """Compile and sign, in a folder of this process."""
-    sweep(place.parent)
+) -> list[Object]:
+    """Compile and sign, in a folder of this process; an object that has several places is in each.
+
+    Where there are several, every source has a place of its own.
+    """
+    cache = places[0].parent
+    sweep(cache)
+    made = [_begun(places[0])]
+    try:
+        output = made[0].path
+        if len(places) > 1:
+            # the directory of the sources is among those of headers
+            text = "".join(f'#include "{source.name}"\n' for source in sources)
+            sources = [output.with_suffix(".c")]
+            sources[0].write_text(text, encoding="utf-8")
+        folders = [include] if isinstance(include, Path) else include
+        compile_shared(by, sources, folders, output, reproducible, cache / "zig", words)
+        with open(output, "r+b") as file:
+            content = file.read()
+            file.write(hashlib.sha256(content).digest())
+        for place in places[1:]:
+            made.append(_begun(place))
+            _linked(output, made[-1].path)
+    except BaseException:
+        for one in made:
+            one.discard()
+        raise
+    return made
+
+
+def _begun(place: Path) -> Object:
+    """An object that is to come, in a folder of its own under a lock."""
     own = Path(tempfile.mkdtemp(dir=place.parent, prefix=NEW))
     made = Object(own / "object.so", True, place, os.open(own / LOCK, os.O_RDWR | os.O_CREAT))
     try:
         processes.lock(made.lock)
-        scratch = place.parent / "zig"
-        compile_shared(by, sources, include, made.path, reproducible, scratch, words)
-        with open(made.path, "r+b") as file:
-            content = file.read()
-            file.write(hashlib.sha256(content).digest())
     except BaseException:
         made.discard()
         raise
     return made
+
+
+def _linked(file: Path, place: Path) -> None:
+    """The same file in another place; a copy where a file system has it once only."""
+    try:
+        os.link(file, place)
+    except OSError:
+        shutil.copyfile(file, place)
 
 
 def sweep(cache: Path) -> list[Path]:

@@ -163,34 +163,42 @@ class Recipe:
 
     def there(self, lanes: int, own: bool) -> Lanes | None:
         """The build if it is in the cache."""
-        built = cache.found(*self._request(lanes, own))
-        return None if built is None else self._loaded(built, lanes, own)
-
-    def made(self, lanes: int, own: bool) -> Lanes:
-        """The build, compiled if it is not there; not yet published.
-
-        Raises:
-            BuildError: the compiler failed, or the text was changed.
-        """
-        self.check()
-        built = cache.compiled(*self._request(lanes, own))
-        try:
-            return self._loaded(built, lanes, own)
-        except BaseException:
-            built.discard()
-            raise
-
-    def _request(
-        self, lanes: int, own: bool
-    ) -> tuple[list[Path], list[Path], bool, Compiler, tuple[str, ...]]:
         words = prebuilt.macros(lanes, own)
-        return [self.text], [self.directory], self.reproducible, self.by, words
+        built = cache.found([self.text], [self.directory], self.reproducible, self.by, words)
+        return None if built is None else self.loaded(built, lanes, own)
 
-    def _loaded(self, built: cache.Object, lanes: int, own: bool) -> Lanes:
+    def loaded(self, built: cache.Object, lanes: int, own: bool) -> Lanes:
         library = built.load()
         driver = _driver(self.reproducible, lanes, own)
         address = ctypes.cast(library[self.symbol], ctypes.c_void_p).value or 0
         return Lanes(lanes, built, address, driver.cardan_batch, (library, driver))
+
+
+def made(recipes: Sequence[Recipe], lanes: int, own: bool) -> list[Lanes]:
+    """Builds of functions of one model, compiled where they are not there; not yet published.
+
+    Args:
+        recipes: What they are made of.
+        lanes: States side by side.
+        own: Whether every state has parameters of its own.
+
+    Raises:
+        BuildError: the compiler failed, or a text was changed.
+    """
+    if not recipes:
+        return []
+    for recipe in recipes:
+        recipe.check()
+    one, words = recipes[0], prebuilt.macros(lanes, own)
+    texts = [recipe.text for recipe in recipes]
+    built = cache.compiled_apart(texts, one.directory, one.reproducible, one.by, words)
+    try:
+        pairs = zip(recipes, built, strict=True)
+        return [recipe.loaded(single, lanes, own) for recipe, single in pairs]
+    except BaseException:
+        for single in built:
+            single.discard()
+        raise
 
 
 @lru_cache(maxsize=16)

@@ -22,7 +22,7 @@ from ..schema.seal import unsealed
 from . import cache
 from .interpreted import Interpreted, announce
 from .lanes import Recipe
-from .together import together
+from .toolchain import Compiler
 
 if TYPE_CHECKING:
     from ..ir.function import Function
@@ -265,11 +265,7 @@ class Objects:
             missing = [s for s in dict.fromkeys(symbols) if s not in self._loaded]
             if missing:
                 self._verify_headers()
-            made = together([partial(self._made, symbol) for symbol in missing])
-            if any(code.interpreted is not None for code in made):
-                # said here: the threads of a pool know no line of the caller's
-                announce()
-            self._loaded.update(zip(missing, made, strict=True))
+            self._loaded.update(zip(missing, self._made(missing), strict=True))
             return [self._loaded[s] for s in symbols]
 
     def keep(self, symbol: str) -> Code:
@@ -285,40 +281,48 @@ class Objects:
             if code is not None:
                 code.discard()
 
-    def _made(self, symbol: str) -> Code:
-        """A function as C, or as expressions where there is no compiler."""
-        path, entry = self.text_path(symbol), self.manifest.functions[symbol]
+    def _made(self, symbols: Sequence[str]) -> list[Code]:
+        """Functions as C, or as expressions where there is no compiler."""
+        paths = [self.text_path(symbol) for symbol in symbols]
         try:
             by = cache.compiler().for_models()
-            built = cache.compiled([path], [self.directory], self.reproducible, by, LOADED)
+            built = cache.compiled_apart(paths, self.directory, self.reproducible, by, LOADED)
         except CompilerMissing as missing:
-            found = Interpreted(self._expressions(symbol, missing))
-            return Code(symbol, entry, True, found.address, interpreted=found)
+            found = [Interpreted(self._expressions(symbol, missing)) for symbol in symbols]
+            announce()
+            return [
+                Code(symbol, self.manifest.functions[symbol], True, one.address, interpreted=one)
+                for symbol, one in zip(symbols, found, strict=True)
+            ]
         try:
-            library = built.load()
-            # exports may have a prefix before all names
-            before = self.manifest.prefix
-            address = ctypes.cast(library[f"{before}{symbol}"], ctypes.c_void_p).value or 0
-            shared = library[f"{before}prepare_{symbol}"]
-            prepare = ctypes.cast(shared, ctypes.c_void_p).value or 0
-            blocks = _blocks(library, f"{before}{symbol}", entry)
-        except (AttributeError, ValueError) as error:
-            built.discard()
-            raise BuildError(
-                f"{path} does not hold what its manifest says: {error}. Compile or export the "
-                "model again"
-            ) from None
+            return [self._connected(s, one, by) for s, one in zip(symbols, built, strict=True)]
         except BaseException:
-            built.discard()
+            for one in built:
+                one.discard()
             raise
-        recipe = Recipe(
-            f"{before}{symbol}",
-            path,
-            self.directory,
-            self.reproducible,
-            by,
-            partial(self._verify_sources, symbol),
-        )
+
+    def _connected(self, symbol: str, built: cache.Object, by: Compiler) -> Code:
+        """A function in its object.
+
+        Raises:
+            BuildError: the object does not hold what the manifest says.
+        """
+        entry = self.manifest.functions[symbol]
+        # exports may have a prefix before all names
+        name = f"{self.manifest.prefix}{symbol}"
+        library = built.load()
+        try:
+            address = ctypes.cast(library[name], ctypes.c_void_p).value or 0
+            shared = library[f"{self.manifest.prefix}prepare_{symbol}"]
+            prepare = ctypes.cast(shared, ctypes.c_void_p).value or 0
+            blocks = _blocks(library, name, entry)
+        except (AttributeError, ValueError) as error:
+            raise BuildError(
+                f"{self.directory / entry.file} does not hold what its manifest says: {error}. "
+                "Compile or export the model again"
+            ) from None
+        path, check = self.directory / entry.file, partial(self._verify_sources, symbol)
+        recipe = Recipe(name, path, self.directory, self.reproducible, by, check)
         return Code(
             symbol, entry, built.fresh, address, prepare, built, library, None, recipe, blocks
         )

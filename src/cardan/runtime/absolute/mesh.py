@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 import ctypes
+import time
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import AbstractContextManager, nullcontext
-from functools import partial
 from typing import Any, final
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ...errors import SolveError
+from ...errors import BuildError, BuildWarning, SolveError, warn
 from ...schema.blocks import ORDER
 from ...schema.c_functions import FunctionRow
 from ...schema.finite_elements import ElementKind
@@ -20,19 +20,18 @@ from ...schema.records import FORMS, Form, Group, MeshRecord, Movers, StateRecor
 from .. import lanes as lane_builds
 from ..abi_ctypes import FUNCTION
 from ..interpreted import SINGULAR, called_back
-from ..lanes import Lanes
+from ..lanes import Lanes, Recipe
 from ..loaded import prepare
 from ..objects import Code
-from ..together import together
 from .blocks import plan_record
 from .elements import INNER, Elements, State
 from .massless import refusal
 from .matrices import Matrices
 from .record_fields import group_fields, mesh_fields, mover_fields
-from .tables import Table, Tables
+from .tables import Tables
 
 Array = NDArray[np.float64]
-# elements of a group from which on lanes are compiled
+# elements of a group from which on they may go side by side
 WORTH = 8
 # what functions of the whole mesh ask of the elements
 SOLVED = ("balance", "balance_tangent", "gamma")
@@ -96,6 +95,9 @@ class Mesh(Elements):
         self._lock = lock
         self._judge = judge
         self._width = lane_builds.width()
+        # functions of groups that could go side by side, and the seconds that elements took
+        self._alone: list[tuple[Form, Recipe]] = []
+        self._spent = 0.0
         fields = group_fields(tables)
         self.inner = sum(INNER * len(g) for g in tables.groups if "mixed" in g.kind.functions)
         self._groups = groups = (Group * max(1, len(fields)))()
@@ -165,43 +167,73 @@ class Mesh(Elements):
         having = [(g, name) for g in groups for name in missing if name in g.kind.functions]
         loaded = self._load([group.kind.functions[name] for group, name in having])
         self._codes |= loaded
-        abreast = self._abreast([self._codes[g.kind.functions[n]] for g, n in having if _many(g)])
         for record, group, data in zip(self._groups, groups, self.data, strict=False):
             for name in missing:
                 if name in group.kind.functions:
                     form = record.forms[FORMS.index(name)]
                     code = self._codes[group.kind.functions[name]]
                     code.take(_given(group.kind, self.tables.nr))
-                    self._form(form, code, data, abreast.get(code.symbol) if _many(group) else None)
+                    self._form(form, code, data)
         self._connected.update(missing)
+        self._widen({s: one.there(self._width, True) for s, one in self._recipes().items()})
         return [symbol for symbol, code in loaded.items() if code.fresh]
 
-    def _abreast(self, codes: Sequence[Code]) -> dict[str, Lanes]:
-        """The lane builds of functions that can have one; what is compiled is so side by side."""
-        recipes = {
-            code.symbol: code.recipe
-            for code in codes
-            if code.recipe is not None and 1 < self._width in code.entry.lanes
-        }
-        made = together([partial(recipe.made, self._width, True) for recipe in recipes.values()])
-        for built in made:
-            # the text is that of the function for one, which was checked
-            built.built.published()
-        return dict(zip(recipes, made, strict=True))
-
-    def _form(self, form: Form, code: Code, data: Array, built: Lanes | None) -> None:
+    def _form(self, form: Form, code: Code, data: Array) -> None:
         """Connect a function of a kind, with the data of its elements prepared."""
         w = prepare(code, data)
         form.one, form.w, form.nw = code.address, self._pointer(w), w.shape[1]
         form.size = int(code.entry.output_size)
-        if built is None:
+        if code.recipe is None or len(data) < WORTH or not 1 < self._width in code.entry.lanes:
             return
-        self._keep.append(built)
-        form.lanes = built.address
         # what is missing in the last block repeats the last element
         rows = np.minimum(np.arange(-(-len(w) // self._width) * self._width), len(w) - 1)
         blocks = w[rows].reshape(-1, self._width, w.shape[1]).transpose(0, 2, 1)
         form.w_lanes = self._pointer(_on_lines(blocks))
+        self._alone.append((form, code.recipe))
+
+    # lanes
+
+    def _recipes(self) -> dict[str, Recipe]:
+        """What lane builds are made of that are not there yet, by C name."""
+        return {recipe.symbol: recipe for _, recipe in self._alone}
+
+    def spend(self, seconds: float) -> None:
+        """Count what elements took; lanes are compiled once the compiler takes no longer.
+
+        Results keep their bits. Elements go on one by one where the compiler fails.
+        """
+        if not self._alone:
+            return
+        self._spent += seconds
+        if self._spent > sum(recipe.seconds() for recipe in self._recipes().values()):
+            try:
+                self.widen()
+            except BuildError as error:
+                self._alone.clear()
+                text = "no build for several elements at once, they are done one by one"
+                warn(f"{text}. {error}", BuildWarning)
+
+    def widen(self) -> None:
+        """Compile what lets elements go side by side.
+
+        Raises:
+            BuildError: the compiler failed, or a text was changed.
+        """
+        with self._lock:
+            recipes = self._recipes()
+            made = lane_builds.made([*recipes.values()], self._width, True)
+            for built in made:
+                # the text is that of the function for one, which was checked
+                built.built.published()
+            self._widen(dict(zip(recipes, made, strict=True)))
+
+    def _widen(self, builds: Mapping[str, Lanes | None]) -> None:
+        """Let elements go side by side through these builds, by C name."""
+        for form, recipe in self._alone:
+            if (built := builds[recipe.symbol]) is not None:
+                self._keep.append(built)
+                form.lanes = built.address
+        self._alone = [one for one in self._alone if builds[one[1].symbol] is None]
 
     def _movers(self) -> Any:
         """Places whose coordinates are no poses, kind by kind."""
@@ -259,8 +291,11 @@ class Mesh(Elements):
 
     def _run(self, function: Callable[..., int], *arguments: object) -> int:
         """Status of a function of the kernels."""
+        before = time.perf_counter()
         with called_back() if self.interpreted else nullcontext():
-            return int(function(*arguments))
+            status = int(function(*arguments))
+        self.spend(time.perf_counter() - before)
+        return status
 
     def balance(self, at: State) -> tuple[Array, Array, Array]:
         """M udot + h - f - Gᵀ lam (nu,), residuals of positions (mp,), of speeds (m,)."""
@@ -332,11 +367,6 @@ class Mesh(Elements):
         arguments = self.reference, _at(q), _at(du), _at(out), None, _at(memory)
         _done("move", self._run(self.library.cardan_mesh_move, *arguments))
         return out
-
-
-def _many(group: Table) -> bool:
-    """Whether lanes are worth it."""
-    return len(group) >= WORTH
 
 
 def _done(name: str, status: int) -> None:
