@@ -84,7 +84,7 @@ def _time(
 ) -> float:
     """Nanoseconds of an element, the best of several rounds."""
     words = (f"-DCARDAN_LANES={width}", "-DCARDAN_LANE_PARAMETERS") if width > 1 else ()
-    library = cache.build([text, DRIVER], [DIRECTORY], False, words=words).load()
+    library = cache.build([text, DRIVER], [DIRECTORY], False, extra=words).load()
     calls = count // width
     prepared = _filled(np.zeros(entry["prepared_size"]), calls, width)
     data = _filled(np.array(at.p), 1, width)

@@ -14,7 +14,7 @@ import pytest
 
 import cardan as cd
 from cardan.analyses.saved_record import GIVEN, PASSING, record_of
-from cardan.runtime import cache, folder, trust
+from cardan.runtime import cache, folder, object_file, trust
 from cardan.schema.records import POINTER, Run
 from cardan.schema.seal import sealed
 from hostile.harness import campaign
@@ -120,11 +120,11 @@ def _source(path: Path, answer: int = 42) -> Path:
     return path
 
 
-def _answer(built: cache.Object) -> int:
+def _answer(built: object_file.Object) -> int:
     return int(built.load().answer())
 
 
-def _planted(place: Path, tmp_path: Path) -> cache.Object:
+def _planted(place: Path, tmp_path: Path) -> object_file.Object:
     """Another object, whole, under the name of one of the cache."""
     good = cache.build([_source(tmp_path / "good.c")])
     other = cache.build([_source(tmp_path / "other.c", 13)])

@@ -19,7 +19,7 @@ from typing import Any
 import pytest
 
 from cardan.errors import BuildError, BuildWarning, CompilerMissing
-from cardan.runtime import cache, folder, levels, toolchain
+from cardan.runtime import cache, folder, levels, object_file, toolchain
 
 pytestmark = pytest.mark.usefixtures("cache_directory")
 BUILD = (
@@ -296,7 +296,7 @@ def test_no_space_left_wherever_something_is_written(source, cache_directory, po
     monkeypatch.undo()
     objects = list(cache_directory.glob("*.so"))
     assert len(objects) == (point in REMEMBERING)
-    assert all(map(cache.intact, objects))
+    assert all(map(object_file.intact, objects))
     assert list(cache_directory.glob(".new-*")) == []
 
 

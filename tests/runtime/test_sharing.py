@@ -19,7 +19,7 @@ import pytest
 
 import cardan as cd
 from cardan.codegen import layout
-from cardan.runtime import cache, kernels, pickled
+from cardan.runtime import cache, kernels, object_file, pickled
 
 pytestmark = pytest.mark.usefixtures("cache_directory")
 
@@ -190,7 +190,7 @@ def test_processes_compile_one_model_at_once(killed, cache_directory):
     told = [process.communicate(timeout=120)[0].strip() for process in running]
     assert [process.returncode for process in running[killed:]] == [0, 0, 0]
     assert len(set(told[killed:])) == 1
-    assert all(map(cache.intact, cache_directory.glob("*.so")))
+    assert all(map(object_file.intact, cache_directory.glob("*.so")))
     for left in cache_directory.glob(".new-*"):
         os.utime(left, (1.0, 1.0))
     cache.sweep(cache_directory)

@@ -14,7 +14,7 @@ KINDS: dict[str, tuple[fields.Kind, list[Any], list[Any]]] = {
     "text": (fields.text, ["", "a"], [1, None, b"a", "\ud800"]),
     "number": (fields.number, [0, 1.5, -3, float("inf")], [True, "1", None, 2**60, 1j]),
     "positive": (fields.positive, [1, 0.5], [0, -1.0, True, float("nan")]),
-    "whole": (fields.whole, [-1, 0], [1.0, True, 2**53]),
+    "integer": (fields.integer, [-1, 0], [1.0, True, 2**53]),
     "count": (fields.count, [0, 3], [-1, 1.0, True, 2**53]),
     "size": (fields.size, [0, 2**40 - 1], [-1, 2**40, 1.0]),
     "flag": (fields.flag, [True, False], [0, None, "true"]),

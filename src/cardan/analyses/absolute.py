@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.sparse import csr_array
 
+from ..arrays import Array
 from ..errors import ModelError
 from ..ir.names import of_rate
 from ..runtime.absolute.carried import leading
@@ -30,7 +31,6 @@ from .modeled import Modeled
 from .saddle import Dense, Saddle, Sparse
 from .settings import blocks, start
 
-Array = NDArray[np.float64]
 Longs = NDArray[np.intp]
 RELATIVE = "Use coordinates='relative'"
 REACH = 3.0  # radians or sizes: slender structures turn far in one step

@@ -23,12 +23,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ..arrays import Array
 from ..runtime.balance import impacts
 from ..runtime.closing import CLOSED, size_of
 from ..runtime.trajectory import Trajectory
 from .settings import Settings
 
-Array = NDArray[np.float64]
 EXCESS = 100.0  # times what the tolerance is worth
 CEILING = 0.1  # of what moves: more than that no tolerance is worth
 GIVEN = 1e-4  # tolerance that a given step stands for

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..arguments import checked
+from ..arrays import Array
 from ..errors import ArgumentError, SolveError, near
 from ..runtime.compiled import CompiledModel
 from ..runtime.evaluation import State, Values
@@ -18,7 +19,6 @@ from .balancing import elastic
 from .contract import Moment, contract_of
 from .static_problem import scaled
 
-Array = NDArray[np.float64]
 RANK = 1e-9  # singular values below this part of the largest count as zero
 LIGHT = 1e-14  # inertia along a motion, relative to the largest, that is none
 MET = 1e-7  # what is left of forces or accelerations, relative to their largest terms

@@ -6,9 +6,10 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from ..arguments import Count, Seed, checked
+from ..arrays import Array
 from ..errors import ArgumentError, ModelError
 from ..runtime.calling import numbers
 from ..runtime.compiled import CompiledModel
@@ -25,7 +26,6 @@ from .searches import search
 from .targets import Target, read
 from .unassembled import explain, reached
 
-Array = NDArray[np.float64]
 SAME = 1e-6  # positions nearer than this, without units, are one
 STARTS = 16
 

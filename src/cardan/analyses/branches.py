@@ -8,12 +8,11 @@ from dataclasses import dataclass
 from typing import Any, NoReturn
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ..arrays import Array
 from ..errors import ArgumentError, ModelError, near, shown
 from ..runtime.compiled import CompiledModel
 
-Array = NDArray[np.float64]
 SIGNS = {"+": (0.0, math.inf), "-": (-math.inf, 0.0)}
 
 

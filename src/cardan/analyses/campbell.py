@@ -23,11 +23,11 @@ from numpy.typing import NDArray
 from scipy.optimize import brentq
 
 from ..arguments import Count, checked
+from ..arrays import Array
 from ..errors import ModelError, SolveWarning, shown, warn
 from .family import Member, family
 from .locus import END, Locus, locus
 
-Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 OSCILLATES = 1e-6  # of the largest modulus: imaginary parts of what does
 SYNCHRONOUS = 1e-7  # of the largest speed: frequencies this near to a line lie on it

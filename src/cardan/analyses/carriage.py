@@ -27,13 +27,13 @@ from scipy.sparse import coo_array, csr_array
 from scipy.sparse.csgraph import connected_components
 from scipy.spatial.transform import Rotation
 
+from ..arrays import Array
 from ..runtime.absolute.frames import rotation
 from ..runtime.absolute.tables import Integers, Tables
 from ..runtime.rotations import cross_matrix
 from .saddle import RANK, split
 from .static_problem import scaled
 
-Array = NDArray[np.float64]
 ALIKE = 1e-9  # twists that differ by less, of the largest, are one
 
 

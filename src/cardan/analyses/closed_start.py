@@ -7,8 +7,8 @@ from dataclasses import replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ..arrays import Array
 from ..errors import ModelError
 from ..runtime.compiled import CompiledModel
 from ..runtime.initial import entries, followers
@@ -25,8 +25,6 @@ from .rounded import slack
 from .settings import Start, start
 from .targets import read
 from .unassembled import turned_round
-
-Array = NDArray[np.float64]
 
 
 def closed_start(model: CompiledModel, begin: Start, q: Any, u: Any, t: float, r: Array) -> Start:

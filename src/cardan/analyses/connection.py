@@ -11,13 +11,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..arrays import Array
 from ..runtime.interpreted import PythonFunction
 from ..schema.records import COUNT, PositionRecord, TargetRecord, check
 
 if TYPE_CHECKING:
     from .mechanism import Mechanism
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)

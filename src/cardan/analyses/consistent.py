@@ -8,12 +8,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..arrays import Array
 from ..errors import ArgumentError, ModelError, SolveError, miscounted, shown
 from ..runtime.compiled import CompiledModel
 from ..runtime.initial import entries, missing
 from .mechanism import Mechanism
 
-Array = NDArray[np.float64]
 CONSISTENT = 1e-9  # of the largest of the given values
 
 

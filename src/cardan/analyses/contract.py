@@ -21,10 +21,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.sparse import issparse
 
+from ..arrays import Array
 from ..errors import ModelError, near
 from .saddle import Saddle
 
-Array = NDArray[np.float64]
 Matrix: TypeAlias = Any  # an array, or a sparse one of scipy
 Parameters = Mapping[str, ArrayLike] | None
 

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ..arrays import Array
 from ..errors import ModelError
 from .mechanism import Mechanism
 from .position_solver import PositionSolver
 from .redundancy import rank_of
 
-Array = NDArray[np.float64]
 BESIDE = 1e-3  # of the size, and radians
 
 

@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..arrays import Array
 from ..errors import ArgumentError, ModelError, listed, near, shown
 from .contract import Contract, contract_of
 from .equilibrium import equilibrium
@@ -25,7 +26,6 @@ from .spectrum import Spectrum, spectrum
 from .trim import trim
 from .trim_asked import by_entry
 
-Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 COUNT = 31  # members of a range
 STILL = 1e-7  # of the largest modulus: eigenvalues that are 0

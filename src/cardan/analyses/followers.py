@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..arrays import Array
 from ..errors import ArgumentError, ModelError, SolveError, miscounted, shown
 from ..runtime.closed_states import dependents
 from ..runtime.compiled import CompiledModel
@@ -24,7 +25,6 @@ from .position_solver import PositionSolver, Solution, missed
 from .searches import drawn
 from .targets import Target, read
 
-Array = NDArray[np.float64]
 STEP = 1e-5  # of a central difference: Newton's steps need no more
 TURNING = ("revolute", "universal")  # kinds whose coordinates are angles
 STARTS = 8  # searches for positions: loops close in several ways

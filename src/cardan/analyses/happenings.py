@@ -9,15 +9,14 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ..arrays import Array
 from ..errors import ArgumentError, ModelError, SolveError, named, near, shown
 from ..runtime.compiled import CompiledModel
 from ..schema.entries import EventRow, TickRow
 from . import record as abi
 from .signals import checked
 
-Array = NDArray[np.float64]
 Value = Callable[[float, Array], float]
 KINDS = {"mode": abi.MODE, "impact": abi.IMPACT, "tick": abi.TICK, "end": abi.END, "mark": abi.MARK}
 # a start so little beyond a stop is at it

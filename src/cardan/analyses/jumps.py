@@ -10,10 +10,10 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from ..arrays import Array
 from ..runtime.compiled import CompiledModel
 from .signals import Signals
 
-Array = NDArray[np.float64]
 FUNCTION = "time_jumps"
 LOOKS = 4097  # times of a span at which every comparison is looked at
 FEW = 65  # where the caller steps

@@ -7,8 +7,8 @@ from dataclasses import replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ..arrays import Array
 from ..errors import SolveError
 from ..runtime.conduct import Conduct
 from ..runtime.dense import Dense
@@ -19,7 +19,6 @@ from .run import Runner
 from .settings import Start
 from .times import Span
 
-Array = NDArray[np.float64]
 # of the record, for Trajectory.statistics
 COUNTED = (
     *("steps", "rejections", "evaluations", "looked", "limited"),

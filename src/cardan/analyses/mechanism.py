@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ..arrays import Array
 from ..errors import ModelError
 from ..runtime.closing import Closing, columns_of, size_of
 from ..runtime.initial import entries
@@ -25,7 +26,6 @@ from .connection import Connection, connect
 if TYPE_CHECKING:
     from ..runtime.compiled import CompiledModel
 
-Array = NDArray[np.float64]
 REACHED = 1e-9  # beyond limits that counts as on them
 TIGHT, LOOSE = 1e-10, 3e-5  # the latter as kernels/dependent.h has it
 NEARBY = 1e-5  # of a central difference; its error of 1e-10 slows no search

@@ -11,8 +11,8 @@ from contextlib import suppress
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ..arrays import Array
 from ..errors import ModelError
 from ..runtime.absolute import loading
 from ..runtime.absolute.assembled import Assembled
@@ -27,7 +27,6 @@ from .position_solver import missed
 from .strained import warn_of_strain
 from .targets import read
 
-Array = NDArray[np.float64]
 MOST = 60
 CLOSED, GOOD = 1e-12, 1e-9  # gaps against the size of the scene: sought, and good enough
 

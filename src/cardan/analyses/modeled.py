@@ -10,13 +10,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..arrays import Array
 from ..errors import ArgumentError, ModelError, SolveError, near
 from ..runtime.compiled import CompiledModel
 from ..runtime.initial import entries, missing, start_of
 from ..runtime.named_rotations import component
 from .contract import Moment, Parameters
-
-Array = NDArray[np.float64]
 
 
 class Modeled(ABC):

@@ -20,6 +20,7 @@ from scipy.sparse import csr_array, issparse, vstack
 from scipy.sparse.linalg import ArpackError
 
 from ..arguments import Count, checked
+from ..arrays import Array
 from ..errors import ModelError, SolveError, SolveWarning, warn
 from ..runtime.evaluation import State
 from .contract import Contract, Moment, contract_of
@@ -39,7 +40,6 @@ from .saddle import (
 )
 from .static_problem import scaled
 
-Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 RESTS = 1e-6  # accelerations below this are none [rad/s^2, or sizes/s^2]
 ALIKE = 1e-8  # of the largest entry: parts of matrices that are rounding

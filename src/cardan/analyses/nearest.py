@@ -12,8 +12,8 @@ from dataclasses import replace
 from functools import cache
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ..arrays import Array
 from ..errors import SolveWarning, warn
 from .branches import Branch, refuse
 from .mechanism import Mechanism
@@ -23,7 +23,6 @@ from .searches import search
 from .targets import Coordinates, Target
 from .unassembled import explain
 
-Array = NDArray[np.float64]
 NEARLY = 1e-4  # residuals without units of values that were meant to fit, and are rounded
 NAMED = "Name fewer coordinates at the start: loops determine the others"
 NEAR = 0.3  # a position not farther away is the nearest without further searches

@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..arrays import Array
 from ..runtime.absolute.assembled import Assembled
 from ..runtime.absolute.carried import Carrier, leading
 from ..runtime.absolute.elements import State
@@ -29,7 +30,6 @@ from .connection import Connection, called, searching
 from .mechanism import Mechanism
 from .targets import turn
 
-Array = NDArray[np.float64]
 ALWAYS = 1e-9  # residuals without units of conditions that hold wherever joints stand
 PROBE = 0.3  # radians, or sizes of the mechanism: a position like any other
 # units of rows in the manifest, and those of multipliers as joint coordinates have them

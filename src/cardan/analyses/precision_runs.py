@@ -10,9 +10,10 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from ..arguments import checked
+from ..arrays import Array
 from ..errors import CodegenError, DerivationError, ModelError, SolveWarning, near
 from ..runtime.compiled import CompiledModel
 from ..runtime.trajectory import Trajectory
@@ -26,7 +27,6 @@ from .times import span
 if TYPE_CHECKING:
     from ..runtime.report import Report
 
-Array = NDArray[np.float64]
 Show = Callable[[str, float], None]
 
 TOLERANCES = tuple(10.0**-k for k in range(2, 13))

@@ -15,10 +15,11 @@ from math import comb
 from typing import Any, final
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 from scipy.linalg import qr
 
 from ..arguments import checked
+from ..arrays import Array
 from ..errors import ArgumentError, SolveError
 from ..runtime.compiled import CompiledModel
 from .mechanism import Mechanism
@@ -26,7 +27,6 @@ from .position_solver import LOST, PositionSolver
 from .redundancy import rank_of
 from .targets import Coordinates, Target
 
-Array = NDArray[np.float64]
 CLOSED = 1e-11  # residuals without units, as in runs
 HALVINGS = 12
 # below this part of the largest singular value a position counts as next to a singular one; places

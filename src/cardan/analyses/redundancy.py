@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..arguments import checked
+from ..arrays import Array
 from ..errors import SolveWarning, warn
 from ..runtime.compiled import CompiledModel
 from ..runtime.evaluation import State
@@ -18,7 +19,6 @@ from ..schema.entries import MultiplierRow
 from .mechanism import Mechanism
 from .self_stress import COMPONENTS, RANK, determined, passed
 
-Array = NDArray[np.float64]
 UNIQUE = 1e-7
 SHARE = 0.2  # entries below this part of the largest are not told
 FORMS = {"p": "translation along {}", "r": "rotation about {}"}

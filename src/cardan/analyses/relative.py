@@ -8,8 +8,9 @@ from functools import cached_property
 from typing import Any, final
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from ..arrays import Array
 from ..errors import ModelError
 from ..ir.names import of_rate
 from ..runtime.compiled import CompiledModel
@@ -23,7 +24,6 @@ from .modeled import Modeled
 from .saddle import Dense, Saddle
 from .settings import blocks, start
 
-Array = NDArray[np.float64]
 REACH = 1.0  # radians, or sizes of the mechanism
 
 

@@ -10,15 +10,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ..arrays import Array
 from ..errors import SolveWarning, warn
 from .mechanism import LOOSE, Mechanism
 from .position_solver import PositionSolver, Solution
 from .searches import search
 from .targets import Target
 
-Array = NDArray[np.float64]
 ROUNDED = 1e-7  # residuals without units that rounded numbers may leave
 AGREED = 1e-13  # those that double precision leaves
 TOLD = 1e-10  # those that are worth a warning

@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..arrays import Array
 from ..errors import ModelError, SolveError
 from ..processes import on_interrupt
 from ..runtime.closing import Closing, columns_of
@@ -28,7 +29,6 @@ from .record import INPUTS
 from .settings import Settings
 from .signals import Signals
 
-Array = NDArray[np.float64]
 SOME_STEPS = 1 << 20
 SLICE = 0.01  # seconds between two looks at signals and progress
 ROWS = 2048
@@ -367,7 +367,8 @@ class Runner:
             before = time.perf_counter()
             answer = self.drive(budget)
             spent = max(time.perf_counter() - before, 1e-6)
-            self.model._source.spend(self.model, spent)
+            if self.record.mesh:
+                self.model._source.spend(self.model, spent)
             if answer == abi.MORE:
                 budget = max(1, min(8 * budget, round(budget * SLICE / spent)))
             yield answer

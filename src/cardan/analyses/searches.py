@@ -6,15 +6,13 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ..arrays import Array
 from ..errors import SolveWarning, warn
 from ..runtime.initial import start_of
 from .mechanism import Mechanism
 from .position_solver import PositionSolver, Solution
 from .targets import Target
-
-Array = NDArray[np.float64]
 
 
 def search(

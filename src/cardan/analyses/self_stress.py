@@ -17,8 +17,8 @@ from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ..arrays import Array
 from ..runtime.circuits import Circuits, End, circuits_of, jacobian
 from ..runtime.closed_states import closers_at, unbound
 from ..runtime.judged import motion_of, scene_of, unknown
@@ -27,7 +27,6 @@ from ..runtime.written_bounds import written
 from ..schema.mechanism import CutRow
 from .mechanism import Mechanism
 
-Array = NDArray[np.float64]
 Components = dict[str, tuple[bool, ...]]
 Poses = tuple[Array, Array]  # R (n + 1, 3, 3) and p (n + 1, 3) of the ground and all bodies
 Seat = tuple[Array, Array]  # R (3, 3) and p (3,) of a frame, the latter without unit

@@ -8,8 +8,9 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from ..arrays import Array
 from ..errors import ArgumentError, ModelError, ModelWarning, SolveError, near, outside, shown, warn
 from ..runtime.calling import numbers
 from ..runtime.compiled import CompiledModel
@@ -19,7 +20,6 @@ from ..schema.rows import having
 from .alpha import Alpha, GeneralizedAlpha, method_of
 from .signals import Signals
 
-Array = NDArray[np.float64]
 Values = Mapping[str, ArrayLike]
 DEFAULT = "DOP853"
 MOST_STEPS = 1e12

@@ -9,14 +9,13 @@ from inspect import signature
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ..arrays import Array
 from ..errors import ArgumentError, FunctionError, ModelError, SolveError, named, near, shown
 from ..runtime.calling import numbers
 from ..runtime.recorded import Pieces, Recorded
 from ..schema.entries import Entry
 
-Array = NDArray[np.float64]
 InputFunction = Callable[[float, Array], float]
 
 

@@ -8,8 +8,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from ..errors import FunctionError, ModelError, SolveError, SolveWarning, warn
 from ..runtime.closing import Closing
@@ -36,9 +35,6 @@ from .settings import Settings, Start, Values, blocks, settings, start, watched
 from .signals import Signals, signals
 from .spare_runners import put_aside, spare
 from .times import Span, span
-
-Array = NDArray[np.float64]
-
 
 LARGE = 1600  # pairs of speeds, as in a chain of 40: more are derived for minutes
 

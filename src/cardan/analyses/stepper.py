@@ -9,9 +9,10 @@ from pathlib import Path
 from typing import Any, final
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from ..arguments import checked
+from ..arrays import Array
 from ..errors import FunctionError, ModelError, SolveError, near, shown
 from ..runtime.calling import numbers
 from ..runtime.compiled import CompiledModel
@@ -25,8 +26,6 @@ from .run import Runner, Saved
 from .settings import Settings, Values, blocks, settings, start
 from .signals import signals
 from .times import Span
-
-Array = NDArray[np.float64]
 
 
 @final

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ..arrays import Array
 from ..errors import SolveWarning, warn
 from ..runtime.absolute import loading
 from ..runtime.absolute.carried import Carrier
 from ..runtime.compiled import CompiledModel
 
-Array = NDArray[np.float64]
 LARGE = 0.1  # strain: no linear elastic material is meant to bear more
 SMALL_ANGLE = 1e-4
 

@@ -9,9 +9,10 @@ from pathlib import Path
 from typing import Any, final
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from ..arguments import Hold, checked
+from ..arrays import Array
 from ..errors import ArgumentError, ModelError, SolveError, SolveWarning, counted, near, warn
 from ..runtime.compiled import CompiledModel
 from ..runtime.conduct import FINISHED
@@ -25,8 +26,6 @@ from .mechanism import Mechanism, refuse_nodes
 from .targets import kept
 
 FASTEST = 1e100  # of a driver: its square is a number too
-
-Array = NDArray[np.float64]
 
 
 @final

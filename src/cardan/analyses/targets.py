@@ -10,12 +10,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..arrays import Array
 from ..errors import ArgumentError, ModelError, SolveError, listed, miscounted, near, shown
 from ..runtime.initial import entries, missing
 from ..runtime.named_rotations import check_units, refuse_components
 from .mechanism import Mechanism
 
-Array = NDArray[np.float64]
 FRAMES = {(3,): "position", (4, 4): "pose"}
 
 

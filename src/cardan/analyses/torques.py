@@ -8,9 +8,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..arguments import Count, checked
+from ..arrays import Array
 from ..errors import ArgumentError, counted, near
 from ..ir.names import of_rate
 from ..runtime.trajectory import Trajectory
@@ -21,7 +21,6 @@ from .identification.data import Data, columns, measured, named_columns, write
 if TYPE_CHECKING:
     from ..runtime.compiled import CompiledModel
 
-Array = NDArray[np.float64]
 UNITS = {"rad/s": "N m", "m/s": "N"}
 
 

@@ -7,8 +7,8 @@ from dataclasses import replace
 from typing import NoReturn, TypeVar
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ..arrays import Array
 from ..errors import ModelError
 from ..runtime.ledger import residual_unit
 from .mechanism import Mechanism
@@ -16,7 +16,6 @@ from .position_solver import PositionSolver, Solution, missed
 from .rounded import ROUNDED
 from .targets import Target
 
-Array = NDArray[np.float64]
 WEIGHTS = "Leave one out, or give weights= to what need not be met exactly"
 T = TypeVar("T")
 Search = Callable[[Mechanism, Sequence[Target]], list[Solution]]

@@ -17,6 +17,7 @@ from pathlib import Path
 from ..errors import BuildError, CompilerMissing
 from ..peers import processor
 from ..runtime import abi, batch, bounded, cache, folder, lanes, prebuilt, prune, toolchain
+from ..runtime.object_file import Object
 from ..version import VERSION
 
 NEEDED = ("numpy", "scipy", "sympy", "rich", "defusedxml", "ruamel.yaml")
@@ -99,7 +100,7 @@ def _compiler() -> Finding:
             start = time.perf_counter()
             toolchain.compile_shared(chosen, [source], [], made, scratch=folder.directory() / "zig")
             spent = time.perf_counter() - start
-            probe = cache.Object(made, True).load().cardan_probe
+            probe = Object(made, True).load().cardan_probe
             probe.argtypes, probe.restype = [ctypes.c_double], ctypes.c_double
             if probe(21.0) != 42.0:
                 raise BuildError(f"{chosen.command[0]} compiles wrong code: 2 x 21 is not 42")

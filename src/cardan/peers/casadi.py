@@ -15,11 +15,12 @@ from typing import Any
 
 import numpy as np
 
+from ..arrays import Array
 from ..runtime.cache import build
 from ..runtime.newton_euler import Scene
 from .coordinates import SIZES, Convention, Coordinates, after_each_other, coordinates, refusal
 from .loop import HERE, Loop, peer_loop
-from .peer import Array, Contender, Peer, States, installed
+from .peer import Contender, Peer, States, installed
 
 CONVENTION = Convention(scalar_last=False, position_first=False, linear_first=False, body_axes=True)
 # speeds up to which its Jacobian of forward dynamics is written and compiled in seconds

@@ -14,13 +14,14 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from ..arrays import Array
 from ..runtime.compiled import CompiledModel
 from ..runtime.joint_motion import cross, joint_data, joint_motion, times
 from ..runtime.judged import scene_of
 from ..runtime.kind_poses import KindNumbers, pose_of
 from ..runtime.newton_euler import Scene, own
 from ..schema.mechanism import CutRow
-from .peer import Array, States
+from .peer import States
 
 # what can hang on a joint of a split body: coordinates and speeds
 SPLIT = {"revolute": 1, "prismatic": 1, "universal": 2}

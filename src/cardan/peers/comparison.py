@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..arrays import Array
 from ..errors import CardanError
 from ..runtime.compiled import CompiledModel
 from ..runtime.judged import scene_of
@@ -14,7 +15,7 @@ from . import PEERS, peer
 from .circuits import Circuits, circuits
 from .contest import ROUNDS, Run, Time, contest, few, relative
 from .ours import Ours
-from .peer import Array, Contender, States
+from .peer import Contender, States
 
 SEED = 3
 # of a loop, of a batch, and judged with 40 digits

@@ -8,7 +8,8 @@ from time import perf_counter
 
 import numpy as np
 
-from .peer import Array, States
+from ..arrays import Array
+from .peer import States
 
 # seconds of one run; short against what disturbs a machine, long against its clock
 RUN = 4e-3

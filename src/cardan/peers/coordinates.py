@@ -12,9 +12,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..arrays import Array
 from ..runtime.newton_euler import Scene
 from ..runtime.rotations import PARAMETERS
-from .peer import Array
 
 SIZES = {
     "revolute": (1, 1),

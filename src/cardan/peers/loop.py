@@ -11,8 +11,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..arrays import Array
 from .coordinates import Coordinates
-from .peer import Array, States
+from .peer import States
 
 HERE = Path(__file__).parent
 NUMBER = {name: k for k, name in enumerate(("forward_dynamics", "inverse_dynamics", "mass_matrix"))}

@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from ..arrays import Array
 from ..ir.interpreter import evaluate
 from ..ir.serialize import from_dict
 from ..runtime import prebuilt, samples
@@ -21,7 +22,7 @@ from ..runtime.lanes import States as Many
 from ..runtime.loaded import LoadedFunction
 from ..schema.blocks import ORDER, SLOT
 from .loop import HERE, NUMBER, address, output_size, peer_loop
-from .peer import FUNCTIONS, Array, States
+from .peer import FUNCTIONS, States
 
 DIGITS = 40
 

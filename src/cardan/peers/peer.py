@@ -6,12 +6,8 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-import numpy as np
-from numpy.typing import NDArray
-
+from ..arrays import Array
 from ..runtime.newton_euler import Scene
-
-Array = NDArray[np.float64]
 
 # what is compared; derivatives are those of forward dynamics by q and u
 FUNCTIONS = ("forward_dynamics", "inverse_dynamics", "mass_matrix", "derivatives")

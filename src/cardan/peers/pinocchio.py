@@ -15,6 +15,7 @@ from pathlib import Path
 
 import numpy as np
 
+from ..arrays import Array
 from ..errors import BuildError
 from ..runtime import toolchain
 from ..runtime.cache import build
@@ -24,7 +25,7 @@ from . import coordinates
 from .circuits import Circuits
 from .coordinates import Convention, Coordinates
 from .loop import HERE, Loop, address, peer_loop
-from .peer import FUNCTIONS, Array, Contender, Peer, States
+from .peer import FUNCTIONS, Contender, Peer, States
 from .tree import central, depth_first, directions
 
 CONVENTION = Convention(

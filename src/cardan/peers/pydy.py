@@ -16,9 +16,10 @@ from typing import Any
 
 import numpy as np
 
+from ..arrays import Array
 from ..runtime.newton_euler import Scene
 from . import coordinates
-from .peer import Array, Contender, Peer, States, installed
+from .peer import Contender, Peer, States, installed
 from .tree import central, directions
 
 # bodies that it derives and builds in seconds

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from ..arrays import Array
 from ..runtime.newton_euler import Scene
-from .peer import Array
 
 
 def depth_first(scene: Scene) -> list[int]:

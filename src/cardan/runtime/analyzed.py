@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, cast
 from numpy.typing import ArrayLike
 
 from ..arguments import checked
-from .calling import Array
+from ..arrays import Array
 from .evaluation import State
 from .identified import Identified
 

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, final
 
 import numpy as np
 
+from ..arrays import Array
 from .between import inputs_at
-from .calling import Array
 
 if TYPE_CHECKING:
     from .trajectory import Trajectory

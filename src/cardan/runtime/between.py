@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ..arrays import Array
 from ..errors import ArgumentError, ModelError
-from .calling import Array
 from .closing import project
 
 if TYPE_CHECKING:

@@ -1,14 +1,11 @@
-"""The compile cache: shared objects under the hash of everything they were made of.
+"""The compile cache: shared objects, ``<key>.so``, under the hash of all they were made of.
 
-A file is ``<key>.so``: the object as the linker wrote it, then the SHA-256 of it. Loaders ignore
-what follows the last section, so the check travels with the file and one rename publishes both.
 Processes never wait for each other: each compiles in a folder of its own, ``.new-...``, and
 renames. A lock in that folder says that its process lives; the system drops it with the process.
 """
 
 from __future__ import annotations
 
-import ctypes
 import hashlib
 import json
 import os
@@ -27,88 +24,13 @@ from .. import processes
 from ..errors import BuildError
 from . import folder, prebuilt
 from .levels import LEVELS, Level, family
+from .object_file import LOCK, NEW, Object, begun, intact, linked, seal, unwritable
 from .together import together
 from .toolchain import Compiler, compile_shared, find_compiler
-from .trust import exposed, own
 
-DIGEST = 32
 VERSION = "4"
-NEW = ".new-"
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]+"([^"\n]+)"', re.MULTILINE)
-LOCK = "lock"  # file in a folder that a living process compiles in
-LARGEST, CHUNK = 1 << 30, 1 << 20  # bytes of an object, and of what is read of it at once
 GRACE = 60.0  # seconds between the making of a folder and its lock, at the very most
-
-
-@dataclass(frozen=True)
-class Object:
-    """A compiled shared object.
-
-    Attributes:
-        path: The file.
-        fresh: True when it was compiled now, False when it was there.
-        place: Where it belongs in the cache; None when it is there.
-        lock: Descriptor that keeps others from sweeping it away before it is there.
-    """
-
-    path: Path
-    fresh: bool
-    place: Path | None = None
-    lock: int = -1
-
-    def load(self) -> ctypes.CDLL:
-        """The object in this process.
-
-        Raises:
-            BuildError: the loader refuses it.
-        """
-        way = exposed(self.path.parent)
-        if way:
-            raise BuildError(
-                f"compiled code is not loaded from {self.path.parent}: {way} now. Set "
-                "CARDAN_CACHE to a folder of your own"
-            )
-        return self.library()
-
-    def library(self) -> ctypes.CDLL:
-        """The object in this process, from wherever it is: what was installed is trusted.
-
-        Raises:
-            BuildError: the loader refuses it.
-        """
-        try:
-            return ctypes.CDLL(str(self.path))
-        except OSError as error:
-            raise BuildError(
-                f"compiled code cannot be loaded: {error}. Is memory full, does "
-                f"{self.path.parent} lie on a file system without permission to execute, or was "
-                "it removed? Free memory, or set CARDAN_CACHE to "
-                "another folder"
-            ) from error
-
-    def published(self) -> Object:
-        """The same in its place in the cache, for other processes to find.
-
-        Raises:
-            BuildError: the cache was removed meanwhile.
-        """
-        if self.place is None:
-            return self
-        try:
-            os.replace(self.path, self.place)
-        except OSError as error:
-            raise _unwritable(self.place.parent, error) from error
-        finally:
-            self.discard()
-        return replace(self, path=self.place, place=None, lock=-1)
-
-    def discard(self) -> None:
-        """Forget it unless it is published: nobody finds it any more."""
-        if self.place is not None:
-            # first the lock: an open file cannot be removed on every system
-            with suppress(OSError):
-                os.close(self.lock)
-            shutil.rmtree(self.path.parent, ignore_errors=True)
 
 
 @lru_cache(maxsize=8)
@@ -196,10 +118,10 @@ def key(
     headers: Iterable[Path],
     by: Compiler,
     reproducible: bool,
-    words: Sequence[str] = (),
+    extra: Sequence[str] = (),
 ) -> str:
     """Hash of texts, headers, compiler and flags, the level of instructions among them."""
-    parts = [VERSION, by.identity, *by.command, str(by.binary), *by.flags(reproducible), *words]
+    parts = [VERSION, by.identity, *by.command, str(by.binary), *by.flags(reproducible), *extra]
     digest = hashlib.sha256("\0".join(parts).encode())
     for path in [*sources, *sorted(headers, key=lambda path: (path.name, path))]:
         content = path.read_bytes()
@@ -213,13 +135,13 @@ def build(
     include: Sequence[Path] = (),
     reproducible: bool = False,
     by: Compiler | None = None,
-    words: Sequence[str] = (),
+    extra: Sequence[str] = (),
 ) -> Object:
     """The shared object of C files: from the cache, or compiled now and put there.
 
     Args and Raises: as :func:`compiled`.
     """
-    return compiled(sources, include, reproducible, by, words).published()
+    return compiled(sources, include, reproducible, by, extra).published()
 
 
 def compiled(
@@ -227,7 +149,7 @@ def compiled(
     include: Sequence[Path] = (),
     reproducible: bool = False,
     by: Compiler | None = None,
-    words: Sequence[str] = (),
+    extra: Sequence[str] = (),
 ) -> Object:
     """The shared object of C files: from the cache, or compiled now and not yet published.
 
@@ -236,17 +158,17 @@ def compiled(
         include: Directories of headers; those that are included are part of the key.
         reproducible: Equal bits from every compiler.
         by: The compiler; by default the one in use.
-        words: What else the compiler is told, such as ``-DCARDAN_LANES=8``.
+        extra: What else the compiler is told, such as ``-DCARDAN_LANES=8``.
 
     Raises:
         CompilerMissing: no compiler. BuildError: it failed, or there is no room to write.
     """
     by = by or compiler()
-    name = _name(sources, include, by, reproducible, words)
+    name = _name(sources, include, by, reproducible, extra)
     there = _there(name)
     if there is not None:
         return there
-    return _made_somewhere([name], sources, include, by, reproducible, words)[0]
+    return _made_somewhere([name], sources, include, by, reproducible, extra)[0]
 
 
 def compiled_apart(
@@ -254,7 +176,7 @@ def compiled_apart(
     include: Path,
     reproducible: bool,
     by: Compiler,
-    words: Sequence[str] = (),
+    extra: Sequence[str] = (),
 ) -> list[Object]:
     """An object of every C file: from the cache, or compiled now and not yet published.
 
@@ -264,21 +186,21 @@ def compiled_apart(
     Args:
         texts: C files of one directory, whose names are distinct from each other's.
         include: That directory.
-        reproducible, by, words: As :func:`compiled` takes them.
+        reproducible, by, extra: As :func:`compiled` takes them.
 
     Raises:
         BuildError: the compiler failed, or there is no room to write.
     """
-    names = [_name([text], [include], by, reproducible, words) for text in texts]
-    found = {name: _there(name) for name in names}
-    missing = {n: text for n, text in zip(names, texts, strict=True) if found[n] is None}
+    names = [_name([text], [include], by, reproducible, extra) for text in texts]
+    objects = {name: _there(name) for name in names}
+    missing = {n: text for n, text in zip(names, texts, strict=True) if objects[n] is None}
     tasks = [
-        partial(_Several.made, share, [missing[n] for n in share], include, by, reproducible, words)
+        partial(_Several.made, share, [missing[n] for n in share], include, by, reproducible, extra)
         for share in _shares({name: text.stat().st_size for name, text in missing.items()})
     ]
     for several in together(tasks):
-        found |= several.objects
-    return [one for name in names if (one := found[name]) is not None]
+        objects |= several.objects
+    return [one for name in names if (one := objects[name]) is not None]
 
 
 @dataclass(frozen=True)
@@ -327,7 +249,7 @@ def _made_somewhere(names: Sequence[str], *what: Any) -> list[Object]:
     try:
         return _made([elsewhere / name for name in names], *what)
     except OSError as error:
-        raise _unwritable(elsewhere, error) from error
+        raise unwritable(elsewhere, error) from error
 
 
 def found(
@@ -335,10 +257,10 @@ def found(
     include: Sequence[Path],
     reproducible: bool,
     by: Compiler,
-    words: Sequence[str] = (),
+    extra: Sequence[str] = (),
 ) -> Object | None:
     """What :func:`compiled` would give, if it is in the cache."""
-    return _there(_name(sources, include, by, reproducible, words))
+    return _there(_name(sources, include, by, reproducible, extra))
 
 
 def _name(
@@ -346,11 +268,11 @@ def _name(
     include: Sequence[Path],
     by: Compiler,
     reproducible: bool,
-    words: Sequence[str],
+    extra: Sequence[str],
 ) -> str:
     """File name of an object."""
     try:
-        return f"{key(sources, headers(sources, include), by, reproducible, words)}.so"
+        return f"{key(sources, headers(sources, include), by, reproducible, extra)}.so"
     except OSError as error:
         raise BuildError(f"{error.filename} cannot be read: {error.strerror}") from error
 
@@ -381,19 +303,13 @@ def _there(name: str) -> Object | None:
     return None
 
 
-def _unwritable(place: Path, error: OSError) -> BuildError:
-    return BuildError(
-        f"{place} cannot be written to ({error.strerror or error}). {folder.cure(error)}"
-    )
-
-
 def _made(
     places: Sequence[Path],
     sources: Sequence[Path],
     include: Path | Sequence[Path],
     by: Compiler,
     reproducible: bool,
-    words: Sequence[str],
+    extra: Sequence[str],
 ) -> list[Object]:
     """Compile and sign, in a folder of this process; an object that has several places is in each.
 
@@ -401,7 +317,7 @@ def _made(
     """
     cache = places[0].parent
     sweep(cache)
-    made = [_begun(places[0])]
+    made = [begun(places[0])]
     try:
         output = made[0].path
         if len(places) > 1:
@@ -410,38 +326,16 @@ def _made(
             sources = [output.with_suffix(".c")]
             sources[0].write_text(text, encoding="utf-8")
         folders = [include] if isinstance(include, Path) else include
-        compile_shared(by, sources, folders, output, reproducible, cache / "zig", words)
-        with open(output, "r+b") as file:
-            content = file.read()
-            file.write(hashlib.sha256(content).digest())
+        compile_shared(by, sources, folders, output, reproducible, cache / "zig", extra)
+        seal(output)
         for place in places[1:]:
-            made.append(_begun(place))
-            _linked(output, made[-1].path)
+            made.append(begun(place))
+            linked(output, made[-1].path)
     except BaseException:
         for one in made:
             one.discard()
         raise
     return made
-
-
-def _begun(place: Path) -> Object:
-    """An object that is to come, in a folder of its own under a lock."""
-    own = Path(tempfile.mkdtemp(dir=place.parent, prefix=NEW))
-    made = Object(own / "object.so", True, place, os.open(own / LOCK, os.O_RDWR | os.O_CREAT))
-    try:
-        processes.lock(made.lock)
-    except BaseException:
-        made.discard()
-        raise
-    return made
-
-
-def _linked(file: Path, place: Path) -> None:
-    """The same file in another place; a copy where a file system has it once only."""
-    try:
-        os.link(file, place)
-    except OSError:
-        shutil.copyfile(file, place)
 
 
 def sweep(cache: Path) -> list[Path]:
@@ -471,22 +365,3 @@ def _abandoned(path: Path) -> bool:
     finally:
         os.close(handle)
     return True
-
-
-def intact(path: Path) -> bool:
-    """Whether the file is there, this user's alone, and is what the linker wrote."""
-    try:
-        # no link: what it leads to lies somewhere else
-        handle = os.open(path, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC)
-        with open(handle, "rb") as file:
-            status, total = os.fstat(handle), hashlib.sha256()
-            left = status.st_size - DIGEST
-            if not own(status) or not 0 <= left <= LARGEST:
-                return False
-            # in chunks: a damaged file may be larger than memory
-            while left > 0 and (chunk := file.read(min(left, CHUNK))):
-                total.update(chunk)
-                left -= len(chunk)
-            return file.read(DIGEST + 1) == total.digest()
-    except OSError:
-        return False

@@ -9,15 +9,15 @@ from math import prod
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from ..arrays import Array
 from ..errors import ArgumentError, ModelError, SolveError, SolveWarning, near, warn
 from ..schema.blocks import ORDER, SLOT
 from . import abi
 from .batch import Batch
 from .interpreted import Interpreted
 
-Array = NDArray[np.float64]
 SHOWN = 12
 LARGEST = np.iinfo(np.intp).max // 8  # numbers that can be addressed
 

@@ -10,12 +10,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ..arrays import Array
 from ..errors import ArgumentError
 from ..schema.entries import MultiplierRow
 from ..schema.records import Run, check
 from ..schema.rows import column
 from .absolute.frames import standing
-from .calling import Array
 from .interpreted import called_back
 from .ledger import Ledger
 

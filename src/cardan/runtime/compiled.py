@@ -11,11 +11,12 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..arguments import Count, Seed, checked, kinds_of, read
+from ..arrays import Array
 from ..errors import ArgumentError, ModelError, counted, shown
 from ..schema.functions import FUNCTIONS, STANDARD
 from . import kernels
 from .analyzed import Analyzed
-from .calling import Array, by_name, numbers
+from .calling import by_name, numbers
 from .evaluation import Values
 from .generated import Generated, Source
 from .layout import Layout

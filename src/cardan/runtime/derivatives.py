@@ -11,11 +11,11 @@ from typing import Any
 import numpy as np
 
 from ..arguments import checked
+from ..arrays import Array
 from ..errors import ArgumentError, ModelError, near, shown
 from ..ir.request import Request
 from ..schema.blocks import DIRECTIONS
 from ..schema.functions import DIFFERENTIABLE, FUNCTIONS
-from .calling import Array
 from .evaluation import Values, into
 from .functions import Functions
 from .wrenches import generalized, read_wrenches

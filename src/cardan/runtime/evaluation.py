@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from ..arrays import Array
 from ..errors import ArgumentError, ModelError, near
 from ..schema.functions import FUNCTIONS, STANDARD
 from ..schema.manifest import Manifest
-from .calling import Array
 from .objects import Key
 
 if TYPE_CHECKING:

@@ -10,7 +10,7 @@ from typing import Any, final
 import numpy as np
 from numpy.typing import NDArray
 
-from .calling import Array
+from ..arrays import Array
 
 
 @final

@@ -6,9 +6,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ..arrays import Array
 from ..errors import ModelError
 from ..schema.manifest import Manifest
-from .calling import Array
 
 if TYPE_CHECKING:
     from .trajectory import Trajectory

@@ -28,7 +28,7 @@ class Source(ABC):
 
     @abstractmethod
     def spend(self, model: CompiledModel, seconds: float) -> None:
-        """Count what a run took: builds that are faster may be worth their time now."""
+        """Count what elements took in a run: faster builds may be worth their time now."""
 
     @abstractmethod
     def measured(self, model: CompiledModel, seed: int, judged: bool) -> list[Row]:

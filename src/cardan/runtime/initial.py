@@ -8,12 +8,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike
 
+from ..arrays import Array
 from ..errors import ArgumentError, ModelError, SolveError, miscounted, near, shown
 from ..schema.entries import Entry
 from ..schema.manifest import Manifest
 from ..schema.mechanism import JointRow
 from ..schema.rows import column, having
-from .calling import Array
 from .named_rotations import check_units, component, refuse_components
 from .rotations import unit
 

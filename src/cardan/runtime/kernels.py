@@ -17,6 +17,7 @@ from pathlib import Path
 from .. import processes
 from . import cache, prebuilt
 from .levels import LEVELS, Level, family
+from .object_file import Object
 from .toolchain import Compiler, compile_shared
 
 # threads that want the same library at once wait for the one that compiles it
@@ -56,9 +57,9 @@ def library(
 def _library(level: Level, variant: prebuilt.Variant) -> ctypes.CDLL:
     installed = prebuilt.library(level, variant)
     if installed is not None:
-        return cache.Object(installed, False).library()
+        return Object(installed, False).library()
     built = cache.build(
-        variant.sources(), [prebuilt.DIRECTORY], variant.reproducible, words=variant.macros
+        variant.sources(), [prebuilt.DIRECTORY], variant.reproducible, extra=variant.macros
     )
     return built.load()
 
@@ -86,7 +87,7 @@ def install(place: Path, levels: Sequence[Level], by: Compiler, say: Callable[[s
         chooser = choice.compiled(place, Path(scratch), say)
         widths: Sequence[int] = prebuilt.WIDTHS
         if not levels:
-            levels = (LEVELS[cache.Object(place / chooser, False).library().cardan_level()],)
+            levels = (LEVELS[Object(place / chooser, False).library().cardan_level()],)
             widths = [levels[0].lanes] if levels[0].lanes > 1 else []
         work = [
             _Library(

@@ -17,6 +17,7 @@ from ..arrays import Array
 from ..errors import BuildError, CompilerMissing
 from ..schema.blocks import ORDER
 from . import cache, kernels, prebuilt
+from .object_file import Object
 from .toolchain import Compiler
 
 Answer = tuple[int, int, bool]
@@ -74,7 +75,7 @@ class Lanes:
     """
 
     width: int
-    built: cache.Object
+    built: Object
     address: int
     driver: Any = field(repr=False)
     libraries: tuple[ctypes.CDLL, ...] = field(repr=False)
@@ -163,11 +164,11 @@ class Recipe:
 
     def there(self, lanes: int, own: bool) -> Lanes | None:
         """The build if it is in the cache."""
-        words = prebuilt.macros(lanes, own)
-        built = cache.found([self.text], [self.directory], self.reproducible, self.by, words)
+        extra = prebuilt.macros(lanes, own)
+        built = cache.found([self.text], [self.directory], self.reproducible, self.by, extra)
         return None if built is None else self.loaded(built, lanes, own)
 
-    def loaded(self, built: cache.Object, lanes: int, own: bool) -> Lanes:
+    def loaded(self, built: Object, lanes: int, own: bool) -> Lanes:
         library = built.load()
         driver = _driver(self.reproducible, lanes, own)
         address = ctypes.cast(library[self.symbol], ctypes.c_void_p).value or 0
@@ -189,9 +190,9 @@ def made(recipes: Sequence[Recipe], lanes: int, own: bool) -> list[Lanes]:
         return []
     for recipe in recipes:
         recipe.check()
-    one, words = recipes[0], prebuilt.macros(lanes, own)
+    one, extra = recipes[0], prebuilt.macros(lanes, own)
     texts = [recipe.text for recipe in recipes]
-    built = cache.compiled_apart(texts, one.directory, one.reproducible, one.by, words)
+    built = cache.compiled_apart(texts, one.directory, one.reproducible, one.by, extra)
     try:
         pairs = zip(recipes, built, strict=True)
         return [recipe.loaded(single, lanes, own) for recipe, single in pairs]

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any, final
 
 import numpy as np
 
+from ..arrays import Array
 from ..schema.entries import MultiplierRow
-from .calling import Array
 
 if TYPE_CHECKING:
     from .trajectory import Trajectory

@@ -9,12 +9,13 @@ from typing import Any
 
 import numpy as np
 
+from ..arrays import Array
 from ..errors import BuildError
 from ..schema.blocks import ORDER, SLOT
 from ..schema.c_functions import FunctionRow, ResultRow
 from . import abi
 from .batch import Batch
-from .calling import Argument, Array, Caller
+from .calling import Argument, Caller
 from .objects import Code
 
 

@@ -9,9 +9,9 @@ from typing import Any
 
 import numpy as np
 
+from ..arrays import Array
 from ..ir.function import Function
 from ..ir.interpreter import evaluate
-from .calling import Array
 
 BATCH = 1024
 DIGITS = 40

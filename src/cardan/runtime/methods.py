@@ -11,11 +11,11 @@ from typing import Any, Literal, NamedTuple, TypeGuard
 import numpy as np
 from numpy.typing import ArrayLike
 
+from ..arrays import Array
 from ..errors import ArgumentError, shown
 from ..schema.blocks import ARGUMENTS
 from ..schema.functions import FUNCTIONS, ModelFunction
 from . import wrenches as outside
-from .calling import Array
 from .evaluation import Evaluation, State, into
 from .objects import Key
 

@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 
+from ..arrays import Array
 from ..schema.entries import EVENTS
 from ..schema.fields import (
     Misfit,
@@ -28,7 +29,6 @@ from ..schema.fields import (
     text,
 )
 from ..schema.manifest import Manifest
-from .calling import Array
 from .conduct import Conduct
 from .formats.contents import Contents
 

@@ -11,9 +11,9 @@ from collections.abc import Collection
 import numpy as np
 
 from ..arguments import UNIT
+from ..arrays import Array
 from ..errors import ModelError, SolveError
 from ..schema.manifest import Manifest
-from .calling import Array
 
 ZERO = 1e-6  # a length below stands for no rotation
 COMPONENTS = ("w", "x", "y", "z")

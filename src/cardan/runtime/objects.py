@@ -22,6 +22,7 @@ from ..schema.seal import unsealed
 from . import cache
 from .interpreted import Interpreted, announce
 from .lanes import Recipe
+from .object_file import Object
 from .toolchain import Compiler
 
 if TYPE_CHECKING:
@@ -54,7 +55,7 @@ class Code:
     fresh: bool
     address: int = 0
     prepare: int = 0
-    built: cache.Object | None = None
+    built: Object | None = None
     library: ctypes.CDLL | None = field(default=None, repr=False)
     interpreted: Interpreted | None = field(default=None, repr=False)
     recipe: Recipe | None = field(default=None, repr=False)
@@ -301,7 +302,7 @@ class Objects:
                 one.discard()
             raise
 
-    def _connected(self, symbol: str, built: cache.Object, by: Compiler) -> Code:
+    def _connected(self, symbol: str, built: Object, by: Compiler) -> Code:
         """A function in its object.
 
         Raises:

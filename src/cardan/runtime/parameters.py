@@ -7,9 +7,10 @@ from collections.abc import Iterator, Mapping
 import numpy as np
 from numpy.typing import ArrayLike
 
+from ..arrays import Array
 from ..errors import ModelError, named, near
 from ..schema.manifest import Manifest
-from .calling import Array, common, numbers
+from .calling import common, numbers
 
 
 class Parameters(Mapping[str, float]):

@@ -7,11 +7,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ..arrays import Array
 from ..errors import ModelError, near
 from . import judged, newton_euler
 from .absolute import frames
 from .absolute.standing import Plane
-from .calling import Array
 from .joint_motion import REVERSED
 from .kind_poses import POSES, joints_of
 from .rotations import PARAMETERS

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from . import cache
+from .object_file import NEW, intact
 
 DAY = 86400.0
 OBJECT = re.compile(r"[0-9a-f]{64}\.so\Z")
@@ -32,7 +33,7 @@ class Content:
 def content(place: Path) -> Content:
     """What a cache holds."""
     found = list(_things(place))
-    left = list(place.glob(f"{cache.NEW}*")) if place.is_dir() else []
+    left = list(place.glob(f"{NEW}*")) if place.is_dir() else []
     return Content(
         objects=sum(path.suffix == ".so" for path in found),
         models=sum(path.parent != place for path in found),
@@ -55,7 +56,7 @@ def prune(place: Path, days: float) -> Content:
     cache.sweep(place)
     for path in _things(place):
         old = days <= 0 or _used(path) < limit
-        if old or (path.suffix == ".so" and not cache.intact(path)):
+        if old or (path.suffix == ".so" and not intact(path)):
             # what somebody else removes, or holds, is not our business
             with suppress(OSError):
                 shutil.rmtree(path) if path.is_dir() else path.unlink()

@@ -10,12 +10,13 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ..arrays import Array
 from ..errors import CompilerMissing, DerivationError, ModelError, counted
 from ..ir.serialize import from_dict
 from ..schema.blocks import ORDER
 from . import abi, cache, measuring, samples
 from .batch import one_by_one
-from .calling import Argument, Array
+from .calling import Argument
 from .loaded import LoadedFunction
 from .measuring import BATCH, Row, timed
 

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ..arrays import Array
 from ..schema.blocks import ORDER, SLOT
-from .calling import Array
 from .lanes import States
 from .loaded import LoadedFunction
 

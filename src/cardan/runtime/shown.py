@@ -6,15 +6,14 @@ from itertools import pairwise
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ..arrays import Array
 from ..ir.html import Html, block, details, paragraph, text_block, written
 from .summary import summary
 
 if TYPE_CHECKING:
     from .trajectory import Trajectory
 
-Array = NDArray[np.float64]
 # of tones that can be seen on light and on dark pages
 COLORS = ("#2a7fd4", "#e07b20", "#2e9e4f", "#d0453e", "#9467bd", "#a0705f", "#d06bb0", "#8a8f98")
 WIDTH, HEIGHT, LEFT, BELOW = 640, 150, 64, 18

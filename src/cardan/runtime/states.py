@@ -7,9 +7,9 @@ from collections.abc import Mapping
 
 import numpy as np
 
+from ..arrays import Array
 from ..schema.entries import CoordinateRow
 from ..schema.manifest import Manifest
-from .calling import Array
 from .rotations import PARAMETERS
 
 SPEED = 1.0

@@ -16,13 +16,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..arguments import checked
+from ..arrays import Array
 from ..errors import ModelError
 from ..schema.fields import dumped
 from ..schema.manifest import BLOCKS, Manifest
 from ..schema.rows import column
 from ..version import RUN
 from . import balance, formats, motion_schema
-from .calling import Array
 from .conduct import Conduct
 from .dense import Dense
 from .events import Happened

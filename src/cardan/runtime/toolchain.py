@@ -212,7 +212,7 @@ def compile_shared(
     output: Path,
     reproducible: bool = False,
     scratch: Path | None = None,
-    words: Sequence[str] = (),
+    extra: Sequence[str] = (),
 ) -> None:
     """Compile and link C files into one shared object, in one command, within limits.
 
@@ -220,7 +220,7 @@ def compile_shared(
         include: Directories of headers.
         output: File to write; beside it the compiler may keep what it needs meanwhile.
         scratch: Where a compiler that keeps a cache of its own may put it.
-        words: What else it is told, such as ``-DCARDAN_LANES=8``.
+        extra: What else it is told, such as ``-DCARDAN_LANES=8``.
 
     Raises:
         BuildError: with the compiler's message. OSError: there is no room for the output.
@@ -228,7 +228,7 @@ def compile_shared(
     command = [
         *compiler.command,
         *compiler.flags(reproducible),
-        *words,
+        *extra,
         *(f"-I{folder}" for folder in include),
         "-o",
         str(output),

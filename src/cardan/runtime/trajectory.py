@@ -11,12 +11,12 @@ from typing import TYPE_CHECKING, Any, final
 import numpy as np
 
 from ..arguments import Times, checked
+from ..arrays import Array
 from ..errors import ModelError, near
 from ..schema.manifest import Manifest
 from . import followers
 from .balance import Balance, balance, impacts
 from .between import inputs_at, states_at
-from .calling import Array
 from .conduct import EVENT, FINISHED, Conduct
 from .dense import Dense
 from .events import Event, Happened

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, cast
 
 import numpy as np
 
+from ..arrays import Array
 from ..errors import BuildError, SolveWarning, warn
-from .calling import Array
 from .closed_states import bound, unbound
 from .judged import scene_of, unknown
 from .newton_euler import EMPTY, Scene

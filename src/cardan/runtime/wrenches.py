@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from ..arrays import Array
 from ..errors import ArgumentError, ModelError, named, near
-from .calling import Array, numbers
+from .calling import numbers
 
 if TYPE_CHECKING:
     from .evaluation import Evaluation, State, Values

@@ -74,17 +74,17 @@ def is_text(value: Any) -> bool:
     )
 
 
-def is_whole(value: Any) -> bool:
+def is_integer(value: Any) -> bool:
     """Whether a value is an integer that is a number as well."""
     return isinstance(value, int) and not isinstance(value, bool) and abs(value) < NUMBERS
 
 
 def is_number(value: Any) -> bool:
     """Whether a value is a number."""
-    return isinstance(value, float) or is_whole(value)
+    return isinstance(value, float) or is_integer(value)
 
 
-def whole_from(least: int, end: int) -> Callable[[Any], bool]:
+def integer_from(least: int, end: int) -> Callable[[Any], bool]:
     """Whether values are integers from the least one on, below the end."""
     return lambda value: type(value) is int and least <= value < end
 
@@ -94,9 +94,9 @@ number = kind("a number", is_number, type="number")
 positive = kind(
     "a number above 0", lambda x: is_number(x) and x > 0, type="number", exclusiveMinimum=0
 )
-whole = kind("an integer", is_whole, type="integer")
-count = kind("an integer from 0 on", whole_from(0, NUMBERS), type="integer", minimum=0)
-size = kind("a size", whole_from(0, SIZES), type="integer", minimum=0)
+integer = kind("an integer", is_integer, type="integer")
+count = kind("an integer from 0 on", integer_from(0, NUMBERS), type="integer", minimum=0)
+size = kind("a size", integer_from(0, SIZES), type="integer", minimum=0)
 flag = kind("true or false", lambda value: isinstance(value, bool), type="boolean")
 
 
@@ -108,10 +108,10 @@ def one_of(*values: object) -> Kind:
 
 def matching(pattern: str, what: str) -> Kind:
     """Texts that match a regular expression as a whole."""
-    whole_text = re.compile(pattern.removesuffix("$") + r"\Z", re.ASCII)
+    expression = re.compile(pattern.removesuffix("$") + r"\Z", re.ASCII)
     return kind(
         what,
-        lambda value: isinstance(value, str) and whole_text.match(value) is not None,
+        lambda value: isinstance(value, str) and expression.match(value) is not None,
         type="string",
         pattern=pattern,
     )
@@ -127,13 +127,13 @@ def listed(entry: Kind | type[Record], length: int | None = None) -> Kind:
             raise Misfit(f"is {value!r:.60}, not a list")
         if length is not None and len(value) != length:
             raise Misfit(f"has {len(value)} entries, not {length}")
-        made: list[Any] = []
+        entries: list[Any] = []
         try:
             for one in value:
-                made.append(read_entry(one, run))
+                entries.append(read_entry(one, run))
         except Misfit as misfit:
-            raise misfit.within(f"[{len(made)}]") from None
-        return made
+            raise misfit.within(f"[{len(entries)}]") from None
+        return entries
 
     return Kind(read, {"type": "array", "items": schema, **sizes})
 
@@ -145,14 +145,14 @@ def table(entry: Kind | type[Record], keys: Kind = text) -> Kind:
     def read(value: Any, run: bool) -> dict[str, Any]:
         if not isinstance(value, dict):
             raise Misfit(f"is {value!r:.60}, not a table")
-        made = {}
+        entries = {}
         for name, one in value.items():
             keys.read(name, run)
             try:
-                made[name] = read_entry(one, run)
+                entries[name] = read_entry(one, run)
             except Misfit as misfit:
                 raise misfit.within(f".{name}") from None
-        return made
+        return entries
 
     names = {} if keys is text else {"propertyNames": keys.schema}
     return Kind(read, {"type": "object", **names, "additionalProperties": schema})
@@ -181,13 +181,13 @@ def either(first: Kind, second: Kind) -> Kind:
 
 def pair() -> Kind:
     """Two counts: where something begins, and how much it is."""
-    found = listed(count, 2)
+    two = listed(count, 2)
 
     def read(value: Any, run: bool) -> tuple[int, int]:
-        start, size = found.read(value, run)
+        start, size = two.read(value, run)
         return start, size
 
-    return Kind(read, found.schema)
+    return Kind(read, two.schema)
 
 
 def of(entry: Kind | type[Record]) -> Kind:
@@ -272,13 +272,13 @@ class Record:
         """
         if not isinstance(plain, dict):
             raise Misfit(f"is {plain!r:.60}, not a table")
-        made = cls.trusted({})
-        own = vars(made)
+        record = cls.trusted({})
+        entries = vars(record)
         for name, read, default, lacking in cls._rows:
             value = plain.get(name)
             if value is not None:
                 try:
-                    own[name] = read(value, run)
+                    entries[name] = read(value, run)
                 except Misfit as misfit:
                     raise misfit.within(f".{name}") from None
                 continue
@@ -286,9 +286,9 @@ class Record:
             if absent is REQUIRED:
                 raise Misfit("is missing").within(f".{name}")
             if absent is not default:
-                own[name] = absent
-        made.fit(run)
-        return made
+                entries[name] = absent
+        record.fit(run)
+        return record
 
     @classmethod
     def lacking(cls, name: str) -> Any:
@@ -298,9 +298,9 @@ class Record:
     @classmethod
     def trusted(cls, entries: Mapping[str, Any]) -> Self:
         """A record of entries that are known to be good."""
-        made = object.__new__(cls)
-        vars(made).update(entries)
-        return made
+        record = object.__new__(cls)
+        vars(record).update(entries)
+        return record
 
     def fit(self, run: bool) -> None:
         """Make sure that entries fit each other.

@@ -77,11 +77,11 @@ class Run(Generic[R]):
         self.pattern = tuple({k: x for k, x in row.items() if x is not None} for row in pattern)
         # in between numbers only grow or fall
         for k in (count - 1, 0):
-            made = [record.read(self._plain(row, k), saved) for row in self.pattern]
-        self._constant = [vars(row) for row in made]
-        self._varying = [
+            rows = [record.read(self._plain(row, k), saved) for row in self.pattern]
+        self._constant = [vars(row) for row in rows]
+        self._changing = [
             {key: entry for key, entry in row.items() if _varies(entry) and key in vars(first)}
-            for row, first in zip(self.pattern, made, strict=True)
+            for row, first in zip(self.pattern, rows, strict=True)
         ]
 
     def __len__(self) -> int:
@@ -90,49 +90,51 @@ class Run(Generic[R]):
     def _plain(self, row: Mapping[str, Any], k: int) -> dict[str, Any]:
         """A row as JSON would have it."""
         which = range(k, k + 1)
-        found = {key: self._entries(entry, which)[0] for key, entry in row.items()}
-        return {key: list(x) if isinstance(x, tuple) else x for key, x in found.items()}
+        entries = {key: self._entries(entry, which)[0] for key, entry in row.items()}
+        return {key: list(x) if isinstance(x, tuple) else x for key, x in entries.items()}
 
     def row(self, number: int) -> R:
         """One of its rows."""
         k, one = divmod(number, len(self.pattern))
         which = range(k, k + 1)
-        own = {key: self._entries(x, which)[0] for key, x in self._varying[one].items()}
-        return self.record.trusted({**self._constant[one], **own})
+        entries = {key: self._entries(x, which)[0] for key, x in self._changing[one].items()}
+        return self.record.trusted({**self._constant[one], **entries})
 
     def _entries(self, entry: Any, which: range) -> list[Any]:
         """An entry of one row of the pattern in some repetitions."""
-        told: Mapping[str, Any] = entry if isinstance(entry, dict) else {}
-        if TEXT in told:
-            before, first, behind = told[TEXT]
+        rule: Mapping[str, Any] = entry if isinstance(entry, dict) else {}
+        if TEXT in rule:
+            before, first, behind = rule[TEXT]
             return [f"{before}{first + k}{behind}" for k in which]
-        if INTEGER in told:
-            first, step, *size = told[INTEGER]
-            found = [first + k * step for k in which]
-            return [(k, *size) for k in found] if size else found
-        if VALUE in told:
-            some: list[Any] = self.values[which.start : which.stop, told[VALUE]].tolist()
+        if INTEGER in rule:
+            first, step, *size = rule[INTEGER]
+            integers = [first + k * step for k in which]
+            return [(k, *size) for k in integers] if size else integers
+        if VALUE in rule:
+            some: list[Any] = self.values[which.start : which.stop, rule[VALUE]].tolist()
             return some
         return [entry] * len(which)
 
     def __iter__(self) -> Iterator[R]:
         for start in range(0, self.count, SOME):
             which = range(start, min(start + SOME, self.count))
-            made = []
-            for constant, varying in zip(self._constant, self._varying, strict=True):
-                columns = [self._entries(entry, which) for entry in varying.values()]
-                rows = zip(*columns, strict=True) if columns else ((),) * len(which)
-                made.append([{**constant, **dict(zip(varying, x, strict=True))} for x in rows])
-            for some in zip(*made, strict=True):
+            columns = []
+            for constant, changing in zip(self._constant, self._changing, strict=True):
+                entries = [self._entries(entry, which) for entry in changing.values()]
+                rows = zip(*entries, strict=True) if entries else ((),) * len(which)
+                columns.append([{**constant, **dict(zip(changing, x, strict=True))} for x in rows])
+            for some in zip(*columns, strict=True):
                 yield from map(self.record.trusted, some)
 
     def column(self, key: str) -> list[Any]:
         """The entries of a key in all rows, None where a row has none."""
-        found: list[Any] = [None] * len(self)
-        for one, (constant, varying) in enumerate(zip(self._constant, self._varying, strict=True)):
-            entry = varying.get(key, constant.get(key))
-            found[one :: len(self.pattern)] = self._entries(entry, range(self.count))
-        return found
+        entries: list[Any] = [None] * len(self)
+        for one, (constant, changing) in enumerate(
+            zip(self._constant, self._changing, strict=True)
+        ):
+            entry = changing.get(key, constant.get(key))
+            entries[one :: len(self.pattern)] = self._entries(entry, range(self.count))
+        return entries
 
     @property
     def ends(self) -> list[R]:
@@ -146,17 +148,17 @@ class Run(Generic[R]):
         return {"count": self.count, "pattern": list(self.pattern), "values": values}
 
     @staticmethod
-    def of(told: Mapping[str, Any], record: type[R], saved: bool = False) -> Run[R]:
+    def of(data: Mapping[str, Any], record: type[R], saved: bool = False) -> Run[R]:
         """From JSON.
 
         Raises:
             ValueError, KeyError, TypeError, AttributeError, IndexError: it is damaged.
         """
-        count = int(told["count"])
-        values = np.frombuffer(base64.b64decode(told["values"]), "<f8").astype(np.float64)
-        if count <= 0 or not told["pattern"]:
+        count = int(data["count"])
+        values = np.frombuffer(base64.b64decode(data["values"]), "<f8").astype(np.float64)
+        if count <= 0 or not data["pattern"]:
             raise Misfit("is a run of rows without rows")
-        return Run(record, count, told["pattern"], values.reshape(count, -1), saved)
+        return Run(record, count, data["pattern"], values.reshape(count, -1), saved)
 
 
 def _varies(entry: Any) -> bool:
@@ -243,13 +245,13 @@ def ends(rows: Sequence[R]) -> Sequence[R]:
 
 def rows_of(record: type[R]) -> Kind:
     """Rows as a list, or as what repeats."""
-    written_out = listed(record)
+    plain_rows = listed(record)
 
     def read(value: Any, run: bool) -> Sequence[R]:
         if not (isinstance(value, dict) and value.keys() == {"listed", "runs"}):
-            return list(written_out.read(value, run))
+            return list(plain_rows.read(value, run))
         try:
-            runs = [Run.of(told, record, run) for told in value["runs"]]
+            runs = [Run.of(data, record, run) for data in value["runs"]]
         except Misfit:
             raise
         except (
@@ -261,6 +263,6 @@ def rows_of(record: type[R]) -> Kind:
             OverflowError,
         ) as error:
             raise Misfit(f"has a run of rows that is damaged: {error!r}") from error
-        return Rows(written_out.read(value["listed"], run), runs)
+        return Rows(plain_rows.read(value["listed"], run), runs)
 
-    return Kind(read, {"anyOf": [written_out.schema, {"$ref": "#/$defs/runs"}]})
+    return Kind(read, {"anyOf": [plain_rows.schema, {"$ref": "#/$defs/runs"}]})

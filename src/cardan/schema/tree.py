@@ -12,6 +12,7 @@ from .fields import (
     either,
     field,
     flag,
+    integer,
     is_number,
     kind,
     listed,
@@ -19,7 +20,6 @@ from .fields import (
     number,
     table,
     text,
-    whole,
 )
 
 
@@ -63,7 +63,7 @@ class Tree(Record):
     """The structure of the tree; its numbers are the saved Function scene in functions.json."""
 
     parents: Sequence[int] = field(
-        listed(whole), "number of the parent body, -1 for the ground", run=()
+        listed(integer), "number of the parent body, -1 for the ground", run=()
     )
     kinds: Sequence[str] = field(
         listed(text),

@@ -5,14 +5,12 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..runtime.placing import inverse
 from ..runtime.trajectory import Trajectory
 from ..schema.mechanism import ShapeRow
 from .scene import SOLIDS, THICK, link, solid
 
-Array = NDArray[np.float64]
 # points of one beam in one picture; numbers of all beams in all pictures
 MOST_POINTS, MOST_NUMBERS = 60, 3_000_000
 # least radius of a tube against the size of what is drawn

@@ -5,14 +5,13 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ..arrays import Array
 from ..runtime.placing import inverse
 from ..runtime.trajectory import Trajectory
 from ..schema.manifest import Manifest
 from ..schema.mechanism import BodyRow, ShapeRow
 
-Array = NDArray[np.float64]
 THICK = 0.08  # radius of a drawn link, relative to the mean length of the links
 TAPER = 0.7
 LOOSE = ("free", "planar")  # joints that hold nothing together: no link leads to them

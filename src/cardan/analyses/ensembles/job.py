@@ -8,6 +8,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from ...arrays import Array
 from ...runtime.compiled import CompiledModel
 from ...runtime.conduct import EVENT, FINISHED
 from ...runtime.trajectory import Trajectory
@@ -19,8 +20,6 @@ from .crew import Crew, Ends, suits
 from .reductions import Histories, Parts, Reduction
 from .single import Single, motion
 from .varied import Varied
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

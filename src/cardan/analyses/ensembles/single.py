@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ...arrays import Array
 from ...errors import CardanError, FunctionError
 from ...runtime.closing import Closing
 from ...runtime.compiled import CompiledModel
@@ -21,7 +21,6 @@ from ..times import Span
 from .crew import NUMBERS, Ends
 from .varied import Varied
 
-Array = NDArray[np.float64]
 PARTS = (0.0, 0.13, 0.29, 0.41, 0.57, 0.71, 0.86, 1.0)
 
 

@@ -9,7 +9,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ...errors import ModelError
 from ...runtime import formats
@@ -22,7 +21,6 @@ from .stored_schema import NOTES, Read, checked
 if TYPE_CHECKING:
     from .result import Asked, Ensemble
 
-Array = NDArray[np.float64]
 FEWER = "Keep reductions instead of states"
 # what a name in a file may have beside letters of ASCII and digits
 OTHER = re.compile(r"[^A-Za-z0-9_.]")

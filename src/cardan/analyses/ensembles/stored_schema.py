@@ -13,12 +13,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ...arrays import Array
 from ...runtime.formats.contents import Contents, Variable
 from ...schema.fields import Record, count, field, is_text, listed, number, one_of, table, text
 from .crew import NUMBERS
 from .reductions import Bins
 
-Array = NDArray[np.float64]
 NOTES = ("messages", "ensemble")
 MOST = 127  # words of a status
 AXES = ("run", "time", "entry", "bin")

@@ -11,11 +11,11 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from ...arrays import Array
 from ..accounting import tolerated
 from .crew import NUMBERS, suits
 from .job import Job
 
-Array = NDArray[np.float64]
 Bools = NDArray[np.bool_]
 AGAIN = 16  # runs that are done again at most
 

@@ -7,8 +7,8 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ...arrays import Array
 from ...errors import ArgumentError, ModelError, SolveError, named, near, shown
 from ...runtime.calling import numbers
 from ...runtime.compiled import CompiledModel
@@ -17,7 +17,6 @@ from ...runtime.named_rotations import check_units, component, refuse_components
 from .. import sample
 from ..signals import Signals, signals
 
-Array = NDArray[np.float64]
 SUCH = "such as vary={'mass': [1, 2, 5]}, or a plan, vary=cd.sample.grid(mass=(1, 2, 100))"
 SOME = 1 << 14  # runs whose parameters are looked at together
 WHAT = {"q": "coordinate", "u": "speed", "z": "state", "p": "parameter", "r": "input"}

@@ -18,13 +18,13 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ...arguments import Seed, checked
+from ...arrays import Array
 from ...errors import ArgumentError, ModelError, SolveError
 from .triangle import triangle
 
 if TYPE_CHECKING:
     from ...runtime.compiled import CompiledModel
 
-Array = NDArray[np.float64]
 # what is left of a column, relative to it, if others make it up; rounding leaves 1e-13
 RANK = 1e-9
 # states for each parameter, speeds and accelerations at them

@@ -10,9 +10,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ... import regular_file
+from ...arrays import Array
 from ...errors import ArgumentError, near
 from ...runtime import formats
 from ...runtime.calling import numbers
@@ -24,7 +24,6 @@ from . import smoothing
 if TYPE_CHECKING:
     from ...runtime.compiled import CompiledModel
 
-Array = NDArray[np.float64]
 BLOCKS = ("q", "u", "udot", "tau", "r")
 # samples left out at either end where derivatives come from a spline
 ENDS = 6

@@ -14,9 +14,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ...arguments import Count, Seed, Times, checked
+from ...arrays import Array
 from ...errors import ArgumentError, SolveError, near
 from ..actuation import named_speeds
 from ..progress import showing
@@ -27,7 +27,6 @@ from .fourier import Limits, Series, feasible
 if TYPE_CHECKING:
     from ...runtime.compiled import CompiledModel
 
-Array = NDArray[np.float64]
 CRITERIA = ("condition", "determinant")
 # samples per harmonic at which the regressor is judged
 SAMPLES = 12

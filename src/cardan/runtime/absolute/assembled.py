@@ -9,11 +9,12 @@ from typing import TYPE_CHECKING, final
 
 import numpy as np
 
+from ...arrays import Array
 from ...errors import ModelError
 from ...schema.blocks import ORDER
 from ...schema.c_functions import FunctionRow, ResultRow
 from ...schema.functions import OF_ELEMENTS
-from ..calling import Array, Caller
+from ..calling import Caller
 from ..generated import Source
 from ..loaded import LoadedFunction
 from ..objects import Code, Key

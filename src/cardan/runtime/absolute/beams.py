@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any, final
 import numpy as np
 from numpy.typing import ArrayLike
 
+from ...arrays import Array
 from ...errors import ArgumentError, ModelError, counted, near
-from ..calling import Array
 from .elements import Elements, State
 
 if TYPE_CHECKING:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..calling import Array
+from ...arrays import Array
 from . import loading
 from .standing import pose, speeds
 from .tables import Integers, Tables

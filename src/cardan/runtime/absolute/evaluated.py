@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import scipy.sparse
 
+from ...arrays import Array
 from ...errors import ModelError
 from ...schema.functions import FUNCTIONS
-from ..calling import Array
 from .elements import State
 from .frames import Frames
 from .mesh import Mesh

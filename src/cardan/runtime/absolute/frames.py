@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ...arrays import Array
 from ...errors import ModelError
 from ...schema.mechanism import FrameRow
-from ..calling import Array
 from .standing import Plane, pose, speeds
 
 if TYPE_CHECKING:

@@ -10,10 +10,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ... import regular_file
+from ...arrays import Array
 from ...errors import ModelError
 from ...schema.manifest import Manifest
 from ...schema.records import PARTS
-from ..calling import Array
 from ..number_file import unpacked
 from ..objects import Code
 from .elements import Elements

@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ...arrays import Array
 from ...ir.serialize import from_dict
 from ...schema.blocks import ORDER, SLOT
 from .. import abi, loaded, measuring
-from ..calling import Array
 from ..initial import start_of
 from ..lanes import width
 from ..measuring import Row

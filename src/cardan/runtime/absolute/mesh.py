@@ -11,6 +11,7 @@ from typing import Any, final
 import numpy as np
 from numpy.typing import NDArray
 
+from ...arrays import Array
 from ...errors import BuildError, BuildWarning, SolveError, warn
 from ...schema.blocks import ORDER
 from ...schema.c_functions import FunctionRow
@@ -30,7 +31,6 @@ from .matrices import Matrices
 from .record_fields import group_fields, mesh_fields, mover_fields
 from .tables import Tables
 
-Array = NDArray[np.float64]
 # elements of a group from which on they may go side by side
 WORTH = 8
 # what functions of the whole mesh ask of the elements

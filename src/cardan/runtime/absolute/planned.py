@@ -8,9 +8,9 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from ...arrays import Array
 from ...errors import ModelError
 from ...schema.planned import Planned
-from ..calling import Array
 from ..closing import columns_of, size_of
 from ..compiled import CompiledModel
 from ..initial import start_of

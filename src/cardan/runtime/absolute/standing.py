@@ -7,8 +7,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ...arrays import Array
 from ...schema import finite_elements
-from ..calling import Array
 
 
 @dataclass(frozen=True)

@@ -10,10 +10,10 @@ from typing import Any, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
+from ...arrays import Array
 from ...schema.finite_elements import ElementKind, PlaceKind
 from .standing import Plane, pose, speeds
 
-Array = NDArray[np.float64]
 Integers = NDArray[np.intp]
 T = TypeVar("T")
 

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from ..calling import Array
+from ...arrays import Array
 from .tables import Integers, Tables
 
 GROUND = -1

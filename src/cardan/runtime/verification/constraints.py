@@ -13,8 +13,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ...arrays import Array
 from ...errors import DerivationError, ModelError
-from ..calling import Array
 from ..initial import start_of
 from .differences import REACH, central, input_rates
 

@@ -9,14 +9,13 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ...arrays import Array
 from ...schema.tree import SampleRow
 
 if TYPE_CHECKING:
     from ..compiled import CompiledModel
 
-Array = NDArray[np.float64]
 CHANGED = "not checked: values are built in that SymPy's numbers do not belong to"
 YIELDING = "not checked: constraints treated by '{}' give way"
 APART = "not checked: SymPy tells no numbers of it"
