@@ -5,7 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 
 import cardan as cd
-from cardan.codegen.layout import KERNELS
+from cardan.codegen.layout import HEADERS, KERNELS
+from cardan.schema.seal import sealed, unsealed
 from explain.scenes import scene_of
 
 __all__ = ["EXAMPLES", "FLEXIBLE", "FUNCTIONS", "ROOT", "scene_of", "written"]
@@ -26,14 +27,20 @@ FLEXIBLE = ROOT / "examples" / "17_flexible_pendulum.py"
 def written(example: Path, folder: Path) -> Path:
     """The C of an example, as far as ``generated/`` shows it.
 
-    Kernels of the solver and of the mesh, and expressions for derivatives, stand elsewhere.
+    Kernels of the solver and of the mesh, and expressions for derivatives, stand elsewhere; the
+    manifest has no hashes of them.
     """
     equations = cd.derive(scene_of(example))
     if example == FLEXIBLE:
         equations.export(folder, functions=("forward_dynamics",))
-        for path in (*folder.glob("*.c"), folder / "functions.json"):
-            if path.suffix == ".json" or (KERNELS / path.name).exists():
+        left_out = {"functions.json", *(path.name for path in KERNELS.iterdir())} - {*HEADERS}
+        for path in folder.iterdir():
+            if path.name in left_out:
                 path.unlink()
+        manifest = folder / "manifest.json"
+        data = unsealed(manifest.read_bytes())
+        data["sha256"] = {k: x for k, x in data["sha256"].items() if k not in left_out}
+        manifest.write_text(sealed(data, indent=1, ensure_ascii=False), "utf-8")
         return folder
     more = HAPPENING if "events" in equations.names() else ()
     return equations.export(folder, functions=(*FUNCTIONS, *more))

@@ -13,6 +13,7 @@ from pathlib import Path
 
 import pytest
 
+from cardan.codegen.layout import KERNELS
 from cardan.runtime import toolchain
 from golden.scenes import EXAMPLES, FLEXIBLE, ROOT, scene_of, written
 
@@ -73,6 +74,6 @@ def test_generated_compiles_without_warning(kept: Path, compiler: str, tmp_path:
     level = ["-O2"] if compiler == "gcc" else ["-O0", "-fno-sanitize=undefined"]
     command = [*found[0][0], *STRICT, *level, "-shared", "-fPIC", "-o", str(tmp_path / "all.so")]
     sources = sorted(str(path) for path in kept.glob("*.c"))
-    command += [*sources, "-lm"]
+    command += [f"-I{KERNELS}", *sources, "-lm"]
     done = subprocess.run(command, capture_output=True, text=True, timeout=300)
     assert done.returncode == 0, done.stderr
