@@ -106,7 +106,7 @@ def unwritable(place: Path, error: OSError) -> BuildError:
 def begun(place: Path) -> Object:
     """An object that is to come, in a folder of its own under a lock."""
     directory = Path(tempfile.mkdtemp(dir=place.parent, prefix=NEW))
-    lock = FileIO(directory / LOCK, "w+")
+    lock = FileIO(os.open(directory / LOCK, os.O_RDWR | os.O_CREAT), "r+")
     made = Object(directory / "object.so", True, place, lock)
     try:
         processes.lock(lock.fileno())
