@@ -322,14 +322,15 @@ def _made(
     sweep(cache)
     made = [begun(places[0])]
     try:
-        output = made[0].path
+        output, files = made[0].path, sources
         if len(places) > 1:
             # the directory of the sources is among those of headers
             text = "".join(f'#include "{source.name}"\n' for source in sources)
-            sources = [output.with_suffix(".c")]
-            sources[0].write_text(text, encoding="utf-8")
+            files = [output.with_suffix(".c")]
+            files[0].write_text(text, encoding="utf-8")
         folders = [include] if isinstance(include, Path) else include
-        compile_shared(by, sources, folders, output, reproducible, cache / "zig", extra)
+        given = reproducible, cache / "zig", extra, sources
+        compile_shared(by, files, folders, output, *given)
         seal(output)
         for place in places[1:]:
             made.append(begun(place))

@@ -55,7 +55,7 @@ def _whole(model: CompiledModel, results: Results, q: Array, u: Array) -> Iterat
     entries = model.manifest.functions
     for name, asked in WHOLE.items():
         operations = sum(
-            len(group) * sum(entries[group.kind.functions[form]].operations.values())
+            len(group) * entries[group.kind.functions[form]].total_operations
             for group in results.tables.groups
             for form in NEEDED[asked]
             if form in group.kind.functions
@@ -80,7 +80,7 @@ def _elements(model: CompiledModel, results: Results, at: State, judged: bool) -
             run, found = _ready(code, given, len(group))
             spent = measuring.timed(run, len(found)) if code.interpreted is None else math.nan
             run()
-            operations = sum(code.entry.operations.values())
+            operations = code.entry.total_operations
             several = found[: len(groups[number])]
             error = _error(saved[symbol], given, several) if judged else None
             yield Row(
