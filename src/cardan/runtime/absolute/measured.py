@@ -18,7 +18,7 @@ from ..lanes import width
 from ..measuring import Row
 from ..objects import Code
 from .elements import State
-from .mesh import NEEDED, WORTH
+from .mesh import LANE_THRESHOLD, NEEDED
 from .tables import Table
 
 if TYPE_CHECKING:
@@ -106,7 +106,7 @@ def _ready(code: Code, given: dict[str, Array], n: int) -> tuple[Callable[[], An
 
 def _lanes(code: Code, group: Table) -> int:
     """Elements side by side where the mesh runs through them."""
-    return width() if len(group) >= WORTH and width() in code.entry.lanes else 1
+    return width() if len(group) >= LANE_THRESHOLD and width() in code.entry.lanes else 1
 
 
 def _error(saved: dict[str, Any], given: dict[str, Array], found: Array) -> float:

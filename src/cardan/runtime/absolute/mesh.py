@@ -32,7 +32,7 @@ from .record_fields import group_fields, mesh_fields, mover_fields
 from .tables import Tables
 
 # elements of a group from which on they may go side by side
-WORTH = 8
+LANE_THRESHOLD = 8
 # what functions of the whole mesh ask of the elements
 SOLVED = ("balance", "balance_tangent", "gamma")
 NEEDED = {
@@ -184,7 +184,11 @@ class Mesh(Elements):
         w = prepare(code, data)
         form.one, form.w, form.nw = code.address, self._pointer(w), w.shape[1]
         form.size = int(code.entry.output_size)
-        if code.recipe is None or len(data) < WORTH or not 1 < self._width in code.entry.lanes:
+        if (
+            code.recipe is None
+            or len(data) < LANE_THRESHOLD
+            or not 1 < self._width in code.entry.lanes
+        ):
             return
         # what is missing in the last block repeats the last element
         rows = np.minimum(np.arange(-(-len(w) // self._width) * self._width), len(w) - 1)
