@@ -13,6 +13,7 @@ from analyses.test_rounded import rounded
 from cardan.errors import ModelWarning, SolveError
 from cardan.runtime.verification import constraints
 from mechanisms import ZOO
+from mechanisms.closed_planar import four_bar
 from mechanisms.overconstrained import bennett, bennett_angles
 from table import each
 
@@ -181,6 +182,14 @@ def test_a12_builds_of_circuits_that_cannot_move_are_judged(name: str) -> None:
     result = model.verify()
     assert {"close_position", "close_velocity", "closure"} <= set(result.checked), str(result)
     assert result.worst < 1e-11
+
+
+def test_what_the_plane_of_a_loop_holds_is_said_to_be_held_by_that() -> None:
+    """The report named no reason: conditions that are left out passed for constraints."""
+    model = cd.compile(four_bar())
+    found = model.redundancy(model.assemble({"A": 0.5}).q)
+    assert found.redundant == 3
+    assert all("its loop moves in a group that holds it" in text for text in found.directions)
 
 
 @pytest.mark.parametrize("rate", [0.0, 1e-17, 1e-12])

@@ -270,7 +270,7 @@ WRITES = (*REMEMBERING, "mkdtemp", "compiler", "open", "replace")
 @pytest.mark.parametrize("point", WRITES)
 def test_no_space_left_wherever_something_is_written(source, cache_directory, point, monkeypatch):
     full = OSError(errno.ENOSPC, "No space left on device")
-    owner = {"mkdtemp": tempfile, "mkstemp": tempfile, "compiler": cache, "open": cache}
+    owner = {"mkdtemp": tempfile, "mkstemp": tempfile, "compiler": cache, "open": object_file}
     name = {"compiler": "compile_shared"}.get(point, point)
     place = owner.get(point, os)
     real = open if point == "open" else getattr(place, name)

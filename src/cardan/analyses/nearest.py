@@ -110,7 +110,7 @@ def wished(m: Mechanism, goals: Sequence[Target], q: Array) -> Coordinates:
     manifest = m.model.manifest
     turning = {k for start in manifest.quaternions for k in range(start, start + 4)}
     entries = np.array([k for k in m.led.tolist() if k not in named], dtype=np.intp)
-    units = {k: manifest.coordinates[k]["unit"] for k in entries.tolist()}
+    units = {k: manifest.coordinates[k].unit for k in entries.tolist()}
     scales = [QUATERNION if k in turning else m.size if u == "m" else 1.0 for k, u in units.items()]
     return Coordinates(
         "", "coordinates", q[entries], weight=1.0, entries=entries, scales=np.array(scales)

@@ -22,13 +22,13 @@ from ..runtime.interpreted import called_back
 from ..schema.records import PositionRecord, TargetRecord
 from .connection import called
 from .mechanism import Mechanism
+from .record import MORE
 from .targets import Target
 
 MET = 1e-11  # residuals without units that count as zero
 FARTHEST, ASIDE = 0.5, 0.3  # a step along a tangent; a part of it by which it may miss
 REACHED = 1e-9
 LOST = 1e-8  # singular values that hold nothing
-MORE = 1  # the answer of a search that is not over
 EFFORT = 4_000_000  # numbers squared of a slice of it: some hundredths of a second
 
 

@@ -221,7 +221,7 @@ def report(m: Mechanism, q: Array) -> Redundancy:
         rank=rank + solved,
         circuits=circuits,
         left_out=tuple(row.name for row in rest),
-        directions=tuple(_described(vector, rows) for vector in vectors),
+        directions=tuple(_described(vector, rows, len(m.closing.rows)) for vector in vectors),
         vectors=vectors,
         unique=unique,
         components=_of_circuits(m, unique) if components is None else components,
@@ -301,8 +301,14 @@ def _plain(vectors: Array) -> Array:
     return np.asarray(basis / np.where(largest == 0, 1.0, largest))
 
 
-def _described(vector: Array, rows: Sequence[MultiplierRow]) -> str:
-    """A combination of constraints in words: ``translation along y of joint 'J3'``."""
+def _described(vector: Array, rows: Sequence[MultiplierRow], count: int) -> str:
+    """A combination of constraints in words: ``translation along y of joint 'J3'``.
+
+    Args:
+        vector: Entries of the rows (n,).
+        rows: Constraints, then conditions that the motion of a loop fulfills by itself.
+        count: How many are constraints.
+    """
     told: list[tuple[str, str]] = []
     sizes = np.abs(vector).round(9) / np.abs(vector).max()
 
@@ -316,7 +322,7 @@ def _described(vector: Array, rows: Sequence[MultiplierRow]) -> str:
         form = FORMS.get(part[:1]) if len(part) == 2 and part[1] in "xyz" else None
         told.append((form.format(part[1]) if form else f"'{part}'", joint))
     first, joint = told[0]
-    if len(told) == 1 and not rows[int(sizes.argmax())].level:
+    if len(told) == 1 and sizes.argmax() >= count:
         return f"{first} of joint '{joint}' (its loop moves in a group that holds it)"
     others = [part if owner == joint else f"{part} of joint '{owner}'" for part, owner in told[1:]]
     rest = f" (it follows from {', '.join(others)} and the other joints)" if others else ""

@@ -128,7 +128,7 @@ def take(
         graph=str(scene.graph),
         bodies=len(equations.system.bodies),
         derived=derived,
-        operations=sum(text.entry.operations.values()),
+        operations=text.entry.total_operations,
         compiled=compiled,
         lines=excerpt(
             text.text,

@@ -67,9 +67,6 @@ class Row:
     limits: Any = None
 
 
-KEYS = tuple(Row.__dataclass_fields__)
-
-
 @checked
 def from_dh(
     rows: Iterable[Mapping[str, Any] | Sequence[Any]],

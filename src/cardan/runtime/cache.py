@@ -31,6 +31,7 @@ from .toolchain import Compiler, compile_shared, find_compiler
 VERSION = "4"
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]+"([^"\n]+)"', re.MULTILINE)
 GRACE = 60.0  # seconds between the making of a folder and its lock, at the very most
+RUN = 1_000_000  # bytes of texts from which on one run of the compiler takes no more
 
 
 @lru_cache(maxsize=8)
@@ -181,7 +182,8 @@ def compiled_apart(
     """An object of every C file: from the cache, or compiled now and not yet published.
 
     One run of the compiler takes many files, as each run spends 50 ms on itself: there are as many
-    runs as processors. What it makes holds them all, and is each of their objects.
+    runs as processors, more where texts are large, as limits of time and memory are those of a
+    run. What it makes holds them all, and is each of their objects.
 
     Args:
         texts: C files of one directory, whose names are distinct from each other's.
@@ -225,8 +227,9 @@ class _Several:
 
 
 def _shares(sizes: dict[str, int]) -> list[list[str]]:
-    """Names in as many shares of like size as there are processors."""
-    shares: list[list[str]] = [[] for _ in range(min(len(sizes), os.cpu_count() or 1))]
+    """Names in shares of like size, one for each run of the compiler."""
+    count = max(os.cpu_count() or 1, -(-sum(sizes.values()) // RUN))
+    shares: list[list[str]] = [[] for _ in range(min(len(sizes), count))]
     weights = [0] * len(shares)
     for name in sorted(sizes, key=lambda name: (-sizes[name], name)):
         least = weights.index(min(weights))
@@ -319,14 +322,15 @@ def _made(
     sweep(cache)
     made = [begun(places[0])]
     try:
-        output = made[0].path
+        output, files = made[0].path, sources
         if len(places) > 1:
             # the directory of the sources is among those of headers
             text = "".join(f'#include "{source.name}"\n' for source in sources)
-            sources = [output.with_suffix(".c")]
-            sources[0].write_text(text, encoding="utf-8")
+            files = [output.with_suffix(".c")]
+            files[0].write_text(text, encoding="utf-8")
         folders = [include] if isinstance(include, Path) else include
-        compile_shared(by, sources, folders, output, reproducible, cache / "zig", extra)
+        given = reproducible, cache / "zig", extra, sources
+        compile_shared(by, files, folders, output, *given)
         seal(output)
         for place in places[1:]:
             made.append(begun(place))

@@ -119,7 +119,7 @@ class Derivative:
     @property
     def operations(self) -> dict[str, int]:
         """Number of each operator of its C."""
-        found: dict[str, int] = self._loaded.entry["operations"]
+        found: dict[str, int] = self._loaded.entry.operations
         return found
 
     @property

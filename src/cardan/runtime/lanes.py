@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+import math
 import os
 import threading
 from collections.abc import Callable, Sequence
@@ -159,8 +160,12 @@ class Recipe:
     check: Callable[[], None]
 
     def seconds(self) -> float:
-        """What the compiler is expected to take."""
-        return FILE + STATEMENT * self.text.read_text("utf-8").count(";")
+        """What the compiler is expected to take [s]; without end where the text is gone."""
+        try:
+            return FILE + STATEMENT * self.text.read_text("utf-8").count(";")
+        except OSError:
+            # models go on without their folder, one state after the other
+            return math.inf
 
     def there(self, lanes: int, own: bool) -> Lanes | None:
         """The build if it is in the cache."""
@@ -199,6 +204,21 @@ def made(recipes: Sequence[Recipe], lanes: int, own: bool) -> list[Lanes]:
     except BaseException:
         for single in built:
             single.discard()
+        raise
+
+
+def publish(builds: Sequence[Lanes]) -> None:
+    """Let other processes find builds: all of them or, after an error, no more.
+
+    Raises:
+        BuildError: the cache was removed meanwhile.
+    """
+    try:
+        for one in builds:
+            one.built.published()
+    except BaseException:
+        for one in builds:
+            one.discard()
         raise
 
 

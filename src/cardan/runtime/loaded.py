@@ -136,7 +136,7 @@ def assemble(
         entry_names(outputs),
         code.entry.work_size,
         w,
-        sum(code.entry.operations.values()),
+        code.entry.total_operations,
         code.interpreted,
         batch,
     )

@@ -20,8 +20,6 @@ if TYPE_CHECKING:
     from .compiled import CompiledModel
     from .trajectory import Trajectory
 
-ABSOLUTE = "absolute"  # the method of models whose coordinates are those of nodes
-
 
 def numbers(model: CompiledModel) -> Mapping[str, Array]:
     """Numbers of the scene of a model, see :attr:`.Trajectory.scene`."""

@@ -137,11 +137,15 @@ def current() -> Index | None:
 def library(level: Level, variant: Variant) -> Path | None:
     """The object of a variant, if it was compiled for this level."""
     index = current()
-    name = index.objects.get(level.name, {}).get(variant.name) if index else None
-    return folder() / name if name else None
+    return _there(index.objects.get(level.name, {}).get(variant.name)) if index else None
 
 
 def level_object() -> Path | None:
     """The object that tells the level of this processor, if it was compiled."""
     index = current()
-    return folder() / index.level if index else None
+    return _there(index.level) if index else None
+
+
+def _there(name: str | None) -> Path | None:
+    """An object of the index; None if it is gone, as copies of a folder may lack it."""
+    return folder() / name if name and (folder() / name).is_file() else None

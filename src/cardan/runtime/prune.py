@@ -5,8 +5,9 @@ from __future__ import annotations
 import os
 import re
 import shutil
+import stat
 import time
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
@@ -38,7 +39,7 @@ def content(place: Path) -> Content:
         objects=sum(path.suffix == ".so" for path in found),
         models=sum(path.parent != place for path in found),
         leftovers=len(left),
-        size=sum(map(_size, [*found, *left])),
+        size=_size([*found, *left]),
     )
 
 
@@ -89,15 +90,18 @@ def _used(path: Path) -> float:
         return time.time()
 
 
-def _size(path: Path) -> int:
-    """Bytes of a file, or of all files below a folder."""
-    if not path.is_dir():
+def _size(paths: Iterable[Path]) -> int:
+    """Bytes of files, and of all files below folders."""
+    files = list[str]()
+    for path in paths:
+        files.append(str(path))
+        for folder, _, names in os.walk(path):
+            files += [os.path.join(folder, name) for name in names]
+    sizes = {}
+    for file in files:
         with suppress(OSError):
-            return path.stat().st_size
-        return 0
-    total = 0
-    for folder, _, names in os.walk(path):
-        for name in names:
-            with suppress(OSError):
-                total += os.lstat(os.path.join(folder, name)).st_size
-    return total
+            status = os.lstat(file)
+            if stat.S_ISREG(status.st_mode):
+                # objects that were compiled together are one file under several names
+                sizes[status.st_dev, status.st_ino] = status.st_size
+    return sum(sizes.values())

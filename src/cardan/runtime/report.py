@@ -124,7 +124,7 @@ def _measure(function: LoadedFunction, values: dict[str, Array], error: float | 
     still = one_by_one(caller.call, replace(many, strides=[0] * len(many.strides)))
     return Row(
         function=function.symbol,
-        operations=sum(function.entry.operations.values()),
+        operations=function.entry.total_operations,
         python_ns=timed(lambda: function.fast(None, *one), 1),
         call_ns=math.nan if function.interpreted else timed(lambda: still(0, BATCH), BATCH),
         state_ns=timed(lambda: way(0, BATCH), BATCH),

@@ -213,6 +213,7 @@ def compile_shared(
     reproducible: bool = False,
     scratch: Path | None = None,
     extra: Sequence[str] = (),
+    included: Sequence[Path] = (),
 ) -> None:
     """Compile and link C files into one shared object, in one command, within limits.
 
@@ -221,6 +222,7 @@ def compile_shared(
         output: File to write; beside it the compiler may keep what it needs meanwhile.
         scratch: Where a compiler that keeps a cache of its own may put it.
         extra: What else it is told, such as ``-DCARDAN_LANES=8``.
+        included: Files that messages name instead, where the sources only include them.
 
     Raises:
         BuildError: with the compiler's message. OSError: there is no room for the output.
@@ -245,7 +247,7 @@ def compile_shared(
     except OSError as error:
         raise BuildError(f"{compiler.command[0]} could not be started: {error}") from error
     if answer.status:
-        _complain(command, [source.name for source in sources], answer, limits)
+        _complain(command, [source.name for source in included or sources], answer, limits)
 
 
 FULL = ("No space left on device", "NoSpaceLeft", "Disk quota exceeded", "File too large")
@@ -258,7 +260,9 @@ def _complain(
     """Say what stopped a compiler, and what to do."""
     if any(text in answer.errors for text in FULL):
         raise OSError(errno.ENOSPC, "No space left on device")
-    program, what = Path(command[0]).name, ", ".join(sources)
+    program, what = Path(command[0]).name, ", ".join(sources[:SHOWN])
+    if len(sources) > SHOWN:
+        what += f" and {len(sources) - SHOWN} more"
     if answer.late or "CPU time limit" in answer.errors:
         raise BuildError(
             f"{program} was stopped: {what} took it longer than {limits.seconds} s. Allow more "

@@ -13,7 +13,7 @@ from typing import Any, Generic, TypeVar, final, overload
 import numpy as np
 from numpy.typing import NDArray
 
-from .fields import Kind, Misfit, Record, dumped, listed
+from .fields import SIZES, Kind, Misfit, Record, dumped, integer_from, listed
 
 R = TypeVar("R", bound=Record)
 # the key of an entry of a pattern that differs from row to row
@@ -154,11 +154,15 @@ class Run(Generic[R]):
         Raises:
             ValueError, KeyError, TypeError, AttributeError, IndexError: it is damaged.
         """
-        count = int(data["count"])
+        count = data["count"]
         values = np.frombuffer(base64.b64decode(data["values"]), "<f8").astype(np.float64)
-        if count <= 0 or not data["pattern"]:
-            raise Misfit("is a run of rows without rows")
+        if not (_is_count(count) and data["pattern"]):
+            raise Misfit("is a run of rows without rows, or of too many")
         return Run(record, count, data["pattern"], values.reshape(count, -1), saved)
+
+
+# repetitions of a pattern
+_is_count = integer_from(1, SIZES)
 
 
 def _varies(entry: Any) -> bool:

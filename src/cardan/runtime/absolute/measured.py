@@ -18,7 +18,7 @@ from ..lanes import width
 from ..measuring import Row
 from ..objects import Code
 from .elements import State
-from .mesh import NEEDED, WORTH
+from .mesh import LANE_THRESHOLD, NEEDED
 from .tables import Table
 
 if TYPE_CHECKING:
@@ -55,7 +55,7 @@ def _whole(model: CompiledModel, results: Results, q: Array, u: Array) -> Iterat
     entries = model.manifest.functions
     for name, asked in WHOLE.items():
         operations = sum(
-            len(group) * sum(entries[group.kind.functions[form]].operations.values())
+            len(group) * entries[group.kind.functions[form]].total_operations
             for group in results.tables.groups
             for form in NEEDED[asked]
             if form in group.kind.functions
@@ -80,7 +80,7 @@ def _elements(model: CompiledModel, results: Results, at: State, judged: bool) -
             run, found = _ready(code, given, len(group))
             spent = measuring.timed(run, len(found)) if code.interpreted is None else math.nan
             run()
-            operations = sum(code.entry.operations.values())
+            operations = code.entry.total_operations
             several = found[: len(groups[number])]
             error = _error(saved[symbol], given, several) if judged else None
             yield Row(
@@ -106,7 +106,7 @@ def _ready(code: Code, given: dict[str, Array], n: int) -> tuple[Callable[[], An
 
 def _lanes(code: Code, group: Table) -> int:
     """Elements side by side where the mesh runs through them."""
-    return width() if len(group) >= WORTH and width() in code.entry.lanes else 1
+    return width() if len(group) >= LANE_THRESHOLD and width() in code.entry.lanes else 1
 
 
 def _error(saved: dict[str, Any], given: dict[str, Array], found: Array) -> float:

@@ -32,7 +32,7 @@ from .record_fields import group_fields, mesh_fields, mover_fields
 from .tables import Tables
 
 # elements of a group from which on they may go side by side
-WORTH = 8
+LANE_THRESHOLD = 8
 # what functions of the whole mesh ask of the elements
 SOLVED = ("balance", "balance_tangent", "gamma")
 NEEDED = {
@@ -95,9 +95,10 @@ class Mesh(Elements):
         self._lock = lock
         self._judge = judge
         self._width = lane_builds.width()
-        # functions of groups that could go side by side, and the seconds that elements took
+        # functions of groups that could go side by side, what the compiler is expected to take for
+        # them, and what elements took [s]
         self._alone: list[tuple[Form, Recipe]] = []
-        self._spent = 0.0
+        self._cost = self._spent = 0.0
         fields = group_fields(tables)
         self.inner = sum(INNER * len(g) for g in tables.groups if "mixed" in g.kind.functions)
         self._groups = groups = (Group * max(1, len(fields)))()
@@ -183,7 +184,11 @@ class Mesh(Elements):
         w = prepare(code, data)
         form.one, form.w, form.nw = code.address, self._pointer(w), w.shape[1]
         form.size = int(code.entry.output_size)
-        if code.recipe is None or len(data) < WORTH or not 1 < self._width in code.entry.lanes:
+        if (
+            code.recipe is None
+            or len(data) < LANE_THRESHOLD
+            or not 1 < self._width in code.entry.lanes
+        ):
             return
         # what is missing in the last block repeats the last element
         rows = np.minimum(np.arange(-(-len(w) // self._width) * self._width), len(w) - 1)
@@ -205,7 +210,7 @@ class Mesh(Elements):
         if not self._alone:
             return
         self._spent += seconds
-        if self._spent > sum(recipe.seconds() for recipe in self._recipes().values()):
+        if self._spent > self._cost:
             try:
                 self.widen()
             except BuildError as error:
@@ -222,9 +227,8 @@ class Mesh(Elements):
         with self._lock:
             recipes = self._recipes()
             made = lane_builds.made([*recipes.values()], self._width, True)
-            for built in made:
-                # the text is that of the function for one, which was checked
-                built.built.published()
+            # the text is that of the function for one, which was checked
+            lane_builds.publish(made)
             self._widen(dict(zip(recipes, made, strict=True)))
 
     def _widen(self, builds: Mapping[str, Lanes | None]) -> None:
@@ -234,6 +238,8 @@ class Mesh(Elements):
                 self._keep.append(built)
                 form.lanes = built.address
         self._alone = [one for one in self._alone if builds[one[1].symbol] is None]
+        # found once: every call of an element asks for it
+        self._cost = sum(recipe.seconds() for recipe in self._recipes().values())
 
     def _movers(self) -> Any:
         """Places whose coordinates are no poses, kind by kind."""

@@ -37,7 +37,7 @@ def written(asked: Asked, name: str, of: str | None) -> float | str:
     saved = model._objects.saved().get(function.symbol)
     if saved is None:
         return "its expressions are not saved"
-    if sum(function.entry.operations.values()) > LARGEST:
+    if function.entry.total_operations > LARGEST:
         return f"more than {LARGEST} operations"
     blocks = {k: np.array(x, dtype=float) for k, x in _blocks(asked).items()}
     with np.errstate(all="ignore"):
