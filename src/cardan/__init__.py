@@ -15,6 +15,7 @@ from __future__ import annotations
 from importlib import import_module
 from typing import Any
 
+from . import notebooks
 from .version import VERSION
 
 __version__ = VERSION
@@ -106,6 +107,15 @@ def __getattr__(name: str) -> Any:
         raise AttributeError(f"module 'cardan' has no attribute '{name}'")
     globals()[name] = value
     return value
+
+
+def _html(result: object) -> str:
+    from .explain.notebook import html
+
+    return html(result)
+
+
+notebooks.WRITERS["html"] = _html
 
 
 def __dir__() -> list[str]:

@@ -12,6 +12,7 @@ ORDER = (
     "regular_file",
     "whole_file",
     "arguments",
+    "notebooks",
     "schema",
     "ir",
     "spatial",
@@ -39,6 +40,7 @@ PLANNED = (
         "errors",
         "literature",
         "arrays",
+        "notebooks",
         "kernels",
         "ir",
         "passes",
@@ -60,6 +62,7 @@ RUNNING_MAY_IMPORT = RUNNING | {
     "regular_file",
     "whole_file",
     "arguments",
+    "notebooks",
     "schema",
     "ir",
 }

@@ -117,7 +117,7 @@ def test_pages_of_classical_systems(name: str) -> None:
 def test_large_systems_are_folded_or_counted() -> None:
     text = written(chain(12))
     found = read(text)
-    assert "with named intermediates" in found.text
+    assert "named intermediates: equations.symbolic('bias') has them" in found.text
     assert "Written out it has" in found.text
     assert len(text) < 1_000_000
 

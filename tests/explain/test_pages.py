@@ -32,7 +32,7 @@ def test_every_example_has_its_page(example: Path, tmp_path: Path) -> None:
     names = [part.name for body in equations.system.bodies for part in body.parts]
     names += [p.name for p in equations.system.parameters]
     for name in names:
-        assert name in texts[".html"].replace("<wbr>", "")
+        assert name in texts[".html"].replace("<wbr/>", "")
         assert name.replace("_", r"\_") in texts[".md"] or name in texts[".svg"]
     ET.fromstring(texts[".svg"])
     assert problems(texts[".tex"]) == []

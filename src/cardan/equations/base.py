@@ -13,10 +13,10 @@ from ..arrays import Booleans
 from ..ir.arithmetic import Scalar
 from ..ir.function import Function, Output, live
 from ..ir.graph import ONE, ZERO
-from ..ir.html import block, paragraph, table
 from ..ir.interpreter import evaluate
 from ..ir.rewrite import rebuild
 from ..ir.stage import stage
+from ..notebooks import html
 
 if TYPE_CHECKING:
     from .record import Equations
@@ -52,11 +52,7 @@ class BaseParameters:
         lines.append("only in combination: " + (", ".join(self.only_combined) or "none"))
         return "\n".join(lines)
 
-    def _repr_html_(self) -> str:
-        rows = [(name, str(x)) for name, x in self.combinations.items()]
-        lost = (("without effect", self.without_effect), ("only combined", self.only_combined))
-        told = [paragraph(f"{what}: {', '.join(names) or 'none'}") for what, names in lost]
-        return block(table(("base parameter", "combination"), rows), *told)
+    _repr_html_ = html
 
 
 def base_parameters(equations: Equations) -> BaseParameters:

@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, cast
 
 from ..arguments import checked
+from ..notebooks import html
 from .conserved import Conserved, conserved
 from .contributions import Contribution, contributions
 
@@ -16,6 +17,8 @@ if TYPE_CHECKING:
 
 class Explainable:
     """What :func:`cardan.derive` hands over, in whatever coordinates."""
+
+    _repr_html_ = html
 
     @checked
     def explain(self, path: str | Path) -> Path:

@@ -1,10 +1,11 @@
-"""The equations of motion as LaTeX and as MathML."""
+"""The equations of motion as LaTeX."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from ..errors import DerivationError
+from ..ir.function import length
 from .notation import Notation, symbols
 
 if TYPE_CHECKING:
@@ -22,8 +23,9 @@ PARTS = (
     ("G", "constraint_jacobian"),
     (r"\gamma", "constraint_bias"),
 )
-# operations of a matrix that is written; nodes of one that is looked through
-LONGEST, SEARCHED = 600, 300
+# what notebooks show at once: operations of a matrix that is written, and operations, written out
+# in full, of one that is simplified, which takes seconds where there are more
+LONGEST, SIMPLIFIED = 600, 2_200
 
 
 def latex(equations: Equations) -> str:
@@ -52,8 +54,7 @@ def _parts(equations: Equations) -> list[tuple[str, str]]:
     """M, h, g, G and gamma, one line each; what is long or zero is left out."""
     found = []
     for sign, name in PARTS:
-        # a search for short forms of what is long takes seconds
-        if len(equations.as_described.function(name).live()) > SEARCHED:
+        if length(equations.as_described.function(name)) > SIMPLIFIED:
             continue
         try:
             matrix = equations.written(name)
@@ -92,15 +93,3 @@ def of_matrix(equations: Equations, matrix: sympy.Matrix) -> str:
     others = matrix.free_symbols - set(names)
     names |= {s: Notation(s.name).latex() for s in others}
     return str(sympy.latex(matrix, symbol_names=names, mat_str="matrix", mul_symbol=r" \, "))
-
-
-def mathml(equations: Equations, expression: Any, lines: bool = False) -> str:
-    """An expression or matrix of these equations as MathML, which browsers set by themselves.
-
-    Args:
-        lines: Break a long sum into several lines.
-    """
-    from .mathml import Printer
-
-    printer = Printer(symbols(equations))
-    return printer.lines(expression) if lines else printer.written(expression)

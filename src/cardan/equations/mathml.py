@@ -6,15 +6,12 @@ from collections.abc import Mapping
 from html import escape
 from typing import Any
 
-import sympy
 from sympy.printing.mathml import MathMLPresentationPrinter
 
 from .notation import Notation
 
 # combining characters would need a font that has them
 DOTS = {1: ".", 2: ".."}
-# summands of a long expression go on lines of about so many characters
-LINE = 100
 PRODUCT = "<mo>&InvisibleTimes;</mo>"
 
 
@@ -35,24 +32,6 @@ class Printer(MathMLPresentationPrinter):  # type: ignore[misc]
         text = text.replace("<mo>-</mo>", "<mo>−</mo>")
         # fractions in a matrix as large as elsewhere
         return text.replace("<mtable>", '<mtable displaystyle="true">')
-
-    def lines(self, expression: Any) -> str:
-        """A long sum broken into rows of a table."""
-        rows: list[list[Any]] = [[]]
-        used = 0
-        for summand in expression.as_ordered_terms():
-            length = len(str(summand))
-            if rows[-1] and used + length > LINE:
-                rows, used = [*rows, []], 0
-            rows[-1].append(summand)
-            used += length
-        written = []
-        for number, row in enumerate(rows):
-            total = sympy.Add(*row)
-            minus = total.as_ordered_terms()[0].could_extract_minus_sign()
-            sign = "<mo>+</mo>" if number and not minus else ""
-            written.append(f"<mtr><mtd>{sign}{self.written(total)}</mtd></mtr>")
-        return f'<mtable class="lines" displaystyle="true">{"".join(written)}</mtable>'
 
     def _print_Symbol(self, sym: Any, style: str = "plain") -> Any:
         base, index = self._parts(sym)

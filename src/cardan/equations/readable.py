@@ -154,12 +154,6 @@ class Readable(ABC):
 
         return rf"$\displaystyle {latex(self)}$"
 
-    def _repr_html_(self: Equations) -> str:  # type: ignore[misc]
-        """Formulas, intermediates and counts in notebooks."""
-        from .shown import html
-
-        return html(self)
-
     @checked
     def symbolic(self, name: str) -> tuple[list[tuple[Any, Any]], sympy.Matrix]:
         """A function with named intermediates, like :func:`sympy.cse`; for systems of any size.

@@ -29,10 +29,11 @@ class Written:
 
 
 def letter(name: str, dots: int = 0) -> Written:
-    """A letter in text, such as M."""
-    base = f"<mi>{name}</mi>"
+    """A letter in text, such as M or gamma."""
+    sign = Notation(name, "", dots)
+    base = f"<mi>{sign.character}</mi>"
     dotted = f"<mover>{base}<mo>.</mo></mover>" if dots else base
-    return Written(dotted, rf"\dot {name}" if dots else name, name + "dot" * dots)
+    return Written(dotted, sign.latex(), name + "dot" * dots)
 
 
 Inline: TypeAlias = str | Math | Written

@@ -3,25 +3,43 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from ..equations.contributions import LETTERS, TURNING, WEIGHT, Contribution
-from ..equations.formula import rates_are_speeds
+from ..equations.formula import LONGEST, SIMPLIFIED, rates_are_speeds
 from ..equations.notation import GREEK, Notation, notation
 from ..errors import DerivationError
-from ..ir.function import Function, operands
+from ..ir.function import length
 from ..ir.names import of_rate
 from . import content as d
 
 if TYPE_CHECKING:
     from ..equations.record import Equations
 
-# named intermediates that are listed
-LISTED = 400
-# operations of a function that is simplified, and of one that is read, both written out in full
-LONGEST, READ = 30_000, 1_500
-# entries of matrices, times owners, whose contributions are written out one by one
-ENTRIES = 400
+
+@dataclass(frozen=True)
+class Limits:
+    """How much is simplified and shown.
+
+    Attributes:
+        simplified: Operations of a function, written out in full, that is simplified.
+        read: Operations of a simplified function that is shown.
+        listed: Named intermediates of a function that are listed.
+        entries: Entries of matrices, times owners, whose contributions are written out one by one.
+        owners: Speeds of systems whose longer matrices say by entry who contributes.
+    """
+
+    simplified: int
+    read: int
+    listed: int
+    entries: int
+    owners: int
+
+
+PAGE = Limits(simplified=30_000, read=1_500, listed=400, entries=400, owners=12)
+# a cell answers within a second: contributions would be derived body by body
+NOTEBOOK = Limits(simplified=SIMPLIFIED, read=LONGEST, listed=40, entries=0, owners=0)
 # function, letter, dots, and what it is
 FUNCTIONS = (
     ("mass_matrix", "M", 0, "mass matrix"),
@@ -29,6 +47,7 @@ FUNCTIONS = (
     ("applied", "f", 0, "generalized applied forces of the model"),
     ("constraints", "g", 0, "what vanishes at position level"),
     ("constraint_jacobian", "G", 0, "constraint Jacobian"),
+    ("constraint_bias", "gamma", 0, "velocity terms of the constraints"),
     ("qdot", "q", 1, "rates of the coordinates"),
 )
 # parts of h that are told apart
@@ -56,9 +75,11 @@ LAMBDA = d.Written("<mi>λ</mi>", r"\lambda", "lam")
 class Formulas:
     """Formulas of equations; ``symbols`` collects how named intermediates are set."""
 
-    def __init__(self, equations: Equations) -> None:
+    def __init__(self, equations: Equations, limits: Limits = PAGE) -> None:
         self.equations = equations
+        self.limits = limits
         self.symbols: dict[str, Notation] = {}
+        self._definitions: dict[Any, Any] = {}
 
     def section(self) -> d.Section:
         """All functions that make up the equations of motion."""
@@ -70,7 +91,7 @@ class Formulas:
         for name, letter, dots, about in FUNCTIONS:
             if name in known:
                 blocks += self._function(name, letter, dots, about)
-        return d.Section("Equations of motion", tuple(blocks))
+        return d.Section("Equations of motion", (*blocks, *self._determined()))
 
     def _general(self) -> d.Text:
         if not self.equations.system.closed:
@@ -80,15 +101,15 @@ class Formulas:
                 "constraint.")  # fmt: skip
 
     def _function(self, name: str, letter: str, dots: int, about: str) -> Iterator[d.Block]:
-        if name == "qdot" and self._plain():
-            yield d.Paragraph(("The speeds are the rates of the coordinates: ", RATES, "."))
-            return
         try:
             matrix = self._readable(name)
         except DerivationError as problem:
             told = str(problem).rstrip(".")
             yield d.Paragraph((d.letter(letter, dots), f", {about}. {told}."))
             yield from self._intermediates(name, letter, dots)
+            return
+        if name == "qdot" and rates_are_speeds(self.equations, matrix):
+            yield d.Paragraph(("The speeds are the rates of the coordinates: ", RATES, "."))
             return
         entries = self._entries(name, letter, matrix)
         nonzero = [(k, index, value) for k, index, value in entries if value != 0]
@@ -108,24 +129,35 @@ class Formulas:
             yield from self._owners(name, [(k, index) for k, index, _ in nonzero], letter)
 
     def _readable(self, name: str) -> Any:
-        """A function as a SymPy matrix.
+        """A function as a SymPy matrix; what circuits determine keeps its names in it.
 
         Raises:
             DerivationError: nobody would read it.
         """
-        function = self.equations.as_described.function(name)
-        whole = size(function)
-        matrix = self.equations.written(name) if whole <= LONGEST else None
-        length = whole if matrix is None else sum(entry.count_ops() for entry in matrix)
-        if matrix is None or length > READ:
-            raise DerivationError(f"Written out it has {length:,} operations")
+        equations = self.equations
+        function = equations.as_described.function
+        size = length(equations.named_function(name)[0] if equations.follows else function(name))
+        if size <= self.limits.simplified:
+            definitions, matrix = equations.named(name)
+            size = sum(entry.count_ops() for entry in matrix)
+        if size > self.limits.read:
+            raise DerivationError(f"Written out it has {size:,} operations")
+        self._definitions |= dict(definitions)
+        self.symbols |= {symbol.name: following(symbol.name) for symbol, _ in definitions}
         return matrix
 
-    def _plain(self) -> bool:
-        try:
-            return rates_are_speeds(self.equations, self.equations.kinematics)
-        except DerivationError:
-            return False
+    def _determined(self) -> Iterator[d.Block]:
+        """What circuits determine, by the names that formulas use."""
+        if self._definitions:
+            yield d.Paragraph(("With what the circuits determine:",))
+        longer = 0
+        for symbol, value in self._definitions.items():
+            if value.count_ops() > self.limits.read:
+                longer += 1
+            else:
+                yield d.Formula(self.symbols[symbol.name], value)
+        if longer:
+            yield d.Paragraph((f"And {longer} longer ones: equations.named(...) has them.",))
 
     def _entries(self, name: str, letter: str, matrix: Any) -> list[tuple[int, str, Any]]:
         """Position, index and value; a symmetric matrix is said once."""
@@ -142,6 +174,8 @@ class Formulas:
         rows = equations.constraint_rows
         if letter == "M":
             return [f"{a}, {b}" for a in speeds for b in speeds]
+        if letter == "gamma":
+            return [row.name for row in rows]
         if letter == "G":
             return [f"{row.name}, {b}" for row in rows for b in speeds]
         if letter == "g":
@@ -153,7 +187,8 @@ class Formulas:
         if name not in LETTERS:
             return ()
         owners = len(self.equations.system.bodies) + len(self.equations.system.forces)
-        if len(matrix) * owners > ENTRIES:
+        # what follows has its name in a matrix, but not in what is added up to it
+        if len(matrix) * owners > self.limits.entries or self.equations.follows:
             return None
         found = self.equations.contributions(name)
         try:
@@ -165,7 +200,7 @@ class Formulas:
         self, name: str, entries: Sequence[tuple[int, str]], letter: str
     ) -> Iterator[d.Block]:
         """Who contributes to which entry, where the contributions are too long to be written."""
-        if len(self.equations.speeds) > LARGE:
+        if len(self.equations.speeds) > self.limits.owners:
             return
         found = self.equations.contributions(name)
         rows = []
@@ -178,45 +213,34 @@ class Formulas:
     def _intermediates(self, name: str, letter: str, dots: int) -> Iterator[d.Block]:
         """A long function with named intermediates, where there are not too many to list."""
         replacements, matrix = self.equations.symbolic(name)
-        if len(replacements) > LISTED:
-            yield d.Paragraph(
-                (f"It has {len(replacements):,} named intermediates: too many to be listed.",)
-            )
+        has = f"equations.symbolic('{name}') has them"
+        entries = [entry for entry in self._entries(name, letter, matrix) if entry[2] != 0]
+        if len(replacements) > self.limits.listed:
+            said = f"{len(replacements):,} named intermediates, too many to be listed: {has}."
+            yield d.Paragraph((said,))
         else:
-            known = self.equations.blocks
-            taken = {entry for block in known.values() for entry in block.entries}
-            for symbol, _ in replacements:
-                if symbol.name not in taken:
-                    self.symbols[symbol.name] = intermediate(symbol.name)
-            blocks = [d.Formula(self.symbols[s.name], value) for s, value in replacements]
-            entries = self._entries(name, letter, matrix)
-            blocks += [
-                d.Formula(Notation(letter, index, dots), value)
-                for _, index, value in entries
-                if value != 0
-            ]
-            yield d.Folded(f"{letter} with named intermediates", tuple(blocks))
-        if name in LETTERS and len(self.equations.speeds) <= LARGE:
-            indices = self._entries(name, letter, matrix)
-            yield from self._owners(name, [(k, index) for k, index, v in indices if v], letter)
+            blocks = [d.Formula(self._sign(symbol), value) for symbol, value in replacements]
+            blocks += [d.Formula(Notation(letter, index, dots), x) for _, index, x in entries]
+            title = f"{Notation(letter).character} with {len(replacements)} named intermediates"
+            yield d.Folded(f"{title}: {has}", tuple(blocks))
+        if name in LETTERS:
+            yield from self._owners(name, [(k, index) for k, index, _ in entries], letter)
 
-
-# speeds of systems whose entries are listed with their owners
-LARGE = 12
-
-
-def size(function: Function) -> int:
-    """Operations of all entries written out in full."""
-    nodes, sizes = function.graph.nodes, dict[int, int]()
-    for i in function.live():
-        read = operands(nodes[i])
-        sizes[i] = sum(sizes[k] for k in read) + bool(read)
-    return sum(sizes[root] for root in function.roots)
+    def _sign(self, symbol: Any) -> Notation:
+        """How a named intermediate is set, from now on in all formulas."""
+        return self.symbols.setdefault(symbol.name, intermediate(symbol.name))
 
 
 def _who(one: Contribution) -> str:
     """Body or force element, and of which kind its terms are."""
     return f"{one.owner}, {one.cause}" if one.cause in CAUSES else one.owner
+
+
+def following(name: str) -> Notation:
+    """How what circuits determine is set: ``phi.theta.theta`` is a φ with the index θθ."""
+    head, *by = name.split(".")
+    first, index = notation(head), "".join(notation(part).character for part in by)
+    return Notation(first.letter, ", ".join(filter(None, (first.index, index))))
 
 
 def intermediate(name: str) -> Notation:

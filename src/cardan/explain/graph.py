@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from ..topology import drawing
 from ..topology.drawing import Arc
@@ -14,16 +14,17 @@ from .writers.latex import escaped
 def figure(system: System) -> d.Figure:
     """Bodies and joints, as the user named them."""
     arcs = list(_arcs(system))
-    bodies = ["ground", *dict.fromkeys(name for a in arcs for name in (a.inner, a.outer))]
-    bodies = list(dict.fromkeys(bodies))
-    return d.Figure(
-        drawing.svg(bodies, arcs),
-        drawing.tikz(bodies, arcs, escaped),
-        caption(arcs),
-    )
+    names = (name for arc in arcs for name in (arc.inner, arc.outer))
+    return drawn(list(dict.fromkeys(("ground", *names))), arcs)
 
 
-def caption(arcs: list[Arc]) -> str:
+def drawn(bodies: Sequence[str], arcs: Sequence[Arc]) -> d.Figure:
+    """Boxes and lines, the ground first."""
+    svg, tikz = drawing.svg(bodies, arcs), drawing.tikz(bodies, arcs, escaped)
+    return d.Figure(svg, tikz, caption(arcs))
+
+
+def caption(arcs: Sequence[Arc]) -> str:
     """What the lines of the figure mean."""
     styles = {arc.style for arc in arcs}
     said = "Bodies on their joints, the ground at the bottom"

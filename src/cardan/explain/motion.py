@@ -7,11 +7,12 @@ from typing import TYPE_CHECKING
 
 from ..equations.notation import Notation
 from ..errors import DerivationError
+from ..ir.function import length
 from . import content as d
-from .formulas import size
 from .tables import unit
 
 if TYPE_CHECKING:
+    from ..equations.base import BaseParameters
     from ..equations.conserved import Quantity
     from ..equations.record import Equations
 
@@ -56,7 +57,7 @@ def _quantity(one: Quantity) -> Iterator[d.Block]:
     holds = f"; {one.condition}" if one.condition else ""
     yield d.Paragraph((f"{name}{same}{holds} [{unit(one.unit)}]:",))
     try:
-        if size(one.function) > LONGEST:
+        if length(one.function) > LONGEST:
             raise DerivationError("too long")
         expression = one.expression
         if expression.count_ops() > WRITTEN:
@@ -85,9 +86,13 @@ def base_parameters(equations: Equations) -> Iterator[d.Section]:
         found = equations.base_parameters()
     except DerivationError:
         return
-    if not found.combinations:
-        return
-    of = "the joint forces of the tree" if equations.system.closed else "the joint forces"
+    if found.combinations:
+        of = "the joint forces of the tree" if equations.system.closed else "the joint forces"
+        yield d.Section("Base parameters", combinations(found, of))
+
+
+def combinations(found: BaseParameters, of: str) -> tuple[d.Block, ...]:
+    """Base parameters, and what has no effect alone."""
     said = (
         f"{len(found.combinations)} combinations of masses (μ), first moments (σ) and second "
         f"moments (J) about the joints determine {of}:"
@@ -98,12 +103,13 @@ def base_parameters(equations: Equations) -> Iterator[d.Section]:
     ]
     blocks += formulas if len(formulas) <= 24 else [d.Folded("All of them", tuple(formulas))]
     for title, names in (
+        ("Their names", tuple(found.combinations)),
         ("Without any effect", found.without_effect),
         ("Only in combination with others", found.only_combined),
     ):
         if names:
             blocks.append(d.Paragraph((f"{title}: {', '.join(names)}.",), quiet=True))
-    yield d.Section("Base parameters", tuple(blocks))
+    return tuple(blocks)
 
 
 BASE = {"mass": ("mu", ""), "moment": ("sigma", ""), "xx": ("J", "xx"), "yy": ("J", "yy"),

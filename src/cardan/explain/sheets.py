@@ -10,7 +10,7 @@ from ..equations.circuits_told import circuits_told
 from ..equations.notation import Notation, notation, symbols
 from . import content as d
 from . import elements, motion, tables
-from .formulas import Formulas
+from .formulas import NOTEBOOK, Formulas
 from .graph import figure
 
 if TYPE_CHECKING:
@@ -27,6 +27,22 @@ def document(equations: Equations | Absolute, progress: Told) -> d.Document:
     formulas = Formulas(equations)
     sections = tuple(_relative(equations, formulas, progress))
     return _page(equations, sections, dict(symbols(equations)) | formulas.symbols)
+
+
+def cell(equations: Equations | Absolute) -> d.Document:
+    """What of a page a notebook shows: what is quickly derived, tables folded."""
+    formulas: list[d.Section] = []
+    names: dict[str, Notation] = {}
+    if isinstance(equations, Absolute):
+        tables_of = [*tables.parameters(equations.system), *elements.sections(equations)]
+    else:
+        own = Formulas(equations, NOTEBOOK)
+        formulas = [d.Section("", _circuits(equations)), own.section()]
+        names = dict(symbols(equations)) | own.symbols
+        tables_of = [*tables.coordinates(equations), *tables.parameters(equations.system)]
+        tables_of += tables.operations(equations)
+    folded = tuple(d.Folded(section.title, section.blocks) for section in tables_of)
+    return _page(equations, (*formulas, d.Section("", folded)), names)
 
 
 def _page(
@@ -60,8 +76,7 @@ def _many(count: int, one: str, several: str = "") -> str:
 
 def _relative(equations: Equations, formulas: Formulas, progress: Told) -> Iterator[d.Section]:
     progress("drawing the graph")
-    circuits = [" ".join(line.split()) for line in circuits_told(equations)]
-    yield _graph(equations, circuits)
+    yield _graph(equations, _circuits(equations))
     yield from tables.coordinates(equations)
     yield from tables.parameters(equations.system)
     progress("simplifying equations")
@@ -78,7 +93,7 @@ def _relative(equations: Equations, formulas: Formulas, progress: Told) -> Itera
 
 def _absolute(equations: Absolute, progress: Told) -> Iterator[d.Section]:
     progress("drawing the graph")
-    yield _graph(equations, [])
+    yield _graph(equations)
     yield from tables.parameters(equations.system)
     progress("counting operations")
     yield from elements.sections(equations)
@@ -86,11 +101,13 @@ def _absolute(equations: Absolute, progress: Told) -> Iterator[d.Section]:
     yield _sources(equations)
 
 
-def _graph(equations: Equations | Absolute, said: list[str]) -> d.Section:
-    blocks: list[d.Block] = [figure(equations.system)]
-    if said:
-        blocks.append(d.Listing(tuple((_sentence(line),) for line in said)))
-    return d.Section("Bodies and joints", tuple(blocks))
+def _graph(equations: Equations | Absolute, circuits: tuple[d.Block, ...] = ()) -> d.Section:
+    return d.Section("Bodies and joints", (figure(equations.system), *circuits))
+
+
+def _circuits(equations: Equations) -> tuple[d.Block, ...]:
+    lines = tuple((_sentence(" ".join(line.split())),) for line in circuits_told(equations))
+    return (d.Listing(lines),) if lines else ()
 
 
 def _sentence(line: str) -> str:

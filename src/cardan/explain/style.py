@@ -35,7 +35,6 @@ mover > mo { font-size: 145%; }
          line-height: 1.75; }
 dt, .origin { color: var(--soft); font-style: italic; }
 .origin { margin-left: 1.5rem; font-size: .88rem; display: inline-block; text-indent: 0; }
-.origin::before { content: "from "; }
 dt { line-height: 1.35; padding-top: .25rem; }
 dd { margin: 0; min-width: 0; padding-left: 1.2rem; text-indent: -1.2rem; }
 table { width: 100%; border-collapse: collapse; margin: .9rem 0 1.4rem; font-size: .93rem;

@@ -99,6 +99,15 @@ class Function:
         return critical_path(self.graph, self.live())
 
 
+def length(function: Function) -> int:
+    """Operations of all entries written out in full."""
+    sizes = dict[int, int]()
+    for i in function.live():
+        read = operands(function.graph.nodes[i])
+        sizes[i] = sum(sizes[k] for k in read) + bool(read)
+    return sum(sizes[root] for root in function.roots)
+
+
 def operands(node: Node) -> tuple[int, ...]:
     """Indices of the nodes that a node reads."""
     op = node[0]

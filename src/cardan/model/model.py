@@ -11,6 +11,7 @@ from ..arguments import checked
 from ..elements.forces.force import ForceElement
 from ..elements.joints.joint import Joint as JointElement
 from ..errors import ModelError, counted, near, shown
+from ..notebooks import html
 from . import checks
 from .beam import Beam
 from .beam_arguments import ELEMENT, INERTIA, add_beam
@@ -30,7 +31,7 @@ from .frame import Frame, Located, Place, triple
 from .include import Included, include
 from .parameters import Constraint, Declared, Output, Placeholder
 from .shape import Shape
-from .summary import html, summary
+from .summary import summary
 from .vocabulary import Vocabulary
 
 if TYPE_CHECKING:
@@ -87,13 +88,11 @@ class Model(Vocabulary):
     def __str__(self) -> str:
         return summary(self)
 
+    _repr_html_ = html
+
     def __repr__(self) -> str:
         bodies = counted(len(self.bodies), "body", "bodies")
         return f"Model({self.name!r}, {bodies}, {counted(len(self.joints), 'joint')})"
-
-    def _repr_html_(self) -> str:
-        """Tables and the drawn graph in notebooks."""
-        return html(self)
 
     # bodies and frames
 

@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING, Any
 
 from ..elements.forces.friction import Friction
 from ..elements.forces.stop import Stop
-from ..ir.html import Html, block, details, paragraph, table, text_block
 from .connections import Joint
 
 if TYPE_CHECKING:
@@ -57,34 +56,15 @@ def summary(model: Model) -> str:
         f"model '{model.name}': {bodies}{', ' if counts else ''}{counts}",
         f"gravity ({gravity}) m/s^2",
     ]
-    lines += ["", *_table(_rows(model))] if model.bodies else []
-    lines += ["", *_table(_beams(model))] if model.beams else []
-    lines += _forces(model)
+    lines += ["", *_table(body_rows(model))] if model.bodies else []
+    lines += ["", *_table(beam_rows(model))] if model.beams else []
+    lines += ["", "forces", *(f"  {line}" for line in force_rows(model))] if model.forces else []
     lines += [f"note: {_fit(note, 160)}" for note in notes_of(model)]
     return "\n".join(lines)
 
 
-def html(model: Model) -> str:
-    """The same as tables, with the graph drawn and the numbers that have names."""
-    first, *lines = summary(model).splitlines()
-    parts = [paragraph(first), paragraph(lines[0])]
-    for rows in (_rows(model), _beams(model)):
-        if len(rows) > 1:
-            parts.append(table(rows[0], rows[1:]))
-    if model.forces:
-        parts.append(text_block("\n".join(_forces(model)).strip()))
-    declared = [
-        (what, name, f"{number.value:g}", number.unit)
-        for what, numbers in (("parameter", model.parameters), ("input", model.inputs))
-        for name, number in numbers.items()
-    ]
-    if declared:
-        parts.append(details("declared", table(("", "name", "value", "unit"), declared)))
-    parts += [paragraph(f"note: {note}") for note in notes_of(model)]
-    return block(*parts, Html(model.graph.svg()))
-
-
-def _rows(model: Model) -> list[list[str]]:
+def body_rows(model: Model) -> list[list[str]]:
+    """Bodies with their joints, below their titles."""
     inboard = {joint.child.body: joint for joint in model.joints.values()}
     rows = [["body", "mass [kg]", "joint", "kind", "parent", ""]]
     for body in model.bodies.values():
@@ -98,7 +78,8 @@ def _rows(model: Model) -> list[list[str]]:
     return rows
 
 
-def _beams(model: Model) -> list[list[str]]:
+def beam_rows(model: Model) -> list[list[str]]:
+    """Beams, below their titles."""
     rows = [["beam", "section", "line", "from", "to", "elements"]]
     for beam in model.beams.values():
         ends = (beam.start.name, beam.end.name)
@@ -114,14 +95,12 @@ def _remark(joint: Joint) -> str:
     return ""
 
 
-def _forces(model: Model) -> list[str]:
-    if not model.forces:
-        return []
+def force_rows(model: Model) -> list[str]:
+    """Forces by their kinds."""
     kinds: dict[str, list[str]] = {}
     for force in model.forces.values():
         kinds.setdefault(force.element.kind, []).append(force.name)
-    listed = (f"{kind}: {_fit(', '.join(names), 100)}" for kind, names in kinds.items())
-    return ["", "forces", *(f"  {line}" for line in listed)]
+    return [f"{kind}: {_fit(', '.join(names), 100)}" for kind, names in kinds.items()]
 
 
 def _table(rows: Sequence[Sequence[str]]) -> list[str]:

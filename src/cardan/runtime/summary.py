@@ -18,29 +18,38 @@ if TYPE_CHECKING:
 
 LISTED = 12
 AT_REST = 1e-9  # kinetic energy below this part of the others is that of rounding
-WIDTH = 92
+WIDTH = 80  # of a line behind its word
+Rows = list[tuple[str, str]]
 
 
 def summary(motion: Trajectory) -> str:
     """What was run, how, from where, and how well energy was kept."""
-    conduct, count = motion.conduct, motion.conduct.statistics
+    return "\n".join([headline(motion), *(f"  {word:<9} {text}" for word, text in rows(motion))])
+
+
+def headline(motion: Trajectory) -> str:
+    """What was run, and how it ended."""
     span = f"{motion.t[0]:g} s to {motion.t[-1]:g} s" if len(motion) else "no time"
-    lines = [
-        f"motion of '{motion.manifest.name}', {span}: {motion.message}",
-        f"  method    {conduct.method}, {conduct.settings}",
-        f"  rows      {counted(len(motion), 'time')}, {counted(motion.q.shape[1], 'coordinate')}, "
-        f"{counted(motion.u.shape[1], 'speed')}{_own(motion)}",
-        f"  steps     {count['steps']:.0f}, {count['rejections']:.0f} rejected, "
-        f"{count['evaluations']:.0f} evaluations{_factors(count)} in "
-        f"{count['milliseconds']:.3g} ms",
-    ]
-    for word, text in (("note", conduct.reason), ("warning", conduct.warning)):
-        head = f"  {word:<10}"
-        lines[2:2] = wrap(text, 100, initial_indent=head, subsequent_indent=" " * 12)
+    return f"motion of '{motion.manifest.name}', {span}: {motion.message}"
+
+
+def rows(motion: Trajectory) -> Rows:
+    """How it went: a word and what there is to say, in lines of which later ones have no word."""
+    conduct, count = motion.conduct, motion.conduct.statistics
+    lines = [("method", f"{conduct.method}, {conduct.settings}")]
+    for word, text in (("warning", conduct.warning), ("note", conduct.reason)):
+        lines += _labelled(word, wrap(text, 88))
+    lines += [
+        ("rows", f"{counted(len(motion), 'time')}, {counted(motion.q.shape[1], 'coordinate')}, "
+         f"{counted(motion.u.shape[1], 'speed')}{_own(motion)}"),
+        ("steps", f"{count['steps']:.0f}, {count['rejections']:.0f} rejected, "
+         f"{count['evaluations']:.0f} evaluations{_factors(count)} in "
+         f"{count['milliseconds']:.3g} ms"),
+    ]  # fmt: skip
+    if count.get("passed"):
+        lines.append(("", f"over {counted(int(count['passed']), 'singular position')}"))
     defaulted = set(conduct.defaulted)
     given = {n: v for n, v in conduct.initial.items() if n not in defaulted}
-    if count.get("passed"):
-        lines.append(f"            over {counted(int(count['passed']), 'singular position')}")
     lines += _values("start", "given", given)
     rest = {n: v for n, v in conduct.initial.items() if n in defaulted}
     inputs = {row.name for row in motion.manifest.inputs}
@@ -49,14 +58,15 @@ def summary(motion: Trajectory) -> str:
         lines += _values("start", "assembled", {n: v for n, v in rest.items() if n not in inputs})
         rest = {n: v for n, v in rest.items() if n in inputs}
     lines += _values("start", "by default", rest)
-    lines += _events(motion)
-    lines += _samples(motion)
-    lines += _energy(motion)
-    lines += _constraints(motion)
-    return "\n".join(lines)
+    return [*lines, *_events(motion), *_samples(motion), *_energy(motion), *_constraints(motion)]
 
 
-def _values(label: str, origin: str, values: dict[str, float]) -> list[str]:
+def _labelled(word: str, lines: list[str]) -> Rows:
+    """Lines below one word."""
+    return [(word if k == 0 else "", line) for k, line in enumerate(lines)]
+
+
+def _values(label: str, origin: str, values: dict[str, float]) -> Rows:
     """Named values, a few lines at most; equal zeros are counted rather than listed."""
     if not values:
         return []
@@ -65,14 +75,14 @@ def _values(label: str, origin: str, values: dict[str, float]) -> list[str]:
         rest = list(values.values())[LISTED:]
         zeros = "all 0" if not any(rest) else f"{sum(v != 0 for v in rest)} of them not 0"
         shown.append(f"and {len(rest)} more ({zeros})")
-    lines, line = [], f"  {label:<9} {origin}: "
+    lines, line = [], f"{origin}: "
     for k, text in enumerate(shown):
         piece = text + (", " if k + 1 < len(shown) else "")
         if len(line) + len(piece) > WIDTH:
             lines.append(line.rstrip())
-            line = " " * 12
+            line = ""
         line += piece
-    return [*lines, line.rstrip()]
+    return _labelled(label, [*lines, line.rstrip()])
 
 
 def _factors(count: Mapping[str, float]) -> str:
@@ -88,7 +98,7 @@ def _own(motion: Trajectory) -> str:
     return "".join(f", {counted(count, what)}" for count, what in counts if count)
 
 
-def _events(motion: Trajectory) -> list[str]:
+def _events(motion: Trajectory) -> Rows:
     """What happened how often and when first, a few lines at most."""
     if all(row["kind"] == "tick" for row in motion.happened.rows):
         return []
@@ -101,40 +111,40 @@ def _events(motion: Trajectory) -> list[str]:
     ]
     rest = len(lines) - LISTED
     shown = [*lines[:LISTED], *([f"and {rest} more"] if rest > 0 else [])] or ["none"]
-    return [f"  {'events' if not k else '':<9} {line}" for k, line in enumerate(shown)]
+    return _labelled("events", shown)
 
 
-def _samples(motion: Trajectory) -> list[str]:
+def _samples(motion: Trajectory) -> Rows:
     """How often controllers sampled."""
     counts = Counter(event.name for event in motion.ticks)
     told = [f"{name} {count} times" for name, count in counts.items()]
     rest = len(told) - LISTED
     text = ", ".join([*told[:LISTED], *([f"and {rest} more"] if rest > 0 else [])])
-    return [f"  samples   {text}"] if told else []
+    return [("samples", text)] if told else []
 
 
-def _energy(motion: Trajectory) -> list[str]:
+def _energy(motion: Trajectory) -> Rows:
     # a mode that is played keeps no ledger
     if not len(motion) or not motion.conduct.statistics["steps"]:
         return []
     try:
         energy, drift = motion.energy, motion.drift
     except CardanError as error:
-        return [f"  drift     not known: {error}"]
+        return [("drift", f"not known: {error}")]
     worst, scale = float(np.abs(drift).max()), float(np.abs(energy.kinetic).max())
     whole = max(float(np.abs(energy.potential).max()), *(abs(g).max() for g in motion.given.T), 0.0)
     # what hardly moves has no kinetic energy to compare with
     moving = scale > AT_REST * whole
     relative = f" ({worst / scale:.1e} of the largest kinetic energy)" if moving else " (at rest)"
-    lines = [f"  drift     {worst:.1e} J of energy unaccounted for{relative}"]
+    lines = [("drift", f"{worst:.1e} J of energy unaccounted for{relative}")]
     if motion.work:
         work = {name: float(given[-1]) for name, given in motion.work.items()}
         lines += _values("work", "in J", work)
-        lines.append(f"  balance   {motion.balance}")
+        lines.append(("balance", str(motion.balance)))
     return lines
 
 
-def _constraints(motion: Trajectory) -> list[str]:
+def _constraints(motion: Trajectory) -> Rows:
     """The worst residuals of a system with circuits, and where they were."""
     lines: list[str] = []
     if motion.ledger is None and len(motion):
@@ -143,11 +153,11 @@ def _constraints(motion: Trajectory) -> list[str]:
         found = motion.ledger.worst(level) if motion.ledger is not None else None
         if found is not None:
             name, worst = found
-            lines.append(f"  {'closed' if not lines else '':<9} {level} of '{name}' to {worst}")
-    return lines
+            lines.append(f"{level} of '{name}' to {worst}")
+    return _labelled("closed", lines)
 
 
-def _open(motion: Trajectory) -> list[str]:
+def _open(motion: Trajectory) -> Rows:
     """The worst residual of a system whose constraints give way, as penalties do."""
     try:
         worst = {name: float(np.abs(r).max()) for name, r in motion.constraints.items()}
@@ -155,4 +165,4 @@ def _open(motion: Trajectory) -> list[str]:
         # a file, or a model without that function, does not say
         return []
     name = max(worst, key=worst.__getitem__, default=None)
-    return [f"  open      '{name}' up to {worst[name]:.1e}: not projected"] if name else []
+    return [("open", f"'{name}' up to {worst[name]:.1e}: not projected")] if name else []

@@ -13,6 +13,7 @@ import numpy as np
 from ..arguments import Times, checked
 from ..arrays import Array
 from ..errors import ModelError, near
+from ..notebooks import html
 from ..schema.manifest import Manifest
 from . import followers
 from .balance import Balance, balance, impacts
@@ -97,11 +98,7 @@ class Trajectory:
 
         return summary(self)
 
-    def _repr_html_(self) -> str:
-        """Coordinates drawn over time in notebooks, and the summary."""
-        from .shown import html
-
-        return html(self)
+    _repr_html_ = html
 
     def __len__(self) -> int:
         return len(self.t)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from ..ir.html import block, paragraph, table
+from ..notebooks import html
 
 
 @dataclass(frozen=True)
@@ -37,9 +37,7 @@ class Labelled:
 
         return np.array(self.entries, dtype=dtype or int).reshape(self.shape)
 
-    def _repr_html_(self) -> str:
-        rows = [(n, *(x or "·" for x in r)) for n, r in zip(self.rows, self.entries, strict=True)]
-        return block(paragraph(self.about), table(("", *self.columns), rows))
+    _repr_html_ = html
 
     def __str__(self) -> str:
         head = max((len(name) for name in self.rows), default=0)

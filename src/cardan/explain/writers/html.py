@@ -1,16 +1,23 @@
-"""A document as one self-contained HTML page: formulas in MathML, no script, nothing fetched."""
+"""A document as one self-contained HTML page, or as the output of a cell of a notebook.
+
+Formulas are MathML; there is no script, and nothing is fetched.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Mapping
+from functools import cached_property
 from html import escape
-from itertools import count
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from ...equations.notation import Notation
 from .. import content as d
 from ..style import STYLE
+
+if TYPE_CHECKING:
+    from ...equations.mathml import Printer
+    from ..breaking import Breaker
 
 # letters of a piece of a formula: what fits a telephone
 ROOM = 26.0
@@ -18,6 +25,22 @@ ROOM = 26.0
 LONGEST, INDEX = 24, 20
 # letters of a formula that fits a table on a telephone, and rows of a table that are not folded
 COLUMN, ROWS = 14.0, 60
+# what blocks are told to look like: on pages by the style sheet, in notebooks each by itself, in
+# the colors and letters of what stands around it
+CELL = "padding:1px 10px 1px 0;vertical-align:top;text-align:"
+LOOKS = {
+    "paragraph": "margin:4px 0",
+    "quiet": "margin:4px 0;opacity:.75",
+    "formula": "margin:4px 0 4px 2em;text-indent:-2em;line-height:1.8",
+    "origin": "margin-left:1.5em;opacity:.75;font-style:italic",
+    "figure": "margin:8px 0",
+    "table": "border-collapse:collapse;margin:6px 0",
+    "cell": CELL + "left",
+    "number": CELL + "right",
+    "wide": CELL + "left",
+}
+PAGE = {name: f' class="{name}"' for name in ("quiet", "formula", "origin", "number", "wide")}
+FRAGMENT = {name: f' style="{style}"' for name, style in LOOKS.items()}
 
 
 def write(document: d.Document, path: Path) -> dict[str, str]:
@@ -27,17 +50,12 @@ def write(document: d.Document, path: Path) -> dict[str, str]:
 
 def page(document: d.Document) -> str:
     """The page; every name in it is the user's and is escaped."""
-    writer = _Writer(document)
+    writer = _Writer(document, PAGE)
     title = escape(document.title)
-    body = [
-        f"<header><h1>{title}</h1>",
-        *(part for one in document.lead for part in writer.block(one)),
-        "</header>",
-    ]
+    body = [f"<header><h1>{title}</h1>", *writer.blocks(document.lead), "</header>"]
     for number, section in enumerate(document.sections, 1):
         body.append(f"<section><h2><span>{number}</span> {escape(section.title)}</h2>")
-        body += [part for one in section.blocks for part in writer.block(one)]
-        body.append("</section>")
+        body += [*writer.blocks(section.blocks), "</section>"]
     return (
         '<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
         '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
@@ -49,41 +67,72 @@ def page(document: d.Document) -> str:
     )
 
 
+def fragment(document: d.Document) -> str:
+    """The output of a cell; what is wider than the page around it scrolls by itself."""
+    writer = _Writer(document, FRAGMENT)
+    body = [*writer.heading(document.title), *writer.blocks(document.lead)]
+    for section in document.sections:
+        body += [*writer.heading(section.title), *writer.blocks(section.blocks)]
+    return "\n".join(['<div style="overflow-x:auto">', *body, "</div>"])
+
+
 class _Writer:
     """Writes blocks.
 
     Args:
         document: Whose notation is used.
+        looks: Attributes by what a block is.
     """
 
-    def __init__(self, document: d.Document) -> None:
+    def __init__(self, document: d.Document, looks: Mapping[str, str]) -> None:
+        self._symbols = _Names({name: _fitting(s) for name, s in document.symbols.items()})
+        self._looks = looks
+
+    # these load SymPy, which documents without formulas do not need
+
+    @cached_property
+    def _printer(self) -> Printer:
         from ...equations.mathml import Printer
+
+        return Printer(self._symbols)
+
+    @cached_property
+    def _breaker(self) -> Breaker:
         from ..breaking import Breaker
 
-        symbols = {name: _fitting(sign) for name, sign in document.symbols.items()}
-        self._symbols = _Names(symbols)
-        self._printer = Printer(self._symbols)
-        self._breaker = Breaker(self._symbols, ROOM)
-        self._numbers = count(1)
+        return Breaker(self._symbols, ROOM)
+
+    def _look(self, name: str) -> str:
+        return self._looks.get(name, "")
+
+    def heading(self, title: str) -> Iterator[str]:
+        """A title within a fragment, where there is one."""
+        if title:
+            yield f"<p{self._look('paragraph')}><b>{escape(title)}</b></p>"
+
+    def blocks(self, blocks: Iterable[d.Block]) -> Iterator[str]:
+        """Blocks as lines of HTML."""
+        for block in blocks:
+            yield from self.block(block)
 
     def block(self, block: d.Block) -> Iterator[str]:
         """A block as lines of HTML."""
         if isinstance(block, d.Paragraph):
-            yield f"<p{' class=quiet' * block.quiet}>{self._text(block.text)}</p>"
+            look = self._look("quiet" if block.quiet else "paragraph")
+            yield f"<p{look}>{self._text(block.text)}</p>"
         elif isinstance(block, d.Formula):
             yield from self._formula(block)
         elif isinstance(block, d.Table):
             yield from self._table(block)
         elif isinstance(block, d.Figure):
-            caption = escape(block.caption)
-            yield f"<figure>{block.svg}<figcaption>{caption}</figcaption></figure>"
+            caption = f"<figcaption>{escape(block.caption)}</figcaption>" * bool(block.caption)
+            yield f"<figure{self._look('figure')}>{block.svg}{caption}</figure>"
         elif isinstance(block, d.Listing):
             items = "".join(f"<li>{self._text(text)}</li>" for text in block.items)
             yield f"<ul>{items}</ul>"
         else:
             yield f"<details><summary>{escape(block.title)}</summary>"
-            for inner in block.blocks:
-                yield from self.block(inner)
+            yield from self.blocks(block.blocks)
             yield "</details>"
 
     def _text(self, text: d.Text) -> str:
@@ -98,8 +147,9 @@ class _Writer:
 
     def _formula(self, formula: d.Formula) -> Iterator[str]:
         left = f"<math>{self._sign(formula.left)}<mo>=</mo></math>"
-        origin = f' <span class="origin">{escape(formula.origin)}</span>' if formula.origin else ""
-        yield f'<div class="formula">{left} {self._flow(formula.right)}{origin}</div>'
+        origin = f" <span{self._look('origin')}>from {escape(formula.origin)}</span>"
+        origin *= bool(formula.origin)
+        yield f"<div{self._look('formula')}>{left} {self._flow(formula.right)}{origin}</div>"
         if not formula.terms:
             return
         yield '<dl class="terms">'
@@ -135,7 +185,7 @@ class _Writer:
                 f"<msup>{made}{self._printer.written(power)}</msup>" if power is not None else ""
             )
             parts.append(raised or made)
-        return f"<math displaystyle=true>{''.join(parts)}</math>"
+        return f'<math displaystyle="true">{"".join(parts)}</math>'
 
     def _sign(self, sign: Notation) -> str:
         """The left side of a formula."""
@@ -149,7 +199,9 @@ class _Writer:
         return f'<msub>{base}<mi mathvariant="normal">{escape(sign.index)}</mi></msub>'
 
     def _table(self, table: d.Table) -> Iterator[str]:
-        columns = [self._column([row[k] for row in table.rows]) for k in range(len(table.head))]
+        columns = [
+            self._look(self._column([row[k] for row in table.rows])) for k in range(len(table.head))
+        ]
         heads = "".join(
             f"<th{kind}>{escape(name)}</th>" for name, kind in zip(table.head, columns, strict=True)
         )
@@ -159,7 +211,8 @@ class _Writer:
             + "</tr>"
             for row in table.rows
         )
-        made = f"<table><thead><tr>{heads}</tr></thead>\n<tbody>{rows}</tbody></table>"
+        head = f"<thead><tr>{heads}</tr></thead>\n" * any(table.head)
+        made = f"<table{self._look('table')}>{head}<tbody>{rows}</tbody></table>"
         if len(table.rows) > ROWS:
             made = f"<details><summary>{len(table.rows)} rows</summary>{made}</details>"
         yield made
@@ -167,10 +220,10 @@ class _Writer:
     def _column(self, cells: list[str | float | d.Math]) -> str:
         """Numbers stand to the right; wide formulas are left out where there is no room."""
         if cells and all(isinstance(cell, (int, float)) for cell in cells):
-            return " class=number"
+            return "number"
         formulas = [cell.expression for cell in cells if isinstance(cell, d.Math)]
         wide = any(self._breaker.width(expression) > COLUMN for expression in formulas)
-        return " class=wide" if wide else ""
+        return "wide" if wide else "cell"
 
     def _cell(self, cell: str | float | d.Math) -> str:
         if isinstance(cell, d.Math):
@@ -178,7 +231,7 @@ class _Writer:
         if isinstance(cell, str):
             # long names break at their dots
             text = escape(cell)
-            return text.replace(".", ".<wbr>") if _is_name(cell) else text
+            return text.replace(".", ".<wbr/>") if _is_name(cell) else text
         return _number(cell)
 
 

@@ -1,0 +1,45 @@
+"""What the cells of notebooks show: what pages say, as far as it is quickly made."""
+
+from __future__ import annotations
+
+from functools import singledispatch
+
+from ..equations.base import BaseParameters
+from ..equations.explained import Explainable
+from ..model.model import Model
+from ..runtime.trajectory import Trajectory
+from ..topology.labelled import Labelled
+from . import content as d
+from . import histories, motion, scene, sheets
+from .writers.html import fragment
+
+
+def html(result: object) -> str:
+    """The output of a cell."""
+    return fragment(document(result))
+
+
+@singledispatch
+def document(result: object) -> d.Document:
+    """What a cell says, before it is written."""
+    raise TypeError(f"notebooks show {type(result).__name__} as text")
+
+
+document.register(Explainable, sheets.cell)
+document.register(Model, scene.document)
+document.register(Trajectory, histories.document)
+
+
+@document.register
+def _(result: BaseParameters) -> d.Document:
+    section = d.Section("", motion.combinations(result, "the joint forces"))
+    return d.Document("Base parameters", (), (section,))
+
+
+@document.register
+def _(result: Labelled) -> d.Document:
+    rows = tuple(
+        (name, *(x or "·" for x in row))
+        for name, row in zip(result.rows, result.entries, strict=True)
+    )
+    return d.Document(result.about, (), (d.Section("", (d.Table(("", *result.columns), rows),)),))
