@@ -11,9 +11,9 @@ import hashlib
 import os
 import shutil
 import tempfile
-from contextlib import suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import BinaryIO
 
 from .. import processes
 from ..errors import BuildError
@@ -34,13 +34,13 @@ class Object:
         path: The file.
         fresh: True when it was compiled now, False when it was there.
         place: Where it belongs in the cache; None when it is there.
-        lock: Descriptor that keeps others from sweeping it away before it is there.
+        lock: Open file that keeps others from sweeping it away before it is there.
     """
 
     path: Path
     fresh: bool
     place: Path | None = None
-    lock: int = -1
+    lock: BinaryIO | None = None
 
     def load(self) -> ctypes.CDLL:
         """The object in this process.
@@ -86,14 +86,14 @@ class Object:
             raise unwritable(self.place.parent, error) from error
         finally:
             self.discard()
-        return replace(self, path=self.place, place=None, lock=-1)
+        return replace(self, path=self.place, place=None, lock=None)
 
     def discard(self) -> None:
-        """Forget it unless it is published: nobody finds it any more."""
+        """Forget it unless it is published: nobody finds it any more. Twice is once."""
         if self.place is not None:
             # first the lock: an open file cannot be removed on every system
-            with suppress(OSError):
-                os.close(self.lock)
+            if self.lock is not None:
+                self.lock.close()
             shutil.rmtree(self.path.parent, ignore_errors=True)
 
 
@@ -107,9 +107,11 @@ def unwritable(place: Path, error: OSError) -> BuildError:
 def begun(place: Path) -> Object:
     """An object that is to come, in a folder of its own under a lock."""
     own = Path(tempfile.mkdtemp(dir=place.parent, prefix=NEW))
-    made = Object(own / "object.so", True, place, os.open(own / LOCK, os.O_RDWR | os.O_CREAT))
+    # closed where it is discarded, and with its process
+    lock = os.fdopen(os.open(own / LOCK, os.O_RDWR | os.O_CREAT), "r+b", buffering=0)
+    made = Object(own / "object.so", True, place, lock)
     try:
-        processes.lock(made.lock)
+        processes.lock(lock.fileno())
     except BaseException:
         made.discard()
         raise

@@ -205,7 +205,7 @@ class Mesh(Elements):
         if not self._alone:
             return
         self._spent += seconds
-        if self._spent > sum(recipe.seconds() for recipe in self._recipes().values()):
+        if self._spent > sum(recipe.seconds for recipe in self._recipes().values()):
             try:
                 self.widen()
             except BuildError as error:
@@ -222,9 +222,14 @@ class Mesh(Elements):
         with self._lock:
             recipes = self._recipes()
             made = lane_builds.made([*recipes.values()], self._width, True)
-            for built in made:
-                # the text is that of the function for one, which was checked
-                built.built.published()
+            try:
+                for built in made:
+                    # the text is that of the function for one, which was checked
+                    built.built.published()
+            except BaseException:
+                for built in made:
+                    built.discard()
+                raise
             self._widen(dict(zip(recipes, made, strict=True)))
 
     def _widen(self, builds: Mapping[str, Lanes | None]) -> None:
