@@ -168,7 +168,7 @@ class Run(Generic[R]):
         return Run(record, count, data["pattern"], values.reshape(count, -1), saved)
 
 
-def _fit(entry: Mapping[str, Any]) -> None:
+def _fit(entry: Mapping[str, object]) -> None:
     """Make sure that what differs from row to row is counted: texts times numbers are texts, too.
 
     Raises:
