@@ -38,7 +38,7 @@ def content(place: Path) -> Content:
         objects=sum(path.suffix == ".so" for path in found),
         models=sum(path.parent != place for path in found),
         leftovers=len(left),
-        size=sum(map(_size, [*found, *left])),
+        size=sum({mark: size for path in [*found, *left] for mark, size in _sizes(path)}.values()),
     )
 
 
@@ -89,15 +89,13 @@ def _used(path: Path) -> float:
         return time.time()
 
 
-def _size(path: Path) -> int:
-    """Bytes of a file, or of all files below a folder."""
-    if not path.is_dir():
+def _sizes(path: Path) -> Iterator[tuple[tuple[int, int], int]]:
+    """Bytes of a file, or of all files below a folder, each with what tells it from others.
+
+    Functions that were compiled together are one file under several names.
+    """
+    below = [Path(folder, name) for folder, _, names in os.walk(path) for name in names]
+    for file in below if path.is_dir() else [path]:
         with suppress(OSError):
-            return path.stat().st_size
-        return 0
-    total = 0
-    for folder, _, names in os.walk(path):
-        for name in names:
-            with suppress(OSError):
-                total += os.lstat(os.path.join(folder, name)).st_size
-    return total
+            status = file.lstat()
+            yield (status.st_dev, status.st_ino), status.st_size
