@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, overload
@@ -227,15 +227,8 @@ def compile(
     base = manifest.base(equations, functions)
     folder = Path(directory) if directory is not None else _workspace(equations, loops)
     _say_what_stays_open(equations, folder)
-    try:
-        layout.write_model(folder, base)
-    except OSError as error:
-        if directory is not None:
-            raise _unwritable(folder, error) from error
-        # no room in the cache: for this process then
-        folder = cache.instead(cache.directory(), str(error.strerror)) / folder.name
-        layout.write_model(folder, base)
-    cache.used(folder)
+    named = directory is not None
+    folder = _written(folder, named, lambda place: layout.write_model(place, base))
 
     def provide(name: str, of: str | None) -> str:
         """Write the C of one function unless it is there."""
@@ -311,14 +304,8 @@ def _of_elements(
 ) -> CompiledModel:
     """The model of equations in absolute coordinates: C of its kinds of elements, and tables."""
     folder = Path(directory) if directory is not None else _workspace(equations, None)
-    try:
-        mesh.write(folder, equations, OF_ELEMENTS)
-    except OSError as error:
-        if directory is not None:
-            raise _unwritable(folder, error) from error
-        folder = cache.instead(cache.directory(), str(error.strerror)) / folder.name
-        mesh.write(folder, equations, OF_ELEMENTS)
-    cache.used(folder)
+    named = directory is not None
+    folder = _written(folder, named, lambda place: mesh.write(place, equations, OF_ELEMENTS))
     return CompiledModel(folder, threads=threads)
 
 
@@ -342,6 +329,31 @@ def _derived(scene: Model | Equations | Absolute, **options: Any) -> Equations |
 def _workspace(equations: Equations | Absolute, loops: bool | None) -> Path:
     """Folder of the cache for the C of these equations."""
     return cache.directory() / "models" / fingerprint(equations, loops)[:32]
+
+
+def _written(folder: Path, named: bool, write: Callable[[Path], object]) -> Path:
+    """The folder that a model was written to.
+
+    Args:
+        folder: Where it belongs; where there is no room in the cache, another one of this process.
+        named: Whether a user named it.
+        write: Writes the model to a folder.
+
+    Raises:
+        BuildError: there is no room.
+    """
+    try:
+        try:
+            write(folder)
+        except OSError as error:
+            if named:
+                raise
+            folder = cache.instead(cache.directory(), str(error.strerror)) / folder.name
+            write(folder)
+    except OSError as error:
+        raise _unwritable(folder, error) from error
+    cache.used(folder)
+    return folder
 
 
 def _unwritable(folder: Path, error: OSError) -> BuildError:

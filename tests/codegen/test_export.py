@@ -1,6 +1,7 @@
 """Exported models: plain C that compiles alone, nobody's files touched."""
 
 import ctypes
+import errno
 import json
 import os
 import re
@@ -12,7 +13,7 @@ import numpy as np
 import pytest
 
 import cardan as cd
-from cardan.codegen import companions
+from cardan.codegen import companions, layout
 from cardan.codegen.export import export
 from cardan.codegen.layout import HEADERS, KERNELS
 from cardan.errors import CodegenError, DerivationError
@@ -120,6 +121,19 @@ def example_of(folder: Path) -> list[str]:
 
 def numbers(lines: list[str], name: str) -> list[float]:
     return [float(line.split(" = ")[1]) for line in lines if line.startswith(f"{name}[")]
+
+
+def test_no_room_for_an_export_is_said(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def full(*_: object) -> None:
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    equations = cd.derive(arm())
+    for name in ("_write", "add_files"):
+        with monkeypatch.context() as patched:
+            patched.setattr(layout, name, full)
+            with pytest.raises(CodegenError, match="No space left"):
+                export(equations, tmp_path / "c", functions=["energy"], language="c")
+    assert list(tmp_path.iterdir()) == []
 
 
 @pytest.mark.parametrize("method", companions.INTEGRATORS)

@@ -228,6 +228,15 @@ def test_no_space_left_for_the_model(cache_directory, monkeypatch):
     assert model.simulate(1.0, q={"pivot": 1.0}).success
 
 
+def test_no_space_left_anywhere(cache_directory, monkeypatch):
+    full(monkeypatch, Path("/"))
+    with (
+        pytest.warns(cd.BuildWarning, match="cannot be used"),
+        pytest.raises(cd.BuildError, match="the C of the model cannot be written"),
+    ):
+        cd.compile(pendulum())
+
+
 def test_no_space_left_later(cache_directory, monkeypatch, tmp_path):
     model = cd.compile(pendulum())
     full(monkeypatch, cache_directory)

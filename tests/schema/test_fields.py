@@ -80,6 +80,8 @@ def test_what_has_its_default_is_not_written() -> None:
 def test_a_record_cannot_be_changed_or_made_of_anything() -> None:
     with pytest.raises(AttributeError):
         End(name="a").name = "b"  # type: ignore[misc]
+    with pytest.raises(AttributeError):
+        del End(name="a").name
     with pytest.raises(TypeError, match="name"):
         End(side=1)  # type: ignore[call-arg]
     with pytest.raises(TypeError, match="more"):

@@ -92,6 +92,9 @@ def test_a_damaged_run_is_refused() -> None:
         {"pattern": [{"name": "node", "at": {"integer": [3, -1, 2]}}]},
         {"pattern": [{"name": "node", "at": {"integer": [0.5, 1, 2]}}]},
         {"pattern": [{"default": 1.0}]},
+        # a text times a number is a longer text
+        {"pattern": [{"name": {"integer": ["a", "b"]}}], "count": 10**12, "values": ""},
+        {"pattern": [{"name": {"text": [1, 2, 3]}}]},
         {"values": None},
     ],
 )

@@ -79,6 +79,9 @@ def written(wanted: Wanted, fill: Callable[[Path], Content]) -> Path:
     Args:
         wanted: What was asked for.
         fill: Writes model and functions into a folder, and says what else there is.
+
+    Raises:
+        CodegenError: there is no room, or nothing may be written there.
     """
 
     def complete(folder: Path) -> None:
@@ -88,7 +91,13 @@ def written(wanted: Wanted, fill: Callable[[Path], Content]) -> Path:
             prefixes.add(folder, wanted.prefix)
         (folder / layout.LOCK).unlink()
 
-    replaced(wanted.target, complete)
+    try:
+        replaced(wanted.target, complete)
+    except OSError as error:
+        why = error.strerror or error
+        raise CodegenError(
+            f"{wanted.target} cannot be written: {why}. Make room, or name another directory"
+        ) from error
     return wanted.target
 
 

@@ -9,9 +9,10 @@ from functools import cache
 from ..schema.records import KERNELS
 from . import layout
 
-# what headers declare and files define for others, at the beginnings of lines
+# what headers declare and files define for others, at the beginnings of lines; what is
+# CARDAN_INLINE is static
 _EXTERNAL = re.compile(
-    r"^(?!static|typedef|#|return|else|extern \"C\")[A-Za-z_][\w \t*]*?[ *](\w+)"
+    r"^(?!static|CARDAN_INLINE|typedef|#|return|else|extern \"C\")[A-Za-z_][\w \t*]*?[ *](\w+)"
     r"(?=\(|\[[^\n;]*[;=]|\s+= )",
     re.M,
 )
@@ -25,6 +26,16 @@ WORD = re.compile(r"[A-Za-z_]\w*")
 def external(text: str) -> set[str]:
     """Names with external linkage that a file declares or defines."""
     return set(_EXTERNAL.findall(SKIPPED.sub(" ", text)))
+
+
+def prototypes(text: str) -> list[str]:
+    """The functions that a header declares, as it does."""
+    return [" ".join(one.split()) for one in _PROTOTYPE.findall(SKIPPED.sub(" ", text))]
+
+
+def included(text: str) -> list[str]:
+    """Headers of ours that a file includes."""
+    return _INCLUDED.findall(text)
 
 
 @cache

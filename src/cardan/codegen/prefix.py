@@ -10,10 +10,11 @@ from ..errors import CodegenError, shown
 from ..schema.manifest import Manifest
 from . import layout, linkage
 
-_ENUMERATORS = re.compile(r"^ {4}(\w+) = ", re.M)
+# enumerators, macros and types at the beginnings of lines
+_DEFINED = re.compile(r"^(?: {4}(?=\w+ = )|#define |typedef struct )(\w+)", re.M)
 _GUARD = re.compile(r"^#ifndef (CARDAN_\w+_H)$", re.M)
-# headers of which a program has one for each model; the others are the same for all
-OWN = ("model.h", "functions.h")
+# headers of which a program has one for each model; types of the others are the same for all
+OWN = ("model.h", "functions.h", "elements.h")
 
 
 def check(prefix: str, language: str) -> None:
@@ -36,7 +37,11 @@ def add(folder: Path, prefix: str) -> None:
     paths = sorted(path for path in folder.iterdir() if path.suffix in (".c", ".h"))
     texts = {path.name: path.read_text("utf-8") for path in paths}
     names = _names(texts)
-    layout.add_files(folder, {name: renamed(text, names, prefix) for name, text in texts.items()})
+    shared = _shared(texts)
+    for name, text in texts.items():
+        more = _declared(text, prefix) if name in shared else ""
+        texts[name] = renamed(text + more, names, prefix)
+    layout.add_files(folder, texts)
 
     def renamed_functions(manifest: Manifest) -> Manifest:
         functions = {
@@ -54,8 +59,35 @@ def _names(texts: Mapping[str, str]) -> frozenset[str]:
     for text in texts.values():
         found |= linkage.external(text)
     for name in OWN:
-        found |= {*_ENUMERATORS.findall(texts.get(name, "")), *_GUARD.findall(texts.get(name, ""))}
+        found.update(_DEFINED.findall(texts.get(name, "")))
     return frozenset(found - {"main"})
+
+
+def _shared(texts: Mapping[str, str]) -> set[str]:
+    """Headers that those of the model itself lead to."""
+    headers: set[str] = set()
+    ahead = [name for name in OWN if name in texts]
+    while ahead:
+        new = {*linkage.included(texts[ahead.pop()])} & texts.keys() - headers
+        headers |= new
+        ahead += sorted(new)
+    return headers.difference(OWN)
+
+
+def _declared(text: str, prefix: str) -> str:
+    """What follows a header whose types are the same for all models: its functions once more.
+
+    Where two models meet in one file, its guard hides the functions of the second.
+    """
+    guard = _GUARD.search(text)
+    functions = linkage.prototypes(text)
+    includes = [f'#include "{file}"' for file in linkage.included(text)]
+    if guard is None or not (functions or includes):
+        return ""
+    name = f"{prefix}{guard[1]}"
+    about = "/* functions of this model, where the types stood in a header of another one */"
+    lines = ["", about, f"#ifndef {name}", f"#define {name}", *includes, *functions, "#endif", ""]
+    return "\n".join(lines)
 
 
 def renamed(text: str, names: Iterable[str], prefix: str) -> str:

@@ -14,7 +14,6 @@ import time
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
-from functools import cached_property
 
 import numpy as np
 
@@ -98,10 +97,10 @@ class Batch:
         self._built: dict[bool, Lanes | None] = {}
         self._spent = {False: 0.0, True: 0.0}
 
-    @cached_property
+    @property
     def cost(self) -> float:
         """What the compiler is expected to take for a lane build [s]."""
-        return np.inf if self.recipe is None else self.recipe.seconds()
+        return np.inf if self.recipe is None else self.recipe.seconds
 
     def run(
         self, one: Single, blocks: list[Array | None], strides: Sequence[int], out: Array

@@ -8,7 +8,7 @@ import os
 import threading
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from pathlib import Path
 from typing import Any
 
@@ -159,18 +159,21 @@ class Recipe:
     by: Compiler
     check: Callable[[], None]
 
+    @cached_property
     def seconds(self) -> float:
-        """What the compiler is expected to take [s]; without end where the text is gone."""
+        """What the compiler is expected to take; without end for a text that was removed."""
         try:
-            return FILE + STATEMENT * self.text.read_text("utf-8").count(";")
+            return FILE + STATEMENT * self.text.read_bytes().count(b";")
         except OSError:
-            # models go on without their folder, one state after the other
             return math.inf
 
     def there(self, lanes: int, own: bool) -> Lanes | None:
-        """The build if it is in the cache."""
+        """The build if it is in the cache; none where a text was removed, which names it there."""
         extra = prebuilt.macros(lanes, own)
-        built = cache.found([self.text], [self.directory], self.reproducible, self.by, extra)
+        try:
+            built = cache.found([self.text], [self.directory], self.reproducible, self.by, extra)
+        except BuildError:
+            return None
         return None if built is None else self.loaded(built, lanes, own)
 
     def loaded(self, built: Object, lanes: int, own: bool) -> Lanes:

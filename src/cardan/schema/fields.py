@@ -341,6 +341,9 @@ class Record:
         def __setattr__(self, name: str, value: Any) -> None:
             raise AttributeError(f"{type(self).__name__} cannot be changed")
 
+        def __delattr__(self, name: str) -> None:
+            raise AttributeError(f"{type(self).__name__} cannot be changed")
+
         def __getitem__(self, key: str) -> Any:
             if key not in self._about:
                 raise KeyError(key)

@@ -18,6 +18,11 @@ from .fields import SIZES, Kind, Misfit, Record, dumped, integer_from, listed
 R = TypeVar("R", bound=Record)
 # the key of an entry of a pattern that differs from row to row
 TEXT, INTEGER, VALUE = "text", "integer", "value"
+TYPES: Mapping[str, list[list[type]]] = {
+    TEXT: [[str, int, str]],
+    INTEGER: [[int, int], [int, int, int]],
+    VALUE: [[int]],
+}
 # repetitions of which rows are made at once
 SOME = 1024
 SCHEMA: Mapping[str, Any] = {
@@ -75,6 +80,8 @@ class Run(Generic[R]):
     ) -> None:
         self.record, self.count, self.values = record, count, values
         self.pattern = tuple({k: x for k, x in row.items() if x is not None} for row in pattern)
+        for entry in (entry for row in self.pattern for entry in row.values() if _varies(entry)):
+            _fit(entry)
         # in between numbers only grow or fall
         for k in (count - 1, 0):
             rows = [record.read(self._plain(row, k), saved) for row in self.pattern]
@@ -163,6 +170,18 @@ class Run(Generic[R]):
 
 # repetitions of a pattern
 _is_count = integer_from(1, SIZES)
+
+
+def _fit(entry: Mapping[str, object]) -> None:
+    """Make sure that what differs from row to row is counted: texts times numbers are texts, too.
+
+    Raises:
+        Misfit: it is of other types.
+    """
+    for rule, what in entry.items():
+        types = [type(one) for one in what] if isinstance(what, list | tuple) else [type(what)]
+        if types not in TYPES.get(rule, []):
+            raise Misfit(f"has a run of rows with the entry {entry!r:.60}")
 
 
 def _varies(entry: Any) -> bool:

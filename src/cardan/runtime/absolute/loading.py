@@ -200,11 +200,11 @@ def load(model: CompiledModel) -> Mesh:
 
         try:
             verify_elements(model, elements, fresh)
+            for symbol in fresh:
+                objects.keep(symbol)
         except BaseException:
             objects.forget(fresh)
             raise
-        for symbol in fresh:
-            objects.keep(symbol)
 
     data = [data_of(model, group) for group in found.groups]
     # of the model: whoever loads its functions holds it already

@@ -98,7 +98,7 @@ class Mesh(Elements):
         # functions of groups that could go side by side, what the compiler is expected to take for
         # them, and what elements took [s]
         self._alone: list[tuple[Form, Recipe]] = []
-        self._cost = self._spent = 0.0
+        self._spent = 0.0
         fields = group_fields(tables)
         self.inner = sum(INNER * len(g) for g in tables.groups if "mixed" in g.kind.functions)
         self._groups = groups = (Group * max(1, len(fields)))()
@@ -210,7 +210,7 @@ class Mesh(Elements):
         if not self._alone:
             return
         self._spent += seconds
-        if self._spent > self._cost:
+        if self._spent > sum(recipe.seconds for recipe in self._recipes().values()):
             try:
                 self.widen()
             except BuildError as error:
@@ -239,7 +239,6 @@ class Mesh(Elements):
                 form.lanes = built.address
         self._alone = [one for one in self._alone if builds[one[1].symbol] is None]
         # found once: every call of an element asks for it
-        self._cost = sum(recipe.seconds() for recipe in self._recipes().values())
 
     def _movers(self) -> Any:
         """Places whose coordinates are no poses, kind by kind."""
