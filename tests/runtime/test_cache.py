@@ -19,7 +19,7 @@ from typing import Any
 import pytest
 
 from cardan.errors import BuildError, BuildWarning, CompilerMissing
-from cardan.runtime import cache, folder, levels, object_file, prune, toolchain
+from cardan.runtime import cache, folder, levels, object_file, toolchain
 
 pytestmark = pytest.mark.usefixtures("cache_directory")
 BUILD = (
@@ -398,10 +398,3 @@ def test_version_of_a_compiler_is_remembered_until_it_changes(tmp_path, cache_di
     binary.write_text("another")
     assert cache._remembered(cache_directory, mark(), ask) == "another"
     assert asked == ["one", "another"]
-
-
-def test_one_file_under_two_names_takes_its_room_once(source, cache_directory):
-    object_file.linked(cache.build([source]).path, cache_directory / f"{'0' * 64}.so")
-    held = prune.content(cache_directory)
-    assert held.objects == 2
-    assert held.size < 2 * (cache_directory / f"{'0' * 64}.so").stat().st_size

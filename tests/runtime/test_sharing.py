@@ -19,7 +19,7 @@ import pytest
 
 import cardan as cd
 from cardan.codegen import layout
-from cardan.runtime import cache, kernels, object_file, pickled
+from cardan.runtime import cache, kernels, object_file, pickled, prune
 
 pytestmark = pytest.mark.usefixtures("cache_directory")
 
@@ -335,3 +335,14 @@ def test_headers_count_where_they_are_included(tmp_path: Path) -> None:
         header.write_text(f"#define A {number}\n")
         paths.append(cache.build([source], [tmp_path]).path)
     assert paths[0] == paths[1] != paths[2]
+
+
+def test_one_file_under_two_names_takes_its_room_once(
+    tmp_path: Path, cache_directory: Path
+) -> None:
+    source, second = tmp_path / "answer.c", cache_directory / f"{'0' * 64}.so"
+    source.write_text("int answer(void);\nint answer(void) { return 42; }\n")
+    object_file.linked(cache.build([source]).path, second)
+    content = prune.content(cache_directory)
+    assert content.objects == 2
+    assert content.size < 2 * second.stat().st_size

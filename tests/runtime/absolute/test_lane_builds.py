@@ -14,12 +14,12 @@ import cardan as cd
 from cardan.errors import BuildError, BuildWarning
 from cardan.runtime import object_file, verify
 from cardan.runtime.absolute.elements import State
-from cardan.runtime.absolute.mesh import WORTH, Mesh
+from cardan.runtime.absolute.mesh import LANE_THRESHOLD, Mesh
 
 pytestmark = pytest.mark.usefixtures("cache_directory")
 
 
-def bar(elements: int = WORTH + 2) -> cd.Model:
+def bar(elements: int = LANE_THRESHOLD + 2) -> cd.Model:
     """A bar of enough elements to go side by side."""
     scene = cd.Model("bar")
     rubber = cd.material(E=5e6, nu=0.45, rho=1100)

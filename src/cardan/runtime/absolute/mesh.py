@@ -238,7 +238,6 @@ class Mesh(Elements):
                 self._keep.append(built)
                 form.lanes = built.address
         self._alone = [one for one in self._alone if builds[one[1].symbol] is None]
-        # found once: every call of an element asks for it
 
     def _movers(self) -> Any:
         """Places whose coordinates are no poses, kind by kind."""
