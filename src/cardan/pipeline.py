@@ -230,34 +230,42 @@ def compile(
     named = directory is not None
     folder = _written(folder, named, lambda place: layout.write_model(place, base))
 
-    def provide(name: str, of: str | None) -> str:
-        """Write the C of one function unless it is there."""
-        if name not in functions:
-            raise DerivationError(
-                f"function '{name}' was not asked for: compile(..., functions=[..., '{name}'])"
-            )
-        c_name = equations.c_name(name, of)
-        if not layout.has_function(folder, c_name):
-            function = equations.form(name, of, loops)
-            notes = equations.notes(name, of, function)
-            file = generate(function, model=equations.system.name, notes=notes, of=of)
-            _add(folder, base, file, function)
-        return c_name
+    def provide(keys: Sequence[tuple[str, str | None]]) -> list[str]:
+        """Write the C of functions unless it is there."""
+        for name, _ in keys:
+            if name not in functions:
+                raise DerivationError(
+                    f"function '{name}' was not asked for: compile(..., functions=[..., '{name}'])"
+                )
+        names = [equations.c_name(*key) for key in keys]
+        by_name = dict(zip(names, keys, strict=True))
+        _add(folder, base, [_c_of(by_name[c_name]) for c_name in layout.missing(folder, names)])
+        return names
+
+    def _c_of(key: tuple[str, str | None]) -> tuple[CFile, Function | Recursion]:
+        """A function as C, and as what was written so."""
+        function = equations.form(*key, loops)
+        notes = equations.notes(*key, function)
+        return generate(function, model=equations.system.name, notes=notes, of=key[1]), function
 
     model = CompiledModel(folder, provide, threads=threads)
     _say_what_is_not_checked(model)
     return model
 
 
-def _add(folder: Path, base: manifest.Base, file: CFile, function: Function | Recursion) -> None:
-    """Write one function into the folder of its model."""
+def _add(
+    folder: Path, base: manifest.Base, made: Sequence[tuple[CFile, Function | Recursion]]
+) -> None:
+    """Write functions into the folder of their model."""
+    if not made:
+        return
     try:
         try:
-            layout.add_function(folder, file, function)
+            layout.add_functions(folder, made)
         except (CodegenError, FileNotFoundError):
             # a folder that was removed or damaged meanwhile is made again
             layout.write_model(folder, base)
-            layout.add_function(folder, file, function)
+            layout.add_functions(folder, made)
     except OSError as error:
         raise _unwritable(folder, error) from error
 

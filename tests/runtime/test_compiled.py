@@ -60,10 +60,10 @@ def test_functions_are_provided_on_demand(tmp_path):
     folder = pendulum.write(tmp_path / "model", ["forward_dynamics"])
     asked = []
 
-    def provide(name: str, of: str | None) -> str:
-        asked.append((name, of))
+    def provide(keys):
+        asked.extend(keys)
         pendulum.write(folder, ["forward_dynamics", "energy", "pose__bob"])
-        return name if of is None else f"{name}__{of}"
+        return [name if of is None else f"{name}__{of}" for name, of in keys]
 
     model = CompiledModel(folder, provide)
     model.forward_dynamics([0.1], [0.0])

@@ -97,7 +97,10 @@ def connect(m: Mechanism, required: NDArray[np.bool_]) -> Connection:
     names = ["constraints", "constraint_jacobian"] if len(required) else []
     names += ["facing"] if m.cuts and "facing" in model.manifest.available else []
     names += [] if m.chosen else ["integrate"]
-    functions = model._load([(name, None) for name in names])
+    # a start goes on with these: one run of the compiler makes all
+    later = ("constraint_rates", *(("difference", "qdot") if m.cuts else ()))
+    more = [name for name in later if name in model.manifest.available]
+    functions = model._load([(name, None) for name in (*names, *more)])[: len(names)]
     kept: list[Any] = [arrays, functions]
     for name, function in zip(names, functions, strict=True):
         setattr(record, name, function.address)

@@ -13,7 +13,7 @@ import tempfile
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 from .. import processes, regular_file
 from ..errors import CodegenError, ModelError
@@ -22,7 +22,7 @@ from ..ir.recursion import Recursion
 from ..ir.serialize import to_dict
 from ..schema.c_functions import FunctionRow
 from ..schema.fields import dumped
-from ..schema.manifest import Manifest, opened
+from ..schema.manifest import Manifest, from_file
 from ..schema.records import KERNELS
 from ..schema.seal import sealed, unsealed
 from ..version import ABI
@@ -31,6 +31,7 @@ from .manifest import Base
 from .writing import CFile
 
 # what every function stands on
+T = TypeVar("T")
 HEADERS = ("cardan.h", "lanes.h", "sincos.h")
 # frames up to which a manifest is written for people
 READ = 1000
@@ -127,17 +128,8 @@ def _is_there(directory: Path, entry: FunctionRow | None) -> bool:
     return hashlib.sha256(content).hexdigest() == entry.sha256
 
 
-def add_function(directory: Path, cfile: CFile, function: Function | Recursion) -> None:
-    """Write a function: its C file, its expressions and its entry in the manifest.
-
-    Raises:
-        CodegenError: :func:`write_model` was not called before.
-    """
-    add_functions(directory, [(cfile, function)])
-
-
 def add_functions(directory: Path, made: Sequence[tuple[CFile, Function | Recursion]]) -> None:
-    """Write several functions at once.
+    """Write functions: their C files, their expressions and their entries in the manifest.
 
     Raises:
         CodegenError: :func:`write_model` was not called before.
@@ -202,12 +194,11 @@ def change(directory: Path, edit: Callable[[Manifest], Manifest]) -> None:
 
 def written(directory: Path) -> set[str]:
     """Names of the files in a directory that belong to its model; empty where there is none."""
-    found = _plain(directory)
-    if found is None:
-        return set()
     # earlier versions wrote files of ours too
-    hashes = found.get("sha256")
-    return {MANIFEST, LOCK, *(Path(name).name for name in hashes or {})}
+    plain = _manifest(directory, lambda content, where: unsealed(content))
+    if plain is None or not _has_version(plain):
+        return set()
+    return {MANIFEST, LOCK, *(Path(name).name for name in plain.get("sha256") or {})}
 
 
 def kernel(name: str) -> str:
@@ -226,23 +217,38 @@ def read(directory: Path) -> Manifest | None:
     Raises:
         Damaged: there is one, but not as this cardan writes it.
     """
-    found, path = _plain(directory), directory / MANIFEST
+    return _manifest(directory, _of_cardan)
+
+
+def _of_cardan(content: bytes, where: str) -> Manifest | None:
+    """The manifest in a file; None where the file is somebody else's."""
     try:
-        return None if found is None else opened(found, str(path))
-    except ModelError as problem:
-        raise Damaged(f"{problem}, or remove {directory}") from problem
+        return from_file(content, where)
+    except ModelError:
+        if not _has_version(unsealed(content)):
+            return None
+        raise
 
 
-def _plain(directory: Path) -> dict[str, Any] | None:
-    """What JSON holds of the manifest of a directory; None where there is none of cardan."""
+def _has_version(plain: Any) -> bool:
+    return isinstance(plain, dict) and ABI.word in plain
+
+
+def _manifest(directory: Path, reader: Callable[[bytes, str], T]) -> T | None:
+    """What a reader makes of the content and the name of the manifest; None where there is none.
+
+    Raises:
+        Damaged: the reader refuses it.
+    """
     path = directory / MANIFEST
     try:
-        found = unsealed(regular_file.content(path))
+        return reader(regular_file.content(path), str(path))
     except FileNotFoundError:
         return None
+    except ModelError as problem:
+        raise Damaged(f"{problem}, or remove {directory}") from problem
     except (ValueError, OSError) as problem:
         raise Damaged(f"{path} is damaged ({problem}): remove the directory") from problem
-    return found if isinstance(found, dict) and ABI.word in found else None
 
 
 def _write_manifest(directory: Path, manifest: Manifest) -> None:

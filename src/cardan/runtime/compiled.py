@@ -74,7 +74,7 @@ class CompiledModel(Analyzed):
 
         Args:
             directory: With ``manifest.json`` and the C files.
-            provide: ``provide(function, of)`` writes what is missing there, returns its C name.
+            provide: Of (function, of) pairs; writes what is missing there, gives their C names.
             reproducible: Equal bits from every compiler, 10-30 % slower.
             threads: That share a large batch; by default ``$CARDAN_THREADS``, else the cores that
                 this process may use.

@@ -42,7 +42,7 @@ class Generated(Source):
     def add(self, model: CompiledModel, missing: Sequence[Key]) -> None:
         """Load functions, check those that were compiled now, and publish them."""
         objects, loaded = model._objects, model._functions
-        codes = objects.load([objects.symbol(*key) for key in missing])
+        codes = objects.load(objects.symbols(missing))
         fresh = {key: c.symbol for key, c in zip(missing, codes, strict=True) if c.fresh}
         p = model.parameters.vector
         try:

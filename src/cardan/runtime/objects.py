@@ -17,8 +17,7 @@ from .. import regular_file
 from ..errors import BuildError, CompilerMissing, DerivationError, ModelError, near
 from ..schema.blocks import ORDER
 from ..schema.c_functions import FunctionRow
-from ..schema.manifest import Manifest, opened
-from ..schema.seal import unsealed
+from ..schema.manifest import Manifest, from_file
 from . import cache
 from .interpreted import Interpreted, announce
 from .lanes import Recipe
@@ -29,8 +28,9 @@ if TYPE_CHECKING:
     from ..ir.function import Function
     from .batch import Batch
 
-Provide = Callable[[str, str | None], str]
 Key = tuple[str, str | None]
+# writes what is missing of functions, gives their C names
+Provide = Callable[[Sequence[Key]], list[str]]
 
 
 @dataclass(frozen=True)
@@ -149,11 +149,13 @@ class Objects:
     def _read(self) -> Manifest:
         path = self.directory / "manifest.json"
         try:
-            found = unsealed(regular_file.content(path))
+            return from_file(regular_file.content(path), str(path))
         except FileNotFoundError:
             raise ModelError(
                 f"{self.directory} holds no compiled model: {path} is missing"
             ) from None
+        except ModelError:
+            raise
         except ValueError as error:
             raise ModelError(
                 f"{path} is not a manifest, or is damaged: {error}. Compile or export the model "
@@ -161,7 +163,6 @@ class Objects:
             ) from None
         except OSError as error:
             raise ModelError(f"{path} cannot be read: {error.strerror or error}") from error
-        return opened(found, str(path))
 
     def saved(self) -> dict[str, Any]:
         """The saved Functions of ``functions.json`` as plain data, by C name."""
@@ -217,21 +218,25 @@ class Objects:
         return known[1]
 
     def symbol(self, name: str, of: str | None = None) -> str:
-        """C name of a function; makes sure that its text and manifest entry exist.
+        """C name of one function, as :meth:`symbols`."""
+        return self.symbols([(name, of)])[0]
+
+    def symbols(self, keys: Sequence[Key]) -> list[str]:
+        """C names of functions; makes sure that their texts and manifest entries exist.
 
         Raises:
             ModelError: the model has no such function; or it was saved without it.
         """
         with self.lock:
-            if self._provide is not None:
-                symbol = self._provide(name, of)
+            if self._provide is None:
+                return [self._stored(*key) for key in keys]
+            symbols = self._provide(keys)
+            if not self.manifest.functions.keys() >= {*symbols}:
+                self.manifest = self._read()
+            for symbol in symbols:
                 if symbol not in self.manifest.functions:
-                    self.manifest = self._read()
-            else:
-                symbol = self._stored(name, of)
-            if symbol not in self.manifest.functions:
-                raise BuildError(f"function '{symbol}' was not written to {self.directory}")
-            return symbol
+                    raise BuildError(f"function '{symbol}' was not written to {self.directory}")
+            return symbols
 
     def write(self, names: Iterable[str]) -> None:
         """Write the C of functions; those that do not exist for this system are left out."""

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator, Mapping, Sequence
+from functools import lru_cache
 from typing import Any
 
 from ..errors import ModelError
@@ -44,6 +45,7 @@ from .fields import (
 from .finite_elements import FiniteElements
 from .mechanism import GROUND, BeamRow, BodyRow, CutRow, FrameRow, JointRow, ShapeRow
 from .rows import SCHEMA, Rows, ends, rows_of
+from .seal import unsealed
 from .tree import Tree
 
 # the entries of blocks of numbers
@@ -279,6 +281,21 @@ def opened(plain: Any, where: str) -> Manifest:
         return Manifest.read(plain)
     except Misfit as misfit:
         raise ModelError(f"{where}: {misfit}. Compile the model again") from None
+
+
+@lru_cache(maxsize=4)
+def from_file(content: bytes, where: str) -> Manifest:
+    """The manifest in a file, read once as long as that stays as it is.
+
+    Args:
+        content: Of the file.
+        where: What to call it in errors.
+
+    Raises:
+        ValueError: it is damaged.
+        ModelError: as :func:`opened`.
+    """
+    return opened(unsealed(content), where)
 
 
 def json_schema() -> str:
