@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import json
 import threading
+from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor, wait
 from dataclasses import fields
 from pathlib import Path
 
@@ -15,6 +17,7 @@ import cardan as cd
 from cardan.codegen import mesh, mesh_rows
 from cardan.errors import ModelError
 from cardan.runtime.absolute import matrices
+from cardan.runtime.absolute.elements import Elements, State
 from cardan.runtime.absolute.mesh import Mesh
 from cardan.schema.rows import Rows, dumped
 from mechanisms.flexible import elastica
@@ -113,6 +116,53 @@ def test_threads_connect_functions_once() -> None:
     for thread in threads:
         thread.join()
     assert len(calls) == 1
+
+
+@pytest.mark.usefixtures("cache_directory")
+@pytest.mark.parametrize("wrong", [False, True])
+def test_threads_wait_until_functions_are_judged(wrong: bool) -> None:
+    found = mesh_of(cd.compile(elastica(2)))
+    begun, end = threading.Event(), threading.Event()
+
+    def judge(elements: Elements, fresh: Sequence[str]) -> None:
+        # who judges calls them, and waits for nobody
+        elements.total("energy", 2, State(q=np.tile([0.0, 0, 0, 1, 0, 0, 0], 2)))
+        begun.set()
+        assert end.wait(60)
+        if wrong:
+            raise cd.BuildError("it is wrong")
+
+    found._judge = judge
+    with ThreadPoolExecutor(2) as pool:
+        first = pool.submit(found.connect, "energy")
+        assert begun.wait(60)
+        second = pool.submit(found.connect, "energy")
+        early = wait([second], 0.2).done
+        end.set()
+        errors = [task.exception(60) is not None for task in (first, second)]
+    assert not early
+    assert errors == [wrong, wrong]
+
+
+def test_functions_that_cannot_be_published_are_forgotten(
+    cache_directory: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    model, kept = cd.compile(elastica(2)), []
+    found, keep = mesh_of(model), model._objects.keep
+
+    def full(symbol: str) -> object:
+        kept.append(symbol)
+        if len(kept) > 1:
+            raise cd.BuildError("no space left")
+        return keep(symbol)
+
+    with monkeypatch.context() as patch:
+        patch.setattr(model._objects, "keep", full)
+        with pytest.raises(cd.BuildError, match="no space left"):
+            found.connect("energy", "momentum")
+    assert list(cache_directory.glob(".new-*")) == []
+    found.connect("energy", "momentum")
+    assert list(cache_directory.glob(".new-*")) == []
 
 
 def test_full_matrices_of_many_speeds_are_refused() -> None:

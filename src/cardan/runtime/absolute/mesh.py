@@ -91,7 +91,9 @@ class Mesh(Elements):
         self.data = data
         self._codes = dict(load([c for kind in tables.kinds for c in kind.functions.values()]))
         self.interpreted = any(code.interpreted is not None for code in self._codes.values())
+        # what the judge may call, who has the lock, and what every thread may
         self._connected: set[str] = set()
+        self._approved: set[str] = set()
         self._lock = lock
         self._judge = judge
         self._width = lane_builds.width()
@@ -144,23 +146,23 @@ class Mesh(Elements):
 
     def connect(self, *forms: str) -> None:
         """Load functions of all elements that are not there yet; those of one call side by side."""
-        if not self._connected.issuperset(forms):
-            with self._lock:
-                missing = [name for name in forms if name not in self._connected]
+        if self._approved.issuperset(forms):
+            return
+        with self._lock:
+            missing = [name for name in forms if name not in self._connected]
+            try:
                 fresh = self._connect(missing) if missing else []
                 if fresh and not set(SOLVED).isdisjoint(missing):
                     # balances, tangents and accelerations are judged together
-                    fresh += self._connect([n for n in SOLVED if n not in self._connected])
+                    more = [name for name in SOLVED if name not in self._connected]
+                    fresh += self._connect(more)
+                    missing += more
                 if fresh:
-                    self._judged(fresh)
-
-    def _judged(self, fresh: Sequence[str]) -> None:
-        """Have functions checked that were compiled just now."""
-        try:
-            self._judge(self, fresh)
-        except BaseException:
-            self._connected.clear()
-            raise
+                    self._judge(self, fresh)
+            except BaseException:
+                self._connected &= self._approved
+                raise
+            self._approved.update(missing)
 
     def _connect(self, missing: Sequence[str]) -> list[str]:
         """Load functions, alone; those that were compiled just now."""
@@ -290,8 +292,7 @@ class Mesh(Elements):
         record, _held = self._state(at)
         function = getattr(self.library, f"cardan_mesh_{name}")
         memory = np.empty(self.work)
-        status = self._run(function, self.reference, ctypes.byref(record), *arguments, _at(memory))
-        return status
+        return self._run(function, self.reference, ctypes.byref(record), *arguments, _at(memory))
 
     def _run(self, function: Callable[..., int], *arguments: object) -> int:
         """Status of a function of the kernels."""
