@@ -32,7 +32,8 @@ const wreal *cardan_prepared_w(const cardan_export *model, const void *prepared,
 {
     const wreal *w = prepared;
 
-    for (ptrdiff_t i = 0; i < k && !model->elements; i++)
+    /* NULL while memory is measured: nothing lies behind it */
+    for (ptrdiff_t i = 0; i < k && w && !model->elements; i++)
         w += model->functions[i].w;
     return w;
 }

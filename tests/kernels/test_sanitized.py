@@ -303,3 +303,25 @@ def test_events_stay_inside_their_arrays(tmp_path: Path, sanitizers: None) -> No
     # samples until the bounces end, which is after 3 times the fall
     np.testing.assert_array_equal(rows[rows[:, 2] > 0, 0], np.arange(0, 3 * fall, 0.25))
     np.testing.assert_allclose(rows[rows[:, 3] > 0, 0], 0.1 - np.sqrt(1e-7 / 40), rtol=1e-9)
+
+
+# what is asked while a memory is measured
+MEASURED = """
+#include "export.h"
+
+int main(void)
+{
+    const cardan_exported_function functions[] = {{.w = 3}, {.w = 2}};
+    const cardan_export model = {.functions = functions, .function_count = 2};
+
+    return cardan_prepared_w(&model, NULL, 1) != NULL;
+}
+"""
+
+
+def test_nothing_lies_behind_a_memory_that_is_measured(tmp_path: Path, sanitizers: None) -> None:
+    main = tmp_path / "main.c"
+    main.write_text(MEASURED)
+    done = built(tmp_path, [main, prebuilt.DIRECTORY / "export.c"])
+    assert done is not None
+    assert (done.returncode, done.stderr) == (0, "")
