@@ -1,15 +1,6 @@
 /* Where the generalized-alpha method keeps what in `own` of the run. Part of cardan. */
 #include "alpha.h"
 
-/* The next piece of a block; a NULL block is only measured. */
-static real *reserve(real *block, ptrdiff_t *used, ptrdiff_t size)
-{
-    real *start = block ? block + *used : block;
-
-    *used += size;
-    return start;
-}
-
 /* Point into the memory of a run. Returns how many numbers that takes. */
 static ptrdiff_t lay(const cardan_run *run, cardan_alpha *v)
 {
@@ -20,34 +11,34 @@ static ptrdiff_t lay(const cardan_run *run, cardan_alpha *v)
 
     v->nq = nq, v->nu = nu, v->mp = mp, v->m = m, v->size = size;
     /* rows read them at the start of `own` */
-    v->lam_old = reserve(own, &used, m);
-    v->lam = reserve(own, &used, m);
-    v->now = reserve(own, &used, ALPHA_NOW);
-    v->a = reserve(own, &used, nu);
-    v->udot = reserve(own, &used, nu);
-    v->rise = reserve(own, &used, nu);
-    v->amplitude = reserve(own, &used, nq);
-    v->picked = reserve(own, &used, m);
-    v->a_new = reserve(own, &used, nu);
-    v->udot_new = reserve(own, &used, nu);
-    v->lam_new = reserve(own, &used, m);
-    v->shift = reserve(own, &used, nu);
-    v->increment = reserve(own, &used, nu);
-    v->residual = reserve(own, &used, nu + mp + m);
-    v->rates = reserve(own, &used, nq);
-    v->dx = reserve(own, &used, nu);
+    v->lam_old = cardan_reserve(own, &used, m);
+    v->lam = cardan_reserve(own, &used, m);
+    v->now = cardan_reserve(own, &used, ALPHA_NOW);
+    v->a = cardan_reserve(own, &used, nu);
+    v->udot = cardan_reserve(own, &used, nu);
+    v->rise = cardan_reserve(own, &used, nu);
+    v->amplitude = cardan_reserve(own, &used, nq);
+    v->picked = cardan_reserve(own, &used, m);
+    v->a_new = cardan_reserve(own, &used, nu);
+    v->udot_new = cardan_reserve(own, &used, nu);
+    v->lam_new = cardan_reserve(own, &used, m);
+    v->shift = cardan_reserve(own, &used, nu);
+    v->increment = cardan_reserve(own, &used, nu);
+    v->residual = cardan_reserve(own, &used, nu + mp + m);
+    v->rates = cardan_reserve(own, &used, nq);
+    v->dx = cardan_reserve(own, &used, nu);
     v->mesh = run->mesh;
     if (v->mesh)
         return used + cardan_alpha_sparse_lay(v->mesh, own ? own + used : own, v);
-    v->moved = reserve(own, &used, nq + nu * nu);
-    v->tangent = reserve(own, &used, 3 * nu * nu + 2 * m * nu);
-    v->weight = reserve(own, &used, nu);
-    v->unit = reserve(own, &used, m);
-    v->matrix = reserve(own, &used, size * size);
-    v->order = reserve(own, &used, size);
-    v->right = reserve(own, &used, size);
-    v->room = reserve(own, &used, size * nu);
-    v->probe = reserve(own, &used, nu + 2 * size + nq + nu * nu);
+    v->moved = cardan_reserve(own, &used, nq + nu * nu);
+    v->tangent = cardan_reserve(own, &used, 3 * nu * nu + 2 * m * nu);
+    v->weight = cardan_reserve(own, &used, nu);
+    v->unit = cardan_reserve(own, &used, m);
+    v->matrix = cardan_reserve(own, &used, size * size);
+    v->order = cardan_reserve(own, &used, size);
+    v->right = cardan_reserve(own, &used, size);
+    v->room = cardan_reserve(own, &used, size * nu);
+    v->probe = cardan_reserve(own, &used, nu + 2 * size + nq + nu * nu);
     return used;
 }
 

@@ -29,17 +29,12 @@ typedef struct level {
     real scale;      /* against which they count */
 } level;
 
-static ptrdiff_t larger(ptrdiff_t a, ptrdiff_t b)
-{
-    return a > b ? a : b;
-}
-
 /* Numbers that cardan_close needs: a closed block with residuals, the state before, and a copy. */
 ptrdiff_t cardan_closing_length(const cardan_run *run)
 {
     if (run->positions + run->rates == 0)
         return 0;
-    return larger(run->nq + run->positions, run->nu + run->rates) + run->nx + run->n;
+    return cardan_larger_of(run->nq + run->positions, run->nu + run->rates) + run->nx + run->n;
 }
 
 /* Index of the largest residual, of the first that is no number if there is one. */

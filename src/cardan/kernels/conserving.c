@@ -16,14 +16,6 @@
 
 enum { SHORTEST = 64 /* parts of a step */ };
 
-static real *reserve(real *block, ptrdiff_t *used, ptrdiff_t size)
-{
-    real *start = block ? block + *used : block;
-
-    *used += size;
-    return start;
-}
-
 /* Point into the memory of a run. Returns how many numbers that takes. */
 static ptrdiff_t lay(const cardan_run *run, cardan_conserving *v)
 {
@@ -41,25 +33,25 @@ static ptrdiff_t lay(const cardan_run *run, cardan_conserving *v)
             widest = mesh->groups[k].nu;
     }
     /* rows read them at the start of `own` */
-    v->lam_old = reserve(own, &used, m);
-    v->lam = reserve(own, &used, m);
-    v->now = reserve(own, &used, CONSERVING_NOW);
-    v->mass = reserve(own, &used, CONSERVING_MASS * mesh->places);
-    v->pose = reserve(own, &used, mesh->places);
-    v->middle = reserve(own, &used, m);
-    v->rise = reserve(own, &used, nu);
-    v->open = reserve(own, &used, v->mp);
-    v->eta = reserve(own, &used, nu);
-    v->lam_new = reserve(own, &used, m);
-    v->half = reserve(own, &used, v->nq);
-    v->mean = reserve(own, &used, nu);
-    v->before = reserve(own, &used, v->elements);
-    v->after = reserve(own, &used, v->elements);
-    v->missing = reserve(own, &used, nu);
-    v->gaps = reserve(own, &used, nu + v->mp + m);
-    v->dx = reserve(own, &used, nu);
-    v->element = reserve(own, &used, 2 * widest);
-    v->start = reserve(own, &used, nu + m);
+    v->lam_old = cardan_reserve(own, &used, m);
+    v->lam = cardan_reserve(own, &used, m);
+    v->now = cardan_reserve(own, &used, CONSERVING_NOW);
+    v->mass = cardan_reserve(own, &used, CONSERVING_MASS * mesh->places);
+    v->pose = cardan_reserve(own, &used, mesh->places);
+    v->middle = cardan_reserve(own, &used, m);
+    v->rise = cardan_reserve(own, &used, nu);
+    v->open = cardan_reserve(own, &used, v->mp);
+    v->eta = cardan_reserve(own, &used, nu);
+    v->lam_new = cardan_reserve(own, &used, m);
+    v->half = cardan_reserve(own, &used, v->nq);
+    v->mean = cardan_reserve(own, &used, nu);
+    v->before = cardan_reserve(own, &used, v->elements);
+    v->after = cardan_reserve(own, &used, v->elements);
+    v->missing = cardan_reserve(own, &used, nu);
+    v->gaps = cardan_reserve(own, &used, nu + v->mp + m);
+    v->dx = cardan_reserve(own, &used, nu);
+    v->element = cardan_reserve(own, &used, 2 * widest);
+    v->start = cardan_reserve(own, &used, nu + m);
     return used + cardan_mesh_lay(mesh, own ? own + used : own, &v->system);
 }
 

@@ -55,6 +55,13 @@ typedef struct cardan_conserving {
     cardan_mesh_system system;
 } cardan_conserving;
 
+static inline void cardan_cross(const real *a, const real *b, real *c)
+{
+    c[0] = a[1] * b[2] - a[2] * b[1];
+    c[1] = a[2] * b[0] - a[0] * b[2];
+    c[2] = a[0] * b[1] - a[1] * b[0];
+}
+
 /* conserving.c */
 cardan_conserving cardan_conserving_at(const cardan_run *run);
 

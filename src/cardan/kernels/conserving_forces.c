@@ -168,13 +168,6 @@ static ptrdiff_t middle_of(const cardan_conserving *v, const cardan_group *g,
     return nodes;
 }
 
-static void cross(const real *a, const real *b, real *c)
-{
-    c[0] = a[1] * b[2] - a[2] * b[1];
-    c[1] = a[2] * b[0] - a[0] * b[2];
-    c[2] = a[0] * b[1] - a[1] * b[0];
-}
-
 static real dot(const real *a, const real *b)
 {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -185,9 +178,9 @@ static void resisted(const real *A, const real *moment, real *w)
 {
     real columns[3][3];
 
-    cross(A + 3, A + 6, columns[0]);
-    cross(A + 6, A, columns[1]);
-    cross(A, A + 3, columns[2]);
+    cardan_cross(A + 3, A + 6, columns[0]);
+    cardan_cross(A + 6, A, columns[1]);
+    cardan_cross(A, A + 3, columns[2]);
     for (int i = 0; i < 3; i++)
         w[i] = (columns[0][i] * moment[0] + columns[1][i] * moment[1] + columns[2][i] * moment[2])
                / dot(A, columns[0]);
@@ -211,7 +204,7 @@ static void together(const cardan_conserving *c, const cardan_group *g, const pt
         for (int i = 0; i < 3 && c->pose[place[k]] != 0; i++)
             arm[i] = c->half[c->mesh->q[place[k]] + 4 + i] - middle[i];
         if (c->pose[place[k]] != 0) {
-            cross(arm, x + 3, lever);
+            cardan_cross(arm, x + 3, lever);
             for (int i = 0; i < 3; i++) {
                 v[i] += x[3 + i] / (real)nodes;
                 moment[i] += x[i] + lever[i] / square;
@@ -268,7 +261,7 @@ static real changing(const cardan_conserving *c, const cardan_group *g, const pt
                 arm[i] = c->half[at + 4 + i] - middle[i];
                 turned[i] = own[i] - w[i];
             }
-            cross(w, arm, lever);
+            cardan_cross(w, arm, lever);
             cardan_rotation(c->half + at, R);
             for (int i = 0; i < 3; i++) {
                 own[i] = R[i] * turned[0] + R[3 + i] * turned[1] + R[6 + i] * turned[2];

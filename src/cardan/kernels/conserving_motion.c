@@ -39,13 +39,6 @@ static void back(const real *R, const real *x, real *y)
         y[i] = R[i] * x[0] + R[3 + i] * x[1] + R[6 + i] * x[2];
 }
 
-static void cross(const real *a, const real *b, real *c)
-{
-    c[0] = a[1] * b[2] - a[2] * b[1];
-    c[1] = a[2] * b[0] - a[0] * b[2];
-    c[2] = a[0] * b[1] - a[1] * b[0];
-}
-
 /* What a rotation by w reaches on its way of a velocity d that turns with it, seen from half way:
  * the mean of exp(s w) d over s from -1/2 to 1/2. */
 static void reach(const real *w, const real *d, real *out)
@@ -56,8 +49,8 @@ static void reach(const real *w, const real *d, real *out)
                              : (1 - x * x / 20 * (1 - x * x / 42)) / 24;
     real once[3], twice[3];
 
-    cross(w, d, once);
-    cross(w, once, twice);
+    cardan_cross(w, d, once);
+    cardan_cross(w, once, twice);
     for (int i = 0; i < 3; i++)
         out[i] = d[i] + c * twice[i];
 }
@@ -71,8 +64,8 @@ static void turn(const real *w, const real *d, real *out)
     const real c = sine * cos(half);
     real once[3], twice[3];
 
-    cross(w, d, once);
-    cross(w, once, twice);
+    cardan_cross(w, d, once);
+    cardan_cross(w, once, twice);
     for (int i = 0; i < 3; i++)
         out[i] = d[i] + c * once[i] + 0.5 * sine * sine * twice[i];
 }
@@ -150,7 +143,7 @@ static void momentum(const real *mass, const real *q, const real *u, const real 
     }
     times(R, own, both);
     times(R, own + 3, both + 3);
-    cross(arm, both + 3, moment);
+    cardan_cross(arm, both + 3, moment);
     for (int i = 0; i < 3; i++)
         both[i] += moment[i];
 }

@@ -45,15 +45,6 @@ int cardan_hold_sound(const cardan_run *run)
            || cardan_places_fit(place(run, ORDER), run->rates, 0, (real)(run->rates - 1));
 }
 
-static real dot(const real *a, const real *b, ptrdiff_t n)
-{
-    real sum = 0;
-
-    for (ptrdiff_t i = 0; i < n; i++)
-        sum += a[i] * b[i];
-    return sum;
-}
-
 /* Row k in the order. */
 static real *row_of(const cardan_run *run, int what, ptrdiff_t k)
 {
@@ -87,7 +78,7 @@ static int jacobian(cardan_run *run, real t, const real *y, real *rows, int take
         for (ptrdiff_t j = 0; j < run->nu; j++)
             row[j] *= run->columns ? run->columns[j] : 1;
         if (taken)
-            lengths[i] = fmax(lengths[i], sqrt(dot(row, row, run->nu)));
+            lengths[i] = fmax(lengths[i], sqrt(cardan_dot(row, row, run->nu)));
         for (ptrdiff_t j = 0; j < run->nu && lengths[i] > 0; j++)
             row[j] /= lengths[i];
     }
@@ -102,7 +93,7 @@ static void choose(const cardan_run *run, int what, ptrdiff_t k)
 
     for (ptrdiff_t i = k; i < run->rates; i++) {
         const real *row = row_of(run, what, i);
-        real length = dot(row, row, run->nu);
+        real length = cardan_dot(row, row, run->nu);
         if (length > longest) {
             longest = length;
             best = i;
@@ -127,7 +118,7 @@ static real orthogonalize(cardan_run *run, int what, int anew, int taken)
         if (anew)
             choose(run, what, k);
         row = row_of(run, what, k);
-        length = dot(row, row, run->nu);
+        length = cardan_dot(row, row, run->nu);
         if (taken && k >= run->held && length > TAKEN * TAKEN) {
             run->held = k + 1;
             run->ranks++;
@@ -136,7 +127,7 @@ static real orthogonalize(cardan_run *run, int what, int anew, int taken)
             break;
         hold = sqrt(length);
         for (ptrdiff_t i = k + 1; i < run->rates && length > 0; i++) {
-            real *other = row_of(run, what, i), share = dot(row, other, run->nu) / length;
+            real *other = row_of(run, what, i), share = cardan_dot(row, other, run->nu) / length;
             for (ptrdiff_t j = 0; j < run->nu; j++)
                 other[j] -= share * row[j];
         }
@@ -161,7 +152,7 @@ static int turned(cardan_run *run, real tau)
         return 0;
     orthogonalize(run, THERE, 0, 0);
     for (ptrdiff_t k = 0; k < run->held; k++)
-        if (dot(row_of(run, HERE, k), row_of(run, THERE, k), run->nu) < 0)
+        if (cardan_dot(row_of(run, HERE, k), row_of(run, THERE, k), run->nu) < 0)
             return 1;
     return 0;
 }

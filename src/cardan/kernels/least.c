@@ -69,20 +69,11 @@ static parts parts_of(const cardan_least *least)
     return p;
 }
 
-static real dot(const real *a, const real *b, ptrdiff_t n)
-{
-    real sum = 0;
-
-    for (ptrdiff_t i = 0; i < n; i++)
-        sum += a[i] * b[i];
-    return sum;
-}
-
 /* Take the reflection of row k, which starts at entry k, off a vector. */
 static void reflect(const parts *p, ptrdiff_t k, ptrdiff_t nu, real *x)
 {
     const real *v = p->reflected + (ptrdiff_t)p->order[k] * nu;
-    const real share = p->factor[k] * dot(v + k, x + k, nu - k);
+    const real share = p->factor[k] * cardan_dot(v + k, x + k, nu - k);
 
     for (ptrdiff_t j = k; j < nu; j++)
         x[j] -= share * v[j];
@@ -100,7 +91,7 @@ static ptrdiff_t longest(const cardan_least *least, const parts *p, ptrdiff_t k,
         /* rows that are done have no multiplier */
         if (p->multiplier[i] == 0)
             continue;
-        square = dot(row, row, least->nu - k);
+        square = cardan_dot(row, row, least->nu - k);
         if (square > largest) {
             largest = square;
             best = i;
@@ -157,7 +148,7 @@ static void rotate(real *a, real *b, ptrdiff_t n, real cosine, real sine)
 static int make_orthogonal(const parts *p, ptrdiff_t hard, ptrdiff_t i, ptrdiff_t j)
 {
     real *a = p->columns + i * hard, *b = p->columns + j * hard;
-    const real aa = dot(a, a, hard), bb = dot(b, b, hard), ab = dot(a, b, hard);
+    const real aa = cardan_dot(a, a, hard), bb = cardan_dot(b, b, hard), ab = cardan_dot(a, b, hard);
     real zeta, tangent, cosine;
 
     if (!(fabs(ab) > ORTHOGONAL * sqrt(aa) * sqrt(bb)))
@@ -184,13 +175,13 @@ static void decompose(const parts *p, ptrdiff_t hard)
                 changed |= make_orthogonal(p, hard, i, j);
     }
     for (ptrdiff_t i = 0; i < p->r; i++)
-        p->values[i] = sqrt(dot(p->columns + i * hard, p->columns + i * hard, hard));
+        p->values[i] = sqrt(cardan_dot(p->columns + i * hard, p->columns + i * hard, hard));
 }
 
 /* Across the hard rows, in the axes of Q; returns their rank. Values that hold nothing become 0. */
 static ptrdiff_t across(const cardan_least *least, const parts *p)
 {
-    real top = 1, distance = SHARE * sqrt(dot(least->residuals, least->residuals, least->hard));
+    real top = 1, distance = SHARE * sqrt(cardan_dot(least->residuals, least->residuals, least->hard));
     ptrdiff_t rank = 0;
 
     for (ptrdiff_t i = 0; i < p->r; i++)
@@ -204,7 +195,7 @@ static ptrdiff_t across(const cardan_least *least, const parts *p)
         if (value == 0)
             continue;
         rank++;
-        share = dot(p->columns + i * least->hard, least->residuals, least->hard);
+        share = cardan_dot(p->columns + i * least->hard, least->residuals, least->hard);
         share /= value * value + distance * distance;
         for (ptrdiff_t j = 0; j < p->r; j++)
             p->y[j] -= share * p->w[i * p->r + j];
@@ -226,7 +217,7 @@ static void look_ahead(cardan_least *least, const parts *p)
     for (ptrdiff_t i = 0; i < least->soft; i++) {
         for (ptrdiff_t k = 0; k < p->r; k++)
             reflect(p, k, nu, rows + i * nu);
-        p->ahead[i] = soft[i] + dot(rows + i * nu, p->y, p->r);
+        p->ahead[i] = soft[i] + cardan_dot(rows + i * nu, p->y, p->r);
         for (ptrdiff_t j = 0; j < p->r; j++)
             slope[j] += rows[i * nu + j] * soft[i];
     }
@@ -234,7 +225,7 @@ static void look_ahead(cardan_least *least, const parts *p)
         p->multiplier[i] = 0;
     for (ptrdiff_t k = 0; k < p->r; k++) {
         const real value = p->values[k];
-        const real share = value > 0 ? dot(p->w + k * p->r, slope, p->r) / (value * value) : 0;
+        const real share = value > 0 ? cardan_dot(p->w + k * p->r, slope, p->r) / (value * value) : 0;
         for (ptrdiff_t i = 0; i < hard; i++)
             p->multiplier[i] += share * p->columns[k * hard + i];
     }
@@ -252,7 +243,7 @@ static void along_free(const cardan_least *least, const parts *p)
     for (ptrdiff_t k = 0; k < p->r; k++)
         if (p->values[k] == 0)
             for (ptrdiff_t i = 0; i < soft; i++)
-                *next++ = dot(rows + i * nu, p->w + k * p->r, p->r);
+                *next++ = cardan_dot(rows + i * nu, p->w + k * p->r, p->r);
     for (ptrdiff_t j = p->r; j < nu; j++)
         for (ptrdiff_t i = 0; i < soft; i++)
             *next++ = rows[i * nu + j];
@@ -272,8 +263,8 @@ static void descend(const cardan_least *least, const parts *p)
     for (ptrdiff_t i = 0; i < count; i++) {
         const real *row = p->free + i * soft;
         for (ptrdiff_t j = 0; j <= i; j++)
-            p->normal[i * count + j] = dot(row, p->free + j * soft, soft) + (i == j ? scale : 0);
-        p->right[i] = dot(row, p->ahead, soft);
+            p->normal[i * count + j] = cardan_dot(row, p->free + j * soft, soft) + (i == j ? scale : 0);
+        p->right[i] = cardan_dot(row, p->ahead, soft);
     }
     if (cardan_solve_spd((int)count, 1, p->normal, p->right, NULL) != CARDAN_OK)
         return;

@@ -34,39 +34,30 @@
  */
 #include "run.h"
 
-/* Reserve the next part of a block; a NULL block is only measured. */
-static real *reserve(real *block, size_t *used, ptrdiff_t size)
-{
-    real *start = block ? block + *used : NULL;
-
-    *used += (size_t)size;
-    return start;
-}
-
 /* Point every array of a run into the block; returns how many numbers that takes. */
 static size_t lay(cardan_run *run, real *block, size_t rest, size_t work)
 {
-    size_t used = 0;
+    ptrdiff_t used = 0;
 
-    run->y = reserve(block, &used, run->n);
-    run->y_old = reserve(block, &used, run->n);
-    run->trial = reserve(block, &used, run->n);
-    run->f = reserve(block, &used, run->n);
-    run->k = reserve(block, &used, run->stages * run->n);
-    run->spread = reserve(block, &used, run->dense_rows * run->n);
-    run->r = reserve(block, &used, run->nr);
-    run->s = reserve(block, &used, run->ns);
-    run->at_rest = reserve(block, &used, (ptrdiff_t)rest);
-    run->work = reserve(block, &used, (ptrdiff_t)work);
-    run->closing = reserve(block, &used, cardan_closing_length(run));
-    run->chart = reserve(block, &used, cardan_chart_length(run));
-    run->holding = reserve(block, &used, cardan_hold_length(run));
-    run->passing = reserve(block, &used, cardan_passing_length(run));
-    run->own = reserve(block, &used, run->length(run));
-    run->e = reserve(block, &used, run->ne + run->watched);
-    run->board = reserve(block, &used, cardan_board_length(run));
-    run->ledger = reserve(block, &used, 4 * (run->positions + run->rates));
-    return used;
+    run->y = cardan_reserve(block, &used, run->n);
+    run->y_old = cardan_reserve(block, &used, run->n);
+    run->trial = cardan_reserve(block, &used, run->n);
+    run->f = cardan_reserve(block, &used, run->n);
+    run->k = cardan_reserve(block, &used, run->stages * run->n);
+    run->spread = cardan_reserve(block, &used, run->dense_rows * run->n);
+    run->r = cardan_reserve(block, &used, run->nr);
+    run->s = cardan_reserve(block, &used, run->ns);
+    run->at_rest = cardan_reserve(block, &used, (ptrdiff_t)rest);
+    run->work = cardan_reserve(block, &used, (ptrdiff_t)work);
+    run->closing = cardan_reserve(block, &used, cardan_closing_length(run));
+    run->chart = cardan_reserve(block, &used, cardan_chart_length(run));
+    run->holding = cardan_reserve(block, &used, cardan_hold_length(run));
+    run->passing = cardan_reserve(block, &used, cardan_passing_length(run));
+    run->own = cardan_reserve(block, &used, run->length(run));
+    run->e = cardan_reserve(block, &used, run->ne + run->watched);
+    run->board = cardan_reserve(block, &used, cardan_board_length(run));
+    run->ledger = cardan_reserve(block, &used, 4 * (run->positions + run->rates));
+    return (size_t)used;
 }
 
 /* How many numbers cardan_run_lay needs. */

@@ -20,14 +20,6 @@ static const real FORCES = 1e-6;
 static const real LEAST = 1e-8;
 enum { IMPROVE = 4 };
 
-static real *reserve(real *block, ptrdiff_t *used, ptrdiff_t size)
-{
-    real *start = block ? block + *used : block;
-
-    *used += size;
-    return start;
-}
-
 ptrdiff_t cardan_mesh_lay(const cardan_mesh *mesh, real *block, cardan_mesh_system *system)
 {
     const cardan_sparse *plan = mesh->plan;
@@ -35,22 +27,22 @@ ptrdiff_t cardan_mesh_lay(const cardan_mesh *mesh, real *block, cardan_mesh_syst
     cardan_sparse_factors *factors = &system->factors;
     ptrdiff_t used = 0;
 
-    system->right = reserve(block, &used, n);
-    system->found = reserve(block, &used, n);
-    system->rows = reserve(block, &used, n);
-    system->units = reserve(block, &used, n);
-    system->a = reserve(block, &used, plan->values);
-    factors->values = reserve(block, &used, plan->factors);
-    factors->scale = reserve(block, &used, n);
-    factors->shift = reserve(block, &used, n);
-    factors->work = reserve(block, &used, cardan_sparse_work(plan));
+    system->right = cardan_reserve(block, &used, n);
+    system->found = cardan_reserve(block, &used, n);
+    system->rows = cardan_reserve(block, &used, n);
+    system->units = cardan_reserve(block, &used, n);
+    system->a = cardan_reserve(block, &used, plan->values);
+    factors->values = cardan_reserve(block, &used, plan->factors);
+    factors->scale = cardan_reserve(block, &used, n);
+    factors->shift = cardan_reserve(block, &used, n);
+    factors->work = cardan_reserve(block, &used, cardan_sparse_work(plan));
     /* two of them in the room of a number */
-    factors->pivot = (int32_t *)(void *)reserve(block, &used, n);
+    factors->pivot = (int32_t *)(void *)cardan_reserve(block, &used, n);
     factors->exchanged = block ? factors->pivot + n : NULL;
-    factors->replaced = (int32_t *)(void *)reserve(block, &used, n);
+    factors->replaced = (int32_t *)(void *)cardan_reserve(block, &used, n);
     factors->rows = system->rows;
     factors->columns = system->units;
-    system->work = reserve(block, &used, 3 * n + cardan_mesh_room(mesh));
+    system->work = cardan_reserve(block, &used, 3 * n + cardan_mesh_room(mesh));
     return used;
 }
 

@@ -26,15 +26,10 @@ typedef struct parts {
     real *least;
 } parts;
 
-static ptrdiff_t larger(ptrdiff_t a, ptrdiff_t b)
-{
-    return a > b ? a : b;
-}
-
 /* Numbers of the largest result of a function, or of two states. */
 static ptrdiff_t widest(const cardan_position *p)
 {
-    return larger(larger(p->positions, p->facings), 2 * p->nq);
+    return cardan_larger_of(cardan_larger_of(p->positions, p->facings), 2 * p->nq);
 }
 
 /* Numbers that a search needs. */

@@ -240,6 +240,29 @@ static inline int cardan_places_fit(const real *x, ptrdiff_t count, real least, 
     return 1;
 }
 
+/* The next part of a block; a NULL block is only measured. */
+static inline real *cardan_reserve(real *block, ptrdiff_t *used, ptrdiff_t size)
+{
+    real *start = block ? block + *used : NULL;
+
+    *used += size;
+    return start;
+}
+
+static inline real cardan_dot(const real *a, const real *b, ptrdiff_t n)
+{
+    real sum = 0;
+
+    for (ptrdiff_t i = 0; i < n; i++)
+        sum += a[i] * b[i];
+    return sum;
+}
+
+static inline ptrdiff_t cardan_larger_of(ptrdiff_t a, ptrdiff_t b)
+{
+    return a > b ? a : b;
+}
+
 /* run.c */
 int cardan_run_start(cardan_run *run);
 int cardan_run_drive(cardan_run *run);
