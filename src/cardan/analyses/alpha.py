@@ -97,11 +97,6 @@ class Alpha:
         return 2 if math.isclose(self.gamma, 0.5 - self.shift, abs_tol=1e-12) else 1
 
     @property
-    def error_constant(self) -> float:
-        """Of the position in a step: it is missed by this times h^3 times the third derivative."""
-        return self.beta + self.shift / 2 - 1 / 6
-
-    @property
     def rho_inf(self) -> float:
         """Factor per step of infinitely fast oscillations; with constraints, of their errors."""
         # a and u that give no displacement, and what is left of udot
