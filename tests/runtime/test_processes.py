@@ -1,4 +1,4 @@
-"""Locks and fork hooks on systems that lack what POSIX has."""
+"""Locks, fork hooks and the cache on systems that lack what POSIX has."""
 
 from __future__ import annotations
 
@@ -21,7 +21,9 @@ def locking(handle, mode, count):
 
 sys.modules["msvcrt"] = types.SimpleNamespace(LK_LOCK=1, LK_NBLCK=2, locking=locking)
 sys.modules["fcntl"] = None
-del os.register_at_fork
+missing = "register_at_fork geteuid getuid O_NOFOLLOW O_NONBLOCK O_CLOEXEC O_NOCTTY"
+for name in missing.split():
+    delattr(os, name)
 """
 SYSTEMS = pytest.mark.parametrize(
     "system", [POSIX, NEITHER, WINDOWS], ids=["posix", "neither", "windows"]
@@ -96,10 +98,17 @@ def test_a_lock_lasts_as_long_as_its_process(system: str, tmp_path: Path) -> Non
 
 
 @SYSTEMS
-def test_a_scene_compiles_and_runs_and_its_cache_is_locked(system: str, tmp_path: Path) -> None:
+def test_a_scene_compiles_and_runs_and_its_cache_is_locked(
+    system: str, tmp_path: Path, cache_directory: Path
+) -> None:
+    if system == WINDOWS:
+        # what modes say there
+        cache_directory.mkdir()
+        cache_directory.chmod(0o777)
     command = child(system, COMPILE, SCENE, tmp_path / "model", *child(system, SWEEP))
     answer = subprocess.check_output(command, text=True).split()
     # compiles, and none of their folders was swept away
     assert answer[0] == "True"
     assert int(answer[1]) > 0
     assert answer[2] == "0"
+    assert list(cache_directory.glob("*.so"))

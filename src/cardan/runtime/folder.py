@@ -19,7 +19,7 @@ from functools import lru_cache
 from pathlib import Path
 
 from ..errors import BuildError, BuildWarning, warn
-from .trust import exposed
+from .trust import OTHERS, OWNERS, exposed
 
 # others may not even list it: it shows what somebody works on
 PRIVATE = 0o700
@@ -65,13 +65,13 @@ def refusal(path: Path) -> str:
         return f"it is a file. Remove it: rm {path}"
     except OSError as error:
         return f"it cannot be made ({error.strerror}). {_ELSEWHERE}"
-    if status.st_uid != os.geteuid():
+    if OWNERS and status.st_uid != os.geteuid():
         return f"it belongs to another user. {_ELSEWHERE}"
     foreign = _foreign(path)
     if foreign:
         return f"it holds other things ({foreign}). {_ELSEWHERE}"
     # what others may have written cannot be trusted any more; what they may read is closed
-    if status.st_mode & (stat.S_IWGRP | stat.S_IWOTH):
+    if OWNERS and status.st_mode & OTHERS:
         return f"it is not private: others may write to it. Run: rm -r {path}"
     try:
         if stat.S_IMODE(status.st_mode) != PRIVATE:

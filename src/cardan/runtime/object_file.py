@@ -15,7 +15,7 @@ from dataclasses import dataclass, replace
 from io import FileIO
 from pathlib import Path
 
-from .. import processes
+from .. import processes, regular_file
 from ..errors import BuildError
 from . import folder
 from .trust import exposed, own
@@ -23,6 +23,8 @@ from .trust import exposed, own
 DIGEST = 32
 NEW = ".new-"
 LOCK = "lock"  # file in a folder that a living process compiles in
+# no link: what it leads to lies somewhere else
+FLAGS = regular_file.FLAGS | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_BINARY", 0)
 LARGEST, CHUNK = 1 << 30, 1 << 20  # bytes of an object, and of what is read of it at once
 
 
@@ -134,8 +136,7 @@ def seal(path: Path) -> None:
 def intact(path: Path) -> bool:
     """Whether the file is there, this user's alone, and is what the linker wrote."""
     try:
-        # no link: what it leads to lies somewhere else
-        handle = os.open(path, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC)
+        handle = os.open(path, FLAGS)
         with open(handle, "rb") as file:
             status, total = os.fstat(handle), hashlib.sha256()
             left = status.st_size - DIGEST
