@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+import hashlib
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
 import cardan as cd
+from cardan.runtime.number_file import packed, unpacked
 from hostile.harness import campaign
-from hostile.kinds import MODELS, folder
+from hostile.kinds import FILES, MODELS, folder
 from spread import some
 
 SEED = 17
@@ -88,6 +91,63 @@ def test_manifests_that_did_harm_once(which: str, change: str, tmp_path: Path) -
     kind.file.write_bytes(kind.pack(parts))
     with pytest.raises(cd.CardanError):
         kind.use(kind.read(kind.file))
+
+
+def kind_of(parts: dict[str, Any], name: str) -> dict[str, Any]:
+    (found,) = (kind for kind in kinds(parts) if kind["name"] == name)
+    return found
+
+
+def narrower(numbers: dict[str, Any], name: str) -> None:
+    """A table of elements has a column less."""
+    for key in [key for key in numbers if key.startswith(f"{name}_")]:
+        numbers[key] = numbers[key][:, 1:]
+
+
+# what the kernels would take from where nothing is, or put there
+COUNTS: dict[str, Callable[[dict[str, Any], dict[str, Any]], object]] = {
+    "a balance of two numbers": lambda parts, numbers: kind_of(parts, "body")["functions"].update(
+        balance=kind_of(parts, "body")["functions"]["energy"]
+    ),
+    "one energy": lambda parts, numbers: kind_of(parts, "joint_force")["functions"].update(
+        energy=kind_of(parts, "joint_force")["functions"]["power"]
+    ),
+    "a motion without tangent": lambda parts, numbers: elements(parts)["places"][0][
+        "functions"
+    ].update(move=elements(parts)["places"][0]["functions"]["qdot"]),
+    "more coordinates than speeds": lambda parts, numbers: elements(parts)["places"].append(
+        {"name": "line2", "nq": 8, "nu": 1}
+    ),
+    "fewer outputs": lambda parts, numbers: narrower(numbers, "outputs"),
+    "fewer powers": lambda parts, numbers: narrower(numbers, "powers"),
+    "a place below the first": lambda parts, numbers: numbers.update(
+        place_0=np.pad(numbers["place_0"], ((0, 0), (0, 1)), constant_values=-1)
+    ),
+    "places the other way around": lambda parts, numbers: numbers.update(
+        place_1=np.stack([numbers["place_1"][0], numbers["place_1"][1][::-1]])
+    ),
+}
+
+
+@pytest.mark.parametrize("change", COUNTS)
+def test_counts_are_what_kernels_take(change: str, tmp_path: Path) -> None:
+    scene = cd.Model("counted")
+    bodies = [scene.body(name, mass=1, inertia=(1, 1, 1)) for name in ("arm", "hand", "tip")]
+    scene.joint("float", cd.Free(), scene.ground, bodies[0])
+    for name, ends in (("hinge", bodies[:2]), ("other", bodies[1:])):
+        scene.joint(name, cd.Revolute("y"), *ends)
+    scene.force("friction", cd.JointForce("hinge", -scene.u("hinge")))
+    scene.output("angle", scene.q("hinge"))
+    file = cd.compile(scene, coordinates="absolute", directory=tmp_path).directory / "manifest.json"
+    unpack, pack = FILES["manifest.json"]
+    mesh = file.with_name("mesh.npz")
+    parts, numbers = unpack(file.read_bytes()), unpacked(mesh.read_bytes())
+    COUNTS[change](parts, numbers)
+    mesh.write_bytes(packed(numbers))
+    parts["sha256"][mesh.name] = hashlib.sha256(mesh.read_bytes()).hexdigest()
+    file.write_bytes(pack(parts))
+    with pytest.raises(cd.ModelError, match="does not hold the elements"):
+        cd.load_model(tmp_path).prepare("rhs")
 
 
 @pytest.mark.parametrize("which", MODELS)

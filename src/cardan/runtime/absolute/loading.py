@@ -12,11 +12,12 @@ import numpy as np
 from ... import regular_file
 from ...arrays import Array
 from ...errors import ModelError
+from ...schema.c_functions import FunctionRow
 from ...schema.manifest import Manifest
 from ...schema.records import PARTS
 from ..number_file import unpacked
 from ..objects import Code
-from .elements import Elements
+from .elements import INNER, Elements
 from .mesh import Mesh
 from .tables import Table, Tables
 
@@ -67,7 +68,7 @@ def _fit(found: Tables, manifest: Manifest) -> None:
         )
         for most, table in limits:
             if table is not None and not (
-                table.ndim == 2 and len(table) == n and np.all((table >= -1) & (table < most))
+                table.ndim == 2 and len(table) == n and np.all((table >= 0) & (table < most))
             ):
                 raise ValueError(f"an element of '{group.kind.name}' is between no nodes")
         _check_sizes(found, group)
@@ -84,8 +85,9 @@ def _check_sizes(elements: Tables, group: Table) -> None:
     kind, sums = group.kind, {}
     for name in ("nq", "nu"):
         sizes = np.array([getattr(each, name) for each in elements.kinds], dtype=np.intp)
-        # place -1 is the ground
-        sums[name] = np.append(sizes[elements.kind], 0)[group.place].sum(axis=1)
+        widths = sizes[elements.kind][group.place]
+        # kernels take numbers of all elements place by place, as the first of them has them
+        sums[name] = np.where(widths == widths[:1], widths, -1).sum(axis=1)
     sums |= {
         name: np.array([0 if table is None else table.shape[1]])
         for name, table in (("nz", group.z), ("ns", group.s))
@@ -96,6 +98,35 @@ def _check_sizes(elements: Tables, group: Table) -> None:
             raise ValueError(f"elements of '{kind.name}' have {name} = {stated}")
     if kind.mp > kind.m:
         raise ValueError(f"elements of '{kind.name}' have {kind.m} constraints")
+
+
+def _check_results(elements: Tables, entries: Mapping[str, FunctionRow]) -> None:
+    """Make sure that functions give as many numbers as the kernels take from them.
+
+    Raises:
+        ValueError: one gives more or less.
+    """
+    checks: list[tuple[str, Mapping[str, str], dict[str, int]]] = []
+    for place in elements.kinds:
+        nq, nu = place.nq, place.nu
+        sizes = {"move": nq + nu * nu, "qdot": nq}
+        right = nq == nu or sizes.keys() <= place.functions.keys()
+        if place.node:
+            right = (nq, nu) == ((7, 6) if place.plane is None else (3, 3))
+        if not right:
+            raise ValueError(f"places of '{place.name}' have nq = {nq} and nu = {nu}")
+        checks.append((place.name, place.functions, sizes))
+    for group in elements.groups:
+        kind, nu, m = group.kind, group.kind.nu, group.kind.m
+        sizes = {"balance": nu + kind.mp + m, "gamma": m, "energy": 2, "momentum": 6}
+        sizes |= {"reaction": 6, "stress": 24, "mixed": nu + nu * nu, "mixed_step": INNER}
+        sums = {"power": group.powers, "outputs": group.outputs}
+        sizes |= {name: 0 if x is None else x.shape[1] for name, x in sums.items()}
+        checks.append((kind.name, kind.functions, sizes))
+    for what, functions, sizes in checks:
+        for name in sizes.keys() & functions.keys():
+            if entries[functions[name]].output_size != sizes[name]:
+                raise ValueError(f"{name} of '{what}' gives not {sizes[name]} numbers")
 
 
 def _check_mesh(elements: Tables, manifest: Manifest) -> None:
@@ -110,6 +141,7 @@ def _check_mesh(elements: Tables, manifest: Manifest) -> None:
     missing = [name for each in functions for name in each.values() if name not in available]
     if missing:
         raise ValueError(f"functions of elements are not there: {missing!r:.80}")
+    _check_results(elements, available)
     for kind in kinds:
         most = available[kind.functions["balance_tangent"]].output_size if kind.parts else 0
         for name, start in kind.parts.items():

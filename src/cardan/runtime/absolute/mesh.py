@@ -249,6 +249,7 @@ class Mesh(Elements):
             self._fill(record, fields)
             for field, symbol in functions.items():
                 code = self._codes[symbol]
+                code.take({"q": record.nq, "u": record.nu, "du": record.nu})
                 setattr(record, field, code.address)
                 setattr(record, f"w_{field}", self._pointer(prepare(code, np.zeros(0))))
         return movers
