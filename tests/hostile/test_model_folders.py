@@ -12,6 +12,7 @@ import pytest
 
 import cardan as cd
 from cardan.runtime.number_file import packed, unpacked
+from cardan.schema.manifest import opened
 from hostile.harness import campaign
 from hostile.kinds import FILES, MODELS, folder
 from spread import some
@@ -148,6 +149,16 @@ def test_counts_are_what_kernels_take(change: str, tmp_path: Path) -> None:
     file.write_bytes(pack(parts))
     with pytest.raises(cd.ModelError, match="does not hold the elements"):
         cd.load_model(tmp_path).prepare("rhs")
+
+
+@pytest.mark.parametrize("key", ["coordinates", "speeds", "joints"])
+def test_a_manifest_cannot_speak_of_more_rows_than_it_has_numbers(key: str) -> None:
+    unpack, _ = FILES["manifest.json"]
+    parts = unpack((MODELS["shaft"][0]().directory / "manifest.json").read_bytes())
+    run = {"count": 2**39, "pattern": parts[key][-1:], "values": ""}
+    parts[key] = {"listed": parts[key], "runs": [run]}
+    with pytest.raises(cd.ModelError, match="it has more"):
+        opened(parts, "manifest.json")
 
 
 @pytest.mark.parametrize("which", MODELS)

@@ -177,8 +177,11 @@ class Manifest(Record):
 def _joints(m: Manifest) -> Iterator[str]:
     """Entries of joints in q and u, and joints that follow others."""
     most = {"q": len(m.coordinates), "u": len(m.speeds)}
+    # a pattern may speak of any number of rows
+    if isinstance(m.coordinates, Rows) and any(x.values.size < len(x) for x in m.coordinates.runs):
+        yield "it has more coordinates than numbers of where they start"
+        return
     for rows in (m.joints, m.speeds):
-        # a pattern may speak of any number of rows
         if isinstance(rows, Rows) and len(rows) > len(rows.listed) + most["q"]:
             yield "it has more joints and speeds than coordinates"
             return
