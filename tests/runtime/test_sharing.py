@@ -346,3 +346,24 @@ def test_one_file_under_two_names_takes_its_room_once(
     content = prune.content(cache_directory)
     assert content.objects == 2
     assert content.size < 2 * second.stat().st_size
+
+
+def test_a_run_of_the_compiler_keeps_one_lock(
+    tmp_path: Path, cache_directory: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Systems let a process open a few hundred files; models have as many functions."""
+    texts = [tmp_path / f"f{k}.c" for k in range(4)]
+    for text in texts:
+        text.write_text(f"int {text.stem}(void);\nint {text.stem}(void)\n{{\n    return 1;\n}}\n")
+    monkeypatch.setattr(os, "cpu_count", lambda: 1)
+    made = cache.compiled_apart(texts, tmp_path, False, cache.compiler())
+    (kept,) = cache_directory.glob(".new-*")
+    made[0].published()
+    made[1].discard()
+    made[1].discard()
+    os.utime(kept, (1.0, 1.0))
+    assert cache.sweep(cache_directory) == [], "two of them wait"
+    for one in made[2:]:
+        assert object_file.intact(one.published().path)
+    assert list(cache_directory.glob(".new-*")) == []
+    assert len(list(cache_directory.glob("*.so"))) == 3

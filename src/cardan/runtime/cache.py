@@ -320,7 +320,7 @@ def _made(
     """
     cache = places[0].parent
     sweep(cache)
-    made = [begun(places[0])]
+    made = begun(places)
     try:
         output, files = made[0].path, sources
         if len(places) > 1:
@@ -332,9 +332,8 @@ def _made(
         given = reproducible, cache / "zig", extra, sources
         compile_shared(by, files, folders, output, *given)
         seal(output)
-        for place in places[1:]:
-            made.append(begun(place))
-            linked(output, made[-1].path)
+        for one in made[1:]:
+            linked(output, one.path)
     except BaseException:
         for one in made:
             one.discard()

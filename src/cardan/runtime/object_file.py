@@ -1,7 +1,8 @@
 """Shared objects as files: what the linker wrote, then the SHA-256 of it.
 
 Loaders ignore what follows the last section, so the check travels with the file and one rename
-publishes both. An object is made in a folder of its own, whose lock says that its process lives.
+publishes both. Objects that are compiled together are made in a folder of their own, whose lock
+says that their process lives: one, as a process may open few files.
 """
 
 from __future__ import annotations
@@ -11,6 +12,7 @@ import hashlib
 import os
 import shutil
 import tempfile
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from io import FileIO
 from pathlib import Path
@@ -29,6 +31,27 @@ LARGEST, CHUNK = 1 << 30, 1 << 20  # bytes of an object, and of what is read of 
 
 
 @dataclass(frozen=True)
+class Workplace:
+    """A folder in which objects wait until they are published.
+
+    Attributes:
+        lock: Open file.
+        waiting: Those that are neither published nor forgotten.
+    """
+
+    lock: FileIO
+    waiting: set[Path]
+
+    def leave(self, path: Path) -> None:
+        """An object waits no more; the last one takes the folder along."""
+        self.waiting.discard(path)
+        if not self.waiting:
+            # first the lock: an open file cannot be removed on every system
+            self.lock.close()
+            shutil.rmtree(path.parent, ignore_errors=True)
+
+
+@dataclass(frozen=True)
 class Object:
     """A compiled shared object.
 
@@ -36,13 +59,13 @@ class Object:
         path: The file.
         fresh: True when it was compiled now, False when it was there.
         place: Where it belongs in the cache; None when it is there.
-        lock: Open file that keeps others from sweeping it away before it is there.
+        workplace: What keeps others from sweeping it away before it is there.
     """
 
     path: Path
     fresh: bool
     place: Path | None = None
-    lock: FileIO | None = None
+    workplace: Workplace | None = None
 
     def load(self) -> ctypes.CDLL:
         """The object in this process.
@@ -88,14 +111,12 @@ class Object:
             raise unwritable(self.place.parent, error) from error
         finally:
             self.discard()
-        return replace(self, path=self.place, place=None, lock=None)
+        return replace(self, path=self.place, place=None, workplace=None)
 
     def discard(self) -> None:
         """Forget it unless it is published: nobody finds it any more. Twice is as good as once."""
-        if self.lock is not None:
-            # first the lock: an open file cannot be removed on every system
-            self.lock.close()
-            shutil.rmtree(self.path.parent, ignore_errors=True)
+        if self.workplace is not None:
+            self.workplace.leave(self.path)
 
 
 def unwritable(place: Path, error: OSError) -> BuildError:
@@ -105,15 +126,18 @@ def unwritable(place: Path, error: OSError) -> BuildError:
     )
 
 
-def begun(place: Path) -> Object:
-    """An object that is to come, in a folder of its own under a lock."""
-    directory = Path(tempfile.mkdtemp(dir=place.parent, prefix=NEW))
+def begun(places: Sequence[Path]) -> list[Object]:
+    """Objects that are to come, in a folder of their own under a lock."""
+    directory = Path(tempfile.mkdtemp(dir=places[0].parent, prefix=NEW))
+    paths = [directory / f"object{k or ''}.so" for k in range(len(places))]
     lock = FileIO(os.open(directory / LOCK, os.O_RDWR | os.O_CREAT), "r+")
-    made = Object(directory / "object.so", True, place, lock)
+    workplace = Workplace(lock, set(paths))
+    made = [Object(path, True, place, workplace) for path, place in zip(paths, places, strict=True)]
     try:
         processes.lock(lock.fileno())
     except BaseException:
-        made.discard()
+        for one in made:
+            one.discard()
         raise
     return made
 
