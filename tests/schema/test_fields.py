@@ -8,6 +8,7 @@ import pytest
 
 from cardan.schema import fields
 from cardan.schema.fields import Misfit, Record, field, listed, maybe, one_of, pair, table
+from cardan.schema.mechanism import JointRow
 
 # kind -> what it takes, what it does not
 KINDS: dict[str, tuple[fields.Kind, list[Any], list[Any]]] = {
@@ -61,6 +62,14 @@ def test_a_record_says_where_it_is_damaged() -> None:
         Whole.read({"first": {}, "ends": []})
     with pytest.raises(Misfit, match=r"^'ends' is missing$"):
         Whole.read({"first": {"name": "a"}})
+
+
+@pytest.mark.parametrize("owner", [{"q": [0, 2]}, {"solved": {"q": ["a", "b"], "u": ["c"]}}])
+def test_a_start_has_a_number_for_each_coordinate(owner: dict[str, object]) -> None:
+    told = {"name": "joint", "kind": "universal", **owner}
+    assert JointRow.read({**told, "q0": [0.1, 0.2]}, True).q0 == [0.1, 0.2]
+    with pytest.raises(Misfit, match=r"'q0' has 1 numbers, not 2"):
+        JointRow.read({**told, "q0": [0.1]}, True)
 
 
 def test_saved_runs_may_say_less() -> None:

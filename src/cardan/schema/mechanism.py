@@ -125,10 +125,11 @@ class JointRow(Record):
         return {"q": self.q, "u": self.u}.get(letter) or (0, 0)
 
     def fit(self, run: bool) -> None:
-        """A start has one number for each coordinate; a joint that its loop solves has none."""
-        for letter, own, start in (("q0", self.q, self.q0), ("u0", self.u, self.u0)):
-            if start is not None and own is not None and len(start) != own[1]:
-                raise Misfit(f"has {len(start)} numbers, not {own[1]}").within(f".{letter}")
+        """A start has one number for each coordinate, also where the loop of a joint solves it."""
+        for block, own, start in (("q", self.q, self.q0), ("u", self.u, self.u0)):
+            size = own[1] if own else len(self.solved.names(block)) if self.solved else None
+            if start is not None and size not in (None, len(start)):
+                raise Misfit(f"has {len(start)} numbers, not {size}").within(f".{block}0")
 
 
 class BodyRow(Record):
