@@ -8,7 +8,6 @@ from math import prod
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-import scipy.sparse
 
 from ...arrays import Array
 from ...errors import ModelError
@@ -88,46 +87,56 @@ class Results:
         return self.mesh.accelerations(self._at(given), tau)
 
     def forward_dynamics(self, given: Given) -> Array:
+        """udot (nu,) [rad/s^2 or m/s^2] with M udot + h = f + tau + Gᵀ lam."""
         return self._solved(given)[0]
 
     def multipliers(self, given: Given) -> Array:
+        """lam (m,) [N or N m] of the same."""
         return self._solved(given)[1]
 
     def rhs(self, given: Given) -> Array:
+        """Time derivative (nx,) of the state [q, u], per s."""
         return np.concatenate([self.qdot(given), self.forward_dynamics(given)])
 
     def inverse_dynamics(self, given: Given) -> Array:
+        """tau (nu,) [N m or N] with M udot + h = f + tau."""
         return self.mesh.balance(self._at(given))[0]
 
-    def bias(self, given: Given) -> Array:
-        return self.mesh.balance(self._at(given))[0]
+    # no udot is given: velocity products and gravity, less what forces apply, h - f
+    bias = inverse_dynamics
 
     def mass_matrix(self, given: Given) -> Array:
+        """M (nu, nu) [kg m^2, kg m or kg]."""
         self._small("mass_matrix")
         full: Array = self.mesh.tangent(self._at(given))["M"].toarray()
         return full
 
     def balance(self, given: Given) -> Array:
+        """M udot + h - f - Gᵀ lam (nu,), g (mp,), G u + g_t (m,)."""
         return np.concatenate(self.mesh.balance(self._at(given)))
 
     # constraints
 
     def constraints(self, given: Given) -> Array:
+        """g (mp,) [m or rad]: what vanishes at position level."""
         return self.mesh.balance(self._at(given))[1]
 
     def constraint_rates(self, given: Given) -> Array:
+        """G u + g_t (m,) [m/s or rad/s]: what vanishes at velocity level."""
         return self.mesh.balance(self._at(given))[2]
 
     def constraint_jacobian(self, given: Given) -> Array:
+        """G (m, nu) [1, m or 1/m]."""
         self._small("constraint_jacobian")
-        G: scipy.sparse.csr_matrix = self.mesh.tangent(self._at(given))["G"]
-        full: Array = G.toarray()
+        full: Array = self.mesh.tangent(self._at(given))["G"].toarray()
         return full
 
     def close_position(self, given: Given) -> Array:
+        """q (nq,) a step nearer to the constraints, then g (mp,) before it."""
         return self.mesh.call("close_position", self._at(given), self.tables.nq + self.tables.mp)
 
     def close_velocity(self, given: Given) -> Array:
+        """u (nu,) that the constraints allow, then the rates (m,) before."""
         return self.mesh.call("close_velocity", self._at(given), self.tables.nu + self.tables.m)
 
     def closed(self, name: str, q: Array, u: Array, held: Array, given: dict[str, Any]) -> Array:
@@ -141,46 +150,54 @@ class Results:
     # motion
 
     def qdot(self, given: Given) -> Array:
+        """As :meth:`Mesh.rates`."""
         at = self._at(given)
         assert at.u is not None
         return self.mesh.rates(at.q, at.u)
 
     def integrate(self, given: Given) -> Array:
+        """As :meth:`Mesh.move`."""
         return self.mesh.move(given["q"][: self.tables.nq], given["du"][: self.tables.nu])
 
-    def move(self, given: Given) -> Array:
-        return self.integrate(given)
+    move = integrate  # its tangent is left out
 
     def energy(self, given: Given) -> Array:
+        """Kinetic, potential and total energy (3,) [J]."""
         return self.mesh.call("energy", self._at(given), 3)
 
     def power(self, given: Given) -> Array:
-        """Of every source of power; the multipliers of driven joints are solved for."""
+        """Of every source (nsources,) [W]; the multipliers of driven joints are solved for."""
         return self.mesh.call("power", self._at(given), len(self.tables.powers))
 
     def momentum(self, given: Given) -> Array:
+        """Angular (about the ground origin) and linear momentum (6,) [kg m^2/s and kg m/s]."""
         return self.mesh.call("momentum", self._at(given), 6)
 
     # frames and elements
 
     def pose(self, frame: str, given: Given) -> Array:
+        """As :meth:`Frames.pose`."""
         return self.frames.pose(frame, given["q"])
 
     def velocity(self, frame: str, given: Given) -> Array:
+        """As :meth:`Frames.velocity`."""
         return self.frames.velocity(frame, given["q"], given["u"])
 
     def acceleration(self, frame: str, given: Given) -> Array:
+        """As :meth:`Frames.acceleration`."""
         return self.frames.acceleration(frame, given["q"], given["u"], given["udot"])
 
     def frame_jacobian(self, frame: str, given: Given) -> Array:
+        """As :meth:`Frames.jacobian`."""
         return self.frames.jacobian(frame, given["q"], self.tables.nu)
 
     def reaction(self, joint: str, given: Given) -> Array:
-        """The wrench of an element of the scene; its multipliers are solved for."""
+        """The wrench (6,) [N m and N] of a joint of the scene; its multipliers are solved for."""
         at = self._at(given, lam=self.multipliers(given))
         return self._of_member("reaction", joint, at)
 
     def outputs(self, given: Given) -> Array:
+        """The declared outputs (ny,), in their units."""
         return self.mesh.call("outputs", self._at(given), self.tables.outputs)
 
     def _of_member(self, form: str, name: str, at: State) -> Array:
@@ -192,6 +209,5 @@ class Results:
             )
         having = [g for g in self.tables.groups if form in g.kind.functions]
         results = self.mesh.results(form, at)
-        rows: Array = results[having.index(self.tables.groups[told[0]])]
-        row: Array = rows[told[1]]
+        row: Array = results[having.index(self.tables.groups[told[0]])][told[1]]
         return row
