@@ -27,7 +27,7 @@ def add(job: tuple[Path, str]) -> None:
     folder, name = job
     equations = start(folder)
     function = equations.function(name)
-    layout.add_function(folder, generate(function), function)
+    layout.add_functions(folder, [(generate(function), function)])
 
 
 def check_whole(folder: Path) -> dict:
@@ -63,7 +63,7 @@ def test_same_model_keeps_its_functions_another_replaces_them(tmp_path: Path) ->
     assert (tmp_path / "manifest.json").read_bytes() == before
     layout.write_model(tmp_path, manifest.base(cd.derive(arm()), ("bias",)))
     assert check_whole(tmp_path)["available"] == ["bias"]
-    assert layout.has_function(tmp_path, "bias")
+    assert not layout.missing(tmp_path, ["bias"])
     other = arm()
     other.parameter("extra", 1.0)
     layout.write_model(tmp_path, manifest.base(cd.derive(other), NAMES))
@@ -82,16 +82,16 @@ def test_a_function_written_twice_is_there_once(tmp_path: Path) -> None:
     check_whole(tmp_path)
 
 
-def test_has_function_looks_at_the_text(tmp_path: Path) -> None:
+def test_a_function_is_there_if_its_text_is(tmp_path: Path) -> None:
     start(tmp_path)
-    assert not layout.has_function(tmp_path, "bias")
+    assert layout.missing(tmp_path, ["bias"])
     add((tmp_path, "bias"))
-    assert layout.has_function(tmp_path, "bias")
+    assert not layout.missing(tmp_path, ["bias"])
     with open(tmp_path / "bias.c", "a") as file:
         file.write("/* changed */\n")
-    assert not layout.has_function(tmp_path, "bias")
+    assert layout.missing(tmp_path, ["bias"])
     (tmp_path / "bias.c").unlink()
-    assert not layout.has_function(tmp_path, "bias")
+    assert layout.missing(tmp_path, ["bias"])
 
 
 def test_foreign_and_damaged_directories_are_refused(tmp_path: Path) -> None:
@@ -114,7 +114,7 @@ def test_foreign_and_damaged_directories_are_refused(tmp_path: Path) -> None:
     function = cd.derive(arm()).function("com")
     cfile = generate(function)
     with pytest.raises(CodegenError, match="write_model"):
-        layout.add_function(tmp_path / "empty", cfile, function)
+        layout.add_functions(tmp_path / "empty", [(cfile, function)])
 
 
 def test_model_header_names_every_slot(tmp_path: Path) -> None:

@@ -233,9 +233,8 @@ class Objects:
             symbols = self._provide(keys)
             if not self.manifest.functions.keys() >= {*symbols}:
                 self.manifest = self._read()
-            for symbol in symbols:
-                if symbol not in self.manifest.functions:
-                    raise BuildError(f"function '{symbol}' was not written to {self.directory}")
+            for symbol in {*symbols} - self.manifest.functions.keys():
+                raise BuildError(f"function '{symbol}' was not written to {self.directory}")
             return symbols
 
     def write(self, names: Iterable[str]) -> None:
@@ -244,8 +243,7 @@ class Objects:
             try:
                 self.symbol(name)
             except DerivationError:
-                # such as udot where M is singular: nothing to write
-                continue
+                continue  # such as udot where M is singular: nothing to write
 
     def _stored(self, name: str, of: str | None) -> str:
         """C name of a function that is in the directory."""

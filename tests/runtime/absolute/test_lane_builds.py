@@ -97,7 +97,7 @@ def test_elements_are_made_again_after_the_cache_was_removed(
 
 
 def test_what_is_discarded_twice_closes_no_file_of_others(tmp_path: Path) -> None:
-    made = object_file.begun(tmp_path / "object.so")
+    (made,) = object_file.begun([tmp_path / "object.so"])
     made.discard()
     with open(tmp_path / "other", "wb") as other:
         made.discard()
