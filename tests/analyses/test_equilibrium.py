@@ -10,6 +10,7 @@ import pytest
 
 import cardan as cd
 from mechanisms.closed import CLOSED
+from spread import some
 
 G = 9.81
 
@@ -114,6 +115,7 @@ def sag(n: int) -> float:
     return float(np.sum(np.sin(np.arctan(slope))[: n // 2]) / n)
 
 
+@pytest.mark.slow
 def test_chain_and_catenary() -> None:
     slope = slopes(10)
     # the vertical force falls by the weight of a link from link to link, the other one is constant
@@ -130,7 +132,9 @@ def test_chain_and_catenary() -> None:
     np.testing.assert_allclose(orders, 2.0, atol=0.1)
 
 
-@pytest.mark.parametrize("name", ["four_bar", "slider_crank", "parallelogram", "bricard", "delta"])
+@pytest.mark.parametrize(
+    "name", some(["four_bar", "slider_crank", "parallelogram", "bricard", "delta"], 2)
+)
 def test_circuits_rest(name: str) -> None:
     model = cd.compile(CLOSED[name].build())
     found = model.equilibrium()

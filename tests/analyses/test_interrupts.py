@@ -5,6 +5,7 @@ from __future__ import annotations
 import multiprocessing
 import signal
 from collections.abc import Callable, Sequence
+from itertools import product
 from pathlib import Path
 from typing import Any
 
@@ -22,6 +23,7 @@ from analyses.interpreted import (
     simulated,
 )
 from cardan.ir import straight_line
+from spread import some
 
 WAITED = 300  # seconds for a process of its own, on a busy machine
 # scene, work, calls of model functions before Ctrl-C, words of the warning
@@ -34,8 +36,7 @@ WORK: dict[str, tuple[Callable[[], cd.Model], Callable[..., Any], int, str]] = {
 }
 
 
-@pytest.mark.parametrize("start", ["fork", "spawn"])
-@pytest.mark.parametrize("name", WORK)
+@pytest.mark.parametrize(("name", "start"), some(product(WORK, ("fork", "spawn")), 3))
 def test_what_was_computed_is_kept(name: str, start: str, tmp_path: Path) -> None:
     if start not in multiprocessing.get_all_start_methods():
         pytest.skip("processes are not forked here")

@@ -36,7 +36,7 @@ def cuts_of(name: str) -> tuple[str, ...]:
 def cases() -> list[object]:
     """All cuts by all exact treatments; a spread of them by default."""
     every = [(name, joint, way) for name in EVERY for joint in cuts_of(name) for way in EXACT]
-    return some(every, 16)
+    return some(every, 29)
 
 
 @pytest.mark.parametrize(("name", "joint", "treatment"), cases())

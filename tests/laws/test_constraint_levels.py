@@ -75,7 +75,7 @@ def test_every_joint_is_here() -> None:
 
 
 @pytest.mark.parametrize("coordinates", ["relative", "absolute"])
-@pytest.mark.parametrize("name", some(INSTANCES, 8, first=1))
+@pytest.mark.parametrize("name", some(INSTANCES, 21, first=1))
 def test_joints(name: str, coordinates: str) -> None:
     """All ways to stand in a scene; a joint that binds nothing to the ground is refused."""
     levels, cases = (of_tree if coordinates == "relative" else of_elements), 0
@@ -104,7 +104,7 @@ SCENES = {
 
 
 @pytest.mark.parametrize("levels", [of_tree, of_elements])
-@pytest.mark.parametrize("name", some(SCENES, 12))
+@pytest.mark.parametrize("name", some(SCENES, 21))
 def test_zoo(name: str, levels: Callable[[cd.Model], tuple[int, float]]) -> None:
     try:
         count, worst = levels(SCENES[name]())

@@ -11,13 +11,12 @@ from cardan.ir.interpreter import evaluate
 from laws.cases import call, compiled, derived, states, values
 from mechanisms import ZOO
 from spread import some
-from table import each
 
 CONSERVATIVE = [name for name, member in ZOO.items() if member.conservative]
 TIME = 10.0
 
 
-@each("name", CONSERVATIVE)
+@pytest.mark.parametrize("name", some(CONSERVATIVE, 3))
 def test_total_energy_stays(name: str) -> None:
     member, model = ZOO[name], compiled(name)
     first = member.states[0]

@@ -49,7 +49,7 @@ def agree(name: str, method: str) -> None:
     assert {key: error.max() for key, error in errors.items() if error.max() > 1} == {}
 
 
-@each(("name", "method"), QUICK)
+@pytest.mark.parametrize(("name", "method"), some(QUICK, 3))
 def test_recursions_agree(name: str, method: str) -> None:
     agree(name, method)
 

@@ -30,7 +30,7 @@ def methods(name: str) -> list[str]:
     return [m for m in METHODS if m in ZOO[name].methods]
 
 
-@pytest.mark.parametrize("name", some(ZOO, 3))
+@pytest.mark.parametrize("name", some(ZOO, 6))
 def test_values_with_each_rewrite_alone_and_with_all(name: str) -> None:
     (q, u), rng = states(name), np.random.default_rng(3)
     udot, tau = rng.uniform(-3, 3, u.shape), rng.uniform(-1, 1, u.shape)
@@ -55,7 +55,7 @@ def test_values_with_each_rewrite_alone_and_with_all(name: str) -> None:
                     assert error <= 1000 * EPS * solved, (method, rewrites, of)
 
 
-@pytest.mark.parametrize("name", some(ZOO, 3, 1))
+@pytest.mark.parametrize("name", some(ZOO, 6, 2))
 def test_no_rewrite_adds_operations(name: str) -> None:
     for method in methods(name):
         for of in COUNTED:
@@ -73,7 +73,7 @@ def test_no_rewrite_adds_operations(name: str) -> None:
 
 
 @pytest.mark.parametrize("key", REWRITES)
-@pytest.mark.parametrize("name", some(ZOO, 3, 2))
+@pytest.mark.parametrize("name", some(ZOO, 6, 4))
 def test_a_second_time_changes_nothing(name: str, key: str) -> None:
     once = REWRITES[key](derived(name).system)
     assert REWRITES[key](once) is once

@@ -251,6 +251,7 @@ def test_wheel_holds_all_levels(tmp_path: Path) -> None:
     assert {Path(info.filename).name for info in inside} == {*files, index["level"], "index.json"}
 
 
+@pytest.mark.slow
 def test_models_and_kernels_use_one_level(monkeypatch: pytest.MonkeyPatch) -> None:
     """What a model is compiled with says so, and no more than the level allows."""
     by = cache.compiler()
