@@ -19,6 +19,7 @@ from mechanisms import ZOO
 from mechanisms.closed import CLOSED
 from mechanisms.closed_planar import parallelogram_angles
 from mechanisms.rolling import COIN, coin
+from spread import some
 
 HERE = Path(__file__).parent
 G = 9.81
@@ -166,7 +167,7 @@ def test_second_order_of_rolling_is_asked_for(bicycle: cd.CompiledModel) -> None
 
 
 @pytest.mark.parametrize(
-    "name", ["four_bar", "slider_crank", "parallelogram", "andrews", "bricard", "delta"]
+    "name", some(["four_bar", "slider_crank", "parallelogram", "andrews", "bricard", "delta"], 4)
 )
 def test_closed_systems_in_motion(name: str) -> None:
     model = cd.compile(CLOSED[name].build())
@@ -200,7 +201,9 @@ def _alike(found: Array, expected: Array, atol: float) -> None:
         assert abs(left.pop(nearest) - value) < atol
 
 
-@pytest.mark.parametrize("name", ["satellite", "spherical_quaternion", "free_ZYX", "branched"])
+@pytest.mark.parametrize(
+    "name", some(["satellite", "spherical_quaternion", "free_ZYX", "branched"], 4, 1)
+)
 def test_trees_against_the_flow(name: str) -> None:
     # increments of the flow: difference(q(t), q(t) of a motion beside it), one short step on
     model = cd.compile(ZOO[name].build())

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import product
+
 import numpy as np
 import pytest
 
@@ -15,7 +17,7 @@ from codegen.lanes import WIDTHS, call_lanes
 from codegen.running import CONTRACT, SPEED, STRICT, call, compilers
 from codegen.test_solve import PIVOTING, system
 from equations.test_sweeps import chain
-from table import each
+from spread import some
 
 FLAGS = {name: (*STRICT, *SPEED, "-march=native", *CONTRACT[name]) for name in CONTRACT}
 # every vector is emulated where the processor has none of its width
@@ -46,18 +48,27 @@ def states_of(seed: int, own: bool) -> States:
     return found if own else [state | {"p": found[0]["p"]} for state in found]
 
 
-@each("compiler", COMPILERS)
-@each("own", [False, True])
-@each("seed", range(2))
+@pytest.mark.parametrize(
+    ("seed", "own", "compiler"), some(product(range(2), (False, True), COMPILERS), 3)
+)
 def test_random_functions(seed: int, own: bool, compiler: str) -> None:
     operators = f"{EXACT} {LIBRARY} stumpff table"
     cfile = generate(random_function(seed, 150, operators))
     agree(cfile, states_of(seed, own), compiler, FLAGS[compiler], own)
 
 
-@pytest.mark.parametrize("flags", [FLAGS, PLAIN], ids=["native", "plain"])
-@pytest.mark.parametrize("compiler", COMPILERS)
-def test_every_operator(compiler: str, flags: dict[str, tuple[str, ...]]) -> None:
+WAYS = {"native": FLAGS, "plain": PLAIN}
+# of either compiler another way first
+TURNS = [
+    (compiler, way)
+    for compiler, ways in zip(COMPILERS, (["plain", "native"], ["native", "plain"]), strict=False)
+    for way in ways
+]
+
+
+@pytest.mark.parametrize(("compiler", "way"), some(TURNS, 2))
+def test_every_operator(compiler: str, way: str) -> None:
+    flags = WAYS[way]
     # with operands of the state, of parameters and of both
     g = Graph()
     nodes = []
@@ -73,8 +84,7 @@ def test_every_operator(compiler: str, flags: dict[str, tuple[str, ...]]) -> Non
     agree(cfile, states_of(7, True), compiler, flags[compiler], own=True)
 
 
-@pytest.mark.parametrize("compiler", COMPILERS)
-@pytest.mark.parametrize("kind", PIVOTING)
+@pytest.mark.parametrize(("kind", "compiler"), some(product(PIVOTING, COMPILERS), 3))
 def test_pivots_differ_from_lane_to_lane(kind: str, compiler: str) -> None:
     systems = [system(kind, seed) for seed in range(8)]
     states = [{"q": [*a.ravel(), *b.ravel()]} for a, b in systems]
@@ -83,7 +93,7 @@ def test_pivots_differ_from_lane_to_lane(kind: str, compiler: str) -> None:
     agree(generate(solving(kind, of="p")), of_p, compiler, FLAGS[compiler], own=True)
 
 
-@pytest.mark.parametrize("compiler", COMPILERS)
+@pytest.mark.parametrize("compiler", some(COMPILERS, 2))
 def test_many_columns_at_once(compiler: str) -> None:
     rng = np.random.default_rng(5)
     factors = [np.tril(rng.uniform(-0.5, 0.5, (6, 6))) + np.eye(6) for _ in range(8)]
@@ -106,8 +116,9 @@ def test_a_lane_without_solution_leaves_the_others_alone(kind: str) -> None:
         assert same(found[k], [call(cfile, good[k], compiler, FLAGS[compiler]).out][0])
 
 
-@pytest.mark.parametrize("compiler", COMPILERS)
-@pytest.mark.parametrize("name", ["forward_dynamics", "inverse_dynamics"])
+@pytest.mark.parametrize(
+    ("name", "compiler"), some(product(("forward_dynamics", "inverse_dynamics"), COMPILERS), 3)
+)
 def test_loops_over_tables(name: str, compiler: str) -> None:
     equations = cd.derive(chain(11), method="articulated")
     recursion = equations.recursion(name)
@@ -121,7 +132,7 @@ def test_loops_over_tables(name: str, compiler: str) -> None:
     agree(generate(recursion), states, compiler, FLAGS[compiler], own=True)
 
 
-@pytest.mark.parametrize("compiler", COMPILERS)
+@pytest.mark.parametrize("compiler", some(COMPILERS[::-1], 2))
 def test_long_functions_in_parts(compiler: str) -> None:
     cfile = generate(random_function(4, 150, f"{EXACT} sin cos"), longest=20)
     assert "_part2(" in cfile.text

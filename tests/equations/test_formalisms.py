@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
+from functools import cache
+
 import numpy as np
 import pytest
 
 from cardan.equations.record import Equations
 from cardan.equations.relative import FORMALISMS
 from cardan.errors import DerivationError
+from cardan.ir.function import Function
 from cardan.ir.interpreter import evaluate
 from spread import some
 
-from .trees import TREES, Tree, state
+from .trees import TREES, state
 
 EPS = np.finfo(float).eps
 RECURSIVE = ("kane", "newton_euler", "composite", "articulated")
@@ -23,24 +26,29 @@ PAIRS = [
 ]
 
 
-def values(tree: Tree, method: str, name: str, seed: int, **given: list[float]) -> np.ndarray:
-    """The first output of a function at a random state."""
-    function = Equations(tree.system, method).function(name)
+@cache
+def function(name: str, method: str, quantity: str) -> Function:
+    return Equations(TREES[name].system, method).function(quantity)
+
+
+def values(name: str, method: str, quantity: str, seed: int, **given: list[float]) -> np.ndarray:
+    """The first output of a function of a tree at a random state."""
+    tree, wanted = TREES[name], function(name, method, quantity)
     inputs = {**state(tree.system, seed), "p": list(tree.p), **given}
-    result = evaluate(function, inputs)
-    return np.asarray(result[function.outputs[0].name], dtype=float)
+    result = evaluate(wanted, inputs)
+    return np.asarray(result[wanted.outputs[0].name], dtype=float)
 
 
 @pytest.mark.parametrize(("name", "method"), PAIRS)
 def test_formalisms_agree_with_kane(name: str, method: str) -> None:
     tree = TREES[name]
     for seed in range(3):
-        m = values(tree, "kane", "mass_matrix", seed)
+        m = values(name, "kane", "mass_matrix", seed)
         m = m.reshape(tree.system.nu, tree.system.nu)
         tolerance = 100 * EPS * np.linalg.cond(m)
         for quantity in ("mass_matrix", "bias", "gravity", "inverse_dynamics", "forward_dynamics"):
-            expected = values(tree, "kane", quantity, seed)
-            got = values(tree, method, quantity, seed)
+            expected = values(name, "kane", quantity, seed)
+            got = values(name, method, quantity, seed)
             error = np.abs(got - expected).max() / np.abs(expected).max()
             assert error <= tolerance, (quantity, seed)
 
@@ -48,18 +56,17 @@ def test_formalisms_agree_with_kane(name: str, method: str) -> None:
 @pytest.mark.parametrize(("name", "method"), PAIRS)
 def test_forward_dynamics_undoes_inverse_dynamics(name: str, method: str) -> None:
     tree = TREES[name]
-    m = values(tree, method, "mass_matrix", 7).reshape(tree.system.nu, tree.system.nu)
-    tau = values(tree, method, "inverse_dynamics", 7)
-    udot = values(tree, method, "forward_dynamics", 7, tau=list(tau))
+    m = values(name, method, "mass_matrix", 7).reshape(tree.system.nu, tree.system.nu)
+    tau = values(name, method, "inverse_dynamics", 7)
+    udot = values(name, method, "forward_dynamics", 7, tau=list(tau))
     expected = np.array(state(tree.system, 7)["udot"])
     assert np.abs(udot - expected).max() <= 100 * EPS * np.linalg.cond(m) * np.abs(expected).max()
 
 
 @pytest.mark.parametrize("name", TREES)
 def test_bias_is_gravity_and_coriolis(name: str) -> None:
-    tree = TREES[name]
-    parts = [values(tree, "composite", q, 5) for q in ("gravity", "coriolis")]
-    bias = values(tree, "composite", "bias", 5)
+    parts = [values(name, "composite", q, 5) for q in ("gravity", "coriolis")]
+    bias = values(name, "composite", "bias", 5)
     np.testing.assert_allclose(parts[0] + parts[1], bias, rtol=0, atol=1e-13 * np.abs(bias).max())
 
 

@@ -45,7 +45,7 @@ def results(example: Path, function: str, compiler: str, flags: tuple[str, ...])
     return np.array([call(file, values, compiler, flags).out for values in inputs(model)])
 
 
-@pytest.mark.parametrize(("example", "function"), some(CASES, 4))
+@pytest.mark.parametrize(("example", "function"), some(CASES, 8))
 def test_the_bits_of_the_loaded_model(example: Path, function: str) -> None:
     model = cd.compile(cd.derive(scene_of(example)), functions=FUNCTIONS)
     compiler = cache.compiler()
@@ -62,7 +62,7 @@ def test_the_bits_of_the_loaded_model(example: Path, function: str) -> None:
 
 
 @pytest.mark.skipif(len(compilers()) < 2, reason="needs gcc and the package ziglang")
-@pytest.mark.parametrize(("example", "function"), some(CASES, 4, 1))
+@pytest.mark.parametrize(("example", "function"), some(CASES, 10, 4))
 def test_two_compilers(example: Path, function: str) -> None:
     fast = {name: (*STRICT, "-O2", "-march=native", *CONTRACT[name]) for name in compilers()}
     first, second = (results(example, function, name, flags) for name, flags in fast.items())

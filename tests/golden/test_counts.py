@@ -17,6 +17,7 @@ import cardan as cd
 from cardan.codegen import generate
 from golden.scenes import EXAMPLES, scene_of
 from mechanisms.robots import STANDARD
+from spread import some
 
 TABLE = Path(__file__).parent / "counts.json"
 DERIVATIVES = tuple(
@@ -93,7 +94,7 @@ def write(table: dict[str, Any]) -> None:
 
 # files of robots, and what is published, state inertias of no body
 @pytest.mark.filterwarnings("ignore:.*triangle inequality")
-@pytest.mark.parametrize("name", CASES)
+@pytest.mark.parametrize("name", some(CASES, 3))
 def test_counts(name: str, pytestconfig: pytest.Config) -> None:
     try:
         scene = CASES[name]()

@@ -12,6 +12,7 @@ import xml.etree.ElementTree as ET
 from functools import cache
 from html.parser import HTMLParser
 from pathlib import Path
+from tempfile import TemporaryDirectory
 
 import numpy as np
 import pytest
@@ -23,7 +24,6 @@ from cardan.explain.writers import WRITERS
 from codegen.running import STRICT, compilers
 from explain.tex import problems
 from spread import some
-from table import each
 
 NAMES = {
     "comment end": "*/ int main(void) {} /*",
@@ -85,7 +85,7 @@ class Tags(HTMLParser):
         self.attributes |= {name for name, _ in attributes}
 
 
-@pytest.mark.parametrize("word", some(NAMES.values(), 8), ids=NAMES)
+@pytest.mark.parametrize("word", some(NAMES.values(), 16), ids=NAMES)
 def test_c_and_python(word: str, tmp_path: Path) -> None:
     equations = cd.derive(scene_of(word, first=True))
     functions = [*equations.operations, "outputs", "power", "energy", ("pose", f"{word} c")]
@@ -110,15 +110,23 @@ def test_c_and_python(word: str, tmp_path: Path) -> None:
     assert done.returncode == 0, done.stderr[:2000]
 
 
-@pytest.mark.parametrize("word", NAMES.values(), ids=NAMES)
+@cache
+def drawn(word: str) -> Tags:
+    """The page of a motion of a scene."""
+    with TemporaryDirectory() as folder:
+        page = cd.compile(scene_of(word)).simulate(0.1).animate(Path(folder) / "p.html")
+        return Tags(page.read_text("utf-8"))
+
+
+@pytest.mark.parametrize("word", some(NAMES.values(), 4, 2), ids=NAMES)
 def test_pages_and_pictures(word: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    scene, plain = scene_of(word), scene_of("plain")
+    scene = scene_of(word)
     motion = cd.compile(scene).simulate(0.1)
     history = Tags(motion._repr_html_())
     assert {"script", "img"} & set(history.tags) == set()
     assert history.tags.count("svg") == 2
     page = Tags(motion.animate(tmp_path / "run.html").read_text("utf-8"))
-    expected = Tags(cd.compile(plain).simulate(0.1).animate(tmp_path / "p.html").read_text("utf-8"))
+    expected = drawn("plain")
     assert (page.tags, page.attributes) == (expected.tags, expected.attributes)
 
     # scene files
@@ -144,7 +152,7 @@ def shown_in_notebooks(word: str) -> list[str]:
     return [x._repr_html_() for x in shown]
 
 
-@pytest.mark.parametrize("word", some(NAMES.values(), 8), ids=NAMES)
+@pytest.mark.parametrize("word", some(NAMES.values(), 16, 3), ids=NAMES)
 def test_notebooks(word: str) -> None:
     plain = shown_in_notebooks("plain")
     for ours, theirs in zip(shown_in_notebooks(word), plain, strict=True):
@@ -154,11 +162,17 @@ def test_notebooks(word: str) -> None:
         assert set(page.tags) <= set(expected.tags) | {"msub", "msup", "msubsup", "mtext"}
 
 
-@each("word", NAMES.values())
+@cache
+def plain_graph() -> set[str]:
+    """The kinds of elements in the picture of a graph."""
+    return {e.tag for e in ET.fromstring(scene_of("plain").graph._repr_svg_()).iter()}
+
+
+@pytest.mark.parametrize("word", some(NAMES.values(), 3, 1), ids=NAMES)
 def test_graphs_and_formulas(word: str) -> None:
-    scene, plain = scene_of(word), scene_of("plain")
+    scene = scene_of(word)
     kinds = [element.tag for element in ET.fromstring(scene.graph._repr_svg_()).iter()]
-    assert set(kinds) == {e.tag for e in ET.fromstring(plain.graph._repr_svg_()).iter()}
+    assert set(kinds) == plain_graph()
     dot = scene.graph.dot()
     # every quote that is none of a name's own opens or closes one
     assert dot.replace("\\\\", "").replace('\\"', "").count('"') % 2 == 0
@@ -175,7 +189,7 @@ def explained(word: str) -> dict[str, str]:
     return {e: t for w in WRITERS.values() for e, t in w.write(made, Path("page")).items()}
 
 
-@pytest.mark.parametrize("word", some(NAMES.values(), 8, 4), ids=NAMES)
+@pytest.mark.parametrize("word", some(NAMES.values(), 17, 4), ids=NAMES)
 def test_explained(word: str) -> None:
     found = {"hostile": explained(word), "plain": explained("plain")}
     sheets = [Tags(found[name][".html"]) for name in ("hostile", "plain")]

@@ -25,7 +25,7 @@ PAIRS = [(name, lanes) for name, first in zip(ZOO, cycle((4, 4, 8, 8)), strict=F
          for lanes in (first, 12 - first)]  # fmt: skip
 
 
-@pytest.mark.parametrize(("name", "lanes"), some(PAIRS, 4))
+@pytest.mark.parametrize(("name", "lanes"), some(PAIRS, 9))
 def test_lanes_have_the_bits_of_single_states(
     name: str, lanes: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:

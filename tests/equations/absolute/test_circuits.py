@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import cache
+from itertools import product
 
 import numpy as np
 import pytest
@@ -12,7 +13,7 @@ from equations.absolute.cases import State, both
 from laws.circuits import EVERY, PLACES, compiled, scene_of, start
 from laws.test_cut_joints import INSTANCES, Pair
 from mechanisms.rolling import ROLLING
-from table import each
+from spread import some
 
 # rounding of both ways, in multiples of eps times the condition number
 ROUNDING = 100
@@ -47,7 +48,7 @@ def circuit(name: str) -> State:
     return both(equations).at(q, u)
 
 
-@each("name", EVERY)
+@pytest.mark.parametrize("name", some(EVERY, 3, 1))
 def test_circuits(name: str) -> None:
     agree(circuit(name))
 
@@ -57,7 +58,7 @@ def pair(name: str, back: bool) -> Pair:
     return Pair(name, back)
 
 
-@each("name", INSTANCES)
+@pytest.mark.parametrize("name", some(INSTANCES, 2))
 def test_joints_of_a_tree(name: str) -> None:
     own = pair(name, False)
     # a fixed joint makes one body of two
@@ -65,14 +66,13 @@ def test_joints_of_a_tree(name: str) -> None:
     assert agree(both(own.tree).at(own.q, own.u)) == known
 
 
-@each("back", [False, True])
-@each("name", INSTANCES)
+@pytest.mark.parametrize(("name", "back"), some(product(INSTANCES, (False, True)), 3))
 def test_joints_that_close_circuits(name: str, back: bool) -> None:
     own = pair(name, back)
     assert agree(both(own.cut).at(*own.floating)) == {"pivot", "tested"}
 
 
-@pytest.mark.parametrize("name", ROLLING)
+@pytest.mark.parametrize("name", some(ROLLING, 2))
 def test_wheels(name: str) -> None:
     equations = cd.derive(ROLLING[name]())
     rng = np.random.default_rng(3)
