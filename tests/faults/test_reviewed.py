@@ -214,3 +214,21 @@ def test_a_fault_in_a_law_of_elements_is_no_missing_function(
     monkeypatch.setitem(elements.LAWS, "energy", broken)
     with pytest.raises(KeyError, match="typo"):
         list(elements.judged(here))  # type: ignore[arg-type]
+
+
+def test_forces_of_elements_are_not_called_velocity_products() -> None:
+    """On nodes ``bias`` gave h - f, with what forces apply, under the name of h."""
+    for coordinates in ("relative", "absolute"):
+        scene = cd.Model("pushed", gravity=(0, 0, -9.81))
+        block = scene.body("block", mass=1, inertia=(1, 1, 1))
+        scene.joint("lift", cd.Prismatic("z"), scene.ground, block)
+        scene.force("push", cd.JointForce("lift", 5.0))
+        model = cd.compile(scene, coordinates=coordinates)
+        q, u = model.split(model.initial())
+        # on nodes the weight acts on the block, the push along the joint
+        assert model.inverse_dynamics(q, u, 0 * u).sum() == pytest.approx(9.81 - 5.0)
+        if coordinates == "relative":
+            assert model.bias(q, u) == pytest.approx(9.81)
+        else:
+            with pytest.raises(cd.ModelError, match="no 'bias'"):
+                model.bias(q, u)

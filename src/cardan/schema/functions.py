@@ -35,7 +35,7 @@ inverse_dynamics | t q u udot z s r | nu | N m or N | | elements rewritable
 mass_matrix | t q r | nu nu | kg m^2, kg m or kg | | elements rewritable
     M: kinetic energy is 1/2 uᵀ M u
     Of what prescribed motions add to the energy nothing is in it.
-bias | t q u r | nu | N m or N | | elements rewritable
+bias | t q u r | nu | N m or N | | rewritable
     h: velocity products and gravity
     like: u
     As in Pinocchio and MuJoCo.

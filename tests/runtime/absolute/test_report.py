@@ -38,5 +38,5 @@ def test_elements_are_measured(capsys: pytest.CaptureFixture[str]) -> None:
             assert row.python_ns > 0
             # three elements do three times the work of one
             assert row.operations > 3 * 100
-    assert {"rhs", "bias", "energy", "linked_inertia__balance"} <= rows.keys()
+    assert {"rhs", "inverse_dynamics", "energy", "linked_inertia__balance"} <= rows.keys()
     assert "one element" in capsys.readouterr().out

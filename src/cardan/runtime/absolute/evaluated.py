@@ -102,9 +102,6 @@ class Results:
         """tau (nu,) [N m or N] with M udot + h = f + tau."""
         return self.mesh.balance(self._at(given))[0]
 
-    # no udot is given: velocity products and gravity, less what forces apply, h - f
-    bias = inverse_dynamics
-
     def mass_matrix(self, given: Given) -> Array:
         """M (nu, nu) [kg m^2, kg m or kg]."""
         self._small("mass_matrix")

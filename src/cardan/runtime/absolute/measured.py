@@ -26,7 +26,12 @@ if TYPE_CHECKING:
     from .evaluated import Results
 
 # functions of the whole mesh, and what they ask of elements
-WHOLE = {"rhs": "rhs", "forward_dynamics": "accelerations", "bias": "balance", "energy": "energy"}
+WHOLE = {
+    "rhs": "rhs",
+    "forward_dynamics": "accelerations",
+    "inverse_dynamics": "balance",
+    "energy": "energy",
+}
 ELEMENTS = ("balance", "balance_tangent")
 JUDGED = 3
 # how far places are moved from where they start: elements are strained, not torn
@@ -60,7 +65,7 @@ def _whole(model: CompiledModel, results: Results, q: Array, u: Array) -> Iterat
             for form in NEEDED[asked]
             if form in group.kind.functions
         )
-        caller, given = model._function(name).caller, {"q": q, "u": u, "t": 0.0}
+        caller, given = model._function(name).caller, {"q": q, "u": u, "udot": 0 * u, "t": 0.0}
         given["x"] = start_of(model, {}, {})[0]
         values = [given.get(argument.name) for argument in caller.arguments]
         spent = measuring.timed(lambda c=caller, v=values: c(None, *v), 1)  # type: ignore[misc]
