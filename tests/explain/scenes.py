@@ -21,8 +21,18 @@ EXAMPLES = sorted(
     for path in (Path(__file__).parents[2] / "examples").iterdir()
     if path.suffix in (".py", ".yaml", ".urdf")
 )
-# pages that take seconds, and scenes that another example has already
-LONG = {"07_andrews", "08_stewart_platform", "11_solar_array", "09_bicycle", "bicycle"}
+# pages that take a second or more, and scenes that another example has already
+LONG = {
+    "07_andrews",
+    "08_stewart_platform",
+    "09_bicycle",
+    "11_solar_array",
+    "20_linear_bicycle",
+    "22_orbit",
+    "25_identify_arm",
+    "26_lqr",
+    "bicycle",
+}
 TWICE = {"02_robot_arm", "04_scene_file", "14_bend", "18_locking_beams"}
 
 
