@@ -5,6 +5,7 @@ from __future__ import annotations
 from abc import ABC
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 from math import prod
 from typing import Any
 
@@ -109,7 +110,7 @@ class Derivative:
     wrt: tuple[str, ...]
     single: bool = False
 
-    @property
+    @cached_property
     def request(self) -> str:
         """As ``functions=`` of an export takes it: ``("derivative", request)``."""
         order = {block: n for n, block in enumerate(DIRECTIONS)}
@@ -165,8 +166,7 @@ class Derivative:
     def _named(self, states: Sequence[Any], rest: Mapping[str, Any]) -> dict[str, Any]:
         """Arguments by name."""
         # solvers call rhs(t, x, r)
-        order, reads = FUNCTIONS[self.function].required, self._reads
-        known = [name for name in reads if name != "wrench"]
+        order, known = self._order
         if len(states) > len(order):
             raise ArgumentError(
                 f"derivative of {self.function} takes {', '.join(order)} in this order and the "
@@ -198,9 +198,16 @@ class Derivative:
             start = end
         return found
 
-    @property
-    def _reads(self) -> list[str]:
-        return FUNCTIONS[self.function].arguments
+    @cached_property
+    def _reads(self) -> tuple[str, ...]:
+        """Blocks that the function reads."""
+        return tuple(FUNCTIONS[self.function].arguments)
+
+    @cached_property
+    def _order(self) -> tuple[tuple[str, ...], tuple[str, ...]]:
+        """Arguments that states stand for, and those that have a name."""
+        names = tuple(name for name in self._reads if name != "wrench")
+        return tuple(FUNCTIONS[self.function].required), names
 
     def _pushed(
         self, given: dict[str, Any], wrenches: Values, parameters: Values | None
