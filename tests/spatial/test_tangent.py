@@ -7,7 +7,7 @@ import pytest
 
 from cardan.ir.graph import Graph
 from cardan.spatial.exponential import exp
-from cardan.spatial.tangent import inverse_tangent, tangent, tangent_rate
+from cardan.spatial.tangent import inverse_tangent, tangent
 from spatial.numbers_of import block, close, difference, moving, numbers, unskew
 
 DIRECTION = np.array([2.0, -1.0, 2.0]) / 3
@@ -38,20 +38,8 @@ def test_inverse_tangent(at: np.ndarray) -> None:
     np.testing.assert_allclose(product, np.eye(3), atol=1e-13)
 
 
-@pytest.mark.parametrize("at", VECTORS, ids=str)
-def test_tangent_rate(at: np.ndarray) -> None:
-    graph = Graph()
-    v, rate = block(graph, "v", 3), block(graph, "rate", 3)
-    path, T = moving(at, RATE), tangent(v)
-    wanted = difference(lambda t: numbers(T, "mp", v=path(t)))
-    assert close(numbers(tangent_rate(v, rate), "mp", v=at, rate=RATE), wanted)
-
-
 def test_all_are_exact_at_zero() -> None:
     graph = Graph()
-    v, rate = block(graph, "v", 3), block(graph, "rate", 3)
-    zero = np.zeros(3)
+    v, zero = block(graph, "v", 3), np.zeros(3)
     assert np.array_equal(numbers(tangent(v), v=zero), np.eye(3))
     assert np.array_equal(numbers(inverse_tangent(v), v=zero), np.eye(3))
-    found = numbers(tangent_rate(v, rate), v=zero, rate=[2.0, 4.0, 6.0])
-    assert np.array_equal(found, [[0, 3, -2], [-3, 0, 1], [2, -1, 0]])

@@ -74,8 +74,3 @@ def dyad(a: Vector, b: Vector) -> Dyadic:
     """The dyadic a b, which maps v to a (b · v)."""
     same_frame(a.frame, b.frame)
     return Dyadic(a.frame, a.components.outer(b.components))
-
-
-def cross_dyadic(a: Vector) -> Dyadic:
-    """The dyadic that maps v to a x v."""
-    return Dyadic(a.frame, a.components.skew)

@@ -38,24 +38,6 @@ def inverse_tangent(vector: Matrix) -> Matrix:
     return _polynomial(vector, half, (stumpff(3, x) - 2 * stumpff(4, x)) / (2 * stumpff(2, x)))
 
 
-def tangent_rate(vector: Matrix, rate: Matrix) -> Matrix:
-    """dT/dt, (3, 3), for the acceleration T vddot + (dT/dt) vdot.
-
-    Args:
-        vector: Rotation vector [rad], (3, 1).
-        rate: Its rate [rad/s], (3, 1).
-    """
-    x, across = vector.dot(vector), vector.dot(rate)
-    # the slope of c_k is (k c_{k+2} - c_{k+1}) / 2, and x changes by 2 v · vdot
-    slope2 = (2 * stumpff(4, x) - stumpff(3, x)) * across
-    slope3 = (3 * stumpff(5, x) - stumpff(4, x)) * across
-    identity = Matrix.identity(vector.graph, 3)
-    both = rate.outer(vector) + vector.outer(rate)
-    square, square_rate = vector.outer(vector) - identity * x, both - identity * (2 * across)
-    skewed = vector.skew * slope2 + rate.skew * stumpff(2, x)
-    return square * slope3 + square_rate * stumpff(3, x) - skewed
-
-
 def _polynomial(vector: Matrix, first: Scalar, second: Scalar) -> Matrix:
     """1 + first [v] + second [v]²."""
     identity = Matrix.identity(vector.graph, 3)
