@@ -17,7 +17,7 @@ from ..errors import ModelError
 from ..ir.names import of_rate
 from ..runtime.absolute.carried import leading
 from ..runtime.absolute.elements import Elements, State
-from ..runtime.absolute.frames import rotation
+from ..runtime.absolute.frames import rotation, rotation_vectors
 from ..runtime.absolute.tables import Tables
 from ..runtime.compiled import CompiledModel
 from ..runtime.initial import start_of
@@ -357,7 +357,7 @@ class Absolute(Modeled):
                 at = kind.quaternion
                 turn = np.einsum("nji,njk->nik", rotation(a[:, at : at + 4]),
                                  rotation(b[:, at : at + 4]))  # fmt: skip
-                found[spots[:, :3]] = _vectors(turn)
+                found[spots[:, :3]] = rotation_vectors(turn)
                 others = [n for n in range(kind.nq) if not at <= n < at + 4]
                 found[spots[:, 3:]] = (b - a)[:, others]
         return found
@@ -372,16 +372,6 @@ def _blocks(tables: Tables) -> Blockwise:
         elements[lines] = known + np.arange(len(group))[:, None]
         known += len(group)
     return Blockwise(tables.u, ~poses[tables.kind], elements)
-
-
-def _vectors(turns: Array) -> Array:
-    """Rotation vectors (n, 3) of rotation matrices (n, 3, 3)."""
-    from scipy.spatial.transform import Rotation
-
-    if not len(turns):
-        return np.zeros((0, 3))
-    found: Array = Rotation.from_matrix(turns).as_rotvec()
-    return found
 
 
 def _extent(model: CompiledModel, tables: Tables) -> float:

@@ -18,6 +18,7 @@ from ..arrays import Array
 from ..runtime.absolute.assembled import Assembled
 from ..runtime.absolute.carried import Carrier, leading
 from ..runtime.absolute.elements import State
+from ..runtime.absolute.frames import rotation_vectors
 from ..runtime.closing import Closing
 from ..runtime.compiled import CompiledModel
 from ..runtime.rotations import unit
@@ -28,7 +29,6 @@ from ..schema.mechanism import JointRow
 from ..schema.records import PositionRecord
 from .connection import Connection, called, searching
 from .mechanism import Mechanism
-from .targets import turn
 
 ALWAYS = 1e-9  # residuals without units of conditions that hold wherever joints stand
 PROBE = 0.3  # radians, or sizes of the mechanism: a position like any other
@@ -347,7 +347,7 @@ class NodalMechanism(Mechanism):
         for one, other in self.links:
             a, b, home = self.carrier.displaced(q, one, other)
             way = (b[:3, :3] - a[:3, :3]) @ home + b[:3, 3] - a[:3, 3]
-            parts += [turn(b[:3, :3] @ a[:3, :3].T), way / self.size]
+            parts += [rotation_vectors(b[:3, :3] @ a[:3, :3].T), way / self.size]
         return np.concatenate([np.zeros(0), *parts])
 
     def _missed_jacobian(self, q: Array) -> Array:

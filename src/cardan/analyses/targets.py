@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from ..arrays import Array
 from ..errors import ArgumentError, ModelError, SolveError, listed, miscounted, near, shown
+from ..runtime.absolute.frames import rotation_vectors
 from ..runtime.initial import entries, missing
 from ..runtime.named_rotations import check_units, refuse_components
 from .mechanism import Mechanism
@@ -52,7 +53,7 @@ class Target:
         away: Array = (pose[:3, 3] - self.goal) / m.size
         if self.kind == "position":
             return away
-        return np.concatenate([turn(pose[:3, :3] @ self.value[:3, :3].T), away])
+        return np.concatenate([rotation_vectors(pose[:3, :3] @ self.value[:3, :3].T), away])
 
     def jacobian(self, m: Mechanism, q: Array) -> Array:
         """Derivative of :meth:`residual` along steps (n, nu)."""
@@ -103,26 +104,6 @@ class Coordinates(Target):
     def distance(self, q: Array) -> float:
         """How far a position (nq,) is from them, in radians and sizes of the scene."""
         return float(np.linalg.norm((q[self.entries] - self.value) / self.scales))
-
-
-def turn(rotation: Array) -> Array:
-    """Rotation vector (3,) of a rotation matrix: its axis times its angle."""
-    vector = 0.5 * np.array(
-        [
-            rotation[2, 1] - rotation[1, 2],
-            rotation[0, 2] - rotation[2, 0],
-            rotation[1, 0] - rotation[0, 1],
-        ]
-    )
-    sine, cosine = float(np.linalg.norm(vector)), 0.5 * (float(np.trace(rotation)) - 1)
-    angle = float(np.arctan2(sine, cosine))
-    if sine > 1e-6:
-        return np.asarray(vector * (angle / sine))
-    if cosine > 0:
-        return vector
-    # half a turn: the axis is the column of R + 1 that is longest
-    column = (rotation + np.eye(3))[:, int(np.argmax(np.diag(rotation)))]
-    return np.asarray(column / np.linalg.norm(column) * angle)
 
 
 def read(

@@ -126,3 +126,12 @@ def standing(model: CompiledModel) -> tuple[Array, Array]:
             "Compile the model again"
         )
     return rotations, positions
+
+
+def rotation_vectors(matrices: Array) -> Array:
+    """Rotation vectors (..., 3) [rad] of rotation matrices (..., 3, 3)."""
+    from scipy.spatial.transform import Rotation
+
+    if not matrices.size:
+        return np.zeros(matrices.shape[:-1])
+    return np.asarray(Rotation.from_matrix(matrices).as_rotvec())
