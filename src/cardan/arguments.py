@@ -331,6 +331,7 @@ def read(function: str, argument: str, value: Any, kinds: tuple[Kind, ...]) -> A
             raise SolveError(f"{function}: {argument} is nan; it must be finite")
         return found
     words = [kind.words for kind in kinds if kind.read is not _none]
+    words = [one for one in words if not any(other.startswith(f"{one} or ") for other in words)]
     wanted = " or ".join(words) or "None"
     raise ArgumentError(f"{function}: {argument}={shown(value)}: give {wanted}")
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import subprocess
 from pathlib import Path
 
@@ -134,6 +135,16 @@ def test_steps_that_tolerances_ask_for_are_those_of_python(
     motion = model.simulate(1.0, method=cd.GeneralizedAlpha(0.8))
     # other steps would be off by some of the tolerance, 1e-6 of the size
     assert numbers(lines, "x") == pytest.approx(motion.x[-1], rel=1e-8, abs=1e-8)
+
+
+def test_what_may_be_chosen_is_defined_for_all_files_at_once(swinging: Path) -> None:
+    (said,) = re.findall(r"when this is compiled: (.*?) \*/", (swinging / "example.c").read_text())
+    chosen = said.split(", ")
+    assert chosen == ["-DSTEP=1e-3", "-DRHO_INF=0.9"]
+    command = [*compilers()["gcc"], *STRICT, "-fsyntax-only", "-DCARDAN_EXAMPLE", *chosen]
+    sources = sorted(map(str, swinging.glob("*.c")))
+    done = subprocess.run([*command, *sources], capture_output=True, text=True, timeout=120)
+    assert done.returncode == 0, done.stderr
 
 
 @pytest.mark.parametrize("plane", [pytest.param(None, marks=pytest.mark.slow), "z"])

@@ -202,7 +202,7 @@ def test_all_bodies_but_that_of_the_centre_are_pulled(tmp_path: Path) -> None:
     ("bodies", "message"),
     [
         (["b", "ground"], "the ground does not move; leave it out of bodies"),
-        ("a", "'a' carries its centre; no body pulls itself"),
+        ("a", "'a' carries its center; no body pulls itself"),
         ("tip", "'tip' is a frame; give its body, 'b'"),
         ("c", "body 'c' does not exist.*Bodies|'c'"),
         (None, "no body but that of its frame has mass"),

@@ -1,6 +1,6 @@
 """Fields of gravity: their pull on a mass, and on a body of some extent to second order.
 
-Bodies stand at r from the centre of the field; all vectors and tensors in common axes. Of a body of
+Bodies stand at r from the center of the field; all vectors and tensors in common axes. Of a body of
 some extent the potential is m phi(r) + tr(I H) / 2 with the gradient H of the field: phi is
 harmonic, so that the tensor of inertia I says all that the second moments of the mass would.
 
@@ -21,8 +21,8 @@ class Pull:
     """What a field does.
 
     Attributes:
-        force: (3, 1), at the centre of mass.
-        torque: About the centre of mass (3, 1).
+        force: (3, 1), at the center of mass.
+        torque: About the center of mass (3, 1).
         potential: Its potential energy.
     """
 
@@ -37,7 +37,7 @@ class Pull:
 
 
 class Field(ABC):
-    """A field of gravity about a centre."""
+    """A field of gravity about a center."""
 
     @abstractmethod
     def on_mass(self, r: Matrix, mass: Scalar) -> Pull:

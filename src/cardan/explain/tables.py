@@ -124,7 +124,7 @@ def operations(equations: Equations) -> Iterator[d.Section]:
         (
             d.Paragraph((said,), quiet=True),
             d.Table(("", *heads), tuple(rows)),
-            d.Table(("for", *heads), shares),
+            *([d.Table(("for", *heads), shares)] if shares else []),
         ),
     )
 

@@ -3,11 +3,11 @@
  * Part of cardan. Caller owns all memory.
  *
  * Coordinates of nodes tell where they are, not how far they move: a tolerance relative to each
- * would be loose far from the origin and tight beside it, and would weigh metres against parts of
+ * would be loose far from the origin and tight beside it, and would weigh meters against parts of
  * quaternions. So every length counts against one amplitude: what nodes have spread about their
  * middle, or their middle has moved where that was more, and the size of the model where nodes begin
  * at one place; angles against 1.
- * Where the origin is and what a metre is called makes no difference then.
+ * Where the origin is and what a meter is called makes no difference then.
  * Source: M. Géradin, A. Cardona, Flexible Multibody Dynamics (2001), chapter 11 (step size control).
  */
 #include "alpha.h"

@@ -7,7 +7,7 @@
 
 /* rows of the log of events, and more per event; steps between two looks at it */
 enum { LOG = 256, ROOM = 32, BUDGET = 1000000, OPTIONS = 7 };
-static const real RHO_INF = 0.8;
+static const real USUAL_RHO_INF = 0.8; /* RHO_INF alone is what example.c lets compilers define */
 
 /* What a run works on, in the memory of the caller. */
 typedef struct block {
@@ -191,7 +191,7 @@ int cardan_simulate(const cardan_export *model, cardan_simulation *asked, void *
     describe(model, &run);
     choose(method, asked, &run);
     (void)lay(model, memory, &run, &at);
-    set_options(&run, asked->rho_inf > 0 ? asked->rho_inf : RHO_INF, at.options);
+    set_options(&run, asked->rho_inf > 0 ? asked->rho_inf : USUAL_RHO_INF, at.options);
     for (ptrdiff_t k = 0; k < run.tick_count; k++)
         at.ticks[k] = (cardan_tick){.event = model->ticks[k].event, .period = model->ticks[k].period,
                                     .phase = model->ticks[k].phase};

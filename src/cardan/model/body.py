@@ -24,8 +24,8 @@ class Body(Located):
         model: The model it belongs to.
         name: Its name.
         mass: Mass as written [kg].
-        com: Centre of mass in body axes (3) [m].
-        inertia: Tensor entries xx xy xz yy yz zz about the centre of mass, body axes [kg m^2].
+        com: Center of mass in body axes (3) [m].
+        inertia: Tensor entries xx xy xz yy yz zz about the center of mass, body axes [kg m^2].
         pose: Position and orientation in the reference configuration, or None.
         shapes: What to draw.
         base: Body in whose axes ``pose`` is given, None for the ground.

@@ -44,7 +44,7 @@ def _named(model: Model, who: str, given: Any, ends: set[Body]) -> Body:
     if body is model.ground:
         raise ModelError(f"{who}: the ground does not move; leave it out of bodies")
     if body in ends:
-        raise ModelError(f"{who}: '{body.name}' carries its centre; no body pulls itself")
+        raise ModelError(f"{who}: '{body.name}' carries its center; no body pulls itself")
     return body
 
 

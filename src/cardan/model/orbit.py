@@ -1,6 +1,6 @@
 """Frames that go along orbits: local vertical, local horizontal.
 
-Their x axis points forward along a circular orbit, y against its normal and z down to the centre:
+Their x axis points forward along a circular orbit, y against its normal and z down to the center:
 turns about x, y and z are roll, pitch and yaw.
 """
 
@@ -36,18 +36,18 @@ def circular(
     """A frame that goes along a circular orbit, for bodies whose attitude matters and not more.
 
     It is on a body ``<name>`` without mass, which the prescribed joint ``<name>`` turns about the
-    centre at the rate sqrt(mu / radius^3). A joint from it to the mass centre of a satellite has
+    center at the rate sqrt(mu / radius^3). A joint from it to the mass center of a satellite has
     the attitude in the orbit as coordinates: ``Spherical("ZYX")`` yaw, pitch and roll.
 
     Args:
         scene: The model.
         name: Of the frame, and of the body and the joint that it adds.
-        mu: Constant of gravitation times mass of the centre [m^3/s^2].
+        mu: Constant of gravitation times mass of the center [m^3/s^2].
         radius: Of the orbit [m].
-        inclination: Of its plane against the x-y plane of the centre, about the node [rad].
+        inclination: Of its plane against the x-y plane of the center, about the node [rad].
         node: Direction of the ascending node in that plane, from x [rad].
         phase: Angle from the node at t = 0 [rad].
-        center: Frame or body at whose origin the centre is; the ground by default.
+        center: Frame or body at whose origin the center is; the ground by default.
 
     Returns:
         The frame.
@@ -72,8 +72,8 @@ def axes(body: Place, center: Place | None = None) -> Any:
     """Orientation of the local frame of a body on any orbit, of its motion as it is.
 
     Args:
-        body: Body or frame that moves about the centre.
-        center: Frame or body at whose origin the centre is; the ground by default.
+        body: Body or frame that moves about the center.
+        center: Frame or body at whose origin the center is; the ground by default.
 
     Returns:
         R (3, 3), from local axes to those of the ground: an expression for outputs and forces.

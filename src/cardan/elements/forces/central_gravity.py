@@ -15,17 +15,17 @@ from .gravitation import Gravitation
 
 @dataclass(frozen=True)
 class CentralGravity(Gravitation):
-    """The pull mu m / r^2 of a point or of a spherical planet on the mass centres of bodies.
+    """The pull mu m / r^2 of a point or of a spherical planet on the mass centers of bodies.
 
-    On each body, fixed ones included, ``force = -mu m r / r^3`` acts at its centre of mass, and its
-    opposite at the centre of the field: where that is on a body that moves, both attract each
+    On each body, fixed ones included, ``force = -mu m r / r^3`` acts at its center of mass, and its
+    opposite at the center of the field: where that is on a body that moves, both attract each
     other. The uniform gravity of the scene acts besides; ``gravity=(0, 0, 0)`` leaves it out. What
     the extent of bodies adds is a :class:`GravityGradient`.
 
     Args:
-        center: Frame or body at whose origin the field has its centre.
+        center: Frame or body at whose origin the field has its center.
         mu: Constant of gravitation times mass of what pulls [m^3/s^2].
-        bodies: A body or several; left out: all bodies with mass but that of the centre.
+        bodies: A body or several; left out: all bodies with mass but that of the center.
 
     Raises:
         ModelError: mu below 0, or what is no body.

@@ -111,7 +111,7 @@ class Places:
     Attributes:
         motion: The moving system.
         data: Its quantities by name; ``mass``, ``com`` (3, 1) and ``inertia`` (3, 3) of the body
-            where it acts by mass, about the centre of mass and in axes of the body.
+            where it acts by mass, about the center of mass and in axes of the body.
         frames, joints: Numbers of its frames and joints, by role; of the body as ``body``.
         z: Its internal states (their number, 1).
         s: Its modes (their number, 1).

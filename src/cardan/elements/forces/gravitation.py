@@ -1,4 +1,4 @@
-"""What forces of gravity have in common: a centre, the bodies they pull, and what pulls back."""
+"""What forces of gravity have in common: a center, the bodies they pull, and what pulls back."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from .force import Action, ForceElement, Load, Places, constant
 class Gravitation(ForceElement):
     """A field about the origin of the frame ``center`` that pulls bodies by their mass.
 
-    What it does to a body it does in turn to the body of the centre, equal and opposite.
+    What it does to a body it does in turn to the body of the center, equal and opposite.
     """
 
     center: Any
@@ -27,10 +27,10 @@ class Gravitation(ForceElement):
 
     @abstractmethod
     def pull(self, r: Matrix, at: Places) -> Pull:
-        """What it does to a body whose centre of mass is at r, in axes of that body."""
+        """What it does to a body whose center of mass is at r, in axes of that body."""
 
     def torque_about_center(self, r: Matrix, pull: Pull) -> Matrix:
-        """Of the pull: none where turning the body about the centre changes nothing."""
+        """Of the pull: none where turning the body about the center changes nothing."""
         return Matrix.zeros(r.graph, 3)
 
     def masses(self) -> tuple[Any, ...]:

@@ -20,12 +20,12 @@ class GravityGradient(Gravitation):
     These are the terms of second order in size / r; those of order 0 are :class:`CentralGravity`,
     which acts besides where the place of the bodies is not prescribed. Torque and force have the
     potential -mu (tr I - 3 e I e) / (2 r^3), e = r / r: energy and angular momentum about the
-    centre are kept.
+    center are kept.
 
     Args:
-        center: Frame or body at whose origin the field has its centre.
+        center: Frame or body at whose origin the field has its center.
         mu: Constant of gravitation times mass of what pulls [m^3/s^2].
-        bodies: A body or several; left out: all bodies with mass but that of the centre.
+        bodies: A body or several; left out: all bodies with mass but that of the center.
         force: False leaves the force away, which changes orbits by (size / r)^2 only; the torque
             then works on the system without a potential.
 

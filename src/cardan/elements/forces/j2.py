@@ -21,12 +21,12 @@ class J2(Gravitation):
     The potential per mass is mu J2 R^2 / (2 r^3) (3 sin^2 l - 1) at the latitude l.
 
     Args:
-        center: Frame or body at whose origin the planet has its centre.
+        center: Frame or body at whose origin the planet has its center.
         mu: Constant of gravitation times mass of the planet [m^3/s^2].
         j2: Its coefficient J2; 1.08263e-3 for the earth.
         radius: Its radius at the equator [m].
         pole: Its axis, in axes of ``center``.
-        bodies: A body or several; left out: all bodies with mass but that of the centre.
+        bodies: A body or several; left out: all bodies with mass but that of the center.
         gradient: Add what it does to bodies because they are no points, torque and force.
 
     Raises:
