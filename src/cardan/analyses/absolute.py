@@ -345,22 +345,22 @@ class Absolute(Modeled):
 
     def difference(self, q0: Array, q: Array) -> Array:
         """As :meth:`Contract.difference`, by Newton's method where rotations are no quaternions."""
-        tables, found = self.tables, np.zeros(self.model.nu)
+        tables, change = self.tables, np.zeros(self.model.nu)
         for k, kind in enumerate(tables.kinds):
             places = np.flatnonzero(tables.kind == k)
             a = q0[tables.q[places][:, None] + np.arange(kind.nq)]
             b = q[tables.q[places][:, None] + np.arange(kind.nq)]
             spots = tables.u[places][:, None] + np.arange(kind.nu)
             if kind.nq == kind.nu:
-                found[spots] = b - a
+                change[spots] = b - a
             elif kind.quaternion is not None:
                 at = kind.quaternion
                 turn = np.einsum("nji,njk->nik", rotation(a[:, at : at + 4]),
                                  rotation(b[:, at : at + 4]))  # fmt: skip
-                found[spots[:, :3]] = rotation_vectors(turn)
+                change[spots[:, :3]] = rotation_vectors(turn)
                 others = [n for n in range(kind.nq) if not at <= n < at + 4]
-                found[spots[:, 3:]] = (b - a)[:, others]
-        return found
+                change[spots[:, 3:]] = (b - a)[:, others]
+        return change
 
 
 def _blocks(tables: Tables) -> Blockwise:
