@@ -15,7 +15,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ..schema.manifest import Manifest
-from .joint_motion import Array, JointData, JointMotion, cross, joint_motion, times
+from .joint_motion import Array, JointData, JointMotion, cross, joint_motion, joint_motions, times
 from .newton_euler import Scene, own
 from .rotations import PARAMETERS, vector_of
 
@@ -127,29 +127,29 @@ def conditions(circuits: Circuits, q: Array, u: Array, motion: Array | None) -> 
     scene, numbers = circuits.scene, circuits.scene.numbers
     none = np.zeros(3)
     bodies = [Moving(np.eye(3), none, none, none)]
-    speeds, joints = [], []
+    rows = [own(scene, i, q, (u,), motion) for i in range(len(scene.parents))]
+    for closer in circuits.closers:
+        (first, size), (start, count) = closer.q, closer.u
+        rows.append((q[..., first : first + size], u[..., start : start + count]))
+    qs, us = [qi for qi, _ in rows], [ui for _, ui in rows]
+    kinds = [*scene.joints, *(closer.joint for closer in circuits.closers)]
+    # nothing is asked that depends on their speeds
+    joints = joint_motions(kinds, qs, [np.zeros(ui.shape[-1]) for ui in us])
     for i, inboard in enumerate(scene.parents):
-        qi, ui = own(scene, i, q, (u,), motion)
-        joint = joint_motion(scene.joints[i], qi, ui)
         seat = bodies[inboard + 1].carried(numbers["rotation"][i], numbers["position"][i])
-        bodies.append(seat.after(joint, ui))
-        joints.append(qi)
-        speeds.append(ui)
+        bodies.append(seat.after(joints[i], us[i]))
     missed: list[Array] = []
     rates: list[Array] = []
-    for closer in circuits.closers:
-        qi, ui = (x[..., s : s + n] for x, (s, n) in ((q, closer.q), (u, closer.u)))
+    for i, closer in enumerate(circuits.closers, len(scene.parents)):
         parent, child = (
             bodies[end.body + 1].carried(end.rotation, end.position)
             for end in (closer.parent, closer.child)
         )
-        found = _apart(parent, child, parent.after(joint_motion(closer.joint, qi, ui), ui))
+        found = _apart(parent, child, parent.after(joints[i], us[i]))
         missed += found[:2]
         rates += found[2:]
-        joints.append(qi)
-        speeds.append(ui)
     for slip in circuits.slips:
-        velocity = _slipping(slip, joints[slip.joint], speeds[slip.joint])
+        velocity = _slipping(slip, qs[slip.joint], us[slip.joint])
         rates.append(velocity[..., list(slip.rows)])
     lead = np.broadcast_shapes(q.shape[:-1], u.shape[:-1])
     return _joined(missed, lead), _joined(rates, lead)
@@ -203,13 +203,18 @@ def jacobian(circuits: Circuits, q: Array, motion: Array | None) -> tuple[Array,
 def rates_of(circuits: Circuits, q: Array, u: Array) -> Array:
     """Rates of the coordinates (..., nq) of speeds."""
     qdot = np.zeros_like(q)
+    rotations: dict[str, list[tuple[int, int]]] = {}
     for (first, size), (start, count), rotation in _blocks(circuits):
         n = PARAMETERS[rotation].size if rotation else 0
         k = 3 if rotation else 0
         qdot[..., first + n : first + size] = u[..., start + k : start + count]
         if rotation:
-            turned = _turned(rotation, q[..., first : first + n], u[..., start : start + 3])
-            qdot[..., first : first + n] = turned
+            rotations.setdefault(rotation, []).append((first, start))
+    for rotation, begins in rotations.items():
+        # all rotations of one kind at once: (joints, coordinates) and (joints, 3)
+        firsts, starts = np.array(begins).T[..., None]
+        at = firsts + np.arange(PARAMETERS[rotation].size)
+        qdot[..., at] = _turned(rotation, q[..., at], u[..., starts + np.arange(3)])
     return qdot
 
 

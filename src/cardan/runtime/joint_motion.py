@@ -9,8 +9,9 @@ Numerical differentiation of analytic functions (1967), for derivatives by means
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from math import prod
 from typing import Any
 
 import numpy as np
@@ -23,9 +24,21 @@ Array = NDArray[Any]
 REVERSED = "reversed "
 # coordinates (n, k), real or complex -> rotations (n, 3, 3) and positions (n, 3)
 Pose = Callable[[Array], tuple[Array, Array]]
+# the axis after each
+NEXT = np.array([1, 2, 0])
 # radii of circles round coordinates, and points on each
 CIRCLES, POINTS = tuple(0.2 * 0.25**k for k in range(7)), 16
-ROUND = np.exp(2j * np.pi * np.arange(POINTS) / POINTS)
+# the upper half of a circle: poses are real on the real axis, below they are conjugate
+ROUND = np.exp(2j * np.pi * np.arange(POINTS // 2 + 1) / POINTS)
+SHARES = np.array([1, *[2] * (POINTS // 2 - 1), 1]) / POINTS
+# first and second derivatives on a circle of radius 1: means over all points, over every other one
+MEANS = np.stack(
+    [
+        np.where(np.arange(len(ROUND)) % skip, 0, k * skip * SHARES * ROUND**-k)
+        for skip in (1, 2)
+        for k in (1, 2)
+    ]
+)
 # means over all points of a circle and over every other one that differ by less, of the largest
 # slope, are good
 SURE = 1e-10
@@ -41,11 +54,11 @@ class Expansion:
 
     def __init__(self, pose: Pose, first: int = 0) -> None:
         self.pose, self.first = pose, first
-        self._known: tuple[bytes, tuple[int, ...], tuple[Array, Array, Array]] | None = None
+        self._known: tuple[tuple[int, bytes], tuple[Array, Array, Array]] | None = None
 
     def __call__(self, q: Array) -> tuple[Array, Array]:
         """Rotation (..., 3, 3) and position (..., 3) at coordinates (..., n)."""
-        turned, shifted = self.pose(q.reshape(int(np.prod(q.shape[:-1])), q.shape[-1]))
+        turned, shifted = self.pose(q.reshape(prod(q.shape[:-1]), q.shape[-1]))
         return turned.reshape(*q.shape[:-1], 3, 3), shifted.reshape(*q.shape[:-1], 3)
 
     def derivatives(self, q: Array) -> tuple[Array, Array, Array]:
@@ -54,25 +67,32 @@ class Expansion:
 
         The last ones are known by heart.
         """
-        key = q.tobytes()
-        if self._known is None or self._known[:2] != (key, q.shape):
-            self._known = key, q.shape, self._derivatives(q)
-        return self._known[2]
+        lead, n = q.shape[:-1], q.shape[-1]
+        key = prod(lead), q.tobytes()
+        if self._known is None or self._known[0] != key:
+            self._known = key, self._derivatives(q.reshape(prod(lead), n))
+        here, first, second = self._known[1]
+        k = n - self.first
+        return (
+            here.reshape(*lead, 12),
+            first.reshape(*lead, k, 12),
+            second.reshape(*lead, k, k, 12),
+        )
 
     def _derivatives(self, q: Array) -> tuple[Array, Array, Array]:
         lead, n = q.shape[:-1], q.shape[-1]
         axes, k = np.eye(n)[self.first :], n - self.first
-        # along every axis, and along the sum of every two
+        # along every axis, and half way between every two, where nothing turns faster
         one, other = np.triu_indices(k, 1)
-        ways = np.concatenate([axes, axes[one] + axes[other]])
+        ways = np.concatenate([axes, (axes[one] + axes[other]) / 2])
         if not k:
             return self._rows(q), np.zeros((*lead, 0, 12)), np.zeros((*lead, 0, 0, 12))
-        slopes = settled(lambda radius: self._means(q, ways, radius), lead).real
+        slopes = settled(lambda radius: self._means(q, ways, radius), lead)
         here, slopes = slopes[..., :12], slopes[..., 12:]
         first, along = np.moveaxis(slopes.reshape(*lead, 2, len(ways), 12), -3, 0)
         second = np.zeros((*lead, k, k, 12))
         second[..., range(k), range(k), :] = along[..., :k, :]
-        mixed = (along[..., k:, :] - along[..., one, :] - along[..., other, :]) / 2
+        mixed = 2 * along[..., k:, :] - (along[..., one, :] + along[..., other, :]) / 2
         second[..., one, other, :] = second[..., other, one, :] = mixed
         return here, first[..., :k, :], second
 
@@ -84,23 +104,15 @@ class Expansion:
     def _means(self, q: Array, ways: Array, radius: float) -> tuple[Array, Array]:
         """The pose (..., 12), then first and second derivatives along ways (ways, n).
 
-        By means over all points of circles, and over every other one.
+        By means over all points of a circle, and over every other one.
         """
         circle = np.append(0, radius * ROUND)
         rows = self._rows(q[..., None, None, :] + circle[:, None] * ways[:, None, :])
-        here, rows = rows[..., 0, 0, :], rows[..., 1:, :]
-        whole, half = (
-            np.stack(
-                [
-                    np.einsum("...kjx,j->...kx", rows[..., ::skip, :], ROUND[::skip] ** -k)
-                    * (k * skip / POINTS / radius**k)
-                    for k in (1, 2)
-                ],
-                axis=-3,
-            ).reshape(*q.shape[:-1], -1)
-            for skip in (1, 2)
-        )
-        return np.concatenate([here, whole], axis=-1), np.concatenate([here, half], axis=-1)
+        here, rows = rows[..., 0, 0, :].real, rows[..., 1:, :]
+        slopes = (MEANS @ rows).real / radius ** np.array([[1], [2], [1], [2]])
+        rows = slopes.swapaxes(-3, -2).reshape(*q.shape[:-1], 2, -1)
+        whole, half = (np.concatenate([here, rows[..., k, :]], axis=-1) for k in (0, 1))
+        return whole, half
 
 
 def settled(means: Callable[[float], tuple[Array, Array]], lead: tuple[int, ...]) -> Array:
@@ -169,10 +181,22 @@ class JointMotion:
     turn_rate: Array
     shift_rate: Array
 
+    def of(self, k: int) -> JointMotion:
+        """The motion of one of several joints, which are the last of the leading axes."""
+        return JointMotion(
+            self.rotation[..., k, :, :],
+            self.position[..., k, :],
+            self.turn[..., k, :, :],
+            self.shift[..., k, :, :],
+            self.turn_rate[..., k, :],
+            self.shift_rate[..., k, :],
+        )
+
 
 def cross(a: Array, b: Array) -> Array:
     """a x b over leading axes."""
-    return np.asarray(a[..., [1, 2, 0]] * b[..., [2, 0, 1]] - a[..., [2, 0, 1]] * b[..., [1, 2, 0]])
+    product = a * b.take(NEXT, axis=-1) - a.take(NEXT, axis=-1) * b
+    return np.asarray(product.take(NEXT, axis=-1))
 
 
 def times(matrix: Array, vector: Array) -> Array:
@@ -191,6 +215,21 @@ def placed(joint: JointData, q: Array) -> tuple[Array, Array]:
     return back, -times(back, position)
 
 
+def joint_motions(
+    joints: Sequence[JointData], q: Sequence[Array], u: Sequence[Array]
+) -> list[JointMotion]:
+    """How joints move, as :func:`joint_motion`; those that are alike in one evaluation."""
+    alike: dict[JointData, list[int]] = {}
+    for i, joint in enumerate(joints):
+        alike.setdefault(joint, []).append(i)
+    motions: dict[int, JointMotion] = {}
+    for joint, which in alike.items():
+        rows = (np.stack(np.broadcast_arrays(*(x[i] for i in which)), axis=-2) for x in (q, u))
+        several = joint_motion(joint, *rows)
+        motions |= {i: several.of(k) for k, i in enumerate(which)}
+    return [motions[i] for i in range(len(joints))]
+
+
 def joint_motion(joint: JointData, q: Array, u: Array) -> JointMotion:
     """How a joint moves.
 
@@ -201,7 +240,8 @@ def joint_motion(joint: JointData, q: Array, u: Array) -> JointMotion:
     """
     here, slopes, bends = joint.pose.derivatives(q.real)
     rates = u[..., u.shape[-1] - slopes.shape[-2] :]
-    second = np.einsum("...k,...l,...klx->...x", rates, rates, bends)
+    along = np.einsum("...k,...klx->...lx", rates, bends)
+    second = np.einsum("...l,...lx->...x", rates, along)
     if np.iscomplexobj(q):
         aside = 1j * q.imag[..., joint.turns :]
         here = here + np.einsum("...k,...kx->...x", aside, slopes)
@@ -212,7 +252,7 @@ def joint_motion(joint: JointData, q: Array, u: Array) -> JointMotion:
         rotation = PARAMETERS[joint.rotation].matrix(q[..., : joint.turns])
         # an angular velocity moves no origin
         shift = np.concatenate([np.zeros((*shift.shape[:-1], 3)), shift], axis=-1)
-        turn = np.concatenate([np.eye(3), np.zeros((3, rates.shape[-1]))], axis=-1)
+        turn = np.broadcast_to(np.eye(3, shift.shape[-1]), shift.shape)
         turn_rate = np.zeros_like(second[..., 9:])
     else:
         back = np.swapaxes(rotation, -1, -2)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from functools import cache, partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -65,10 +66,12 @@ def scene_of(model: CompiledModel) -> Scene:
     """The flat scene of a model with its parameter values, as :func:`scene_from` says it."""
     numbers = model._evaluate_saved("scene", p=model.parameters.vector)
     scene = model.manifest.scene
+    # joints of one pose are one and the same, so that they are evaluated together
+    joint = cache(partial(_joint, model))
     rows = zip(scene.poses, scene.kinds, scene.rotations, strict=True)
-    found = scene_from(model.manifest, numbers, [_joint(model, *row) for row in rows])
+    found = scene_from(model.manifest, numbers, [joint(*row) for row in rows])
     closing = zip(scene.closers, scene.cuts, strict=False)
-    closers = (_joint(model, row.pose, kind, row.rotation) for row, kind in closing)
+    closers = (joint(row.pose, kind, row.rotation) for row, kind in closing)
     return replace(found, closers=tuple(closers))
 
 

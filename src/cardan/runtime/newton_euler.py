@@ -13,7 +13,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .joint_motion import Array, JointData, cross, joint_motion, placed
+from .joint_motion import Array, JointData, cross, joint_motions, placed
 from .joint_motion import times as _times
 
 
@@ -102,10 +102,10 @@ def moving(
     upright = np.broadcast_to(np.eye(3), (*lead, 3, 3))
     still = np.broadcast_to(-pull * numbers["gravity"], (*lead, 3))
     m = Moving([upright], [none], [none], [none], [none], [still], [], [], [])
-    for i in range(n):
+    rows = [own(scene, i, q, (u, udot), motion) for i in range(n)]
+    joints = joint_motions(scene.joints, [row[0] for row in rows], [row[1] for row in rows])
+    for i, (joint, (_, ui, udoti)) in enumerate(zip(joints, rows, strict=True)):
         k = scene.parents[i] + 1
-        qi, ui, udoti = own(scene, i, q, (u, udot), motion)
-        joint = joint_motion(scene.joints[i], qi, ui)
         side = m.turned[k] @ numbers["rotation"][i]
         body = side @ joint.rotation
         arm = _times(m.turned[k], numbers["position"][i]) + _times(side, joint.position)

@@ -18,10 +18,8 @@ from .truth import Truth, drawn, finite, largest, masses, truth_of
 from .verification import constraints, core, samples
 from .verification.asked import Asked
 from .verification.differences import BOUND
-from .verification.elements import judged as by_laws
 from .verification.judges import Check, by_text, judged
 from .verification.loops import singular
-from .verification.members import STATES, members_of
 from .written_bounds import written as constrained
 
 if TYPE_CHECKING:
@@ -202,6 +200,9 @@ def _of_elements(
         states, seed: As of :func:`verify`.
         fresh: Kinds that have one of these functions are judged; all by default.
     """
+    from .verification.elements import judged as by_laws
+    from .verification.members import members_of
+
     kinds = {group.kind.name: group.kind for group in elements.tables.groups}
     symbols = [s for kind in kinds.values() for s in kind.functions.values()]
     if fresh is not None:
@@ -266,6 +267,8 @@ def verify_elements(model: CompiledModel, elements: Elements, fresh: Iterable[st
     Raises:
         BuildError: one is wrong.
     """
+    from .verification.members import STATES
+
     new = list(fresh)
     found = _of_elements(model, elements, STATES, 1, new)
     differences: dict[str, float | str] = {}
