@@ -12,7 +12,6 @@ from __future__ import annotations
 import dataclasses
 import math
 import os
-import re
 from collections.abc import Callable, Iterable, Mapping
 from decimal import Decimal
 from functools import wraps
@@ -212,7 +211,7 @@ def _ranges(value: Any) -> Any:
 def _path(value: Any) -> Any:
     text = os.fspath(value) if isinstance(value, os.PathLike) else value
     fits = isinstance(text, str) and text.strip() and "\0" not in text and len(text) < 4096
-    return value if fits and max(map(len, re.split(r"[/\\]", text))) < 256 else UNFIT
+    return value if fits and max(map(len, text.replace("\\", "/").split("/"))) < 256 else UNFIT
 
 
 def _paths(value: Any) -> Any:

@@ -7,13 +7,12 @@ the one place that says which versions are read and what its names were called b
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from typing import NamedTuple
 
 VERSION = "0.1.0"
 
 
-@dataclass(frozen=True)
-class Format:
+class Format(NamedTuple):
     """A kind of file.
 
     Attributes:
@@ -31,7 +30,7 @@ class Format:
     version: int
     oldest: int
     cure: str
-    renamed: Mapping[int, Mapping[str, str]] = field(default_factory=dict)
+    renamed: Mapping[int, Mapping[str, str]] = {}
 
     def reads(self, version: object) -> bool:
         """Whether files of a version are read."""

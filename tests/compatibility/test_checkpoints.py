@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import shutil
 from collections.abc import Callable
-from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -62,7 +61,7 @@ def test_a_checkpoint_goes_on_or_is_refused(path: Path, kind: str, tmp_path: Pat
 
 def of_a_newer_cardan(form: version.Format, path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Write a checkpoint as a cardan of tomorrow does."""
-    newer = replace(form, version=form.version + 7, oldest=form.version + 7)
+    newer = form._replace(version=form.version + 7, oldest=form.version + 7)
     with monkeypatch.context() as patch:
         patch.setattr(growing, "VERSION", "9.8.7")
         growing.Growing(path, newer, {"model": "of tomorrow"}, {}).close()
@@ -91,7 +90,7 @@ def test_a_stepper_of_a_newer_cardan_is_refused(
 
     path, made = tmp_path / "stepper.npz", model()
     number = version.STEPPER.version + 1
-    newer = replace(version.STEPPER, version=number, oldest=number)
+    newer = version.STEPPER._replace(version=number, oldest=number)
     with monkeypatch.context() as patch:
         patch.setattr(checkpoint, "STEPPER", newer)
         patch.setattr(checkpoint, "VERSION", "9.8.7")

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -90,7 +89,7 @@ def test_a_run_under_former_names_is_read(tmp_path: Path, monkeypatch: pytest.Mo
     file = formats.save(tmp_path / "run.nc", version.RUN, Contents(variables, notes), "")
     number = version.RUN.version
     renamed = {number: {"rates": "u", "manifest.rates": "speeds"}}
-    tomorrow = replace(version.RUN, version=number + 1, renamed=renamed)
+    tomorrow = version.RUN._replace(version=number + 1, renamed=renamed)
     monkeypatch.setattr(storage, "RUN", tomorrow)
     motion = cd.load_motion(file)
     np.testing.assert_array_equal(motion.x, here.x)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -19,7 +18,7 @@ NEWER = "9.8.7"
 
 
 def newer(form: version.Format) -> version.Format:
-    return replace(form, version=form.version + 1)
+    return form._replace(version=form.version + 1)
 
 
 def a_run(path: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[[], object]:

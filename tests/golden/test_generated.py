@@ -69,7 +69,7 @@ STRICT = ("-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror
 @pytest.mark.parametrize(("kept", "compiler"), some(product(KEPT, ("gcc", "clang")), 3), ids=str)
 def test_generated_compiles_without_warning(kept: Path, compiler: str, tmp_path: Path) -> None:
     """Alone, without Python headers, under the flags of the house, by gcc and clang (ziglang)."""
-    found = toolchain.candidates() if compiler == "gcc" else toolchain.ziglang()
+    found = [*(toolchain.candidates() if compiler == "gcc" else toolchain.ziglang())]
     assert found, f"no {compiler} here: install the extra test"
     # gcc says some things only while it optimizes
     level = ["-O2"] if compiler == "gcc" else ["-O0", "-fno-sanitize=undefined"]

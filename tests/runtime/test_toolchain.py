@@ -53,7 +53,7 @@ def test_cc_of_the_environment_comes_first(monkeypatch):
 def test_cc_that_does_not_exist_is_an_error(monkeypatch):
     monkeypatch.setenv("CC", "no-such-cc -m64")
     with pytest.raises(BuildError, match=r"CC='no-such-cc -m64'.*unset it"):
-        toolchain.candidates()
+        next(toolchain.candidates())
 
 
 def test_order_of_the_search(tmp_path, monkeypatch):

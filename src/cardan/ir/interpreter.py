@@ -50,7 +50,7 @@ def evaluate(
     with np.errstate(all="ignore"):
         found = nodes_of(graph, order, inputs, numbers)
     batch = np.broadcast_shapes(*(x[..., 0].shape for x in inputs.values() if x.shape[-1]))
-    return {o.name: _stacked(o, found, batch, numbers) for o in function.outputs}
+    return {o.name: _stacked(o, found, batch, numbers.number) for o in function.outputs}
 
 
 def nodes_of(
@@ -142,13 +142,11 @@ def _block(entries: Any, numbers: Numbers) -> Any:
     return np.asarray(entries, dtype=cast("type[Any]", numbers.number))
 
 
-def _stacked(
-    output: Output, found: Mapping[int, Any], batch: tuple[int, ...], numbers: Numbers
-) -> Any:
+def _stacked(output: Output, found: Mapping[int, Any], batch: tuple[int, ...], kind: Any) -> object:
     """The entries of an output as one array (..., *shape)."""
     import numpy as np
 
-    flat = np.empty((*batch, len(output.nodes)), dtype=cast("type[Any]", numbers.number))
+    flat = np.empty((*batch, len(output.nodes)), dtype=kind)
     for k, i in enumerate(output.nodes):
         flat[..., k] = found[i]
     return flat.reshape((*batch, *output.shape))

@@ -15,8 +15,9 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from ..arrays import Array
+from ..runtime.circuits import Moving, frames
 from ..runtime.compiled import CompiledModel
-from ..runtime.joint_motion import cross, joint_data, joint_motion, times
+from ..runtime.joint_motion import cross, joint_data, joint_motions, times
 from ..runtime.judged import scene_of
 from ..runtime.kind_poses import KindNumbers, pose_of
 from ..runtime.newton_euler import Scene, own
@@ -70,12 +71,12 @@ class Circuits:
 
     def states(self, states: States) -> States:
         """The states with coordinates and speeds of the parts; no force acts along their joints."""
-        motions = _motions(self.scene, self.bodies, states.q, states.u)
+        motions = _bodies(self.scene, self.bodies, states.q, states.u)
         n, q, u = self.scene.numbers, [states.q], [states.u]
         for part, (body, rotation, position) in enumerate(self.seats, self.bodies):
             kind, parent = self.scene.kinds[part], motions[self.scene.parents[part] + 1]
-            outer = parent.frame(n["rotation"][part], n["position"][part])
-            relative = outer.seen(motions[body + 1].frame(rotation, position))
+            outer = parent.carried(n["rotation"][part], n["position"][part])
+            relative = _seen(outer, motions[body + 1].carried(rotation, position))
             axes = np.stack([n["axis"][part], n["axis2"][part]])
             q.append(_coordinates(kind, axes, relative))
             u.append(_speeds(kind, axes, relative))
@@ -83,58 +84,27 @@ class Circuits:
         return States(*(np.concatenate(blocks, axis=1) for blocks in (q, u, third)))
 
 
-@dataclass(frozen=True)
-class _Motion:
-    """Pose and velocity of a frame in ground axes, by state."""
-
-    rotation: Array
-    position: Array
-    turning: Array
-    moving: Array
-
-    def frame(self, rotation: Array, position: Array) -> _Motion:
-        """A frame fixed to this one."""
-        arm = times(self.rotation, np.broadcast_to(position, self.position.shape))
-        moving = self.moving + cross(self.turning, arm)
-        return _Motion(self.rotation @ rotation, self.position + arm, self.turning, moving)
-
-    def seen(self, other: _Motion) -> _Motion:
-        """Another frame in axes of this one; velocities relative to it."""
-        back = np.swapaxes(self.rotation, 1, 2)
-        arm = other.position - self.position
-        moving = other.moving - self.moving - cross(self.turning, arm)
-        return _Motion(
-            back @ other.rotation,
-            times(back, arm),
-            times(back, other.turning - self.turning),
-            times(back, moving),
-        )
+def _bodies(scene: Scene, count: int, q: Array, u: Array) -> list[Moving]:
+    """The ground and the first bodies."""
+    rows = [own(scene, i, q, (u,), None) for i in range(count)]
+    qs, us = [row[0] for row in rows], [row[1] for row in rows]
+    return frames(scene, joint_motions(scene.joints[:count], qs, us), us)
 
 
-def _motions(scene: Scene, count: int, q: Array, u: Array) -> list[_Motion]:
-    """Motions of the ground and the first bodies."""
-    still, none = np.broadcast_to(np.eye(3), (len(q), 3, 3)), np.zeros((len(q), 3))
-    found = [_Motion(still, none, none, none)]
-    for i in range(count):
-        qi, ui = own(scene, i, q, (u,), None)
-        joint = joint_motion(scene.joints[i], qi, ui)
-        numbers = scene.numbers
-        seat = found[scene.parents[i] + 1].frame(numbers["rotation"][i], numbers["position"][i])
-        arm = times(seat.rotation, joint.position)
-        rotation = seat.rotation @ joint.rotation
-        drift = times(seat.rotation, times(joint.shift, ui))
-        found.append(
-            _Motion(
-                rotation,
-                seat.position + arm,
-                seat.turning + times(rotation, times(joint.turn, ui)),
-                seat.moving + cross(seat.turning, arm) + drift,
-            )
-        )
-    return found
+def _seen(frame: Moving, other: Moving) -> Moving:
+    """Another frame in axes of one; velocities relative to it."""
+    back = np.swapaxes(frame.rotation, -1, -2)
+    arm = other.position - frame.position
+    moving = other.moving - frame.moving - cross(frame.turning, arm)
+    return Moving(
+        back @ other.rotation,
+        times(back, arm),
+        times(back, other.turning - frame.turning),
+        times(back, moving),
+    )
 
 
-def _coordinates(kind: str, axes: Array, relative: _Motion) -> Array:
+def _coordinates(kind: str, axes: Array, relative: Moving) -> Array:
     """Coordinates (n, k) of a joint at a relative pose that it allows."""
     e, f = axes / np.maximum(np.linalg.norm(axes, axis=1, keepdims=True), 1e-300)
     if kind == "prismatic":
@@ -143,7 +113,7 @@ def _coordinates(kind: str, axes: Array, relative: _Motion) -> Array:
         # any direction across the axis, and how far it is turned
         x = np.cross(e, np.eye(3)[np.argmin(np.abs(e))])
         turned = relative.rotation @ x
-        return np.arctan2(turned @ np.cross(e, x), turned @ x)[:, None]
+        return np.asarray(np.arctan2(turned @ np.cross(e, x), turned @ x))[:, None]
     # R e2 is turned about the first axis alone, R^T e1 about the second one
     g = np.cross(e, f)
     first = relative.rotation @ f
@@ -152,7 +122,7 @@ def _coordinates(kind: str, axes: Array, relative: _Motion) -> Array:
     return np.stack([one, np.arctan2(second @ g, second @ e)], axis=1)
 
 
-def _speeds(kind: str, axes: Array, relative: _Motion) -> Array:
+def _speeds(kind: str, axes: Array, relative: Moving) -> Array:
     """Speeds (n, k) of a joint that moves as it allows."""
     e, f = axes / np.maximum(np.linalg.norm(axes, axis=1, keepdims=True), 1e-300)
     if kind == "prismatic":

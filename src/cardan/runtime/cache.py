@@ -29,7 +29,7 @@ from .together import together
 from .toolchain import Compiler, compile_shared, find_compiler
 
 VERSION = "4"
-INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]+"([^"\n]+)"', re.MULTILINE)
+INCLUDE = re.compile(r'#[ \t]*include[ \t]+"([^"\n]+)"')
 GRACE = 60.0  # seconds between the making of a folder and its lock, at the very most
 RUN = 1_000_000  # bytes of texts from which on one run of the compiler takes no more
 
@@ -61,11 +61,11 @@ def level() -> Level:
         BuildError: CARDAN_LEVEL names none that this processor has.
     """
     wanted = os.environ.get("CARDAN_LEVEL", "").strip()
-    return _level(wanted, None if prebuilt.level_object() else _without_level())
+    return _level(wanted, prebuilt.level_object() or _without_level())
 
 
 @lru_cache(maxsize=8)
-def _level(wanted: str, by: Compiler | None) -> Level:
+def _level(wanted: str, by: Path | Compiler) -> Level:
     """The level of a name, else the highest."""
     highest = _highest(by)
     levels = {one.name: one for one in family() if one.number <= highest.number}
@@ -78,11 +78,10 @@ def _level(wanted: str, by: Compiler | None) -> Level:
 
 
 @lru_cache(maxsize=8)
-def _highest(by: Compiler | None) -> Level:
+def _highest(by: Path | Compiler) -> Level:
     """The level of this processor, asked by code from the installation or of a compiler."""
-    path = prebuilt.level_object()
-    if by is None and path is not None:
-        chooser = Object(path, False).library()
+    if isinstance(by, Path):
+        chooser = Object(by, False).library()
     else:
         chooser = build([prebuilt.DIRECTORY / prebuilt.LEVEL], by=by).load()
     return LEVELS[chooser.cardan_level()]
@@ -290,8 +289,8 @@ def headers(sources: Sequence[Path], include: Sequence[Path]) -> set[Path]:
     while left:
         path = left.pop()
         names = INCLUDE.findall(path.read_text("utf-8", "replace"))
-        places = (path.parent, *include)
-        more = {place / name for name in names for place in places if (place / name).is_file()}
+        places = {path.parent, *include}
+        more = {file for name in names for place in places if (file := place / name).is_file()}
         left += more - found
         found |= more
     return found

@@ -112,6 +112,17 @@ class Moving:
         return Moving(rotation, self.position + arm, turning, moving)
 
 
+def frames(scene: Scene, joints: Sequence[JointMotion], u: Sequence[Array]) -> list[Moving]:
+    """The ground, then the bodies that the first joints of a tree carry with these speeds."""
+    none = np.zeros(3)
+    bodies, numbers = [Moving(np.eye(3), none, none, none)], scene.numbers
+    for i, joint in enumerate(joints):
+        inboard = bodies[scene.parents[i] + 1]
+        seat = inboard.carried(numbers["rotation"][i], numbers["position"][i])
+        bodies.append(seat.after(joint, u[i]))
+    return bodies
+
+
 def conditions(circuits: Circuits, q: Array, u: Array, motion: Array | None) -> tuple[Array, Array]:
     """What vanishes where circuits are closed, and what vanishes while they move.
 
@@ -124,20 +135,15 @@ def conditions(circuits: Circuits, q: Array, u: Array, motion: Array | None) -> 
         (..., 6 closers): rotation vector [rad] and place [m] by which every child frame misses its
         place; (..., 6 closers + slips): velocities, the first are the rates of the former.
     """
-    scene, numbers = circuits.scene, circuits.scene.numbers
-    none = np.zeros(3)
-    bodies = [Moving(np.eye(3), none, none, none)]
+    scene = circuits.scene
     rows = [own(scene, i, q, (u,), motion) for i in range(len(scene.parents))]
     for closer in circuits.closers:
-        (first, size), (start, count) = closer.q, closer.u
-        rows.append((q[..., first : first + size], u[..., start : start + count]))
-    qs, us = [qi for qi, _ in rows], [ui for _, ui in rows]
+        rows.append(tuple(x[..., s : s + n] for x, (s, n) in ((q, closer.q), (u, closer.u))))
+    qs, us = [row[0] for row in rows], [row[1] for row in rows]
     kinds = [*scene.joints, *(closer.joint for closer in circuits.closers)]
     # nothing is asked that depends on their speeds
     joints = joint_motions(kinds, qs, [np.zeros(ui.shape[-1]) for ui in us])
-    for i, inboard in enumerate(scene.parents):
-        seat = bodies[inboard + 1].carried(numbers["rotation"][i], numbers["position"][i])
-        bodies.append(seat.after(joints[i], us[i]))
+    bodies = frames(scene, joints[: len(scene.parents)], us)
     missed: list[Array] = []
     rates: list[Array] = []
     for i, closer in enumerate(circuits.closers, len(scene.parents)):

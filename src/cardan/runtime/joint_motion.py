@@ -32,13 +32,8 @@ CIRCLES, POINTS = tuple(0.2 * 0.25**k for k in range(7)), 16
 ROUND = np.exp(2j * np.pi * np.arange(POINTS // 2 + 1) / POINTS)
 SHARES = np.array([1, *[2] * (POINTS // 2 - 1), 1]) / POINTS
 # first and second derivatives on a circle of radius 1: means over all points, over every other one
-MEANS = np.stack(
-    [
-        np.where(np.arange(len(ROUND)) % skip, 0, k * skip * SHARES * ROUND**-k)
-        for skip in (1, 2)
-        for k in (1, 2)
-    ]
-)
+ORDERS, SKIPS = np.array([[1], [2], [1], [2]]), np.array([[1], [1], [2], [2]])
+MEANS = np.where(np.arange(len(ROUND)) % SKIPS, 0, ORDERS * SKIPS * SHARES * ROUND**-ORDERS)
 # means over all points of a circle and over every other one that differ by less, of the largest
 # slope, are good
 SURE = 1e-10
@@ -67,17 +62,12 @@ class Expansion:
 
         The last ones are known by heart.
         """
-        lead, n = q.shape[:-1], q.shape[-1]
+        lead = q.shape[:-1]
         key = prod(lead), q.tobytes()
         if self._known is None or self._known[0] != key:
-            self._known = key, self._derivatives(q.reshape(prod(lead), n))
-        here, first, second = self._known[1]
-        k = n - self.first
-        return (
-            here.reshape(*lead, 12),
-            first.reshape(*lead, k, 12),
-            second.reshape(*lead, k, k, 12),
-        )
+            self._known = key, self._derivatives(q.reshape(prod(lead), q.shape[-1]))
+        here, first, second = (x.reshape(*lead, *x.shape[1:]) for x in self._known[1])
+        return here, first, second
 
     def _derivatives(self, q: Array) -> tuple[Array, Array, Array]:
         lead, n = q.shape[:-1], q.shape[-1]
@@ -109,7 +99,7 @@ class Expansion:
         circle = np.append(0, radius * ROUND)
         rows = self._rows(q[..., None, None, :] + circle[:, None] * ways[:, None, :])
         here, rows = rows[..., 0, 0, :].real, rows[..., 1:, :]
-        slopes = (MEANS @ rows).real / radius ** np.array([[1], [2], [1], [2]])
+        slopes = (MEANS @ rows).real / radius**ORDERS
         rows = slopes.swapaxes(-3, -2).reshape(*q.shape[:-1], 2, -1)
         whole, half = (np.concatenate([here, rows[..., k, :]], axis=-1) for k in (0, 1))
         return whole, half

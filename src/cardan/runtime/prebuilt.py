@@ -73,10 +73,10 @@ def variants(widths: Sequence[int] = WIDTHS) -> Iterator[Variant]:
             yield Variant(reproducible, lanes, True)
 
 
-def digest() -> str:
-    """Hash of all kernel sources."""
+def digest(pattern: str = "*.[ch]") -> str:
+    """Hash of kernel sources; of all by default."""
     total = hashlib.sha256()
-    for path in sorted(DIRECTORY.glob("*.[ch]")):
+    for path in sorted(DIRECTORY.glob(pattern)):
         content = path.read_bytes()
         total.update(f"\0{path.name}\0{len(content)}\0".encode())
         total.update(content)
@@ -97,6 +97,7 @@ class Index:
         machine: Where they were compiled: system and kind of processor.
         compiler: What their compiler said about itself.
         level: The object that tells the level of a processor.
+        level_source: Hash of its source.
         objects: File of a library by level and name.
     """
 
@@ -104,12 +105,13 @@ class Index:
     machine: str
     compiler: str
     level: str
+    level_source: str
     objects: dict[str, dict[str, str]]
 
     @classmethod
     def of(cls, compiler: str, level: str, objects: dict[str, dict[str, str]]) -> Index:
         """What was compiled here, of the sources as they are."""
-        return cls(digest(), machine(), compiler, level, objects)
+        return cls(digest(), machine(), compiler, level, digest(LEVEL), objects)
 
     def text(self) -> bytes:
         """Content of ``index.json``."""
@@ -121,17 +123,21 @@ def folder() -> Path:
     return DIRECTORY / "built"
 
 
-@lru_cache(maxsize=1)
-def current() -> Index | None:
-    """What is there of these very sources; None if nothing is."""
+def _index() -> Index | None:
+    """What was compiled for machines like this one, of whatever sources."""
     try:
         index = Index(**json.loads((folder() / INDEX).read_text("utf-8")))
     except (OSError, ValueError, TypeError):
         return None
-    # a folder may have come from another machine, and sources may have changed
-    if (index.machine, index.sources) != (machine(), digest()):
-        return None
-    return index
+    # a folder may have come from another machine
+    return index if index.machine == machine() else None
+
+
+@lru_cache(maxsize=1)
+def current() -> Index | None:
+    """What is there of these very sources; None if nothing is."""
+    index = _index()
+    return index if index and index.sources == digest() else None
 
 
 def library(level: Level, variant: Variant) -> Path | None:
@@ -141,9 +147,12 @@ def library(level: Level, variant: Variant) -> Path | None:
 
 
 def level_object() -> Path | None:
-    """The object that tells the level of this processor, if it was compiled."""
-    index = current()
-    return _there(index.level) if index else None
+    """The object that tells the level of this processor, if it was compiled of this source.
+
+    Every process asks for it, also those that use no other kernel: these are not read.
+    """
+    index = _index()
+    return _there(index.level) if index and index.level_source == digest(LEVEL) else None
 
 
 def _there(name: str | None) -> Path | None:

@@ -10,7 +10,7 @@ import shlex
 import shutil
 import subprocess
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
@@ -121,20 +121,19 @@ class Candidate(NamedTuple):
         return f"{words}|{self.binary}|{status.st_mtime_ns}|{status.st_size}"
 
 
-def candidates() -> list[Candidate]:
+def candidates() -> Iterator[Candidate]:
     """Compilers to try, in this order: cc, gcc, clang, ``ziglang``; or what ``$CC`` names alone.
 
     Raises:
         BuildError: ``$CC`` names nothing that can be run.
     """
     if os.environ.get("CC", "").strip():
-        return [_named(os.environ["CC"])]
-    found = []
-    for name in NAMES:
-        path = shutil.which(name)
+        yield _named(os.environ["CC"])
+        return
+    for path, name in ((shutil.which(name), name) for name in NAMES):
         if path:
-            found.append(Candidate((path,), Path(path).resolve(), name))
-    return found + ziglang()
+            yield Candidate((path,), Path(path).resolve(), name)
+    yield from ziglang()
 
 
 def _named(text: str) -> Candidate:

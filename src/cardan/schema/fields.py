@@ -272,7 +272,7 @@ class Record:
         """
         if not isinstance(plain, dict):
             raise Misfit(f"is {plain!r:.60}, not a table")
-        record = cls.trusted({})
+        record = object.__new__(cls)
         entries = vars(record)
         for name, read, default, lacking in cls._rows:
             value = plain.get(name)
