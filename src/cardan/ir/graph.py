@@ -321,6 +321,9 @@ class Graph:
             return self.const(na[1] / nb[1])
         return self.intern(("div", a, b))
 
+    def square(self, a: int) -> int:
+        return self.mul(a, a)
+
     def power(self, a: int, exponent: float) -> int:
         """a to a constant power; small integers and halves become products and roots."""
         if exponent == 0:
