@@ -3119,11 +3119,11 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         circuit_minus_front_contact_longitudinal_front_contact_longitud_part_5
         - front_contact_minus_G_longitudinal_steer *
         front_contact_longitudinal_minus_response_steer;
-    const real front_contact_multiplier_pz_part =
+    const real circuit_front_contact_longitudinal_front_contact_longitudinal =
         -(circuit_minus_front_contact_longitudinal_front_contact_longitud_part_6
         + front_contact_minus_G_longitudinal_front_hub *
         front_contact_longitudinal_response_front_hub);
-    circuit_matrix[1][1] = front_contact_multiplier_pz_part;
+    circuit_matrix[1][1] = circuit_front_contact_longitudinal_front_contact_longitudinal;
     const real circuit_front_contact_lateral_front_contact_pz_part =
         front_contact_G_lateral_rear_contact_x * front_contact_pz_response_rear_contact_x
         + front_contact_G_lateral_rear_contact_y * front_contact_pz_response_rear_contact_y;

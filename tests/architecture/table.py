@@ -77,7 +77,6 @@ DOWNWARD: dict[tuple[str, str], frozenset[str]] = {
     ),
     ("cardan.equations.explained", "Explainable.explain"): frozenset({"cardan.explain"}),
     ("cardan.equations.record", "Equations.export"): frozenset({"cardan.codegen.export"}),
-    ("cardan.equations.savings", "savings"): frozenset({"cardan.passes"}),
     ("cardan.equations.readable", "Readable.symbolic"): frozenset({"cardan.passes.trig"}),
     ("cardan.equations.linearized.written", "Written.symbolic"): frozenset({"cardan.passes.trig"}),
     ("cardan.model.model", "Model.graph"): frozenset({"cardan.topology.graph_view"}),

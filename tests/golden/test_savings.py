@@ -12,8 +12,8 @@ from pathlib import Path
 import pytest
 
 from cardan.equations.record import Equations
-from cardan.equations.savings import savings
 from cardan.errors import DerivationError
+from golden.savings_counted import savings
 from laws.cases import derived
 from mechanisms import ZOO
 

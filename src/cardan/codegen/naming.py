@@ -10,10 +10,11 @@ from __future__ import annotations
 
 import unicodedata
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from typing import NamedTuple
 
 from ..ir.function import Function, operands
+from ..ir.graph import Node
 
 LONGEST = 63
 
@@ -113,7 +114,7 @@ class Names:
 SUM, PRODUCT, WORD = 0, 1, 2
 FACTORS = {"c0p5": "half", "two": "twice"}
 NUMBERS = {0.0: "zero", 1.0: "one", 2.0: "two", -1.0: "minus_one"}
-OPAQUE = frozenset({"atom", "solve", "item", "select", "table"})
+ENDS = frozenset({"var", "const", "atom", "solve", "item", "select", "table"})
 # letters of a name that is made of several
 MAX_LETTERS = 60
 
@@ -126,60 +127,99 @@ class Phrase(NamedTuple):
     level: int
 
 
+UNKNOWN = Phrase("", "", WORD)
+
+
 class ValueNames:
-    """Names of the live nodes of a function; ``inputs`` tells words and owner of an entry."""
+    """Names of the live nodes of a function, made when they are first wanted.
+
+    Args:
+        function: Whose nodes they are.
+        order: Its live nodes, operands first.
+        inputs: Words and owner of an input entry.
+    """
 
     def __init__(
         self, function: Function, order: Sequence[int], inputs: Callable[[int], tuple[str, str]]
     ) -> None:
         self._function = function
         self._graph = function.graph
+        self._order = order
         self._inputs = inputs
-        self._phrases: dict[int, Phrase] = {}
-        for i in order:
-            phrase = self._label(i) or self._composed(i)
-            if phrase is not None and (i in self._graph.labels or len(phrase.text) <= MAX_LETTERS):
-                self._phrases[i] = phrase
-        self._parents = self._find_parents(order)
+        # what is labeled has that name, also where it needs no line of its own
+        self._words = self._graph.hints | self._graph.labels
+        self._names: dict[int, str] = {}
+        self._phrases: dict[int, Phrase | None] = {}
 
     def of(self, i: int) -> str:
         """The name of a node: what it is, or what it is a part of."""
-        if i in self._phrases:
-            return self._phrases[i].text
-        return mangle(self._parents.get(i) or mangle(*self._graph.origins[i]), "part")
+        name = self._names.get(i)
+        if name is None:
+            if i in self._words:
+                name = mangle(*self._words[i])
+            else:
+                phrase = self._phrase(i)
+                name = phrase.text if phrase else mangle(mangle(*self._wholes[i]), "part")
+            self._names[i] = name
+        return name
 
-    def _label(self, i: int) -> Phrase | None:
-        name = self._graph.labels.get(i) or self._graph.hints.get(i)
-        return None if name is None else Phrase(mangle(*name), mangle(name[0]), WORD)
+    def _phrase(self, i: int) -> Phrase | None:
+        """Phrase for a node, None where nothing short says what it is."""
+        phrases, nodes, words = self._phrases, self._graph.nodes, self._words
+        stack = [i]
+        while stack:
+            i = stack[-1]
+            node = nodes[i]
+            if i in words:
+                phrases[i] = Phrase(mangle(*words[i]), mangle(words[i][0]), WORD)
+            elif node[0] in ENDS:
+                phrases[i] = self._end(node, i)
+            else:
+                read = []
+                for k in node[1:]:
+                    phrase = phrases.get(k, UNKNOWN)
+                    if phrase is UNKNOWN:
+                        stack.append(k)
+                        break
+                    if phrase is None:
+                        phrases[i] = None
+                        break
+                    read.append(phrase)
+                else:
+                    phrases[i] = _composed(node[0], read)
+                if stack[-1] != i:
+                    continue
+            stack.pop()
+        return phrases[i]
 
-    def _composed(self, i: int) -> Phrase | None:
-        """Phrase for an operator on things that have one."""
-        node = self._graph.nodes[i]
-        op = node[0]
-        if op == "var":
+    def _end(self, node: Node, i: int) -> Phrase | None:
+        """Phrase for an input or a number; what other operators read says nothing of them."""
+        if node[0] == "var":
             return Phrase(*self._inputs(i), WORD)
-        if op == "const":
-            return Phrase(_number(node[1]), "", WORD)
-        if op in OPAQUE:
-            return None
-        read = [self._phrases.get(k) for k in node[1:]]
-        if op == "mul":
-            read.sort(key=lambda phrase: phrase is None or phrase.text not in FACTORS)
-        named = [phrase for phrase in read if phrase is not None]
-        return _COMPOSERS.get(op, _function)(op, named) if len(named) == len(read) else None
+        return Phrase(_number(node[1]), "", WORD) if node[0] == "const" else None
 
-    def _find_parents(self, order: Sequence[int]) -> dict[int, str]:
-        """Node -> name of the first labeled node or result that it goes into."""
-        parents: dict[int, str] = {}
+    @cached_property
+    def _wholes(self) -> dict[int, tuple[str, ...]]:
+        """Node -> words of the first labeled node or result that it goes into."""
+        nodes, words, wholes = self._graph.nodes, self._words, dict[int, tuple[str, ...]]()
         for output in self._function.outputs:
             for k, root in enumerate(output.nodes):
-                parents.setdefault(root, mangle(output.name, *output.entries[k : k + 1]))
-        for i in reversed(order):
-            name = self._label(i)
-            parent = name.text if name else parents.get(i, "")
-            if parent:
-                parents.update(dict.fromkeys(operands(self._graph.nodes[i]), parent))
-        return parents
+                wholes.setdefault(root, (output.name, *output.entries[k : k + 1]))
+        for i in reversed(self._order):
+            node, whole = nodes[i], words.get(i) or wholes[i]
+            if len(node) == 3 and node[0] not in ENDS:
+                wholes[node[1]] = wholes[node[2]] = whole
+            else:
+                wholes.update(dict.fromkeys(operands(node), whole))
+        return wholes
+
+
+def _composed(op: str, read: list[Phrase]) -> Phrase | None:
+    """Phrase for an operator on things that have one, where it is short."""
+    if op == "mul":
+        read.sort(key=lambda factor: factor.text not in FACTORS)
+    phrase = _COMPOSERS.get(op, _function)(op, read)
+    return phrase if len(phrase.text) <= MAX_LETTERS else None
 
 
 def _number(value: float) -> str:

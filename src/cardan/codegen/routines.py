@@ -163,6 +163,7 @@ class _Builder:
         self.length = stage.start
         # entries that are computed go to their places at once, solutions are read in theirs
         self.entries: dict[int, list[Place]] = {}
+        self._described = lru_cache(maxsize=None)(self.graph.described)
         self.left: dict[int, tuple[int | None, ...]] = {}
         self.reads = dict(plan.reads)
         for i in plan.reads:
@@ -203,7 +204,7 @@ class _Builder:
         Values of other parts are loaded where they are read first and stored where they are made,
         so that few are alive at a time.
         """
-        reads, crossing = self.reads, self.crossing
+        reads, crossing, entries = self.reads, self.crossing, self.entries
         here: set[int] = set()
         found: list[Statement] = []
         for title, statements in sections:
@@ -211,8 +212,10 @@ class _Builder:
             lines: list[Statement] = []
             results: list[Statement] = []
             for group in angles.groups(self.graph, reads, statements):
-                for k in (k for i in group for k in reads[i]):
-                    if k not in here:
+                for i in group:
+                    for k in reads[i]:
+                        if k in here:
+                            continue
                         here.add(k)
                         if k in crossing:
                             lines.append(self._load(k))
@@ -223,7 +226,8 @@ class _Builder:
                 for i in group:
                     here.add(i)
                     self._state(i, lines, results)
-                    lines.extend([Assign(place, i) for place in self.entries.get(i, ())])
+                    if i in entries:
+                        lines.extend([Assign(place, i) for place in entries[i]])
                     if i in crossing:
                         lines.append(Assign(Place(self.stage.array, crossing[i]), i))
             loads = [self._load(k) for k in sorted(outer, key=lambda k: self._place(k).key)]
@@ -315,9 +319,9 @@ class _Builder:
         quantities = {owners[i].quantity: "" for i in statements}
         # what belongs to the whole system is called after its owner: entries of M
         own = owner in self.values.function.owners or owner == SHARED
-        whose = "" if own else graph.described(owner)
+        whose = "" if own else self._described(owner)
         for q in quantities:
-            quantities[q] = q if q in graph.formulas else whose or graph.described(q)
+            quantities[q] = q if q in graph.formulas else whose or self._described(q)
         words = dict.fromkeys(whole(known or q) for q, known in quantities.items())
         what = ", ".join(word for word in words if word and word != whole(owner))
         if len(what) > TITLE - len(owner):

@@ -15,6 +15,8 @@ ARITIES = {name: op.arity for name, op in OPERATORS.items()}
 
 # operators whose first operands are not values but whole numbers
 NUMBERED = {"stumpff": 1, "table": 2}
+# length of the node of every other operator
+SINGLE = {name: arity + 1 for name, arity in ARITIES.items() if name not in NUMBERED}
 
 
 def check(function: Function) -> Function:
@@ -30,7 +32,7 @@ def check(function: Function) -> Function:
         node = nodes[i]
         op = node[0]
         # the common case in few steps: an operator of the table on single values
-        if op in ARITIES and len(node) == ARITIES[op] + 1 and op not in NUMBERED:
+        if SINGLE.get(op) == len(node):
             read = node[1:]
         else:
             read = _special_operands(function, i, node, sizes)

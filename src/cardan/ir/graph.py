@@ -12,6 +12,7 @@ from bisect import bisect_right
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Any, NamedTuple
 
 from ..errors import DerivationError, StructuralZero
@@ -62,6 +63,14 @@ class SystemNames(NamedTuple):
     columns: tuple[str, ...]
 
 
+@lru_cache(maxsize=1024)
+def _formulas(step: object, parts: bool) -> list[tuple[str, str]]:
+    """Left sides and formulas in the docstring of a step, and of the methods of a class."""
+    read = (step, *vars(step).values()) if parts and isinstance(step, type) else (step,)
+    pairs = [pair for part in read for pair in FORMULA.findall(part.__doc__ or "")]
+    return [(left, " ".join(f"{left} = {right}".split())) for left, right in pairs]
+
+
 class Graph:
     """Hash-consed scalar expressions.
 
@@ -77,13 +86,15 @@ class Graph:
     """
 
     __slots__ = (
-        *("_index", "formulas", "hints", "labels", "nodes", "origin", "origins", "shared"),
-        *("systems", "tables"),
+        *("_index", "_plain", "formulas", "hints", "labels", "nodes", "origin", "origins"),
+        *("shared", "systems", "tables"),
     )
 
     def __init__(self) -> None:
         self.nodes: list[Node] = [("const", 0.0), ("const", 1.0), ("const", -1.0)]
         self._index: dict[Node, int] = {node: i for i, node in enumerate(self.nodes)}
+        # marks on the nodes that are neither numbers nor changed signs: nothing to simplify there
+        self._plain = bytearray(3)
         self.origin: Origin = MADE_BY_NOBODY
         self.origins: list[Origin] = [MADE_BY_NOBODY] * 3
         self.shared: dict[int, set[Origin]] = {}
@@ -101,17 +112,10 @@ class Graph:
 
     def fork(self) -> Graph:
         """An independent copy in which all present indices stay valid."""
-        other = Graph.__new__(Graph)
-        other.nodes = self.nodes.copy()
-        other._index = self._index.copy()
-        other.origin = MADE_BY_NOBODY
-        other.origins = self.origins.copy()
+        other = Graph()
+        for name in set(Graph.__slots__) - {"origin"}:
+            setattr(other, name, getattr(self, name).copy())
         other.shared = {k: set(v) for k, v in self.shared.items()}
-        other.labels = self.labels.copy()
-        other.hints = self.hints.copy()
-        other.formulas = self.formulas.copy()
-        other.systems = self.systems.copy()
-        other.tables = self.tables.copy()
         return other
 
     @contextmanager
@@ -131,10 +135,8 @@ class Graph:
         or labeled under. Those of a class stand in its docstring and in those of its methods;
         ``kind`` is the quantity where it is a class of elements. Returns the graph.
         """
-        parts = vars(step).values() if isinstance(step, type) and not kind else ()
-        for part in (step, *parts):
-            for left, right in FORMULA.findall(part.__doc__ or ""):
-                self.formulas.setdefault(kind or left, " ".join(f"{left} = {right}".split()))
+        for left, text in _formulas(step, parts=not kind):
+            self.formulas.setdefault(kind or left, text)
         return self
 
     def described(self, name: str) -> str:
@@ -145,18 +147,21 @@ class Graph:
 
     def label(self, node: int, owner: str, quantity: str) -> int:
         """Give a node a readable name; the first name stays. Leaves need none."""
-        if self.nodes[node][0] == "neg":
+        op = self.nodes[node][0]
+        if op == "neg":
             return self.hint(node, owner, quantity)
-        if self.nodes[node][0] not in NAMED_ALREADY:
+        if op not in NAMED_ALREADY:
             self.labels.setdefault(node, (owner, quantity))
         return node
 
     def hint(self, node: int, owner: str, quantity: str) -> int:
         """Give a node the name that it has where it is shown; the first name stays."""
-        if self.nodes[node][0] not in NAMED_ALREADY:
-            self.hints.setdefault(node, (owner, quantity))
+        op = self.nodes[node][0]
+        if op in NAMED_ALREADY:
+            return node
+        self.hints.setdefault(node, (owner, quantity))
         # a changed sign is written where it is read: what has the name is shown
-        if self.nodes[node][0] == "neg":
+        if op == "neg":
             plain = quantity.removeprefix("minus_")
             self.hint(
                 self.nodes[node][1], owner, f"minus_{quantity}" if plain == quantity else plain
@@ -171,10 +176,11 @@ class Graph:
 
     def adopt(self, copy: int, other: Graph, i: int) -> None:
         """Give a node the names that node i of another graph has, whose value it has."""
-        if i in other.labels:
-            self.label(copy, *other.labels[i])
-        if i in other.hints:
-            self.hint(copy, *other.hints[i])
+        label, hint = other.labels.get(i), other.hints.get(i)
+        if label:
+            self.label(copy, *label)
+        if hint:
+            self.hint(copy, *hint)
         if i in other.systems:
             self.systems.setdefault(copy, other.systems[i])
 
@@ -187,6 +193,7 @@ class Graph:
             node = len(self.nodes)
             self._index[key] = node
             self.nodes.append(key)
+            self._plain.append(key[0] != "const" and key[0] != "neg")
             self.origins.append(self.origin)
         elif self.origins[node] is not self.origin and self.origins[node] != self.origin:
             self.shared.setdefault(node, set()).add(self.origin)
@@ -219,6 +226,8 @@ class Graph:
     # arithmetic with local simplification
 
     def add(self, a: int, b: int) -> int:
+        if self._plain[a] and self._plain[b]:
+            return self.intern(("add", a, b) if a < b else ("add", b, a))
         if a == 0:
             return b
         if b == 0:
@@ -261,6 +270,8 @@ class Graph:
         return self.intern(("neg", a))
 
     def mul(self, a: int, b: int) -> int:
+        if self._plain[a] and self._plain[b]:
+            return self.intern(("mul", a, b) if a < b else ("mul", b, a))
         if a == 0 or b == 0:
             return 0
         if a == 1:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from functools import lru_cache
 
 from .arithmetic import Number, Scalar
 from .graph import ONE, ZERO, Graph
@@ -199,31 +200,38 @@ class Matrix:
 
     def note(self, word: str) -> Matrix:
         """Name the entries as a step to what is made here, see :meth:`Graph.note`."""
-        for k, node in enumerate(self.nodes):
-            self.graph.note(node, "_".join([word, *self._place(k)]))
+        for node, place in zip(self.nodes, _places(self.rows, self.columns), strict=True):
+            self.graph.note(node, f"{word}_{place}")
         return self
-
-    def _place(self, k: int) -> tuple[str, ...]:
-        """Words for entry k: axes of vectors and tensors of space, else numbers."""
-        i, j = divmod(k, self.columns)
-        if self.columns == 1 and self.rows == 6:
-            return (("w" if i < 3 else "v") + "xyz"[i % 3],)
-        if self.columns == 1 and self.rows == 4:
-            return ("wxyz"[i],)
-        if self.rows <= 3 and self.columns <= 3:
-            return (("xyz"[i] if self.rows > 1 else "") + ("xyz"[j] if self.columns > 1 else ""),)
-        return str(i + 1), str(j + 1)
 
     def _name(self, name: Name, owner: str, quantity: str, components: Sequence[str]) -> Matrix:
         for node, component in zip(self.nodes, components, strict=False):
-            name(node, owner, "_".join(filter(None, (quantity, component))))
+            name(
+                node,
+                owner,
+                f"{quantity}_{component}" if quantity and component else quantity or component,
+            )
         return self
+
+
+@lru_cache(maxsize=256)
+def _places(rows: int, columns: int) -> tuple[str, ...]:
+    """Words for the entries of a matrix: axes of vectors and tensors of space, else numbers."""
+    if columns == 1 and rows == 6:
+        return "wx", "wy", "wz", "vx", "vy", "vz"
+    if columns == 1 and rows == 4:
+        return "w", "x", "y", "z"
+    if rows <= 3 and columns <= 3:
+        down, across = ("xyz"[:n] if n > 1 else ("",) for n in (rows, columns))
+        return tuple(i + j for i in down for j in across)
+    return tuple(f"{i + 1}_{j + 1}" for i in range(rows) for j in range(columns))
 
 
 def inner(graph: Graph, a: Sequence[int], b: Sequence[int]) -> int:
     """Sum of products of two rows of nodes, skipping structural zeros."""
-    total = ZERO
+    total, mul, add = ZERO, graph.mul, graph.add
     for x, y in zip(a, b, strict=True):
         if x and y:
-            total = graph.add(total, graph.mul(x, y))
+            term = mul(x, y)
+            total = add(total, term) if total else term
     return total

@@ -1,7 +1,6 @@
 """Mass m, first moment m c and inertia about the origin, as three numbers that add up.
 
-Other than :class:`~cardan.spatial.inertia.RigidInertia` these know no center of mass, so that
-nothing is divided by a mass, which may be zero here.
+They know no center of mass: nothing is divided by a mass, which may be zero here.
 """
 
 from __future__ import annotations

@@ -13,6 +13,7 @@ Source: Hervé, Analyse structurelle des mécanismes par groupe des déplacement
 from __future__ import annotations
 
 import dataclasses
+from collections import deque
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
@@ -45,10 +46,16 @@ class Pose:
     def inverse(self) -> Pose:
         return Pose(self.rotation.T, -self.rotation.T @ self.position)
 
-    def carried(self, twist: Array) -> Array:
-        """A twist about the inner origin in inner axes, about the outer one in outer axes."""
-        turning, moving = self.rotation @ twist[:3], self.rotation @ twist[3:]
-        return np.concatenate([turning, moving + np.cross(self.position, turning)])
+    def carried(self, twists: Array) -> Array:
+        """Twists (6, n) about the inner origin in inner axes, about the outer one in outer axes."""
+        turning, moving = self.rotation @ twists[:3], self.rotation @ twists[3:]
+        return np.concatenate([turning, moving + cross_matrix(self.position) @ turning])
+
+
+def cross_matrix(a: Array) -> Array:
+    """The matrix (3, 3) of a x b."""
+    x, y, z = a.tolist()
+    return np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
 
 
 HERE = Pose(np.eye(3), np.zeros(3))
@@ -112,7 +119,7 @@ def _independent(
         for sample in range(SAMPLES):
             pose, modes = numbers.motion(joint.element, joint.data, sample)
             moved = seat.then(pose)
-            twists += [moved.carried(mode) for mode in modes.T]
+            twists += list(moved.carried(modes).T)
             if sample == 0:
                 at[i] = moved
     algebra = closure(twists)
@@ -125,46 +132,45 @@ def _independent(
     for sample in range(SAMPLES):
         pose, _ = numbers.motion(cut.element, cut.data, sample)
         back = seat.then(pose).inverse()
-        group = np.stack([back.carried(twist) for twist in algebra], axis=1)
-        blocks.append(numbers.gradient(cut, pose) @ group)
+        blocks.append(numbers.gradient(cut, pose) @ back.carried(algebra.T))
     rank = int(np.linalg.matrix_rank(blocks[-1], tol=DEPENDENT * max(1.0, abs(blocks[-1]).max())))
     rows = _leading(np.hstack(blocks), rank)
     return dataclasses.replace(cut, rows=rows, group=_group(algebra))
 
 
-def _group(algebra: Sequence[Array]) -> str:
-    """What twists that generate nothing else move in."""
-    turning = np.stack([twist[:3] for twist in algebra])
-    turns = int(np.linalg.matrix_rank(turning, tol=DEPENDENT)) if len(algebra) == 3 else 0
+def _group(algebra: Array) -> str:
+    """What twists (n, 6) that generate nothing else move in."""
+    turns = int(np.linalg.matrix_rank(algebra[:, :3], tol=DEPENDENT)) if len(algebra) == 3 else 0
     return {1: "planar", 3: "spherical"}.get(turns, "")
 
 
-def closure(twists: Sequence[Array]) -> list[Array]:
-    """An orthonormal basis of the algebra that twists generate."""
-    basis: list[Array] = []
-    waiting = list(twists)
+def closure(twists: Sequence[Array]) -> Array:
+    """An orthonormal basis (n, 6) of the algebra that twists generate."""
+    basis = np.empty((0, 6))
+    waiting = deque(twists)
     while waiting and len(basis) < 6:
-        new = waiting.pop(0)
+        new = waiting.popleft()
         size = float(np.linalg.norm(new))
         if size == 0:
             continue
         rest = new / size
         # twice, so that rounding leaves nothing along the basis
         for _ in range(2):
-            for known in basis:
-                rest = rest - known * (known @ rest)
+            rest = rest - basis.T @ (basis @ rest)
         left = float(np.linalg.norm(rest))
         if left > DEPENDENT:
             rest = rest / left
-            waiting += [product(known, rest) for known in basis]
-            basis.append(rest)
+            waiting.extend(basis @ product_matrix(rest).T)
+            basis = np.vstack([basis, rest])
     return basis
 
 
-def product(a: Array, b: Array) -> Array:
-    """[a, b]: how twist b changes as its line moves along a."""
-    moving = np.cross(a[:3], b[3:]) + np.cross(a[3:], b[:3])
-    return np.concatenate([np.cross(a[:3], b[:3]), moving])
+def product_matrix(a: Array) -> Array:
+    """The matrix (6, 6) of [a, b]: how twist b changes as its line moves along a."""
+    matrix = np.zeros((6, 6))
+    matrix[:3, :3] = matrix[3:, 3:] = cross_matrix(a[:3])
+    matrix[3:, :3] = cross_matrix(a[3:])
+    return matrix
 
 
 def _leading(rows: Array, rank: int) -> tuple[int, ...]:

@@ -343,7 +343,7 @@ def _wrapped(text: str, first: str, indent: str) -> list[str]:
     lines, text = [], first + text
     while len(text) > COLUMNS:
         least = len(indent) + 1
-        at = max(text.rfind(sign, least, COLUMNS) for sign in (" + ", " - "))
+        at = max(text.rfind(" + ", least, COLUMNS), text.rfind(" - ", least, COLUMNS))
         if at <= least:
             at = text.rfind(", ", least, COLUMNS) + 1
         if at <= least:

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
-from ..ir.stage import stage
-
-if TYPE_CHECKING:
-    from ..ir.function import Function
-    from .record import Equations
+from cardan.equations.record import Equations
+from cardan.ir.function import Function
+from cardan.ir.stage import stage
+from cardan.passes import PASSES, standard
 
 
 class Saving(NamedTuple):
@@ -31,9 +30,6 @@ def savings(equations: Equations, name: str, of: str | None = None) -> list[Savi
     A rewrite saves what the function would take more without it; a pass, what it takes off what
     those before it left. Factorizations are unrolled first, so that they are counted.
     """
-    # the passes follow further down
-    from ..passes import PASSES, standard
-
     applied = equations.rewritten(name, of)
     function = equations.function(name, of)
     whole = PASSES["unroll"](function)
