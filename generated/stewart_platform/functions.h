@@ -21,7 +21,7 @@ extern const cardan_export cardan_scene;
 /* udot with M udot + h = f + tau; reads q, u, r, p, tau */
 enum {
     forward_dynamics_out_size = 21,
-    forward_dynamics_work_size = 829,
+    forward_dynamics_work_size = 867,
     forward_dynamics_w_size = 107
 };
 CARDAN_API int forward_dynamics(const cardan_in *in, real *out, real *work);

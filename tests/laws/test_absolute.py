@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import functools
-import shutil
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -12,8 +10,7 @@ import pytest
 
 import cardan as cd
 from analyses.interpreted import without_compiler
-from cardan.errors import BuildWarning, DerivationError
-from cardan.runtime import lanes
+from cardan.errors import DerivationError
 from cardan.runtime.absolute.elements import State
 from cardan.runtime.absolute.mesh import Mesh
 from laws.cases import derived, states
@@ -181,36 +178,17 @@ def results(model: cd.CompiledModel, at: State) -> dict[str, Any]:
     }
 
 
-@pytest.fixture
-def empty_cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """A cache in which no lanes are."""
-    monkeypatch.setenv("CARDAN_CACHE", str(tmp_path / "cache"))
-
-
-@pytest.mark.usefixtures("empty_cache")
-def test_lanes_give_the_sums_of_single_elements() -> None:
-    model = cd.compile(arm(19))
-    mesh, at = mesh_of(model), disturbed(model)
-    one_by_one = np.concatenate(mesh.balance(at)), mesh.values(at, (1.0, 0.5, 0.25))
-    mesh.widen()
-    assert any(form.lanes for group in mesh._groups for form in group.forms)
-    side_by_side = np.concatenate(mesh.balance(at)), mesh.values(at, (1.0, 0.5, 0.25))
-    for a, b in zip(side_by_side, one_by_one, strict=True):
-        np.testing.assert_array_equal(a, b)
-
-
-@pytest.mark.usefixtures("empty_cache")
-def test_elements_go_on_one_by_one_without_the_folder_of_their_model(
-    monkeypatch: pytest.MonkeyPatch,
+@pytest.mark.parametrize("lanes", ["2", "4", "8"])
+def test_elements_side_by_side_give_the_bits_of_single_ones(
+    lanes: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    model = cd.compile(arm(19))
-    mesh, at = mesh_of(model), disturbed(model)
-    known = mesh.gamma(at)
-    shutil.rmtree(model.directory)
-    with monkeypatch.context() as patch:
-        # no call reads texts
-        patch.setattr(lanes.Recipe, "seconds", lambda recipe: pytest.fail("a text is read"))
-        np.testing.assert_array_equal(mesh.gamma(at), known)
-    with pytest.warns(BuildWarning, match="done one by one"):
-        mesh.spend(1e3)
-    np.testing.assert_array_equal(mesh.gamma(at), known)
+    found = []
+    for width in ("1", lanes):
+        monkeypatch.setenv("CARDAN_LANES", width)
+        model = cd.load_model(cd.compile(arm(19)).directory)
+        mesh, at = mesh_of(model), disturbed(model)
+        found.append([mesh.results(form, at) for form in ("balance", "balance_tangent", "energy")])
+        assert max(form.lanes for group in mesh._groups for form in group.forms) == int(width)
+    for one, several in zip(*found, strict=True):
+        for a, b in zip(one, several, strict=True):
+            np.testing.assert_array_equal(a, b)

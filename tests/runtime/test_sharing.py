@@ -357,7 +357,7 @@ def test_a_run_of_the_compiler_keeps_one_lock(
     for text in texts:
         text.write_text(f"int {text.stem}(void);\nint {text.stem}(void)\n{{\n    return 1;\n}}\n")
     monkeypatch.setattr(os, "cpu_count", lambda: 1)
-    made = cache.compiled_apart(texts, tmp_path, False, cache.compiler())
+    made = cache.compiled_apart(texts, tmp_path, False, cache.compiler(), [()] * len(texts))
     (kept,) = cache_directory.glob(".new-*")
     made[0].published()
     made[1].discard()

@@ -367,8 +367,6 @@ class Runner:
             before = time.perf_counter()
             answer = self.drive(budget)
             spent = max(time.perf_counter() - before, 1e-6)
-            if self.record.mesh:
-                self.model._source.spend(self.model, spent)
             if answer == abi.MORE:
                 budget = max(1, min(8 * budget, round(budget * SLICE / spent)))
             yield answer

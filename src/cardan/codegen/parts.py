@@ -12,8 +12,9 @@ from heapq import heappop, heappush
 from .sections import Sections
 
 # statements of a function that stays in one piece, and of the parts of a longer one: measured,
-# compile time per statement grows above some hundreds, calls cost nothing
-LONGEST, PART = 1000, 600
+# compile time per statement grows above some hundreds, and so do the values that find no register;
+# calls cost nothing
+LONGEST, PART = 1000, 450
 
 
 def split(sections: Sections, longest: int = LONGEST) -> list[Sections]:

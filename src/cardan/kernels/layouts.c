@@ -142,11 +142,10 @@ const size_t cardan_ensemble_layout[24] = {
     offsetof(cardan_ensemble, stop)
 };
 
-extern const size_t cardan_form_layout[7];
-const size_t cardan_form_layout[7] = {
-    sizeof(cardan_form), offsetof(cardan_form, one), offsetof(cardan_form, lanes),
-    offsetof(cardan_form, w), offsetof(cardan_form, w_lanes), offsetof(cardan_form, nw),
-    offsetof(cardan_form, size)
+extern const size_t cardan_form_layout[6];
+const size_t cardan_form_layout[6] = {
+    sizeof(cardan_form), offsetof(cardan_form, call), offsetof(cardan_form, lanes),
+    offsetof(cardan_form, w), offsetof(cardan_form, nw), offsetof(cardan_form, size)
 };
 
 extern const size_t cardan_group_layout[20];

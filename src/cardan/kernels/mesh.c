@@ -14,8 +14,7 @@ static ptrdiff_t whole(ptrdiff_t n)
 
 ptrdiff_t cardan_mesh_room(const cardan_mesh *mesh)
 {
-    /* elements of a block that go one by one leave their results in another */
-    return whole((mesh->lanes + 1) * (mesh->local + mesh->work + mesh->nr + 1)) + 16;
+    return whole(mesh->lanes * (mesh->local + mesh->work + mesh->nr + 1)) + 8;
 }
 
 /* Vectors begin at multiples of their length. */
@@ -112,19 +111,18 @@ static real *same_for_all(const cardan_mesh *mesh, const cardan_state *at, ptrdi
     return to;
 }
 
-/* The elements of a group in blocks of `lanes`. Those of a block go side by side where the function
- * is compiled so, else one by one; either way results are taken block by block, in the same order,
- * for sums to have the same bits. */
-static int each(const cardan_mesh *mesh, const cardan_group *g, const cardan_state *at, int form,
-                ptrdiff_t lanes, cardan_taker *take, void *to, real *room)
+/* A function of the elements of a group, if they have it, in blocks of as many as it takes. */
+static int of_group(const cardan_mesh *mesh, const cardan_group *g, const cardan_state *at,
+                    int form, cardan_taker *take, void *to, real *room)
 {
     const cardan_form *f = &g->forms[form];
-    const int abreast = lanes > 1 && f->lanes;
-    const ptrdiff_t stride = abreast ? lanes : 1;
-    real *results = room, *t = abreast || lanes == 1 ? room : room + whole(f->size * lanes);
-    real *local = same_for_all(mesh, at, stride, t);
-    cardan_in in = blocks(g, t, t + stride, local, stride);
+    const ptrdiff_t lanes = f->lanes;
     int status = 0;
+
+    if (!f->call)
+        return 0;
+    real *t = aligned(room), *local = same_for_all(mesh, at, lanes, t);
+    cardan_in in = blocks(g, t, t + lanes, local, lanes);
 
     for (ptrdiff_t first = 0; first < g->count && status == 0; first += lanes) {
         const ptrdiff_t left = g->count - first;
@@ -133,34 +131,13 @@ static int each(const cardan_mesh *mesh, const cardan_group *g, const cardan_sta
         /* lanes that are left over repeat the last element */
         for (ptrdiff_t lane = 0; lane < lanes; lane++)
             some.element[lane] = first + (lane < some.filled ? lane : some.filled - 1);
-        if (abreast) {
-            results = gather(mesh, g, some.element, lanes, at, local);
-            in.w = f->w_lanes + first * f->nw;
-            status = f->lanes(&in, results, results + f->size * lanes);
-        }
-        for (ptrdiff_t lane = 0; lane < some.filled && !abreast; lane++) {
-            real *own = gather(mesh, g, some.element + lane, 1, at, local);
-
-            in.w = f->w + some.element[lane] * f->nw;
-            status |= f->one(&in, own, own + f->size);
-            for (ptrdiff_t i = 0; i < f->size && lanes > 1; i++)
-                results[i * lanes + lane] = own[i];
-            results = lanes > 1 ? results : own;
-        }
+        real *results = gather(mesh, g, some.element, lanes, at, local);
+        in.w = f->w + first * f->nw;
+        status = f->call(&in, results, results + f->size * lanes);
         if (status == 0)
             take(mesh, g, &some, results, to);
     }
     return status;
-}
-
-/* A function of the elements of a group, if they have it. */
-static int of_group(const cardan_mesh *mesh, const cardan_group *g, const cardan_state *at,
-                    int form, cardan_taker *take, void *to, real *room)
-{
-    const cardan_form *f = &g->forms[form];
-
-    return f->one ? each(mesh, g, at, form, f->w_lanes ? mesh->lanes : 1, take, to, aligned(room))
-                  : 0;
 }
 
 /* The same of all elements. */
@@ -278,7 +255,7 @@ static void take_result(const cardan_mesh *mesh, const cardan_group *g, const ca
 
     /* behind the results of the groups before */
     for (const cardan_group *other = mesh->groups; other != g; other++)
-        if (other->forms[all->form].one)
+        if (other->forms[all->form].call)
             own += other->count * other->forms[all->form].size;
     for (ptrdiff_t lane = 0; lane < some->filled; lane++)
         for (ptrdiff_t i = 0; i < size; i++)

@@ -38,11 +38,10 @@ enum { CARDAN_K, CARDAN_C, CARDAN_M, CARDAN_R, CARDAN_G, CARDAN_PARTS };
 
 /* A function of a kind with what was prepared of the data of every element. */
 typedef struct cardan_form {
-    cardan_function one;   /* NULL: the kind has none, all zeros */
-    cardan_function lanes; /* the same for `lanes` elements side by side, NULL: not compiled */
-    const real *w;         /* (count, nw) */
-    const real *w_lanes;   /* (ceil(count / lanes), nw, lanes), NULL: elements come one by one */
-    ptrdiff_t nw, size;    /* size: numbers of a result */
+    cardan_function call; /* NULL: the kind has none, all zeros */
+    ptrdiff_t lanes;      /* elements that it takes side by side */
+    const real *w;        /* (ceil(count / lanes), nw, lanes) */
+    ptrdiff_t nw, size;   /* size: numbers of a result */
 } cardan_form;
 
 typedef struct cardan_group {
@@ -84,7 +83,7 @@ typedef struct cardan_mesh {
                                   element that has some, group by group */
     const ptrdiff_t *unknown;  /* (m): the unknown of the plan that a multiplier is */
     const ptrdiff_t *diagonal; /* (nu): where the diagonal of the matrix stands */
-    ptrdiff_t lanes;           /* elements side by side, 1: none */
+    ptrdiff_t lanes;           /* elements side by side at most */
     ptrdiff_t work;            /* numbers that the largest work of an element takes, per lane */
     ptrdiff_t local;           /* numbers that the largest element reads and gives, per lane */
     ptrdiff_t powers, driven;  /* sources of power; 1: some of them are multipliers' */

@@ -43,7 +43,7 @@ int cardan_elements_prepare(const cardan_elements *elements, const double *p, ca
         for (; f < end && f->group == k; f++) {
             cardan_form *form = &groups[k].forms[f->form];
 
-            form->one = f->function, form->w = w;
+            form->call = f->function, form->lanes = 1, form->w = w;
             form->nw = f->nw, form->size = f->size;
             for (ptrdiff_t e = 0; e < count; e++, w += f->nw)
                 f->prepare(numbers + e * size, w);

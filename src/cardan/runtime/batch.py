@@ -20,7 +20,7 @@ import numpy as np
 from ..arrays import Array
 from ..errors import BuildError, BuildWarning, warn
 from ..schema.blocks import ORDER, SLOT
-from .lanes import Answer, Lanes, Recipe, States, made, width
+from .lanes import Answer, Lanes, Recipe, States, width
 
 Single = Callable[[list[Array | None], Sequence[int], Array], tuple[int, int]]
 Run = Callable[[int, int], Answer]
@@ -217,7 +217,7 @@ class Batch:
             if self.recipe is None or lanes == 1:
                 return 1
             if found is None:
-                (found,) = made([self.recipe], lanes, own)
+                found = self.recipe.made(lanes, own)
                 try:
                     if found.built.fresh:
                         self._compare(found, one, states)

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+import math
 import os
 import re
 import shutil
@@ -176,29 +177,36 @@ def compiled_apart(
     include: Path,
     reproducible: bool,
     by: Compiler,
-    extra: Sequence[str] = (),
+    extra: Sequence[Sequence[str]],
 ) -> list[Object]:
     """An object of every C file: from the cache, or compiled now and not yet published.
 
     One run of the compiler takes many files, as each run spends 50 ms on itself: there are as many
     runs as processors, more where texts are large, as limits of time and memory are those of a
-    run. What it makes holds them all, and is each of their objects.
+    run, or where the compiler is told something else. What it makes holds them all, and is each of
+    their objects.
 
     Args:
         texts: C files of one directory, whose names are distinct from each other's.
         include: That directory.
-        reproducible, by, extra: As :func:`compiled` takes them.
+        reproducible, by: As :func:`compiled` takes them.
+        extra: What else the compiler is told of every file.
 
     Raises:
         BuildError: the compiler failed, or there is no room to write.
     """
-    names = [_name([text], [include], by, reproducible, extra) for text in texts]
+    pairs = zip(texts, extra, strict=True)
+    names = [_name([text], [include], by, reproducible, words) for text, words in pairs]
+    flags = {name: tuple(words) for name, words in zip(names, extra, strict=True)}
     objects = {name: _there(name) for name in names}
     missing = {n: text for n, text in zip(names, texts, strict=True) if objects[n] is None}
-    tasks = [
-        partial(_Several.made, share, [missing[n] for n in share], include, by, reproducible, extra)
-        for share in _shares({name: text.stat().st_size for name, text in missing.items()})
-    ]
+    sizes = {name: text.stat().st_size for name, text in missing.items()}
+    tasks = []
+    for words in dict.fromkeys(flags.values()):
+        share_sizes = {name: size for name, size in sizes.items() if flags[name] == words}
+        for share in _shares(share_sizes, sum(sizes.values())):
+            what = include, by, reproducible, words
+            tasks.append(partial(_Several.made, share, [missing[n] for n in share], *what))
     for several in together(tasks):
         objects |= several.objects
     return [one for name in names if (one := objects[name]) is not None]
@@ -225,9 +233,10 @@ class _Several:
             one.discard()
 
 
-def _shares(sizes: dict[str, int]) -> list[list[str]]:
-    """Names in shares of like size, one for each run of the compiler."""
-    count = max(os.cpu_count() or 1, -(-sum(sizes.values()) // RUN))
+def _shares(sizes: dict[str, int], total: int) -> list[list[str]]:
+    """Names in shares of like size, one for each run of the compiler; all sizes give the total."""
+    weight = sum(sizes.values())
+    count = max(math.ceil((os.cpu_count() or 1) * weight / max(total, 1)), -(-weight // RUN))
     shares: list[list[str]] = [[] for _ in range(min(len(sizes), count))]
     weights = [0] * len(shares)
     for name in sorted(sizes, key=lambda name: (-sizes[name], name)):

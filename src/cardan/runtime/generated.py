@@ -27,10 +27,6 @@ class Source(ABC):
         """Address of the tables of elements in C, 0 where functions know the whole model."""
 
     @abstractmethod
-    def spend(self, model: CompiledModel, seconds: float) -> None:
-        """Count what elements took in a run: faster builds may be worth their time now."""
-
-    @abstractmethod
     def measured(self, model: CompiledModel, seed: int, judged: bool) -> list[Row]:
         """Rows of a report: at random states, with errors where these can be judged."""
 
@@ -68,9 +64,6 @@ class Generated(Source):
     def mesh(self, model: CompiledModel) -> int:
         """None."""
         return 0
-
-    def spend(self, model: CompiledModel, seconds: float) -> None:
-        """Nothing to gain."""
 
     def measured(self, model: CompiledModel, seed: int, judged: bool) -> list[Row]:
         """The dynamics and every other function that was written."""

@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from ..arrays import Array
+from ..arrays import Array, on_lines
 from ..errors import BuildError, CompilerMissing
 from ..schema.blocks import ORDER
 from . import cache, kernels, prebuilt
@@ -176,6 +176,25 @@ class Recipe:
             return None
         return None if built is None else self.loaded(built, lanes, own)
 
+    def made(self, lanes: int, own: bool) -> Lanes:
+        """The build, compiled where it is not there; not yet published.
+
+        Args:
+            lanes: States side by side.
+            own: Whether every state has parameters of its own.
+
+        Raises:
+            BuildError: the compiler failed, or a text was changed.
+        """
+        self.check()
+        extra = prebuilt.macros(lanes, own)
+        built = cache.compiled([self.text], [self.directory], self.reproducible, self.by, extra)
+        try:
+            return self.loaded(built, lanes, own)
+        except BaseException:
+            built.discard()
+            raise
+
     def loaded(self, built: Object, lanes: int, own: bool) -> Lanes:
         library = built.load()
         driver = _driver(self.reproducible, lanes, own)
@@ -183,46 +202,20 @@ class Recipe:
         return Lanes(lanes, built, address, driver.cardan_batch, (library, driver))
 
 
-def made(recipes: Sequence[Recipe], lanes: int, own: bool) -> list[Lanes]:
-    """Builds of functions of one model, compiled where they are not there; not yet published.
-
-    Args:
-        recipes: What they are made of.
-        lanes: States side by side.
-        own: Whether every state has parameters of its own.
-
-    Raises:
-        BuildError: the compiler failed, or a text was changed.
-    """
-    if not recipes:
-        return []
-    for recipe in recipes:
-        recipe.check()
-    one, extra = recipes[0], prebuilt.macros(lanes, own)
-    texts = [recipe.text for recipe in recipes]
-    built = cache.compiled_apart(texts, one.directory, one.reproducible, one.by, extra)
-    try:
-        pairs = zip(recipes, built, strict=True)
-        return [recipe.loaded(single, lanes, own) for recipe, single in pairs]
-    except BaseException:
-        for single in built:
-            single.discard()
-        raise
+def packed(rows: Array, lanes: int) -> Array:
+    """Rows (n, k) as lanes take them, (ceil(n / lanes), k * lanes): the last repeats the last."""
+    n, k = rows.shape
+    count = -(-n // lanes)
+    which = np.minimum(np.arange(count * lanes), n - 1)
+    blocks = on_lines(count, k, lanes)
+    blocks[...] = rows[which].reshape(count, lanes, k).transpose(0, 2, 1)
+    return blocks.reshape(count, k * lanes)
 
 
-def publish(builds: Sequence[Lanes]) -> None:
-    """Let other processes find builds: all of them or, after an error, no more.
-
-    Raises:
-        BuildError: the cache was removed meanwhile.
-    """
-    try:
-        for one in builds:
-            one.built.published()
-    except BaseException:
-        for one in builds:
-            one.discard()
-        raise
+def unpacked(blocks: Array, lanes: int) -> Array:
+    """Rows of what lanes gave."""
+    count, size = len(blocks), blocks.shape[1] // lanes
+    return blocks.reshape(count, size, lanes).transpose(0, 2, 1).reshape(count * lanes, size)
 
 
 @lru_cache(maxsize=16)

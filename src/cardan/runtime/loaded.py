@@ -2,20 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import partial
 from math import prod
 from typing import Any
 
 import numpy as np
 
-from ..arrays import Array
+from ..arrays import Array, on_lines
 from ..errors import BuildError
 from ..schema.blocks import ORDER, SLOT
 from ..schema.c_functions import FunctionRow, ResultRow
-from . import abi
+from . import abi, abi_ctypes
 from .batch import Batch
 from .calling import Argument, Caller
+from .lanes import packed
 from .objects import Code
 
 
@@ -75,13 +77,48 @@ def prepare(code: Code, p: Array) -> Array:
     if code.interpreted is not None:
         # expressions read the parameters themselves
         return np.ascontiguousarray(p, dtype=np.float64)
-    code.take({"p": p.shape[-1]})
-    lead, size = p.shape[:-1], code.entry.prepared_size
-    rows = np.ascontiguousarray(p, dtype=np.float64).reshape(prod(lead), p.shape[-1])
-    w = np.empty((prod(lead), size))
-    if size:
+    lead = p.shape[:-1]
+    return prepare_rows(code, p.reshape(prod(lead), p.shape[-1])).reshape(*lead, -1)
+
+
+def prepare_rows(code: Code, p: Array) -> Array:
+    """The same as the function takes it, (n, np) -> (ceil(n / lanes), nw * lanes)."""
+    if code.interpreted is not None:
+        return np.ascontiguousarray(p, dtype=np.float64)
+    code.take({"p": p.shape[1]})
+    rows = packed(p, code.lanes)
+    w = on_lines(len(rows), code.entry.prepared_size * code.lanes)
+    if w.size:
         abi.prepare(code.prepare, rows, w)
-    return w.reshape(*lead, size)
+    return w
+
+
+def calls(code: Code, given: Mapping[str, Array], n: int) -> tuple[Callable[[], Any], Array]:
+    """What calls a function at n states, and where it leaves the results, packed as lanes are.
+
+    Args:
+        code: Its C.
+        given: Block by name, (n, size), or (size,) for all states; with the parameters p.
+        n: Number of states.
+    """
+    blocks: list[Array | None] = [None] * len(ORDER)
+    strides = [0] * len(ORDER)
+    for name, array in given.items():
+        rows, slot = np.broadcast_to(array, (n, array.shape[-1])), SLOT[name]
+        if name == "p":
+            rows, slot = prepare_rows(code, rows), SLOT["w"]
+        else:
+            rows = packed(rows, code.lanes)
+        # pointers of blocks without entries are read by nobody
+        blocks[slot] = rows.reshape(-1) if rows.size else np.zeros(1)
+        strides[slot] = rows.shape[1]
+    size, work = code.entry.output_size, code.entry.work_size
+    out = on_lines(-(-n // code.lanes), size * code.lanes)
+    if code.interpreted is not None:
+        return partial(code.interpreted.run, blocks, strides, out), out
+    # this one has work memory for vectors
+    run = abi_ctypes.run
+    return partial(run, code.address, blocks, strides, len(out), out, work * code.lanes), out
 
 
 def batch(code: Code, arguments: list[Argument], threads: int | None) -> Batch:

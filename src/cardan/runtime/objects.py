@@ -15,10 +15,10 @@ from typing import TYPE_CHECKING, Any
 
 from .. import regular_file
 from ..errors import BuildError, CompilerMissing, DerivationError, ModelError, near
-from ..schema.blocks import ORDER
 from ..schema.c_functions import FunctionRow
 from ..schema.manifest import Manifest, from_file
-from . import cache
+from . import cache, prebuilt
+from .abi_ctypes import LOADED, block_sizes
 from .interpreted import Interpreted, announce
 from .lanes import Recipe
 from .object_file import Object
@@ -48,6 +48,7 @@ class Code:
         interpreted: What is evaluated instead where there is no compiler.
         recipe: What its lane builds are made of, None without a compiler.
         blocks: Numbers of each input block that the C reads, as its object says.
+        lanes: States that it takes side by side, with parameters of their own where several.
     """
 
     symbol: str
@@ -60,6 +61,7 @@ class Code:
     interpreted: Interpreted | None = field(default=None, repr=False)
     recipe: Recipe | None = field(default=None, repr=False)
     blocks: dict[str, int] = field(default_factory=dict, repr=False)
+    lanes: int = 1
 
     def take(self, blocks: Mapping[str, int]) -> None:
         """Make sure that blocks of these sizes are what the C reads.
@@ -87,30 +89,6 @@ class Code:
 
 # looks at two files that others write one after the other, and seconds between them
 ATTEMPTS, PAUSE = 4, 0.05
-# asks the text for its sizes
-LOADED = ("-DCARDAN_LOADED",)
-SIZES = ("output_size", "work_size", "prepared_size")
-
-
-def _blocks(library: ctypes.CDLL, symbol: str, entry: FunctionRow) -> dict[str, int]:
-    """Sizes of the blocks that a function reads, from its object.
-
-    Raises:
-        ValueError: those of its results differ from the manifest, or other blocks are read.
-    """
-    kind = ctypes.c_int * (len(SIZES) + len(ORDER))
-    try:
-        numbers = list(kind.in_dll(library, f"{symbol}_sizes"))
-    except ValueError:
-        raise ValueError(f"the sizes of {symbol} do not stand in it") from None
-    for name, size in zip(SIZES, numbers, strict=False):
-        if getattr(entry, name) != size:
-            raise ValueError(f"{name} of {symbol} is {size}, not {getattr(entry, name)}")
-    blocks = dict(zip(ORDER, numbers[len(SIZES) :], strict=True))
-    unsaid = [name for name, size in blocks.items() if size and name not in (*entry.inputs, "p")]
-    if unsaid:
-        raise ValueError(f"{symbol} reads {', '.join(unsaid)} too")
-    return blocks
 
 
 class Objects:
@@ -122,6 +100,7 @@ class Objects:
         lock: Held while functions are loaded and checked.
         threads: Of large batches; None for the default.
         batches: What goes through many states, by C name.
+        lanes: Functions that are compiled for several states side by side alone, by C name.
     """
 
     def __init__(
@@ -135,6 +114,7 @@ class Objects:
         self.reproducible = reproducible
         self.threads = threads
         self.batches: dict[str, Batch] = {}
+        self.lanes: dict[str, int] = {}
         self.tables: Any = None  # of elements: what no parameter changes
         self.sizes: dict[bytes, float] = {}  # of the mechanism, by parameters
         self.truth: tuple[tuple[Any, ...], Any] | None = None  # of the last judgement, and for what
@@ -290,7 +270,9 @@ class Objects:
         paths = [self.text_path(symbol) for symbol in symbols]
         try:
             by = cache.compiler().for_models()
-            built = cache.compiled_apart(paths, self.directory, self.reproducible, by, LOADED)
+            lanes = [self.lanes.get(symbol, 1) for symbol in symbols]
+            extra = [LOADED + (prebuilt.macros(n, True) if n > 1 else ()) for n in lanes]
+            built = cache.compiled_apart(paths, self.directory, self.reproducible, by, extra)
         except CompilerMissing as missing:
             found = [Interpreted(self._expressions(symbol, missing)) for symbol in symbols]
             announce()
@@ -319,7 +301,7 @@ class Objects:
             address = ctypes.cast(library[name], ctypes.c_void_p).value or 0
             shared = library[f"{self.manifest.prefix}prepare_{symbol}"]
             prepare = ctypes.cast(shared, ctypes.c_void_p).value or 0
-            blocks = _blocks(library, name, entry)
+            blocks = block_sizes(library, name, entry)
         except (AttributeError, ValueError) as error:
             raise BuildError(
                 f"{self.directory / entry.file} does not hold what its manifest says: {error}. "
@@ -327,9 +309,8 @@ class Objects:
             ) from None
         path, check = self.directory / entry.file, partial(self._verify_sources, symbol)
         recipe = Recipe(name, path, self.directory, self.reproducible, by, check)
-        return Code(
-            symbol, entry, built.fresh, address, prepare, built, library, None, recipe, blocks
-        )
+        found = address, prepare, built, library, None, recipe, blocks, self.lanes.get(symbol, 1)
+        return Code(symbol, entry, built.fresh, *found)
 
     def _expressions(self, symbol: str, missing: CompilerMissing) -> Function:
         """The saved Function of a symbol.

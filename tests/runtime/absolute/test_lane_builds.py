@@ -1,4 +1,4 @@
-"""Lane builds of elements: their cost while they are not there, and what goes wrong."""
+"""Elements side by side: what is compiled for them, and what goes wrong."""
 
 from __future__ import annotations
 
@@ -11,10 +11,12 @@ import numpy as np
 import pytest
 
 import cardan as cd
-from cardan.errors import BuildError, BuildWarning
-from cardan.runtime import object_file, verify
+from cardan.errors import BuildError
+from cardan.runtime import cache, object_file, verify
 from cardan.runtime.absolute.elements import State
-from cardan.runtime.absolute.mesh import LANE_THRESHOLD, Mesh
+from cardan.runtime.absolute.loading import LANE_THRESHOLD
+from cardan.runtime.absolute.mesh import Mesh
+from cardan.runtime.toolchain import compile_shared
 
 pytestmark = pytest.mark.usefixtures("cache_directory")
 
@@ -34,50 +36,39 @@ def several(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("CARDAN_LANES", "4")
 
 
-def loaded(model: cd.CompiledModel) -> tuple[Mesh, State]:
-    """Its elements, which can give energies, and a state."""
+@pytest.mark.usefixtures("several")
+def test_functions_of_many_elements_are_compiled_once_for_lanes(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    compiled: list[str] = []
+
+    def noted(by: Any, sources: Any, include: Any, output: Any, *given: Any) -> None:
+        *_, extra, texts = given
+        compiled.extend(f"{text.stem} {'-DCARDAN_LANES=4' in extra}" for text in texts)
+        compile_shared(by, sources, include, output, *given)
+
+    monkeypatch.setattr(cache, "compile_shared", noted)
+    model = cd.compile(bar())
     mesh: Mesh = model._source.results(model).mesh  # type: ignore[attr-defined]
     at = State(q=model.initial()[: model.nq], u=np.zeros(model.nu))
+    compiled.clear()
     mesh.total("energy", 2, at)
-    assert mesh._alone
-    return mesh, at
-
-
-@pytest.mark.usefixtures("several")
-def test_elements_are_asked_without_looking_at_files(monkeypatch: pytest.MonkeyPatch) -> None:
-    mesh, at = loaded(cd.compile(bar()))
-    read: list[Any] = []
-    for way in ("read_text", "read_bytes"):
-        monkeypatch.setattr(Path, way, lambda *given, **more: read.append(given))
-    mesh.total("energy", 2, at)
-    assert read == []
+    assert sorted(compiled) == [
+        # the first element is the only one of its kind: it stands on the ground
+        "hellinger_reissner__energy True",
+        "hellinger_reissner_ground_node__energy False",
+        "linked_inertia__energy True",
+        "linked_inertia_ground_node__energy False",
+    ]
 
 
 @pytest.mark.usefixtures("several")
 def test_a_model_outlives_its_folder() -> None:
     model = cd.compile(bar())
-    mesh, at = loaded(model)
-    known = mesh.total("energy", 2, at)
+    q, u = model.initial()[: model.nq], np.zeros(model.nu)
+    known = model.energy(q, u)
     shutil.rmtree(model.directory)
-    mesh.spend(1e3)
-    np.testing.assert_array_equal(mesh.total("energy", 2, at), known)
-
-
-@pytest.mark.usefixtures("several")
-def test_builds_that_cannot_be_kept_leave_nothing(
-    cache_directory: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    mesh, at = loaded(cd.compile(bar()))
-    known = mesh.total("energy", 2, at)
-
-    def full(*_: Any) -> None:
-        raise OSError(28, "No space left on device")
-
-    monkeypatch.setattr(object_file.os, "replace", full)
-    with pytest.warns(BuildWarning, match="one by one"):
-        mesh.spend(1e3)
-    assert list(cache_directory.glob(f"{object_file.NEW}*")) == []
-    np.testing.assert_array_equal(mesh.total("energy", 2, at), known)
+    np.testing.assert_array_equal(model.energy(q, u), known)
 
 
 def test_elements_are_made_again_after_the_cache_was_removed(

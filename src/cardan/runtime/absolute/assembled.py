@@ -58,10 +58,6 @@ class Assembled(Source):
         mesh.connect("balance", "balance_tangent", "gamma")
         return ctypes.addressof(mesh.record)
 
-    def spend(self, model: CompiledModel, seconds: float) -> None:
-        """As :meth:`Mesh.spend`."""
-        self.results(model).mesh.spend(seconds)
-
     def measured(self, model: CompiledModel, seed: int, judged: bool) -> list[Row]:
         """Functions of the whole mesh, then its elements kind by kind."""
         from .measured import rows

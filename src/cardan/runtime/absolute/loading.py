@@ -15,6 +15,7 @@ from ...errors import ModelError
 from ...schema.c_functions import FunctionRow
 from ...schema.manifest import Manifest
 from ...schema.records import PARTS
+from ..lanes import width
 from ..number_file import unpacked
 from ..objects import Code
 from .elements import INNER, Elements
@@ -25,6 +26,8 @@ if TYPE_CHECKING:
     from ..compiled import CompiledModel
 
 FILE = "mesh.npz"
+# elements of a group from which on they go side by side: fewer would leave most lanes unused
+LANE_THRESHOLD = 8
 WHOLE = ("z", "s", "outputs", "powers")
 
 
@@ -198,8 +201,17 @@ def tables_of(model: CompiledModel) -> Tables:
     with objects.lock:
         if objects.tables is None:
             objects.tables = tables(model.manifest, model.directory)
+            objects.lanes = _side_by_side(objects.tables, model.manifest.functions)
         found: Tables = objects.tables
         return found
+
+
+def _side_by_side(elements: Tables, entries: Mapping[str, FunctionRow]) -> dict[str, int]:
+    """Functions that are compiled for elements side by side, by C name, and for how many."""
+    lanes = width()
+    kinds = [group.kind for group in elements.groups if len(group) >= LANE_THRESHOLD]
+    symbols = [symbol for kind in kinds for symbol in kind.functions.values()]
+    return {symbol: lanes for symbol in symbols if 1 < lanes in entries[symbol].lanes}
 
 
 def data_of(model: CompiledModel, group: Table) -> Array:
@@ -241,4 +253,5 @@ def load(model: CompiledModel) -> Mesh:
     data = [data_of(model, group) for group in found.groups]
     # of the model: whoever loads its functions holds it already
     lock, entries = objects.lock, model.manifest.functions
-    return Mesh(found, entries, codes, data, model._kernels(), lock, judge)
+    lanes = max(objects.lanes.values(), default=1)
+    return Mesh(found, entries, codes, data, lanes, model._kernels(), lock, judge)

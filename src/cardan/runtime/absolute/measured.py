@@ -3,23 +3,19 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
-from functools import partial
+from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from ...arrays import Array
 from ...ir.serialize import from_dict
-from ...schema.blocks import ORDER, SLOT
-from .. import abi, loaded, measuring
+from .. import loaded, measuring
 from ..initial import start_of
-from ..lanes import width
+from ..lanes import unpacked
 from ..measuring import Row
-from ..objects import Code
 from .elements import State
-from .mesh import LANE_THRESHOLD, NEEDED
-from .tables import Table
+from .mesh import NEEDED
 
 if TYPE_CHECKING:
     from ..compiled import CompiledModel
@@ -82,36 +78,16 @@ def _elements(model: CompiledModel, results: Results, at: State, judged: bool) -
         kind = group.kind
         for symbol in (kind.functions[form] for form in ELEMENTS if form in kind.functions):
             code = model._objects.load([symbol])[0]
-            run, found = _ready(code, given, len(group))
-            spent = measuring.timed(run, len(found)) if code.interpreted is None else math.nan
+            which = np.arange(measuring.BATCH) % len(group)
+            rows = {name: x[which] if x.ndim > 1 else x for name, x in given.items()}
+            run, out = loaded.calls(code, rows, len(which))
+            spent = measuring.timed(run, len(which)) if code.interpreted is None else math.nan
             run()
-            operations = code.entry.total_operations
-            several = found[: len(groups[number])]
+            single, lanes = (math.nan, spent) if code.lanes > 1 else (spent, math.nan)
+            several = unpacked(out, code.lanes)[: len(group)]
             error = _error(saved[symbol], given, several) if judged else None
-            yield Row(
-                symbol, operations, math.nan, spent, math.nan, _lanes(code, groups[number]), error
-            )
-
-
-def _ready(code: Code, given: dict[str, Array], n: int) -> tuple[Callable[[], Any], Array]:
-    """What goes through elements one by one, and where it leaves their results."""
-    which = np.arange(measuring.BATCH) % n
-    blocks: list[Array | None] = [None] * len(ORDER)
-    strides = [0] * len(ORDER)
-    arrays = {name: x for name, x in given.items() if name != "p"}
-    for name, array in (arrays | {"w": loaded.prepare(code, given["p"])}).items():
-        rows = np.broadcast_to(array, (n, array.shape[-1]))[which]
-        blocks[SLOT[name]], strides[SLOT[name]] = rows.flatten(), rows.shape[1]
-    size, work = code.entry.output_size, code.entry.work_size
-    out = np.empty((len(which), size))
-    if code.interpreted is not None:
-        return partial(code.interpreted.run, blocks, strides, out), out
-    return partial(abi.run, code.address, blocks, strides, len(out), out, work), out
-
-
-def _lanes(code: Code, group: Table) -> int:
-    """Elements side by side where the mesh runs through them."""
-    return width() if len(group) >= LANE_THRESHOLD and width() in code.entry.lanes else 1
+            operations = code.entry.total_operations
+            yield Row(symbol, operations, math.nan, single, lanes, code.lanes, error)
 
 
 def _error(saved: dict[str, Any], given: dict[str, Array], found: Array) -> float:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import ctypes
-import time
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import AbstractContextManager, nullcontext
 from typing import Any, final
@@ -12,17 +11,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...arrays import Array
-from ...errors import BuildError, BuildWarning, SolveError, warn
+from ...errors import SolveError
 from ...schema.blocks import ORDER
 from ...schema.c_functions import FunctionRow
 from ...schema.finite_elements import ElementKind
 from ...schema.planned import Fields
 from ...schema.records import FORMS, Form, Group, MeshRecord, Movers, StateRecord
-from .. import lanes as lane_builds
 from ..abi_ctypes import FUNCTION
 from ..interpreted import SINGULAR, called_back
-from ..lanes import Lanes, Recipe
-from ..loaded import prepare
+from ..loaded import prepare, prepare_rows
 from ..objects import Code
 from .blocks import plan_record
 from .elements import INNER, Elements, State
@@ -31,8 +28,6 @@ from .matrices import Matrices
 from .record_fields import group_fields, mesh_fields, mover_fields
 from .tables import Tables
 
-# elements of a group from which on they may go side by side
-LANE_THRESHOLD = 8
 # what functions of the whole mesh ask of the elements
 SOLVED = ("balance", "balance_tangent", "gamma")
 NEEDED = {
@@ -69,6 +64,7 @@ class Mesh(Elements):
         entries: C name -> what the manifest says about a function.
         load: C names -> loaded functions.
         data: Of every group (n, k).
+        lanes: Elements that functions take side by side at most.
         library: The kernels.
         lock: Held while functions are loaded; one that may be taken again by who has it.
         judge: Told the functions of elements that were compiled just now, when they are connected.
@@ -80,6 +76,7 @@ class Mesh(Elements):
         entries: Mapping[str, FunctionRow],
         load: Callable[[Sequence[str]], Mapping[str, Code]],
         data: Sequence[Array],
+        lanes: int,
         library: ctypes.CDLL,
         lock: AbstractContextManager[Any],
         judge: Callable[[Elements, Sequence[str]], None],
@@ -96,11 +93,6 @@ class Mesh(Elements):
         self._approved: set[str] = set()
         self._lock = lock
         self._judge = judge
-        self._width = lane_builds.width()
-        # functions of groups that could go side by side, what the compiler is expected to take for
-        # them, and what elements took [s]
-        self._alone: list[tuple[Form, Recipe]] = []
-        self._spent = 0.0
         fields = group_fields(tables)
         self.inner = sum(INNER * len(g) for g in tables.groups if "mixed" in g.kind.functions)
         self._groups = groups = (Group * max(1, len(fields)))()
@@ -116,7 +108,7 @@ class Mesh(Elements):
             groups=ctypes.addressof(groups),
             movers=ctypes.addressof(movers),
             plan=ctypes.addressof(plan),
-            lanes=self._width,
+            lanes=lanes,
         )
         self._fill(self.record, mesh_fields(tables, entries))
         library.cardan_mesh_room.restype = ctypes.c_ssize_t
@@ -149,14 +141,13 @@ class Mesh(Elements):
         if self._approved.issuperset(forms):
             return
         with self._lock:
-            missing = [name for name in forms if name not in self._connected]
+            # balances, tangents and accelerations are judged together
+            more = () if set(SOLVED).isdisjoint(forms) else SOLVED
+            missing = [
+                name for name in dict.fromkeys((*forms, *more)) if name not in self._connected
+            ]
             try:
                 fresh = self._connect(missing) if missing else []
-                if fresh and not set(SOLVED).isdisjoint(missing):
-                    # balances, tangents and accelerations are judged together
-                    more = [name for name in SOLVED if name not in self._connected]
-                    fresh += self._connect(more)
-                    missing += more
                 if fresh:
                     self._judge(self, fresh)
             except BaseException:
@@ -178,68 +169,14 @@ class Mesh(Elements):
                     code.take(_given(group.kind, self.tables.nr))
                     self._form(form, code, data)
         self._connected.update(missing)
-        self._widen({s: one.there(self._width, True) for s, one in self._recipes().items()})
         return [symbol for symbol, code in loaded.items() if code.fresh]
 
     def _form(self, form: Form, code: Code, data: Array) -> None:
         """Connect a function of a kind, with the data of its elements prepared."""
-        w = prepare(code, data)
-        form.one, form.w, form.nw = code.address, self._pointer(w), w.shape[1]
+        form.call, form.lanes = code.address, code.lanes
+        w = prepare_rows(code, data)
+        form.w, form.nw = self._pointer(w), w.shape[1] // code.lanes
         form.size = int(code.entry.output_size)
-        if (
-            code.recipe is None
-            or len(data) < LANE_THRESHOLD
-            or not 1 < self._width in code.entry.lanes
-        ):
-            return
-        # what is missing in the last block repeats the last element
-        rows = np.minimum(np.arange(-(-len(w) // self._width) * self._width), len(w) - 1)
-        blocks = w[rows].reshape(-1, self._width, w.shape[1]).transpose(0, 2, 1)
-        form.w_lanes = self._pointer(_on_lines(blocks))
-        self._alone.append((form, code.recipe))
-
-    # lanes
-
-    def _recipes(self) -> dict[str, Recipe]:
-        """What lane builds are made of that are not there yet, by C name."""
-        return {recipe.symbol: recipe for _, recipe in self._alone}
-
-    def spend(self, seconds: float) -> None:
-        """Count what elements took; lanes are compiled once the compiler takes no longer.
-
-        Results keep their bits. Elements go on one by one where the compiler fails.
-        """
-        if not self._alone:
-            return
-        self._spent += seconds
-        if self._spent > sum(recipe.seconds for recipe in self._recipes().values()):
-            try:
-                self.widen()
-            except BuildError as error:
-                self._alone.clear()
-                text = "no build for several elements at once, they are done one by one"
-                warn(f"{text}. {error}", BuildWarning)
-
-    def widen(self) -> None:
-        """Compile what lets elements go side by side.
-
-        Raises:
-            BuildError: the compiler failed, or a text was changed.
-        """
-        with self._lock:
-            recipes = self._recipes()
-            made = lane_builds.made([*recipes.values()], self._width, True)
-            # the text is that of the function for one, which was checked
-            lane_builds.publish(made)
-            self._widen(dict(zip(recipes, made, strict=True)))
-
-    def _widen(self, builds: Mapping[str, Lanes | None]) -> None:
-        """Let elements go side by side through these builds, by C name."""
-        for form, recipe in self._alone:
-            if (built := builds[recipe.symbol]) is not None:
-                self._keep.append(built)
-                form.lanes = built.address
-        self._alone = [one for one in self._alone if builds[one[1].symbol] is None]
 
     def _movers(self) -> Any:
         """Places whose coordinates are no poses, kind by kind."""
@@ -297,11 +234,8 @@ class Mesh(Elements):
 
     def _run(self, function: Callable[..., int], *arguments: object) -> int:
         """Status of a function of the kernels."""
-        before = time.perf_counter()
         with called_back() if self.interpreted else nullcontext():
-            status = int(function(*arguments))
-        self.spend(time.perf_counter() - before)
-        return status
+            return int(function(*arguments))
 
     def balance(self, at: State) -> tuple[Array, Array, Array]:
         """M udot + h - f - Gᵀ lam (nu,), residuals of positions (mp,), of speeds (m,)."""
@@ -383,12 +317,3 @@ def _done(name: str, status: int) -> None:
 
 def _at(array: Array) -> ctypes.c_void_p:
     return ctypes.c_void_p(array.ctypes.data)
-
-
-def _on_lines(array: Array) -> Array:
-    """A contiguous copy that begins at a multiple of 64 bytes, as vectors want it."""
-    room = np.empty(array.size + 8)
-    start = (-room.ctypes.data // 8) % 8
-    copy = room[start : start + array.size].reshape(array.shape)
-    copy[...] = array
-    return copy

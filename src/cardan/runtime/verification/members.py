@@ -11,13 +11,13 @@ import numpy as np
 
 from ...ir.interpreter import evaluate
 from ...ir.serialize import from_dict
-from ...schema.blocks import ORDER, SLOT
 from ...schema.finite_elements import PlaceKind
-from .. import abi, loaded
+from .. import loaded
 from ..absolute.elements import Elements, State
 from ..absolute.tables import Table, Tables
 from ..initial import start_of
 from ..joint_motion import Array
+from ..lanes import unpacked
 from ..objects import Code
 from .differences import slope
 from .written import results
@@ -73,22 +73,10 @@ class Members:
             raise NotThere(form)
         code, blocks = self.codes[form], {**self.given, **(given or {})}
         n = max(len(x) for x in blocks.values() if x.ndim > 1)
-        flat: list[Array | None] = [None] * len(ORDER)
-        strides, p = [0] * len(ORDER), blocks["p"]
-        w = loaded.prepare(code, np.ascontiguousarray(np.broadcast_to(p, (n, p.shape[-1]))))
-        for name, array in ({k: x for k, x in blocks.items() if k != "p"} | {"w": w}).items():
-            rows = np.ascontiguousarray(np.broadcast_to(array, (n, array.shape[-1])), dtype=float)
-            # pointers of blocks without entries are read by nobody
-            room = rows.reshape(-1) if rows.size else np.zeros(1)
-            flat[SLOT[name]], strides[SLOT[name]] = room, rows.shape[1]
-        size, work = code.entry.output_size, code.entry.work_size
-        out = np.empty((n, size))
+        run, out = loaded.calls(code, blocks, n)
         with np.errstate(all="ignore"):
-            if code.interpreted is not None:
-                code.interpreted.run(flat, strides, out)
-            else:
-                abi.run(code.address, flat, strides, n, out, work)
-        return out
+            run()
+        return unpacked(out, code.lanes)[:n]
 
     def expressions(self, form: str, given: Mapping[str, Array] | None = None) -> Array | None:
         """Results of the saved expressions, at other blocks if given; None where not saved."""
