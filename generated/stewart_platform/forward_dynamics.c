@@ -811,43 +811,40 @@ CARDAN_PART int forward_dynamics_part1(const cardan_in *in, real *CARDAN_RESTRIC
     const real half_ball0_u_x = 0.5 * ball0_u_x;
     const real half_ball0_u_y = 0.5 * ball0_u_y;
     const real half_ball0_u_z = 0.5 * ball0_u_z;
-    const real ball0_R_yz_rate_part = ball0_x * half_ball0_u_x + ball0_y * half_ball0_u_y
+    const real ball0_minus_qdot_w = ball0_x * half_ball0_u_x + ball0_y * half_ball0_u_y
         + ball0_z * half_ball0_u_z;
-    const real ball0_R_yz_rate_part_2 = ball0_w * half_ball0_u_x - ball0_z * half_ball0_u_y
+    const real ball0_qdot_x = ball0_w * half_ball0_u_x - ball0_z * half_ball0_u_y
         + ball0_y * half_ball0_u_z;
-    const real ball0_R_xz_rate_part = ball0_z * half_ball0_u_x + ball0_w * half_ball0_u_y
+    const real ball0_qdot_y = ball0_z * half_ball0_u_x + ball0_w * half_ball0_u_y
         - ball0_x * half_ball0_u_z;
-    const real ball0_R_xy_rate_part = ball0_w * half_ball0_u_z - ball0_y * half_ball0_u_x
+    const real ball0_qdot_z = ball0_w * half_ball0_u_z - ball0_y * half_ball0_u_x
         + ball0_x * half_ball0_u_y;
-    const real ball0_R_yz_rate_part_3 = 2.0 * ball0_R_yz_rate_part_2;
-    const real ball0_R_xz_rate_part_2 = 2.0 * ball0_R_xz_rate_part;
-    const real ball0_R_xy_rate_part_2 = 2.0 * ball0_R_xy_rate_part;
-    const real ball0_R_yz_rate_part_4 = ball0_w * ball0_R_yz_rate_part_3
-        - twice_ball0_x * ball0_R_yz_rate_part;
-    const real ball0_R_xz_rate_part_3 = ball0_w * ball0_R_xz_rate_part_2
-        - twice_ball0_y * ball0_R_yz_rate_part;
-    const real ball0_R_xy_rate_part_3 = ball0_w * ball0_R_xy_rate_part_2
-        - twice_ball0_z * ball0_R_yz_rate_part;
-    const real ball0_minus_R_yy_rate_part = twice_ball0_x * ball0_R_yz_rate_part_2
-        + ball0_x * ball0_R_yz_rate_part_3;
-    const real ball0_R_xy_rate_part_4 = twice_ball0_y * ball0_R_yz_rate_part_2
-        + ball0_x * ball0_R_xz_rate_part_2;
-    const real ball0_R_xz_rate_part_4 = twice_ball0_z * ball0_R_yz_rate_part_2
-        + ball0_x * ball0_R_xy_rate_part_2;
-    const real ball0_minus_R_xx_rate_part = twice_ball0_y * ball0_R_xz_rate_part
-        + ball0_y * ball0_R_xz_rate_part_2;
-    const real ball0_R_yz_rate_part_5 = twice_ball0_z * ball0_R_xz_rate_part
-        + ball0_y * ball0_R_xy_rate_part_2;
-    const real ball0_minus_R_xx_rate_part_2 = twice_ball0_z * ball0_R_xy_rate_part
-        + ball0_z * ball0_R_xy_rate_part_2;
+    const real twice_ball0_qdot_x = 2.0 * ball0_qdot_x;
+    const real twice_ball0_qdot_y = 2.0 * ball0_qdot_y;
+    const real twice_ball0_qdot_z = 2.0 * ball0_qdot_z;
+    const real ball0_R_yz_rate_part = ball0_w * twice_ball0_qdot_x
+        - twice_ball0_x * ball0_minus_qdot_w;
+    const real ball0_R_xz_rate_part = ball0_w * twice_ball0_qdot_y
+        - twice_ball0_y * ball0_minus_qdot_w;
+    const real ball0_R_xy_rate_part = ball0_w * twice_ball0_qdot_z
+        - twice_ball0_z * ball0_minus_qdot_w;
+    const real ball0_minus_R_yy_rate_part = twice_ball0_x * ball0_qdot_x
+        + ball0_x * twice_ball0_qdot_x;
+    const real ball0_R_xy_rate_part_2 = twice_ball0_y * ball0_qdot_x + ball0_x * twice_ball0_qdot_y;
+    const real ball0_R_xz_rate_part_2 = twice_ball0_z * ball0_qdot_x + ball0_x * twice_ball0_qdot_z;
+    const real ball0_minus_R_xx_rate_part = twice_ball0_y * ball0_qdot_y
+        + ball0_y * twice_ball0_qdot_y;
+    const real ball0_R_yz_rate_part_2 = twice_ball0_z * ball0_qdot_y + ball0_y * twice_ball0_qdot_z;
+    const real ball0_minus_R_xx_rate_part_2 = twice_ball0_z * ball0_qdot_z
+        + ball0_z * twice_ball0_qdot_z;
     const real ball0_minus_R_xx_rate = ball0_minus_R_xx_rate_part + ball0_minus_R_xx_rate_part_2;
-    const real ball0_R_xy_rate = ball0_R_xy_rate_part_4 - ball0_R_xy_rate_part_3;
-    const real ball0_R_xz_rate = ball0_R_xz_rate_part_3 + ball0_R_xz_rate_part_4;
-    const real ball0_R_yx_rate = ball0_R_xy_rate_part_3 + ball0_R_xy_rate_part_4;
+    const real ball0_R_xy_rate = ball0_R_xy_rate_part_2 - ball0_R_xy_rate_part;
+    const real ball0_R_xz_rate = ball0_R_xz_rate_part + ball0_R_xz_rate_part_2;
+    const real ball0_R_yx_rate = ball0_R_xy_rate_part + ball0_R_xy_rate_part_2;
     const real ball0_minus_R_yy_rate = ball0_minus_R_yy_rate_part + ball0_minus_R_xx_rate_part_2;
-    const real ball0_R_yz_rate = ball0_R_yz_rate_part_5 - ball0_R_yz_rate_part_4;
-    const real ball0_R_zx_rate = ball0_R_xz_rate_part_4 - ball0_R_xz_rate_part_3;
-    const real ball0_R_zy_rate = ball0_R_yz_rate_part_4 + ball0_R_yz_rate_part_5;
+    const real ball0_R_yz_rate = ball0_R_yz_rate_part_2 - ball0_R_yz_rate_part;
+    const real ball0_R_zx_rate = ball0_R_xz_rate_part_2 - ball0_R_xz_rate_part;
+    const real ball0_R_zy_rate = ball0_R_yz_rate_part + ball0_R_yz_rate_part_2;
     const real ball0_minus_R_zz_rate = ball0_minus_R_yy_rate_part + ball0_minus_R_xx_rate_part;
 
     /* shared by several: pose, twist, inertia */

@@ -148,8 +148,7 @@ def temporaries() -> tuple[int, int]:
         text = path.read_text("utf-8")
         # computed entries of bare arrays past a 6 x 6 block have no name either
         entries = [f"{a}_{i}" for a, i in ENTRY.findall(text) if a != "out" and int(i) > BLOCK]
-        # a value that several parts of a function read counts once
-        for name in {*TEMPORARY.findall(text), *entries}:
+        for name in TEMPORARY.findall(text) + entries:
             number = NUMBERED.match(name)
             if OPERATOR.match(name):
                 nameless += 1

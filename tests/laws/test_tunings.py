@@ -62,8 +62,8 @@ def required(level: str) -> None:
         pytest.skip(f"this machine does not run {level}, or has no gcc")
 
 
-def differences(name: str, flags: tuple[str, ...]) -> int:
-    """The states of a mechanism whose lanes differ from scalars, over all widths."""
+def differences(name: str, flags: tuple[str, ...], tuning: tuple[str, ...]) -> int:
+    """The states of a mechanism whose lanes differ from scalars, which alone are tuned."""
     equations = derived(name)
     file = generate(equations.form("forward_dynamics"), model=name)
     q, u = states(name)
@@ -73,7 +73,7 @@ def differences(name: str, flags: tuple[str, ...]) -> int:
         given | {"q": q[k % len(q)], "u": u[k % len(q)], "tau": tau[k % len(q)]}
         for k in range(LANES)
     ]
-    alone = [call(file, row, "gcc", flags).out for row in rows]
+    alone = [call(file, row, "gcc", (*flags, *tuning)).out for row in rows]
     differing = 0
     for lanes in WIDTHS:
         for start in range(0, LANES, lanes):
@@ -88,8 +88,8 @@ def differences(name: str, flags: tuple[str, ...]) -> int:
 )
 def test_functions_have_the_same_bits_in_lanes(name: str, level: str, tuning: str) -> None:
     required(level)
-    flags = (*STRICT, *SPEED, f"-march={level}", f"-mtune={tuning}", *CONTRACT["gcc"])
-    assert differences(name, flags) == 0
+    flags = (*STRICT, *SPEED, f"-march={level}", *CONTRACT["gcc"])
+    assert differences(name, flags, (f"-mtune={tuning}",)) == 0
 
 
 def states_of_runs(lanes: int, level: str, *options: str, chains: str = ALL_CHAINS) -> bytes:
@@ -108,6 +108,8 @@ def write_states(lanes: int, chains: str, level: str, *options: str) -> None:
     plain = cache.compiler()
     chosen = replace(plain, options=(*plain.options, *options))
     cache.compiler = lambda: chosen
+    # these tunings in place of that of this processor
+    toolchain.Compiler.tuning = ()
     # kernels with these options as well: none of the installation
     prebuilt.library = lambda level, variant: None
     toolchain.ALL_CHAINS = chains

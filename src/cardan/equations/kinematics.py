@@ -206,6 +206,7 @@ class Kinematics:
             if joint.q >= 0:
                 with self.graph.made_by(joint.name, "qdot"):
                     rate = joint.element.rates(self.coordinates[i], self.speeds[i], **self.data[i])
+                    rate.hint(joint.name, "qdot", [c.name for c in joint.element.coordinates])
                 rows[joint.q : joint.q + rate.rows] = rate.nodes
         return Matrix(self.graph, len(rows), 1, rows)
 

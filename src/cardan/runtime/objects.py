@@ -271,7 +271,7 @@ class Objects:
         try:
             by = cache.compiler().for_models()
             lanes = [self.lanes.get(symbol, 1) for symbol in symbols]
-            extra = [LOADED + (prebuilt.macros(n, True) if n > 1 else ()) for n in lanes]
+            extra = [LOADED + (prebuilt.macros(n, True) if n > 1 else by.tuning) for n in lanes]
             built = cache.compiled_apart(paths, self.directory, self.reproducible, by, extra)
         except CompilerMissing as missing:
             found = [Interpreted(self._expressions(symbol, missing)) for symbol in symbols]
