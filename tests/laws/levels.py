@@ -127,7 +127,7 @@ def of_elements(scene: cd.Model, states: int = 2) -> tuple[int, float]:
 
     data, entries = [data_of(model, group) for group in tables.groups], model.manifest["functions"]
     library, lock = model._kernels(), model._objects.lock
-    elements = Mesh(tables, entries, load, data, library, lock, lambda *_: None)
+    elements = Mesh(tables, entries, load, data, 1, library, lock, lambda *_: None)
     rng, worst, count = np.random.default_rng(SEED), 0.0, 0
     start, modes = model.split(model.initial())[0], model._layout.start("s")
     for _ in range(states):

@@ -206,8 +206,8 @@ class Kinematics:
             if joint.q >= 0:
                 with self.graph.made_by(joint.name, "qdot"):
                     rate = joint.element.rates(self.coordinates[i], self.speeds[i], **self.data[i])
-                    rate.hint(joint.name, "qdot", [c.name for c in joint.element.coordinates])
-                rows[joint.q : joint.q + rate.rows] = rate.nodes
+                names = [c.name for c in joint.element.coordinates]
+                rows[joint.q : joint.q + rate.rows] = rate.hint(joint.name, "qdot", names).nodes
         return Matrix(self.graph, len(rows), 1, rows)
 
     @cached_property
@@ -222,10 +222,8 @@ class Kinematics:
     def slot_seeds(self) -> dict[int, int]:
         """The same without what closed circuits determine."""
         g = self.graph
-        seeds = {g.var("t", 0): ONE} | input_rates(g, self.system.inputs)
-        for k, node in enumerate(self.rates.nodes):
-            seeds[g.var("q", k)] = node
-        return seeds
+        coordinates = {g.var("q", k): node for k, node in enumerate(self.rates.nodes)}
+        return {g.var("t", 0): ONE} | input_rates(g, self.system.inputs) | coordinates
 
     def derivative(self, x: Matrix) -> Matrix:
         """Entry by entry time derivative at udot = 0."""
