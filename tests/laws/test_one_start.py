@@ -5,6 +5,7 @@ from __future__ import annotations
 import functools
 import warnings
 from collections.abc import Mapping
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -71,6 +72,15 @@ def named(values: Mapping[str, Any], case: str) -> dict[str, Any]:
     joints = list(values)
     chosen = {"all": joints, "two": joints[:2], "first": joints[:1], "last": joints[-1:]}
     return {joint: values[joint] for joint in chosen.get(case, [])}
+
+
+@pytest.mark.parametrize("name", slowly(CLOSED, ("parallelogram",)))
+def test_an_export_starts_like_its_model(name: str, tmp_path: Path) -> None:
+    cd.derive(CLOSED[name].build()).export(tmp_path / "export")
+    exported, model = cd.load_model(tmp_path / "export"), models(name)[0]
+    for case in CASES:
+        q = named(places(name), case)
+        assert started(exported, q, {}) == started(model, q, {}), case
 
 
 @functools.cache

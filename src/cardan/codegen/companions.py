@@ -10,7 +10,11 @@ from . import layout, linkage
 # integrators by their files
 INTEGRATORS = {name: method for name, method in KERNELS.items() if not method.elements}
 # what a run calls beside rhs: of a closed system, of one with events
-CLOSING = ("close_position", "close_velocity", "constraint_jacobian")
+CLOSING = (
+    *("close_position", "close_velocity", "constraint_jacobian"),
+    # what a start is judged by
+    *("constraints", "constraint_rates", "facing", "integrate", "difference", "qdot"),
+)
 HAPPENING = ("events", "transition")
 
 
