@@ -123,6 +123,7 @@ def test_clean_and_the_same_numbers(
         "udot": rng.uniform(-1, 1, u.shape),
         "tau": rng.uniform(-1, 1, u.shape),
         "du": rng.uniform(-1, 1, u.shape),
+        "q0": q[::-1].copy(),
         "lam": np.zeros((COUNT, 0)),
         "wrench": np.zeros((COUNT, parts)),
         "z": np.zeros((COUNT, 0)),

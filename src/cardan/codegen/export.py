@@ -188,7 +188,9 @@ def _asked(
     asked = [(f, None) if isinstance(f, str) else tuple(f) for f in functions or usual]
     if integrators or not functions:
         # what keeps a closed system closed belongs to its dynamics
-        called = [n for n in (*companions.CLOSING, *companions.HAPPENING) if n in known]
+        # trees start anywhere
+        closing = companions.CLOSING if equations.system.closed else ()
+        called = [n for n in (*closing, *companions.HAPPENING) if n in known]
         more = (*(("rhs",) if integrators else ()), *called, *companions.needed(integrators))
         asked += [(name, None) for name in more if (name, None) not in asked]
     for name, _ in asked:
