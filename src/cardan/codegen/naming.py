@@ -216,8 +216,8 @@ class ValueNames:
 
 def _composed(op: str, read: list[Phrase]) -> Phrase | None:
     """Phrase for an operator on things that have one, where it is short."""
-    if op == "mul":
-        read.sort(key=lambda factor: factor.text not in FACTORS)
+    if op == "mul" and read[1].text in FACTORS:
+        read.reverse()
     phrase = _COMPOSERS.get(op, _function)(op, read)
     return phrase if len(phrase.text) <= MAX_LETTERS else None
 
@@ -242,7 +242,7 @@ def _tight(phrase: Phrase, level: int, word: str) -> Phrase:
 
 
 def _product(_: str, read: Sequence[Phrase]) -> Phrase:
-    a, b = (_tight(phrase, PRODUCT, "sum") for phrase in read)
+    a, b = _tight(read[0], PRODUCT, "sum"), _tight(read[1], PRODUCT, "sum")
     if a.text in FACTORS:
         return Phrase(f"{FACTORS[a.text]}_{b.text}", "", PRODUCT)
     if a.text == b.text:

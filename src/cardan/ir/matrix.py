@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import lru_cache
 
 from .arithmetic import Number, Scalar
-from .graph import ONE, ZERO, Graph
+from .graph import MINUS_ONE, ONE, ZERO, Graph
 
 Name = Callable[[int, str, str], int]
 
@@ -201,16 +201,15 @@ class Matrix:
     def note(self, word: str) -> Matrix:
         """Name the entries as a step to what is made here, see :meth:`Graph.note`."""
         for node, place in zip(self.nodes, _places(self.rows, self.columns), strict=True):
-            self.graph.note(node, f"{word}_{place}")
+            if node > MINUS_ONE:
+                self.graph.note(node, f"{word}_{place}")
         return self
 
     def _name(self, name: Name, owner: str, quantity: str, components: Sequence[str]) -> Matrix:
+        begin = f"{quantity}_" if quantity else ""
         for node, component in zip(self.nodes, components, strict=False):
-            name(
-                node,
-                owner,
-                f"{quantity}_{component}" if quantity and component else quantity or component,
-            )
+            if node > MINUS_ONE:
+                name(node, owner, f"{begin}{component}" if component else quantity)
         return self
 
 
