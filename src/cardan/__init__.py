@@ -41,8 +41,8 @@ _PUBLIC: dict[str, str] = {
     "Alpha": "analyses.alpha",
     "stability": "analyses.stability",
     "Equations": "equations.record",
-    "CompiledModel": "runtime.compiled",
-    "load_model": "runtime.saved",
+    "CompiledModel": "api.compiled_model",
+    "load_model": "api.saved_model",
     "excitation": "analyses.identification.excitation",
     "identify": "analyses.identification.identify",
     "sample": "analyses.sample",
@@ -79,7 +79,7 @@ _MODULES = frozenset({"orbit", "inertia", "section", "shape", "sample", "stabili
 _RENAMED = {"load_model": "load", "load_motion": "load", "load_ensemble": "load"}
 
 # what pickles name, for ever -> module that holds it
-_PICKLED = {"_unpickled_model": "runtime.saved", "_unpickled_motion": "runtime.pickled"}
+_PICKLED = {"_unpickled_model": "api.saved_model", "_unpickled_motion": "runtime.pickled"}
 
 
 def _members(module: str) -> dict[str, type]:

@@ -280,6 +280,9 @@ KINDS: dict[str, Kind] = {
 # Any, and other names of types that are no classes: their functions know what they are
 _UNCHECKED = frozenset({"Any", "Array", "Key", "Hold", "Place", "JointElement", "Provide", "Show"})
 
+# class that functions take -> the one of it that users have
+OF_USERS = {"LoadedModel": "CompiledModel"}
+
 
 def _of_class(name: str) -> Kind | None:
     """Objects of a class, which is known by its name: its module need not be loaded."""
@@ -289,7 +292,8 @@ def _of_class(name: str) -> Kind | None:
     def read(value: Any) -> Any:
         return value if any(one.__name__ == name for one in type(value).__mro__) else UNFIT
 
-    return Kind(read, f"{'an' if name[0] in 'AEIO' else 'a'} {name}")
+    title = OF_USERS.get(name, name)
+    return Kind(read, f"{'an' if title[0] in 'AEIO' else 'a'} {title}")
 
 
 def _alternatives(annotation: str) -> list[str]:

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, overload
 
 from . import topology
+from .api.compiled_model import CompiledModel
 from .arguments import checked
 from .codegen import CFile, generate, layout, manifest, mesh
 from .codegen.fingerprint import fingerprint
@@ -19,7 +20,6 @@ from .equations.record import Equations
 from .equations.treatments import Treatment, treatment
 from .errors import BuildError, CodegenError, DerivationError, SolveWarning, near, warn
 from .runtime import folder as cache
-from .runtime.compiled import CompiledModel
 from .runtime.judged import unjudged
 from .schema.functions import OF_ELEMENTS, STANDARD
 

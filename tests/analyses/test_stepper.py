@@ -199,9 +199,11 @@ def test_an_end_is_remembered(double: cd.CompiledModel, tmp_path: Path) -> None:
 
 
 def test_misspelt_arguments_are_told(double: cd.CompiledModel) -> None:
-    for call in (double.simulate, double.ensemble, double.report, double.step):
+    for call in (double.simulate, double.ensemble, double.step):
         with pytest.raises(cd.ArgumentError, match=r"\(rtoll=...\).* Did you mean 'rtol'"):
             call(1.0, *([1.0] if call == double.step else []), rtoll=1e-3)
+    with pytest.raises(cd.ArgumentError, match=r"report\(metods=...\).* Did you mean 'methods'"):
+        double.report(1.0, metods=["RK4"])
     with pytest.raises(TypeError, match=r"stepper\(event=...\).* Did you mean 'events'"):
         double.stepper(event={})
     with pytest.raises(TypeError, match=r"no such argument\. Known: path, events\."):

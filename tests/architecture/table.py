@@ -26,6 +26,7 @@ ORDER = (
     "analyses",
     "view",
     "explain",
+    "api",
     "pipeline",
     "peers",
     "cli",
@@ -73,48 +74,13 @@ DOWNWARD: dict[tuple[str, str], frozenset[str]] = {
         {"cardan.codegen.owners", "cardan.passes"}
     ),
     ("cardan.equations.absolute.record", "Absolute.export"): frozenset(
-        {"cardan.codegen.meshed", "cardan.runtime.absolute.planned"}
+        {"cardan.codegen.meshed", "cardan.analyses.planned"}
     ),
     ("cardan.equations.explained", "Explainable.explain"): frozenset({"cardan.explain"}),
     ("cardan.equations.record", "Equations.export"): frozenset({"cardan.codegen.export"}),
     ("cardan.equations.readable", "Readable.symbolic"): frozenset({"cardan.passes.trig"}),
     ("cardan.equations.linearized.written", "Written.symbolic"): frozenset({"cardan.passes.trig"}),
     ("cardan.model.model", "Model.graph"): frozenset({"cardan.topology.graph_view"}),
-    **{
-        ("cardan.runtime.analyzed", f"Analyzed.{method}"): frozenset({f"cardan.analyses.{module}"})
-        for method, module in (
-            ("assemble", "assemble"),
-            ("sweep", "sweep"),
-            ("singular_positions", "singular"),
-            ("workspace", "workspace"),
-            ("redundancy", "redundancy"),
-            ("actuation", "actuation"),
-            ("hybrid_dynamics", "actuation"),
-            ("stiffness", "stiffness"),
-            ("equilibrium", "equilibrium"),
-            ("statics", "statics"),
-            ("linearize", "linearize"),
-            ("modes", "modes"),
-            ("trim", "trim"),
-            ("root_locus", "locus"),
-            ("sensitivity", "sensitivity"),
-            ("campbell", "campbell"),
-            ("partition", "reduced"),
-            ("residual", "implicit"),
-            ("ensemble", "ensembles"),
-        )
-    },
-    **{
-        ("cardan.runtime.identified", f"Identified.{method}"): frozenset(
-            {f"cardan.analyses.{module}"}
-        )
-        for method, module in (
-            ("torques", "torques"),
-            ("base_parameters", "identification.base"),
-            ("excitation", "identification.excitation"),
-            ("identify", "identification.identify"),
-        )
-    },
     ("cardan.analyses.torques", "Torques.plot"): frozenset({"cardan.view.plot"}),
     **{
         (f"cardan.analyses.identification.{module}", f"{record}.plot"): frozenset(
@@ -122,18 +88,7 @@ DOWNWARD: dict[tuple[str, str], frozenset[str]] = {
         )
         for module, record in (("result", "Identification"), ("excitation", "Excitation"))
     },
-    ("cardan.runtime.analyzed", "Analyzed._doubt"): frozenset({"cardan.analyses.redundancy"}),
-    ("cardan.runtime.compiled", "CompiledModel.simulate"): frozenset({"cardan.analyses.simulate"}),
-    ("cardan.runtime.compiled", "CompiledModel.initial"): frozenset(
-        {"cardan.analyses.closed_start"}
-    ),
-    ("cardan.runtime.compiled", "CompiledModel.step"): frozenset({"cardan.analyses.stepper"}),
-    ("cardan.runtime.compiled", "CompiledModel.stepper"): frozenset({"cardan.analyses.stepper"}),
-    ("cardan.runtime.compiled", "CompiledModel.report"): frozenset(
-        {"cardan.analyses.precision_runs"}
-    ),
     ("cardan.analyses.precision", "Precision.plot"): frozenset({"cardan.view.plot"}),
-    ("cardan.runtime.compiled", "CompiledModel.resume"): frozenset({"cardan.analyses.stepper"}),
     ("cardan.analyses.mode_shapes", "Modes.plot"): frozenset({"cardan.view.plot"}),
     ("cardan.analyses.campbell", "Campbell.plot"): frozenset({"cardan.view.loci"}),
     ("cardan.analyses.linear_model", "LinearModel.plot"): frozenset({"cardan.view.loci"}),
@@ -143,6 +98,7 @@ DOWNWARD: dict[tuple[str, str], frozenset[str]] = {
     ("cardan.analyses.workspace", "Workspace.plot"): frozenset({"cardan.view.plot"}),
     ("cardan.runtime.trajectory", "Trajectory.animate"): frozenset({"cardan.view.page"}),
     ("cardan.runtime.trajectory", "Trajectory.plot"): frozenset({"cardan.view.plot"}),
+    ("cardan.runtime.trajectory", "Trajectory.torques"): frozenset({"cardan.analyses.torques"}),
 }
 
 # the only files that load SymPy when they are imported; every one is itself imported on demand

@@ -78,7 +78,7 @@ def standard(name: str) -> dict[str, Any]:
 
 def load(folder: str) -> dict[str, Any]:
     """What a user waits for when the model was compiled before."""
-    from cardan.runtime.compiled import CompiledModel
+    from cardan.api.compiled_model import CompiledModel
 
     return {"loaded": seconds(lambda: CompiledModel(Path(folder)).prepare(FUNCTION))}
 

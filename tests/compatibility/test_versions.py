@@ -11,7 +11,8 @@ import pytest
 import cardan as cd
 from cardan import version
 from cardan.analyses.ensembles import stored_schema
-from cardan.runtime import formats, saved, storage
+from cardan.api import saved_model
+from cardan.runtime import formats, storage
 from compatibility.write import FILES, scene
 
 NEWER = "9.8.7"
@@ -52,7 +53,7 @@ def a_model(path: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[[], object]
 
 
 def a_pickle(path: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[[], object]:
-    function, (_, _, *content) = saved.reduced(cd.compile(scene(), functions=["rhs"]))
+    function, (_, _, *content) = saved_model.reduced(cd.compile(scene(), functions=["rhs"]))
     return lambda: function(version.PICKLE.version + 1, NEWER, *content)
 
 

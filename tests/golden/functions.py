@@ -41,7 +41,7 @@ def _method(name: str) -> str:
         if one.kind is one.KEYWORD_ONLY and not starred:
             lines.append("*")
             starred = True
-        default = "" if one.default is one.empty else f" = {_literal(one.default)}"
+        default = "" if one.default is one.empty else f" = {literal(one.default)}"
         lines.append(f"{one.name}: {one.annotation}{default}")
     text = f'"""{inspect.getdoc(method)}\n"""'
     return "\n".join(
@@ -55,7 +55,7 @@ def _method(name: str) -> str:
     )
 
 
-def _literal(value: object) -> str:
+def literal(value: object) -> str:
     return f'"{value}"' if isinstance(value, str) else repr(value)
 
 

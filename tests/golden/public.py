@@ -12,6 +12,7 @@ from typing import Any
 
 import cardan as cd
 from architecture.sources import imports_of, modules
+from cardan.api.verb import verb
 from cardan.elements.centerlines.centerline import Centerline
 from cardan.elements.forces.force import ForceElement
 from cardan.elements.joints.joint import Joint
@@ -66,6 +67,7 @@ def _returned(value: Any) -> set[type]:
 
 def _named(name: str, function: Any) -> Any:
     """What a name in an annotation means where the function stands."""
+    function = inspect.unwrap(function)
     if name in function.__globals__:
         return function.__globals__[name]
     # imported for type checkers only
@@ -101,9 +103,12 @@ def _members(kind: type) -> Iterator[tuple[str, Any]]:
         found |= {
             name: value
             for name, value in vars(base).items()
-            if callable(value) or isinstance(value, property | cached_property | classmethod)
+            if callable(value) or isinstance(value, verb | property | cached_property | classmethod)
         }
-    yield from sorted((name, value) for name, value in found.items() if name[0] != "_")
+    for name, value in sorted(found.items()):
+        if name[0] != "_":
+            # what a verb stands for is imported on first use
+            yield name, getattr(kind, name) if isinstance(value, verb) else value
 
 
 def signature(function: Any) -> str:
@@ -164,8 +169,5 @@ def _line(name: str, member: Any) -> str:
     if isinstance(member, property | cached_property):
         return f"{name}: property -> {_result(_function(member))}"
     function = _function(member)
-    if not inspect.isfunction(function):
-        # a verb that is found on first use has the signature of what it runs
-        return f"{name}{signature(member)}"
     word = {classmethod: "classmethod ", staticmethod: "staticmethod "}.get(type(member), "")
     return f"{name}: {word}{signature(function)}" if word else f"{name}{signature(function)}"

@@ -12,11 +12,11 @@ from typing import Any
 
 import numpy as np
 
+from cardan.api.compiled_model import CompiledModel
 from cardan.errors import CardanError
 from cardan.ir.interpreter import evaluate
 from cardan.ir.serialize import from_dict, to_dict
 from cardan.runtime.closed_states import bound
-from cardan.runtime.compiled import CompiledModel
 from cardan.runtime.judged import scene_of
 from cardan.runtime.objects import Code
 from cardan.runtime.verify import _truth, verify

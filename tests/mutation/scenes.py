@@ -9,9 +9,9 @@ from pathlib import Path
 from typing import Any
 
 import cardan as cd
+from cardan.api.compiled_model import CompiledModel
 from cardan.errors import CompilerMissing, DerivationError
 from cardan.ir.serialize import from_dict
-from cardan.runtime.compiled import CompiledModel
 from cardan.runtime.interpreted import Interpreted
 from cardan.runtime.objects import Code, Key
 from mechanisms import ZOO, flexible

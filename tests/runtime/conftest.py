@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
+from cardan.api.compiled_model import CompiledModel
 from cardan.runtime import abi, abi_ctypes, folder, interpreted
-from cardan.runtime.compiled import CompiledModel
 from runtime import pendulum
 
 try:

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 import cardan as cd
+from cardan.api.saved_model import load
 from cardan.errors import BuildError, DerivationError, ModelError
-from cardan.runtime.saved import load
 
 pytestmark = pytest.mark.usefixtures("cache_directory")
 

@@ -226,7 +226,7 @@ def test_ctrl_c_is_heard_by_threads(equations, cache_directory):
         """
         import sys, time
         import numpy as np
-        from cardan.runtime.compiled import CompiledModel
+        from cardan.api.compiled_model import CompiledModel
 
         model = CompiledModel(sys.argv[1], threads=2)
         q = np.zeros((3_000_000, 3))

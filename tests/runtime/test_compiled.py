@@ -10,10 +10,11 @@ import sys
 import numpy as np
 import pytest
 
+from cardan.analyses import report as reports
+from cardan.api.compiled_model import CompiledModel
+from cardan.api.saved_model import load
 from cardan.errors import BuildError, ModelError
-from cardan.runtime import report as reports
-from cardan.runtime.compiled import CompiledModel
-from cardan.runtime.saved import digest, load, parts, restore
+from cardan.runtime.saved import digest, parts, restore
 from runtime import pendulum
 
 pytestmark = pytest.mark.usefixtures("cache_directory")
@@ -171,19 +172,19 @@ def test_harmed_pickle_is_refused_before_anything_is_written(model, cache_direct
     files = dict(files)
     harm(files)
     with pytest.raises(ModelError, match=r"not those it was made of|cannot hold a file"):
-        restore(files, values, reproducible, stated)
+        restore(CompiledModel, files, values, reproducible, stated)
     # who changes the texts can change their hash too
     with pytest.raises(ModelError, match=HARMS[harm]):
-        restore(files, values, reproducible, digest(files))
+        restore(CompiledModel, files, values, reproducible, digest(files))
     assert sorted(cache_directory.rglob("*")) == there
 
 
 def test_pickle_with_other_than_its_parameters_is_refused(model):
     files, values, reproducible, stated = parts(model)
     with pytest.raises(ModelError, match="one value per parameter"):
-        restore(files, values[1:], reproducible, stated)
+        restore(CompiledModel, files, values[1:], reproducible, stated)
     with pytest.raises(ModelError, match="holds no texts"):
-        restore({"manifest.json": b""}, values, reproducible, stated)
+        restore(CompiledModel, {"manifest.json": b""}, values, reproducible, stated)
 
 
 def test_report_measures_every_function(model, capsys):

@@ -17,9 +17,9 @@ import pytest
 
 import cardan as cd
 from analyses.conftest import double_scene
+from cardan.api.compiled_model import CompiledModel
 from cardan.errors import BuildError
 from cardan.runtime import cache, kernels, levels, prebuilt, toolchain
-from cardan.runtime.compiled import CompiledModel
 from cardan.schema.integrators import INTEGRATORS, KERNELS
 from laws.test_tunings import LEVELS, runs
 

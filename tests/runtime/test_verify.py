@@ -8,12 +8,12 @@ import numpy as np
 import pytest
 
 import cardan as cd
+from cardan.api.compiled_model import CompiledModel
 from cardan.errors import BuildError, SolveWarning
 from cardan.ir.function import Block, Function, Output
 from cardan.ir.graph import Graph
 from cardan.ir.serialize import to_dict
 from cardan.runtime import verify as checks
-from cardan.runtime.compiled import CompiledModel
 from cardan.runtime.judged import scene_of
 from cardan.runtime.truth import finite, truth_of
 from runtime import pendulum

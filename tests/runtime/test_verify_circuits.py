@@ -12,13 +12,13 @@ from typing import Any
 import pytest
 
 import cardan as cd
+from cardan.api.compiled_model import CompiledModel
 from cardan.elements.joints.rolling import Rolling
 from cardan.equations import closures
 from cardan.equations.constraints import Constraints
 from cardan.equations.treatments import TREATMENTS
 from cardan.errors import BuildError
 from cardan.ir.matrix import Matrix
-from cardan.runtime.compiled import CompiledModel
 from laws.test_cut_joints import INSTANCES, machine
 from mechanisms.closed import CLOSED
 from mechanisms.rolling import ROLLING

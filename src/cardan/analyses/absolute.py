@@ -19,8 +19,8 @@ from ..runtime.absolute.carried import leading
 from ..runtime.absolute.elements import Elements, State
 from ..runtime.absolute.frames import rotation, rotation_vectors
 from ..runtime.absolute.tables import Tables
-from ..runtime.compiled import CompiledModel
 from ..runtime.initial import start_of
+from ..runtime.loaded_model import LoadedModel
 from ..runtime.rotations import unit
 from .blockwise import Blockwise
 from .carriage import Carriage
@@ -48,7 +48,7 @@ class Absolute(Modeled):
         Others: as the contract has them.
     """
 
-    def __init__(self, model: CompiledModel) -> None:
+    def __init__(self, model: LoadedModel) -> None:
         """Args:
             model: Compiled in absolute coordinates.
 
@@ -374,7 +374,7 @@ def _blocks(tables: Tables) -> Blockwise:
     return Blockwise(tables.u, ~poses[tables.kind], elements)
 
 
-def _extent(model: CompiledModel, tables: Tables) -> float:
+def _extent(model: LoadedModel, tables: Tables) -> float:
     """The largest distance of a node from their middle, at first [m]; 1 without any."""
     q = model.split(start_of(model, {}, {})[0])[0]
     nodes = [k for k, kind in enumerate(tables.kind) if tables.kinds[kind].node]

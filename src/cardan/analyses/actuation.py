@@ -12,9 +12,9 @@ from numpy.typing import ArrayLike, NDArray
 from ..arguments import checked
 from ..arrays import Array
 from ..errors import ArgumentError, SolveError, near
-from ..runtime.compiled import CompiledModel
 from ..runtime.evaluation import State, Values
 from ..runtime.joint_motion import times
+from ..runtime.loaded_model import LoadedModel
 from .balancing import elastic
 from .contract import Moment, contract_of
 from .static_problem import scaled
@@ -93,7 +93,7 @@ class _Place:
         rest: Time, inputs and parameters, by argument.
     """
 
-    model: CompiledModel
+    model: LoadedModel
     q: Array
     u: Array
     rest: Mapping[str, Any]
@@ -112,7 +112,7 @@ class _Place:
 
 @checked
 def actuation(
-    model: CompiledModel,
+    model: LoadedModel,
     q: State,
     u: State,
     udot: State,
@@ -155,7 +155,7 @@ def actuation(
 
 @checked
 def hybrid_dynamics(
-    model: CompiledModel,
+    model: LoadedModel,
     q: State,
     u: State,
     udot: Mapping[str, ArrayLike],
@@ -284,7 +284,7 @@ def _softness(norm: str | ArrayLike, count: int) -> tuple[Array, str]:
     return np.linalg.inv(np.linalg.cholesky(weights)).T, "weighted"
 
 
-def named_speeds(model: CompiledModel, names: Sequence[str] | None) -> list[int]:
+def named_speeds(model: LoadedModel, names: Sequence[str] | None) -> list[int]:
     """Speeds of joints or speeds by name, each once."""
     if names is None:
         return list(range(model.nu))
@@ -294,7 +294,7 @@ def named_speeds(model: CompiledModel, names: Sequence[str] | None) -> list[int]
     return found
 
 
-def _named(model: CompiledModel, name: str) -> list[int]:
+def _named(model: LoadedModel, name: str) -> list[int]:
     rows = model.manifest.speeds
     found = [i for i, row in enumerate(rows) if name in (row.name, row.joint)]
     if not found:
@@ -309,7 +309,7 @@ def _named(model: CompiledModel, name: str) -> list[int]:
     return found
 
 
-def _wanted(model: CompiledModel, udot: Mapping[str, ArrayLike]) -> tuple[list[int], Array]:
+def _wanted(model: LoadedModel, udot: Mapping[str, ArrayLike]) -> tuple[list[int], Array]:
     """Speeds whose accelerations are given, and those (..., number of them)."""
     slots, values = list[int](), list[Array]()
     for name, value in udot.items():
@@ -353,7 +353,7 @@ def _refuse_impossible(place: _Place, udot: Array) -> None:
         )
 
 
-def _too_few(model: CompiledModel, left: Array, load: Array, chosen: list[int]) -> str:
+def _too_few(model: LoadedModel, left: Array, load: Array, chosen: list[int]) -> str:
     """Which motions the actuators have no hold on."""
     worst = left.reshape(-1, model.nu)[np.argmax(np.abs(left).reshape(-1, model.nu).max(axis=1))]
     size = np.abs(worst).max()

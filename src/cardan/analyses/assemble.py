@@ -12,9 +12,9 @@ from ..arguments import Count, Seed, checked
 from ..arrays import Array
 from ..errors import ArgumentError, ModelError
 from ..runtime.calling import numbers
-from ..runtime.compiled import CompiledModel
 from ..runtime.evaluation import State
 from ..runtime.initial import start_of
+from ..runtime.loaded_model import LoadedModel
 from .assembly import Assembly
 from .branches import branches
 from .consistent import accelerations, speeds
@@ -32,7 +32,7 @@ STARTS = 16
 
 @checked
 def assemble(
-    model: CompiledModel,
+    model: LoadedModel,
     targets: Mapping[str, Any] | None = None,
     *,
     u: Mapping[str, Any] | None = None,
@@ -94,7 +94,7 @@ def assemble(
     return finish(m, goals, chosen, u or {}, udot or {}, solutions, len(found))
 
 
-def _begin(model: CompiledModel, start: Any) -> Array:
+def _begin(model: LoadedModel, start: Any) -> Array:
     """Coordinates to start from."""
     named = start if isinstance(start, Mapping) else {}
     if start is not None and not isinstance(start, Mapping):

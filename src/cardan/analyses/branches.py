@@ -11,7 +11,7 @@ import numpy as np
 
 from ..arrays import Array
 from ..errors import ArgumentError, ModelError, near, shown
-from ..runtime.compiled import CompiledModel
+from ..runtime.loaded_model import LoadedModel
 
 SIGNS = {"+": (0.0, math.inf), "-": (-math.inf, 0.0)}
 
@@ -52,7 +52,7 @@ class Branch:
         return f"'{self.name}' between {self.low:g} and {self.high:g}"
 
 
-def branches(model: CompiledModel, named: Mapping[str, Any]) -> list[Branch]:
+def branches(model: LoadedModel, named: Mapping[str, Any]) -> list[Branch]:
     """Branches out of what the user wrote.
 
     Raises:

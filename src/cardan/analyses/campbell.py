@@ -12,17 +12,17 @@ Source: G. Genta, Dynamics of Rotating Systems (2005), chapters 1 and 2.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
 from typing import Any, final
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 from scipy.optimize import brentq
 
-from ..arguments import Count, checked
+from ..arguments import Count, Hold, checked
 from ..arrays import Array
 from ..errors import ModelError, SolveWarning, shown, warn
 from .family import Member, family
@@ -165,28 +165,35 @@ def campbell(
     *,
     count: Count | None = None,
     turning: bool | None = None,
+    q: Mapping[str, ArrayLike] | ArrayLike | None = None,
+    u: Mapping[str, Any] | None = None,
+    hold: Hold | None = None,
+    wanted: Mapping[str, Any] | None = None,
+    free: Iterable[str] | None = None,
+    inputs: Mapping[str, float] | None = None,
+    parameters: Mapping[str, float] | None = None,
+    t: float = 0.0,
     check: bool = False,
-    **options: Any,
+    **named: Any,
 ) -> Campbell:
     """Frequencies of a rotor over its speed: ``model.campbell(spin=(0, 300))``.
 
     Args:
         model: The compiled model.
-        swept: Joint, parameter or input that is the speed -> (start, end) or values (n,) [rad/s];
-            also as a keyword. The first is the speed, others go together with it.
+        swept, named: Joint, parameter or input that is the speed -> (start, end) or values (n,)
+            [rad/s]. The first is the speed, others go together with it.
         count: Members of a range; 31 if left out.
         turning: Whether coordinates turn along with the rotor; by default those of scenes with
             beams do, others do not.
+        q, u, hold, wanted, free, inputs, parameters, t: As ``root_locus`` takes them.
         check: Raise where the end is not reached, instead of warning.
-        options: ``q``, ``u``, ``hold``, ``wanted``, ``free``, ``inputs``, ``parameters``, ``t`` as
-            :func:`cardan.analyses.locus.root_locus` takes them.
 
     Raises:
-        As :func:`cardan.analyses.locus.root_locus`.
+        As ``root_locus``.
     """
-    known = ("q", "u", "hold", "wanted", "free", "inputs", "parameters", "t")
-    given = {name: options.pop(name) for name in known if name in options}
-    members = family(model, {**(swept or {}), **options}, given, count)
+    given = {"q": q, "u": u, "hold": hold, "wanted": wanted, "free": free, "inputs": inputs,
+             "parameters": parameters, "t": t}  # fmt: skip
+    members = family(model, {**(swept or {}), **named}, given, count)
     found = locus(members, check)
     if found.message != END:
         warn(found.message, SolveWarning)

@@ -14,7 +14,7 @@ import numpy as np
 
 from .. import regular_file
 from ..errors import ModelError
-from ..runtime.compiled import CompiledModel
+from ..runtime.loaded_model import LoadedModel
 from ..runtime.number_file import packed, plain, unpacked
 from ..schema.integrators import INTEGRATORS
 from ..version import STEPPER, VERSION, written_by
@@ -88,7 +88,7 @@ def digest(head: bytes, memory: bytes) -> bytes:
 
 
 def read(
-    model: CompiledModel, path: Path, events: Mapping[str, Any] | None
+    model: LoadedModel, path: Path, events: Mapping[str, Any] | None
 ) -> tuple[Runner, Settings, str]:
     """The run of a checkpoint, where it was, and what ended it.
 

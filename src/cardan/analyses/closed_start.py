@@ -8,10 +8,11 @@ from typing import Any
 
 import numpy as np
 
+from ..arguments import checked
 from ..arrays import Array
 from ..errors import ModelError
-from ..runtime.compiled import CompiledModel
 from ..runtime.initial import entries, followers
+from ..runtime.loaded_model import LoadedModel
 from ..schema.manifest import Manifest
 from .consistent import speeds
 from .crossing import refuse_singular
@@ -22,12 +23,12 @@ from .meshed_start import meshed_start
 from .nearest import NEARLY, assembled
 from .position_solver import PositionSolver
 from .rounded import slack
-from .settings import Start, start
+from .settings import Start, Values, start
 from .targets import read
 from .unassembled import turned_round
 
 
-def closed_start(model: CompiledModel, begin: Start, q: Any, u: Any, t: float, r: Array) -> Start:
+def closed_start(model: LoadedModel, begin: Start, q: Any, u: Any, t: float, r: Array) -> Start:
     """A start at which loops are closed: one rule in every kind of coordinates.
 
     Coordinates and speeds that are named are held, or refused by name. The others are those next
@@ -69,7 +70,7 @@ def _own(manifest: Manifest, letter: str, given: Any) -> Any:
     return {name: value for name, value in given.items() if name not in places}
 
 
-def _followed(model: CompiledModel, begin: Start, q: Any, u: Any, t: float, r: Array) -> Start:
+def _followed(model: LoadedModel, begin: Start, q: Any, u: Any, t: float, r: Array) -> Start:
     """A start of loops in closed form, by what was named of all joints."""
     m = Mechanism(model, t, r)
     at, speed, internal = model.parts_of(begin.x)
@@ -82,18 +83,33 @@ def _followed(model: CompiledModel, begin: Start, q: Any, u: Any, t: float, r: A
     return replace(begin, x=np.concatenate([at, speed, internal]))
 
 
+@checked
 def initial(
-    model: CompiledModel, q: Mapping[str, Any], u: Mapping[str, Any], z: Mapping[str, Any]
+    model: LoadedModel,
+    q: Values | None = None,
+    u: Values | None = None,
+    z: Values | None = None,
 ) -> Array:
-    """The state (nx,) in which a run starts at t = 0 with the defaults of the inputs.
+    """The state x (nx,) in which a run with these named values starts.
 
-    Args: as :meth:`CompiledModel.initial` takes them.
+    Loops are closed at t = 0 with the defaults of the inputs, as ``simulate`` closes them: what
+    is named is held, the rest is next to q0 and u0 of the joints, then 0.
+
+    Args:
+        model: The compiled model.
+        q, u, z: Coordinates, speeds and internal states by name.
+
+    Raises:
+        ModelError: an unknown name, or loops that cannot be closed with what is named.
+        ArgumentError: the wrong number of values.
+        SolveError: a value that is not finite, or a quaternion whose length is not 1.
     """
-    begin = start(model, None, q, u, z)
+    q, u = q or {}, u or {}
+    begin = start(model, None, q, u, z or {})
     return closed_start(model, begin, q, u, 0.0, model._layout.start("r")).x
 
 
-def named_of(letter: str, model: CompiledModel, given: Any) -> Mapping[str, Any] | None:
+def named_of(letter: str, model: LoadedModel, given: Any) -> Mapping[str, Any] | None:
     """What was named; None where every entry was given."""
     if given is not None and not isinstance(given, Mapping):
         return None

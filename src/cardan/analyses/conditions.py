@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from ..errors import ModelError
-from ..runtime.compiled import CompiledModel
+from ..runtime.loaded_model import LoadedModel
 from ..schema.integrators import Integrator
 from ..schema.rows import column
 from .alpha import Alpha
@@ -16,7 +16,7 @@ from .conserving import conservative
 MOST = 0.95
 
 
-def suited(model: CompiledModel, method: Integrator) -> tuple[Integrator, str]:
+def suited(model: LoadedModel, method: Integrator) -> tuple[Integrator, str]:
     """A method as it is for a model, and what there is to say about it.
 
     Raises:
@@ -30,7 +30,7 @@ def suited(model: CompiledModel, method: Integrator) -> tuple[Integrator, str]:
     return method, said
 
 
-def _damping_capped(model: CompiledModel, method: Integrator) -> tuple[Integrator, str]:
+def _damping_capped(model: LoadedModel, method: Integrator) -> tuple[Integrator, str]:
     """With constraints rho_inf is at most what damps them."""
     if not model.nlam or Alpha(*method.options[:4]).rho_inf <= MOST:
         return method, ""
@@ -40,7 +40,7 @@ def _damping_capped(model: CompiledModel, method: Integrator) -> tuple[Integrato
     return replace(method, options=options), words
 
 
-def _assembled(model: CompiledModel, method: Integrator) -> tuple[Integrator, str]:
+def _assembled(model: LoadedModel, method: Integrator) -> tuple[Integrator, str]:
     """Tangents of elements in tables are assembled where the elements are."""
     if not model.manifest.absolute:
         return method, ""
@@ -48,7 +48,7 @@ def _assembled(model: CompiledModel, method: Integrator) -> tuple[Integrator, st
     return replace(method, needs=needs), ""
 
 
-def _joint_speeds(model: CompiledModel, method: Integrator) -> tuple[Integrator, str]:
+def _joint_speeds(model: LoadedModel, method: Integrator) -> tuple[Integrator, str]:
     """Nobody chose other speeds than those of the joints."""
     if None in column(model.manifest.speeds, "joint"):
         raise ModelError(
@@ -58,7 +58,7 @@ def _joint_speeds(model: CompiledModel, method: Integrator) -> tuple[Integrator,
     return method, ""
 
 
-def _no_internal_states(model: CompiledModel, method: Integrator) -> tuple[Integrator, str]:
+def _no_internal_states(model: LoadedModel, method: Integrator) -> tuple[Integrator, str]:
     """No element keeps states of its own."""
     if model.manifest.z:
         names = ", ".join(f"'{row.name}'" for row in model.manifest.z[:3])
@@ -69,7 +69,7 @@ def _no_internal_states(model: CompiledModel, method: Integrator) -> tuple[Integ
     return method, ""
 
 
-def _own_constraints(model: CompiledModel, method: Integrator) -> tuple[Integrator, str]:
+def _own_constraints(model: LoadedModel, method: Integrator) -> tuple[Integrator, str]:
     """The model leaves its constraints to the method."""
     if model.nlam and not model.manifest.projected:
         treatment = model.manifest.treatment
@@ -80,7 +80,7 @@ def _own_constraints(model: CompiledModel, method: Integrator) -> tuple[Integrat
     return method, ""
 
 
-def _damped(model: CompiledModel, method: Integrator) -> tuple[Integrator, str]:
+def _damped(model: LoadedModel, method: Integrator) -> tuple[Integrator, str]:
     """Where there are constraints the coefficients damp them."""
     alpha, index = Alpha(*method.options[:4]), int(method.options[4])
     newton = ", full Newton steps" if method.options[5] else ""
@@ -95,7 +95,7 @@ def _damped(model: CompiledModel, method: Integrator) -> tuple[Integrator, str]:
     return method, f"rho_inf {alpha.rho_inf:.3g}, index {index}{newton}"
 
 
-def _in_elements(model: CompiledModel, method: Integrator) -> tuple[Integrator, str]:
+def _in_elements(model: LoadedModel, method: Integrator) -> tuple[Integrator, str]:
     """The model is in absolute coordinates."""
     if not model.manifest.absolute:
         raise ModelError(
@@ -105,7 +105,7 @@ def _in_elements(model: CompiledModel, method: Integrator) -> tuple[Integrator, 
     return method, ""
 
 
-def _nothing_discrete(model: CompiledModel, method: Integrator) -> tuple[Integrator, str]:
+def _nothing_discrete(model: LoadedModel, method: Integrator) -> tuple[Integrator, str]:
     """There is nothing but motion: no internal states, modes or events."""
     for key, what in (("z", "internal states"), ("s", "modes"), ("events", "events")):
         if getattr(model.manifest, key):
@@ -116,7 +116,7 @@ def _nothing_discrete(model: CompiledModel, method: Integrator) -> tuple[Integra
     return method, ""
 
 
-CONDITIONS: dict[str, Callable[[CompiledModel, Integrator], tuple[Integrator, str]]] = {
+CONDITIONS: dict[str, Callable[[LoadedModel, Integrator], tuple[Integrator, str]]] = {
     "damping_capped": _damping_capped,
     "assembled": _assembled,
     "joint_speeds": _joint_speeds,

@@ -13,7 +13,7 @@ from ..runtime.absolute.frames import rotation
 
 if TYPE_CHECKING:
     from ..runtime.absolute.mesh import Mesh
-    from ..runtime.compiled import CompiledModel
+    from ..runtime.loaded_model import LoadedModel
     from ..schema.integrators import Integrator
 
 # what differences of energies over a small way and rounding leave of forces
@@ -23,7 +23,7 @@ SMALL = 1e-9
 RIGID, HEAVY = 6.0, 3.0
 
 
-def conservative(model: CompiledModel, method: Integrator) -> tuple[Integrator, str]:
+def conservative(model: LoadedModel, method: Integrator) -> tuple[Integrator, str]:
     """The method with the symmetries of the elements of a model, none of which loses energy.
 
     Raises:

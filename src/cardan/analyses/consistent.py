@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 
 from ..arrays import Array
 from ..errors import ArgumentError, ModelError, SolveError, miscounted, shown
-from ..runtime.compiled import CompiledModel
 from ..runtime.initial import entries, missing
+from ..runtime.loaded_model import LoadedModel
 from .mechanism import Mechanism
 
 CONSISTENT = 1e-9  # of the largest of the given values
@@ -62,9 +62,7 @@ def accelerations(m: Mechanism, q: Array, u: Array, given: Mapping[str, Any]) ->
     return m.columns * _meet(m, q, G, udot / m.columns, chosen, gamma, list(given), "udot")
 
 
-def read(
-    what: str, model: CompiledModel, given: Mapping[str, Any]
-) -> tuple[NDArray[np.intp], Array]:
+def read(what: str, model: LoadedModel, given: Mapping[str, Any]) -> tuple[NDArray[np.intp], Array]:
     """Which speeds are given, and their values.
 
     Args:

@@ -338,9 +338,9 @@ def contract_of(model: Any) -> Contract:
     Raises:
         ModelError: it lacks what analyses need.
     """
-    from ..runtime.compiled import CompiledModel
+    from ..runtime.loaded_model import LoadedModel
 
-    if not isinstance(model, CompiledModel):
+    if not isinstance(model, LoadedModel):
         raise ModelError(f"{model!r} is no compiled model: cd.compile(scene) makes one")
     if model.manifest.absolute:
         from .absolute import Absolute

@@ -17,8 +17,8 @@ from numpy.typing import NDArray
 from ..arrays import Array
 from ..errors import ArgumentError, ModelError, SolveError, miscounted, shown
 from ..runtime.closed_states import dependents
-from ..runtime.compiled import CompiledModel
 from ..runtime.initial import followers
+from ..runtime.loaded_model import LoadedModel
 from .mechanism import Mechanism
 from .nearest import EQUAL, NEAR, NEARLY, wished
 from .position_solver import PositionSolver, Solution, missed
@@ -96,7 +96,7 @@ def _follower(m: Mechanism, entries: NDArray[np.intp], value: Array, name: str) 
     )
 
 
-def _kinds(model: CompiledModel) -> NDArray[np.str_]:
+def _kinds(model: LoadedModel) -> NDArray[np.str_]:
     """The kind of joint of every coordinate that follows."""
     joints = model.manifest.joints
     return np.array([joint.kind for joint in joints if joint.solved for _ in joint.solved.q])
@@ -158,7 +158,7 @@ def _softly(one: Follower) -> Follower:
     return replace(one, weight=1.0)
 
 
-def _starts(model: CompiledModel, count: int) -> Array:
+def _starts(model: LoadedModel, count: int) -> Array:
     """Where joints that follow start: q0 as declared, else in the reference position."""
     found = np.zeros(count)
     places = followers(model.manifest, "q")

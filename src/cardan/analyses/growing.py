@@ -22,7 +22,7 @@ import numpy as np
 from .. import processes, regular_file
 from ..errors import ModelError, SolveError
 from ..runtime import number_file
-from ..runtime.compiled import CompiledModel
+from ..runtime.loaded_model import LoadedModel
 from ..version import VERSION, Format, written_by
 
 packed = number_file.packed
@@ -198,7 +198,7 @@ def text(value: Any) -> Any:
     return np.frombuffer(json.dumps(value).encode(), dtype=np.uint8)
 
 
-def build_key(model: CompiledModel) -> str:
+def build_key(model: LoadedModel) -> str:
     """What decides about the last bit of a run here: compiler, flags, processor and all texts.
 
     The names of the compiled ``rhs``, "Python" without a compiler, and of the integrators.
@@ -208,7 +208,7 @@ def build_key(model: CompiledModel) -> str:
     return "-".join(Path(name).stem[:16] for name in names)
 
 
-def model_key(model: CompiledModel) -> str:
+def model_key(model: LoadedModel) -> str:
     """Hash of the equations and parameters of a model."""
     # a function is in the manifest once it is there to be called
     model._function("rhs")

@@ -12,7 +12,7 @@ import numpy as np
 
 from ..arrays import Array
 from ..errors import ArgumentError, ModelError, SolveError, named, near, shown
-from ..runtime.compiled import CompiledModel
+from ..runtime.loaded_model import LoadedModel
 from ..schema.entries import EventRow, TickRow
 from . import record as abi
 from .signals import checked
@@ -134,7 +134,7 @@ class Happenings:
             )
 
 
-def check_start(model: CompiledModel, x: Array, t: float, r: Array) -> None:
+def check_start(model: LoadedModel, x: Array, t: float, r: Array) -> None:
     """Whether a run may begin at a state.
 
     Raises:
@@ -155,7 +155,7 @@ def check_start(model: CompiledModel, x: Array, t: float, r: Array) -> None:
 NOTHING = Happenings((), (), 0, (), ())
 
 
-def happenings(model: CompiledModel, given: Mapping[str, Any] | None) -> Happenings:
+def happenings(model: LoadedModel, given: Mapping[str, Any] | None) -> Happenings:
     """What may happen in a run of a model.
 
     Args:
@@ -188,7 +188,7 @@ def happenings(model: CompiledModel, given: Mapping[str, Any] | None) -> Happeni
     return Happenings(tuple(rows), tuple(kinds), count, ticks, tuple(watches))
 
 
-def _row(model: CompiledModel, stated: EventRow) -> dict[str, Any]:
+def _row(model: LoadedModel, stated: EventRow) -> dict[str, Any]:
     """An event of the model, as runs keep it."""
     row: dict[str, Any] = {"name": stated.name, "element": stated.element, "kind": stated.kind}
     for mode, value in stated.decides.items():
@@ -197,7 +197,7 @@ def _row(model: CompiledModel, stated: EventRow) -> dict[str, Any]:
     return row
 
 
-def _watch(model: CompiledModel, name: str, given: Any) -> Watch:
+def _watch(model: LoadedModel, name: str, given: Any) -> Watch:
     """One entry of ``events=``."""
     what: Any = given
     words: tuple[Any, ...] = ()
@@ -226,7 +226,7 @@ def _is_crossing(given: Sequence[Any]) -> bool:
     )
 
 
-def _value(model: CompiledModel, name: str, what: Any) -> Value:
+def _value(model: LoadedModel, name: str, what: Any) -> Value:
     """f(t, x) of a function, or of a coordinate and the value it passes."""
     if callable(what):
         return checked(f"events: the function of '{name}'", what)

@@ -16,13 +16,13 @@ from ..arrays import Array
 from ..errors import ArgumentError, shown
 from ..runtime.calling import numbers
 from ..runtime.closing import Closing
-from ..runtime.compiled import CompiledModel
 from ..runtime.evaluation import State, Values
+from ..runtime.loaded_model import LoadedModel
 
 
 @checked
 def residual(
-    model: CompiledModel,
+    model: LoadedModel,
     t: ArrayLike,
     q: State,
     u: State,
@@ -74,7 +74,7 @@ def residual(
     return np.concatenate([np.broadcast_to(p, (*lead, p.shape[-1])) for p in parts], axis=-1)
 
 
-def _row(model: CompiledModel, name: str, given: Any) -> Array:
+def _row(model: LoadedModel, name: str, given: Any) -> Array:
     """A vector (..., nq) or (..., nu), by names too where it is tau."""
     count = model.nq if name == "qdot" else model.nu
     array = numbers(name, given) if name == "qdot" else model._vector(name, given)
@@ -84,7 +84,7 @@ def _row(model: CompiledModel, name: str, given: Any) -> Array:
 
 
 def _constraints(
-    model: CompiledModel, index: int, q: Any, u: Any, udot: Any, rest: dict[str, Any]
+    model: LoadedModel, index: int, q: Any, u: Any, udot: Any, rest: dict[str, Any]
 ) -> Array:
     """Residuals (..., m) of the constraints at a level."""
     if index == 1:

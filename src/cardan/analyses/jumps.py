@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..arrays import Array
-from ..runtime.compiled import CompiledModel
+from ..runtime.loaded_model import LoadedModel
 from .signals import Signals
 
 FUNCTION = "time_jumps"
@@ -21,21 +21,21 @@ HALVINGS = 200
 
 
 def stops_of(
-    model: CompiledModel, given: Signals, start: float, end: float, looks: int = LOOKS
+    model: LoadedModel, given: Signals, start: float, end: float, looks: int = LOOKS
 ) -> list[float]:
     """Times at which steps must end, in their direction: corners of inputs, jumps, the end."""
     inside = {*given.corners(start, end), *time_jumps(model, start, end, looks)}
     return [*sorted(inside, reverse=end < start), end]
 
 
-def jumps(model: CompiledModel) -> bool:
+def jumps(model: LoadedModel) -> bool:
     """Whether comparisons of the time make a model jump."""
     if FUNCTION not in model._derived:
         model._derived[FUNCTION] = FUNCTION in model.saved
     return bool(model._derived[FUNCTION])
 
 
-def time_jumps(model: CompiledModel, start: float, end: float, looks: int = LOOKS) -> list[float]:
+def time_jumps(model: LoadedModel, start: float, end: float, looks: int = LOOKS) -> list[float]:
     """Times strictly inside a span at which the model jumps, in the direction of the span.
 
     A comparison that changes twice between two of the looks is not seen.

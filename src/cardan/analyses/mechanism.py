@@ -24,7 +24,7 @@ from ..schema.mechanism import CutRow
 from .connection import Connection, connect
 
 if TYPE_CHECKING:
-    from ..runtime.compiled import CompiledModel
+    from ..runtime.loaded_model import LoadedModel
 
 REACHED = 1e-9  # beyond limits that counts as on them
 TIGHT, LOOSE = 1e-10, 3e-5  # the latter as kernels/dependent.h has it
@@ -48,7 +48,7 @@ class Mechanism:
     slack: float = 0.0
     searches: int = 16
 
-    def __init__(self, model: CompiledModel, t: float = 0.0, r: Any = None) -> None:
+    def __init__(self, model: LoadedModel, t: float = 0.0, r: Any = None) -> None:
         """Args:
         model: Compiled.
         t: Time, where something is prescribed [s].
@@ -63,7 +63,7 @@ class Mechanism:
         self._known: dict[str, tuple[bytes, Any]] = {}
 
     @classmethod
-    def at(cls, model: CompiledModel, t: float, r: Array | None) -> Mechanism:
+    def at(cls, model: LoadedModel, t: float, r: Array | None) -> Mechanism:
         """As the class itself; what is the same at all times is found once for a model."""
         known = model._derived.get(cls)
         if known is None:
@@ -346,7 +346,7 @@ class Mechanism:
         return found
 
 
-def refuse_nodes(model: CompiledModel, what: str) -> None:
+def refuse_nodes(model: LoadedModel, what: str) -> None:
     """Kinematics alone moves joints; where nodes stand they do not tell everything.
 
     Args:

@@ -17,8 +17,8 @@ from ..errors import ModelError
 from ..runtime.absolute import loading
 from ..runtime.absolute.assembled import Assembled
 from ..runtime.closing import size_of
-from ..runtime.compiled import CompiledModel
 from ..runtime.initial import entries
+from ..runtime.loaded_model import LoadedModel
 from .consistent import speeds
 from .crossing import refuse_singular
 from .nearest import NEARLY, assembled
@@ -31,7 +31,7 @@ MOST = 60
 CLOSED, GOOD = 1e-12, 1e-9  # gaps against the size of the scene: sought, and good enough
 
 
-def meshed_start(model: CompiledModel, x: Array, q: Any, u: Any, t: float, r: Array) -> Array:
+def meshed_start(model: LoadedModel, x: Array, q: Any, u: Any, t: float, r: Array) -> Array:
     """A state (nx,) whose constraints hold, named coordinates and speeds kept as they are.
 
     Args:
@@ -55,7 +55,7 @@ def meshed_start(model: CompiledModel, x: Array, q: Any, u: Any, t: float, r: Ar
 
 
 def start_of_search(
-    model: CompiledModel, x: Array, q: Any, hold: Mapping[str, Any], t: float, r: Array
+    model: LoadedModel, x: Array, q: Any, hold: Mapping[str, Any], t: float, r: Array
 ) -> Array:
     """A state (nx,) at which a search for rest begins.
 
@@ -85,7 +85,7 @@ class _Start:
     Args: as :func:`meshed_start` takes them.
     """
 
-    def __init__(self, model: CompiledModel, x: Array, q: Any, u: Any, t: float, r: Array) -> None:
+    def __init__(self, model: LoadedModel, x: Array, q: Any, u: Any, t: float, r: Array) -> None:
         self.model = model
         self.q0, self.u0, self.internal = (part.copy() for part in model.parts_of(x))
         self.given = {"t": t, "r": r, "z": self.internal}
@@ -266,7 +266,7 @@ class _Start:
         return source.results(self.model).closed(name, q, u, held, self.given)
 
 
-def _named(model: CompiledModel, given: Any, letter: str) -> Mapping[str, Any] | None:
+def _named(model: LoadedModel, given: Any, letter: str) -> Mapping[str, Any] | None:
     """What was named; None where every entry was given."""
     if given is not None and not isinstance(given, Mapping):
         return None
@@ -276,7 +276,7 @@ def _named(model: CompiledModel, given: Any, letter: str) -> Mapping[str, Any] |
     return None if len(known) == size else given or {}
 
 
-def _own_nodes(model: CompiledModel, named: Mapping[str, Any] | None, letter: str) -> list[str]:
+def _own_nodes(model: LoadedModel, named: Mapping[str, Any] | None, letter: str) -> list[str]:
     """Entries of names that belong to nodes which beams alone hold: they stay where they are."""
     if not named:
         return []
@@ -291,7 +291,7 @@ def _own_nodes(model: CompiledModel, named: Mapping[str, Any] | None, letter: st
     return [names[k] for k in sorted(own & given)]
 
 
-def _held(model: CompiledModel, named: Any, letter: str) -> Array:
+def _held(model: LoadedModel, named: Any, letter: str) -> Array:
     """1 for the speeds (nu,) along which nothing may change."""
     held = np.zeros(model.nu)
     if not isinstance(named, Mapping) or not named:
@@ -309,12 +309,12 @@ def _held(model: CompiledModel, named: Any, letter: str) -> Array:
     return held
 
 
-def _normalize(model: CompiledModel, q: Array) -> None:
+def _normalize(model: LoadedModel, q: Array) -> None:
     entries = np.array(model.manifest.quaternions, dtype=np.intp)[:, None] + np.arange(4)
     q[entries] /= np.linalg.norm(q[entries], axis=1)[:, None]
 
 
-def _open(model: CompiledModel, gaps: Array) -> str:
+def _open(model: LoadedModel, gaps: Array) -> str:
     """What cannot be closed."""
     k = int(np.argmax(np.abs(gaps)))
     row = model.manifest.multipliers[k]

@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 
 from ..arrays import Array
 from ..errors import ArgumentError, ModelError, SolveError, near
-from ..runtime.compiled import CompiledModel
 from ..runtime.initial import entries, missing, start_of
+from ..runtime.loaded_model import LoadedModel
 from ..runtime.named_rotations import component
 from .contract import Moment, Parameters
 
@@ -26,7 +26,7 @@ class Modeled(ABC):
         Others: as :class:`cardan.analyses.contract.Contract` has them.
     """
 
-    def __init__(self, model: CompiledModel, positions: int, size: float) -> None:
+    def __init__(self, model: LoadedModel, positions: int, size: float) -> None:
         """Args:
         model: Compiled.
         positions: Number of constraints of positions, which come first.
@@ -50,9 +50,7 @@ class Modeled(ABC):
     def increments(self) -> tuple[str, ...]:
         """As :meth:`Contract.increments`."""
 
-    def started(
-        self, q: Any, hold: Mapping[str, Any], p: Parameters
-    ) -> tuple[CompiledModel, Array]:
+    def started(self, q: Any, hold: Mapping[str, Any], p: Parameters) -> tuple[LoadedModel, Array]:
         """The model with these parameters, and the state x (nx,) at rest that q and hold name."""
         model = self.model.with_parameters(dict(p)) if p else self.model
         named = q if isinstance(q, Mapping) else {}

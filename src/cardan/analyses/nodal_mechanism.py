@@ -20,7 +20,7 @@ from ..runtime.absolute.carried import Carrier, leading
 from ..runtime.absolute.elements import State
 from ..runtime.absolute.frames import rotation_vectors
 from ..runtime.closing import Closing
-from ..runtime.compiled import CompiledModel
+from ..runtime.loaded_model import LoadedModel
 from ..runtime.rotations import unit
 from ..runtime.states import random_state
 from ..schema.entries import MultiplierRow
@@ -56,7 +56,7 @@ class NodalMechanism(Mechanism):
 
     def __init__(
         self,
-        model: CompiledModel,
+        model: LoadedModel,
         t: float = 0.0,
         r: Any = None,
         kept: Collection[str] = (),

@@ -5,9 +5,8 @@ from __future__ import annotations
 import math
 import time
 import warnings
-from collections.abc import Callable, Iterator, Sequence
-from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -15,17 +14,15 @@ from numpy.typing import ArrayLike
 from ..arguments import checked
 from ..arrays import Array
 from ..errors import CodegenError, DerivationError, ModelError, SolveWarning, near
-from ..runtime.compiled import CompiledModel
+from ..runtime.loaded_model import LoadedModel
 from ..runtime.trajectory import Trajectory
 from ..schema.integrators import INTEGRATORS, Integrator
 from .choice import JACOBIAN
 from .precision import Point, Precision
 from .precision_reference import OutOfTime, reference
 from .redundancy import undetermined
+from .simulate import simulate
 from .times import span
-
-if TYPE_CHECKING:
-    from ..runtime.report import Report
 
 Show = Callable[[str, float], None]
 
@@ -41,12 +38,18 @@ BEYOND = 3.0  # times the doubt of the reference: smaller errors tell nothing mo
 
 @checked
 def precision(
-    model: CompiledModel,
+    model: LoadedModel,
     t: float | ArrayLike,
     methods: Sequence[str] | None = None,
     patience: float = 5.0,
     show: Show | None = None,
-    **start: Any,
+    *,
+    x0: ArrayLike | None = None,
+    q: Any = None,
+    u: Any = None,
+    z: Any = None,
+    inputs: Mapping[str, Any] | None = None,
+    events: Mapping[str, Any] | None = None,
 ) -> Precision:
     """Run every integrator that applies at tolerances from rough to fine.
 
@@ -56,8 +59,7 @@ def precision(
         methods: Names; all integrators by default.
         patience: Longest time for one run [s]; a method stops where it would take more.
         show: Called with what is being run and the fraction done.
-        start: ``x0`` or ``q``, ``u``, ``z``, and ``inputs``, ``events``, as ``simulate`` takes
-            them.
+        x0, q, u, z, inputs, events: Of the motion, as ``simulate`` takes them.
 
     Returns:
         What was measured; Ctrl-C ends measuring and keeps what there is.
@@ -71,6 +73,7 @@ def precision(
     if not (math.isfinite(patience) and patience > 0):
         raise ModelError(f"patience={patience:g}: it must be a positive time [s]")
     over = span(t)
+    start = {"x0": x0, "q": q, "u": u, "z": z, "inputs": inputs, "events": events}
     bench = Bench(model, np.linspace(over.start, over.end, OUTPUTS), patience, start)
     chosen = {name: INTEGRATORS[name] for name in methods or INTEGRATORS}
     points: list[Point] = []
@@ -98,27 +101,7 @@ def precision(
     return Precision(model.name, ends, tuple(points), words, bench.doubt, left_out, stopped, loose)
 
 
-@checked
-def compare(
-    model: CompiledModel, functions: Report, t: float | ArrayLike, **options: Any
-) -> Report:
-    """A report of functions with speed against error of integrators; prints it.
-
-    Args:
-        model: The compiled model.
-        functions: The report so far.
-        t, options: As :func:`precision` takes them.
-    """
-    from rich.console import Console
-
-    found = precision(model, t, **options)
-    out = Console(markup=False)
-    out.print(found.table())
-    out.print(found.recommendation, soft_wrap=True)
-    return replace(functions, methods=found)
-
-
-def twin(model: CompiledModel, method: Integrator) -> str:
+def twin(model: LoadedModel, method: Integrator) -> str:
     """The method that a Lie group method is where nothing turns by quaternions, "" of others."""
     if not method.charted or model.manifest.quaternions:
         return ""
@@ -130,7 +113,7 @@ class Bench:
     """One motion that is run again and again."""
 
     def __init__(
-        self, model: CompiledModel, times: Array, patience: float, start: dict[str, Any]
+        self, model: LoadedModel, times: Array, patience: float, start: dict[str, Any]
     ) -> None:
         self._model, self._times, self._patience, self._start = model, times, patience, start
         self._known: Array = np.empty(0)
@@ -238,7 +221,7 @@ class Bench:
         with warnings.catch_warnings():
             # how a run ends stands in its status
             warnings.simplefilter("ignore", SolveWarning)
-            return self._model.simulate(self._times, progress=watch, **how, **self._start)
+            return simulate(self._model, self._times, progress=watch, **how, **self._start)
 
     def _error(self, motion: Trajectory) -> float:
         """Largest error of a coordinate."""

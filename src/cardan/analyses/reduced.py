@@ -21,7 +21,8 @@ from scipy.linalg import qr
 from ..arguments import checked
 from ..arrays import Array
 from ..errors import ArgumentError, SolveError
-from ..runtime.compiled import CompiledModel
+from ..runtime.evaluation import State
+from ..runtime.loaded_model import LoadedModel
 from .mechanism import Mechanism
 from .position_solver import LOST, PositionSolver
 from .redundancy import rank_of
@@ -53,7 +54,7 @@ class Partition:
         condition: Of the map from them to motions; above 1e3 or so another choice is better.
     """
 
-    def __init__(self, model: CompiledModel, q: ArrayLike, t: float = 0.0, r: Any = None) -> None:
+    def __init__(self, model: LoadedModel, q: ArrayLike, t: float = 0.0, r: Any = None) -> None:
         """Choose at a position.
 
         Args:
@@ -220,6 +221,39 @@ class Partition:
         found: Array = m.columns * np.linalg.lstsq(system, right, rcond=LOST)[0]
         found[list(self._u)] = independent
         return found
+
+
+@checked
+def partition(
+    model: LoadedModel, q: ArrayLike, *, t: float = 0.0, r: State | None = None
+) -> Partition:
+    """Independent coordinates and speeds, chosen at a position: the minimal form.
+
+    Args:
+        model: The compiled model; without circuits everything is independent.
+        q: Coordinates (nq,) that close all circuits.
+        t, r: Time [s] and inputs.
+
+    Returns:
+        A :class:`Partition`: ``reduce(x)`` gives y, ``full(t, y)`` gives x.
+
+    Raises:
+        ArgumentError: a wrong shape. SolveError: circuits are open at this position.
+    """
+    return Partition(model, q, t, r)
+
+
+@checked
+def reduced_rhs(model: LoadedModel, t: float, y: ArrayLike, partition: Partition) -> Array:
+    """Derivative (n,) of y = [independent coordinates, independent speeds] (n,).
+
+    Args:
+        model: The compiled model.
+        t: Time [s].
+        y: Of ``partition.reduce(x)``.
+        partition: Chosen anew between steps where it becomes bad.
+    """
+    return partition.rhs(t, y)
 
 
 def _free(G: Array) -> Array:

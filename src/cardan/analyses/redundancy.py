@@ -12,9 +12,9 @@ from numpy.typing import ArrayLike, NDArray
 from ..arguments import checked
 from ..arrays import Array
 from ..errors import SolveWarning, warn
-from ..runtime.compiled import CompiledModel
 from ..runtime.evaluation import State
 from ..runtime.initial import start_of
+from ..runtime.loaded_model import LoadedModel
 from ..schema.entries import MultiplierRow
 from .mechanism import Mechanism
 from .self_stress import COMPONENTS, RANK, determined, passed
@@ -112,7 +112,7 @@ class Redundancy:
 
 @checked
 def redundancy(
-    model: CompiledModel,
+    model: LoadedModel,
     q: Mapping[str, ArrayLike] | ArrayLike | None = None,
     *,
     t: float = 0.0,
@@ -131,7 +131,7 @@ def redundancy(
     return report(Mechanism(model, t, r), position(model, q))
 
 
-def doubt(model: CompiledModel, joint: str, q: Any, t: Any, r: Any) -> None:
+def doubt(model: LoadedModel, joint: str, q: Any, t: Any, r: Any) -> None:
     """Warn where the reaction of a joint is not determined at the first, middle and last state.
 
     Args:
@@ -165,18 +165,18 @@ def doubt(model: CompiledModel, joint: str, q: Any, t: Any, r: Any) -> None:
         )
 
 
-def undetermined(model: CompiledModel, q: Array, t: float = 0.0) -> tuple[str, ...]:
+def undetermined(model: LoadedModel, q: Array, t: float = 0.0) -> tuple[str, ...]:
     """Lines on the reactions that constraints do not determine at a position (nq,) and time [s]."""
     return tuple(report(Mechanism(model, t), q).undetermined) if bound(model) else ()
 
 
-def bound(model: CompiledModel) -> bool:
+def bound(model: LoadedModel) -> bool:
     """Whether constraints bind a model whose rows are known."""
     rows, known = model.manifest.multipliers, model.manifest.available
     return bool(model.manifest.cuts) or bool(rows and "constraint_jacobian" in known)
 
 
-def position(model: CompiledModel, q: Any) -> Array:
+def position(model: LoadedModel, q: Any) -> Array:
     """Coordinates (nq,) from an array, from names, or where the model starts."""
     if q is not None and not isinstance(q, Mapping):
         found: Array = model._vector("q", q)

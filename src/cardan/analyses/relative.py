@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 from ..arrays import Array
 from ..errors import ModelError
 from ..ir.names import of_rate
-from ..runtime.compiled import CompiledModel
+from ..runtime.loaded_model import LoadedModel
 from ..runtime.rotations import unit
 from .assemble import assemble
 from .closed_start import closed_start
@@ -36,7 +36,7 @@ class Relative(Modeled):
         Others: as the contract has them.
     """
 
-    def __init__(self, model: CompiledModel) -> None:
+    def __init__(self, model: LoadedModel) -> None:
         """Args:
             model: Compiled, with ``balance`` among its functions.
 

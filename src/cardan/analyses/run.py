@@ -17,9 +17,9 @@ from ..arrays import Array
 from ..errors import ModelError, SolveError
 from ..processes import on_interrupt
 from ..runtime.closing import Closing, columns_of
-from ..runtime.compiled import CompiledModel
 from ..runtime.interpreted import called_back
 from ..runtime.ledger import Ledger
+from ..runtime.loaded_model import LoadedModel
 from ..schema.records import Run, Signal, Tick
 from . import record as abi
 from .bounded import bounded
@@ -61,7 +61,7 @@ class Runner:
 
     def __init__(
         self,
-        model: CompiledModel,
+        model: LoadedModel,
         settings: Settings,
         given: Signals,
         power: bool = True,

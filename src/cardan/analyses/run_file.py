@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 from ..errors import ModelError, shown
-from ..runtime.compiled import CompiledModel
+from ..runtime.loaded_model import LoadedModel
 from ..runtime.number_file import packed, plain, unpacked
 from ..schema.integrators import INTEGRATORS
 from ..version import RUN_FILE
@@ -209,7 +209,7 @@ def _parts(content: bytes, path: Path) -> dict[str, Any]:
 def run_file(
     path: Any,
     every: float,
-    model: CompiledModel,
+    model: LoadedModel,
     how: Settings,
     given: Signals,
     may: Happenings,

@@ -13,8 +13,8 @@ from numpy.typing import ArrayLike
 from ..arrays import Array
 from ..errors import ArgumentError, ModelError, ModelWarning, SolveError, near, outside, shown, warn
 from ..runtime.calling import numbers
-from ..runtime.compiled import CompiledModel
 from ..runtime.initial import followers, start_of
+from ..runtime.loaded_model import LoadedModel
 from ..schema.integrators import INTEGRATORS, Integrator
 from ..schema.rows import having
 from .alpha import Alpha, GeneralizedAlpha, method_of
@@ -181,13 +181,13 @@ class Start:
     slack: float = 0.0
     followers: Mapping[str, Values] = field(default_factory=dict)
 
-    def named(self, model: CompiledModel) -> dict[str, float]:
+    def named(self, model: LoadedModel) -> dict[str, float]:
         """Every entry by its name."""
         names = (*model.coordinates, *model.speeds, *model.internals)
         return dict(zip(names, self.x.tolist(), strict=True))
 
 
-def start(model: CompiledModel, x0: Any, q: Any, u: Any, z: Any = None) -> Start:
+def start(model: LoadedModel, x0: Any, q: Any, u: Any, z: Any = None) -> Start:
     """The initial state from ``x0`` or from ``q``, ``u`` and ``z``, each by names or as an array.
 
     Raises:
@@ -217,7 +217,7 @@ def start(model: CompiledModel, x0: Any, q: Any, u: Any, z: Any = None) -> Start
     return begin
 
 
-def _within_limits(model: CompiledModel, x: Array, named: Values) -> None:
+def _within_limits(model: LoadedModel, x: Array, named: Values) -> None:
     """Warn of coordinates that were named outside the limits of their joints."""
     for joint in having(model.manifest.joints, "limits"):
         first, size = joint.q or (0, 0)

@@ -10,10 +10,11 @@ from typing import Any
 
 from numpy.typing import ArrayLike
 
+from ..arguments import checked
 from ..errors import FunctionError, ModelError, SolveError, SolveWarning, warn
 from ..runtime.closing import Closing
-from ..runtime.compiled import CompiledModel
 from ..runtime.interpreted import CURE
+from ..runtime.loaded_model import LoadedModel
 from ..runtime.trajectory import Trajectory
 from ..schema.functions import OF_ELEMENTS
 from ..schema.integrators import INTEGRATORS
@@ -39,8 +40,9 @@ from .times import Span, span
 LARGE = 1600  # pairs of speeds, as in a chain of 40: more are derived for minutes
 
 
+@checked
 def simulate(
-    model: CompiledModel,
+    model: LoadedModel,
     t: float | ArrayLike | None = None,
     *,
     t_eval: ArrayLike | None = None,
@@ -133,7 +135,7 @@ def _told(motion: Trajectory, check: bool) -> Trajectory:
 
 
 def _settled(
-    model: CompiledModel,
+    model: LoadedModel,
     how: Settings,
     given: Signals,
     may: Happenings,
@@ -163,7 +165,7 @@ def _settled(
         return driven(runner, over, begin, progress, None, file)
 
 
-def case_of(model: CompiledModel, rtol: float, over: Span, given: Signals, may: Happenings) -> Case:
+def case_of(model: LoadedModel, rtol: float, over: Span, given: Signals, may: Happenings) -> Case:
     """What ``method="auto"`` chooses from."""
     periods = [float(tick.period) for tick in may.ticks]
     if given.functions and given.sample is not None:
@@ -188,7 +190,7 @@ def chosen(how: Settings, case: Case | None) -> Settings:
 
 
 def runner_of(
-    model: CompiledModel, how: Settings, given: Signals, may: Happenings = NOTHING
+    model: LoadedModel, how: Settings, given: Signals, may: Happenings = NOTHING
 ) -> Runner:
     """What runs a model.
 
@@ -316,7 +318,7 @@ def speed_pairs(manifest: Manifest) -> int:
     return count
 
 
-def _without_costly(model: CompiledModel, how: Settings) -> Settings:
+def _without_costly(model: LoadedModel, how: Settings) -> Settings:
     """Settings of a method that differences what a large model would derive for minutes."""
     found = [name for name in how.method.differenced if name in how.method.needs]
     if not found or speed_pairs(model.manifest) <= LARGE:

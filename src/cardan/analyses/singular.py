@@ -20,8 +20,8 @@ from numpy.typing import ArrayLike
 from ..arguments import Hold, checked
 from ..arrays import Array
 from ..errors import ArgumentError, ModelError, near
-from ..runtime.compiled import CompiledModel
 from ..runtime.evaluation import State
+from ..runtime.loaded_model import LoadedModel
 from .assemble import assemble
 from .mechanism import Mechanism, refuse_nodes
 from .position_solver import PositionSolver
@@ -93,7 +93,7 @@ class Singular:
 
 @checked
 def singular_positions(
-    model: CompiledModel,
+    model: LoadedModel,
     coordinate: str,
     over: tuple[float, float],
     *,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ctypes
 
-from ..runtime.compiled import CompiledModel
+from ..runtime.loaded_model import LoadedModel
 from .happenings import Happenings
 from .run import Runner
 from .settings import Settings
@@ -13,9 +13,7 @@ from .signals import Signals
 SMALL = 1 << 20  # bytes that a runner may hold between two runs
 
 
-def spare(
-    model: CompiledModel, settings: Settings, given: Signals, may: Happenings
-) -> Runner | None:
+def spare(model: LoadedModel, settings: Settings, given: Signals, may: Happenings) -> Runner | None:
     """A runner that an earlier run has left, as good as new; None if there is none.
 
     Args: as :class:`.run.Runner` takes them.

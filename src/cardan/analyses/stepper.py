@@ -15,8 +15,8 @@ from ..arguments import checked
 from ..arrays import Array
 from ..errors import FunctionError, ModelError, SolveError, near, shown
 from ..runtime.calling import numbers
-from ..runtime.compiled import CompiledModel
 from ..runtime.events import Event, Happened
+from ..runtime.loaded_model import LoadedModel
 from . import record as abi
 from .alpha import Alpha, GeneralizedAlpha
 from .closed_start import closed_start
@@ -187,7 +187,7 @@ class Stepper:
 
 @checked
 def stepper(
-    model: CompiledModel,
+    model: LoadedModel,
     *,
     t: float = 0.0,
     x0: ArrayLike | None = None,
@@ -236,7 +236,7 @@ def stepper(
 
 @checked
 def resume(
-    model: CompiledModel, path: str | Path, *, events: Mapping[str, Any] | None = None
+    model: LoadedModel, path: str | Path, *, events: Mapping[str, Any] | None = None
 ) -> Stepper:
     """The stepper of a checkpoint that :meth:`Stepper.save` wrote; it goes on bit for bit.
 
@@ -256,14 +256,28 @@ def resume(
 
 
 @checked
-def step(model: CompiledModel, x: ArrayLike, dt: float, **options: Any) -> Array:
+def step(
+    model: LoadedModel,
+    x: ArrayLike,
+    dt: float,
+    *,
+    t: float = 0.0,
+    events: Mapping[str, Any] | None = None,
+    method: str | GeneralizedAlpha | Alpha = "auto",
+    rtol: float = 1e-6,
+    atol: float | None = None,
+    step: float | None = None,
+    max_step: float | None = None,
+    inputs: Mapping[str, Any] | None = None,
+) -> Array:
     """The states that a time dt leads to.
 
     Args:
         model: The compiled model.
         x: States [q, u, z] (..., nx).
         dt: Time to pass [s], negative to go back; one compiled run per state.
-        options: As :func:`stepper` takes them, such as ``t``, ``rtol``, ``method`` and ``inputs``.
+        t: Time at the start [s].
+        events, method, rtol, atol, step, max_step, inputs: As ``stepper`` takes them.
 
     Returns:
         (..., nx).
@@ -274,5 +288,9 @@ def step(model: CompiledModel, x: ArrayLike, dt: float, **options: Any) -> Array
     states = numbers("x", x)
     result = np.empty_like(states)
     for place in np.ndindex(states.shape[:-1]):
-        result[place] = stepper(model, x0=states[place], **options).step(dt)
+        one = stepper(
+            model, t=t, x0=states[place], events=events, method=method, rtol=rtol, atol=atol,
+            step=step, max_step=max_step, inputs=inputs,
+        )  # fmt: skip
+        result[place] = one.step(dt)
     return result

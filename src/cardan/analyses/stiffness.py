@@ -19,8 +19,8 @@ from ..arguments import checked
 from ..arrays import Array
 from ..errors import counted
 from ..runtime.calling import numbers
-from ..runtime.compiled import CompiledModel
 from ..runtime.evaluation import State
+from ..runtime.loaded_model import LoadedModel
 
 PRODUCTS = 16  # of the Jacobian with a vector
 RELATIVE = 1e-7  # size of differences
@@ -75,7 +75,7 @@ class Stiffness:
 
 @checked
 def stiffness(
-    model: CompiledModel,
+    model: LoadedModel,
     x: ArrayLike,
     t: float = 0.0,
     r: State | None = None,

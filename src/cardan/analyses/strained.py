@@ -8,13 +8,13 @@ from ..arrays import Array
 from ..errors import SolveWarning, warn
 from ..runtime.absolute import loading
 from ..runtime.absolute.carried import Carrier
-from ..runtime.compiled import CompiledModel
+from ..runtime.loaded_model import LoadedModel
 
 LARGE = 0.1  # strain: no linear elastic material is meant to bear more
 SMALL_ANGLE = 1e-4
 
 
-def warn_of_strain(model: CompiledModel, x: Array) -> None:
+def warn_of_strain(model: LoadedModel, x: Array) -> None:
     """Warn of the beam that a start strains most, if that is too much.
 
     Args:
@@ -41,7 +41,7 @@ def warn_of_strain(model: CompiledModel, x: Array) -> None:
         )
 
 
-def _strain(model: CompiledModel, number: int, reference: Array, q: Array) -> float:
+def _strain(model: LoadedModel, number: int, reference: Array, q: Array) -> float:
     """The largest strain of the elements of a segment, each of constant strain."""
     poses = [_poses(model, number, at) for at in (reference, q)]
     length = np.maximum(np.linalg.norm(np.diff(poses[0][1], axis=0), axis=1), 1e-300)
@@ -53,7 +53,7 @@ def _strain(model: CompiledModel, number: int, reference: Array, q: Array) -> fl
     return float(np.maximum(stretch, bend * half).max(initial=0.0))
 
 
-def _poses(model: CompiledModel, number: int, q: Array) -> tuple[Array, Array]:
+def _poses(model: LoadedModel, number: int, q: Array) -> tuple[Array, Array]:
     """Rotations (n, 3, 3) and positions (n, 3) of the nodes of a segment, ends on their bodies."""
     from scipy.spatial.transform import Rotation
 

@@ -14,10 +14,10 @@ from numpy.typing import ArrayLike
 from ..arguments import Hold, checked
 from ..arrays import Array
 from ..errors import ArgumentError, ModelError, SolveError, SolveWarning, counted, near, warn
-from ..runtime.compiled import CompiledModel
 from ..runtime.conduct import FINISHED
 from ..runtime.evaluation import State
 from ..runtime.initial import entries
+from ..runtime.loaded_model import LoadedModel
 from ..runtime.named_rotations import component
 from .assemble import assemble
 from .consistent import accelerations, speeds
@@ -45,7 +45,7 @@ class Sweep:
         message: The same as a sentence.
     """
 
-    model: CompiledModel
+    model: LoadedModel
     drivers: Mapping[str, Array]
     q: Array
     u: Array
@@ -122,7 +122,7 @@ class Sweep:
 
 @checked
 def sweep(
-    model: CompiledModel,
+    model: LoadedModel,
     driver: str | Mapping[str, ArrayLike],
     values: ArrayLike | None = None,
     *,
@@ -183,7 +183,7 @@ def sweep(
     return found
 
 
-def _drivers(model: CompiledModel, driver: Any, values: Any) -> dict[str, Array]:
+def _drivers(model: LoadedModel, driver: Any, values: Any) -> dict[str, Array]:
     """Name -> values of all drivers, checked."""
     given = driver if isinstance(driver, Mapping) else {driver: values}
     if isinstance(driver, Mapping) == (values is not None) or not given:

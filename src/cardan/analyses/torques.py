@@ -19,7 +19,7 @@ from .identification.base import circuits
 from .identification.data import Data, columns, measured, named_columns, write
 
 if TYPE_CHECKING:
-    from ..runtime.compiled import CompiledModel
+    from ..runtime.loaded_model import LoadedModel
 
 UNITS = {"rad/s": "N m", "m/s": "N"}
 
@@ -41,7 +41,7 @@ class Torques:
         unique: Whether no other forces of these actuators make the motion.
     """
 
-    model: CompiledModel
+    model: LoadedModel
     t: Array
     q: Array
     u: Array
@@ -131,7 +131,7 @@ class Torques:
 
 @checked
 def torques(
-    model: CompiledModel,
+    model: LoadedModel,
     motion: Any,
     *,
     actuators: Sequence[str] | None = None,
@@ -192,7 +192,7 @@ def torques(
 
 
 def _motion(
-    model: CompiledModel, motion: Any, cutoff: float | None, period: float | None, harmonics: int
+    model: LoadedModel, motion: Any, cutoff: float | None, period: float | None, harmonics: int
 ) -> Data:
     """The samples, with accelerations by the equations of motion where a run has its model."""
     smooth: dict[str, Any] = {"cutoff": cutoff, "period": period, "harmonics": harmonics}

@@ -13,8 +13,8 @@ from numpy.typing import ArrayLike
 from ..arguments import Count, Seed, checked
 from ..arrays import Array
 from ..errors import ArgumentError, ModelError, near
-from ..runtime.compiled import CompiledModel
 from ..runtime.evaluation import State
+from ..runtime.loaded_model import LoadedModel
 from .assemble import assemble
 from .branches import branches
 from .mechanism import Mechanism, refuse_nodes
@@ -77,7 +77,7 @@ class Workspace:
 
 @checked
 def workspace(
-    model: CompiledModel,
+    model: LoadedModel,
     frame: str,
     *,
     over: Mapping[str, tuple[float, float]] | None = None,
@@ -130,7 +130,7 @@ def workspace(
     return Workspace(model.name, frame, points, q, samples)
 
 
-def _range(model: CompiledModel, name: str, ends: Any) -> tuple[float, float]:
+def _range(model: LoadedModel, name: str, ends: Any) -> tuple[float, float]:
     if name not in model.coordinates:
         raise ModelError(f"over: there is no coordinate '{name}'.{near(name, model.coordinates)}")
     found = np.asarray(ends, dtype=np.float64)

@@ -41,7 +41,7 @@ if TYPE_CHECKING:
     from ..analyses.identification.base import Base
     from ..analyses.identification.excitation import Excitation
     from ..analyses.identification.result import Identification
-    from ..runtime.compiled import CompiledModel
+    from ..api.compiled_model import CompiledModel
 
 
 def arguments(parser: argparse.ArgumentParser) -> None:

@@ -40,7 +40,7 @@ from .options import run as run_options
 from .options import scene as scene_options
 
 if TYPE_CHECKING:
-    from ..runtime.compiled import CompiledModel
+    from ..api.compiled_model import CompiledModel
     from ..runtime.trajectory import Trajectory
 
 ROWS = 60  # of the table of coordinates

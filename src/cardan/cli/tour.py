@@ -21,7 +21,7 @@ from ..peers.urdf import agreement
 from ..pipeline import compile, derive
 
 if TYPE_CHECKING:
-    from ..runtime.compiled import CompiledModel
+    from ..api.compiled_model import CompiledModel
     from ..runtime.trajectory import Trajectory
 
 STATES = 20

@@ -14,9 +14,9 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from ..api.compiled_model import CompiledModel
 from ..arrays import Array
 from ..runtime.circuits import Moving, frames
-from ..runtime.compiled import CompiledModel
 from ..runtime.joint_motion import cross, joint_data, joint_motions, times
 from ..runtime.judged import scene_of
 from ..runtime.kind_poses import KindNumbers, pose_of

@@ -7,9 +7,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..api.compiled_model import CompiledModel
 from ..arrays import Array
 from ..errors import CardanError
-from ..runtime.compiled import CompiledModel
 from ..runtime.judged import scene_of
 from . import PEERS, peer
 from .circuits import Circuits, circuits

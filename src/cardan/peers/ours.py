@@ -10,13 +10,13 @@ from typing import Any
 
 import numpy as np
 
+from ..api.compiled_model import CompiledModel
 from ..arrays import Array
 from ..ir.interpreter import evaluate
 from ..ir.serialize import from_dict
 from ..runtime import prebuilt, samples
 from ..runtime.batch import one_by_one
 from ..runtime.cache import build
-from ..runtime.compiled import CompiledModel
 from ..runtime.derivatives import Derivative
 from ..runtime.lanes import States as Many
 from ..runtime.loaded import LoadedFunction

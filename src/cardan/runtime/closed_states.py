@@ -15,7 +15,7 @@ from .joint_motion import Array, times
 from .judged import motion_of
 
 if TYPE_CHECKING:
-    from .compiled import CompiledModel
+    from .loaded_model import LoadedModel
     from .newton_euler import Scene
 
 # Singular values below this part of the largest are those of redundant conditions.
@@ -61,21 +61,21 @@ class Bound:
         return Bound(*(value[chosen] for value in vars(self).values()))
 
 
-def bound(model: CompiledModel) -> bool:
+def bound(model: LoadedModel) -> bool:
     """Whether anything beyond the tree binds a model."""
     # what modes of elements hold they do not hold where states are judged
     always = [row for row in model.manifest.multipliers if not row.switched]
     return bool(always or model.manifest.cuts)
 
 
-def unbound(model: CompiledModel) -> str:
+def unbound(model: LoadedModel) -> str:
     """Why what binds a model cannot be judged; "" if it can."""
     known = len(model.manifest.scene.closers) == len(model.manifest.cuts)
     return "" if known else "not checked: the poses of joints that close circuits are not saved"
 
 
 def closed_states(
-    model: CompiledModel, scene: Scene, starts: Array, u: Array, t: float, r: Array
+    model: LoadedModel, scene: Scene, starts: Array, u: Array, t: float, r: Array
 ) -> Bound | None:
     """States on the constraints near given ones, best conditioned first; None where none is found.
 
@@ -120,7 +120,7 @@ def closed_states(
 
 
 def closers_at(
-    model: CompiledModel, circuits: Circuits, q: Array, t: float, r: Any, motion: Array | None
+    model: LoadedModel, circuits: Circuits, q: Array, t: float, r: Any, motion: Array | None
 ) -> tuple[Array, float]:
     """Coordinates (1, nq) of everything at those of the model (nq,), and what is missed [m, rad].
 
@@ -140,13 +140,13 @@ def closers_at(
     return whole, float(np.abs(missed).max(initial=0.0))
 
 
-def _solved(model: CompiledModel) -> int:
+def _solved(model: LoadedModel) -> int:
     """Number of circuits in closed form."""
     joints = model.manifest.joints
     return len({joint.solved.loop for joint in joints if joint.solved})
 
 
-def _started(model: CompiledModel, circuits: Circuits, starts: Array) -> Array:
+def _started(model: LoadedModel, circuits: Circuits, starts: Array) -> Array:
     """Everything between the initial position and the starts, (n, nq)."""
     part = np.linspace(NEAR, FAR, len(starts))[:, None]
     first = model.split(start_of(model, {}, {})[0])[0]
@@ -161,7 +161,7 @@ def _started(model: CompiledModel, circuits: Circuits, starts: Array) -> Array:
     return kept(circuits, q)
 
 
-def dependents(model: CompiledModel, q: Array, u: Array, t: float, r: Array) -> tuple[Array, Array]:
+def dependents(model: LoadedModel, q: Array, u: Array, t: float, r: Array) -> tuple[Array, Array]:
     """Coordinates and speeds of joints that circuits determine, as saved with the model."""
     given: dict[str, Any] = {
         "t": np.array([t]),

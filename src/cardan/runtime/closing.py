@@ -20,7 +20,7 @@ from .interpreted import called_back
 from .ledger import Ledger
 
 if TYPE_CHECKING:
-    from .compiled import CompiledModel
+    from .loaded_model import LoadedModel
 
 CLOSED = 1e-11  # residuals relative to the size that are enough, as in kernels/close.c
 MOST_SIZES = 64  # that are remembered
@@ -41,7 +41,7 @@ class Closing:
     watched: bool = True
 
     @classmethod
-    def of(cls, model: CompiledModel) -> Closing:
+    def of(cls, model: LoadedModel) -> Closing:
         """Constraints of a model that states are projected onto; none for a tree."""
         rows = tuple(model.manifest.multipliers)
         if not model.manifest.projected:
@@ -82,7 +82,7 @@ class Closing:
         return level, self.rows[k if k < self.positions else k - self.positions].name
 
 
-def size_of(model: CompiledModel) -> float:
+def size_of(model: LoadedModel) -> float:
     """Size of a mechanism [m]: the longest way between two joints of a body or along a beam, or
     the largest radius or length of a joint; 1 without any."""
     if model._size is None:
@@ -90,7 +90,7 @@ def size_of(model: CompiledModel) -> float:
     return model._size
 
 
-def _measured(model: CompiledModel) -> float:
+def _measured(model: LoadedModel) -> float:
     """The size from the saved scene."""
     told = model.manifest.elements.frames if model.manifest.absolute else "scene"
     if told not in model.saved:
@@ -117,13 +117,13 @@ def _measured(model: CompiledModel) -> float:
     return size
 
 
-def columns_of(model: CompiledModel, size: float) -> Array:
+def columns_of(model: LoadedModel, size: float) -> Array:
     """What every speed counts in (nu,): sizes of the mechanism, or radians."""
     units = column(model.manifest.speeds, "unit")
     return np.array([size if name == "m/s" else 1.0 for name in units])
 
 
-def project(model: CompiledModel, t: Array, x: Array, r: Array, s: Array, ledger: Ledger) -> Array:
+def project(model: LoadedModel, t: Array, x: Array, r: Array, s: Array, ledger: Ledger) -> Array:
     """States on the constraints next to given ones.
 
     Args:

@@ -30,6 +30,7 @@ class Evaluation(ABC):
     """
 
     _calls: Mapping[Key, Any]
+    _doubted: set[str]  # joints whose reaction was said to be open
 
     @abstractmethod
     def _evaluate(
@@ -59,9 +60,11 @@ class Evaluation(ABC):
             what = kind or "frame"
             raise ModelError(f"{name}: {what} '{of}' does not exist.{near(of, known)}")
 
-    @abstractmethod
-    def _doubt(self, joint: str, q: State, t: ArrayLike, r: State | None) -> None:
-        """Warn once where the reaction of a joint is not determined at states."""
+    def _doubt(self, joint: str, q: State, t: ArrayLike, r: State | None) -> None:  # noqa: B027
+        """Warn where the reaction of a joint is not determined at states.
+
+        What tells it is an analysis: models that know analyses do.
+        """
 
     @abstractmethod
     def _vector(self, block: str, value: Any) -> Array:

@@ -11,7 +11,7 @@ from .loaded import LoadedFunction, assemble, batch
 from .objects import Key
 
 if TYPE_CHECKING:
-    from .compiled import CompiledModel
+    from .loaded_model import LoadedModel
     from .measuring import Row
 
 
@@ -19,15 +19,15 @@ class Source(ABC):
     """Where the functions of a model come from."""
 
     @abstractmethod
-    def add(self, model: CompiledModel, missing: Sequence[Key]) -> None:
+    def add(self, model: LoadedModel, missing: Sequence[Key]) -> None:
         """Load functions into ``model._functions``; nobody gets one before it is checked."""
 
     @abstractmethod
-    def mesh(self, model: CompiledModel) -> int:
+    def mesh(self, model: LoadedModel) -> int:
         """Address of the tables of elements in C, 0 where functions know the whole model."""
 
     @abstractmethod
-    def measured(self, model: CompiledModel, seed: int, judged: bool) -> list[Row]:
+    def measured(self, model: LoadedModel, seed: int, judged: bool) -> list[Row]:
         """Rows of a report: at random states, with errors where these can be judged."""
 
 
@@ -35,7 +35,7 @@ class Source(ABC):
 class Generated(Source):
     """Every function is C of its own."""
 
-    def add(self, model: CompiledModel, missing: Sequence[Key]) -> None:
+    def add(self, model: LoadedModel, missing: Sequence[Key]) -> None:
         """Load functions, check those that were compiled now, and publish them."""
         objects, loaded = model._objects, model._functions
         codes = objects.load(objects.symbols(missing))
@@ -61,12 +61,12 @@ class Generated(Source):
             objects.forget(fresh.values())
             raise
 
-    def mesh(self, model: CompiledModel) -> int:
+    def mesh(self, model: LoadedModel) -> int:
         """None."""
         return 0
 
-    def measured(self, model: CompiledModel, seed: int, judged: bool) -> list[Row]:
+    def measured(self, model: LoadedModel, seed: int, judged: bool) -> list[Row]:
         """The dynamics and every other function that was written."""
-        from .report import functions
+        from .function_costs import functions
 
         return functions(model, seed, judged)

@@ -18,11 +18,11 @@ from .named_rotations import check_units, component, refuse_components
 from .rotations import unit
 
 if TYPE_CHECKING:
-    from .compiled import CompiledModel
+    from .loaded_model import LoadedModel
 
 
 def start_of(
-    model: CompiledModel,
+    model: LoadedModel,
     q: Mapping[str, ArrayLike],
     u: Mapping[str, ArrayLike],
     z: Mapping[str, ArrayLike] | None = None,
@@ -37,7 +37,7 @@ def start_of(
 
 
 def _placed(
-    model: CompiledModel,
+    model: LoadedModel,
     q: Mapping[str, ArrayLike],
     u: Mapping[str, ArrayLike],
     z: Mapping[str, ArrayLike] | None,

@@ -15,10 +15,10 @@ from .newton_euler import Scene
 from .rotations import PARAMETERS
 
 if TYPE_CHECKING:
-    from .compiled import CompiledModel
+    from .loaded_model import LoadedModel
 
 
-def unknown(model: CompiledModel) -> str:
+def unknown(model: LoadedModel) -> str:
     """Why the scene of a model cannot be judged; "" if it can."""
     manifest = model.manifest
     scene = manifest.scene
@@ -38,7 +38,7 @@ def unknown(model: CompiledModel) -> str:
     return "not checked: " + "; ".join(reasons[:3]) if reasons else ""
 
 
-def unjudged(model: CompiledModel) -> str:
+def unjudged(model: LoadedModel) -> str:
     """Why nothing but its own expressions speaks for a model; "" where something does."""
     if model.manifest.absolute or model.manifest.scene.samples:
         return ""
@@ -47,7 +47,7 @@ def unjudged(model: CompiledModel) -> str:
     return unknown(model) or (unbound(model) if bound(model) else "")
 
 
-def _joint(model: CompiledModel, function: str, kind: str, rotation: str | None) -> JointData:
+def _joint(model: LoadedModel, function: str, kind: str, rotation: str | None) -> JointData:
     """A joint by the saved Function of its pose, as it was written."""
     p = model.parameters.vector
 
@@ -62,7 +62,7 @@ def _joint(model: CompiledModel, function: str, kind: str, rotation: str | None)
     return joint_data(pose, kind, rotation)
 
 
-def scene_of(model: CompiledModel) -> Scene:
+def scene_of(model: LoadedModel) -> Scene:
     """The flat scene of a model with its parameter values, as :func:`scene_from` says it."""
     numbers = model._evaluate_saved("scene", p=model.parameters.vector)
     scene = model.manifest.scene
@@ -107,7 +107,7 @@ def scene_from(manifest: Manifest, given: Mapping[str, Any], known: Sequence[Joi
     )
 
 
-def motion_of(model: CompiledModel, t: float, r: Any) -> Any:
+def motion_of(model: LoadedModel, t: float, r: Any) -> Any:
     """Value, rate and acceleration of prescribed joints (..., nb, 3); None without any."""
     if "scene_motion" not in model.saved:
         return None

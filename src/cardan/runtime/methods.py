@@ -265,5 +265,9 @@ def _by_name(model: Evaluation, result: Array) -> dict[str, Any]:
 def _doubted(
     model: Evaluation, result: Array, joint: str, q: State, t: ArrayLike, r: State | None
 ) -> Array:
-    model._doubt(joint, q, t, r)
+    """A reaction, said once to be open where redundant constraints leave it so."""
+    bound = model.manifest.multipliers or model.manifest.cuts
+    if bound and joint not in model._doubted:
+        model._doubted.add(joint)
+        model._doubt(joint, q, t, r)
     return result

@@ -17,11 +17,11 @@ from .kind_poses import POSES, joints_of
 from .rotations import PARAMETERS
 
 if TYPE_CHECKING:
-    from .compiled import CompiledModel
+    from .loaded_model import LoadedModel
     from .trajectory import Trajectory
 
 
-def numbers(model: CompiledModel) -> Mapping[str, Array]:
+def numbers(model: LoadedModel) -> Mapping[str, Array]:
     """Numbers of the scene of a model, see :attr:`.Trajectory.scene`."""
     if model.manifest.absolute:
         return frames.numbers(model)

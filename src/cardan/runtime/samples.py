@@ -13,14 +13,14 @@ from .lanes import States
 from .loaded import LoadedFunction
 
 if TYPE_CHECKING:
-    from .compiled import CompiledModel
+    from .loaded_model import LoadedModel
 
 # where builds are compared
 SEED, STATES = 1, 32
 
 
 def values(
-    model: CompiledModel, function: LoadedFunction, rng: np.random.Generator, count: int
+    model: LoadedModel, function: LoadedFunction, rng: np.random.Generator, count: int
 ) -> dict[str, Array]:
     """Random arguments, (count, ...): states inside limits; inputs, internal states and modes at
     their defaults."""
@@ -62,7 +62,7 @@ def states(
     return States(blocks, strides, np.empty((count, prod(function.caller.shape))))
 
 
-def build(model: CompiledModel, function: LoadedFunction, own: bool = False) -> int:
+def build(model: LoadedModel, function: LoadedFunction, own: bool = False) -> int:
     """Make the lane build of a function now; returns its width, 1 where there is none.
 
     Args:

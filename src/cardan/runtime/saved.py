@@ -7,20 +7,18 @@ import hashlib
 import json
 from collections.abc import Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any, TypeVar
 
 from .. import regular_file
-from ..arguments import checked
 from ..errors import BuildError, ModelError
 from ..schema.functions import FUNCTIONS
 from ..schema.manifest import Manifest, opened
 from ..schema.seal import unsealed
-from ..version import PICKLE, VERSION
 from . import cache, folder
+from .loaded_model import LoadedModel
 from .parameters import Parameters
 
-if TYPE_CHECKING:
-    from .compiled import CompiledModel
+M = TypeVar("M", bound=LoadedModel)
 
 NUMBERS = ".npz"  # tables of elements, as base64 among the texts
 KINDS = (".c", ".h", ".json", NUMBERS)
@@ -53,19 +51,12 @@ def _content(name: str, text: str) -> bytes:
         return b""
 
 
-@checked
-def load(directory: str | Path) -> CompiledModel:
-    """Open a model directory written by ``export`` or found in a cache.
-
-    Needs neither SymPy nor the compiler half of cardan, only a C compiler. The C in it runs as
-    you: open no directory and no pickle from somebody you do not trust.
+def unchanged(model: M) -> M:
+    """The model, whose files are those that its manifest speaks of.
 
     Raises:
-        ModelError: no manifest, or a file is not the one the manifest speaks of.
+        ModelError: a file is another one, or missing.
     """
-    from .compiled import CompiledModel
-
-    model = CompiledModel(directory)
     for name, stated in model.manifest.sha256.items():
         path = model.directory / name
         try:
@@ -87,8 +78,8 @@ def digest(files: Mapping[str, str]) -> str:
     return hashlib.sha256(json.dumps(dict(files), sort_keys=True).encode()).hexdigest()
 
 
-def parts(model: CompiledModel) -> tuple[dict[str, str], list[float], bool, str]:
-    """What :func:`restore` takes: source and manifest, never a binary.
+def parts(model: LoadedModel) -> tuple[dict[str, str], list[float], bool, str]:
+    """What :func:`restore` takes besides a class: source and manifest, never a binary.
 
     Functions of a frame or joint travel as far as they were used.
     """
@@ -98,39 +89,13 @@ def parts(model: CompiledModel) -> tuple[dict[str, str], list[float], bool, str]
     return files, values, model._objects.reproducible, digest(files)
 
 
-def reduced(model: CompiledModel) -> tuple[object, ...]:
-    """What ``__reduce__`` of a model returns."""
-    return _unpickled_model, (PICKLE.version, VERSION, *parts(model))
-
-
-def _unpickled_model(
-    version: int,
-    writer: str,
-    files: dict[str, str],
-    values: list[float],
-    reproducible: bool,
-    stated: str,
-) -> CompiledModel:
-    """The model of a pickle, which names this function as one of ``cardan`` itself.
-
-    Raises:
-        ModelError: it is of another version, was damaged or changed.
-    """
-    if not PICKLE.reads(version):
-        raise ModelError(PICKLE.refusal("this pickle of a model", version, writer))
-    return restore(files, values, reproducible, stated)
-
-
-# pickles find it wherever it stands
-_unpickled_model.__module__ = "cardan"
-
-
 def restore(
-    files: dict[str, str], values: list[float], reproducible: bool, stated: str
-) -> CompiledModel:
+    kind: type[M], files: dict[str, str], values: list[float], reproducible: bool, stated: str
+) -> M:
     """The model of a pickle: its texts, checked, then written once into the cache of this machine.
 
     Args:
+        kind: What the model becomes.
         files: As :func:`texts` gives them.
         values: The parameters.
         reproducible: As the model was opened.
@@ -139,8 +104,6 @@ def restore(
     Raises:
         ModelError: the pickle was damaged or changed, or is of another version.
     """
-    from .compiled import CompiledModel
-
     manifest = _checked(files, stated)
     if not isinstance(values, list) or len(values) != len(manifest.parameters):
         raise _damaged("it does not hold one value per parameter")
@@ -153,7 +116,7 @@ def restore(
             place = _written(elsewhere / name, files)
         except OSError as again:
             raise BuildError(f"{elsewhere} cannot be written to ({again.strerror})") from again
-    model = CompiledModel(place, reproducible=bool(reproducible))
+    model = kind(place, reproducible=bool(reproducible))
     return model._with(Parameters(model.manifest, values))
 
 

@@ -32,7 +32,7 @@ from .recorded import Pieces, Recorded
 from .trajectory import Trajectory
 
 if TYPE_CHECKING:
-    from .compiled import CompiledModel
+    from .loaded_model import LoadedModel
 
 NOTES = ("manifest", "conduct", "scene", "happenings", "sources", "signals")
 DENSE = ("spreads", "increments")  # what is between, of quaternions or of their increments
@@ -162,7 +162,7 @@ def _notes(motion: Trajectory) -> dict[str, str]:
 
 
 @checked
-def load(path: str | Path, model: CompiledModel | None = None) -> Trajectory:
+def load(path: str | Path, model: LoadedModel | None = None) -> Trajectory:
     """Read a run that :meth:`.Trajectory.save` wrote.
 
     Everything in the file is checked before it is used: nothing in it is ever executed.
@@ -193,9 +193,7 @@ def load(path: str | Path, model: CompiledModel | None = None) -> Trajectory:
     return made
 
 
-def _made(
-    notes: dict[str, Any], values: dict[str, Array], model: CompiledModel | None
-) -> Trajectory:
+def _made(notes: dict[str, Any], values: dict[str, Array], model: LoadedModel | None) -> Trajectory:
     """The run of a file whose parts fit each other."""
     manifest = notes["manifest"] if model is None else model.manifest
     t, s, given = values["time"], values["s"], values["work"]
@@ -238,7 +236,7 @@ def _recorded(told: motion_schema.Signals | None, values: dict[str, Array]) -> R
     return Recorded(constants, pieces, asked, held, values["time"], values["r"])
 
 
-def _compare(path: Path, manifest: Manifest, model: CompiledModel) -> None:
+def _compare(path: Path, manifest: Manifest, model: LoadedModel) -> None:
     for letter in "qurzs":
         here = column(manifest.block(letter), "name")
         there = column(model.manifest.block(letter), "name")

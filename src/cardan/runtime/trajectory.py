@@ -28,7 +28,7 @@ from .recorded import Recorded
 
 if TYPE_CHECKING:
     from .absolute.beams import BeamStress
-    from .compiled import CompiledModel
+    from .loaded_model import LoadedModel
 
 
 @final
@@ -63,7 +63,7 @@ class Trajectory:
     sources: tuple[str, ...] | None
     manifest: Manifest
     conduct: Conduct
-    model: CompiledModel | None = None
+    model: LoadedModel | None = None
     dense: Dense | None = None
     inputs_at: Recorded | None = None
     stored: dict[str, Array] = field(default_factory=dict)
@@ -208,7 +208,7 @@ class Trajectory:
         """States of elements for functions of the model that read them."""
         return {"z": self.z, "s": self.s}
 
-    def _model(self, what: str) -> CompiledModel:
+    def _model(self, what: str) -> LoadedModel:
         if self.model is None:
             raise ModelError(
                 f"{what} needs the model, which a file does not hold. Compile it and give it: "
@@ -309,7 +309,9 @@ class Trajectory:
     @checked
     def beam(self, name: str) -> BeamStress:
         """Forces, moments and strains (nt, 2 n, 3) along a beam, in axes of the section."""
-        return self._model(f"what beam '{name}' carries").beam(name, self.q)
+        from .absolute.beams import beam
+
+        return beam(self._model(f"what beam '{name}' carries"), name, self.q)
 
     @cached_property
     def scene(self) -> Mapping[str, Array]:
@@ -329,7 +331,9 @@ class Trajectory:
     @checked
     def torques(self, **options: Any) -> Any:
         """Forces that actuators add to make this motion: :meth:`CompiledModel.torques`."""
-        return self._model("torques").torques(self, **options)
+        from ..analyses.torques import torques
+
+        return torques(self._model("torques"), self, **options)
 
     @checked
     def reaction(self, joint: str) -> Array:

@@ -16,7 +16,7 @@ from .verification.pressing import Pressed, pressed
 from .written_bounds import with_written
 
 if TYPE_CHECKING:
-    from .compiled import CompiledModel
+    from .loaded_model import LoadedModel
 
 # Inputs go this far from their defaults, as a part of them.
 INPUT = 0.3
@@ -67,7 +67,7 @@ class Truth:
         return replace(self, **rows, bound=self.bound and self.bound.only(chosen), pressed=pressed)
 
 
-def drawn(model: CompiledModel, states: int, seed: int) -> Truth:
+def drawn(model: LoadedModel, states: int, seed: int) -> Truth:
     """Random states of which nothing is known."""
     rng = np.random.default_rng(seed)
     q, u = model.split(model.random_state(rng, (states,)))
@@ -79,7 +79,7 @@ def drawn(model: CompiledModel, states: int, seed: int) -> Truth:
 
 
 def truth_of(
-    model: CompiledModel, scene: Scene, states: int, seed: int, circuits: bool = False
+    model: LoadedModel, scene: Scene, states: int, seed: int, circuits: bool = False
 ) -> Truth:
     """Everything but the mass matrix, which is the costly part.
 

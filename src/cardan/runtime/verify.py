@@ -24,7 +24,7 @@ from .written_bounds import written as constrained
 
 if TYPE_CHECKING:
     from .absolute.elements import Elements
-    from .compiled import CompiledModel
+    from .loaded_model import LoadedModel
 
 # Speeds up to which M is written out and its eigenvalues looked at; beyond, its products do.
 WHOLE = 200
@@ -87,7 +87,7 @@ class Verification:
 
 
 def verify(
-    model: CompiledModel,
+    model: LoadedModel,
     states: int = 3,
     seed: int = 1,
     functions: Iterable[str | Key] | None = None,
@@ -131,7 +131,7 @@ def _together(found: Verification, differences: Mapping[str, float | str], n: in
 
 
 def _judged(
-    model: CompiledModel, states: int, seed: int, keys: Sequence[Key], whole: bool
+    model: LoadedModel, states: int, seed: int, keys: Sequence[Key], whole: bool
 ) -> Verification:
     """Every function by the routes that lead to it.
 
@@ -164,7 +164,7 @@ def _judged(
     return Verification(model.name, len(asked.truth.q), checks)
 
 
-def _asked(model: CompiledModel, states: int, seed: int, keys: Sequence[Key]) -> Asked | str:
+def _asked(model: LoadedModel, states: int, seed: int, keys: Sequence[Key]) -> Asked | str:
     """A model at states at which it can be judged; or why there are none."""
     reason = unknown(model)
     if reason or not keys:
@@ -187,7 +187,7 @@ def _asked(model: CompiledModel, states: int, seed: int, keys: Sequence[Key]) ->
 
 
 def _of_elements(
-    model: CompiledModel,
+    model: LoadedModel,
     elements: Elements,
     states: int,
     seed: int,
@@ -222,14 +222,14 @@ def _of_elements(
 
 
 def _by_text(
-    model: CompiledModel, keys: Sequence[Key], states: int, seed: int, reason: str
+    model: LoadedModel, keys: Sequence[Key], states: int, seed: int, reason: str
 ) -> list[Check]:
     """Functions that nothing speaks for but what they were written from."""
     asked = Asked(model, EMPTY, drawn(model, states, seed)) if keys else None
     return [by_text(asked, key, reason) for key in keys] if asked else []
 
 
-def _approved(model: CompiledModel, result: Verification) -> Verification:
+def _approved(model: LoadedModel, result: Verification) -> Verification:
     """The result if no function is wrong.
 
     Raises:
@@ -248,7 +248,7 @@ def _approved(model: CompiledModel, result: Verification) -> Verification:
     return result
 
 
-def verify_built(model: CompiledModel, fresh: Iterable[Key]) -> None:
+def verify_built(model: LoadedModel, fresh: Iterable[Key]) -> None:
     """Check functions that were compiled just now.
 
     Raises:
@@ -257,7 +257,7 @@ def verify_built(model: CompiledModel, fresh: Iterable[Key]) -> None:
     verify(model, functions=list(fresh))
 
 
-def verify_elements(model: CompiledModel, elements: Elements, fresh: Iterable[str]) -> None:
+def verify_elements(model: LoadedModel, elements: Elements, fresh: Iterable[str]) -> None:
     """Check functions of elements that were compiled just now.
 
     Args:
@@ -277,7 +277,7 @@ def verify_elements(model: CompiledModel, elements: Elements, fresh: Iterable[st
     _approved(model, _together(found, differences, STATES))
 
 
-def _unjudged(model: CompiledModel) -> str:
+def _unjudged(model: LoadedModel) -> str:
     """Why what binds a model is not judged; "" where it is, or where nothing does."""
     if not bound(model):
         return ""
@@ -288,7 +288,7 @@ def _unjudged(model: CompiledModel) -> str:
     return unbound(model)
 
 
-def _truth(model: CompiledModel, scene: Scene, states: int, seed: int, circuits: bool) -> Truth:
+def _truth(model: LoadedModel, scene: Scene, states: int, seed: int, circuits: bool) -> Truth:
     """What must come out at some states; M is written out if it is not too large."""
     given = (states, seed, circuits, "applied" in model.saved, model.parameters.vector.tobytes())
     known = model._objects.truth
@@ -311,7 +311,7 @@ def _truth(model: CompiledModel, scene: Scene, states: int, seed: int, circuits:
     return truth
 
 
-def _singular_words(model: CompiledModel, M: Array | None) -> str:
+def _singular_words(model: LoadedModel, M: Array | None) -> str:
     """What nothing resists, and what to do about it."""
     names = ["some joint"]
     if M is not None:

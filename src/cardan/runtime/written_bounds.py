@@ -19,10 +19,10 @@ from .joint_motion import Array
 from .verification.differences import input_rates, slope
 
 if TYPE_CHECKING:
-    from .compiled import CompiledModel
+    from .loaded_model import LoadedModel
 
 
-def written(model: CompiledModel) -> list[int]:
+def written(model: LoadedModel) -> list[int]:
     """Numbers of the multipliers of constraints that the user wrote."""
     rows = enumerate(model.manifest.multipliers)
     return [k for k, row in rows if row.name == row.joint and not row.switched]
@@ -32,7 +32,7 @@ def written(model: CompiledModel) -> list[int]:
 KNOWN = 1e-11
 
 
-def with_written(model: CompiledModel, bound: Bound, t: float) -> Bound | None:
+def with_written(model: LoadedModel, bound: Bound, t: float) -> Bound | None:
     """What binds a model, with the constraints that the user wrote.
 
     States at which the slopes of their rates are not known well are left out, such as beside the

@@ -19,7 +19,7 @@ from numpy.typing import ArrayLike
 from ...arguments import Count, Seed, checked
 from ...errors import CardanError, ModelError, SolveError, SolveWarning, shown, warn
 from ...runtime.batch import threads as threads_of
-from ...runtime.compiled import CompiledModel
+from ...runtime.loaded_model import LoadedModel
 from ..choice import Limited
 from ..growing import build_key, digest, model_key
 from ..happenings import happenings
@@ -52,7 +52,7 @@ CURE = f"checkpoint= (--checkpoint FILE) keeps finished runs in a file, {AGAIN}"
 
 @checked
 def ensemble(
-    model: CompiledModel,
+    model: LoadedModel,
     t: float | ArrayLike | None = None,
     *,
     t_eval: ArrayLike | None = None,

@@ -15,8 +15,8 @@ import numpy as np
 from ...arrays import Array, Integers
 from ...runtime import lanes as widths
 from ...runtime.closing import Closing
-from ...runtime.compiled import CompiledModel
 from ...runtime.interpreted import called_back
+from ...runtime.loaded_model import LoadedModel
 from ...runtime.samples import build
 from ...schema.records import PER_LANE, Abreast, Driver, Lane, Own, Run
 from .. import record as abi
@@ -57,7 +57,7 @@ class Ends:
     numbers: Array
 
 
-def suits(model: CompiledModel, how: Settings, given: Signals, may: Happenings) -> bool:
+def suits(model: LoadedModel, how: Settings, given: Signals, may: Happenings) -> bool:
     """Whether the loop in C can do the runs: trees, no functions of the caller on the way."""
     if given.functions or may.watches or may.ticks or Closing.of(model).rows:
         return False
@@ -67,9 +67,7 @@ def suits(model: CompiledModel, how: Settings, given: Signals, may: Happenings) 
     return not how.method.conditions
 
 
-def width_of(
-    model: CompiledModel, how: Settings, may: Happenings, own: bool, seconds: float
-) -> int:
+def width_of(model: LoadedModel, how: Settings, may: Happenings, own: bool, seconds: float) -> int:
     """Lanes side by side: 1 without vectors, with events, or where building takes longer.
 
     Args:
@@ -90,7 +88,7 @@ class Crew:
 
     def __init__(
         self,
-        model: CompiledModel,
+        model: LoadedModel,
         how: Settings,
         given: Signals,
         may: Happenings,

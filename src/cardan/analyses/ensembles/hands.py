@@ -18,7 +18,7 @@ import numpy as np
 
 from ...errors import ArgumentError, BuildError, CardanError, SolveError, shown
 from ...processes import on_interrupt
-from ...runtime.compiled import CompiledModel
+from ...runtime.loaded_model import LoadedModel
 from ...runtime.saved import parts, restore
 from ..growing import build_key
 from .crew import suits, width_of
@@ -182,11 +182,11 @@ def _answer(future: Any, block: Block) -> Piece:
 
 
 # the last models that this process was sent, by their content
-_MODELS: dict[Any, CompiledModel] = {}
+_MODELS: dict[Any, LoadedModel] = {}
 MOST_MODELS = 4
 
 
-def _model(parts: tuple[Any, ...]) -> CompiledModel:
+def _model(parts: tuple[Any, ...]) -> LoadedModel:
     """A model that was sent, opened once per process."""
     _, values, reproducible, stated = parts
     key = stated, tuple(values), reproducible
@@ -194,7 +194,7 @@ def _model(parts: tuple[Any, ...]) -> CompiledModel:
     if model is None:
         while len(_MODELS) >= MOST_MODELS:
             _MODELS.pop(next(iter(_MODELS)), None)
-        _MODELS[key] = model = restore(*parts)
+        _MODELS[key] = model = restore(LoadedModel, *parts)
     return model
 
 

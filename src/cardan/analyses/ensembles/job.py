@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...arrays import Array
-from ...runtime.compiled import CompiledModel
 from ...runtime.conduct import EVENT, FINISHED
+from ...runtime.loaded_model import LoadedModel
 from ...runtime.trajectory import Trajectory
 from ..happenings import Happenings
 from ..settings import Settings
@@ -38,7 +38,7 @@ class Job:
         build: What decides about the last bit, as :func:`build_key` says.
     """
 
-    model: CompiledModel
+    model: LoadedModel
     how: Settings
     given: Signals
     may: Happenings
@@ -129,7 +129,7 @@ def histories(job: Job, part: Varied, ends: Ends) -> Histories:
     return Histories(t, x, status == FINISHED, status == EVENT, of)
 
 
-def _outputs(model: CompiledModel, part: Varied, rows: Array) -> Array:
+def _outputs(model: LoadedModel, part: Varied, rows: Array) -> Array:
     """The user's outputs (runs, nt, ny); NaN where a run had ended."""
     there = np.isfinite(rows[:, :, : 1 + model.nx]).all(axis=2)
     run, own = np.nonzero(there)[0], None
@@ -147,12 +147,12 @@ def _outputs(model: CompiledModel, part: Varied, rows: Array) -> Array:
     return result
 
 
-def histories_of(model: CompiledModel) -> list[str]:
+def histories_of(model: LoadedModel) -> list[str]:
     """Names that reductions may speak of."""
     outputs = [row.name for row in model.manifest.outputs]
     return [*entries(model), *model.inputs, *outputs]
 
 
-def entries(model: CompiledModel) -> tuple[str, ...]:
+def entries(model: LoadedModel) -> tuple[str, ...]:
     """Names of the entries of a state."""
     return (*model.coordinates, *model.speeds, *model.internals)

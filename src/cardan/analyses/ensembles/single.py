@@ -7,7 +7,7 @@ import numpy as np
 from ...arrays import Array
 from ...errors import CardanError, FunctionError
 from ...runtime.closing import Closing
-from ...runtime.compiled import CompiledModel
+from ...runtime.loaded_model import LoadedModel
 from ...runtime.parameters import Parameters
 from ...runtime.trajectory import Trajectory
 from ..choice import Case
@@ -25,7 +25,7 @@ PARTS = (0.0, 0.13, 0.29, 0.41, 0.57, 0.71, 0.86, 1.0)
 
 
 def motion(
-    model: CompiledModel,
+    model: LoadedModel,
     how: Settings,
     given: Signals,
     may: Happenings,
@@ -67,7 +67,7 @@ class Single:
     """Used as a :class:`.crew.Crew` is."""
 
     def __init__(
-        self, model: CompiledModel, how: Settings, given: Signals, may: Happenings, over: Span
+        self, model: LoadedModel, how: Settings, given: Signals, may: Happenings, over: Span
     ) -> None:
         self.model, self.how, self.given, self.may, self.over = model, how, given, may, over
         self.stopped = False

@@ -11,8 +11,8 @@ import numpy as np
 from ...arrays import Array
 from ...errors import ArgumentError, ModelError, SolveError, named, near, shown
 from ...runtime.calling import numbers
-from ...runtime.compiled import CompiledModel
 from ...runtime.initial import entries, initial_state, missing
+from ...runtime.loaded_model import LoadedModel
 from ...runtime.named_rotations import check_units, component, refuse_components
 from .. import sample
 from ..signals import Signals, signals
@@ -104,7 +104,7 @@ class Varied:
 class Reader:
     """Collects columns, and checks that they fit each other."""
 
-    def __init__(self, model: CompiledModel, runs: int | None, seed: int) -> None:
+    def __init__(self, model: LoadedModel, runs: int | None, seed: int) -> None:
         self.model, self.seed = model, sample.checked_seed(seed)
         self.columns: list[Column] = []
         self.waiting: list[tuple[str, str, slice, sample.Distribution]] = []
@@ -188,13 +188,13 @@ class Reader:
         return self.runs[0]
 
 
-def _entry(model: CompiledModel, block: str, k: int) -> str:
+def _entry(model: LoadedModel, block: str, k: int) -> str:
     names = {"q": model.coordinates, "u": model.speeds, "z": model.internals, "r": model.inputs}
     return names[block][k] if block in names else list(model.parameters)[k]
 
 
 def varied(
-    model: CompiledModel,
+    model: LoadedModel,
     *,
     x0: Any,
     q: Any,
@@ -335,7 +335,7 @@ def _single(places: Mapping[str, slice]) -> dict[str, slice]:
     return {name: place for name, place in places.items() if place.stop - place.start == 1}
 
 
-def _check_rotations(model: CompiledModel, made: Varied) -> None:
+def _check_rotations(model: LoadedModel, made: Varied) -> None:
     """Refuse single components of quaternions, and quaternions whose length is not 1."""
     covered = {
         k for c in made.columns if c.block == "q" for k in range(c.place.start, c.place.stop)

@@ -23,7 +23,7 @@ from ...errors import ArgumentError, ModelError, SolveError
 from .triangle import triangle
 
 if TYPE_CHECKING:
-    from ...runtime.compiled import CompiledModel
+    from ...runtime.loaded_model import LoadedModel
 
 # what is left of a column, relative to it, if others make it up; rounding leaves 1e-13
 RANK = 1e-9
@@ -109,7 +109,7 @@ class Base:
 
 @checked
 def base_parameters(
-    model: CompiledModel, rows: ArrayLike | None = None, *, seed: Seed = 0, rank: float = RANK
+    model: LoadedModel, rows: ArrayLike | None = None, *, seed: Seed = 0, rank: float = RANK
 ) -> Base:
     """Base parameters of a model.
 
@@ -138,7 +138,7 @@ def base_parameters(
     return _found(model.name, names, flat, rank)
 
 
-def _random_rows(model: CompiledModel, count: int, seed: int) -> Array:
+def _random_rows(model: LoadedModel, count: int, seed: int) -> Array:
     """Regressors (k, nu, n) at random states of a tree."""
     if circuits(model):
         raise SolveError(
@@ -152,7 +152,7 @@ def _random_rows(model: CompiledModel, count: int, seed: int) -> Array:
     return model.regressor(q, u, udot, t=rng.uniform(0, 1, number))
 
 
-def needed(model: CompiledModel, who: str, wanted: Sequence[str]) -> None:
+def needed(model: LoadedModel, who: str, wanted: Sequence[str]) -> None:
     """Whether the model has what it takes.
 
     Raises:
@@ -166,7 +166,7 @@ def needed(model: CompiledModel, who: str, wanted: Sequence[str]) -> None:
             )
 
 
-def circuits(model: CompiledModel) -> bool:
+def circuits(model: LoadedModel) -> bool:
     """Whether constraints bind a model always; those of sticking friction do not."""
     return any(not row.switched for row in model.manifest.multipliers)
 

@@ -22,7 +22,7 @@ from ...whole_file import written
 from . import smoothing
 
 if TYPE_CHECKING:
-    from ...runtime.compiled import CompiledModel
+    from ...runtime.loaded_model import LoadedModel
 
 BLOCKS = ("q", "u", "udot", "tau", "r")
 # samples left out at either end where derivatives come from a spline
@@ -53,7 +53,7 @@ class Data:
         return replace(self, **{name: value[rows] for name, value in vars(self).items()})
 
 
-def columns(model: CompiledModel) -> dict[str, tuple[str, ...]]:
+def columns(model: LoadedModel) -> dict[str, tuple[str, ...]]:
     """Names of the entries of every block as columns of a table have them.
 
     ``elbow``, ``elbow.u``, ``elbow.udot``, ``elbow.tau``; inputs by their names.
@@ -103,7 +103,7 @@ def write(path: Path, table: Mapping[str, Array]) -> Path:
 
 
 def measured(
-    model: CompiledModel,
+    model: LoadedModel,
     data: Any,
     *,
     cutoff: float | None = None,
@@ -146,7 +146,7 @@ def _of_run(run: Trajectory) -> dict[str, Array]:
     return {"t": run.t[keep], "q": run.q[keep], "u": run.u[keep], "r": run.r[keep]}
 
 
-def _of_table(model: CompiledModel, data: Any) -> dict[str, Array]:
+def _of_table(model: LoadedModel, data: Any) -> dict[str, Array]:
     """Blocks of a mapping, which may have columns in their place."""
     if not hasattr(data, "keys"):
         raise ArgumentError(
@@ -181,7 +181,7 @@ def _of_table(model: CompiledModel, data: Any) -> dict[str, Array]:
     return found
 
 
-def _check(model: CompiledModel, found: Mapping[str, Array]) -> None:
+def _check(model: LoadedModel, found: Mapping[str, Array]) -> None:
     count = len(found["t"])
     sizes = {"q": model.nq, "u": model.nu, "udot": model.nu, "tau": model.nu, "r": model.nr}
     for block, value in found.items():
@@ -197,7 +197,7 @@ def _check(model: CompiledModel, found: Mapping[str, Array]) -> None:
 
 
 def _complete(
-    model: CompiledModel,
+    model: LoadedModel,
     found: dict[str, Array],
     cutoff: float | None,
     period: float | None,
@@ -226,7 +226,7 @@ def _complete(
     return made.only(slice(cut, -cut))
 
 
-def is_plain(model: CompiledModel) -> bool:
+def is_plain(model: LoadedModel) -> bool:
     """Whether speeds are the rates of coordinates, one by one."""
     if model.nq != model.nu:
         return False
@@ -235,7 +235,7 @@ def is_plain(model: CompiledModel) -> bool:
     return bool(np.allclose(model.qdot(q, u, t=0.3), u, rtol=1e-12, atol=1e-12))
 
 
-def speeds(model: CompiledModel, t: Array, q: Array, r: Array) -> Array:
+def speeds(model: LoadedModel, t: Array, q: Array, r: Array) -> Array:
     """Speeds (nt, nu) of coordinates (nt, nq): what N u + n = qdot leaves."""
     rates = smoothing.derivative(t, q)
     if is_plain(model):
@@ -248,7 +248,7 @@ def speeds(model: CompiledModel, t: Array, q: Array, r: Array) -> Array:
 
 
 def named_columns(
-    model: CompiledModel, t: Array, blocks: Mapping[str, Array], skip: Sequence[str] = ()
+    model: LoadedModel, t: Array, blocks: Mapping[str, Array], skip: Sequence[str] = ()
 ) -> dict[str, Array]:
     """A table of blocks by the names of columns."""
     table = {"t": t}

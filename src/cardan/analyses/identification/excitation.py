@@ -25,7 +25,7 @@ from .data import is_plain, named_columns, write
 from .fourier import Limits, Series, feasible
 
 if TYPE_CHECKING:
-    from ...runtime.compiled import CompiledModel
+    from ...runtime.loaded_model import LoadedModel
 
 CRITERIA = ("condition", "determinant")
 # samples per harmonic at which the regressor is judged
@@ -52,7 +52,7 @@ class Excitation:
             at this one.
     """
 
-    model: CompiledModel
+    model: LoadedModel
     series: Series
     limits: Limits
     base: Base = field(repr=False)
@@ -130,7 +130,7 @@ class Excitation:
 
 @checked
 def excitation(
-    model: CompiledModel,
+    model: LoadedModel,
     period: float = 10.0,
     *,
     harmonics: Count = 5,
@@ -185,7 +185,7 @@ def excitation(
     return Excitation(model, series, limits, search.base, before, after)
 
 
-def _refuse(model: CompiledModel) -> None:
+def _refuse(model: LoadedModel) -> None:
     """Motions of a Fourier series per joint are possible.
 
     Raises:
@@ -205,7 +205,7 @@ def _refuse(model: CompiledModel) -> None:
         )
 
 
-def _limits(model: CompiledModel, position: Any, speed: Any, acceleration: Any) -> Limits:
+def _limits(model: LoadedModel, position: Any, speed: Any, acceleration: Any) -> Limits:
     """Limits of every joint.
 
     Raises:
@@ -241,7 +241,7 @@ def _limits(model: CompiledModel, position: Any, speed: Any, acceleration: Any) 
     )
 
 
-def _most(model: CompiledModel, word: str, given: Any, usual: list[float]) -> Array:
+def _most(model: LoadedModel, word: str, given: Any, usual: list[float]) -> Array:
     found = np.array(usual, dtype=float)
     if isinstance(given, Mapping):
         for name, value in given.items():
@@ -257,7 +257,7 @@ def _most(model: CompiledModel, word: str, given: Any, usual: list[float]) -> Ar
 class _Search:
     """Motions by free numbers, and what they are worth."""
 
-    model: CompiledModel
+    model: LoadedModel
     base: Base
     limits: Limits
     period: float

@@ -25,7 +25,7 @@ from .result import Identification
 from .rows import Rows, of_energy, of_forces
 
 if TYPE_CHECKING:
-    from ...runtime.compiled import CompiledModel
+    from ...runtime.loaded_model import LoadedModel
 
 FORMS = ("torque", "energy")
 # columns that circuits make dependent, seen at measured positions
@@ -36,7 +36,7 @@ NOTHING = 1e-9
 
 @checked
 def identify(
-    model: CompiledModel,
+    model: LoadedModel,
     data: Any,
     *,
     form: str = "torque",
@@ -105,7 +105,7 @@ def identify(
 
 
 def _rows(
-    model: CompiledModel,
+    model: LoadedModel,
     seen: Data,
     form: str,
     cutoff: float | None,
@@ -118,7 +118,7 @@ def _rows(
     return of_forces(model, seen, cutoff, chosen)
 
 
-def _acting(model: CompiledModel, rows: Rows) -> None:
+def _acting(model: LoadedModel, rows: Rows) -> None:
     """Nothing is told by motions in which no force acts.
 
     Raises:
@@ -134,7 +134,7 @@ def _acting(model: CompiledModel, rows: Rows) -> None:
         )
 
 
-def _noise(model: CompiledModel, noise: Any) -> Array | None:
+def _noise(model: LoadedModel, noise: Any) -> Array | None:
     """Standard deviation of forces along every speed (nu,).
 
     Raises:

@@ -14,7 +14,7 @@ from ...arrays import Array, Booleans
 from .base import Base
 
 if TYPE_CHECKING:
-    from ...runtime.compiled import CompiledModel
+    from ...runtime.loaded_model import LoadedModel
 
 STEP = 1e-6  # of central differences, relative: phi is of third degree in p at most
 STEPS, MET = 30, 1e-12
@@ -24,7 +24,7 @@ RANK = 1e-9
 STATES = 3
 
 
-def nearest(model: CompiledModel, base: Base, wanted: Array, weights: Array) -> dict[str, float]:
+def nearest(model: LoadedModel, base: Base, wanted: Array, weights: Array) -> dict[str, float]:
     """Values of parameters with the wanted base parameters, as far as they can have them.
 
     Newton's method with the least change of parameters relative to their sizes; where fewer
@@ -55,13 +55,13 @@ def nearest(model: CompiledModel, base: Base, wanted: Array, weights: Array) -> 
     return {names[k]: float(best[k]) for k in np.flatnonzero(free)}
 
 
-def _phi(model: CompiledModel, p: Array) -> Array:
+def _phi(model: LoadedModel, p: Array) -> Array:
     """phi (..., n) of parameter vectors (..., np)."""
     function = model._function("inertial_parameters")
     return np.asarray(function.caller(None, w=function.prepared(p)))
 
 
-def _slope(model: CompiledModel, p: Array, free: Booleans) -> Array:
+def _slope(model: LoadedModel, p: Array, free: Booleans) -> Array:
     """d phi / d p of the free parameters (n, k)."""
     steps = STEP * _sizes(model)
     moves = np.diag(steps)[free]
@@ -70,7 +70,7 @@ def _slope(model: CompiledModel, p: Array, free: Booleans) -> Array:
     return np.asarray((ends[:half] - ends[half:]).T / (2 * steps[free]))
 
 
-def _sizes(model: CompiledModel) -> Array:
+def _sizes(model: LoadedModel) -> Array:
     """How large changes of parameters are small (np,)."""
     values = np.abs(model.parameters.vector)
     units = [model.parameters.unit(name) for name in model.parameters]
@@ -81,7 +81,7 @@ def _sizes(model: CompiledModel) -> Array:
     return np.maximum(values, [SMALL * usual[unit] for unit in units])
 
 
-def _inertial(model: CompiledModel) -> Booleans:
+def _inertial(model: LoadedModel) -> Booleans:
     """Parameters (np,) that change phi and not the regressor: neither lengths nor gravity."""
     p = model.parameters.vector
     changed = p + 0.1 * np.diag(_sizes(model))

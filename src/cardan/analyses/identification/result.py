@@ -16,7 +16,7 @@ from .base import Base
 from .nearest import nearest
 
 if TYPE_CHECKING:
-    from ...runtime.compiled import CompiledModel
+    from ...runtime.loaded_model import LoadedModel
 
 # standard deviations below this part of the estimate: it is known well
 WELL = 0.1
@@ -43,7 +43,7 @@ class Identification:
         form: ``"torque"`` or ``"energy"``.
     """
 
-    nominal: CompiledModel
+    nominal: LoadedModel
     base: Base
     estimates: Array
     covariance: Array = field(repr=False)
@@ -110,7 +110,7 @@ class Identification:
         return nearest(self.nominal, self.base, self.estimates, np.linalg.inv(root))
 
     @cached_property
-    def model(self) -> CompiledModel:
+    def model(self) -> LoadedModel:
         """The model with the identified parameters."""
         return self.nominal.with_parameters(self.parameters)
 

@@ -20,7 +20,7 @@ from .base import circuits
 from .data import Data
 
 if TYPE_CHECKING:
-    from ...runtime.compiled import CompiledModel
+    from ...runtime.loaded_model import LoadedModel
 
 # singular values of constraints below this part of the largest are those of redundant ones
 RANK = 1e-9
@@ -47,12 +47,12 @@ class Rows:
     spread: Array
 
 
-def given(model: CompiledModel, data: Data) -> dict[str, Any]:
+def given(model: LoadedModel, data: Data) -> dict[str, Any]:
     """Time and inputs of samples for functions of the model."""
     return {"t": data.t, "r": data.r if model.nr else None}
 
 
-def of_forces(model: CompiledModel, data: Data, cutoff: float | None, actuators: list[int]) -> Rows:
+def of_forces(model: LoadedModel, data: Data, cutoff: float | None, actuators: list[int]) -> Rows:
     """Rows of forces; filtered on both sides like the signals where those were.
 
     Args:
@@ -78,7 +78,7 @@ def of_forces(model: CompiledModel, data: Data, cutoff: float | None, actuators:
     return Rows(names, t, A, b, np.ones_like(b))
 
 
-def _through_circuits(model: CompiledModel, data: Data, actuators: list[int]) -> Array:
+def _through_circuits(model: LoadedModel, data: Data, actuators: list[int]) -> Array:
     """What turns generalized forces into those of the actuators (nt, na, nu).
 
     Forces of constraint do no work along the motions Z that are left: Zᵀ tau is what they cannot
@@ -106,7 +106,7 @@ def _through_circuits(model: CompiledModel, data: Data, actuators: list[int]) ->
     return np.asarray(np.linalg.solve(hold, np.swapaxes(Z, -1, -2)))
 
 
-def of_energy(model: CompiledModel, data: Data, stretch: int, noise: Array) -> Rows:
+def of_energy(model: LoadedModel, data: Data, stretch: int, noise: Array) -> Rows:
     """Rows of energy: what is gained over stretches of samples is what forces have given.
 
     Args:

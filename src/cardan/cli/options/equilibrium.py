@@ -12,8 +12,8 @@ from . import scene as scene_options
 
 if TYPE_CHECKING:
     from ...analyses.equilibrium import Equilibrium
+    from ...api.compiled_model import CompiledModel
     from ...model import Model
-    from ...runtime.compiled import CompiledModel
 
 
 def arguments(parser: argparse.ArgumentParser) -> argparse._ArgumentGroup:

@@ -374,8 +374,8 @@ class Absolute(Explainable):
         prefix: str = "",
     ) -> Path:
         """Write C that needs no cardan; :func:`cardan.codegen.meshed.export` says more."""
+        from ...analyses.planned import planned
         from ...codegen.meshed import export
-        from ...runtime.absolute.planned import planned
 
         how = (language, integrators, reproducible, prefix)
         return export(self, directory, planned, functions, *how)

@@ -23,7 +23,7 @@ from .loading import load
 from .mesh import NEEDED
 
 if TYPE_CHECKING:
-    from ..compiled import CompiledModel
+    from ..loaded_model import LoadedModel
     from ..measuring import Row
 
 
@@ -34,14 +34,14 @@ class Assembled(Source):
     def __init__(self) -> None:
         self._results: Results | None = None
 
-    def results(self, model: CompiledModel) -> Results:
+    def results(self, model: LoadedModel) -> Results:
         """What evaluates them; made on first use, once for all threads: runs keep its address."""
         with model._objects.lock:
             if self._results is None:
                 self._results = Results(load(model), model)
             return self._results
 
-    def add(self, model: CompiledModel, missing: Sequence[Key]) -> None:
+    def add(self, model: LoadedModel, missing: Sequence[Key]) -> None:
         """Make functions callable."""
         for name, of in missing:
             if name not in OF_ELEMENTS:
@@ -52,19 +52,19 @@ class Assembled(Source):
                 )
             model._functions[name, of] = self._function(model, name, of)
 
-    def mesh(self, model: CompiledModel) -> int:
+    def mesh(self, model: LoadedModel) -> int:
         """Address of the tables, with what methods ask of elements themselves."""
         mesh = self.results(model).mesh
         mesh.connect("balance", "balance_tangent", "gamma")
         return ctypes.addressof(mesh.record)
 
-    def measured(self, model: CompiledModel, seed: int, judged: bool) -> list[Row]:
+    def measured(self, model: LoadedModel, seed: int, judged: bool) -> list[Row]:
         """Functions of the whole mesh, then its elements kind by kind."""
         from .measured import rows
 
         return rows(model, self.results(model), seed, judged)
 
-    def _function(self, model: CompiledModel, name: str, of: str | None) -> LoadedFunction:
+    def _function(self, model: LoadedModel, name: str, of: str | None) -> LoadedFunction:
         model._check_of(name, of)
         results, arguments = self.results(model), model._layout.reads(name, of)
         shape, entries = results.shape(name)

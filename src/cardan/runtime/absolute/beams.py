@@ -3,17 +3,20 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, final
+from typing import TYPE_CHECKING, final
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from ...arguments import checked
 from ...arrays import Array
 from ...errors import ArgumentError, ModelError, counted, near
-from .elements import Elements, State
+from ..evaluation import State
+from .elements import Elements
+from .elements import State as ElementState
 
 if TYPE_CHECKING:
-    from ..compiled import CompiledModel
+    from ..loaded_model import LoadedModel
 
 FORM = "stress"
 ENDS, ROWS = 2, 4  # of an element; stress and strain there
@@ -91,16 +94,17 @@ class BeamStress:
         )
 
 
-def beam_stress(model: CompiledModel, name: str, q: Any) -> BeamStress:
-    """What a beam carries.
+@checked
+def beam(model: LoadedModel, name: str, q: State) -> BeamStress:
+    """Forces, moments and strains along a beam, in axes of the section.
 
     Args:
         model: In absolute coordinates.
         name: Of the beam.
-        q: Coordinates (..., nq).
+        q: Coordinates (..., nq), such as those of an equilibrium.
 
     Raises:
-        ModelError: no such beam. ArgumentError: q of another shape.
+        ModelError: there is no such beam. ArgumentError: q has another shape.
     """
     rows = [row for row in model.manifest.beams if row.name == name]
     if not rows:
@@ -148,7 +152,7 @@ def _along(elements: Elements, members: list[tuple[int, int]], q: Array) -> Arra
     numbers, rows = np.array(members, dtype=np.intp).reshape(-1, 2).T
     found = np.empty((len(q), len(members), ROWS * 6))
     for k, place in enumerate(q):
-        tables = elements.results(FORM, State(place))
+        tables = elements.results(FORM, ElementState(place))
         for number in np.unique(numbers):
             own = numbers == number
             found[k, own] = tables[number][rows[own]]

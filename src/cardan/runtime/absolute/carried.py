@@ -17,7 +17,7 @@ from .tables import Integers, Tables
 from .trailing import GROUND, joined, motion_of, trailed
 
 if TYPE_CHECKING:
-    from ..compiled import CompiledModel
+    from ..loaded_model import LoadedModel
 
 SAVED = "states"
 FACING = "facing "  # before the joint whose axes the numbers are about
@@ -27,7 +27,7 @@ POSE, MOTION = ("w", "x", "y", "z", "px", "py", "pz"), ("x", "y", "z", "px", "py
 
 
 def carried(
-    model: CompiledModel,
+    model: LoadedModel,
     x: Array,
     rest: Collection[str],
     t: float = 0.0,
@@ -55,7 +55,7 @@ class Carrier:
 
     def __init__(
         self,
-        model: CompiledModel,
+        model: LoadedModel,
         free: Collection[str],
         t: float = 0.0,
         r: Array | None = None,
@@ -211,7 +211,7 @@ def _wide(values: Array, like: Array) -> Array:
 
 
 def _planes(
-    model: CompiledModel, tables: Tables, blocks: Mapping[str, Any]
+    model: LoadedModel, tables: Tables, blocks: Mapping[str, Any]
 ) -> list[tuple[int, Integers, Integers]]:
     """Places told in a plane, with the entries of their pose and speeds in those of the tree."""
     at = {block: {name: k for k, name in enumerate(blocks[block])} for block in "qu"}
@@ -227,7 +227,7 @@ def _planes(
     return found
 
 
-def leading(model: CompiledModel) -> NDArray[np.bool_]:
+def leading(model: LoadedModel) -> NDArray[np.bool_]:
     """Whether a speed is that of a joint (nu,): nodes of bodies and beams follow those."""
     made = model._objects.function(SAVED)
     told = next(set(block.entries) for block in made.inputs if block.name == "u")

@@ -17,7 +17,7 @@ from .frames import Frames
 from .mesh import Mesh
 
 if TYPE_CHECKING:
-    from ..compiled import CompiledModel
+    from ..loaded_model import LoadedModel
 
 # matrices that are written out are for looking at
 WHOLE = 600
@@ -32,7 +32,7 @@ class Results:
         model: For names and frames.
     """
 
-    def __init__(self, mesh: Mesh, model: CompiledModel) -> None:
+    def __init__(self, mesh: Mesh, model: LoadedModel) -> None:
         self.mesh = mesh
         self.tables = mesh.tables
         self.manifest = model.manifest

@@ -13,7 +13,7 @@ from ...schema.mechanism import FrameRow
 from .standing import Plane, pose, speeds
 
 if TYPE_CHECKING:
-    from ..compiled import CompiledModel
+    from ..loaded_model import LoadedModel
 
 GROUND = -1
 
@@ -45,7 +45,7 @@ class Frames:
         self._planes = {row.name: Plane.of(row.plane) for row in rows}
 
     @classmethod
-    def of(cls, model: CompiledModel) -> Frames:
+    def of(cls, model: LoadedModel) -> Frames:
         """The frames of a model at its parameters."""
         return cls(model.manifest.frames, *standing(model))
 
@@ -109,12 +109,12 @@ class Frames:
         return J
 
 
-def numbers(model: CompiledModel) -> dict[str, Array]:
+def numbers(model: LoadedModel) -> dict[str, Array]:
     """``frame_rotation`` and ``frame_position`` on the places of all frames."""
     return dict(zip(("frame_rotation", "frame_position"), standing(model), strict=True))
 
 
-def standing(model: CompiledModel) -> tuple[Array, Array]:
+def standing(model: LoadedModel) -> tuple[Array, Array]:
     """Rotations (n, 3, 3) and origins (n, 3) of all frames on their places."""
     at = model._evaluate_saved(model.manifest.elements.frames, p=model.parameters.vector)
     rotations, positions = (np.asarray(at[k], dtype=np.float64) for k in ("rotation", "position"))

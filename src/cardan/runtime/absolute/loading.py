@@ -23,7 +23,7 @@ from .mesh import Mesh
 from .tables import Table, Tables
 
 if TYPE_CHECKING:
-    from ..compiled import CompiledModel
+    from ..loaded_model import LoadedModel
 
 FILE = "mesh.npz"
 # elements of a group from which on they go side by side: fewer would leave most lanes unused
@@ -195,7 +195,7 @@ def _whole(array: Any) -> Any:
     return None if array is None else array.astype(np.intp)
 
 
-def tables_of(model: CompiledModel) -> Tables:
+def tables_of(model: LoadedModel) -> Tables:
     """The tables of a model, read once for all of its sets of parameters."""
     objects = model._objects
     with objects.lock:
@@ -214,7 +214,7 @@ def _side_by_side(elements: Tables, entries: Mapping[str, FunctionRow]) -> dict[
     return {symbol: lanes for symbol in symbols if 1 < lanes in entries[symbol].lanes}
 
 
-def data_of(model: CompiledModel, group: Table) -> Array:
+def data_of(model: LoadedModel, group: Table) -> Array:
     """Data (n, k) of the elements of a group at the parameters of a model."""
     n, parts = len(group), []
     if group.common:
@@ -227,7 +227,7 @@ def data_of(model: CompiledModel, group: Table) -> Array:
     return np.ascontiguousarray(np.concatenate(parts, axis=1)) if parts else np.zeros((n, 0))
 
 
-def load(model: CompiledModel) -> Mesh:
+def load(model: LoadedModel) -> Mesh:
     """The elements of a model at its parameters, ready to be asked."""
     found = tables_of(model)
     objects = model._objects

@@ -18,7 +18,7 @@ from .elements import State
 from .mesh import NEEDED
 
 if TYPE_CHECKING:
-    from ..compiled import CompiledModel
+    from ..loaded_model import LoadedModel
     from .evaluated import Results
 
 # functions of the whole mesh, and what they ask of elements
@@ -34,7 +34,7 @@ JUDGED = 3
 MOVED = 1e-2
 
 
-def rows(model: CompiledModel, results: Results, seed: int, judged: bool) -> list[Row]:
+def rows(model: LoadedModel, results: Results, seed: int, judged: bool) -> list[Row]:
     """Functions of the whole mesh, then elements kind by kind; errors are those of elements."""
     rng, tables = np.random.default_rng(seed), results.tables
     start, _ = start_of(model, {}, {})
@@ -51,7 +51,7 @@ def rows(model: CompiledModel, results: Results, seed: int, judged: bool) -> lis
     return [*_whole(model, results, q, u), *_elements(model, results, at, judged)]
 
 
-def _whole(model: CompiledModel, results: Results, q: Array, u: Array) -> Iterator[Row]:
+def _whole(model: LoadedModel, results: Results, q: Array, u: Array) -> Iterator[Row]:
     """What adds up the elements, called from Python."""
     entries = model.manifest.functions
     for name, asked in WHOLE.items():
@@ -68,7 +68,7 @@ def _whole(model: CompiledModel, results: Results, q: Array, u: Array) -> Iterat
         yield Row(name, operations, spent, math.nan, math.nan, 1, None)
 
 
-def _elements(model: CompiledModel, results: Results, at: State, judged: bool) -> Iterator[Row]:
+def _elements(model: LoadedModel, results: Results, at: State, judged: bool) -> Iterator[Row]:
     """The functions of every kind of element, for those of its largest group."""
     groups, saved = results.tables.groups, model._objects.saved()
     ordered = sorted(range(len(groups)), key=lambda k: -len(groups[k]))

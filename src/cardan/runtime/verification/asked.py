@@ -20,7 +20,7 @@ from ..truth import Truth
 from .differences import slope
 
 if TYPE_CHECKING:
-    from ..compiled import CompiledModel
+    from ..loaded_model import LoadedModel
 
 
 ELSEWHERE = "what it is compared with is not compiled"
@@ -38,7 +38,7 @@ class Asked:
         adrift: Why its own motion is not known, "" where it is.
     """
 
-    model: CompiledModel
+    model: LoadedModel
     scene: Scene
     truth: Truth
     known: frozenset[Key] = frozenset()

@@ -20,7 +20,7 @@ from .differences import REACH, central, input_rates
 
 if TYPE_CHECKING:
     from ..absolute.elements import Elements
-    from ..compiled import CompiledModel
+    from ..loaded_model import LoadedModel
 
 RATES, JACOBIAN, GAMMA = "constraint_rates", "constraint_jacobian", "gamma"
 CHECKED = (RATES, JACOBIAN)
@@ -154,7 +154,7 @@ def worst(levels: Levels, motions: Iterable[Motion]) -> dict[str, float]:
 
 
 def checks(
-    model: CompiledModel, functions: Iterable[str] | None, states: int, seed: int
+    model: LoadedModel, functions: Iterable[str] | None, states: int, seed: int
 ) -> dict[str, float | str]:
     """Error of every level of the constraints, or why it is not checked.
 
@@ -185,7 +185,7 @@ def said(found: Mapping[str, float]) -> dict[str, float | str]:
 
 
 def _motions(
-    model: CompiledModel,
+    model: LoadedModel,
     states: int,
     seed: int,
     move: Callable[[Array, Array], Array],
@@ -222,9 +222,7 @@ def binds(symbol: str) -> bool:
     return symbol.endswith(SPOKEN)
 
 
-def of_elements(
-    model: CompiledModel, elements: Elements, states: int, seed: int
-) -> dict[str, float]:
+def of_elements(model: LoadedModel, elements: Elements, states: int, seed: int) -> dict[str, float]:
     """The largest error of every level of a model in absolute coordinates."""
     from ..absolute.elements import State
 
@@ -255,7 +253,7 @@ def of_elements(
 # joint coordinates
 
 
-def of_functions(model: CompiledModel, states: int, seed: int) -> dict[str, float] | str:
+def of_functions(model: LoadedModel, states: int, seed: int) -> dict[str, float] | str:
     """The largest error of G u + g_t and G in joint coordinates; or why they are not checked.
 
     What is loaded is asked as it is compiled; the rest, g and qdot first, as it was derived.

@@ -23,7 +23,7 @@ from .differences import slope
 from .written import results
 
 if TYPE_CHECKING:
-    from ..compiled import CompiledModel
+    from ..loaded_model import LoadedModel
 
 # how far places are moved from where they start: angles [rad], lengths in parts of the scene's
 TURNED, SHIFTED = 0.3, 0.03
@@ -50,7 +50,7 @@ class Members:
         length: Size of the scene [m].
     """
 
-    model: CompiledModel
+    model: LoadedModel
     table: Table
     given: Mapping[str, Array]
     codes: Mapping[str, Code]
@@ -148,7 +148,7 @@ def quaternion_rate(q: Array, w: Array) -> Array:
 
 
 def members_of(
-    model: CompiledModel,
+    model: LoadedModel,
     elements: Elements,
     codes: Mapping[str, Code],
     seed: int,
@@ -192,7 +192,7 @@ def _drawn(given: dict[str, Array], rng: np.random.Generator) -> dict[str, Array
     return found
 
 
-def _state(model: CompiledModel, elements: Elements, rng: Any, length: float) -> State:
+def _state(model: LoadedModel, elements: Elements, rng: Any, length: float) -> State:
     tables, layout = elements.tables, model._layout
     # as the scene tells it: to assemble it would take the elements that are judged here
     q = start_of(model, {}, {})[0][: tables.nq]

@@ -17,7 +17,7 @@ from ..joint_motion import Array, times
 from ..newton_euler import Scene, moving, rates_of_momentum, transmitted
 
 if TYPE_CHECKING:
-    from ..compiled import CompiledModel
+    from ..loaded_model import LoadedModel
 
 Loads = tuple[list[Array], list[Array]]
 ROUNDS, SETTLED = 400, 1e-14
@@ -109,7 +109,7 @@ class Pressed:
         return np.where(left <= 100 * SETTLED * size, f, np.nan)
 
 
-def pressed(model: CompiledModel, scene: Scene, n: int, given: dict[str, Any]) -> Pressed | None:
+def pressed(model: LoadedModel, scene: Scene, n: int, given: dict[str, Any]) -> Pressed | None:
     """What friction of a model follows from reactions, at n states; None where none does.
 
     Args:

@@ -14,19 +14,19 @@ from ...arrays import Array
 from ...schema.tree import SampleRow
 
 if TYPE_CHECKING:
-    from ..compiled import CompiledModel
+    from ..loaded_model import LoadedModel
 
 CHANGED = "not checked: values are built in that SymPy's numbers do not belong to"
 YIELDING = "not checked: constraints treated by '{}' give way"
 APART = "not checked: SymPy tells no numbers of it"
 
 
-def samples_of(model: CompiledModel) -> Sequence[SampleRow]:
+def samples_of(model: LoadedModel) -> Sequence[SampleRow]:
     """The states of which SymPy's numbers are known; none of models of bodies."""
     return model.manifest.scene.samples
 
 
-def error(model: CompiledModel, name: str) -> tuple[float, str]:
+def error(model: LoadedModel, name: str) -> tuple[float, str]:
     """Largest difference of a function over the largest term of its equation, or why not known."""
     found = samples_of(model)
     built = model.manifest.structural
@@ -40,7 +40,7 @@ def error(model: CompiledModel, name: str) -> tuple[float, str]:
     return max(CHECKS[name](model, sample) for sample in found), ""
 
 
-def _given(model: CompiledModel, sample: SampleRow, *blocks: str) -> dict[str, Any]:
+def _given(model: LoadedModel, sample: SampleRow, *blocks: str) -> dict[str, Any]:
     """Arguments of a function at a sample."""
     known = set(model.parameters)
     values = {key: value for key, value in sample.p.items() if key in known}
@@ -57,33 +57,33 @@ def _relative(difference: Array, *terms: Array) -> float:
     return float(apart.max(initial=0.0)) / max(largest, 1e-300)
 
 
-def _mass_matrix(model: CompiledModel, sample: SampleRow) -> float:
+def _mass_matrix(model: LoadedModel, sample: SampleRow) -> float:
     M = np.array(sample.M)
     return _relative(model.mass_matrix(**_given(model, sample, "q")) - M, M)
 
 
-def _qdot(model: CompiledModel, sample: SampleRow) -> float:
+def _qdot(model: LoadedModel, sample: SampleRow) -> float:
     rates = np.array(sample.qdot)
     return _relative(model.qdot(**_given(model, sample, "q", "u")) - rates, rates)
 
 
-def _bias(model: CompiledModel, sample: SampleRow) -> float:
+def _bias(model: LoadedModel, sample: SampleRow) -> float:
     """All forces are applied ones."""
     return _relative(model.bias(**_given(model, sample, "q", "u")), np.ones(1))
 
 
-def _inverse(model: CompiledModel, sample: SampleRow) -> float:
+def _inverse(model: LoadedModel, sample: SampleRow) -> float:
     M, f = np.array(sample.M), np.array(sample.f)
     udot = np.linspace(-1.0, 1.0, len(f))
     tau = model.inverse_dynamics(**_given(model, sample, "q", "u"), udot=udot)
     return _relative(tau - (M @ udot - f), M * udot, f)
 
 
-def _forward(model: CompiledModel, sample: SampleRow) -> float:
+def _forward(model: LoadedModel, sample: SampleRow) -> float:
     return _balance(sample, model.forward_dynamics(**_given(model, sample, "q", "u")))
 
 
-def _rhs(model: CompiledModel, sample: SampleRow) -> float:
+def _rhs(model: LoadedModel, sample: SampleRow) -> float:
     given = _given(model, sample, "q", "u")
     start = model._layout.start("z")
     x = np.concatenate([given.pop("q"), given.pop("u"), start])

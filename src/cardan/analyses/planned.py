@@ -8,17 +8,18 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from ...arrays import Array
-from ...errors import ModelError
-from ...schema.planned import Planned
-from ..closing import columns_of, size_of
-from ..compiled import CompiledModel
-from ..initial import start_of
-from . import loading
-from .blocks import plan_fields
-from .carried import Carrier, leading
-from .matrices import Matrices
-from .record_fields import group_fields, mesh_fields, mover_fields
+from ..arrays import Array
+from ..errors import ModelError
+from ..runtime.absolute import loading
+from ..runtime.absolute.blocks import plan_fields
+from ..runtime.absolute.carried import Carrier, leading
+from ..runtime.absolute.matrices import Matrices
+from ..runtime.absolute.record_fields import group_fields, mesh_fields, mover_fields
+from ..runtime.closing import columns_of, size_of
+from ..runtime.initial import start_of
+from ..runtime.loaded_model import LoadedModel
+from ..schema.planned import Planned
+from .closed_start import initial
 
 
 def planned(folder: Path) -> Planned:
@@ -27,7 +28,7 @@ def planned(folder: Path) -> Planned:
     Args:
         folder: Of the model.
     """
-    model = CompiledModel(folder)
+    model = LoadedModel(folder)
     tables, size = loading.tables_of(model), size_of(model)
     return Planned(
         mesh_fields(tables, model.manifest.functions),
@@ -41,7 +42,7 @@ def planned(folder: Path) -> Planned:
     )
 
 
-def _start(folder: Path, model: CompiledModel) -> Array:
+def _start(folder: Path, model: LoadedModel) -> Array:
     """Where a run starts (nx,); what joints of the tree carry needs no search."""
     start, free = start_of(model, {}, {}, {})
     tree = {row.name for row in model.manifest.joints}
@@ -49,11 +50,11 @@ def _start(folder: Path, model: CompiledModel) -> Array:
     if closed or Carrier(model, free).links:
         # equal bits on every machine; a start that cannot be assembled is told when it is asked for
         with suppress(ModelError):
-            start = CompiledModel(folder, reproducible=True).initial()
+            start = initial(LoadedModel(folder, reproducible=True))
     return start
 
 
-def _held(model: CompiledModel) -> NDArray[np.bool_]:
+def _held(model: LoadedModel) -> NDArray[np.bool_]:
     held = np.ones(model.nq + model.nu, dtype=bool)
     if not loading.tables_of(model).beams:
         lead = leading(model)

@@ -1,11 +1,11 @@
-"""A compiled model: its functions on arrays, as fast C."""
+"""A compiled model as data and calls: its functions on arrays, as fast C."""
 
 from __future__ import annotations
 
 import ctypes
 from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, final
+from typing import TYPE_CHECKING, Any, Self
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -15,8 +15,8 @@ from ..arrays import Array
 from ..errors import ArgumentError, ModelError, counted, shown
 from ..schema.functions import FUNCTIONS, STANDARD
 from . import kernels
-from .analyzed import Analyzed
 from .calling import by_name, numbers
+from .described import Described
 from .evaluation import Values
 from .generated import Generated, Source
 from .layout import Layout
@@ -26,9 +26,6 @@ from .parameters import Parameters
 from .states import random_state
 
 if TYPE_CHECKING:
-    from ..analyses.alpha import Alpha, GeneralizedAlpha
-    from .report import Report
-    from .trajectory import Trajectory
     from .verify import Verification
 
 
@@ -43,22 +40,10 @@ class _Calls(dict[Key, Any]):
         return fast
 
 
-@final
-class CompiledModel(Analyzed):
-    """Functions of a system as compiled C.
+class LoadedModel(Described):
+    """What a compiled model is and what it calls: files, parameters, functions.
 
-    All functions broadcast over leading axes like NumPy gufuncs, return fresh arrays (or fill
-    ``out=``), may be called from several threads at once, and release the GIL where they work
-    long. A vector may be given by names, ``{"elbow": 0.3}``; the rest then takes its default.
-
-    Conventions: the speeds u are what robotics calls v, tau is a generalized applied force; the
-    equations are M udot + h = f + tau with gravity inside h; quaternions are (w, x, y, z) and must
-    have length 1; 6-vectors have the angular part first. SI units, radians.
-
-    Raises (every function):
-        ArgumentError: wrong shape. ModelError: unknown name, or a function that was not compiled.
-        SolveError: a number given is not finite; or, for one state, the result is not. In a batch
-            the states that fail hold NaN or infinity and a SolveWarning names the first.
+    Rooms below ``api`` pass this around; ``api.CompiledModel`` adds their analyses for users.
     """
 
     @checked
@@ -107,14 +92,14 @@ class CompiledModel(Analyzed):
 
     def __repr__(self) -> str:
         return (
-            f"CompiledModel('{self.name}', {self.manifest.method}: "
+            f"{type(self).__name__}('{self.name}', {self.manifest.method}: "
             f"{counted(len(self.bodies), 'body', 'bodies')}, "
             f"{counted(self.nq, 'coordinate')}, {counted(self.nu, 'speed')}, "
             f"{counted(len(self.parameters), 'parameter')})"
         )
 
     @checked
-    def with_parameters(self, values: Values | None = None, **named: ArrayLike) -> CompiledModel:
+    def with_parameters(self, values: Values | None = None, **named: ArrayLike) -> Self:
         """The same model with other parameter values; nothing is compiled again.
 
         Args:
@@ -132,9 +117,9 @@ class CompiledModel(Analyzed):
             )
         return self._with(Parameters(self.manifest, vector))
 
-    def _with(self, parameters: Parameters) -> CompiledModel:
+    def _with(self, parameters: Parameters) -> Self:
         """This model over the same loaded code with other values."""
-        other = object.__new__(CompiledModel)
+        other = object.__new__(type(self))
         other._objects = self._objects
         other._set(parameters, self._layout)
         return other
@@ -260,31 +245,13 @@ class CompiledModel(Analyzed):
         return array[..., :nq], array[..., nq:end], array[..., end:]
 
     @checked
-    def initial(
-        self, q: Values | None = None, u: Values | None = None, z: Values | None = None
-    ) -> Array:
-        """The state x (nx,) in which a run with these named values starts.
-
-        Loops are closed at t = 0 with the defaults of the inputs, as ``simulate`` closes them: what
-        is named is held, the rest is next to q0 and u0 of the joints, then 0.
-
-        Raises:
-            ModelError: an unknown name, or loops that cannot be closed with what is named.
-            ArgumentError: the wrong number of values.
-            SolveError: a value that is not finite, or a quaternion whose length is not 1.
-        """
-        from ..analyses.closed_start import initial
-
-        return initial(self, q or {}, u or {}, z or {})
-
-    @checked
     def random_state(
         self, rng: np.random.Generator | Seed | None = None, shape: tuple[int, ...] = ()
     ) -> Array:
         """States x (*shape, nx) inside limits and domains; speeds within +-1."""
         return random_state(self.manifest, np.random.default_rng(rng), shape)
 
-    # checks and runs
+    # checks
 
     @checked
     def verify(self, states: Count = 3, seed: Seed = 1) -> Verification:
@@ -296,90 +263,3 @@ class CompiledModel(Analyzed):
         from .verify import verify
 
         return verify(self, states=states, seed=seed)
-
-    @checked
-    def report(self, t: float | ArrayLike | None = None, **options: Any) -> Report:
-        """Measure every function: operations, time, error against 40 digits; prints a table.
-
-        Args:
-            t: With an end, or ``(start, end)`` [s], speed against error of every integrator too:
-                ``report(10, q={"elbow": 1.0}).methods``.
-            options: Of the motion, as :func:`cardan.analyses.precision_runs.precision` takes them.
-        """
-        from .report import report
-
-        functions = report(self)
-        if t is None:
-            return functions
-        from ..analyses.precision_runs import compare
-
-        return compare(self, functions, t, **options)
-
-    @checked
-    def simulate(
-        self,
-        t: float | ArrayLike | None = None,
-        *,
-        t_eval: ArrayLike | None = None,
-        x0: ArrayLike | None = None,
-        q: Any = None,
-        u: Any = None,
-        z: Any = None,
-        events: Mapping[str, Any] | None = None,
-        method: str | GeneralizedAlpha | Alpha = "auto",
-        rtol: float = 1e-6,
-        atol: float | None = None,
-        step: float | None = None,
-        max_step: float | None = None,
-        inputs: Mapping[str, Any] | None = None,
-        sample: float | None = None,
-        checkpoint: str | Path | None = None,
-        every: float = 10.0,
-        check: bool = False,
-        progress: bool | Callable[[float], None] | None = None,
-    ) -> Trajectory:
-        """Motion; :func:`cardan.analyses.simulate.simulate` tells what the arguments mean.
-
-        Args:
-            t: End, ``(start, end)`` or output times [s].
-            t_eval: Output times [s], two or more, in place of ``t``.
-            x0: State (nx,); or q, u, z: arrays or values by name, such as ``{"elbow": 0.3}``.
-            events: Name -> ``f(t, x)`` or ``("elbow", value)``: where the run ends, or what is
-                noted.
-            method, rtol, atol, step, max_step: Such as ``"DOP853"``, tolerances, steps [s].
-            inputs: Name -> constant, ``(times, values)`` or ``f(t, x)``; ``sample`` [s] holds it.
-            checkpoint, every: A file that keeps what is computed, and how often [s].
-            check, progress: Raise where the end is not reached; show how far it is.
-        """
-        from ..analyses.simulate import simulate
-
-        start: dict[str, Any] = {"t_eval": t_eval, "x0": x0, "q": q, "u": u, "z": z}
-        start |= {"events": events}
-        given: dict[str, Any] = {"inputs": inputs, "sample": sample, "progress": progress}
-        given |= {"checkpoint": checkpoint, "every": every}
-        how: dict[str, Any] = {"rtol": rtol, "atol": atol, "step": step, "max_step": max_step}
-        return simulate(self, t, method=method, check=check, **start, **given, **how)
-
-    def stepper(self, **options: Any) -> Any:
-        """Motion step by step; see :class:`cardan.analyses.stepper.Stepper`."""
-        from ..analyses.stepper import stepper
-
-        return stepper(self, **options)
-
-    @checked
-    def resume(self, path: str | Path, *, events: Mapping[str, Any] | None = None) -> Any:
-        """The stepper of a file that ``stepper.save(path)`` wrote, at the same bits."""
-        from ..analyses.stepper import resume
-
-        return resume(self, path, events=events)
-
-    def step(self, x: ArrayLike, dt: float, **options: Any) -> Array:
-        """States (..., nx) a time dt [s] after x; see :func:`cardan.analyses.stepper.step`."""
-        from ..analyses.stepper import step
-
-        return step(self, x, dt, **options)
-
-    def __reduce__(self) -> tuple[object, ...]:
-        from .saved import reduced
-
-        return reduced(self)

@@ -1,0 +1,999 @@
+"""Written from the functions of its verbs: pytest tests/golden/test_verbs.py --accept"""
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from pathlib import Path
+from typing import Any, final
+
+from numpy.typing import ArrayLike
+
+from ..analyses.actuation import Actuation
+from ..analyses.alpha import Alpha, GeneralizedAlpha
+from ..analyses.assembly import Assembly
+from ..analyses.campbell import Campbell
+from ..analyses.ensembles.result import Ensemble
+from ..analyses.equilibrium import Equilibrium
+from ..analyses.first_order import Choice
+from ..analyses.identification.base import Base
+from ..analyses.identification.excitation import Excitation
+from ..analyses.identification.result import Identification
+from ..analyses.linear_model import LinearModel
+from ..analyses.locus import Locus
+from ..analyses.mode_shapes import Modes
+from ..analyses.precision_runs import Show
+from ..analyses.reduced import Partition
+from ..analyses.redundancy import Redundancy
+from ..analyses.report import Report
+from ..analyses.sample import Plan
+from ..analyses.sensitivity import Sensitivity
+from ..analyses.settings import Values
+from ..analyses.singular import Singular
+from ..analyses.static_path import StaticPath
+from ..analyses.steady_motion import SteadyMotion
+from ..analyses.stepper import Stepper
+from ..analyses.stiffness import Stiffness
+from ..analyses.sweep import Sweep
+from ..analyses.torques import Torques
+from ..analyses.workspace import Workspace
+from ..arguments import Count, Hold, Seed
+from ..arrays import Array
+from ..runtime.absolute.beams import BeamStress
+from ..runtime.evaluation import State
+from ..runtime.loaded_model import LoadedModel
+from ..runtime.trajectory import Trajectory
+
+@final
+class CompiledModel(LoadedModel):
+    """Functions of a system as compiled C.
+
+    All functions broadcast over leading axes like NumPy gufuncs, return fresh arrays (or fill
+    ``out=``), may be called from several threads at once, and release the GIL where they work
+    long. A vector may be given by names, ``{"elbow": 0.3}``; the rest then takes its default.
+
+    Conventions: the speeds u are what robotics calls v, tau is a generalized applied force; the
+    equations are M udot + h = f + tau with gravity inside h; quaternions are (w, x, y, z) and must
+    have length 1; 6-vectors have the angular part first. SI units, radians.
+
+    Raises (every function):
+        ArgumentError: wrong shape. ModelError: unknown name, or a function that was not compiled.
+        SolveError: a number given is not finite; or, for one state, the result is not. In a batch
+            the states that fail hold NaN or infinity and a SolveWarning names the first.
+    """
+
+    def simulate(
+        self,
+        t: float | ArrayLike | None = None,
+        *,
+        t_eval: ArrayLike | None = None,
+        x0: ArrayLike | None = None,
+        q: Values | ArrayLike | None = None,
+        u: Values | ArrayLike | None = None,
+        z: Values | ArrayLike | None = None,
+        events: Mapping[str, Any] | None = None,
+        method: str | GeneralizedAlpha | Alpha = "auto",
+        rtol: float = 1e-06,
+        atol: float | None = None,
+        step: float | None = None,
+        max_step: float | None = None,
+        inputs: Mapping[str, Any] | None = None,
+        sample: float | None = None,
+        checkpoint: str | Path | None = None,
+        every: float = 10.0,
+        check: bool = False,
+        progress: bool | Callable[[float], None] | None = None,
+    ) -> Trajectory:
+        """Integrate the equations of motion.
+
+        Args:
+            t: End time (from 0), ``(start, end)`` (backward too), or an array of output times [s].
+                With an end or a pair the result is dense. A tuple or list of two is a pair; an array
+                of two is refused: ``t_eval`` takes it.
+            x0: Initial state (nx,); or by names:
+            q, u: Initial coordinates and speeds, ``{"elbow": 0.3, "base": [1, 0, 0, 0, 0, 0, 1]}``
+                or arrays (nq,), (nu,). What is not named comes from q0 and u0 of its joint, else 0;
+                of a system with circuits it is assembled next to that, see ``model.assemble``.
+            z: Initial internal states of elements, ``{"motor.current": 0.1}`` or an array (nz,).
+            events: Name -> what to watch, besides the events of the model: ``f(t, x)`` or
+                ``("elbow", 0.5)``. The run ends where that passes zero, or the coordinate, speed or
+                internal state the value; ``(what, "mark")`` only notes it. ``"down"`` or ``"up"`` as
+                a further word says which way, along the run.
+            method: Name of an integrator, such as ``"DOP853"``, ``"RK45"``, ``"RKMK853"``,
+                ``"Radau"``, ``"Rosenbrock"`` (adaptive), ``"RK4"``, ``"EnergyMidpoint"``,
+                ``"EnergyMomentum"`` (fixed step), or a :class:`cardan.GeneralizedAlpha`; ``"auto"``
+                takes what the scene and the first steps ask for, and says why.
+            rtol, atol: Tolerances of a step: rtol |x| + atol, root mean square over the state; of
+                generalized-alpha on nodes (rtol + atol) times the extent of the motion, of angles 1.
+                atol follows rtol unless given: 1e-3 rtol, at most 1e-9.
+            step: Step of fixed methods and of generalized-alpha, first one of others [s].
+            max_step: Largest step of an adaptive method [s]; past functions 1/1000 of the span.
+            inputs: Name -> constant, ``(times, values)`` (straight lines between; a time twice is a
+                jump; a cubic spline where the input prescribes a motion) or ``f(t, x)``.
+            sample: Time between two calls of the ``f(t, x)`` [s]; their values are held in between.
+                Without it they are called at every stage of every step.
+            checkpoint: A file that keeps what is computed, ``every`` so many seconds of computing. The
+                same call goes on from there, to the bit.
+            check: Raise instead of warn when the run does not reach its end, or misses more than its
+                tolerance is worth (``docs/integrators.md``, "What a run accounts for").
+            progress: True, False or a function of the fraction done; None: a bar in long runs.
+
+        Returns:
+            The motion; ``motion.events`` says what happened. If the run breaks down, or at Ctrl-C: what
+            was computed, with ``status``, ``message`` and a :class:`~cardan.errors.SolveWarning`, as
+            where energy, momentum or closure miss a hundred times what the tolerance is worth.
+
+        Raises:
+            ModelError: an unknown name, an empty span, options that do not fit.
+            ArgumentError: wrong shapes. FunctionError: yours failed; ``motion`` is what was computed.
+            SolveError: a number that is not finite; with ``check``, an early end.
+        """
+
+    def stepper(
+        self,
+        *,
+        t: float = 0.0,
+        x0: ArrayLike | None = None,
+        q: Values | ArrayLike | None = None,
+        u: Values | ArrayLike | None = None,
+        z: Values | ArrayLike | None = None,
+        events: Mapping[str, Any] | None = None,
+        method: str | GeneralizedAlpha | Alpha = "auto",
+        rtol: float = 1e-06,
+        atol: float | None = None,
+        step: float | None = None,
+        max_step: float | None = None,
+        inputs: Mapping[str, Any] | None = None,
+    ) -> Stepper:
+        """A stepper at a start.
+
+        Args:
+            t: Time at the start [s].
+            x0, q, u, z, events, method, rtol, atol, max_step: As for ``simulate``.
+            step: Step of RK4; first step of DOP853 [s].
+            inputs: Constants by name; later values go to :meth:`Stepper.step`.
+
+        Raises:
+            ModelError, ArgumentError, SolveError: as for ``simulate``.
+        """
+
+    def resume(
+        self,
+        path: str | Path,
+        *,
+        events: Mapping[str, Any] | None = None,
+    ) -> Stepper:
+        """The stepper of a checkpoint that :meth:`Stepper.save` wrote; it goes on bit for bit.
+
+        Args:
+            path: The file.
+            events: As the stepper was made with: functions are not in the file.
+
+        Raises:
+            ModelError: no checkpoint of this model, or of other events.
+        """
+
+    def step(
+        self,
+        x: ArrayLike,
+        dt: float,
+        *,
+        t: float = 0.0,
+        events: Mapping[str, Any] | None = None,
+        method: str | GeneralizedAlpha | Alpha = "auto",
+        rtol: float = 1e-06,
+        atol: float | None = None,
+        step: float | None = None,
+        max_step: float | None = None,
+        inputs: Mapping[str, Any] | None = None,
+    ) -> Array:
+        """The states that a time dt leads to.
+
+        Args:
+            x: States [q, u, z] (..., nx).
+            dt: Time to pass [s], negative to go back; one compiled run per state.
+            t: Time at the start [s].
+            events, method, rtol, atol, step, max_step, inputs: As ``stepper`` takes them.
+
+        Returns:
+            (..., nx).
+
+        Raises:
+            ModelError, ArgumentError, SolveError: as :func:`stepper` and :meth:`Stepper.step`.
+        """
+
+    def ensemble(
+        self,
+        t: float | ArrayLike | None = None,
+        *,
+        t_eval: ArrayLike | None = None,
+        vary: Plan | Mapping[str, Any] | None = None,
+        x0: Any = None,
+        q: Any = None,
+        u: Any = None,
+        z: Any = None,
+        parameters: Mapping[str, Any] | None = None,
+        inputs: Mapping[str, Any] | None = None,
+        sample: float | None = None,
+        events: Mapping[str, Any] | None = None,
+        runs: Count | None = None,
+        seed: Seed = 0,
+        reduce: str | Sequence[str] | Mapping[str, Any] | None = None,
+        method: str = "auto",
+        rtol: float = 1e-06,
+        atol: float | None = None,
+        step: float | None = None,
+        max_step: float | None = None,
+        threads: int | None = None,
+        lanes: int | None = None,
+        client: Any = None,
+        checkpoint: str | Path | None = None,
+        check: bool = False,
+        progress: bool | Callable[[float], None] | None = None,
+    ) -> Ensemble:
+        """Many runs that differ by their start, parameters or inputs.
+
+        Args:
+            t: End, ``(start, end)`` or output times [s], which ``t_eval`` takes too.
+            vary: A plan of :mod:`cardan.analyses.sample`, or name -> values (runs,) or distribution;
+                names of coordinates, speeds, parameters or inputs.
+            x0: States (runs, nx); or q, u, z: arrays (runs, nq), (runs, nu) or by names,
+                ``{"elbow": values}``. One number or state is that of all runs; a distribution such as
+                ``cd.sample.normal(0, 0.1)`` is drawn for every run.
+            parameters, inputs: Name -> number, values (runs,) or a distribution; inputs of all runs
+                alike also ``(times, values)`` or ``f(t, x)``, which ``sample`` [s] holds.
+            events: As of ``simulate``. Runs with them, with circuits or with Python on the way are
+                done one after the other in every thread, the others in lanes.
+            runs: How many, where nothing else says so.
+            seed: Of the distributions; every name is drawn on its own.
+            reduce: What to keep beside the last states: ``"max of elbow"``, ``"mean of elbow"``, ...;
+                several; or name -> words or a function of t (nt,) and states (runs, nt, nx) of some
+                runs. By default the states at output times, if ``t`` has some. Without output times
+                201 of them, evenly from start to end, are taken.
+            method, rtol, atol, step, max_step: As of ``simulate``; ``"auto"`` looks at the first run.
+            threads: By default ``$CARDAN_THREADS``, else the cores of this process.
+            lanes: 1: no lanes. By default as many as vectors have, once they pay.
+            client: Computes instead of threads: of ``dask.distributed``, or an executor.
+            checkpoint: A file that keeps finished blocks of runs. The same call goes on from there.
+            check, progress: As of ``simulate``.
+
+        Returns:
+            Last states, status and reductions; after Ctrl-C of what was computed.
+
+        Raises:
+            ModelError: unknown names, nothing that differs, a checkpoint of other runs.
+            ArgumentError: shapes that do not fit. FunctionError: a function of yours raised; what a
+                checkpoint has stays there. SolveError: a number that is not finite; no room for
+                the checkpoint; a run that failed, with ``check``.
+            BuildError: a client whose machine builds other bits.
+        """
+
+    def initial(
+        self,
+        q: Values | None = None,
+        u: Values | None = None,
+        z: Values | None = None,
+    ) -> Array:
+        """The state x (nx,) in which a run with these named values starts.
+
+        Loops are closed at t = 0 with the defaults of the inputs, as ``simulate`` closes them: what
+        is named is held, the rest is next to q0 and u0 of the joints, then 0.
+
+        Args:
+            q, u, z: Coordinates, speeds and internal states by name.
+
+        Raises:
+            ModelError: an unknown name, or loops that cannot be closed with what is named.
+            ArgumentError: the wrong number of values.
+            SolveError: a value that is not finite, or a quaternion whose length is not 1.
+        """
+
+    def report(
+        self,
+        t: float | ArrayLike | None = None,
+        *,
+        methods: Sequence[str] | None = None,
+        patience: float = 5.0,
+        show: Show | None = None,
+        x0: ArrayLike | None = None,
+        q: Any = None,
+        u: Any = None,
+        z: Any = None,
+        inputs: Mapping[str, Any] | None = None,
+        events: Mapping[str, Any] | None = None,
+    ) -> Report:
+        """Measure every function: operations, time, error against 40 digits; prints a table.
+
+        Args:
+            t: With an end, or ``(start, end)`` [s], speed against error of every integrator too:
+                ``report(10, q={"elbow": 1.0}).methods``.
+            methods: Names of integrators; all by default.
+            patience: Longest time for one run [s]; a method stops where it would take more.
+            show: Called with what is being run and the fraction done.
+            x0, q, u, z, inputs, events: Of the motion, as ``simulate`` takes them.
+
+        Raises:
+            ModelError: an unknown method or name. SolveError: no reference can be computed.
+        """
+
+    def assemble(
+        self,
+        targets: Mapping[str, Any] | None = None,
+        *,
+        u: Mapping[str, Any] | None = None,
+        udot: Mapping[str, Any] | None = None,
+        weights: Mapping[str, float] | None = None,
+        hold: Iterable[str] | None = None,
+        branch: Mapping[str, Any] | None = None,
+        start: Mapping[str, ArrayLike] | ArrayLike | None = None,
+        starts: Count = 16,
+        seed: Seed = 0,
+        t: float = 0.0,
+        r: State | None = None,
+    ) -> Assembly:
+        """A position at which all circuits close, next to a start, with some of it given.
+
+        Args:
+            targets: Coordinate or joint -> value, frame -> its position (3,) or pose (4, 4) in the
+                ground. All are held exactly but for those in ``weights``.
+            u, udot: Given speeds and accelerations by name; the other speeds are those of least kinetic
+                energy, the other accelerations those under the forces of the scene.
+            weights: Target -> weight; such targets are met as well as the rest allows: the weighted sum
+                of squares is least, lengths in sizes of the mechanism, angles in radians.
+            hold: Names of the targets that are held, instead of all without a weight.
+            branch: Coordinate -> ``"+"``, ``"-"`` or ``(low, high)``: which of several positions.
+            start: Coordinates to start from, by name or (nq,); the position next to them is chosen.
+            starts: Searches: the first from ``start``, the others from random coordinates.
+            seed: Of the random ones.
+            t, r: Time [s] and inputs, where something is prescribed.
+
+        Raises:
+            ModelError: the circuits cannot be assembled, targets that cannot hold together, no position
+                on the branch, unknown names.
+            ArgumentError, SolveError: values of a wrong shape, or not finite.
+
+        Warns:
+            SolveWarning: two positions are equally near to the start; or Ctrl-C ended the searches
+                once one had met the targets.
+        """
+
+    def sweep(
+        self,
+        driver: str | Mapping[str, ArrayLike],
+        values: ArrayLike | None = None,
+        *,
+        rate: float = 1.0,
+        acceleration: float = 0.0,
+        hold: Hold | None = None,
+        start: Mapping[str, ArrayLike] | ArrayLike | None = None,
+        branch: Mapping[str, Any] | None = None,
+        t: float = 0.0,
+        r: State | None = None,
+        check: bool = False,
+    ) -> Sweep:
+        """Drive a mechanism through given values and keep its branch.
+
+        Args:
+            driver: Coordinate that is driven, or several with their values: they go together.
+            values: Of the one driver (n,).
+            rate, acceleration: Derivatives of the driver over time, for speeds and accelerations; of
+                several drivers those of the first, the others follow in proportion.
+            hold: Further coordinates or frames that keep a value, as ``assemble`` takes them.
+            start: Coordinates near those of the first position; branch: as ``assemble`` takes it.
+            t, r: Time [s] and inputs, where something is prescribed.
+            check: Raise where the mechanism cannot follow, instead of warning.
+
+        Returns:
+            The positions reached, each next to the one before.
+
+        Raises:
+            ModelError: unknown names, a first position that cannot be assembled, freedoms left.
+            ArgumentError: values of a wrong shape. SolveError: values that are not finite; with
+                ``check``, a mechanism that cannot follow.
+        """
+
+    def singular_positions(
+        self,
+        coordinate: str,
+        over: tuple[float, float],
+        *,
+        driver: str | None = None,
+        hold: Hold | None = None,
+        start: Mapping[str, ArrayLike] | ArrayLike | None = None,
+        branch: Mapping[str, Any] | None = None,
+        step: float = 0.05,
+        t: float = 0.0,
+        r: State | None = None,
+    ) -> Singular:
+        """Where a driver is dead, and where branches meet, while a coordinate is in a range.
+
+        Args:
+            coordinate: Followed from the first to the second end of the range, or until it returns.
+            over: Its range.
+            driver: Coordinate that drives; the same if left out.
+            hold: Coordinates and frames that keep their values.
+            start, branch: As ``assemble`` takes them.
+            step: Along the path, in radians and sizes of the mechanism.
+            t, r: Time [s] and inputs, where something is prescribed.
+
+        Raises:
+            ModelError: unknown names, more than one freedom, no position at the start of the range.
+            ArgumentError: no range, a step that is not positive.
+        """
+
+    def workspace(
+        self,
+        frame: str,
+        *,
+        over: Mapping[str, tuple[float, float]] | None = None,
+        samples: Count = 1000,
+        start: Mapping[str, ArrayLike] | ArrayLike | None = None,
+        branch: Mapping[str, Any] | None = None,
+        seed: Seed = 0,
+        t: float = 0.0,
+        r: State | None = None,
+    ) -> Workspace:
+        """Places that the origin of a frame reaches: samples of coordinates, each assembled.
+
+        Args:
+            frame: Whose origin.
+            over: Coordinate -> range that is sampled; the others follow from the circuits, next to
+                those of the nearest sample before. By default everything is drawn inside its limits.
+            samples: How many.
+            start: Coordinates of the first one.
+            branch: Coordinate -> ``"+"``, ``"-"`` or ``(low, high)``, as ``assemble`` takes it.
+            seed: Of the samples.
+            t, r: Time [s] and inputs, where something is prescribed.
+
+        Raises:
+            ModelError: unknown names, or a mechanism that cannot be assembled.
+            ArgumentError: no range, no samples.
+        """
+
+    def redundancy(
+        self,
+        q: Mapping[str, ArrayLike] | ArrayLike | None = None,
+        *,
+        t: float = 0.0,
+        r: State | None = None,
+    ) -> Redundancy:
+        """Which constraints of a closed system are redundant at a position.
+
+        Args:
+            q: An assembled position: coordinates (nq,) or by name; where the model starts if left out.
+            t, r: Time [s] and inputs, where something is prescribed.
+
+        Raises:
+            ModelError: an unknown name.
+        """
+
+    def actuation(
+        self,
+        q: State,
+        u: State,
+        udot: State,
+        actuators: Sequence[str] | None = None,
+        *,
+        norm: str | ArrayLike = "minimum",
+        t: ArrayLike = 0.0,
+        r: State | None = None,
+        parameters: Values | None = None,
+    ) -> Actuation:
+        """Forces of actuators that make a motion: inverse dynamics of closed systems.
+
+        Args:
+            q, u, udot: A motion that the constraints allow (..., nq), (..., nu), (..., nu), as
+                ``assemble`` and ``sweep`` give it.
+            actuators: Joints or speeds along which they act; by default every speed.
+            norm: Where more actuators than freedoms leave a choice: ``"minimum"``, the least sum of
+                squares, or weights (na,) or a positive definite matrix W (na, na) for least cᵀ W c.
+            t, r, parameters: Time, inputs and parameter values.
+
+        Raises:
+            ArgumentError: an unknown actuator; weights that are not positive.
+            SolveError: the constraints do not allow the motion, or the actuators cannot make it.
+
+        Source: Roberson and Schwertassek, Dynamics of Multibody Systems, chapter 8.
+        """
+
+    def hybrid_dynamics(
+        self,
+        q: State,
+        u: State,
+        udot: Mapping[str, ArrayLike],
+        *,
+        tau: State | None = None,
+        t: ArrayLike = 0.0,
+        r: State | None = None,
+        parameters: Values | None = None,
+    ) -> Actuation:
+        """Some accelerations are given, the others follow, and so do the forces that it takes.
+
+        Args:
+            q, u: States on the constraints (..., nq), (..., nu).
+            udot: Joint or speed -> its acceleration; actuators there provide what it takes.
+            tau: Other generalized applied forces (..., nu).
+            t, r, parameters: Time, inputs and parameter values.
+
+        Raises:
+            ArgumentError: an unknown joint or speed.
+            SolveError: the constraints do not allow these accelerations together.
+
+        Source: R. Featherstone, Rigid Body Dynamics Algorithms, section 9.1.
+        """
+
+    def partition(
+        self,
+        q: ArrayLike,
+        *,
+        t: float = 0.0,
+        r: State | None = None,
+    ) -> Partition:
+        """Independent coordinates and speeds, chosen at a position: the minimal form.
+
+        Args:
+            q: Coordinates (nq,) that close all circuits.
+            t, r: Time [s] and inputs.
+
+        Returns:
+            A :class:`Partition`: ``reduce(x)`` gives y, ``full(t, y)`` gives x.
+
+        Raises:
+            ArgumentError: a wrong shape. SolveError: circuits are open at this position.
+        """
+
+    def reduced_rhs(
+        self,
+        t: float,
+        y: ArrayLike,
+        partition: Partition,
+    ) -> Array:
+        """Derivative (n,) of y = [independent coordinates, independent speeds] (n,).
+
+        Args:
+            t: Time [s].
+            y: Of ``partition.reduce(x)``.
+            partition: Chosen anew between steps where it becomes bad.
+        """
+
+    def residual(
+        self,
+        t: ArrayLike,
+        q: State,
+        u: State,
+        udot: State,
+        lam: ArrayLike = (),
+        *,
+        qdot: State | None = None,
+        index: int = 3,
+        tau: State | None = None,
+        r: State | None = None,
+        parameters: Values | None = None,
+    ) -> Array:
+        """[qdot - N u - n, M udot + h - f - tau - Gᵀ lam, constraints] (..., nq + nu + m).
+
+        Args:
+            t, q, u, udot: Time [s], coordinates (..., nq), speeds and their derivatives (..., nu).
+            lam: Multipliers (..., m), in the order of ``model.multipliers_of``.
+            qdot: Rates of the coordinates (..., nq); those of u if left out.
+            index: Level of the constraints: 3, positions g (and velocities for those that have no
+                positions, such as rolling); 2, velocities G u + g_t; 1, accelerations G udot - gamma.
+            tau, r, parameters: As :meth:`CompiledModel.forward_dynamics` takes them.
+
+        Raises:
+            ArgumentError: another index.
+        """
+
+    def equilibrium(
+        self,
+        *,
+        q: Mapping[str, ArrayLike] | ArrayLike | None = None,
+        u: Mapping[str, ArrayLike] | None = None,
+        hold: Hold | None = None,
+        inputs: Mapping[str, float] | None = None,
+        parameters: Mapping[str, float] | None = None,
+        t: float = 0.0,
+        stable: bool = False,
+        check: bool = False,
+    ) -> Equilibrium:
+        """Where a model rests under its forces, next to a start.
+
+        Args:
+            q: Coordinates to start from, by name or (nq,); the initial position if left out.
+            u: Speeds by name of a steady motion: a rotor that spins, a regulator that turns. Those of
+                other joints are 0, or follow from the constraints, and stay as they are; beams go
+                along with what carries them. An empty one where prescribed motions turn all of it.
+            hold: Coordinate -> value it keeps; the result tells the forces that takes.
+            inputs, parameters: Values by name, else those of the model.
+            t: Time [s], where something is prescribed.
+            stable: Look for a stable one: downhill from the start.
+            check: Raise where none is found, instead of warning.
+
+        Returns:
+            The equilibrium; where none was found the position that the search reached, ``converged``
+            False.
+
+        Raises:
+            ModelError: unknown names, circuits that cannot be assembled.
+            SolveError: with ``check``, no equilibrium was found.
+        """
+
+    def statics(
+        self,
+        swept: Mapping[str, Any] | None = None,
+        *,
+        steps: Count = 10,
+        q: Mapping[str, ArrayLike] | ArrayLike | None = None,
+        hold: Hold | None = None,
+        inputs: Mapping[str, float] | None = None,
+        parameters: Mapping[str, float] | None = None,
+        t: float = 0.0,
+        check: bool = False,
+        **named: Any,
+    ) -> StaticPath:
+        """Equilibria under loads that change: ``model.statics(P=(0, 10))``.
+
+        Args:
+            swept, named: Parameter or input (or ``t``) -> (start, end), in steps of the program's
+                choice, or values (n,), each of which becomes a row. Several go together.
+            steps: Rows of a range, more where the way is hard.
+            q: Coordinates to start from, by name or (nq,).
+            hold: Coordinate -> value that it keeps, or what is swept: displacements are prescribed.
+            inputs, parameters: Values by name that stay, else those of the model.
+            t: Time [s], where something is prescribed.
+            check: Raise where the end is not reached, instead of warning.
+
+        Returns:
+            The path as far as it goes, or came before Ctrl-C. Where it became unstable a warning says
+            so, between which loads; ``crossings`` and ``critical()`` tell the places.
+
+        Raises:
+            ModelError: unknown names, nothing swept. ArgumentError: values of a wrong shape.
+            SolveError: no equilibrium at the start; with ``check``, none further on.
+        """
+
+    def trim(
+        self,
+        wanted: Mapping[str, float] | None = None,
+        *,
+        free: Iterable[str] = (),
+        q: Mapping[str, ArrayLike] | ArrayLike | None = None,
+        u: Mapping[str, ArrayLike] | None = None,
+        inputs: Mapping[str, float] | None = None,
+        parameters: Mapping[str, float] | None = None,
+        t: float = 0.0,
+        check: bool = False,
+    ) -> SteadyMotion:
+        """A steady motion, or a rest, with wanted values, and what it takes.
+
+        Args:
+            wanted: Coordinates, speeds and outputs by name -> the value they are to have.
+            free: What may change for that: inputs, parameters, speeds (``"spin.u"``), and forces along
+                speeds (``"elbow.force"``). Coordinates are free anyway.
+            q: Coordinates to start from, by name or (nq,).
+            u: Speeds by name, as they stay, or start where they are free; others are 0 or follow.
+            inputs, parameters: Values by name, as they stay, or start where they are free.
+            t: Time [s], where something is prescribed.
+            check: Raise where there is none, instead of warning.
+
+        Returns:
+            The motion; where none was found what the search reached, ``converged`` False.
+
+        Raises:
+            ModelError: unknown names, circuits that cannot be assembled, beams.
+            SolveError: with ``check``, there is none, or free values are left over.
+        """
+
+    def linearize(
+        self,
+        x: ArrayLike | Equilibrium | None = None,
+        *,
+        q: State | None = None,
+        u: State | None = None,
+        z: State | None = None,
+        inputs: Iterable[str] | None = None,
+        outputs: Iterable[str] | None = None,
+        r: State | None = None,
+        t: float = 0.0,
+        parameters: Mapping[str, float] | None = None,
+        choice: Choice | None = None,
+    ) -> LinearModel:
+        """x' = A x + B r, y = C x + D r about a state, constraints eliminated.
+
+        Args:
+            x: State (nx,), an equilibrium or a trimmed motion; or q, u, z: by name or as arrays,
+                assembled as runs assemble them. If all are left out the equilibrium next to the initial
+                position.
+            inputs: Inputs, or speeds and joints along which a force acts; all inputs if left out.
+            outputs: Outputs, coordinates and speeds; if left out the declared outputs, or all
+                coordinates if there are none.
+            r: Inputs by name or (nr,) [of the state]. t: Time [s].
+            parameters: Values by name, else those of the model.
+            choice: Independent increments and speeds, as ``choice`` of another linear model has them.
+
+        Returns:
+            Independent increments, speeds, then internal states; with names.
+
+        Raises:
+            ModelError: unknown names, circuits that cannot be assembled.
+            SolveError: accelerations are not determined there.
+        """
+
+    def modes(
+        self,
+        count: Count | None = None,
+        x: ArrayLike | Equilibrium | None = None,
+        *,
+        q: State | None = None,
+        u: State | None = None,
+        r: State | None = None,
+        t: float = 0.0,
+        parameters: Mapping[str, float] | None = None,
+        damped: bool = True,
+    ) -> Modes:
+        """Modes about an equilibrium or a steady motion, from the lowest frequency.
+
+        Args:
+            count: How many; all of a small system if left out.
+            x: State (nx,), or an equilibrium, whose loads then prestress; or q, u by name or as
+                arrays. If all are left out the equilibrium next to the initial position.
+            r: Inputs by name or (nr,). t: Time [s]. parameters: Values by name.
+            damped: Whether dampers act; without them and without speeds modes are real.
+
+        Raises:
+            ModelError: unknown names, a count that is none.
+            SolveError: the mass matrix is singular on what constraints allow.
+        """
+
+    def root_locus(
+        self,
+        swept: Mapping[str, Any] | None = None,
+        *,
+        count: Count | None = None,
+        coordinates: Iterable[str] | None = None,
+        q: Mapping[str, ArrayLike] | ArrayLike | None = None,
+        u: Mapping[str, Any] | None = None,
+        hold: Hold | None = None,
+        wanted: Mapping[str, Any] | None = None,
+        free: Iterable[str] | None = None,
+        inputs: Mapping[str, float] | None = None,
+        parameters: Mapping[str, float] | None = None,
+        t: float = 0.0,
+        check: bool = False,
+        **named: Any,
+    ) -> Locus:
+        """Eigenvalues as something changes: ``model.root_locus(P=(0, 10))``.
+
+        Args:
+            swept, named: Parameter, input, ``t``, or joint whose speed it is -> (start, end), or values
+                (n,). Several go together.
+            count: Members of a range; 31 if left out.
+            coordinates: Those whose motions count, if their equations are closed: lean and steer of a
+                bicycle. All if left out.
+            q, u, hold, inputs, parameters, t: As ``equilibrium`` takes them; arrays in ``u`` and
+                ``hold`` are swept too.
+            wanted, free: As ``trim`` takes them, which finds the members then (no ``hold``); arrays in
+                ``wanted`` are swept too.
+            check: Raise where the end is not reached, instead of warning.
+
+        Returns:
+            Eigenvalues followed from member to member, and where stability changes.
+
+        Raises:
+            ModelError: unknown names, nothing that changes. ArgumentError: values of a wrong shape.
+            SolveError: no equilibrium or steady motion at the start; with ``check``, further on.
+        """
+
+    def campbell(
+        self,
+        swept: Mapping[str, Any] | None = None,
+        *,
+        count: Count | None = None,
+        turning: bool | None = None,
+        q: Mapping[str, ArrayLike] | ArrayLike | None = None,
+        u: Mapping[str, Any] | None = None,
+        hold: Hold | None = None,
+        wanted: Mapping[str, Any] | None = None,
+        free: Iterable[str] | None = None,
+        inputs: Mapping[str, float] | None = None,
+        parameters: Mapping[str, float] | None = None,
+        t: float = 0.0,
+        check: bool = False,
+        **named: Any,
+    ) -> Campbell:
+        """Frequencies of a rotor over its speed: ``model.campbell(spin=(0, 300))``.
+
+        Args:
+            swept, named: Joint, parameter or input that is the speed -> (start, end) or values (n,)
+                [rad/s]. The first is the speed, others go together with it.
+            count: Members of a range; 31 if left out.
+            turning: Whether coordinates turn along with the rotor; by default those of scenes with
+                beams do, others do not.
+            q, u, hold, wanted, free, inputs, parameters, t: As ``root_locus`` takes them.
+            check: Raise where the end is not reached, instead of warning.
+
+        Raises:
+            As ``root_locus``.
+        """
+
+    def sensitivity(
+        self,
+        parameters: Iterable[str] | str,
+        about: Equilibrium | SteadyMotion | None = None,
+    ) -> Sensitivity:
+        """Derivatives of eigenvalues by parameters, the motion moving along with them.
+
+        Args:
+            parameters: Their names.
+            about: An equilibrium, a steady motion or a trim, found anew for every value; that next to
+                the initial position if left out.
+
+        Raises:
+            ModelError: unknown names, or something that is no such motion.
+            SolveError: there is no such motion beside it.
+        """
+
+    def stiffness(
+        self,
+        x: ArrayLike,
+        t: float = 0.0,
+        r: State | None = None,
+        s: State | None = None,
+    ) -> Stiffness:
+        """Rates of a model at a state, from about twenty evaluations of ``rhs``.
+
+        Args:
+            x: State [q, u, z] (nx,).
+            t: Time [s].
+            r: Inputs (nr,), taken as constant. s: Modes (ns,).
+
+        Raises:
+            SolveError: there, or close to it, the model has no accelerations.
+        """
+
+    def beam(
+        self,
+        name: str,
+        q: State,
+    ) -> BeamStress:
+        """Forces, moments and strains along a beam, in axes of the section.
+
+        Args:
+            name: Of the beam.
+            q: Coordinates (..., nq), such as those of an equilibrium.
+
+        Raises:
+            ModelError: there is no such beam. ArgumentError: q has another shape.
+        """
+
+    def torques(
+        self,
+        motion: Any,
+        *,
+        actuators: Sequence[str] | None = None,
+        norm: Any = "minimum",
+        inputs: Mapping[str, float] | None = None,
+        cutoff: float | None = None,
+        period: float | None = None,
+        harmonics: Count = 5,
+    ) -> Torques:
+        """Forces that make a motion, beside those that the model's own elements supply.
+
+        Args:
+            motion: A Trajectory; or a mapping with ``t`` (nt,) and ``q`` (nt, nq), or a coordinate by
+                name, ``{"t": t, "elbow": values}``: an array (nt,), or a spline or table, which is
+                called with the times. ``u`` and ``udot`` are found by differentiation where they are
+                missing, and from the equations of motion where a run knows them. Of a mechanism with
+                circuits the motion must keep them closed, as runs and :meth:`sweep` do.
+            actuators: Joints or speeds along which they act; by default every speed.
+            norm: Where circuits leave a choice: ``"minimum"`` or weights, as for ``actuation``.
+            inputs: Values of inputs in place of those of the motion: ``{"motor": 0}`` asks what it
+                takes without the motor.
+            cutoff, period, harmonics: How positions are smoothed; see
+                :func:`.identification.data.measured`. A filter leaves out samples at either end; all
+                others keep the times given.
+
+        Raises:
+            ArgumentError: names or shapes that do not fit.
+            SolveError: the constraints do not allow the motion, or the actuators cannot make it.
+        """
+
+    def base_parameters(
+        self,
+        rows: ArrayLike | None = None,
+        *,
+        seed: Seed = 0,
+        rank: float = 1e-09,
+    ) -> Base:
+        """Base parameters of a model.
+
+        Args:
+            rows: Regressors (..., n) to judge by, such as those of a motion; by default at random
+                states.
+            seed: Of the states.
+            rank: What must be left of a column, relative to it, to be independent.
+
+        Raises:
+            SolveError: a system with circuits and no rows; a rank that is not certain.
+        """
+
+    def excitation(
+        self,
+        period: float = 10.0,
+        *,
+        harmonics: Count = 5,
+        position: Mapping[str, tuple[float, float]] | None = None,
+        speed: Mapping[str, float] | float | None = None,
+        acceleration: Mapping[str, float] | float | None = None,
+        criterion: str = "condition",
+        starts: Count = 20,
+        steps: int = 30,
+        seed: Seed = 0,
+        progress: bool | Callable[[float], None] | None = None,
+    ) -> Excitation:
+        """A periodic motion within limits at which the base regressor is well conditioned.
+
+        Args:
+            period: Of the motion [s].
+            harmonics: Of its Fourier series.
+            position: Coordinate -> (lower, upper), in place of the limits of the joint; by default a
+                turn where a joint has none.
+            speed, acceleration: Most of every joint, or by name; by default the limits of the joint,
+                2 rad/s or m/s where it has none, and any acceleration.
+            criterion: ``"condition"`` of the regressor with columns scaled to length 1, or
+                ``"determinant"``: -log det of the information per parameter.
+            starts: Motions by chance, of which the best is improved.
+            steps: Of the search.
+            seed: Of the motions by chance: the same seed finds the same motion.
+            progress: As for ``simulate``.
+
+        Raises:
+            ArgumentError: limits or words that do not exist.
+            SolveError: joints that are not moved one by one: circuits, a free base, ball joints.
+        """
+
+    def identify(
+        self,
+        data: Any,
+        *,
+        form: str = "torque",
+        noise: float | Mapping[str, float] | ArrayLike | None = None,
+        cutoff: float | None = None,
+        period: float | None = None,
+        harmonics: Count = 5,
+        actuators: Sequence[str] | None = None,
+        base: Base | None = None,
+        stretch: Count = 10,
+    ) -> Identification:
+        """Base parameters of a model from data, by weighted least squares.
+
+        Args:
+            data: A Trajectory, a file (of a saved run, or .csv), or a mapping with ``t`` and ``q``,
+                ``u``, ``udot``, ``tau``, ``r`` or their columns; speeds and accelerations that are
+                missing are found by differentiation. See :func:`.data.measured`.
+            form: ``"torque"``: forces at every sample; ``"energy"``: what stretches of the motion have
+                gained, which needs no accelerations but keeps less of the information.
+            noise: Standard deviation of measured forces, one number or by speed or joint; None: from
+                the residuals, for every joint its own.
+            cutoff: [Hz] of a low-pass filter without delay on positions, forces and regressor.
+            period, harmonics: Of a periodic motion [s]: positions become a Fourier series.
+            actuators: Speeds or joints whose forces were measured; all by default. Those of others are
+                0 and tell nothing here. With circuits as many as freedoms.
+            base: Of an earlier call, for the same combinations.
+            stretch: Steps of a row of energy, an even number.
+
+        Raises:
+            ArgumentError: data that do not fit the model; unknown words.
+            SolveError: the data do not tell all base parameters.
+        """
+
+    def _doubt(
+        self,
+        joint: str,
+        q: Any,
+        t: Any,
+        r: Any,
+    ) -> None:
+        """Warn where the reaction of a joint is not determined at the first, middle and last state.
+
+        Args:
+            joint: Whose reaction was asked for.
+            q, t, r: States as functions of the model take them (..., nq), (...), (..., nr).
+        """
