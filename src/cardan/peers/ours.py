@@ -141,7 +141,7 @@ class Ours:
         way = caller.batch.found(False, many) or one_by_one(caller.call, many)
 
         # the call knows addresses alone: the arrays stay with it
-        def run(repeats: int, arrays: Any = blocks) -> float:
+        def run(repeats: int, arrays: object = blocks) -> float:
             began = perf_counter()
             for _ in range(repeats):
                 way(0, len(out))
