@@ -86,15 +86,13 @@ class Graph:
     """
 
     __slots__ = (
-        *("_index", "_plain", "formulas", "hints", "labels", "nodes", "origin", "origins"),
+        *("_index", "formulas", "hints", "labels", "nodes", "origin", "origins"),
         *("shared", "systems", "tables"),
     )
 
     def __init__(self) -> None:
         self.nodes: list[Node] = [("const", 0.0), ("const", 1.0), ("const", -1.0)]
         self._index: dict[Node, int] = {node: i for i, node in enumerate(self.nodes)}
-        # marks on the nodes that are neither numbers nor changed signs: nothing to simplify there
-        self._plain = bytearray(3)
         self.origin: Origin = MADE_BY_NOBODY
         self.origins: list[Origin] = [MADE_BY_NOBODY] * 3
         self.shared: dict[int, set[Origin]] = {}
@@ -193,7 +191,6 @@ class Graph:
             node = len(self.nodes)
             self._index[key] = node
             self.nodes.append(key)
-            self._plain.append(key[0] != "const" and key[0] != "neg")
             self.origins.append(self.origin)
         elif self.origins[node] is not self.origin and self.origins[node] != self.origin:
             self.shared.setdefault(node, set()).add(self.origin)
@@ -226,8 +223,6 @@ class Graph:
     # arithmetic with local simplification
 
     def add(self, a: int, b: int) -> int:
-        if self._plain[a] and self._plain[b]:
-            return self.intern(("add", a, b) if a < b else ("add", b, a))
         if a == 0:
             return b
         if b == 0:
@@ -270,8 +265,6 @@ class Graph:
         return self.intern(("neg", a))
 
     def mul(self, a: int, b: int) -> int:
-        if self._plain[a] and self._plain[b]:
-            return self.intern(("mul", a, b) if a < b else ("mul", b, a))
         if a == 0 or b == 0:
             return 0
         if a == 1:
