@@ -82,7 +82,7 @@ MISTAKES: list[tuple[Any, dict[str, Any], type[Exception], str]] = [
     (1.0, {"u": {"elbow.w": 1}}, cd.ModelError, "no joint or speed 'elbow.w'"),
     (1.0, {"q": {"elbow": np.nan}}, cd.SolveError, "'elbow' is nan"),
     (1.0, {"q": {"elbow": [1, 2]}}, ValueError, "2 values, expected 1"),
-    (1.0, {"q": {"elbow": "1"}}, ValueError, "not a number"),
+    (1.0, {"q": {"elbow": "1"}}, ValueError, "give numbers or arrays by name"),
     (1.0, {"q": [1.0]}, ValueError, r"q has shape \(1,\), expected \(2,\): shoulder, elbow"),
     (1.0, {"x0": [0, 0, np.inf, 0]}, cd.SolveError, "'shoulder.u' is inf"),
     (1.0, {"x0": [0, 0, 0, 0], "q": {"elbow": 1}}, cd.ModelError, "given twice"),

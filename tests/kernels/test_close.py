@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import inspect
 import pickle
 from dataclasses import replace
 from pathlib import Path
@@ -90,7 +91,7 @@ def test_start_is_projected(tmp_path: Path) -> None:
 @BOTH
 def test_restart_is_bit_for_bit(options: dict[str, Any], tmp_path: Path) -> None:
     problem: Any = pendulum(tmp_path)
-    walk = stepper(problem, x0=START, **options)
+    walk = inspect.unwrap(stepper)(problem, x0=START, **options)
     walk.step(0.37)
     saved = walk.save()
     first = [walk.step(0.1) for _ in range(5)]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import inspect
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
@@ -185,7 +186,7 @@ def test_a_checkpoint_is_all(method: str, tmp_path: Path) -> None:
     from cardan.analyses.stepper import stepper
 
     problem = Problem(tmp_path, VAN_DER_POL)
-    stepping = stepper(problem, x0=[2, 0], method=method)  # type: ignore[arg-type]
+    stepping = inspect.unwrap(stepper)(problem, x0=[2, 0], method=method)
     stepping.step(10.0)
     saved = stepping.save()
     there = stepping.step(700.0)
