@@ -15,7 +15,7 @@ PEERS := cmeel-boost cmeel-eigen pin example-robot-data casadi mujoco exudyn sci
 CASES ?= 13000
 BIN := $(VENV)/bin
 INSTALL := $(BIN)/python -m pip install --quiet --disable-pip-version-check
-SOURCES := pyproject.toml setup.py $(wildcard src/cardan/runtime/*.pyx) $(wildcard src/cardan/runtime/*.pxd) $(wildcard src/cardan/kernels/*.[ch])
+SOURCES := pyproject.toml setup.py $(wildcard src/cardan/runtime/calls/*.pyx) $(wildcard src/cardan/kernels/*.[ch])
 
 .PHONY: help demo test tests slow bench hard lint types external fuzz clean
 
@@ -63,7 +63,7 @@ external: $(VENV)/.installed-test
 
 # scenes, robots and expressions by chance, all of them new
 fuzz: $(VENV)/.installed-test
-	CARDAN_FUZZ=$(CASES) $(BIN)/python -m pytest -n 2 --dist load tests/model/test_scene_fuzz.py tests/model/test_urdf_fuzz.py
+	CARDAN_FUZZ=$(CASES) $(BIN)/python -m pytest -n 2 --dist load tests/scene/test_scene_fuzz.py tests/scene/test_urdf_fuzz.py
 
 # a peer that does not install here is named by the benchmark, not by pip
 $(VENV)/.installed-bench: $(VENV)/.installed-test

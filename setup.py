@@ -1,4 +1,4 @@
-"""Build the extension ``cardan.runtime._abi`` and the kernels; the rest is in pyproject.toml.
+"""Build the extension ``cardan.runtime.calls._abi`` and the kernels; the rest is in pyproject.toml.
 
 A wheel holds the kernels for every level of processors like this one; an editable installation
 those of this processor, beside their sources, where a build that is there of the same sources
@@ -22,7 +22,7 @@ KERNELS = "src/cardan/kernels"
 sys.path.insert(0, str(HERE / "src"))
 
 from cardan.errors import BuildError  # noqa: E402
-from cardan.runtime import kernels, levels, toolchain  # noqa: E402
+from cardan.runtime.build import cpu_levels, kernels, toolchain  # noqa: E402
 
 
 def compiler() -> toolchain.Compiler | None:
@@ -48,8 +48,8 @@ def extensions() -> list[Extension]:
     from Cython.Build import cythonize
 
     extension = Extension(
-        "cardan.runtime._abi",
-        ["src/cardan/runtime/_abi.pyx", f"{KERNELS}/map.c"],
+        "cardan.runtime.calls._abi",
+        ["src/cardan/runtime/calls/_abi.pyx", f"{KERNELS}/map.c"],
         include_dirs=[KERNELS],
         depends=[f"{KERNELS}/map.h", f"{KERNELS}/cardan.h"],
         extra_compile_args=["-O2", "-g0"],
@@ -70,7 +70,7 @@ class Build(build_ext):
         if COMPILER is None:
             return
         root = HERE / "src" if self.inplace else Path(self.build_lib).resolve()
-        chosen = () if self.inplace else levels.of_wheels()
+        chosen = () if self.inplace else cpu_levels.of_wheels()
         try:
             kernels.install(root / "cardan" / "kernels" / "built", chosen, COMPILER, print)
         except (BuildError, OSError) as error:

@@ -22,14 +22,14 @@ __version__ = VERSION
 
 # public name -> module that holds it (None: the module itself), in the order of use
 _PUBLIC: dict[str, str] = {
-    "Model": "model",
-    "load": "model",
-    "from_dh": "model.dh",
-    "from_sympy": "model.mechanics",
-    "t": "model",
-    "inertia": "model.inertia",
-    "shape": "model.shape",
-    "orbit": "model.orbit",
+    "Model": "scene",
+    "load": "scene",
+    "from_dh": "scene.dh",
+    "from_sympy": "scene.sympy_import",
+    "t": "scene",
+    "inertia": "scene.inertia",
+    "shape": "scene.shape",
+    "orbit": "scene.orbit",
     "table": "elements.tables",
     "section": "elements.sections",
     "material": "elements.material",
@@ -37,19 +37,19 @@ _PUBLIC: dict[str, str] = {
     "spline": "elements.centerlines",
     "derive": "pipeline",
     "compile": "pipeline",
-    "GeneralizedAlpha": "analyses.alpha",
-    "Alpha": "analyses.alpha",
-    "stability": "analyses.stability",
+    "GeneralizedAlpha": "analyses.simulation.alpha_methods",
+    "Alpha": "analyses.simulation.alpha_methods",
+    "stability": "analyses.simulation.precision.method_stability",
     "Equations": "equations.record",
     "CompiledModel": "api.compiled_model",
     "load_model": "api.saved_model",
     "excitation": "analyses.identification.excitation",
     "identify": "analyses.identification.identify",
-    "sample": "analyses.sample",
+    "sample": "analyses.ensembles.sampling",
     "Ensemble": "analyses.ensembles",
-    "Trajectory": "runtime.trajectory",
-    "load_motion": "runtime.storage",
-    "load_ensemble": "analyses.ensembles.stored",
+    "Trajectory": "runtime.trajectory.trajectory",
+    "load_motion": "runtime.trajectory.storage",
+    "load_ensemble": "analyses.ensembles.ensemble_file",
     **dict.fromkeys(
         (
             "CardanError",
@@ -73,13 +73,16 @@ _PUBLIC: dict[str, str] = {
 _FAMILIES = {
     "elements.joints": "JOINTS",
     "elements.forces": "FORCES",
-    "equations.treatments": "TREATMENTS",
+    "equations.constraints.treatments": "TREATMENTS",
 }
 _MODULES = frozenset({"orbit", "inertia", "section", "shape", "sample", "stability"})
 _RENAMED = {"load_model": "load", "load_motion": "load", "load_ensemble": "load"}
 
 # what pickles name, for ever -> module that holds it
-_PICKLED = {"_unpickled_model": "api.saved_model", "_unpickled_motion": "runtime.pickled"}
+_PICKLED = {
+    "_unpickled_model": "api.saved_model",
+    "_unpickled_motion": "runtime.trajectory.pickled",
+}
 
 
 def _members(module: str) -> dict[str, type]:

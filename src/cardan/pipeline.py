@@ -10,23 +10,24 @@ from typing import TYPE_CHECKING, Any, Literal, overload
 from . import topology
 from .api.compiled_model import CompiledModel
 from .arguments import checked
-from .codegen import CFile, generate, layout, manifest, mesh
+from .codegen import CFile, generate, layout, manifest
 from .codegen.fingerprint import fingerprint
-from .equations.absolute.lowering import lowered
-from .equations.absolute.record import Absolute
-from .equations.branches import with_branches
-from .equations.choice import check_chooses, chosen_by
+from .codegen.finite_elements import model_folder
+from .equations.constraints.assembly_branches import with_branches
+from .equations.constraints.treatments import Treatment, treatment
+from .equations.finite_elements.lowering import lowered
+from .equations.finite_elements.record import Absolute
+from .equations.formalism_choice import check_chooses, chosen_by
 from .equations.record import Equations
-from .equations.treatments import Treatment, treatment
 from .errors import BuildError, CodegenError, DerivationError, SolveWarning, near, warn
-from .runtime import folder as cache
-from .runtime.judged import unjudged
+from .runtime.build import cache_folder as cache
+from .runtime.verification.flat_scene import unjudged
 from .schema.functions import OF_ELEMENTS, STANDARD
 
 if TYPE_CHECKING:
     from .ir.function import Function
     from .ir.recursion import Recursion
-    from .model import Model
+    from .scene import Model
     from .topology.system import Named, System
 
 COORDINATES = ("auto", "relative", "absolute")
@@ -313,7 +314,9 @@ def _of_elements(
     """The model of equations in absolute coordinates: C of its kinds of elements, and tables."""
     folder = Path(directory) if directory is not None else _workspace(equations, None)
     named = directory is not None
-    folder = _written(folder, named, lambda place: mesh.write(place, equations, OF_ELEMENTS))
+    folder = _written(
+        folder, named, lambda place: model_folder.write(place, equations, OF_ELEMENTS)
+    )
     return CompiledModel(folder, threads=threads)
 
 

@@ -16,7 +16,8 @@ import cardan as cd
 from cardan.errors import CompilerMissing
 from cardan.ir import straight_line
 from cardan.ir.function import Function
-from cardan.runtime import cache, interpreted, prebuilt
+from cardan.runtime.build import cache, prebuilt
+from cardan.runtime.calls import interpreted
 
 KERNELS = prebuilt.DIRECTORY
 

@@ -49,7 +49,7 @@ def test_multipliers_of_the_first_steps(model: cd.CompiledModel, index: int, ord
 
 def test_condition_does_not_depend_on_the_step(model: cd.CompiledModel) -> None:
     """Unknowns and rows in units: those of mesh_solve.c."""
-    from cardan.runtime.absolute.mesh import State
+    from cardan.runtime.models.finite_elements.mesh import State
 
     start = spinning(model)
     mesh = model._source.results(model).mesh

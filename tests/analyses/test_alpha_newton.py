@@ -11,7 +11,7 @@ import pytest
 import cardan as cd
 from analyses.test_alpha import SPEED, spinning, top
 from cardan.errors import ModelError
-from cardan.runtime.absolute.frames import rotation
+from cardan.runtime.models.finite_elements.frames import rotation
 
 Array = np.ndarray
 INDICES = pytest.mark.parametrize("index", [2, 3])

@@ -8,13 +8,13 @@ from numpy.typing import NDArray
 from scipy.linalg import eigh, null_space
 from scipy.sparse import block_array, csr_array, diags_array
 
-from cardan.analyses import blockwise
-from cardan.analyses.blockwise import Blockwise
-from cardan.analyses.saddle import Dense, Singular, Sparse, near, near_quadratic
+from cardan.analyses.systems import sparse_saddle_point
+from cardan.analyses.systems.saddle_point import Dense, Singular, Sparse, near, near_quadratic
+from cardan.analyses.systems.sparse_saddle_point import Blockwise
 from cardan.errors import CardanError
-from cardan.runtime.absolute.blocks import BlockSolver, solver
-from cardan.runtime.absolute.plan import Plan
-from equations.absolute.test_circuits import circuit
+from cardan.runtime.sparse.block_solver import BlockSolver, solver
+from cardan.runtime.sparse.plan import Plan
+from equations.finite_elements.test_circuits import circuit
 from runtime.absolute.structures import STRUCTURES, Structure, bars, line
 from table import each
 
@@ -154,7 +154,7 @@ def test_mechanisms(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
         used.append(solver(made))
         return used[-1]
 
-    monkeypatch.setattr(blockwise, "solver", seen)
+    monkeypatch.setattr(sparse_saddle_point, "solver", seen)
     reference = circuit(name).reference
     M, bias, G, gamma = reference.assembled()
     elements, count = np.zeros(len(G), int), 0

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 import cardan as cd
-from cardan.analyses.choice import RULES, Case, choose
+from cardan.analyses.simulation.method_choice import RULES, Case, choose
 from cardan.schema.integrators import INTEGRATORS
 from mechanisms import ZOO
 from table import each

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import cardan as cd
-from cardan.analyses import simulate as simulating
+from cardan.analyses.simulation import simulate as simulating
 from mechanisms.chain import chain
 from mechanisms.closed import CLOSED
 

@@ -12,9 +12,9 @@ import numpy as np
 import pytest
 
 import cardan as cd
-from cardan.runtime import toolchain
-from cardan.runtime.storage import load
-from cardan.runtime.trajectory import Trajectory
+from cardan.runtime.build import toolchain
+from cardan.runtime.trajectory.storage import load
+from cardan.runtime.trajectory.trajectory import Trajectory
 from cardan.schema.integrators import INTEGRATORS
 
 G = 9.81

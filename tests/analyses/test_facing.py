@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 import cardan as cd
-from cardan.analyses.mechanism import Mechanism
-from cardan.analyses.position_solver import PositionSolver
-from cardan.analyses.searches import search
+from cardan.analyses.mechanisms.mechanism import Mechanism
+from cardan.analyses.mechanisms.position_solver import PositionSolver
+from cardan.analyses.mechanisms.searches import search
 
 AXIS = np.array([0.3, 1.0, 0.2])
 

@@ -13,8 +13,8 @@ import numpy as np
 import pytest
 
 import cardan as cd
-from cardan.analyses.mechanism import Mechanism
-from cardan.analyses.saddle import split
+from cardan.analyses.mechanisms.mechanism import Mechanism
+from cardan.analyses.systems.saddle_point import split
 from mechanisms import ZOO
 from mechanisms.closed import CLOSED
 from mechanisms.closed_planar import parallelogram_angles

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import cardan as cd
-from cardan.analyses.spectrum import spectrum
+from cardan.analyses.linear.spectrum import spectrum
 from spread import some
 
 Array = np.ndarray

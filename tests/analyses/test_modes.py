@@ -11,9 +11,9 @@ import pytest
 from scipy.sparse import csr_array
 
 import cardan as cd
-from cardan.analyses.contract import Contract, Moment, Tangents
-from cardan.analyses.relative import Relative
-from cardan.analyses.saddle import Dense, Sparse
+from cardan.analyses.systems.dynamic_system import Contract, Moment, Tangents
+from cardan.analyses.systems.joint_system import Relative
+from cardan.analyses.systems.saddle_point import Dense, Sparse
 from mechanisms.closed import CLOSED
 
 G = 9.81
@@ -183,7 +183,8 @@ class Sparsely:
 
 @pytest.fixture
 def sparse(monkeypatch: pytest.MonkeyPatch) -> None:
-    from cardan.analyses import equilibrium, linearize, modes, statics
+    from cardan.analyses.linear import linearize, modes
+    from cardan.analyses.statics import equilibrium, statics
 
     def contract(model: Any) -> Contract:
         return Sparsely(model)  # type: ignore[return-value]

@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 
 import cardan as cd
-from cardan.analyses import precision_runs
-from cardan.analyses.precision import Point, Precision
-from cardan.analyses.precision_runs import precision
+from cardan.analyses.simulation.precision import runs
+from cardan.analyses.simulation.precision.runs import precision
+from cardan.analyses.simulation.precision.work_precision import Point, Precision
 from cardan.schema.integrators import INTEGRATORS
 from mechanisms import ZOO
 
@@ -48,7 +48,7 @@ def test_references_agree_and_errors_fall_with_the_tolerance(found: Precision) -
 
 def test_errors_are_those_of_a_run(found: Precision) -> None:
     point = next(p for p in found.points if p.method == "RK45" and p.value == 1e-4)
-    times = np.linspace(0, 1, precision_runs.OUTPUTS)
+    times = np.linspace(0, 1, runs.OUTPUTS)
     model = pendulum()
     rough = model.simulate(times, method="RK45", rtol=1e-4, atol=1e-7, **START)
     fine = model.simulate(times, rtol=1e-13, atol=1e-15, **START)
@@ -94,21 +94,21 @@ def test_what_rests_is_not_compared() -> None:
 
 
 def test_patience_ends_a_method_and_says_so(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(precision_runs, "STEPS", (100, 2_000_000_000))
+    monkeypatch.setattr(runs, "STEPS", (100, 2_000_000_000))
     made = precision(pendulum(), 1.0, ["RK4"], patience=0.05, **START)
     assert [point.steps for point in made.points] == [100]
     assert made.left_out == {"RK4": "step 5e-10 takes more than 0.05 s"}
 
 
 def test_an_interrupt_keeps_what_was_measured(monkeypatch: pytest.MonkeyPatch) -> None:
-    whole = precision_runs.Bench._point
+    whole = runs.Bench._point
 
     def third(self: Any, name: str, setting: str, value: float, how: Any) -> Point:
         if value < 5e-5:
             raise KeyboardInterrupt
         return whole(self, name, setting, value, how)
 
-    monkeypatch.setattr(precision_runs.Bench, "_point", third)
+    monkeypatch.setattr(runs.Bench, "_point", third)
     made = precision(pendulum(), 1.0, ["DOP853", "RK45"], **START)
     assert made.interrupted
     assert [point.value for point in made.points] == pytest.approx([1e-2, 1e-3, 1e-4])

@@ -16,8 +16,8 @@ import pytest
 
 import cardan as cd
 from analyses.test_events import servo
-from cardan.analyses import run
-from cardan.runtime.trajectory import Trajectory
+from cardan.analyses.simulation import run
+from cardan.runtime.trajectory.trajectory import Trajectory
 from hostile.kinds import records, together
 from hostile.kinds import servo as sampled
 

@@ -9,7 +9,7 @@ import pytest
 from scipy import stats
 
 import cardan as cd
-from cardan.analyses import sample
+from cardan.analyses.ensembles import sampling
 from table import each
 
 
@@ -37,7 +37,7 @@ def test_sobol_is_balanced() -> None:
     assert (counts == 4).all()
 
 
-@pytest.mark.parametrize("make", [sample.random, sample.latin_hypercube, sample.sobol])
+@pytest.mark.parametrize("make", [sampling.random, sampling.latin_hypercube, sampling.sobol])
 def test_a_seed_is_a_plan(make: Any) -> None:
     one, again, other = (make(32, {"a": (0, 1)}, seed=s).values["a"] for s in (1, 1, 2))
     np.testing.assert_array_equal(one, again)
@@ -53,9 +53,9 @@ def test_distributions_of_scipy() -> None:
 def test_a_name_is_drawn_on_its_own() -> None:
     kind = cd.sample.normal(0, 1)
     np.testing.assert_array_equal(
-        sample.drawn("elbow", kind, 9, 4), sample.drawn("elbow", kind, 9, 4)
+        sampling.drawn("elbow", kind, 9, 4), sampling.drawn("elbow", kind, 9, 4)
     )
-    assert (sample.drawn("elbow", kind, 9, 4) != sample.drawn("m", kind, 9, 4)).all()
+    assert (sampling.drawn("elbow", kind, 9, 4) != sampling.drawn("m", kind, 9, 4)).all()
 
 
 def test_distributions_in_an_ensemble(double: cd.CompiledModel) -> None:

@@ -137,7 +137,7 @@ def test_bar_appears_on_long_runs_only(
 ) -> None:
     double.simulate(1.0, progress=True)
     assert capsys.readouterr().err == ""
-    monkeypatch.setattr("cardan.analyses.progress.PATIENCE", 0.0)
+    monkeypatch.setattr("cardan.analyses.simulation.progress.PATIENCE", 0.0)
     double.simulate(1.0, progress=True)
     assert capsys.readouterr().err == ""
     monkeypatch.setenv("FORCE_COLOR", "1")

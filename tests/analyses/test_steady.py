@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 from scipy.optimize import linear_sum_assignment
 
 import cardan as cd
-from cardan.analyses.contract import contract_of
-from cardan.analyses.static_problem import Point, Problem
+from cardan.analyses.statics.static_problem import Point, Problem
+from cardan.analyses.systems.dynamic_system import contract_of
 
 Array = NDArray[np.float64]
 G = 9.81

@@ -81,7 +81,7 @@ class _Reader(ast.NodeVisitor):
             self.visit(child)
 
     def visit_Constant(self, node: ast.Constant) -> None:
-        # such as "cardan.analyses.modes:modes"
+        # such as "cardan.analyses.linear.modes:modes"
         target = node.value.partition(":")[0] if isinstance(node.value, str) else ""
         if target in modules() and target != "cardan":
             self._add(target, "", node.lineno, "string")

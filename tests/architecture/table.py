@@ -17,7 +17,7 @@ ORDER = (
     "ir",
     "spatial",
     "elements",
-    "model",
+    "scene",
     "topology",
     "equations",
     "passes",
@@ -49,7 +49,7 @@ PLANNED = (
         "schema",
         "elements",
     ),
-    *("model", "scene", "topology", "equations", "codegen", "runtime", "view", "analyses"),
+    *("scene", "topology", "equations", "codegen", "runtime", "view", "analyses"),
     *("explain", "api", "pipeline", "peers", "cli", "__init__", "__main__"),
 )
 
@@ -70,50 +70,62 @@ RUNNING_MAY_IMPORT = RUNNING | {
 
 # public methods whose work lives further down: (module, function) -> module imported inside it
 DOWNWARD: dict[tuple[str, str], frozenset[str]] = {
-    ("cardan.equations.counts", "Counts.__init__"): frozenset(
-        {"cardan.codegen.owners", "cardan.passes"}
+    ("cardan.equations.reading.counts", "Counts.__init__"): frozenset(
+        {"cardan.codegen.program.owners", "cardan.passes"}
     ),
-    ("cardan.equations.absolute.record", "Absolute.export"): frozenset(
-        {"cardan.codegen.meshed", "cardan.analyses.planned"}
+    ("cardan.equations.finite_elements.record", "Absolute.export"): frozenset(
+        {"cardan.codegen.export.finite_elements", "cardan.analyses.simulation.export_plan"}
     ),
-    ("cardan.equations.explained", "Explainable.explain"): frozenset({"cardan.explain"}),
-    ("cardan.equations.record", "Equations.export"): frozenset({"cardan.codegen.export"}),
-    ("cardan.equations.readable", "Readable.symbolic"): frozenset({"cardan.passes.trig"}),
-    ("cardan.equations.linearized.written", "Written.symbolic"): frozenset({"cardan.passes.trig"}),
-    ("cardan.model.model", "Model.graph"): frozenset({"cardan.topology.graph_view"}),
-    ("cardan.analyses.torques", "Torques.plot"): frozenset({"cardan.view.plot"}),
+    ("cardan.equations.reading.explained", "Explainable.explain"): frozenset({"cardan.explain"}),
+    ("cardan.equations.record", "Equations.export"): frozenset({"cardan.codegen.export.export"}),
+    ("cardan.equations.reading.readable", "Readable.symbolic"): frozenset({"cardan.passes.trig"}),
+    ("cardan.equations.linearized.matrices", "Written.symbolic"): frozenset({"cardan.passes.trig"}),
+    ("cardan.scene.scene", "Model.graph"): frozenset({"cardan.topology.drawing.graph_view"}),
+    ("cardan.analyses.identification.torques", "Torques.plot"): frozenset({"cardan.view.plot"}),
     **{
         (f"cardan.analyses.identification.{module}", f"{record}.plot"): frozenset(
             {"cardan.view.plot"}
         )
         for module, record in (("result", "Identification"), ("excitation", "Excitation"))
     },
-    ("cardan.analyses.precision", "Precision.plot"): frozenset({"cardan.view.plot"}),
-    ("cardan.analyses.mode_shapes", "Modes.plot"): frozenset({"cardan.view.plot"}),
-    ("cardan.analyses.campbell", "Campbell.plot"): frozenset({"cardan.view.loci"}),
-    ("cardan.analyses.linear_model", "LinearModel.plot"): frozenset({"cardan.view.loci"}),
-    ("cardan.analyses.locus", "Locus.plot"): frozenset({"cardan.view.loci"}),
-    ("cardan.analyses.static_path", "StaticPath.plot"): frozenset({"cardan.view.plot"}),
-    ("cardan.analyses.sweep", "Sweep.plot"): frozenset({"cardan.view.plot"}),
-    ("cardan.analyses.workspace", "Workspace.plot"): frozenset({"cardan.view.plot"}),
-    ("cardan.runtime.trajectory", "Trajectory.animate"): frozenset({"cardan.view.page"}),
-    ("cardan.runtime.trajectory", "Trajectory.plot"): frozenset({"cardan.view.plot"}),
-    ("cardan.runtime.trajectory", "Trajectory.torques"): frozenset({"cardan.analyses.torques"}),
+    ("cardan.analyses.simulation.precision.work_precision", "Precision.plot"): frozenset(
+        {"cardan.view.plot"}
+    ),
+    ("cardan.analyses.linear.mode_shapes", "Modes.plot"): frozenset({"cardan.view.plot"}),
+    ("cardan.analyses.linear.campbell", "Campbell.plot"): frozenset({"cardan.view.loci"}),
+    ("cardan.analyses.linear.linear_model", "LinearModel.plot"): frozenset({"cardan.view.loci"}),
+    ("cardan.analyses.linear.root_locus", "Locus.plot"): frozenset({"cardan.view.loci"}),
+    ("cardan.analyses.statics.static_path", "StaticPath.plot"): frozenset({"cardan.view.plot"}),
+    ("cardan.analyses.mechanisms.sweep", "Sweep.plot"): frozenset({"cardan.view.plot"}),
+    ("cardan.analyses.mechanisms.workspace", "Workspace.plot"): frozenset({"cardan.view.plot"}),
+    ("cardan.runtime.trajectory.trajectory", "Trajectory.animate"): frozenset({"cardan.view.page"}),
+    ("cardan.runtime.trajectory.trajectory", "Trajectory.plot"): frozenset({"cardan.view.plot"}),
+    ("cardan.runtime.trajectory.trajectory", "Trajectory.torques"): frozenset(
+        {"cardan.analyses.identification.torques"}
+    ),
 }
 
 # the only files that load SymPy when they are imported; every one is itself imported on demand
 SYMPY_AT_IMPORT: frozenset[str] = frozenset(
     {
-        "cardan.ir.sympy_bridge",
-        "cardan.ir.sympy_out",
-        "cardan.ir.readable",
-        "cardan.equations.mathml",
+        "cardan.ir.forms.sympy_bridge",
+        "cardan.ir.forms.sympy_out",
+        "cardan.ir.forms.readable",
+        "cardan.equations.reading.mathml",
         "cardan.explain.breaking",
-        "cardan.equations.named",
-        "cardan.equations.mechanics",
+        "cardan.equations.reading.named",
+        "cardan.equations.reading.mechanics",
         *(
-            f"cardan.model.mechanics.{module}"
-            for module in ("bound", "leaves", "making", "numbers", "reference", "sources", "words")
+            f"cardan.scene.sympy_import.{module}"
+            for module in (
+                "constraints",
+                "leaves",
+                "construction",
+                "numbers",
+                "reference",
+                "sources",
+                "names",
+            )
         ),
     }
 )
@@ -124,8 +136,8 @@ FAMILIES: dict[str, frozenset[str]] = {
         {
             "carried_load",
             "element",
-            "ends",
-            "places",
+            "element_ends",
+            "node_set",
             "plane",
             "relative",
             "section",
@@ -140,8 +152,8 @@ FAMILIES: dict[str, frozenset[str]] = {
     "elements.sections": frozenset({"section"}),
     "elements.centerlines": frozenset({"centerline"}),
     "spatial.rotations": frozenset({"rotation"}),
-    "equations.relative": frozenset({"formalism"}),
-    "equations.treatments": frozenset({"treatment"}),
+    "equations.formalisms": frozenset({"formalism"}),
+    "equations.constraints.treatments": frozenset({"treatment"}),
     "passes": frozenset(),
     "peers": frozenset(
         {
@@ -153,7 +165,7 @@ FAMILIES: dict[str, frozenset[str]] = {
     "codegen.languages": frozenset({"expressions"}),
     "runtime.formats": frozenset({"contents"}),
     "schema.integrators": frozenset({"integrator", "alpha_family"}),
-    "model.files": frozenset({"angles", "document", "expression", "meshes", "options", "pose"}),
+    "scene.files": frozenset({"angles", "document", "expression", "meshes", "options", "pose"}),
     "cli": frozenset(
         {
             "terminal",

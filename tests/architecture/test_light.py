@@ -11,7 +11,7 @@ import cardan as cd
 LIGHT = ("sympy", "mpmath", "matplotlib", "rich", "scipy")
 COMPILER_HALF = tuple(
     f"cardan.{room}"
-    for room in ("spatial", "elements", "model", "topology", "equations", "passes", "codegen")
+    for room in ("spatial", "elements", "scene", "topology", "equations", "passes", "codegen")
 )
 
 

@@ -338,7 +338,7 @@ def gravity_power(c: Context) -> tuple[Output, ...]:
 def test_a_model_function_is_a_row_and_its_recipe(source: Copy) -> None:
     """Callable, differentiable, said to be unchecked, exported and documented."""
     source.insert("schema/functions.py", "constraint_bias | ", GRAVITY_POWER)
-    source.insert("equations/functions.py", "@recipe\ndef integrate(", RECIPE)
+    source.insert("equations/functions/functions.py", "@recipe\ndef integrate(", RECIPE)
     output = source.run("""
         import numpy as np
         import cardan as cd

@@ -10,8 +10,8 @@ import numpy as np
 
 import cardan as cd
 from benchmarks.cases import Case
-from cardan.analyses.ensembles.crew import Crew
 from cardan.analyses.ensembles.job import Job
+from cardan.analyses.ensembles.lane_runner import Crew
 
 SPAN, RTOL = 1.0, 1e-6
 BLOCK = 1024  # runs that are timed, as many as a block of a large ensemble has

@@ -25,8 +25,9 @@ from rich.table import Table
 
 from cardan.codegen import generate
 from cardan.ir.function import Function
-from cardan.runtime import cache, lanes
-from cardan.runtime.prebuilt import DIRECTORY
+from cardan.runtime.build import cache
+from cardan.runtime.build.prebuilt import DIRECTORY
+from cardan.runtime.calls import lanes
 from elements.flexible.states import ELEMENTS, State, state
 
 DRIVER = Path(__file__).with_name("flexible.c")

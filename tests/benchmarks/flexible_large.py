@@ -22,8 +22,8 @@ sys.path.insert(0, str(Path(__file__).parents[1]))
 
 import cardan as cd
 from benchmarks import flexible_problem as problem
-from cardan.runtime.absolute.loading import tables_of
-from cardan.runtime.absolute.matrices import Matrices
+from cardan.runtime.models.finite_elements.table_loading import tables_of
+from cardan.runtime.sparse.matrices import Matrices
 
 T = TypeVar("T")
 ELEMENTS, STEP, STEPS = 100_000, 1e-5, 10

@@ -31,9 +31,9 @@ from tests.benchmarks.provenance import signed  # noqa: E402
 from tests.benchmarks.pydy_examples import EXAMPLES  # noqa: E402
 
 import cardan as cd  # noqa: E402
-from cardan.runtime import samples  # noqa: E402
-from cardan.runtime.function_costs import _measure  # noqa: E402
-from cardan.runtime.measuring import BATCH  # noqa: E402
+from cardan.runtime.calls import samples  # noqa: E402
+from cardan.runtime.calls.function_costs import _measure  # noqa: E402
+from cardan.runtime.calls.measuring import BATCH  # noqa: E402
 
 PAGE = ROOT / "docs" / "performance" / "sympy.md"
 ROUNDS, CALLS, DIGITS = 15, 300, 40

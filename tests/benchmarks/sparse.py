@@ -23,11 +23,11 @@ from rich.table import Table
 from scipy.sparse import csr_array
 from scipy.sparse.linalg import splu
 
-from cardan.runtime import cache
-from cardan.runtime.absolute.blocks import FactorsRecord, Memory, plan_record
-from cardan.runtime.absolute.plan import Plan, plan
-from cardan.runtime.absolute.systems import assembled
-from cardan.runtime.prebuilt import DIRECTORY
+from cardan.runtime.build import cache
+from cardan.runtime.build.prebuilt import DIRECTORY
+from cardan.runtime.sparse.block_solver import FactorsRecord, Memory, plan_record
+from cardan.runtime.sparse.plan import Plan, plan
+from cardan.runtime.sparse.systems import assembled
 from runtime.absolute.structures import Structure, bars, grid, line
 
 DRIVER = Path(__file__).with_name("sparse.c")

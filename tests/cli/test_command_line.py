@@ -12,8 +12,8 @@ from pathlib import Path
 import pytest
 
 import cardan as cd
-from cardan.analyses.settings import LARGEST_ATOL, RATIO
-from cardan.analyses.simulate import simulate
+from cardan.analyses.simulation.settings import LARGEST_ATOL, RATIO
+from cardan.analyses.simulation.simulate import simulate
 from cardan.cli import COMMANDS, main
 
 ARM = Path(__file__).parents[2] / "examples" / "arm.urdf"

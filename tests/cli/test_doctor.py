@@ -11,7 +11,8 @@ from pathlib import Path
 import pytest
 
 from cardan.cli import health, main
-from cardan.runtime import abi, cache, folder, toolchain
+from cardan.runtime.build import cache, cache_folder, toolchain
+from cardan.runtime.calls import abi
 
 DAY = 86400
 
@@ -20,8 +21,8 @@ DAY = 86400
 def place(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """An empty cache."""
     monkeypatch.setenv("CARDAN_CACHE", str(tmp_path / "cache"))
-    monkeypatch.setattr(folder, "_SCRATCH", {})
-    for remembered in (folder._usable, folder._temporary):
+    monkeypatch.setattr(cache_folder, "_SCRATCH", {})
+    for remembered in (cache_folder._usable, cache_folder._temporary):
         remembered.cache_clear()
     return tmp_path / "cache"
 
@@ -133,7 +134,7 @@ def test_folder_with_other_things_is_never_changed(capsys, place):
 def filled(place: Path, tmp_path: Path) -> dict[str, Path]:
     """An old and a young object, an old and a young model, a damaged object, a leftover."""
     found = {}
-    folder.directory()
+    cache_folder.directory()
     for age in ("old", "young", "damaged"):
         source = tmp_path / f"{age}.c"
         source.write_text(f"int {age}(void);\nint {age}(void) {{ return 1; }}\n")

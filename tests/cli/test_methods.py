@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from cardan.cli.options import scene
-from cardan.equations.relative import FORMALISMS
+from cardan.equations.formalisms import FORMALISMS
 
 
 def test_help_lists_every_formalism() -> None:

@@ -13,13 +13,19 @@ import numpy as np
 from numpy.typing import NDArray
 
 import cardan as cd
-from cardan.equations.constraints import rows as constraint_rows
+from cardan.equations.constraints.constraints import rows as constraint_rows
 from cardan.ir.function import Block, Function, Output
 from cardan.ir.interpreter import evaluate
-from cardan.runtime.judged import motion_of, scene_of
-from cardan.runtime.newton_euler import Moving, Scene, inverse_dynamics, mass_matrix, moving
-from cardan.runtime.truth import truth_of
 from cardan.runtime.verification.differences import REACH, central
+from cardan.runtime.verification.flat_scene import motion_of, scene_of
+from cardan.runtime.verification.newton_euler import (
+    Moving,
+    Scene,
+    inverse_dynamics,
+    mass_matrix,
+    moving,
+)
+from cardan.runtime.verification.reference_values import truth_of
 from cardan.topology.system import Cut
 
 Array = NDArray[np.float64]

@@ -13,8 +13,9 @@ import numpy as np
 import pytest
 
 import cardan as cd
-from cardan.codegen import companions, layout
-from cardan.codegen.export import export
+from cardan.codegen import layout
+from cardan.codegen.export import companions
+from cardan.codegen.export.export import export
 from cardan.codegen.layout import HEADERS, KERNELS
 from cardan.errors import CodegenError, DerivationError
 from cardan.schema.functions import FUNCTIONS

@@ -12,10 +12,10 @@ import pytest
 import scipy.sparse
 
 import cardan as cd
+from cardan.codegen.export.finite_elements import METHODS
 from cardan.codegen.layout import KERNELS
-from cardan.codegen.meshed import METHODS
 from cardan.errors import CodegenError, DerivationError
-from cardan.runtime.initial import start_of
+from cardan.runtime.models.initial import start_of
 from codegen.running import STRICT, compilers
 from mechanisms.closed_planar import FOUR_BAR, four_bar_angles
 

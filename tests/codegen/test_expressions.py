@@ -5,7 +5,7 @@ import random
 import re
 
 from cardan.codegen.languages.expressions import definitions
-from cardan.codegen.program import Scope
+from cardan.codegen.program.program import Scope
 from cardan.ir.graph import Graph
 from table import each
 

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import cardan as cd
-from cardan.codegen import flat, generate, layout, manifest
+from cardan.codegen import flat_scene, generate, layout, manifest
 from cardan.equations.record import Equations
 from cardan.ir.interpreter import evaluate
 from cardan.ir.serialize import from_dict
@@ -112,7 +112,7 @@ def test_saved_functions_are_the_functions(tmp_path: Path) -> None:
 def test_flat_scene_holds_masses_and_frames() -> None:
     system = cd.derive(arm()).system
     p = [parameter.value for parameter in system.parameters]
-    scene = evaluate(flat.scene(system), {"p": p}, "numpy")
+    scene = evaluate(flat_scene.scene(system), {"p": p}, "numpy")
     assert scene["mass"].tolist() == [5.0, 2.0, 1.3, 0.2]
     # the tool is 0.4 below the lower arm, its center of mass 0.1 above that
     assert np.allclose(scene["first_moment"][2], [0, 0.3 * 0.02, -0.2 + 0.3 * (0.1 - 0.4)])
@@ -121,11 +121,11 @@ def test_flat_scene_holds_masses_and_frames() -> None:
     assert scene["axis"][1:].tolist() == [[0, 1, 0], [0, 0.6, 0.8], [1, 0, 0]]
     assert np.allclose(scene["inertia"], np.swapaxes(scene["inertia"], 1, 2))
     assert scene["frame_position"].shape == (len(system.frames), 3)
-    motion = flat.scene_motion(system)
+    motion = flat_scene.scene_motion(system)
     assert motion is not None
     rows = evaluate(motion, {"t": [0.5], "p": p}, "numpy")["motion"]
     assert rows.tolist() == [[0, 0, 0], [0, 0, 0], [0, 0, 0], [1.5, 3.0, 0.0]]
 
 
 def test_nothing_prescribed_means_no_motion_function() -> None:
-    assert flat.scene_motion(cd.derive(ZOO[next(iter(ZOO))].build()).system) is None
+    assert flat_scene.scene_motion(cd.derive(ZOO[next(iter(ZOO))].build()).system) is None

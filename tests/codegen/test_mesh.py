@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 
 import cardan as cd
-from cardan.codegen.mesh import FILE, numbers
+from cardan.codegen.finite_elements.model_folder import FILE, numbers
 from codegen.test_manifest import SCHEMA, undocumented
 
 READER = """

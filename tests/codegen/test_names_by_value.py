@@ -7,7 +7,7 @@ import pytest
 
 import cardan as cd
 from cardan import passes
-from cardan.codegen.naming import ValueNames
+from cardan.codegen.program.naming import ValueNames
 from cardan.elements.flexible import HellingerReissner
 from cardan.ir.function import Block, Function, Output
 from cardan.ir.graph import Graph

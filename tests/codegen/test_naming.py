@@ -6,7 +6,7 @@ import re
 import pytest
 
 from cardan.codegen import generate
-from cardan.codegen.naming import RESERVED, Names, comment, mangle
+from cardan.codegen.program.naming import RESERVED, Names, comment, mangle
 from cardan.ir.function import Block, Function, Output
 from cardan.ir.graph import Graph
 from codegen.running import call, compilers, expected

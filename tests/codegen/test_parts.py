@@ -7,11 +7,11 @@ import numpy as np
 import pytest
 
 from cardan.codegen import generate
-from cardan.codegen import sections as section_order
-from cardan.codegen.parts import crossing, split
-from cardan.codegen.plan import make_plan
-from cardan.codegen.sections import arrange
-from cardan.codegen.values import Values
+from cardan.codegen.program import sections as section_order
+from cardan.codegen.program.parts import crossing, split
+from cardan.codegen.program.plan import make_plan
+from cardan.codegen.program.sections import arrange
+from cardan.codegen.program.values import Values
 from codegen.functions import random_function, values
 from codegen.running import call, compilers, expected
 

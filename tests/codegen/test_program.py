@@ -5,7 +5,7 @@ import pytest
 
 from cardan.codegen import CFile, generate
 from cardan.codegen.languages import c
-from cardan.codegen.program import (
+from cardan.codegen.program.program import (
     Assign,
     Declare,
     Index,

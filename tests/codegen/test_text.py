@@ -13,7 +13,7 @@ import pytest
 
 import cardan as cd
 from cardan.codegen import generate
-from cardan.codegen.lowering import lower
+from cardan.codegen.program.lowering import lower
 from cardan.errors import CodegenError
 from cardan.ir.function import Block, Function, Output, Staged
 from cardan.ir.graph import Graph

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from cardan.runtime import folder
+from cardan.runtime.build import cache_folder
 
 
 @pytest.fixture
@@ -14,7 +14,7 @@ def cache_directory(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """Where it is; empty, and no temporary one beside it."""
     path = tmp_path / "cache"
     monkeypatch.setenv("CARDAN_CACHE", str(path))
-    monkeypatch.setattr(folder, "_SCRATCH", {})
-    for remembered in (folder._usable, folder._temporary):
+    monkeypatch.setattr(cache_folder, "_SCRATCH", {})
+    for remembered in (cache_folder._usable, cache_folder._temporary):
         remembered.cache_clear()
     return path

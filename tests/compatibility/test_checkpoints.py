@@ -12,7 +12,7 @@ import pytest
 
 import cardan as cd
 from cardan import version
-from cardan.analyses import growing
+from cardan.analyses.simulation.files import append_log
 from compatibility.write import FILES, KEEP, START, VARIED, model
 
 
@@ -63,8 +63,8 @@ def of_a_newer_cardan(form: version.Format, path: Path, monkeypatch: pytest.Monk
     """Write a checkpoint as a cardan of tomorrow does."""
     newer = form._replace(version=form.version + 7, oldest=form.version + 7)
     with monkeypatch.context() as patch:
-        patch.setattr(growing, "VERSION", "9.8.7")
-        growing.Growing(path, newer, {"model": "of tomorrow"}, {}).close()
+        patch.setattr(append_log, "VERSION", "9.8.7")
+        append_log.Growing(path, newer, {"model": "of tomorrow"}, {}).close()
 
 
 @pytest.mark.parametrize("kind", ["run_file", "ensemble_file"])
@@ -86,7 +86,7 @@ def test_a_checkpoint_of_a_newer_cardan_is_refused(
 def test_a_stepper_of_a_newer_cardan_is_refused(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    from cardan.analyses import checkpoint
+    from cardan.analyses.simulation.files import checkpoint
 
     path, made = tmp_path / "stepper.npz", model()
     number = version.STEPPER.version + 1

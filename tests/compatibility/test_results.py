@@ -9,8 +9,9 @@ import pytest
 
 import cardan as cd
 from cardan import version
-from cardan.runtime import formats, storage
+from cardan.runtime import formats
 from cardan.runtime.formats.contents import Contents
+from cardan.runtime.trajectory import storage
 from compatibility.write import FILES, STORED, of_ensemble, of_motion
 
 RUNS = sorted(path for path in FILES.glob("run_*.nc") if path.with_suffix(".npz").exists())

@@ -11,7 +11,7 @@ import pytest
 
 import cardan as cd
 from cardan import version
-from cardan.model.files.scene import reader, tree
+from cardan.scene.files.yaml import reader, tree
 from compatibility.write import FILES, PARTS, described
 from spread import some
 

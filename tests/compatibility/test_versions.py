@@ -10,9 +10,10 @@ import pytest
 
 import cardan as cd
 from cardan import version
-from cardan.analyses.ensembles import stored_schema
+from cardan.analyses.ensembles import file_schema
 from cardan.api import saved_model
-from cardan.runtime import formats, storage
+from cardan.runtime import formats
+from cardan.runtime.trajectory import storage
 from compatibility.write import FILES, scene
 
 NEWER = "9.8.7"
@@ -33,7 +34,7 @@ def a_run(path: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[[], object]:
 
 def an_ensemble(path: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[[], object]:
     contents = formats.load(
-        FILES / "ensemble_1.nc", version.ENSEMBLE, ("title", *stored_schema.NOTES)
+        FILES / "ensemble_1.nc", version.ENSEMBLE, ("title", *file_schema.NOTES)
     )
     file = path / "runs.nc"
     with monkeypatch.context() as patch:

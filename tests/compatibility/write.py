@@ -31,7 +31,7 @@ import cardan as cd
 from cardan import version
 from cardan.elements.forces import FORCES
 from cardan.elements.joints import JOINTS
-from cardan.model.files.scene import keys
+from cardan.scene.files.yaml import keys
 from mechanisms import ZOO
 from mechanisms.closed import CLOSED
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from cardan.equations.kinematics import Kinematics
+from cardan.equations.kinematics.kinematics import Kinematics
 from cardan.ir.derivative import forward
 from cardan.ir.function import Function, Output
 from cardan.ir.interpreter import evaluate

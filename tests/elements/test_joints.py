@@ -12,7 +12,7 @@ import sympy
 
 import cardan as cd
 from cardan.elements.joints import JOINTS, Joint
-from cardan.model.units import unit
+from cardan.scene.units import unit
 from elements.joint_bench import CURVE, INSTANCES, Bench, a
 from elements.written_of import converted
 from spatial.numbers_of import block, close, difference, unskew

@@ -11,10 +11,10 @@ import sympy
 from scipy import interpolate
 
 import cardan as cd
+from cardan.ir.forms.sympy_bridge import from_sympy
 from cardan.ir.function import Block, Function, Output
 from cardan.ir.graph import Graph
 from cardan.ir.interpreter import evaluate
-from cardan.ir.sympy_bridge import from_sympy
 from table import each
 
 X = [-1.0, 0.0, 0.5, 2.0, 3.0, 4.5]

@@ -28,7 +28,7 @@ def converted(
 
 def _node(graph: Graph, quantity: Quantity, entry: Any, numbers: list[float]) -> int:
     if hasattr(entry, "free_symbols"):
-        from cardan.ir.sympy_bridge import from_sympy
+        from cardan.ir.forms.sympy_bridge import from_sympy
 
         symbols = {s: graph.atom(s.name) for s in entry.free_symbols}
         assert {s.name for s in symbols} <= set(quantity.local)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from itertools import permutations
 
-from cardan.equations.blocks import c_name
+from cardan.equations.functions.blocks import c_name
 
 
 def test_names_that_are_one_in_c_or_look_numbered_stay_apart() -> None:

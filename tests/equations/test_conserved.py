@@ -9,7 +9,7 @@ import pytest
 import sympy as sp
 
 import cardan as cd
-from cardan.equations.conserved import Quantity
+from cardan.equations.reading.conserved import Quantity
 from cardan.ir.interpreter import evaluate
 from equations.classical import CLASSICAL
 from laws.cases import derived

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 import cardan as cd
-from cardan.equations.folded import fold
+from cardan.equations.recursion.folded import fold
 from cardan.ir.interpreter import evaluate
 from table import each
 

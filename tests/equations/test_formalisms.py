@@ -7,8 +7,8 @@ from functools import cache
 import numpy as np
 import pytest
 
+from cardan.equations.formalisms import FORMALISMS
 from cardan.equations.record import Equations
-from cardan.equations.relative import FORMALISMS
 from cardan.errors import DerivationError
 from cardan.ir.function import Function
 from cardan.ir.interpreter import evaluate
@@ -71,7 +71,7 @@ def test_bias_is_gravity_and_coriolis(name: str) -> None:
 
 
 def test_names_of_other_schools_are_translated() -> None:
-    from cardan.equations.choice import check_method
+    from cardan.equations.formalism_choice import check_method
 
     with pytest.raises(DerivationError, match="'aba' is called 'articulated' here"):
         check_method("aba")
@@ -96,7 +96,7 @@ def test_unknown_function_frame_and_joint_are_named() -> None:
     [(False, "names are wanted"), (3, "names are wanted"), ("axis", "Did you mean 'axes'")],
 )
 def test_rewrites_are_names(rewrites: object, words: str) -> None:
-    from cardan.equations.rewritten import check_names
+    from cardan.equations.rewrites import check_names
 
     with pytest.raises(DerivationError, match=words):
         check_names(rewrites)

@@ -9,7 +9,7 @@ import pytest
 import sympy
 
 import cardan as cd
-from cardan.equations.relative import FORMALISMS
+from cardan.equations.formalisms import FORMALISMS
 from laws.cases import call
 from mechanisms.rolling import COIN, coin
 from table import each

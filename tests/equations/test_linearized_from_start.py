@@ -9,8 +9,8 @@ import pytest
 
 import cardan as cd
 from cardan.equations.linearized import differentiated, from_start
+from cardan.equations.linearized.all_coordinates import DYNAMIC
 from cardan.equations.linearized.reference import Reference
-from cardan.equations.linearized.whole import DYNAMIC
 from laws.cases import slots
 from mechanisms import ZOO
 from mechanisms.closed import CLOSED

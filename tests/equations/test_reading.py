@@ -14,11 +14,11 @@ import sympy as sp
 from sympy.physics import mechanics as me
 
 import cardan as cd
-from cardan.equations.formula import latex
-from cardan.equations.notation import notation
-from cardan.ir.fourier import PRODUCTS, TERMS, Budget
-from cardan.ir.readable import STEPS, TooLong, readable
-from cardan.ir.sympy_bridge import to_sympy
+from cardan.equations.reading.formula import latex
+from cardan.equations.reading.notation import notation
+from cardan.ir.forms.fourier import PRODUCTS, TERMS, Budget
+from cardan.ir.forms.readable import STEPS, TooLong, readable
+from cardan.ir.forms.sympy_bridge import to_sympy
 from equations.classical import CLASSICAL
 from mechanisms import ZOO
 from spread import some

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import cardan as cd
-from cardan.equations.relative import FORMALISMS
+from cardan.equations.formalisms import FORMALISMS
 from table import each
 
 G = 9.81

@@ -7,7 +7,7 @@ import pytest
 import sympy as sp
 
 import cardan as cd
-from cardan.equations.relative import FORMALISMS
+from cardan.equations.formalisms import FORMALISMS
 from equations.classical import CLASSICAL, Classical
 from table import each
 

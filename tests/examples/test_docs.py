@@ -15,9 +15,9 @@ from pathlib import Path
 import pytest
 
 import cardan as cd
-from cardan.analyses import outcome
+from cardan.analyses.simulation import outcome
 from cardan.cli import build_parser
-from cardan.runtime.conduct import EVENT, FINISHED
+from cardan.runtime.trajectory.solver_info import EVENT, FINISHED
 from table import each
 
 DOCS = Path(__file__).parents[2] / "docs"

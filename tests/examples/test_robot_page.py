@@ -8,11 +8,11 @@ from pathlib import Path
 import numpy as np
 
 import cardan as cd
-from cardan.model.files.mjcf.masses import SIZES
-from cardan.model.files.mjcf.unread import READ
-from cardan.model.files.urdf import from_text
-from cardan.model.files.urdf.loops import TYPES
-from model.test_urdf_loops import robot
+from cardan.scene.files.mjcf.ignored import READ
+from cardan.scene.files.mjcf.masses import SIZES
+from cardan.scene.files.urdf import from_text
+from cardan.scene.files.urdf.loops import TYPES
+from scene.test_urdf_loops import robot
 
 PAGE = Path(__file__).parents[2] / "docs" / "robot_files.md"
 TEXT = PAGE.read_text(encoding="utf-8")

@@ -14,8 +14,8 @@ import sympy
 import cardan as cd
 from cardan.elements.forces import FORCES
 from cardan.elements.joints import JOINTS
-from cardan.model.files.expression import FUNCTIONS
-from cardan.model.files.scene import keys
+from cardan.scene.files.expression import FUNCTIONS
+from cardan.scene.files.yaml import keys
 
 ROOT = Path(__file__).parents[2]
 TEXT = (ROOT / "docs" / "scene_files.md").read_text(encoding="utf-8")

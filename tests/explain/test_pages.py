@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 
 import cardan as cd
-from cardan.equations.relative import FORMALISMS
+from cardan.equations.formalisms import FORMALISMS
 from cardan.errors import DerivationError
 from cardan.explain import document
 from cardan.explain.writers import WRITERS

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from cardan.equations.notation import GREEK
+from cardan.equations.reading.notation import GREEK
 
 # what our pages may use; anything else is a name that got out
 _COMMANDS = """

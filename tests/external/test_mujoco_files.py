@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 import cardan as cd
-from cardan.model.files.mjcf import from_text
-from model.mjcf_texts import linkage
+from cardan.scene.files.mjcf import from_text
+from scene.mjcf_texts import linkage
 
 mujoco = pytest.importorskip("mujoco", reason="MuJoCo is not installed: pip install mujoco")
 

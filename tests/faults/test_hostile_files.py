@@ -13,8 +13,8 @@ from typing import Any
 import pytest
 
 import cardan as cd
-from cardan.analyses.saved_record import GIVEN, PASSING, record_of
-from cardan.runtime import cache, folder, object_file, trust
+from cardan.analyses.simulation.files.saved_record import GIVEN, PASSING, record_of
+from cardan.runtime.build import cache, cache_folder, file_trust, object_file
 from cardan.schema.records import POINTER, Run
 from cardan.schema.seal import sealed
 from hostile.harness import campaign
@@ -109,8 +109,8 @@ def cache_directory(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """Where the cache is to be, below a folder of its own; nothing is remembered of another one."""
     place = tmp_path / "above" / "cache"
     monkeypatch.setenv("CARDAN_CACHE", str(place))
-    monkeypatch.setattr(folder, "_SCRATCH", {})
-    for remembered in (folder._usable, folder._temporary):
+    monkeypatch.setattr(cache_folder, "_SCRATCH", {})
+    for remembered in (cache_folder._usable, cache_folder._temporary):
         remembered.cache_clear()
     return place
 
@@ -204,9 +204,11 @@ def test_e4_links_on_the_way_are_followed_and_looked_at(
     (tmp_path / "open").mkdir()
     (tmp_path / "open" / "way").symlink_to(tmp_path / "real")
     (tmp_path / "fine").symlink_to(tmp_path / "real")
-    assert trust.exposed(tmp_path / "fine") == ""
+    assert file_trust.exposed(tmp_path / "fine") == ""
     (tmp_path / "open").chmod(0o777)
-    assert trust.exposed(tmp_path / "open" / "way") == f"others may write to {tmp_path / 'open'}"
+    assert (
+        file_trust.exposed(tmp_path / "open" / "way") == f"others may write to {tmp_path / 'open'}"
+    )
 
 
 def test_e7_a_cache_that_was_removed_is_made_again(cache_directory: Path, tmp_path: Path) -> None:
@@ -224,7 +226,7 @@ def test_e7_the_cure_fits_what_the_system_says(cache_directory: Path, tmp_path: 
     shutil.rmtree(cache_directory)
     with pytest.raises(cd.BuildError, match=r"was removed while this process ran: do the same"):
         made.published()
-    assert "Make room" in folder.cure(OSError(errno.ENOSPC, "No space left on device"))
+    assert "Make room" in cache_folder.cure(OSError(errno.ENOSPC, "No space left on device"))
     assert cache.build([tmp_path / "good.c"]).fresh
 
 

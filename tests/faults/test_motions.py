@@ -110,8 +110,9 @@ CHANGES: dict[str, Callable[[dict[str, Any]], Any]] = {
 @pytest.mark.parametrize("change", CHANGES)
 def test_e3_what_does_not_fit_is_refused(change: str, tmp_path: Path) -> None:
     """A damaged file ended in KeyError, TypeError and others; also one whose hash is right."""
-    from cardan.runtime import formats, storage
+    from cardan.runtime import formats
     from cardan.runtime.formats.contents import Contents
+    from cardan.runtime.trajectory import storage
 
     path = _run("relative").save(tmp_path / "run.nc")
     held = formats.load(path, RUN, ("title", *storage.NOTES))

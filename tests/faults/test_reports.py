@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 import cardan as cd
-from cardan.analyses.precision_runs import precision
-from cardan.runtime import samples
+from cardan.analyses.simulation.precision.runs import precision
+from cardan.runtime.calls import samples
 
 
 @pytest.mark.slow

@@ -11,14 +11,14 @@ import pytest
 import sympy as sp
 
 import cardan as cd
-from cardan.analyses import critical_load
+from cardan.analyses.statics import critical_load
 from cardan.arguments import kinds_of, read
 from cardan.errors import ArgumentError, BuildError
-from cardan.runtime.verification import elements
-from cardan.runtime.verification.asked import Asked
 from cardan.runtime.verification.differences import missing, relative, worst_of
-from cardan.runtime.verification.members import Members
-from cardan.runtime.verify import verify
+from cardan.runtime.verification.evaluation import Asked
+from cardan.runtime.verification.finite_elements import elements
+from cardan.runtime.verification.finite_elements.members import Members
+from cardan.runtime.verification.verify import verify
 from mechanisms.pendulums import double_pendulum
 
 

@@ -10,8 +10,8 @@ import sympy
 
 import cardan as cd
 from analyses.interpreted import without_compiler
-from cardan.runtime.absolute.pattern import pattern
-from cardan.runtime.absolute.stages import stages
+from cardan.runtime.sparse.pattern import pattern
+from cardan.runtime.sparse.stages import stages
 from table import each
 
 EXAMPLES = Path(__file__).parents[2] / "examples"

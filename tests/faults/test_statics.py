@@ -12,9 +12,9 @@ import numpy as np
 import pytest
 
 import cardan as cd
-from cardan.analyses.contract import contract_of
-from cardan.analyses.settling import _forbidden
-from cardan.analyses.static_problem import Point, Problem
+from cardan.analyses.statics.settling import _forbidden
+from cardan.analyses.statics.static_problem import Point, Problem
+from cardan.analyses.systems.dynamic_system import contract_of
 from mechanisms.loaded import arch, follower_column, shaft
 from spread import some
 
@@ -227,7 +227,7 @@ def test_b7_modes_whose_search_does_not_end(monkeypatch: pytest.MonkeyPatch) -> 
     """ARPACK's own text reached the user, though full matrices of that size are quick."""
     from scipy.sparse.linalg import ArpackError
 
-    from cardan.analyses import modes
+    from cardan.analyses.linear import modes
 
     model = follower_column(6)
     wanted = model.modes(6).frequencies

@@ -13,14 +13,14 @@ import sympy
 
 import cardan as cd
 from cardan.errors import BuildError, SolveWarning
-from cardan.runtime import truth
-from cardan.runtime.joint_motion import JointData, joint_data
-from cardan.runtime.judged import scene_of
-from cardan.runtime.verification.asked import Asked
+from cardan.runtime.verification import reference_values
 from cardan.runtime.verification.differences import BOUND
-from cardan.runtime.verification.elements import judged
-from cardan.runtime.verification.members import Members, members_of
-from cardan.runtime.verify import verify
+from cardan.runtime.verification.evaluation import Asked
+from cardan.runtime.verification.finite_elements.elements import judged
+from cardan.runtime.verification.finite_elements.members import Members, members_of
+from cardan.runtime.verification.flat_scene import scene_of
+from cardan.runtime.verification.joint_motion import JointData, joint_data
+from cardan.runtime.verification.verify import verify
 from cardan.schema.functions import FUNCTIONS
 from mechanisms import ZOO, flexible
 
@@ -107,7 +107,7 @@ def test_a12_custom_joint_is_judged_by_its_pose(tmp_path: Path) -> None:
         ),
     )
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("cardan.runtime.verify.scene_of", lambda model: other)
+        patch.setattr("cardan.runtime.verification.verify.scene_of", lambda model: other)
         # what was found of the right scene is kept for its next functions
         patch.setattr(model._objects, "truth", None)
         with pytest.raises(BuildError, match="differs"):
@@ -222,14 +222,16 @@ def test_a12_friction_from_reactions_is_judged_by_free_bodies(
     assert found.unchecked == ()
     assert found.worst < 1e-12
     # the coefficient, the line along which nothing presses and the wrenches matter
-    right: Any = truth.pressed
+    right: Any = reference_values.pressed
     for harmed in (
         lambda known: replace(known, coefficient=1.001 * known.coefficient),
         lambda known: replace(known, joints=tuple((i, False) for i, _ in known.joints)),
         lambda known: replace(known, force=known.force + 0.1),
     ):
         model._objects.truth = None
-        monkeypatch.setattr(truth, "pressed", lambda *given, harmed=harmed: harmed(right(*given)))
+        monkeypatch.setattr(
+            reference_values, "pressed", lambda *given, harmed=harmed: harmed(right(*given))
+        )
         with pytest.raises(BuildError, match="differs"):
             model.verify()
 

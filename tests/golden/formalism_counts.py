@@ -16,7 +16,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).parents[1]))
 
 import cardan as cd
-from cardan.equations.relative import FORMALISMS
+from cardan.equations.formalisms import FORMALISMS
 from mechanisms import ZOO
 from mechanisms.closed import CLOSED
 from mechanisms.rolling import ROLLING

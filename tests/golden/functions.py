@@ -6,8 +6,8 @@ import inspect
 import textwrap
 from collections.abc import Iterator
 
-from cardan.runtime.functions import Functions
-from cardan.runtime.verification.judges import JUDGES
+from cardan.runtime.calls.functions import Functions
+from cardan.runtime.verification.routes import JUDGES
 from cardan.schema.functions import FUNCTIONS, ModelFunction
 
 # functions that have another route to their numbers
@@ -29,7 +29,7 @@ class Functions(Evaluation, metaclass=ABCMeta):
 
 
 def stub() -> str:
-    """``runtime/functions.pyi``."""
+    """``runtime/calls/functions.pyi``."""
     methods = [name for name in FUNCTIONS if name in vars(Functions)]
     return HEAD + "\n".join(_method(name) for name in methods)
 
@@ -113,5 +113,5 @@ def _line(cells: list[str]) -> str:
 
 def written() -> Iterator[tuple[str, str]]:
     """Files by their path in the project."""
-    yield "src/cardan/runtime/functions.pyi", stub()
+    yield "src/cardan/runtime/calls/functions.pyi", stub()
     yield "docs/functions.md", page()

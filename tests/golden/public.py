@@ -16,8 +16,8 @@ from cardan.api.verb import verb
 from cardan.elements.centerlines.centerline import Centerline
 from cardan.elements.forces.force import ForceElement
 from cardan.elements.joints.joint import Joint
-from cardan.equations.treatments.treatment import Treatment
-from cardan.model.shape import Shape
+from cardan.equations.constraints.treatments.treatment import Treatment
+from cardan.scene.shape import Shape
 
 NAME = re.compile(r"[A-Za-z_]\w*")
 # elements and what treats constraints: users make them, the compiler calls their methods

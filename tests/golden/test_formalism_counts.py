@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import pytest
 
-from cardan.equations.relative import FORMALISMS
+from cardan.equations.formalisms import FORMALISMS
 from golden.formalism_counts import BEGIN, CASES, END, PAGE, counted, kept, shown, write
 from spread import some
 

@@ -12,9 +12,9 @@ import numpy as np
 import pytest
 
 import cardan as cd
-from cardan.equations.recipes import RECIPES
-from cardan.runtime.absolute.evaluated import Results
-from cardan.runtime.functions import Functions
+from cardan.equations.functions.recipes import RECIPES
+from cardan.runtime.calls.functions import Functions
+from cardan.runtime.models.finite_elements.evaluation import Results
 from cardan.schema.blocks import ARGUMENTS
 from cardan.schema.functions import FUNCTIONS, OF_ELEMENTS, STANDARD
 from golden.functions import JUDGED, written

@@ -15,7 +15,7 @@ from pathlib import Path
 import pytest
 
 from cardan.codegen.layout import KERNELS
-from cardan.runtime import toolchain
+from cardan.runtime.build import toolchain
 from golden.scenes import EXAMPLES, FLEXIBLE, ROOT, scene_of, written
 from spread import some
 

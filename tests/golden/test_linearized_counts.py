@@ -11,8 +11,8 @@ import pytest
 
 import cardan as cd
 from cardan.equations.linearized import differentiated
+from cardan.equations.linearized.all_coordinates import DYNAMIC
 from cardan.equations.linearized.reference import Reference
-from cardan.equations.linearized.whole import DYNAMIC
 from cardan.ir.function import count, live
 from golden.scenes import ROOT
 from laws.cases import slots

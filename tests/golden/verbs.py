@@ -72,7 +72,7 @@ def _imports() -> Iterator[str]:
     """Import statements of what the annotations name, in the order of a linter."""
     found: dict[str, set[str]] = defaultdict(set)
     found["typing"].add("final")
-    found["cardan.runtime.loaded_model"].add("LoadedModel")
+    found["cardan.runtime.models.loaded_model"].add("LoadedModel")
     known: dict[str, str] = {}
     for name, target in verbs().items():
         module = target.partition(":")[0]

@@ -14,10 +14,11 @@ from typing import Any
 import numpy as np
 
 import cardan as cd
-from cardan.analyses.ensembles import stored_schema
-from cardan.analyses.growing import DIGEST, LENGTH
-from cardan.runtime import formats, storage
+from cardan.analyses.ensembles import file_schema
+from cardan.analyses.simulation.files.append_log import DIGEST, LENGTH
+from cardan.runtime import formats
 from cardan.runtime.formats.contents import Contents, Variable
+from cardan.runtime.trajectory import storage
 from cardan.version import ENSEMBLE, RUN, Format
 from hostile.harness import Kind
 from hostile.kinds import double
@@ -177,7 +178,7 @@ def ensemble(folder: Path) -> Kind:
         parts = (again.q, again.u, again.t, again[again.asked.entries[0]])
         return repr(again).encode() + _results(again) + b"".join(x.tobytes() for x in parts)
 
-    notes = ("title", *stored_schema.NOTES)
+    notes = ("title", *file_schema.NOTES)
     pack, unpack = _packing(ENSEMBLE, notes)
     return Kind("ensemble", good, cd.load_ensemble, use, unpack, pack, lambda place: True)
 

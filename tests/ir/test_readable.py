@@ -11,11 +11,11 @@ from hypothesis import strategies as st
 
 from cardan.ir.arithmetic import Scalar
 from cardan.ir.exact import exact, is_fraction
-from cardan.ir.fourier import PRODUCTS, TERMS, Budget, Expansion, Poly
+from cardan.ir.forms.fourier import PRODUCTS, TERMS, Budget, Expansion, Poly
+from cardan.ir.forms.readable import TooLong, readable
+from cardan.ir.forms.sympy_bridge import from_sympy, to_sympy
 from cardan.ir.function import live
 from cardan.ir.graph import Graph
-from cardan.ir.readable import TooLong, readable
-from cardan.ir.sympy_bridge import from_sympy, to_sympy
 from table import each
 
 a, b, c, m, l, k = sp.symbols("a b c m l k")

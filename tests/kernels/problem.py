@@ -11,10 +11,11 @@ from typing import Any
 
 import numpy as np
 
-from cardan.analyses.simulate import simulate
-from cardan.runtime import abi, cache, kernels, prebuilt
-from cardan.runtime.methods import Energy
-from cardan.runtime.trajectory import Trajectory
+from cardan.analyses.simulation.simulate import simulate
+from cardan.runtime.build import cache, kernels, prebuilt
+from cardan.runtime.calls import abi
+from cardan.runtime.calls.methods import Energy
+from cardan.runtime.trajectory.trajectory import Trajectory
 from cardan.schema.c_functions import ResultRow
 from cardan.schema.integrators import INTEGRATORS
 from cardan.schema.manifest import Manifest

@@ -11,10 +11,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-from cardan.analyses.stepper import stepper
+from cardan.analyses.simulation.stepper import stepper
 from cardan.errors import SolveWarning
-from cardan.runtime.storage import load
-from cardan.runtime.trajectory import Trajectory
+from cardan.runtime.trajectory.storage import load
+from cardan.runtime.trajectory.trajectory import Trajectory
 from kernels.problem import METHODS, PENDULUM_POSITION, PENDULUM_VELOCITY, Problem, pendulum
 
 FINE: dict[str, dict[str, Any]] = {

@@ -10,7 +10,7 @@ import pytest
 from scipy.special import ellipk
 
 from cardan.errors import ModelError, SolveWarning
-from cardan.runtime.trajectory import Trajectory
+from cardan.runtime.trajectory.trajectory import Trajectory
 from kernels.problem import OSCILLATOR, Problem, pendulum
 
 G, RESTITUTION = 9.81, 0.8

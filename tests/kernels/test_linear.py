@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from cardan.runtime import cache, prebuilt
+from cardan.runtime.build import cache, prebuilt
 
 PROGRAM = """
 #include "linear.h"

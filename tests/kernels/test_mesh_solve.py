@@ -9,10 +9,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from cardan.runtime import cache as objects
-from cardan.runtime import prebuilt
-from cardan.runtime.absolute.blocks import FactorsRecord, Memory, plan_record
-from cardan.runtime.absolute.plan import plan
+from cardan.runtime.build import cache as objects
+from cardan.runtime.build import prebuilt
+from cardan.runtime.sparse.block_solver import FactorsRecord, Memory, plan_record
+from cardan.runtime.sparse.plan import plan
 
 # a mesh of unknowns alone, with a matrix that is given; what assembles matrices is not called
 HARNESS = """

@@ -8,9 +8,9 @@ from pathlib import Path
 
 import pytest
 
-from cardan.analyses import record
+from cardan.analyses.simulation import run_record
 from cardan.errors import BuildError
-from cardan.runtime import cache, kernels, prebuilt
+from cardan.runtime.build import cache, kernels, prebuilt
 from cardan.schema import records
 from table import each
 
@@ -91,4 +91,4 @@ def test_answers_and_kinds_agree() -> None:
     assert numbers.pop("CARDAN_MOST_ROWS") > 0
     assert set(numbers) == {f"CARDAN_{name}" for name in ANSWERS}
     for name, value in numbers.items():
-        assert getattr(record, name.removeprefix("CARDAN_")) == value, name
+        assert getattr(run_record, name.removeprefix("CARDAN_")) == value, name

@@ -11,7 +11,7 @@ from math import prod
 import numpy as np
 import pytest
 
-from cardan.runtime import prebuilt
+from cardan.runtime.build import prebuilt
 
 # a rooted tree is the tuple of the trees that grow from its root
 Tree = tuple["Tree", ...]

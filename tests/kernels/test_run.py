@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from cardan.errors import SolveError, SolveWarning
-from cardan.runtime import cache, prebuilt
+from cardan.runtime.build import cache, prebuilt
 from kernels.problem import METHODS, OSCILLATOR, SWING, Problem, swing
 
 BOTH = pytest.mark.parametrize("method", METHODS)

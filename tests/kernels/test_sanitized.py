@@ -11,9 +11,9 @@ import numpy as np
 import pytest
 
 import cardan as cd
-from cardan.analyses import record
-from cardan.codegen import companions
-from cardan.runtime import cache, prebuilt
+from cardan.analyses.simulation import run_record
+from cardan.codegen.export import companions
+from cardan.runtime.build import cache, prebuilt
 from kernels.sanitized import program
 from mechanisms import ZOO
 from mechanisms.flexible import folding_arm
@@ -297,7 +297,7 @@ def test_events_stay_inside_their_arrays(tmp_path: Path, sanitizers: None) -> No
     assert done is not None
     assert done.stderr == ""
     *lines, status = done.stdout.split("\n")[:-1]
-    assert int(status) == record.CHATTER
+    assert int(status) == run_record.CHATTER
     rows = np.array([[float(word) for word in line.split()] for line in lines])
     fall = np.sqrt(2 / 9.81)
     bounces = fall + np.concatenate([[0.0], np.cumsum(2 * fall * 0.5 ** np.arange(1, 20))])

@@ -8,8 +8,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from cardan.analyses import record
-from cardan.runtime import abi, abi_ctypes, kernels
+from cardan.analyses.simulation import run_record
+from cardan.runtime.build import kernels
+from cardan.runtime.calls import abi, abi_ctypes
 from cardan.schema.records import Run
 from table import each
 
@@ -78,7 +79,7 @@ def test_run_refuses(name: str, size: int) -> None:
     run.n, run.nx, run.nq, run.nu, run.nr, run.stages, run.dense_rows = 4, 4, 2, 2, 1, 16, 7
     run.capacity, run.stop_count = 10, 1
     setattr(run, name, size)
-    assert record.kernels(kernels.library()).cardan_run_start(run) == record.SIZE
+    assert run_record.kernels(kernels.library()).cardan_run_start(run) == run_record.SIZE
     assert run.steps == run.evaluations == 0
 
 

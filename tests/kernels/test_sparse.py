@@ -7,9 +7,9 @@ import ctypes
 import numpy as np
 import pytest
 
-from cardan.runtime import kernels
-from cardan.runtime.absolute.blocks import FactorsRecord, Memory, plan_record, solver
-from cardan.runtime.absolute.plan import plan
+from cardan.runtime.build import kernels
+from cardan.runtime.sparse.block_solver import FactorsRecord, Memory, plan_record, solver
+from cardan.runtime.sparse.plan import plan
 
 
 def test_denormals_are_flushed_inside_only() -> None:

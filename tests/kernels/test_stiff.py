@@ -183,7 +183,7 @@ def test_energies_have_the_order_too(method: str, tmp_path: Path) -> None:
 
 @METHODS
 def test_a_checkpoint_is_all(method: str, tmp_path: Path) -> None:
-    from cardan.analyses.stepper import stepper
+    from cardan.analyses.simulation.stepper import stepper
 
     problem = Problem(tmp_path, VAN_DER_POL)
     stepping = inspect.unwrap(stepper)(problem, x0=[2, 0], method=method)

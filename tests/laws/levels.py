@@ -8,18 +8,18 @@ from typing import Any
 import numpy as np
 
 import cardan as cd
-from cardan.equations.blocks import blocks
-from cardan.equations.constraints import POSITION, rows
-from cardan.equations.dynamics import Dynamics
-from cardan.equations.kinematics import Kinematics
+from cardan.equations.constraints.constraints import POSITION, rows
+from cardan.equations.functions.blocks import blocks
+from cardan.equations.functions.dynamics import Dynamics
+from cardan.equations.kinematics.kinematics import Kinematics
 from cardan.ir.function import Function, Output
 from cardan.ir.interpreter import evaluate
 from cardan.ir.serialize import from_dict
-from cardan.runtime.absolute.elements import State
-from cardan.runtime.absolute.loading import data_of, tables_of
-from cardan.runtime.absolute.mesh import Mesh
-from cardan.runtime.interpreted import Interpreted
-from cardan.runtime.objects import Code
+from cardan.runtime.calls.interpreted import Interpreted
+from cardan.runtime.calls.objects import Code
+from cardan.runtime.models.finite_elements.elements import State
+from cardan.runtime.models.finite_elements.mesh import Mesh
+from cardan.runtime.models.finite_elements.table_loading import data_of, tables_of
 from cardan.runtime.verification.differences import input_rates
 from cardan.schema.blocks import ABI_ORDER
 

@@ -11,8 +11,8 @@ import pytest
 import cardan as cd
 from analyses.interpreted import without_compiler
 from cardan.errors import DerivationError
-from cardan.runtime.absolute.elements import State
-from cardan.runtime.absolute.mesh import Mesh
+from cardan.runtime.models.finite_elements.elements import State
+from cardan.runtime.models.finite_elements.mesh import Mesh
 from laws.cases import derived, states
 from mechanisms import ZOO
 

@@ -12,8 +12,8 @@ import numpy as np
 import pytest
 
 import cardan as cd
-from cardan.analyses.accounting import CEILING, accounts, excess
-from cardan.analyses.settings import settings
+from cardan.analyses.simulation.energy_accounting import CEILING, accounts, excess
+from cardan.analyses.simulation.settings import settings
 from cardan.errors import DerivationError, SolveWarning
 from cardan.schema.integrators import INTEGRATORS
 from mechanisms import ZOO

@@ -10,7 +10,7 @@ import pytest
 import sympy
 
 import cardan as cd
-from cardan.equations.relative import FORMALISMS
+from cardan.equations.formalisms import FORMALISMS
 from laws.cases import SEED, bound, call, derived, deviation, states, values
 from mechanisms import ZOO
 from spread import some

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import cardan as cd
-from cardan.equations.relative import FORMALISMS
+from cardan.equations.formalisms import FORMALISMS
 from laws.cases import SEED, call, deviation, slots
 from mechanisms.closed import CLOSED
 from mechanisms.rolling import ROLLING

@@ -66,9 +66,9 @@ def _ended(process: subprocess.Popen[str], limit: float = 500.0) -> str:
 @pytest.fixture
 def cache() -> Path:
     """The cache of this session."""
-    from cardan.runtime import folder
+    from cardan.runtime.build import cache_folder
 
-    return folder.directory()
+    return cache_folder.directory()
 
 
 ENSEMBLE = """

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import cardan as cd
-from cardan.equations.treatments import Augmented, Penalty, Perturbed, Treatment
+from cardan.equations.constraints.treatments import Augmented, Penalty, Perturbed, Treatment
 from laws.cases import call
 from laws.circuits import compiled, scene_of, start
 from mechanisms.closed import CLOSED

@@ -9,7 +9,7 @@ import pytest
 
 import cardan as cd
 from cardan.errors import DerivationError
-from cardan.runtime.absolute.elements import State
+from cardan.runtime.models.finite_elements.elements import State
 from spread import some
 
 NORMALS = ("x", "y", "z")

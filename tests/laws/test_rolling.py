@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 import cardan as cd
-from cardan.runtime.judged import scene_of
-from cardan.runtime.newton_euler import inverse_dynamics
+from cardan.runtime.verification.flat_scene import scene_of
+from cardan.runtime.verification.newton_euler import inverse_dynamics
 from laws.cases import EPS
 from mechanisms.rolling import ROLLING
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 import cardan as cd
-from cardan.equations.relative import FORMALISMS
+from cardan.equations.formalisms import FORMALISMS
 
 Values = Mapping[str, object]
 METHODS = tuple(FORMALISMS)

@@ -9,10 +9,10 @@ from typing import Any
 
 import numpy as np
 
-from cardan.runtime.objects import Code
+from cardan.runtime.calls.objects import Code
 from cardan.runtime.verification.differences import BOUND
-from cardan.runtime.verification.elements import judged as by_laws
-from cardan.runtime.verification.members import Members, members_of
+from cardan.runtime.verification.finite_elements.elements import judged as by_laws
+from cardan.runtime.verification.finite_elements.members import Members, members_of
 
 from .judging import ROUNDING
 from .scenes import Loaded

@@ -7,10 +7,10 @@ from typing import Any
 
 import numpy as np
 
-from cardan.equations.kinematics import Kinematics
+from cardan.equations.kinematics.kinematics import Kinematics
 from cardan.errors import DerivationError
 from cardan.ir.serialize import to_dict
-from cardan.runtime.objects import Key
+from cardan.runtime.calls.objects import Key
 
 from .faults import Fault
 from .scenes import Loaded

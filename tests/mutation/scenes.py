@@ -12,8 +12,8 @@ import cardan as cd
 from cardan.api.compiled_model import CompiledModel
 from cardan.errors import CompilerMissing, DerivationError
 from cardan.ir.serialize import from_dict
-from cardan.runtime.interpreted import Interpreted
-from cardan.runtime.objects import Code, Key
+from cardan.runtime.calls.interpreted import Interpreted
+from cardan.runtime.calls.objects import Code, Key
 from mechanisms import ZOO, flexible
 from mechanisms.closed import CLOSED
 
@@ -58,7 +58,7 @@ class Loaded:
 
 def without_compiler() -> None:
     """Have every function evaluated in NumPy from here on."""
-    from cardan.runtime import cache as objects
+    from cardan.runtime.build import cache as objects
 
     def none(*given: Any, **named: Any) -> Any:
         # kernels, which are compiled another way, call the expressions

@@ -9,7 +9,7 @@ import cardan as cd
 from cardan.peers.circuits import Circuits, circuits
 from cardan.peers.comparison import OURS, compare, drawn, pushed, taking_part
 from cardan.peers.contest import relative
-from cardan.runtime.newton_euler import mass_matrix
+from cardan.runtime.verification.newton_euler import mass_matrix
 from mechanisms.closed import CLOSED, Closed, four_bar
 
 FORWARD = "forward_dynamics"

@@ -14,7 +14,7 @@ from cardan.peers.contest import contest, relative
 from cardan.peers.coordinates import Convention, after_each_other, coordinates, refusal
 from cardan.peers.peer import FUNCTIONS, Contender, installed
 from cardan.peers.tree import central, depth_first
-from cardan.runtime.judged import scene_of
+from cardan.runtime.verification.flat_scene import scene_of
 from mechanisms import ZOO
 from table import each
 

@@ -7,11 +7,12 @@ from pathlib import Path
 import pytest
 
 from cardan.api.compiled_model import CompiledModel
-from cardan.runtime import abi, abi_ctypes, folder, interpreted
+from cardan.runtime.build import cache_folder
+from cardan.runtime.calls import abi, abi_ctypes, interpreted
 from runtime import pendulum
 
 try:
-    from cardan.runtime import _abi
+    from cardan.runtime.calls import _abi
 except ImportError:
     _abi = None
 
@@ -23,8 +24,8 @@ def cache_directory(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """An empty cache, and no temporary one beside it."""
     path = tmp_path / "cache"
     monkeypatch.setenv("CARDAN_CACHE", str(path))
-    monkeypatch.setattr(folder, "_SCRATCH", {})
-    for remembered in (folder._usable, folder._temporary, interpreted.announce):
+    monkeypatch.setattr(cache_folder, "_SCRATCH", {})
+    for remembered in (cache_folder._usable, cache_folder._temporary, interpreted.announce):
         remembered.cache_clear()
     return path
 

@@ -15,7 +15,8 @@ import pytest
 
 import cardan as cd
 from cardan.errors import BuildError, BuildWarning, SolveError, SolveWarning
-from cardan.runtime import batch, cache, lanes, levels
+from cardan.runtime.build import cache, cpu_levels
+from cardan.runtime.calls import batch, lanes
 
 pytestmark = [pytest.mark.optimized, pytest.mark.usefixtures("cache_directory")]
 
@@ -211,7 +212,7 @@ def test_wrong_variables_are_said(equations, text, monkeypatch):
 def test_width_is_what_vectors_of_the_level_hold(monkeypatch):
     known = {"x86-64": 2, "x86-64-v2": 2, "x86-64-v3": 4, "x86-64-v4": 8, "armv8": 2, "generic": 1}
     widths, highest = {}, cache.level()
-    for level in levels.family():
+    for level in cpu_levels.family():
         if level.number <= highest.number:
             monkeypatch.setenv("CARDAN_LEVEL", level.name)
             widths[level.name] = lanes.width()

@@ -19,7 +19,7 @@ from typing import Any
 import pytest
 
 from cardan.errors import BuildError, BuildWarning, CompilerMissing
-from cardan.runtime import cache, folder, levels, object_file, toolchain
+from cardan.runtime.build import cache, cache_folder, cpu_levels, object_file, toolchain
 
 pytestmark = pytest.mark.usefixtures("cache_directory")
 BUILD = (
@@ -115,7 +115,7 @@ def test_text_header_flags_and_level_are_in_the_key(source, tmp_path):
     keys.add(cache.key([source], [header], by, False))
     source.write_text(source.read_text().replace("42", "43"))
     keys.add(cache.key([source], [], by, False))
-    keys.add(cache.key([source], [], replace(by, level=levels.OTHER), False))
+    keys.add(cache.key([source], [], replace(by, level=cpu_levels.OTHER), False))
     other = replace(by, identity=by.identity + " newer")
     keys.add(cache.key([source], [], other, False))
     other = replace(by, command=(*by.command, "-O0"))
@@ -353,7 +353,7 @@ def test_interrupted_compile_cleans_up(source, cache_directory, monkeypatch):
 
 
 def test_leftovers_of_killed_compiles_are_swept(source, cache_directory):
-    folder.directory()
+    cache_folder.directory()
     old, young = cache_directory / ".new-old", cache_directory / ".new-young"
     for path in (old, young):
         path.mkdir()
@@ -389,7 +389,7 @@ def test_version_of_a_compiler_is_remembered_until_it_changes(tmp_path, cache_di
         asked.append(binary.read_text())
         return asked[-1]
 
-    folder.directory()
+    cache_folder.directory()
 
     def mark() -> str:
         return toolchain.Candidate((str(binary),), binary, "cc").mark()

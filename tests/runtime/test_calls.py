@@ -9,7 +9,7 @@ import pytest
 
 from cardan.api.compiled_model import CompiledModel
 from cardan.errors import ArgumentError, CardanError, ModelError, SolveError, SolveWarning
-from cardan.runtime import batch
+from cardan.runtime.calls import batch
 from runtime import pendulum
 from runtime.conftest import WAYS, use
 

@@ -10,11 +10,11 @@ import sys
 import numpy as np
 import pytest
 
-from cardan.analyses import report as reports
+from cardan.analyses.simulation.precision import report as reports
 from cardan.api.compiled_model import CompiledModel
 from cardan.api.saved_model import load
 from cardan.errors import BuildError, ModelError
-from cardan.runtime.saved import digest, parts, restore
+from cardan.runtime.models.saved_models import digest, parts, restore
 from runtime import pendulum
 
 pytestmark = pytest.mark.usefixtures("cache_directory")

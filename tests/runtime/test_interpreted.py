@@ -10,7 +10,8 @@ import numpy as np
 import pytest
 
 import cardan as cd
-from cardan.runtime import interpreted, toolchain
+from cardan.runtime.build import toolchain
+from cardan.runtime.calls import interpreted
 from mechanisms import ZOO
 from spread import some
 

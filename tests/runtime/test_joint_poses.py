@@ -14,11 +14,11 @@ from cardan.elements.joints.joint import Component, Joint
 from cardan.errors import BuildError
 from cardan.ir.arithmetic import cos, sin
 from cardan.ir.matrix import Matrix
-from cardan.runtime import placing
-from cardan.runtime.joint_motion import Expansion
-from cardan.runtime.judged import scene_from, scene_of
-from cardan.runtime.kind_poses import POSES, joints_of
-from cardan.runtime.newton_euler import poses
+from cardan.runtime.trajectory import frame_history
+from cardan.runtime.trajectory.joint_poses import POSES, joints_of
+from cardan.runtime.verification.flat_scene import scene_from, scene_of
+from cardan.runtime.verification.joint_motion import Expansion
+from cardan.runtime.verification.newton_euler import poses
 from mechanisms import ZOO
 from mechanisms.rolling import ROLLING
 from table import each
@@ -97,7 +97,7 @@ def test_joints_that_move_alike_share_a_pose():
 def test_kinds_of_saved_runs_stand_as_the_poses_say(name):
     """Saved runs know kinds and numbers, models the poses as they were written."""
     model = cd.compile(ZOO[name].build() if name in ZOO else ROLLING[name]())
-    scene, numbers = scene_of(model), placing.numbers(model)
+    scene, numbers = scene_of(model), frame_history.numbers(model)
     known = scene_from(model.manifest, numbers, joints_of(model.manifest, numbers))
     q, _ = model.split(model.random_state(1, (4,)))
     for one, other in zip(poses(scene, q), poses(known, q), strict=True):

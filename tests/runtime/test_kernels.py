@@ -19,7 +19,7 @@ import cardan as cd
 from analyses.conftest import double_scene
 from cardan.api.compiled_model import CompiledModel
 from cardan.errors import BuildError
-from cardan.runtime import cache, kernels, levels, prebuilt, toolchain
+from cardan.runtime.build import cache, cpu_levels, kernels, prebuilt, toolchain
 from cardan.schema.integrators import INTEGRATORS, KERNELS
 from laws.test_tunings import LEVELS, runs
 
@@ -169,7 +169,7 @@ def test_first_run_compiles_no_kernel(tmp_path: Path) -> None:
 @pytest.mark.slow
 def test_levels_agree_to_the_bit_without_contraction(monkeypatch: pytest.MonkeyPatch) -> None:
     found, highest = {}, cache.level()
-    for level in levels.family():
+    for level in cpu_levels.family():
         if level.number <= highest.number:
             monkeypatch.setenv("CARDAN_LEVEL", level.name)
             compiled = cd.compile(double_scene(), functions=("rhs", "energy"))
@@ -202,7 +202,7 @@ def test_kernels_are_linked_for_other_systems(
     if not toolchain.ziglang():
         pytest.skip("needs the package ziglang")
     (zig,) = toolchain.ziglang()
-    level = levels.FAMILIES[target.partition("-")[0]][-1]
+    level = cpu_levels.FAMILIES[target.partition("-")[0]][-1]
     command = (*zig.command, "-target", target)
     # names are the same however fast the code is
     options = tuple("-O0" if flag == "-O2" else flag for flag in toolchain.COMMON_FLAGS)
@@ -245,7 +245,7 @@ def test_wheel_holds_all_levels(tmp_path: Path) -> None:
     assert packed < WEIGHT
     assert spent < PATIENCE
     wanted = {variant.name for variant in prebuilt.variants()}
-    assert {level.name for level in levels.of_wheels()} == set(index["objects"])
+    assert {level.name for level in cpu_levels.of_wheels()} == set(index["objects"])
     assert all(set(made) == wanted for made in index["objects"].values())
     files = {name for made in index["objects"].values() for name in made.values()}
     assert {Path(info.filename).name for info in inside} == {*files, index["level"], "index.json"}
@@ -257,7 +257,7 @@ def test_models_and_kernels_use_one_level(monkeypatch: pytest.MonkeyPatch) -> No
     by = cache.compiler()
     assert "native" not in " ".join(by.flags())
     assert set(by.level.flags) <= set(by.flags()) or "zig" in " ".join(by.command)
-    least = levels.family()[0]
+    least = cpu_levels.family()[0]
     monkeypatch.setenv("CARDAN_LEVEL", least.name)
     assert cache.compiler().level == least
     model = cd.compile(double_scene())

@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from cardan.runtime.joint_motion import CIRCLES, REVERSED, joint_data, joint_motion
-from cardan.runtime.kind_poses import POSES, Curve, KindNumbers, pose_of
-from cardan.runtime.newton_euler import Scene, inverse_dynamics, mass_matrix
-from cardan.runtime.rotations import PARAMETERS, about
+from cardan.runtime.trajectory.joint_poses import POSES, Curve, KindNumbers, pose_of
+from cardan.runtime.verification.joint_motion import CIRCLES, REVERSED, joint_data, joint_motion
+from cardan.runtime.verification.newton_euler import Scene, inverse_dynamics, mass_matrix
+from cardan.runtime.verification.rotations import PARAMETERS, about
 from cardan.spatial.rotations import ROTATIONS
 from table import each
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from cardan.runtime.rotations import PARAMETERS, SEQUENCES, about, rotation_vector
+from cardan.runtime.verification.rotations import PARAMETERS, SEQUENCES, about, rotation_vector
 from table import each
 
 

@@ -19,7 +19,8 @@ import pytest
 
 import cardan as cd
 from cardan.codegen import layout
-from cardan.runtime import cache, kernels, object_file, pickled, prune
+from cardan.runtime.build import cache, kernels, object_file, prune
+from cardan.runtime.trajectory import pickled
 from spread import some
 
 pytestmark = pytest.mark.usefixtures("cache_directory")

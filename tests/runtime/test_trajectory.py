@@ -11,7 +11,7 @@ import pytest
 from scipy.io import netcdf_file
 
 import cardan as cd
-from cardan.runtime.storage import load
+from cardan.runtime.trajectory.storage import load
 
 
 def build() -> cd.CompiledModel:

@@ -13,9 +13,9 @@ from cardan.errors import BuildError, SolveWarning
 from cardan.ir.function import Block, Function, Output
 from cardan.ir.graph import Graph
 from cardan.ir.serialize import to_dict
-from cardan.runtime import verify as checks
-from cardan.runtime.judged import scene_of
-from cardan.runtime.truth import finite, truth_of
+from cardan.runtime.verification import verify as checks
+from cardan.runtime.verification.flat_scene import scene_of
+from cardan.runtime.verification.reference_values import finite, truth_of
 from runtime import pendulum
 
 pytestmark = pytest.mark.usefixtures("cache_directory")

@@ -14,9 +14,9 @@ import pytest
 import cardan as cd
 from cardan.api.compiled_model import CompiledModel
 from cardan.elements.joints.rolling import Rolling
-from cardan.equations import closures
-from cardan.equations.constraints import Constraints
-from cardan.equations.treatments import TREATMENTS
+from cardan.equations.constraints import closures
+from cardan.equations.constraints.constraints import Constraints
+from cardan.equations.constraints.treatments import TREATMENTS
 from cardan.errors import BuildError
 from cardan.ir.matrix import Matrix
 from laws.test_cut_joints import INSTANCES, machine

@@ -11,9 +11,9 @@ from scipy.spatial.transform import Rotation
 
 import cardan as cd
 from cardan.errors import ModelError, TopologyError
-from cardan.model import Model
+from cardan.scene import Model
 from cardan.topology import System, build
-from cardan.topology.beams import quaternion
+from cardan.topology.beams.beams import quaternion
 from mechanisms.flexible import FLEXIBLE
 from topology.numbers_of import body_poses, default_q, homogeneous, values
 

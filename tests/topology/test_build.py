@@ -13,7 +13,7 @@ from scipy.spatial.transform import Rotation
 from cardan.elements.forces import Damping, Force, JointForce
 from cardan.elements.joints import Fixed, Free, Prismatic, Revolute, Spherical
 from cardan.errors import ModelError
-from cardan.model import Model, inertia
+from cardan.scene import Model, inertia
 from cardan.topology import build, named_speeds
 from topology.numbers_of import body_mass, body_poses, frame_pose, values
 
@@ -260,7 +260,7 @@ def test_a_chain_of_numbers_needs_no_sympy():
     program = """
 import sys
 from cardan.elements.joints import Revolute
-from cardan.model import Model
+from cardan.scene import Model
 from cardan.topology import build
 scene = Model("chain")
 inner = scene.ground

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from cardan.elements.joints import Fixed, Revolute
-from cardan.model import Model
+from cardan.scene import Model
 from cardan.topology import build
 from table import each
 

@@ -11,7 +11,7 @@ import sympy
 from cardan.elements.forces import Drive, Force
 from cardan.elements.joints import Prismatic, Revolute, Spherical
 from cardan.errors import ModelError
-from cardan.model import Model, t
+from cardan.scene import Model, t
 from cardan.topology import build
 from topology.numbers_of import body_mass, body_poses, values
 

@@ -8,7 +8,7 @@ from scipy.spatial.transform import Rotation
 
 from cardan.elements.joints import Distance, Free, Revolute
 from cardan.errors import ModelError
-from cardan.model import Model
+from cardan.scene import Model
 from cardan.topology import build
 from topology.numbers_of import body_poses, frame_pose, values
 

@@ -8,7 +8,7 @@ import sympy
 from cardan.elements.forces import JointForce
 from cardan.elements.joints import Fixed, Revolute
 from cardan.errors import ModelError, TopologyError
-from cardan.model import Model, inertia
+from cardan.scene import Model, inertia
 from cardan.topology import build
 
 

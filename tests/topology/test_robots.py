@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from cardan.errors import ModelError
-from cardan.model import load
+from cardan.scene import load
 from cardan.topology import build
 from table import each
 from topology.numbers_of import body_mass, body_poses, values

@@ -1,0 +1,1 @@
+"""Analyses of compiled systems: each returns a record."""

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import final
 
-from ..runtime.loaded_model import LoadedModel
+from ..runtime.models.loaded_model import LoadedModel
 from .verb import verb
 
 
@@ -32,48 +32,48 @@ class CompiledModel(LoadedModel):
 
     # runs
 
-    simulate = verb("cardan.analyses.simulate:simulate")
-    stepper = verb("cardan.analyses.stepper:stepper")
-    resume = verb("cardan.analyses.stepper:resume")
-    step = verb("cardan.analyses.stepper:step")
+    simulate = verb("cardan.analyses.simulation.simulate:simulate")
+    stepper = verb("cardan.analyses.simulation.stepper:stepper")
+    resume = verb("cardan.analyses.simulation.stepper:resume")
+    step = verb("cardan.analyses.simulation.stepper:step")
     ensemble = verb("cardan.analyses.ensembles:ensemble")
-    initial = verb("cardan.analyses.closed_start:initial")
-    report = verb("cardan.analyses.report:report")
+    initial = verb("cardan.analyses.simulation.starts.start:initial")
+    report = verb("cardan.analyses.simulation.precision.report:report")
 
     # mechanisms
 
-    assemble = verb("cardan.analyses.assemble:assemble")
-    sweep = verb("cardan.analyses.sweep:sweep")
-    singular_positions = verb("cardan.analyses.singular:singular_positions")
-    workspace = verb("cardan.analyses.workspace:workspace")
-    redundancy = verb("cardan.analyses.redundancy:redundancy")
-    actuation = verb("cardan.analyses.actuation:actuation")
-    hybrid_dynamics = verb("cardan.analyses.actuation:hybrid_dynamics")
-    partition = verb("cardan.analyses.reduced:partition")
-    reduced_rhs = verb("cardan.analyses.reduced:reduced_rhs")
-    residual = verb("cardan.analyses.implicit:residual")
+    assemble = verb("cardan.analyses.mechanisms.assemble:assemble")
+    sweep = verb("cardan.analyses.mechanisms.sweep:sweep")
+    singular_positions = verb("cardan.analyses.mechanisms.singular_positions:singular_positions")
+    workspace = verb("cardan.analyses.mechanisms.workspace:workspace")
+    redundancy = verb("cardan.analyses.mechanisms.redundancy:redundancy")
+    actuation = verb("cardan.analyses.mechanisms.actuation:actuation")
+    hybrid_dynamics = verb("cardan.analyses.mechanisms.actuation:hybrid_dynamics")
+    partition = verb("cardan.analyses.mechanisms.minimal_coordinates:partition")
+    reduced_rhs = verb("cardan.analyses.mechanisms.minimal_coordinates:reduced_rhs")
+    residual = verb("cardan.analyses.simulation.residual:residual")
 
     # rest, motions that last, and what is linear about them
 
-    equilibrium = verb("cardan.analyses.equilibrium:equilibrium")
-    statics = verb("cardan.analyses.statics:statics")
-    trim = verb("cardan.analyses.trim:trim")
-    linearize = verb("cardan.analyses.linearize:linearize")
-    modes = verb("cardan.analyses.modes:modes")
-    root_locus = verb("cardan.analyses.locus:root_locus")
-    campbell = verb("cardan.analyses.campbell:campbell")
-    sensitivity = verb("cardan.analyses.sensitivity:sensitivity")
-    stiffness = verb("cardan.analyses.stiffness:stiffness")
-    beam = verb("cardan.runtime.absolute.beams:beam")
+    equilibrium = verb("cardan.analyses.statics.equilibrium:equilibrium")
+    statics = verb("cardan.analyses.statics.statics:statics")
+    trim = verb("cardan.analyses.linear.trim:trim")
+    linearize = verb("cardan.analyses.linear.linearize:linearize")
+    modes = verb("cardan.analyses.linear.modes:modes")
+    root_locus = verb("cardan.analyses.linear.root_locus:root_locus")
+    campbell = verb("cardan.analyses.linear.campbell:campbell")
+    sensitivity = verb("cardan.analyses.linear.sensitivity:sensitivity")
+    stiffness = verb("cardan.analyses.simulation.precision.stiffness:stiffness")
+    beam = verb("cardan.runtime.models.finite_elements.beams:beam")
 
     # measured motions
 
-    torques = verb("cardan.analyses.torques:torques")
-    base_parameters = verb("cardan.analyses.identification.base:base_parameters")
+    torques = verb("cardan.analyses.identification.torques:torques")
+    base_parameters = verb("cardan.analyses.identification.base_parameters:base_parameters")
     excitation = verb("cardan.analyses.identification.excitation:excitation")
     identify = verb("cardan.analyses.identification.identify:identify")
 
-    _doubt = verb("cardan.analyses.redundancy:doubt")
+    _doubt = verb("cardan.analyses.mechanisms.redundancy:doubt")
 
     def __reduce__(self) -> tuple[object, ...]:
         from .saved_model import reduced

@@ -6,40 +6,40 @@ from typing import Any, final
 
 from numpy.typing import ArrayLike
 
-from ..analyses.actuation import Actuation
-from ..analyses.alpha import Alpha, GeneralizedAlpha
-from ..analyses.assembly import Assembly
-from ..analyses.campbell import Campbell
 from ..analyses.ensembles.result import Ensemble
-from ..analyses.equilibrium import Equilibrium
-from ..analyses.first_order import Choice
-from ..analyses.identification.base import Base
+from ..analyses.ensembles.sampling import Plan
+from ..analyses.identification.base_parameters import Base
 from ..analyses.identification.excitation import Excitation
 from ..analyses.identification.result import Identification
-from ..analyses.linear_model import LinearModel
-from ..analyses.locus import Locus
-from ..analyses.mode_shapes import Modes
-from ..analyses.precision_runs import Show
-from ..analyses.reduced import Partition
-from ..analyses.redundancy import Redundancy
-from ..analyses.report import Report
-from ..analyses.sample import Plan
-from ..analyses.sensitivity import Sensitivity
-from ..analyses.settings import Values
-from ..analyses.singular import Singular
-from ..analyses.static_path import StaticPath
-from ..analyses.steady_motion import SteadyMotion
-from ..analyses.stepper import Stepper
-from ..analyses.stiffness import Stiffness
-from ..analyses.sweep import Sweep
-from ..analyses.torques import Torques
-from ..analyses.workspace import Workspace
+from ..analyses.identification.torques import Torques
+from ..analyses.linear.campbell import Campbell
+from ..analyses.linear.first_order import Choice
+from ..analyses.linear.linear_model import LinearModel
+from ..analyses.linear.mode_shapes import Modes
+from ..analyses.linear.root_locus import Locus
+from ..analyses.linear.sensitivity import Sensitivity
+from ..analyses.linear.steady_motion import SteadyMotion
+from ..analyses.mechanisms.actuation import Actuation
+from ..analyses.mechanisms.assembly import Assembly
+from ..analyses.mechanisms.minimal_coordinates import Partition
+from ..analyses.mechanisms.redundancy import Redundancy
+from ..analyses.mechanisms.singular_positions import Singular
+from ..analyses.mechanisms.sweep import Sweep
+from ..analyses.mechanisms.workspace import Workspace
+from ..analyses.simulation.alpha_methods import Alpha, GeneralizedAlpha
+from ..analyses.simulation.precision.report import Report
+from ..analyses.simulation.precision.runs import Show
+from ..analyses.simulation.precision.stiffness import Stiffness
+from ..analyses.simulation.settings import Values
+from ..analyses.simulation.stepper import Stepper
+from ..analyses.statics.equilibrium import Equilibrium
+from ..analyses.statics.static_path import StaticPath
 from ..arguments import Count, Hold, Seed
 from ..arrays import Array
-from ..runtime.absolute.beams import BeamStress
-from ..runtime.evaluation import State
-from ..runtime.loaded_model import LoadedModel
-from ..runtime.trajectory import Trajectory
+from ..runtime.calls.evaluation import State
+from ..runtime.models.finite_elements.beams import BeamStress
+from ..runtime.models.loaded_model import LoadedModel
+from ..runtime.trajectory.trajectory import Trajectory
 
 @final
 class CompiledModel(LoadedModel):
@@ -232,7 +232,7 @@ class CompiledModel(LoadedModel):
 
         Args:
             t: End, ``(start, end)`` or output times [s], which ``t_eval`` takes too.
-            vary: A plan of :mod:`cardan.analyses.sample`, or name -> values (runs,) or distribution;
+            vary: A plan of :mod:`cardan.analyses.ensembles.sampling`, or name -> values (runs,) or distribution;
                 names of coordinates, speeds, parameters or inputs.
             x0: States (runs, nx); or q, u, z: arrays (runs, nq), (runs, nu) or by names,
                 ``{"elbow": values}``. One number or state is that of all runs; a distribution such as

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from ..arguments import checked
 from ..errors import ModelError
-from ..runtime.saved import parts, restore, unchanged
+from ..runtime.models.saved_models import parts, restore, unchanged
 from ..version import PICKLE, VERSION
 from .compiled_model import CompiledModel
 

@@ -37,7 +37,7 @@ from ..errors import (
 from .options import scene as scene_options
 
 if TYPE_CHECKING:
-    from ..equations.absolute.record import Absolute
+    from ..equations.finite_elements.record import Absolute
     from ..equations.record import Equations
 
 
@@ -78,7 +78,7 @@ def run(options: argparse.Namespace) -> int:
 
 def complaints(options: argparse.Namespace) -> list[Complaint]:
     """What there is to say about a scene, the worst first."""
-    from ..equations.absolute.record import Absolute
+    from ..equations.finite_elements.record import Absolute
     from ..pipeline import derive
 
     with warnings.catch_warnings(record=True) as said:
@@ -119,7 +119,7 @@ def _doubts(said: Iterable[warnings.WarningMessage], notes: Iterable[str]) -> li
 def _started(equations: Absolute) -> list[Complaint]:
     """Whether a scene in absolute coordinates moves from where it is built."""
     from ..pipeline import compile
-    from ..runtime.initial import start_of
+    from ..runtime.models.initial import start_of
 
     with warnings.catch_warnings(record=True) as said:
         warnings.simplefilter("always")

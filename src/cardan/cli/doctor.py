@@ -20,7 +20,7 @@ import math
 import sys
 from pathlib import Path
 
-from ..runtime import folder, prune
+from ..runtime.build import cache_folder, prune
 from . import health
 from .health import Finding
 
@@ -72,8 +72,8 @@ def _show(findings: list[Finding]) -> None:
 
 
 def _prune(options: argparse.Namespace) -> int:
-    place: Path = folder.wanted()
-    reason = folder.refusal(place) if place.exists() else ""
+    place: Path = cache_folder.wanted()
+    reason = cache_folder.refusal(place) if place.exists() else ""
     if reason:
         print(f"cardan doctor: {place} is left alone: {reason}", file=sys.stderr)
         return 1

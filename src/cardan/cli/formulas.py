@@ -59,7 +59,7 @@ def wanted(options: argparse.Namespace) -> bool:
 
 def show(options: argparse.Namespace) -> int:
     """Load, derive, linearize, print."""
-    from ..equations.absolute.record import Absolute
+    from ..equations.finite_elements.record import Absolute
     from ..pipeline import derive
     from .terminal import progress
 
@@ -89,8 +89,8 @@ def _reference(
     """Coordinates and speeds by name."""
     import sympy
 
-    from ..equations.linearized.given import places_of
-    from ..model.files.expression import parse
+    from ..equations.linearized.reference_input import places_of
+    from ..scene.files.expression import parse
 
     q, u = dict(options.q), dict(options.u)
     for name, text in options.about:

@@ -16,8 +16,9 @@ from pathlib import Path
 
 from ..errors import BuildError, CompilerMissing
 from ..peers import processor
-from ..runtime import abi, batch, bounded, cache, folder, lanes, prebuilt, prune, toolchain
-from ..runtime.object_file import Object
+from ..runtime.build import cache, cache_folder, limited_subprocess, prebuilt, prune, toolchain
+from ..runtime.build.object_file import Object
+from ..runtime.calls import abi, batch, lanes
 from ..version import VERSION
 
 NEEDED = ("numpy", "scipy", "sympy", "rich", "defusedxml", "ruamel.yaml")
@@ -98,7 +99,9 @@ def _compiler() -> Finding:
             source, made = Path(place) / "probe.c", Path(place) / "probe.so"
             source.write_text(PROBE)
             start = time.perf_counter()
-            toolchain.compile_shared(chosen, [source], [], made, scratch=folder.directory() / "zig")
+            toolchain.compile_shared(
+                chosen, [source], [], made, scratch=cache_folder.directory() / "zig"
+            )
             spent = time.perf_counter() - start
             probe = Object(made, True).load().cardan_probe
             probe.argtypes, probe.restype = [ctypes.c_double], ctypes.c_double
@@ -132,7 +135,7 @@ def _batches() -> Finding:
 
 def _limits() -> Finding:
     try:
-        limits = bounded.Limits.of_environment()
+        limits = limited_subprocess.Limits.of_environment()
     except BuildError as error:
         return Finding("limits", False, str(error), "correct or unset it")
     text = f"a compiler may take {limits.seconds} s (CARDAN_COMPILE_SECONDS) and "
@@ -140,8 +143,8 @@ def _limits() -> Finding:
 
 
 def _cache() -> Finding:
-    place = folder.wanted()
-    reason = folder.refusal(place)
+    place = cache_folder.wanted()
+    reason = cache_folder.refusal(place)
     if reason:
         return Finding("cache", False, f"{place} cannot be used", reason)
     held, free = prune.content(place), shutil.disk_usage(place).free

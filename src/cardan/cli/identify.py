@@ -38,7 +38,7 @@ from .options import scene as scene_options
 from .options.equilibrium import finite
 
 if TYPE_CHECKING:
-    from ..analyses.identification.base import Base
+    from ..analyses.identification.base_parameters import Base
     from ..analyses.identification.excitation import Excitation
     from ..analyses.identification.result import Identification
     from ..api.compiled_model import CompiledModel
@@ -137,7 +137,7 @@ def _estimated(model: CompiledModel, options: argparse.Namespace) -> Identificat
 
 def numbers(found: Base | Excitation | Identification) -> dict[str, Any]:
     """What was found, for JSON."""
-    from ..analyses.identification.base import Base
+    from ..analyses.identification.base_parameters import Base
     from ..analyses.identification.excitation import Excitation
 
     if isinstance(found, Base):

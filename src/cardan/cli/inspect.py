@@ -34,7 +34,7 @@ if TYPE_CHECKING:
     from rich.console import Console
 
     from ..explain.content import Block, Document, Math, Table, Text, Written
-    from ..model import Model
+    from ..scene import Model
 
 
 # rows of a table and characters of a formula on a screen
@@ -53,7 +53,7 @@ def arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Load, derive, show."""
-    from ..equations.absolute.record import Absolute
+    from ..equations.finite_elements.record import Absolute
     from ..explain import checked, document, explain, facts
     from ..pipeline import derive
     from .terminal import progress

@@ -36,8 +36,8 @@ from .options import run as run_options
 from .options import scene as scene_options
 
 if TYPE_CHECKING:
-    from ..analyses.precision import Precision
-    from ..model import Model
+    from ..analyses.simulation.precision.work_precision import Precision
+    from ..scene import Model
 
 
 def arguments(parser: argparse.ArgumentParser) -> None:
@@ -58,7 +58,7 @@ def arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Load, compile, measure, report."""
-    from ..analyses.precision_runs import precision
+    from ..analyses.simulation.precision.runs import precision
     from ..pipeline import compile
     from .terminal import console, progress
 

@@ -12,17 +12,17 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..codegen import generate
-from ..model import load
-from ..model.summary import notes_of
 from ..peers.comparison import BATCH, drawn
 from ..peers.contest import contest, relative
 from ..peers.ours import Ours
 from ..peers.urdf import agreement
 from ..pipeline import compile, derive
+from ..scene import load
+from ..scene.summary import notes_of
 
 if TYPE_CHECKING:
     from ..api.compiled_model import CompiledModel
-    from ..runtime.trajectory import Trajectory
+    from ..runtime.trajectory.trajectory import Trajectory
 
 STATES = 20
 TIME = 10.0

@@ -7,10 +7,10 @@ from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from ..equations.absolute.record import Absolute
+from ..equations.finite_elements.record import Absolute
 from ..equations.record import Equations
 from ..version import VERSION
-from . import mesh
+from .finite_elements import model_folder
 
 if TYPE_CHECKING:
     from ..topology.system import System
@@ -40,7 +40,7 @@ def _choices(equations: Equations | Absolute) -> tuple[Any, ...]:
     """How equations were derived, besides the system."""
     if isinstance(equations, Absolute):
         planes = [kind.plane for kind in equations.places.kinds]
-        return "absolute", planes, mesh.numbers(equations)
+        return "absolute", planes, model_folder.numbers(equations)
     return equations.method, equations.rewrites, equations.chosen, equations.treatment
 
 

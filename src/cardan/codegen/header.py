@@ -9,7 +9,7 @@ from ..schema.c_functions import FunctionRow, ResultRow
 from ..schema.entries import Entry
 from ..schema.manifest import Manifest
 from ..schema.rows import Rows
-from .naming import Names, comment, mangle
+from .program.naming import Names, comment, mangle
 
 BLOCKS = {
     "q": "generalized coordinates",

@@ -7,13 +7,14 @@ from dataclasses import dataclass, field
 from math import isfinite
 from typing import Any
 
-from ..elements.internal import TICK
+from ..elements.internal_states import TICK
 from ..elements.joints.joint import entries
 from ..elements.quantity import written_unit
-from ..equations import blocks, pressing
-from ..equations.constraints import Row, left_out
-from ..equations.dynamics import Dynamics
-from ..equations.kinematics import Kinematics
+from ..equations.constraints import reaction_friction
+from ..equations.constraints.constraints import Row, left_out
+from ..equations.functions import blocks
+from ..equations.functions.dynamics import Dynamics
+from ..equations.kinematics.kinematics import Kinematics
 from ..equations.record import Equations
 from ..ir.function import Function
 from ..schema import mechanism
@@ -31,12 +32,12 @@ from ..schema.entries import (
 )
 from ..schema.manifest import Manifest
 from ..schema.tree import SampleRow, Treatment, Tree
-from ..topology.internals import slides
-from ..topology.segment import Segment
+from ..topology.beams.segment_tables import Segment
+from ..topology.internal_states import slides
+from ..topology.loops.welds import passed
 from ..topology.system import Cut, Force, Frame, Joint, System
-from ..topology.welds import passed
 from ..version import ABI, MANIFEST, VERSION
-from . import flat
+from . import flat_scene
 
 LOADS = ("dead_force", "dead_moment", "follower_force", "follower_moment")
 
@@ -230,14 +231,14 @@ def _ticks(system: System) -> list[TickRow]:
 def _saved(equations: Equations) -> tuple[Function, ...]:
     """What a check of the model needs besides its compiled functions."""
     system = equations.system
-    found = [flat.scene(system), *flat.scene_poses(system)]
-    motion = flat.scene_motion(system)
-    jumps = flat.time_jumps(system)
+    found = [flat_scene.scene(system), *flat_scene.scene_poses(system)]
+    motion = flat_scene.scene_motion(system)
+    jumps = flat_scene.time_jumps(system)
     found += [one for one in (motion, jumps) if one is not None]
     if system.forces and "applied" in equations.names():
         found += [equations.function("applied"), equations.function("wrenches")]
-    if pressing.judged(system, equations.chosen):
-        found.append(pressing.told(Dynamics(Kinematics(system), equations.method)))
+    if reaction_friction.judged(system, equations.chosen):
+        found.append(reaction_friction.told(Dynamics(Kinematics(system), equations.method)))
     if system.closures:
         found.append(equations.function("dependents"))
     return tuple(found)
@@ -247,29 +248,29 @@ def _scene(equations: Equations) -> Tree:
     """The structure of the tree; its numbers are in the saved Function ``scene``."""
     system = equations.system
     unknown = ["the speeds are chosen by the user"] if equations.chosen else []
-    judged = pressing.judged(system, equations.chosen)
+    judged = reaction_friction.judged(system, equations.chosen)
     unknown += [
         f"the friction of '{force.name}' follows from reactions of closed circuits"
-        for force in pressing.pressed(system)
+        for force in reaction_friction.pressed(system)
         if not judged
     ]
     unknown += [
         f"the speeds of joint '{joint.name}' are of its own making"
         for joint in system.joints
-        if flat.own_speeds(joint)
+        if flat_scene.own_speeds(joint)
     ]
-    curves = [flat.curve(system.graph, joint) for joint in system.joints]
+    curves = [flat_scene.curve(system.graph, joint) for joint in system.joints]
     treatment = equations.treatment
     closing: dict[str, Any] = {
-        "cuts": [flat.kind(cut) for cut in system.closing],
-        "closers": flat.closers(system),
+        "cuts": [flat_scene.kind(cut) for cut in system.closing],
+        "closers": flat_scene.closers(system),
         "treatment": Treatment(name=treatment.name, exact=treatment.exact),
     }
     return Tree(
         parents=[b.parent for b in system.bodies],
-        kinds=[flat.kind(j) for j in system.joints],
-        rotations=[flat.rotation_of(j) for j in system.joints],
-        poses=flat.pose_names(system)[: len(system.joints)],
+        kinds=[flat_scene.kind(j) for j in system.joints],
+        rotations=[flat_scene.rotation_of(j) for j in system.joints],
+        poses=flat_scene.pose_names(system)[: len(system.joints)],
         forces=list(dict.fromkeys(force.name for force in system.forces)),
         unknown=unknown,
         curves=curves if any(curves) else (),
@@ -356,7 +357,7 @@ def _joint(equations: Equations, number: int) -> mechanism.JointRow:
         u0=list(joint.u0) if joint.u0 is not None else None,
         limits=limits_of(joint),
         quaternion=joint.q + quaternion if quaternion is not None and joint.q >= 0 else None,
-        rotation=flat.rotation_of(joint),
+        rotation=flat_scene.rotation_of(joint),
         domain=element.domain,
         coupled=coupled,
         solved=_solved(system, joint),

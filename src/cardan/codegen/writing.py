@@ -13,11 +13,11 @@ from ..ir.graph import ZERO
 from ..ir.recursion import Recursion
 from ..schema.blocks import ORDER
 from ..schema.c_functions import FunctionRow, ResultRow
-from . import loops
 from .languages import LANGUAGES
-from .lowering import lower
-from .parts import LONGEST
-from .program import Program
+from .program import loops
+from .program.lowering import lower
+from .program.parts import LONGEST
+from .program.program import Program
 
 
 @dataclass(frozen=True)

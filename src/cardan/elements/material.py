@@ -7,7 +7,7 @@ from typing import Any
 
 from ..errors import ModelError
 from .quantity import Quantity
-from .written import is_expression, number, positive
+from .validation import is_expression, number, positive
 
 UNITS = {"E": "Pa", "nu": "", "G": "Pa", "rho": "kg/m^3", "damping": "s", "expansion": "1/K"}
 

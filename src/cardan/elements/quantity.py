@@ -8,7 +8,7 @@ from typing import Any
 
 from ..errors import ModelError, shown
 from ..ir.graph import Graph
-from .written import axis, number, vector
+from .validation import axis, number, vector
 
 # What the fields of joints and forces hold, by the name in their annotation: readers and writers
 # of files go by it. ``Any`` is a value: a number, an expression or rows of them.

@@ -18,29 +18,29 @@ from ..ir.stage import stage
 from ..schema.blocks import ABI_ORDER
 from ..schema.functions import FUNCTIONS
 from ..topology.system import Named, System
-from . import blocks
-from .base import BaseParameters, base_parameters
-from .classification import Classification, classification
-from .constraints import Row, rows
-from .context import Context, settled
-from .counts import Counts, overview
-from .dynamics import Dynamics
-from .explained import Explained
-from .feasibility import Feasibility, feasibility
-from .following import Following
-from .kinematics import Kinematics
+from .constraints.classification import Classification, classification
+from .constraints.constraints import Row, rows
+from .constraints.feasibility import Feasibility, feasibility
+from .constraints.kinematic_coefficients import Following
+from .constraints.reaction_friction import pressed
+from .constraints.treatments import Multipliers, Treatment
+from .formalisms import FORMALISMS
+from .formalisms.formalism import Formalism
+from .functions import blocks
+from .functions.base_parameters import BaseParameters, base_parameters
+from .functions.context import Context, settled
+from .functions.dynamics import Dynamics
+from .functions.recipes import RECIPES, about, blocks_of, c_name, check, is_rewritable, missing
+from .kinematics.kinematics import Kinematics
 from .linearized.linear import Linearizable
-from .looped import FOLDED, LOOPED, by_bodies, repeats
-from .pressing import pressed
-from .readable import Readable
-from .recipes import RECIPES, about, blocks_of, c_name, check, is_rewritable, missing
-from .relative import FORMALISMS
-from .relative.formalism import Formalism
-from .rewritten import Told, candidates
-from .treatments import Multipliers, Treatment
+from .reading.counts import Counts, overview
+from .reading.explained import Explained
+from .reading.readable import Readable
+from .recursion.looped import FOLDED, LOOPED, by_bodies, repeats
+from .rewrites import Told, candidates
 
 if TYPE_CHECKING:
-    from .mechanics import Mechanics
+    from .reading.mechanics import Mechanics
 
 COUNTED = ("mass_matrix", "bias", "forward_dynamics", "inverse_dynamics")
 
@@ -349,7 +349,7 @@ class Equations(Readable, Linearizable, Explained):
         Raises:
             DerivationError: they are too long to write out; :meth:`symbolic` is not.
         """
-        from .mechanics import mechanics
+        from .reading.mechanics import mechanics
 
         return mechanics(self)
 
@@ -384,9 +384,9 @@ class Equations(Readable, Linearizable, Explained):
             The directory.
 
         Raises:
-            CodegenError, DerivationError: see :func:`cardan.codegen.export.export`.
+            CodegenError, DerivationError: see :func:`cardan.codegen.export.export.export`.
         """
-        from ..codegen.export import export
+        from ..codegen.export.export import export
 
         return export(
             self, directory, functions, language, integrators, reproducible, loops, prefix

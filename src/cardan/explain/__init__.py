@@ -16,7 +16,7 @@ from .content import Document
 from .facts import facts
 
 if TYPE_CHECKING:
-    from ..equations.absolute.record import Absolute
+    from ..equations.finite_elements.record import Absolute
     from ..equations.record import Equations
 
 __all__ = ["Document", "document", "explain", "facts"]

@@ -12,7 +12,7 @@ from typing import Any
 
 import sympy
 
-from ..equations.notation import Notation
+from ..equations.reading.notation import Notation
 
 # digits of numbers that formulas contain
 DIGITS = 10

@@ -9,7 +9,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any, TypeAlias
 
-from ..equations.notation import Notation
+from ..equations.reading.notation import Notation
 
 
 @dataclass(frozen=True)

@@ -10,7 +10,7 @@ from . import content as d
 from .formulas import HELD
 
 if TYPE_CHECKING:
-    from ..equations.absolute.record import Absolute, BlockKind
+    from ..equations.finite_elements.record import Absolute, BlockKind
 
 NAMED = 12
 

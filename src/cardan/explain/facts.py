@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from ..codegen import flat, manifest
+from ..codegen import flat_scene, manifest
 from ..ir.interpreter import evaluate
 from ..schema.fields import dumped
 from ..schema.mechanism import FrameRow
@@ -49,7 +49,7 @@ def placed(system: System, frames: Sequence[FrameRow]) -> list[dict[str, Any]]:
 def poses(system: System) -> tuple[Numbers, Numbers]:
     """Positions (n, 3) and rotations (n, 3, 3) of all frames in axes of their bodies."""
     defaults = [parameter.value for parameter in system.parameters]
-    found = evaluate(flat.scene(system), {"p": defaults})
+    found = evaluate(flat_scene.scene(system), {"p": defaults})
     count = len(system.frames)
     positions = np.reshape(found["frame_position"], (count, 3)).astype(np.float64)
     return positions, np.reshape(found["frame_rotation"], (count, 3, 3)).astype(np.float64)

@@ -6,9 +6,9 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from ..equations.contributions import LETTERS, TURNING, WEIGHT, Contribution
-from ..equations.formula import LONGEST, SIMPLIFIED, rates_are_speeds
-from ..equations.notation import GREEK, Notation, notation
+from ..equations.reading.contributions import LETTERS, TURNING, WEIGHT, Contribution
+from ..equations.reading.formula import LONGEST, SIMPLIFIED, rates_are_speeds
+from ..equations.reading.notation import GREEK, Notation, notation
 from ..errors import DerivationError
 from ..ir.function import length
 from ..ir.names import of_rate

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from ..topology import drawing
-from ..topology.drawing import Arc
+from ..topology.drawing import drawing
+from ..topology.drawing.drawing import Arc
 from ..topology.system import Part, System
 from . import content as d
 from .writers.latex import escaped

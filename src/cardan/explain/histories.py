@@ -10,11 +10,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..arrays import Array
-from ..runtime.summary import headline, rows
+from ..runtime.trajectory.summary import headline, rows
 from . import content as d
 
 if TYPE_CHECKING:
-    from ..runtime.trajectory import Trajectory
+    from ..runtime.trajectory.trajectory import Trajectory
 
 # of tones that can be seen on light and on dark pages
 COLORS = ("#2a7fd4", "#e07b20", "#2e9e4f", "#d0453e", "#9467bd", "#a0705f", "#d06bb0", "#8a8f98")

@@ -5,15 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from ..equations.notation import Notation
+from ..equations.reading.notation import Notation
 from ..errors import DerivationError
 from ..ir.function import length
 from . import content as d
 from .tables import unit
 
 if TYPE_CHECKING:
-    from ..equations.base import BaseParameters
-    from ..equations.conserved import Quantity
+    from ..equations.functions.base_parameters import BaseParameters
+    from ..equations.reading.conserved import Quantity
     from ..equations.record import Equations
 
 # speeds of systems whose integrals are looked for, bodies of those whose base parameters are listed

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from functools import singledispatch
 
-from ..equations.base import BaseParameters
-from ..equations.explained import Explainable
-from ..model.model import Model
-from ..runtime.trajectory import Trajectory
-from ..topology.labelled import Labelled
+from ..equations.functions.base_parameters import BaseParameters
+from ..equations.reading.explained import Explainable
+from ..runtime.trajectory.trajectory import Trajectory
+from ..scene.scene import Model
+from ..topology.drawing.labeled_matrix import Labelled
 from . import content as d
 from . import histories, motion, scene, sheets
 from .writers.html import fragment

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from ..model.summary import beam_rows, body_rows, force_rows, notes_of, summary
-from ..topology import drawing
+from ..scene.summary import beam_rows, body_rows, force_rows, notes_of, summary
+from ..topology.drawing import drawing
 from . import content as d
 from .graph import drawn
 from .tables import unit
 
 if TYPE_CHECKING:
-    from ..model.model import Model
+    from ..scene.scene import Model
 
 
 def document(model: Model) -> d.Document:

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING
 
-from ..equations.absolute.record import Absolute
-from ..equations.circuits_told import circuits_told
-from ..equations.notation import Notation, notation, symbols
+from ..equations.finite_elements.record import Absolute
+from ..equations.reading.loop_report import circuits_told
+from ..equations.reading.notation import Notation, notation, symbols
 from . import content as d
 from . import elements, motion, tables
 from .formulas import NOTEBOOK, Formulas

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..elements.joints.joint import entries
-from ..equations import blocks
+from ..equations.functions import blocks
 from . import content as d
 from .facts import poses
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import Any
 
-from ..equations.notation import Notation
+from ..equations.reading.notation import Notation
 
 _SIGNS = {"−": "-", "≤": r"\le", "≥": r"\ge", "≠": r"\ne", "·": r"\cdot", "{": r"\{", "}": r"\}"}
 

@@ -1,7 +1,7 @@
 /* Where a motion starts: what joints carry brought to where these stand.
  *
  * Part of cardan. Caller owns all memory.
- * Source: as of analyses/meshed_start.py, which assembles loops and whose bounds these are.
+ * Source: as of analyses/simulation/starts/finite_element_start.py, which assembles loops and whose bounds these are.
  */
 #include "mesh_calls.h"
 #include <math.h>

@@ -3,7 +3,7 @@
  *
  * The unknowns come in blocks: speeds of a node or a joint, multipliers of an element. Which blocks
  * meet, the order of elimination and where every number goes is planned once, in tables
- * (runtime/absolute/plan.py); nothing is searched, no memory is allocated here.
+ * (runtime/sparse/plan.py); nothing is searched, no memory is allocated here.
  *
  *   a      the assembled matrix, CSR by numbers: rows of a row block stand one behind the other, and
  *          each holds the columns of all blocks that it meets, ascending

@@ -16,8 +16,8 @@ from typing import Any
 import numpy as np
 
 from ..arrays import Array
-from ..runtime.cache import build
-from ..runtime.newton_euler import Scene
+from ..runtime.build.cache import build
+from ..runtime.verification.newton_euler import Scene
 from .coordinates import SIZES, Convention, Coordinates, after_each_other, coordinates, refusal
 from .loop import HERE, Loop, peer_loop
 from .peer import Contender, Peer, States, installed

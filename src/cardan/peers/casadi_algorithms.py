@@ -13,7 +13,7 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
-from ..runtime.newton_euler import Scene
+from ..runtime.verification.newton_euler import Scene
 from .coordinates import SIZES
 from .tree import directions
 

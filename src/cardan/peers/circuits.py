@@ -16,11 +16,11 @@ import numpy as np
 
 from ..api.compiled_model import CompiledModel
 from ..arrays import Array
-from ..runtime.circuits import Moving, frames
-from ..runtime.joint_motion import cross, joint_data, joint_motions, times
-from ..runtime.judged import scene_of
-from ..runtime.kind_poses import KindNumbers, pose_of
-from ..runtime.newton_euler import Scene, own
+from ..runtime.trajectory.joint_poses import KindNumbers, pose_of
+from ..runtime.verification.flat_scene import scene_of
+from ..runtime.verification.joint_motion import cross, joint_data, joint_motions, times
+from ..runtime.verification.loop_constraints import Moving, frames
+from ..runtime.verification.newton_euler import Scene, own
 from ..schema.mechanism import CutRow
 from .peer import States
 

@@ -10,7 +10,7 @@ import numpy as np
 from ..api.compiled_model import CompiledModel
 from ..arrays import Array
 from ..errors import CardanError
-from ..runtime.judged import scene_of
+from ..runtime.verification.flat_scene import scene_of
 from . import PEERS, peer
 from .circuits import Circuits, circuits
 from .contest import ROUNDS, Run, Time, contest, few, relative

@@ -13,8 +13,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..arrays import Array
-from ..runtime.newton_euler import Scene
-from ..runtime.rotations import PARAMETERS
+from ..runtime.verification.newton_euler import Scene
+from ..runtime.verification.rotations import PARAMETERS
 
 SIZES = {
     "revolute": (1, 1),

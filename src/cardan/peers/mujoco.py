@@ -14,8 +14,8 @@ from typing import Any
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from ..runtime.cache import build
-from ..runtime.newton_euler import Scene
+from ..runtime.build.cache import build
+from ..runtime.verification.newton_euler import Scene
 from . import coordinates
 from .coordinates import Convention
 from .loop import HERE, Loop, peer_loop

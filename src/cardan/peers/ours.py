@@ -14,12 +14,13 @@ from ..api.compiled_model import CompiledModel
 from ..arrays import Array
 from ..ir.interpreter import evaluate
 from ..ir.serialize import from_dict
-from ..runtime import prebuilt, samples
-from ..runtime.batch import one_by_one
-from ..runtime.cache import build
-from ..runtime.derivatives import Derivative
-from ..runtime.lanes import States as Many
-from ..runtime.loaded import LoadedFunction
+from ..runtime.build import prebuilt
+from ..runtime.build.cache import build
+from ..runtime.calls import samples
+from ..runtime.calls.batch import one_by_one
+from ..runtime.calls.lanes import States as Many
+from ..runtime.calls.loaded_function import LoadedFunction
+from ..runtime.models.derivatives import Derivative
 from ..schema.blocks import ORDER, SLOT
 from .loop import HERE, NUMBER, address, output_size, peer_loop
 from .peer import FUNCTIONS, States

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from ..arrays import Array
-from ..runtime.newton_euler import Scene
+from ..runtime.verification.newton_euler import Scene
 
 # what is compared; derivatives are those of forward dynamics by q and u
 FUNCTIONS = ("forward_dynamics", "inverse_dynamics", "mass_matrix", "derivatives")

@@ -17,10 +17,10 @@ import numpy as np
 
 from ..arrays import Array
 from ..errors import BuildError
-from ..runtime import toolchain
-from ..runtime.cache import build
-from ..runtime.newton_euler import Scene
-from ..runtime.toolchain import Compiler
+from ..runtime.build import toolchain
+from ..runtime.build.cache import build
+from ..runtime.build.toolchain import Compiler
+from ..runtime.verification.newton_euler import Scene
 from . import coordinates
 from .circuits import Circuits
 from .coordinates import Convention, Coordinates

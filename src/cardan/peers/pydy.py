@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 
 from ..arrays import Array
-from ..runtime.newton_euler import Scene
+from ..runtime.verification.newton_euler import Scene
 from . import coordinates
 from .peer import Contender, Peer, States, installed
 from .tree import central, directions

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ..arrays import Array
-from ..runtime.newton_euler import Scene
+from ..runtime.verification.newton_euler import Scene
 
 
 def depth_first(scene: Scene) -> list[int]:

@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from ..model import load
 from ..pipeline import compile
+from ..scene import load
 
 STATES = 20
 SEED = 4

@@ -1,0 +1,1 @@
+"""Compiled models: built, loaded, called, verified, and the records of their runs."""

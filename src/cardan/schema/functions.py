@@ -1,7 +1,7 @@
 """The table of model functions: what each reads and gives, and which systems have it.
 
 A row is everything that is said of a function but how it is derived (``equations``), how it is
-evaluated over elements in tables (``runtime/absolute``), and what it is compared with
+evaluated over elements in tables (``runtime/models/finite_elements``), and what it is compared with
 (``runtime/verification``). Arguments, methods of a compiled model with their signatures and
 docstrings, what is compiled, pickled and exported, and the table in ``docs/functions.md`` follow.
 """

@@ -1,7 +1,7 @@
 """From a model to the system graph: spanning tree, coordinate slots, expressions."""
 
 from .build import build
-from .motion import named_speeds
+from .prescribed_motion import named_speeds
 from .system import System
 
 __all__ = ["System", "build", "named_speeds"]

@@ -10,21 +10,21 @@ from ..elements.joints.joint import Joint as JointElement
 from ..errors import TopologyError
 from ..ir.graph import ZERO
 from ..ir.matrix import Matrix
-from ..model.body import Body as UserBody
-from ..model.checks import is_number
-from ..model.connections import Joint as UserJoint
-from ..model.frame import Frame as UserFrame
-from ..model.frame import Place
-from ..model.model import Model
-from . import motion
-from .beamed import BeamNodes
-from .beams import Beams
-from .circuits import circuit
-from .coincidence import check_coincidence
-from .convert import IDENTITY, ORIGIN, Converter, symmetric
+from ..scene.body import Body as UserBody
+from ..scene.checks import is_number
+from ..scene.connections import Joint as UserJoint
+from ..scene.frame import Frame as UserFrame
+from ..scene.frame import Place
+from ..scene.scene import Model
+from . import prescribed_motion
+from .beams.beams import Beams
+from .beams.nodal_scene import BeamNodes
+from .conversion import IDENTITY, ORIGIN, Converter, symmetric
+from .loops.circuits import circuit
+from .loops.coincidence import check_coincidence
 from .placement import HERE, Placement, moved_mass
-from .reference import Reference
-from .rigid import ENTRIES, Rigid
+from .reference_configuration import Reference
+from .rigid_body import ENTRIES, Rigid
 from .system import GROUND, Closure, Cut, Frame, Joint, Nodes, Part
 from .tree import Branch, Closing
 
@@ -213,14 +213,14 @@ class Assembly:
         circuit = {i: n for n, closure in enumerate(closures) for i in closure.unknown}
         for i, joint in enumerate(self.joints):
             if i in circuit:
-                self.joints[i] = motion.replaced(joint, closure=circuit[i])
+                self.joints[i] = prescribed_motion.replaced(joint, closure=circuit[i])
                 continue
             user = self.model.joints[joint.name]
             if user.motion is not None or user.couple is not None:
                 continue
             coordinates, speeds = joint.element.coordinates, joint.element.speeds
-            self.joints[i] = motion.replaced(joint, q=self.nq, u=self.nu)
-            motion.define_coordinates(
+            self.joints[i] = prescribed_motion.replaced(joint, q=self.nq, u=self.nu)
+            prescribed_motion.define_coordinates(
                 self.convert, joint.name, coordinates, speeds, (self.nq, self.nu)
             )
             self.nq += len(coordinates)
@@ -234,7 +234,7 @@ class Assembly:
             # parameters are those of the direction as declared
             rows, columns, nodes = data[line]
             data = data | {line: (rows, columns, tuple(map(self.graph.neg, nodes)))}
-        return motion.replaced(joint, element=element, data=data, reversed=True)
+        return prescribed_motion.replaced(joint, element=element, data=data, reversed=True)
 
     def close(self, closing: Closing) -> None:
         """A joint of a circuit between bodies that are in the tree already."""
@@ -388,6 +388,8 @@ class Assembly:
             if user.couple is None or user.name not in self.joint_number:
                 continue
             k = self.joint_number[user.name]
-            coupling = motion.coupling(self.convert, user, self.joint_number, self.joints)
-            self.joints[k] = motion.replaced(self.joints[k], coupling=coupling)
-        motion.check_couplings(self.joints)
+            coupling = prescribed_motion.coupling(
+                self.convert, user, self.joint_number, self.joints
+            )
+            self.joints[k] = prescribed_motion.replaced(self.joints[k], coupling=coupling)
+        prescribed_motion.check_couplings(self.joints)

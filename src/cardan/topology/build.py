@@ -10,21 +10,22 @@ from ..elements.forces.line_load import LineLoad
 from ..errors import ModelError, TopologyError, near
 from ..ir.function import live
 from ..ir.graph import ZERO, Graph
-from ..model import checks
-from ..model.masses import pulled
-from ..model.model import Model
-from ..model.origins import located
-from . import announcements, doubts, internals, motion
+from ..scene import checks
+from ..scene.masses import pulled
+from ..scene.origins import located
+from ..scene.scene import Model
+from . import internal_states, prescribed_motion, scene_warnings
 from .assembly import Assembly
-from .beamed import with_beams
-from .built_in import BuiltIn
-from .circuits import Numbers, independent
-from .closed_forms import closed_forms
-from .convert import Converter
-from .legs import Axes
-from .pictures import pictures
+from .beams.nodal_scene import with_beams
+from .beams.segments import segments, settle
+from .conversion import Converter
+from .drawing import announcements
+from .drawing.shapes import pictures
+from .loops.circuits import Numbers, independent
+from .loops.closed_forms import closed_forms
+from .loops.legs import Axes
 from .rotors import with_carried, with_rotors
-from .segments import segments, settle
+from .structural_parameters import BuiltIn
 from .system import Atom, Closure, Cut, Force, Named, System
 from .tree import rooted_tree
 
@@ -83,7 +84,7 @@ def _build(
     nodes.check()
     convert = Converter(scene, Graph(), built_in)
     convert.same.update(rotors.same)
-    inputs = motion.declare_inputs(scene, convert)
+    inputs = prescribed_motion.declare_inputs(scene, convert)
     with convert.graph.made_by("ground", "gravity"):
         gravity = convert.vector(scene.gravity, "gravity", "m/s^2")
 
@@ -108,7 +109,7 @@ def _build(
 
     # what expressions may speak of, then the expressions
     convert.moving = True
-    places = internals.numbered(scene, convert)
+    places = internal_states.numbered(scene, convert)
     atoms = _atoms(scene, assembly)
     forces = tuple(
         one
@@ -116,11 +117,13 @@ def _build(
         if not isinstance(force.element, LineLoad)
         for one in _forces(model, assembly, name, places[name])
     )
-    joints = motion.prescribed(scene, assembly.joints, assembly.joint_number, convert, inputs)
+    joints = prescribed_motion.prescribed(
+        scene, assembly.joints, assembly.joint_number, convert, inputs
+    )
     held = (*cuts, *(closure.cut for closure in closures))
     parents = [rigid.parent for rigid in assembly.bodies]
-    doubts.check_meeting(model, forces, assembly.frames, joints, parents, held, convert)
-    doubts.check_prescribed(model, joints, held)
+    scene_warnings.check_meeting(model, forces, assembly.frames, joints, parents, held, convert)
+    scene_warnings.check_prescribed(model, joints, held)
     outputs = tuple([_output(scene, convert, name) for name in scene.outputs])
     constraints = tuple([_constraint(scene, convert, name) for name in scene.constraints])
     bodies = tuple([rigid.body(convert.graph) for rigid in assembly.bodies])
@@ -209,7 +212,7 @@ def _atoms(scene: Model, assembly: Assembly) -> dict[str, Atom]:
     atoms: dict[str, Atom] = {}
     for name, entry in scene.atoms.items():
         if entry.quantity == "state":
-            internals.check_state(name, scene, convert)
+            internal_states.check_state(name, scene, convert)
             continue
         if entry.quantity in ("q", "u"):
             number = assembly.joint_number.get(entry.place)
@@ -255,12 +258,12 @@ def _force(model: Model, assembly: Assembly, name: str, slots: tuple[int, int, i
     """A force element with its data, frames and joints found; its first slots in z, s and e."""
     convert, element = assembly.convert, model.forces[name].element
     joints = _joints(assembly, name, element)
-    sliding = internals.slides(assembly.joints, joints.values())
+    sliding = internal_states.slides(assembly.joints, joints.values())
     if element.misfit(sliding):
         raise ModelError(f"force '{name}' ({element.kind}): {element.misfit(sliding)}")
     with convert.graph.made_by(name, "data"):
         data = {
-            key: convert.quantity(entry, internals.dotted(name, key), sliding)
+            key: convert.quantity(entry, internal_states.dotted(name, key), sliding)
             for key, entry in element.quantities().items()
         }
         frames = {

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from ..ir.graph import ZERO, Graph
 from ..ir.matrix import Matrix
-from .convert import IDENTITY, ORIGIN, compose
+from .conversion import IDENTITY, ORIGIN, compose
 from .system import Nodes
 
 

@@ -9,13 +9,13 @@ from typing import Any
 
 from ..elements.forces.force import RotorBody
 from ..elements.joints.revolute import Revolute
-from ..elements.written import is_expression
+from ..elements.validation import is_expression
 from ..errors import ModelError
-from ..model.body import Body
-from ..model.connections import Couple, Force, Joint
-from ..model.frame import Place
-from ..model.model import Model
-from ..model.parameters import Declared
+from ..scene.body import Body
+from ..scene.connections import Couple, Force, Joint
+from ..scene.frame import Place
+from ..scene.parameters import Declared
+from ..scene.scene import Model
 
 
 @dataclass(frozen=True)

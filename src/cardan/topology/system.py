@@ -12,10 +12,10 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from ..elements.forces.force import ForceElement
-from ..elements.internal import Event
+from ..elements.internal_states import Event
 from ..elements.joints.joint import Joint as JointElement
 from ..ir.graph import ZERO, Graph
-from .segment import Segment
+from .beams.segment_tables import Segment
 
 Nodes = tuple[int, ...]
 GROUND = -1

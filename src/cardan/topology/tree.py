@@ -11,9 +11,9 @@ from dataclasses import dataclass
 from heapq import heappop, heappush
 
 from ..errors import TopologyError
-from ..model.body import Body
-from ..model.connections import Joint
-from ..model.model import Model
+from ..scene.body import Body
+from ..scene.connections import Joint
+from ..scene.scene import Model
 
 
 @dataclass(frozen=True)

@@ -6,8 +6,8 @@ from typing import Any
 
 import numpy as np
 
-from ..runtime.placing import inverse
-from ..runtime.trajectory import Trajectory
+from ..runtime.trajectory.frame_history import inverse
+from ..runtime.trajectory.trajectory import Trajectory
 from ..schema.mechanism import ShapeRow
 from .scene import SOLIDS, THICK, link, solid
 

@@ -12,8 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import ModelError
-from ..runtime import placing
-from ..runtime.trajectory import Trajectory
+from ..runtime.trajectory import frame_history
+from ..runtime.trajectory.trajectory import Trajectory
 from ..whole_file import folder, written
 from . import meshed, scene
 
@@ -26,7 +26,7 @@ MARK = re.compile("__(TITLE|SCRIPT|DATA)__")
 def write_page(
     motion: Trajectory, path: Path, *, fps: float = 60.0, title: str | None = None
 ) -> Path:
-    """Write the page; see :meth:`cardan.runtime.trajectory.Trajectory.animate`.
+    """Write the page; see :meth:`cardan.runtime.trajectory.trajectory.Trajectory.animate`.
 
     The file appears complete or not at all.
 
@@ -61,7 +61,7 @@ def _resampled(motion: Trajectory, fps: float) -> Trajectory:
     span = float(motion.t[-1] - motion.t[0])
     count = int(min(PICTURES, max(2.0, abs(span) * fps + 1.5)))
     times = np.linspace(motion.t[0], motion.t[-1], count)
-    if motion.dense is not None and (motion.model is not None or placing.told(motion)):
+    if motion.dense is not None and (motion.model is not None or frame_history.told(motion)):
         return motion.resample(times)
     if motion.dense is None and len(motion) <= PICTURES:
         return motion

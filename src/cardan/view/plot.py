@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import ModelError, listed, near, shown
-from ..runtime.trajectory import Trajectory
+from ..runtime.trajectory.trajectory import Trajectory
 from ..whole_file import folder, replaced
 
 POINTS = 1500
@@ -22,7 +22,7 @@ Panels = list[tuple[str, dict[str, Curve]]]
 
 
 def plot(motion: Trajectory, path: Any, names: Any) -> Any:
-    """Draw histories; see :meth:`cardan.runtime.trajectory.Trajectory.plot`.
+    """Draw histories; see :meth:`cardan.runtime.trajectory.trajectory.Trajectory.plot`.
 
     Returns:
         The Matplotlib figure.

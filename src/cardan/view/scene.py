@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 
 from ..arrays import Array
-from ..runtime.placing import inverse
-from ..runtime.trajectory import Trajectory
+from ..runtime.trajectory.frame_history import inverse
+from ..runtime.trajectory.trajectory import Trajectory
 from ..schema.manifest import Manifest
 from ..schema.mechanism import BodyRow, ShapeRow
 

@@ -10,8 +10,8 @@ import pytest
 
 import cardan as cd
 from cardan.analyses.ensembles import Ensemble
-from cardan.analyses.ensembles.crew import width_of
-from cardan.runtime.lanes import width
+from cardan.analyses.ensembles.lane_runner import width_of
+from cardan.runtime.calls.lanes import width
 from runtime import pendulum
 
 pytestmark = pytest.mark.optimized

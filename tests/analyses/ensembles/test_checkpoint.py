@@ -15,8 +15,8 @@ import pytest
 
 import cardan as cd
 from analyses.ensembles.test_bits import same
-from cardan.analyses.ensembles import hands, job
-from cardan.analyses.growing import magic
+from cardan.analyses.ensembles import executors, job
+from cardan.analyses.simulation.files.append_log import magic
 from cardan.version import ENSEMBLE_FILE
 from full_disk import full_disk
 
@@ -37,7 +37,7 @@ def computed(monkeypatch: pytest.MonkeyPatch) -> list[int]:
         found.append(arguments[2])
         return usual(*arguments)
 
-    monkeypatch.setattr(hands, "compute", compute)
+    monkeypatch.setattr(executors, "compute", compute)
     return found
 
 

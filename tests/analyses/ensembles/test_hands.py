@@ -12,8 +12,8 @@ import pytest
 
 import cardan as cd
 from analyses.ensembles.test_bits import same
-from cardan.analyses.ensembles import hands
-from cardan.analyses.growing import build_key
+from cardan.analyses.ensembles import executors
+from cardan.analyses.simulation.files.append_log import build_key
 
 
 class Here:
@@ -68,7 +68,7 @@ def test_another_build_is_refused(double: cd.CompiledModel) -> None:
     made = double.ensemble(**options())
     job = replace(made.job, build="0123-4567")
     with pytest.raises(cd.BuildError) as told:
-        list(hands.Client(Here()).pieces(job, [(0, 8)], hands.threading.Event()))
+        list(executors.Client(Here()).pieces(job, [(0, 8)], executors.threading.Event()))
     assert "0123-4567" in str(told.value)
     assert build_key(double) in str(told.value)
     assert "model 'double'" in str(told.value)

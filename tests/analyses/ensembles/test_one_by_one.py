@@ -9,7 +9,8 @@ import pytest
 
 import cardan as cd
 from analyses.ensembles.test_bits import same
-from cardan.runtime import interpreted, toolchain
+from cardan.runtime.build import toolchain
+from cardan.runtime.calls import interpreted
 
 pytestmark = pytest.mark.optimized
 

@@ -9,7 +9,7 @@ import pytest
 
 import cardan as cd
 from analyses.ensembles.test_bits import lanes, same
-from cardan.runtime.closing import Closing
+from cardan.runtime.models.constraint_projection import Closing
 from mechanisms import ZOO
 from spread import some
 

@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 import cardan as cd
-from cardan.runtime.judged import scene_of
-from cardan.runtime.newton_euler import Scene
+from cardan.runtime.verification.flat_scene import scene_of
+from cardan.runtime.verification.newton_euler import Scene
 
 Array = NDArray[np.float64]
 Anchor = tuple[str, tuple[float, float, float]]

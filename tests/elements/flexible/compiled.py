@@ -13,8 +13,9 @@ from numpy.typing import NDArray
 
 from cardan.codegen import generate
 from cardan.ir.function import Function
-from cardan.runtime import abi_ctypes, cache
-from cardan.runtime.prebuilt import DIRECTORY
+from cardan.runtime.build import cache
+from cardan.runtime.build.prebuilt import DIRECTORY
+from cardan.runtime.calls import abi_ctypes
 from cardan.schema.blocks import ORDER
 
 Array = NDArray[np.float64]

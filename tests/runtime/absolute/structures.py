@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from cardan.runtime.absolute.plan import Plan, plan
+from cardan.runtime.sparse.plan import Plan, plan
 
 GROUND = -1
 JOINT_ROWS = 6

@@ -12,11 +12,12 @@ import pytest
 
 import cardan as cd
 from cardan.errors import BuildError
-from cardan.runtime import cache, object_file, verify
-from cardan.runtime.absolute.elements import State
-from cardan.runtime.absolute.loading import LANE_THRESHOLD
-from cardan.runtime.absolute.mesh import Mesh
-from cardan.runtime.toolchain import compile_shared
+from cardan.runtime.build import cache, object_file
+from cardan.runtime.build.toolchain import compile_shared
+from cardan.runtime.models.finite_elements.elements import State
+from cardan.runtime.models.finite_elements.mesh import Mesh
+from cardan.runtime.models.finite_elements.table_loading import LANE_THRESHOLD
+from cardan.runtime.verification import verify
 
 pytestmark = pytest.mark.usefixtures("cache_directory")
 

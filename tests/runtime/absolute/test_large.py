@@ -14,11 +14,11 @@ import numpy as np
 import pytest
 
 import cardan as cd
-from cardan.codegen import mesh, mesh_rows
+from cardan.codegen.finite_elements import manifest_rows, model_folder
 from cardan.errors import ModelError
-from cardan.runtime.absolute import matrices
-from cardan.runtime.absolute.elements import Elements, State
-from cardan.runtime.absolute.mesh import Mesh
+from cardan.runtime.models.finite_elements.elements import Elements, State
+from cardan.runtime.models.finite_elements.mesh import Mesh
+from cardan.runtime.sparse import matrices
 from cardan.schema.rows import Rows, dumped
 from mechanisms.flexible import elastica
 
@@ -40,9 +40,9 @@ def test_many_nodes_have_the_rows_of_few(
         "arc", scene.ground, (0, 2, 0), cd.section.general(EA=1, GA=1, GJ=1, EI=1), elements=5
     )
     equations = cd.derive(scene, "absolute", plane=plane)  # type: ignore[arg-type]
-    few = mesh.base(equations, ()).data
-    monkeypatch.setattr(mesh_rows, "LISTED", 0)
-    many = mesh.base(equations, ()).data
+    few = model_folder.base(equations, ()).data
+    monkeypatch.setattr(manifest_rows, "LISTED", 0)
+    many = model_folder.base(equations, ()).data
     for key in ("coordinates", "speeds", "joints"):
         assert isinstance(many[key], Rows)
         assert list(many[key]) == few[key]
@@ -51,7 +51,7 @@ def test_many_nodes_have_the_rows_of_few(
 
 
 def test_manifest_and_header_do_not_grow(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(mesh_rows, "LISTED", 0)
+    monkeypatch.setattr(manifest_rows, "LISTED", 0)
     sizes = []
     for n in (50, 100):
         model = cd.compile(elastica(n), directory=tmp_path / str(n))
@@ -172,7 +172,7 @@ def test_full_matrices_of_many_speeds_are_refused() -> None:
 
 
 def test_manifest_with_runs_follows_the_schema(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(mesh_rows, "LISTED", 0)
-    data = json.loads(dumped(mesh.base(cd.derive(elastica(7)), ()).data))
+    monkeypatch.setattr(manifest_rows, "LISTED", 0)
+    data = json.loads(dumped(model_folder.base(cd.derive(elastica(7)), ()).data))
     schema = json.loads((DOCS / "manifest.schema.json").read_text("utf-8"))
     jsonschema.validate(data, schema)

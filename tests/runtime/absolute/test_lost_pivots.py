@@ -7,8 +7,8 @@ import pytest
 from numpy.typing import NDArray
 
 from cardan.errors import SolveError
-from cardan.runtime.absolute.blocks import BlockSolver, solution, solver
-from cardan.runtime.absolute.plan import Plan, plan
+from cardan.runtime.sparse.block_solver import BlockSolver, solution, solver
+from cardan.runtime.sparse.plan import Plan, plan
 from runtime.absolute.structures import GROUND, Structure, bars, definite, line, values
 
 REDUNDANT = {

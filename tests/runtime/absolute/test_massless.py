@@ -7,7 +7,7 @@ from collections.abc import Callable
 import pytest
 
 import cardan as cd
-from cardan.runtime import toolchain
+from cardan.runtime.build import toolchain
 
 pytestmark = pytest.mark.usefixtures("cache_directory")
 

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from cardan.errors import ArgumentError
-from cardan.runtime.absolute.pattern import Pattern, pattern
-from cardan.runtime.absolute.plan import Plan, plan
-from cardan.runtime.absolute.systems import assembled
+from cardan.runtime.sparse.pattern import Pattern, pattern
+from cardan.runtime.sparse.plan import Plan, plan
+from cardan.runtime.sparse.systems import assembled
 from runtime.absolute.structures import STRUCTURES, Structure, bars, grid, line
 from table import each
 
@@ -151,7 +151,7 @@ def test_what_does_not_fit_is_refused(arguments: tuple[object, ...], message: st
 
 
 def test_factors_beyond_counting_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("cardan.runtime.absolute.plan.LARGEST", 1000)
+    monkeypatch.setattr("cardan.runtime.sparse.plan.LARGEST", 1000)
     with pytest.raises(ArgumentError, match=r"factors of 5,[0-9]* numbers are too large"):
         chain(50)
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from cardan.runtime.absolute.blocks import solution, solver
-from cardan.runtime.absolute.plan import Plan, plan
+from cardan.runtime.sparse.block_solver import solution, solver
+from cardan.runtime.sparse.plan import Plan, plan
 from runtime.absolute.structures import values
 from table import each
 

@@ -9,9 +9,9 @@ import pytest
 from numpy.typing import NDArray
 
 from cardan.errors import ArgumentError, SolveError
-from cardan.runtime.absolute.blocks import ENOUGH, solution, solver
-from cardan.runtime.absolute.plan import Plan, plan
-from cardan.runtime.absolute.systems import assembled, balanced
+from cardan.runtime.sparse.block_solver import ENOUGH, solution, solver
+from cardan.runtime.sparse.plan import Plan, plan
+from cardan.runtime.sparse.systems import assembled, balanced
 from runtime.absolute.structures import STRUCTURES, Structure, bars, line, values
 from table import each
 

@@ -18,26 +18,26 @@ from numpy.typing import ArrayLike
 
 from ...arguments import Count, Seed, checked
 from ...errors import CardanError, ModelError, SolveError, SolveWarning, shown, warn
-from ...runtime.batch import threads as threads_of
-from ...runtime.loaded_model import LoadedModel
-from ..choice import Limited
-from ..growing import build_key, digest, model_key
-from ..happenings import happenings
-from ..progress import showing
-from ..sample import Plan
-from ..settings import settings, watched
-from ..simulate import case_of, chosen
-from ..times import Span, span
+from ...runtime.calls.batch import threads as threads_of
+from ...runtime.models.loaded_model import LoadedModel
+from ..simulation.events import happenings
+from ..simulation.files.append_log import build_key, digest, model_key
+from ..simulation.method_choice import Limited
+from ..simulation.progress import showing
+from ..simulation.settings import settings, watched
+from ..simulation.simulate import case_of, chosen
+from ..simulation.times import Span, span
 from .checkpoint import Checkpoint
-from .crew import suits, width_of
-from .gathered import UNFINISHED, Gathered
-from .hands import Block, Client, Threads, interruptible
+from .collection import UNFINISHED, Gathered
+from .energy_check import unaccounted
+from .executors import Block, Client, Threads, interruptible
 from .job import Job, histories_of
+from .lane_runner import suits, width_of
 from .reductions import reductions
 from .result import Ensemble
-from .single import motion
-from .unaccounted import unaccounted
-from .varied import varied
+from .sampling import Plan
+from .single_runs import motion
+from .variations import varied
 
 __all__ = ["Ensemble", "ensemble"]
 
@@ -85,8 +85,8 @@ def ensemble(
     Args:
         model: The compiled model.
         t: End, ``(start, end)`` or output times [s], which ``t_eval`` takes too.
-        vary: A plan of :mod:`cardan.analyses.sample`, or name -> values (runs,) or distribution;
-            names of coordinates, speeds, parameters or inputs.
+        vary: A plan of :mod:`cardan.analyses.ensembles.sampling`, or name -> values (runs,) or
+            distribution;            names of coordinates, speeds, parameters or inputs.
         x0: States (runs, nx); or q, u, z: arrays (runs, nq), (runs, nu) or by names,
             ``{"elbow": values}``. One number or state is that of all runs; a distribution such as
             ``cd.sample.normal(0, 0.1)`` is drawn for every run.

@@ -12,10 +12,10 @@ import numpy as np
 
 from ...errors import ModelError
 from ...version import ENSEMBLE_FILE
-from ..growing import Growing, packed, text, unpacked
-from .crew import NUMBERS
-from .hands import Block
+from ..simulation.files.append_log import Growing, packed, text, unpacked
+from .executors import Block
 from .job import Job, Piece
+from .lane_runner import NUMBERS
 from .reductions import FREE
 
 WORD = re.compile(r"[a-z_]{1,40}")  # of a status

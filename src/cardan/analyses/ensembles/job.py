@@ -9,17 +9,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...arrays import Array
-from ...runtime.conduct import EVENT, FINISHED
-from ...runtime.loaded_model import LoadedModel
-from ...runtime.trajectory import Trajectory
-from ..happenings import Happenings
-from ..settings import Settings
-from ..signals import Signals
-from ..times import Span
-from .crew import Crew, Ends, suits
+from ...runtime.models.loaded_model import LoadedModel
+from ...runtime.trajectory.solver_info import EVENT, FINISHED
+from ...runtime.trajectory.trajectory import Trajectory
+from ..simulation.events import Happenings
+from ..simulation.settings import Settings
+from ..simulation.signals import Signals
+from ..simulation.times import Span
+from .lane_runner import Crew, Ends, suits
 from .reductions import Histories, Parts, Reduction
-from .single import Single, motion
-from .varied import Varied
+from .single_runs import Single, motion
+from .variations import Varied
 
 
 @dataclass(frozen=True)

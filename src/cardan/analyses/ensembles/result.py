@@ -14,11 +14,11 @@ from numpy.typing import NDArray
 from ...arguments import checked
 from ...arrays import Array, Booleans
 from ...errors import ArgumentError, ModelError, counted, near
-from ...runtime.conduct import EVENT, FINISHED
-from ...runtime.trajectory import Trajectory
-from .crew import NUMBERS
-from .gathered import UNFINISHED, Gathered
+from ...runtime.trajectory.solver_info import EVENT, FINISHED
+from ...runtime.trajectory.trajectory import Trajectory
+from .collection import UNFINISHED, Gathered
 from .job import Job, entries
+from .lane_runner import NUMBERS
 
 
 @dataclass(frozen=True)
@@ -263,7 +263,7 @@ class Ensemble:
         Raises:
             ModuleNotFoundError: xarray is missing.
         """
-        from .stored import to_xarray
+        from .ensemble_file import to_xarray
 
         return to_xarray(self)
 
@@ -278,7 +278,7 @@ class Ensemble:
         Raises:
             ModelError: a variable too large for the format, or a file that cannot be written.
         """
-        from .stored import save
+        from .ensemble_file import save
 
         return save(self, Path(path))
 

@@ -15,14 +15,14 @@ from ... import regular_file
 from ...arrays import Array
 from ...errors import ArgumentError, near
 from ...runtime import formats
-from ...runtime.calling import numbers
-from ...runtime.storage import load
-from ...runtime.trajectory import Trajectory
+from ...runtime.calls.calling import numbers
+from ...runtime.trajectory.storage import load
+from ...runtime.trajectory.trajectory import Trajectory
 from ...whole_file import written
 from . import smoothing
 
 if TYPE_CHECKING:
-    from ...runtime.loaded_model import LoadedModel
+    from ...runtime.models.loaded_model import LoadedModel
 
 BLOCKS = ("q", "u", "udot", "tau", "r")
 # samples left out at either end where derivatives come from a spline

@@ -12,7 +12,7 @@ import numpy as np
 
 from ...arrays import Array
 from ...errors import SolveError
-from .triangle import triangle
+from .triangular_factor import triangle
 
 PASSES = 3  # of weights by residuals: the second changes them by parts of a thousand
 LEAST = 1e-12  # noise relative to what was measured: less is rounding

@@ -18,14 +18,14 @@ import numpy as np
 from ...arguments import Count, Seed, Times, checked
 from ...arrays import Array
 from ...errors import ArgumentError, SolveError, near
-from ..actuation import named_speeds
-from ..progress import showing
-from .base import WANTED, Base, base_parameters, circuits, needed
+from ..mechanisms.actuation import named_speeds
+from ..simulation.progress import showing
+from .base_parameters import WANTED, Base, base_parameters, circuits, needed
 from .data import is_plain, named_columns, write
 from .fourier import Limits, Series, feasible
 
 if TYPE_CHECKING:
-    from ...runtime.loaded_model import LoadedModel
+    from ...runtime.models.loaded_model import LoadedModel
 
 CRITERIA = ("condition", "determinant")
 # samples per harmonic at which the regressor is judged

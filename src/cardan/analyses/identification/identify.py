@@ -16,16 +16,16 @@ from numpy.typing import ArrayLike
 from ...arguments import Count, checked
 from ...arrays import Array
 from ...errors import ArgumentError, near
-from ...runtime.calling import numbers
-from ..actuation import named_speeds
-from .base import WANTED, Base, base_parameters, circuits, needed
+from ...runtime.calls.calling import numbers
+from ..mechanisms.actuation import named_speeds
+from .base_parameters import WANTED, Base, base_parameters, circuits, needed
 from .data import Data, columns, measured
 from .estimate import fitted
+from .regression_rows import Rows, of_energy, of_forces
 from .result import Identification
-from .rows import Rows, of_energy, of_forces
 
 if TYPE_CHECKING:
-    from ...runtime.loaded_model import LoadedModel
+    from ...runtime.models.loaded_model import LoadedModel
 
 FORMS = ("torque", "energy")
 # columns that circuits make dependent, seen at measured positions

@@ -12,11 +12,11 @@ import numpy as np
 from ...arguments import checked
 from ...arrays import Array, Booleans
 from ...errors import ArgumentError, near
-from .base import Base
-from .nearest import nearest
+from .base_parameters import Base
+from .nearest_parameters import nearest
 
 if TYPE_CHECKING:
-    from ...runtime.loaded_model import LoadedModel
+    from ...runtime.models.loaded_model import LoadedModel
 
 # standard deviations below this part of the estimate: it is known well
 WELL = 0.1

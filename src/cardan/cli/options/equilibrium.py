@@ -11,9 +11,9 @@ from . import run as run_options
 from . import scene as scene_options
 
 if TYPE_CHECKING:
-    from ...analyses.equilibrium import Equilibrium
+    from ...analyses.statics.equilibrium import Equilibrium
     from ...api.compiled_model import CompiledModel
-    from ...model import Model
+    from ...scene import Model
 
 
 def arguments(parser: argparse.ArgumentParser) -> argparse._ArgumentGroup:

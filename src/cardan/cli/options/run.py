@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from ...model import Model
+    from ...scene import Model
 
 DEFAULTS: dict[str, Any] = {"t": 10.0}
 
@@ -96,7 +96,7 @@ def _value(text: str) -> float:
         if "pi" not in text:
             raise
     from ...errors import CardanError
-    from ...model.files.expression import parse
+    from ...scene.files.expression import parse
 
     try:
         return float(parse(text, {}, where=text))

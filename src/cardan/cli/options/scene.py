@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from ...model import Model
+    from ...scene import Model
 
 
 # formalisms; these words are no reason to load the compiler
@@ -41,7 +41,7 @@ def method(group: argparse._ArgumentGroup) -> None:
 
 def load(options: argparse.Namespace) -> Model:
     """The scene."""
-    from ...model import load
+    from ...scene import load
 
     return load(
         options.file,
@@ -54,7 +54,7 @@ def load(options: argparse.Namespace) -> Model:
 
 def read(options: argparse.Namespace) -> Model:
     """The scene; its notes go to standard error."""
-    from ...model.summary import notes_of
+    from ...scene.summary import notes_of
 
     scene = load(options)
     for note in notes_of(scene):

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from ...analyses import sample
+from ...analyses.ensembles import sampling
 from ...errors import ModelError, near
 
 NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
@@ -23,14 +23,14 @@ AXES: dict[str, tuple[Callable[..., Any], str]] = {
     "geomspace": (lambda a, b, n: np.geomspace(a, b, _whole(n)), "first, last, count"),
 }
 KINDS: dict[str, tuple[Callable[..., Any], str]] = {
-    "uniform": (sample.uniform, "low, high"),
-    "normal": (sample.normal, "mean, deviation"),
-    "log_uniform": (sample.log_uniform, "low, high"),
+    "uniform": (sampling.uniform, "low, high"),
+    "normal": (sampling.normal, "mean, deviation"),
+    "log_uniform": (sampling.log_uniform, "low, high"),
 }
 PLANS = {
-    "random": sample.random,
-    "latin_hypercube": sample.latin_hypercube,
-    "sobol": sample.sobol,
+    "random": sampling.random,
+    "latin_hypercube": sampling.latin_hypercube,
+    "sobol": sampling.sobol,
 }
 FORMS = ", ".join(f"{word}({names})" for word, (_, names) in {**AXES, **KINDS}.items())
 
@@ -72,14 +72,14 @@ def _numbers(text: str) -> list[float]:
 
 
 def _whole(count: float) -> int:
-    if count != int(count) or not 1 <= count <= sample.MOST:
+    if count != int(count) or not 1 <= count <= sampling.MOST:
         raise ModelError(f"{count:g} is no number of values: 1, 2, ...")
     return int(count)
 
 
 def plan(
     given: Sequence[tuple[str, Any]], runs: int | None, kind: str, seed: int
-) -> sample.Plan | None:
+) -> sampling.Plan | None:
     """Every combination of the listed values; what is distributed is drawn for every run.
 
     Args:
@@ -97,7 +97,7 @@ def plan(
         raise ModelError(f"--vary: '{twice}' is given twice")
     axes = {name: value for name, value in given if isinstance(value, np.ndarray)}
     kinds = {name: value for name, value in given if not isinstance(value, np.ndarray)}
-    grid = sample.grid(axes) if axes else None
+    grid = sampling.grid(axes) if axes else None
     count = len(grid) if grid else 1
     total = runs or count
     if not given:
@@ -111,4 +111,4 @@ def plan(
     values = {n: np.repeat(v, total // count) for n, v in grid.values.items()} if grid else {}
     drawn = PLANS[kind](total, kinds, seed=seed).values if kinds else {}
     words = [*(["grid"] if grid else []), *([kind.replace("_", " ")] if kinds else [])]
-    return sample.Plan(" and ".join(words), {name: {**values, **drawn}[name] for name in names})
+    return sampling.Plan(" and ".join(words), {name: {**values, **drawn}[name] for name in names})

@@ -7,8 +7,8 @@ from itertools import groupby
 from typing import Any
 
 from ...ir.graph import ZERO
-from ..naming import comment
-from ..program import (
+from ..program.naming import comment
+from ..program.program import (
     Angles,
     Array,
     Assign,

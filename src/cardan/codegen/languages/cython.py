@@ -15,7 +15,7 @@ from ...schema.blocks import ARGUMENTS, ORDER
 from ...schema.c_functions import FunctionRow, ResultRow
 from ...schema.manifest import BLOCKS as BLOCK_KEYS
 from ...schema.manifest import Manifest
-from ..naming import mangle
+from ..program.naming import mangle
 from ..sources import source
 
 SUFFIX = ".pyx"

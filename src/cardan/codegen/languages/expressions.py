@@ -11,7 +11,7 @@ from collections.abc import Callable, Sequence
 
 from ...ir.graph import Node
 from ...ir.ops import OPERATORS
-from ..program import Scope
+from ..program.program import Scope
 
 # how tightly a text holds together; a text that begins with "-" is no ATOM
 SUM, PRODUCT, ATOM = 0, 1, 2

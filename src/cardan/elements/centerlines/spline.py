@@ -11,7 +11,7 @@ import numpy as np
 from ...arrays import Array
 from ...errors import ModelError
 from ..quantity import Quantity
-from ..written import vector
+from ..validation import vector
 from .centerline import APART, Centerline, Curve
 
 # Gauss points per piece of a span, and pieces per span: the arc length is exact to rounding on

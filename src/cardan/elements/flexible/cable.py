@@ -9,7 +9,7 @@ from ...ir.arithmetic import norm
 from ...ir.function import Function
 from ...ir.matrix import Matrix
 from .element import FlexibleElement, balance, energy, tangents
-from .ends import Ends
+from .element_ends import Ends
 
 
 @dataclass(frozen=True)

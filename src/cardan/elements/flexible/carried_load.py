@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 
 from ...ir.matrix import Matrix
 from ...spatial.short_rotations import Slopes
-from .ends import NAMES, Ends
+from .element_ends import NAMES, Ends
 from .relative import Relative, carried_by, carried_slope, forces, moved, tangent
 from .section import weight
 from .strain import Law, respond

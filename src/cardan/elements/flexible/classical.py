@@ -7,7 +7,7 @@ from typing import ClassVar
 
 from ...ir.matrix import Matrix
 from ...spatial.short_rotations import Slopes
-from .ends import Ends
+from .element_ends import Ends
 from .relative import Relative, mean_axes
 from .section import SECTION, SHAPE, Section, without_locking
 from .strain import Elastic, Field, StrainElement

@@ -8,7 +8,7 @@ from typing import ClassVar
 from ...ir.function import Function, Output
 from ...spatial.short_rotations import Slopes
 from .element import FlexibleElement, balance, tangents
-from .ends import Ends
+from .element_ends import Ends
 from .relative import Relative, carried_by, carried_slope, forces, moved
 from .section import STIFFNESS, diagonal, without_locking
 

@@ -6,9 +6,9 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from ...ir.matrix import Matrix
-from .ends import Ends
+from .element_ends import Ends
 from .loading import LoadElement
-from .places import Pose
+from .node_set import Pose
 from .section import DEAD
 
 MOMENT = ("dead_moment_1", "dead_moment_2", "dead_moment_3")

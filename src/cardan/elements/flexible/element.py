@@ -17,7 +17,7 @@ from ...ir.function import Block, Function, Output
 from ...ir.graph import Graph
 from ...ir.matrix import Matrix
 from ...literature import HasSource
-from .ends import NODE, Ends
+from .element_ends import NODE, Ends
 
 
 class FlexibleElement(HasSource, ABC):

@@ -10,7 +10,7 @@ from ...ir.matrix import Matrix
 from ...spatial.short_rotations import Slopes
 from .carried_load import CarriedLoad
 from .element import balance, energy, matrix
-from .ends import Ends
+from .element_ends import Ends
 from .relative import Relative
 from .section import CARRIED, FORCES, SECTION, SHAPE, weight
 from .strain import StrainElement, carried_strain, increment, stresses, unknown

@@ -7,7 +7,7 @@ from abc import abstractmethod
 from ...ir.function import Function, Output
 from ...ir.matrix import Matrix
 from .element import FlexibleElement, balance, energy, tangents
-from .ends import Ends
+from .element_ends import Ends
 from .section import diagonal
 
 # per length: mass [kg/m], moments of inertia about axes 2 and 3 of the section [kg m]

@@ -7,9 +7,9 @@ from typing import ClassVar
 
 from ...ir.arithmetic import Scalar
 from ...ir.matrix import Matrix
-from .ends import NAMES, Ends
+from .element_ends import NAMES, Ends
 from .inertia import DENSITY, InertiaElement, spin
-from .places import Motion, Pose
+from .node_set import Motion, Pose
 from .section import GRAVITY
 
 # of p_1, p_2, t_1, t_2

@@ -9,8 +9,8 @@ from typing import ClassVar
 from ...ir.function import Function, Output
 from ...ir.matrix import Matrix
 from .element import FlexibleElement, balance, energy, tangents
-from .ends import Ends
-from .places import Pose
+from .element_ends import Ends
+from .node_set import Pose
 
 
 class LoadElement(FlexibleElement):

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from ...ir.matrix import Matrix
-from .ends import Ends
+from .element_ends import Ends
 from .inertia import DENSITY, InertiaElement, spin
 from .section import GRAVITY
 

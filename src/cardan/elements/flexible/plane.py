@@ -7,7 +7,7 @@ from typing import ClassVar
 from ...ir.arithmetic import Number, Scalar, cos, sin
 from ...ir.graph import ONE, ZERO, Graph
 from ...ir.matrix import Matrix
-from .places import Entries, Ground, Motion, Place, Pose
+from .node_set import Entries, Ground, Motion, Place, Pose
 
 FLAT = ("x", "y", "angle")
 

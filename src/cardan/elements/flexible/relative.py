@@ -21,8 +21,8 @@ from ...spatial.short_rotations import (
     Slopes,
     slopes,
 )
-from .ends import relative_rotation
-from .places import Pose
+from .element_ends import relative_rotation
+from .node_set import Pose
 
 
 @dataclass(frozen=True)

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from ...ir.arithmetic import Scalar
 from ...ir.graph import ZERO, Graph
 from ...ir.matrix import Matrix
-from .ends import OUTSIDE, Ends
+from .element_ends import OUTSIDE, Ends
 
 # stiffness in the order of the stress [N m², N]; what there is without stress beyond the reference
 # shape, such as by temperature [rad/m, -]

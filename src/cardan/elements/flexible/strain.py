@@ -20,7 +20,7 @@ from ...ir.interpreter import evaluate
 from ...ir.matrix import Matrix
 from ...spatial.short_rotations import Slopes
 from .element import FlexibleElement, balance, energy, matrix
-from .ends import NODE, STRESS_UNITS, STRESSES, Ends
+from .element_ends import NODE, STRESS_UNITS, STRESSES, Ends
 from .relative import (
     Relative,
     Response,

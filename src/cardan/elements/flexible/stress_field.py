@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from ...ir.graph import SystemNames
 from ...ir.matrix import Matrix
 from ...ir.solve import factored, substitute
-from .ends import STRESSES, Ends
+from .element_ends import STRESSES, Ends
 from .relative import mirrored
 from .section import Section, diagonal
 from .strain import STRAINS, Field, Law

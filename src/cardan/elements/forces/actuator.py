@@ -8,10 +8,10 @@ from typing import Any, ClassVar
 from ...errors import ModelError
 from ...ir.arithmetic import Scalar
 from ...ir.matrix import Matrix
-from ..internal import Internal
+from ..internal_states import Internal
 from ..limits import Limit, not_negative, positive
 from ..quantity import JointName, Units
-from ..written import number
+from ..validation import number
 from .force import Action, ForceElement, JointLoad, Places
 
 

@@ -9,10 +9,10 @@ from typing import Any, ClassVar
 from ...errors import ModelError
 from ...ir.arithmetic import Scalar, norm, select, sqrt
 from ...ir.matrix import Matrix
-from ..internal import MODE, Change, Event, Jumped, Mode, Solved
+from ..internal_states import MODE, Change, Event, Jumped, Mode, Solved
 from ..limits import Limit, not_negative, positive
 from ..quantity import RATIO, Direction, Place, Quantity, Units, quantities_of
-from ..written import number
+from ..validation import number
 from .force import Action, ForceElement, Load, Places, constant
 
 UNDECIDED, APART, TOUCHING = 0, 1, 2

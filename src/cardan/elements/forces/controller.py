@@ -11,9 +11,9 @@ from ...errors import ModelError, shown
 from ...ir.arithmetic import select
 from ...ir.matrix import Matrix
 from ...ir.rewrite import rebuild
-from ..internal import TICK, Change, Event, Internal, Jumped, Mode
+from ..internal_states import TICK, Change, Event, Internal, Jumped, Mode
 from ..quantity import JointName, LocalNames, Quantity
-from ..written import number, vector
+from ..validation import number, vector
 from .force import Action, ForceElement, JointLoad, Places
 
 

@@ -13,7 +13,7 @@ from ...ir.function import live
 from ...ir.graph import Graph
 from ...ir.matrix import Matrix
 from ...literature import HasSource
-from ..internal import Change, Event, Hold, Impulse, Internal, Jumped, Mode, Solved
+from ..internal_states import Change, Event, Hold, Impulse, Internal, Jumped, Mode, Solved
 from ..limits import Limit, judge
 from ..quantity import Quantity, Units, annotated, quantities_of, take
 

@@ -8,7 +8,7 @@ from typing import Any, ClassVar
 from ...errors import ModelError, shown
 from ...ir.arithmetic import Scalar, select
 from ...ir.matrix import Matrix
-from ..internal import END, MODE, Change, Event, Hold, Jumped, Mode, Solved
+from ..internal_states import END, MODE, Change, Event, Hold, Jumped, Mode, Solved
 from ..limits import Limit, not_negative, positive
 from ..quantity import JointName, Quantity, Units, quantities_of
 from .force import Action, ForceElement, JointLoad, Places, one_coordinate

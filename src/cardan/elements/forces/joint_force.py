@@ -9,7 +9,7 @@ from typing import Any, ClassVar
 from ...errors import ModelError, counted
 from ...ir.matrix import Matrix
 from ..quantity import JointName, Quantity
-from ..written import number, vector
+from ..validation import number, vector
 from .force import Action, ForceElement, JointLoad, Places
 
 

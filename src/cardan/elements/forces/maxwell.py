@@ -8,10 +8,10 @@ from typing import Any, ClassVar
 from ...errors import ModelError
 from ...ir.arithmetic import Scalar, norm
 from ...ir.matrix import Matrix
-from ..internal import Internal
+from ..internal_states import Internal
 from ..limits import Limit, positive
 from ..quantity import Place, Units
-from ..written import number
+from ..validation import number
 from .force import Action, ForceElement, Places
 from .line import between, direction
 

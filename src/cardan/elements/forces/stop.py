@@ -8,7 +8,7 @@ from typing import Any, ClassVar
 from ...errors import ModelError
 from ...ir.arithmetic import Scalar, select
 from ...ir.matrix import Matrix
-from ..internal import IMPACT, MODE, Change, Event, Hold, Impulse, Jumped, Mode, Solved
+from ..internal_states import IMPACT, MODE, Change, Event, Hold, Impulse, Jumped, Mode, Solved
 from ..limits import Limit, not_negative
 from ..quantity import JointName, Units
 from .force import Action, ForceElement, Places, one_coordinate

@@ -7,7 +7,7 @@ from typing import Any, ClassVar
 
 from ...errors import ModelError, near, shown
 from ...ir.arithmetic import Scalar
-from ..internal import END, MARK, Event, Solved
+from ..internal_states import END, MARK, Event, Solved
 from ..quantity import Units
 from .force import Action, ForceElement, Places
 

@@ -13,7 +13,7 @@ from ...ir.graph import ONE
 from ...ir.matrix import Matrix
 from ...ir.rewrite import rebuild
 from ..quantity import LocalNames, Quantity
-from ..written import vector
+from ..validation import vector
 from .joint import Component, Joint
 
 IDENTITY = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))

@@ -10,7 +10,7 @@ from ...ir.arithmetic import Scalar, cos, sin
 from ...ir.matrix import Matrix
 from ...spatial.axis import complement, unit
 from ..quantity import RATIO, Direction, Units
-from ..written import positive
+from ..validation import positive
 from .guided import Guided
 from .joint import Component
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Any, ClassVar
 
 from ..quantity import Direction, JointName
-from ..written import number
+from ..validation import number
 from .hinge import Hinge
 
 

@@ -16,7 +16,7 @@ from ...ir.rewrite import rebuild
 from ...spatial.axis import complement, unit
 from ..quantity import Quantity
 from ..tables import Interpolation, table
-from ..written import is_expression, vector
+from ..validation import is_expression, vector
 from .guided import Guided
 from .joint import Component
 

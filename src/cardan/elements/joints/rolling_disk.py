@@ -8,7 +8,7 @@ from typing import Any, ClassVar
 from ...ir.arithmetic import Scalar
 from ...ir.matrix import Matrix
 from ..quantity import RATIO, Direction, Units
-from ..written import positive
+from ..validation import positive
 from .joint import Component
 from .rolling import Rolling
 

@@ -10,7 +10,7 @@ from ...ir.arithmetic import sqrt
 from ...ir.matrix import Matrix
 from ...spatial.axis import rotation_about, unit
 from ..quantity import RATIO, Direction, Units
-from ..written import parallel
+from ..validation import parallel
 from .joint import POSITIONS, Component, Joint, Step
 
 

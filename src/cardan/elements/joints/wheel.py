@@ -9,7 +9,7 @@ from ...errors import ModelError
 from ...ir.arithmetic import Scalar
 from ...ir.matrix import Matrix
 from ..quantity import RATIO, Direction, Units
-from ..written import is_expression, positive
+from ..validation import is_expression, positive
 from .joint import Component
 from .rolling import Rolling
 

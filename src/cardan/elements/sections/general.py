@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any, ClassVar
 
 from ..quantity import Units
-from ..written import is_expression, number, positive
+from ..validation import is_expression, number, positive
 from .section import Data, Numbers, Outline, Section, Stiffness, pair
 
 

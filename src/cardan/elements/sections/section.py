@@ -14,7 +14,7 @@ from typing import Any, ClassVar
 from ...ir.arithmetic import Scalar
 from ...literature import HasSource
 from ..quantity import Quantity, Units, annotated, quantities_of
-from ..written import positive, vector
+from ..validation import positive, vector
 
 Data = Mapping[str, "Scalar"]
 Numbers = Mapping[str, float]

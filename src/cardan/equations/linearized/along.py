@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike
 
 from ...arrays import Array, Complex
 from ...errors import DerivationError, SolveError
-from .given import Placeholder
+from .reference_input import Placeholder
 
 if TYPE_CHECKING:
     from ..record import Equations

@@ -15,7 +15,7 @@ from ...ir.function import Function, Output
 from ...ir.graph import ONE
 from ...ir.interpreter import evaluate
 from ...ir.matrix import Matrix
-from .given import NOMINAL, substituted
+from .reference_input import NOMINAL, substituted
 
 if TYPE_CHECKING:
     from .reference import Reference

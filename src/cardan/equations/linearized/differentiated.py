@@ -6,10 +6,10 @@ from collections.abc import Sequence
 
 from ...ir.derivative import directional
 from ...ir.matrix import Matrix
-from ..directions import Direction, directions
+from ..functions.directions import Direction, directions
+from .all_coordinates import Whole
 from .outward import outward
 from .reference import Reference
-from .whole import Whole
 
 
 def whole(at: Reference) -> Whole:

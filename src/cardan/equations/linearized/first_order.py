@@ -8,9 +8,9 @@ from dataclasses import dataclass
 from ...errors import DerivationError, listed, near
 from ...ir.matrix import Matrix
 from ...ir.solve import solve
+from .all_coordinates import Whole
 from .reduced import Reduced
 from .reference import Reference, picked
-from .whole import Whole
 
 
 @dataclass(frozen=True)

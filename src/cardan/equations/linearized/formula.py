@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from ...errors import DerivationError
-from ..formula import of_matrix
+from ..reading.formula import of_matrix
 
 if TYPE_CHECKING:
     from .record import Linearized, SecondOrder

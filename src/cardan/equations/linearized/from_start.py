@@ -26,13 +26,13 @@ from dataclasses import dataclass
 from ...ir.derivative import forward
 from ...ir.graph import ZERO
 from ...ir.matrix import Matrix
-from ..directions import Direction, directions
+from ..functions.directions import Direction, directions
 from . import differentiated
+from .all_coordinates import Whole
 from .gross import Gross, halves, turned_along
 from .local import Local
 from .outward import outward
 from .reference import Reference
-from .whole import Whole
 
 
 @dataclass(frozen=True)

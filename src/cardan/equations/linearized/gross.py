@@ -12,10 +12,10 @@ from ...ir.derivative import forward
 from ...ir.graph import ONE
 from ...ir.matrix import Matrix
 from ...spatial.moments import Inertia
-from ..accelerations import Accelerations, accelerations, inertia_force
-from ..composites import composites
-from ..joint_forces import along_joint
-from ..newton_euler_derivatives import Flow, flows
+from ..functions.newton_euler_derivatives import Flow, flows
+from ..kinematics.accelerations import Accelerations, accelerations, inertia_force
+from ..kinematics.composite_bodies import composites
+from ..kinematics.joint_forces import along_joint
 from .reference import Reference
 
 

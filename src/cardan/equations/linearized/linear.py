@@ -16,7 +16,7 @@ from .reduced import reduced
 from .reference import Reference
 
 if TYPE_CHECKING:
-    from ...runtime.trajectory import Trajectory
+    from ...runtime.trajectory.trajectory import Trajectory
     from ..record import Equations
     from .along import LinearizedAlong
 

@@ -10,18 +10,18 @@ from collections.abc import Mapping, Sequence
 from copy import copy
 
 from ...elements.closing import closed
-from ...elements.internal import Hold
+from ...elements.internal_states import Hold
 from ...ir.derivative import forward, gradient
 from ...ir.function import live
 from ...ir.graph import ZERO
 from ...ir.matrix import Matrix
 from ...topology.system import Cut
-from ..constraints import POSITION, VELOCITY
-from ..joint_forces import along_joint
-from ..kinematics import Kinematics
-from ..loads import Loads, applied, places, spread
-from .given import substituted
+from ..constraints.constraints import POSITION, VELOCITY
+from ..kinematics.joint_forces import along_joint
+from ..kinematics.kinematics import Kinematics
+from ..kinematics.loads import Loads, applied, places, spread
 from .gross import Gross, halves
+from .reference_input import substituted
 
 # quantities of a body: rotation and place in ground axes, twist and its rate in its own
 SIZES = {"rotation": 9, "position": 3, "omega": 3, "v": 3, "alpha": 3, "a": 3}

@@ -9,8 +9,8 @@ import numpy as np
 
 from ...arrays import Array
 from ...errors import DerivationError, near
-from .given import NOMINAL
 from .reference import Reference
+from .reference_input import NOMINAL
 
 OPEN = 1e-8  # of circuits: what assembling leaves at the most, with room for other numbers
 

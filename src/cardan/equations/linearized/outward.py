@@ -8,8 +8,8 @@ from ...errors import DerivationError
 from ...ir.derivative import forward
 from ...ir.function import live
 from ...ir.matrix import Matrix
-from .. import happening, outputs
-from ..directions import Direction, directions
+from ..functions import event_functions, outputs
+from ..functions.directions import Direction, directions
 from .reference import Reference
 
 Columns = Callable[[Reference, Matrix, Sequence[Direction]], Matrix]
@@ -20,7 +20,7 @@ def outward(at: Reference, columns: Columns) -> dict[str, Matrix]:
     _refuse_driven(at)
     wrt = {letter: directions(at.k, letter, at.names) for letter in ("q", "u", "z", "r", "udot")}
     found = observer(at, wrt["q"])
-    rates = happening.rates(at.d) if at.system.nz else Matrix.zeros(at.graph, 0)
+    rates = event_functions.rates(at.d) if at.system.nz else Matrix.zeros(at.graph, 0)
     for name, letter in (("Ze", "q"), ("Zv", "u"), ("Zz", "z"), ("Zr", "r")):
         found[name] = columns(at, rates, wrt[letter])
     seen = declared(at)

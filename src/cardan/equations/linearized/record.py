@@ -14,12 +14,12 @@ from ...arrays import Array
 from ...errors import DerivationError, counted, listed
 from ...ir.function import Function, count, live
 from ...ir.matrix import Matrix
+from .all_coordinates import DYNAMIC, Whole
 from .first_order import Plant
+from .matrices import Written
 from .reduced import Reduced
 from .reference import Reference, picked
 from .second_order import parts_of, second_order
-from .whole import DYNAMIC, Whole
-from .written import Written
 
 if TYPE_CHECKING:
     import sympy

@@ -14,8 +14,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from ...ir.matrix import Matrix
+from .all_coordinates import Whole
 from .reference import Reference, picked
-from .whole import Whole
 
 
 @dataclass(frozen=True)

@@ -20,13 +20,14 @@ from ...ir.graph import ONE, ZERO
 from ...ir.interpreter import evaluate
 from ...ir.matrix import Matrix
 from ...ir.solve import solve
-from .. import blocks
-from ..dynamics import Dynamics
-from ..kinematics import Kinematics
-from ..pressing import pressed
+from ..constraints.reaction_friction import pressed
+from ..functions import blocks
+from ..functions.dynamics import Dynamics
+from ..kinematics.kinematics import Kinematics
 from .assembled import Assembly
 from .choice import WANTED, choice
-from .given import (
+from .pivoting import independent, independent_rows, solved
+from .reference_input import (
     NOMINAL,
     Placeholder,
     Symbols,
@@ -37,7 +38,6 @@ from .given import (
     places_of,
     substituted,
 )
-from .pivoting import independent, independent_rows, solved
 
 if TYPE_CHECKING:
     from ..record import Equations

@@ -11,12 +11,12 @@ from html import escape
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from ...equations.notation import Notation
+from ...equations.reading.notation import Notation
 from .. import content as d
 from ..style import STYLE
 
 if TYPE_CHECKING:
-    from ...equations.mathml import Printer
+    from ...equations.reading.mathml import Printer
     from ..breaking import Breaker
 
 # letters of a piece of a formula: what fits a telephone
@@ -92,7 +92,7 @@ class _Writer:
 
     @cached_property
     def _printer(self) -> Printer:
-        from ...equations.mathml import Printer
+        from ...equations.reading.mathml import Printer
 
         return Printer(self._symbols)
 

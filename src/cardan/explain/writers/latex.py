@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 from unicodedata import name as unicode_name
 
-from ...equations.notation import GREEK
+from ...equations.reading.notation import GREEK
 from .. import content as d
 from ..tex import TeX
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..joint_motion import Array, cross, times
-from ..newton_euler import momenta, momenta_of_bodies, moving, own
-from .asked import Asked
 from .differences import relative
+from .evaluation import Asked
+from .joint_motion import Array, cross, times
+from .newton_euler import momenta, momenta_of_bodies, moving, own
 
 
 def _frame(asked: Asked, name: str) -> tuple[int, Array, Array]:

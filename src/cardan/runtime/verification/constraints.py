@@ -15,12 +15,12 @@ import numpy as np
 
 from ...arrays import Array
 from ...errors import DerivationError, ModelError
-from ..initial import start_of
+from ..models.initial import start_of
 from .differences import REACH, central, input_rates
 
 if TYPE_CHECKING:
-    from ..absolute.elements import Elements
-    from ..loaded_model import LoadedModel
+    from ..models.finite_elements.elements import Elements
+    from ..models.loaded_model import LoadedModel
 
 RATES, JACOBIAN, GAMMA = "constraint_rates", "constraint_jacobian", "gamma"
 CHECKED = (RATES, JACOBIAN)
@@ -224,7 +224,7 @@ def binds(symbol: str) -> bool:
 
 def of_elements(model: LoadedModel, elements: Elements, states: int, seed: int) -> dict[str, float]:
     """The largest error of every level of a model in absolute coordinates."""
-    from ..absolute.elements import State
+    from ..models.finite_elements.elements import State
 
     modes = model._layout.start("s")
 

@@ -7,13 +7,13 @@ from typing import Any
 
 import numpy as np
 
-from ..joint_motion import Array, joint_motion, placed, times
-from ..newton_euler import own
-from ..truth import push
 from . import loops
-from .asked import Asked
 from .differences import BOUND, relative
+from .evaluation import Asked
+from .joint_motion import Array, joint_motion, placed, times
 from .loops import acceleration_error, borne, singular, unbalanced
+from .newton_euler import own
+from .reference_values import push
 
 SINGULAR = "the mass matrix is singular"
 STEP = 1e-30

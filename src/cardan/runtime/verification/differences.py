@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from ..joint_motion import Array
+from .joint_motion import Array
 
 # Rounding of either side stays below 1e-12 of the largest term even for chains of a hundred bodies;
 # a wrong formula is wrong in the first digits. In between lies the bound.

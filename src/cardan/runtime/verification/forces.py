@@ -6,13 +6,13 @@ from typing import Any
 
 import numpy as np
 
-from ..circuits import circuits_of
-from ..joint_motion import Array, cross, joint_motion, times
-from ..newton_euler import along_joints, moving, own, rates_of_momentum, transmitted
-from .asked import Asked
 from .differences import relative
+from .evaluation import Asked
+from .joint_motion import Array, cross, joint_motion, times
+from .loop_constraints import circuits_of
 from .loops import accelerations
 from .motions import moves_alone
+from .newton_euler import along_joints, moving, own, rates_of_momentum, transmitted
 
 Loads = tuple[list[Array], list[Array]]
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..joint_motion import Array, times
-from .asked import ELSEWHERE, Asked
 from .differences import missing, relative, ways, worst_of
+from .evaluation import ELSEWHERE, Asked
+from .joint_motion import Array, times
 
 # of a finite increment, in radians or sizes of the scene
 STEP = 0.4

@@ -7,12 +7,12 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..joint_motion import Array, times
-from ..newton_euler import Scene, inverse_dynamics
-from ..rotations import cross_matrix
-from .asked import ELSEWHERE, Asked
 from .bodies import kinetic, weight
 from .differences import BOUND, relative
+from .evaluation import ELSEWHERE, Asked
+from .joint_motion import Array, times
+from .newton_euler import Scene, inverse_dynamics
+from .rotations import cross_matrix
 
 ENTRIES = ("mass", "x", "y", "z", "xx", "yy", "zz", "xy", "xz", "yz")
 CELLS = {"xx": (0, 0), "yy": (1, 1), "zz": (2, 2), "xy": (0, 1), "xz": (0, 2), "yz": (1, 2)}

@@ -6,13 +6,13 @@ from collections.abc import Callable
 
 import numpy as np
 
-from ..closed_states import RANK, Bound, dependents
-from ..closing import size_of
-from ..joint_motion import Array, times
-from ..truth import Truth
-from ..written_bounds import written
-from .asked import Asked
+from ..models.constraint_projection import size_of
+from .closed_states import RANK, Bound, dependents
 from .differences import relative
+from .evaluation import Asked
+from .joint_motion import Array, times
+from .reference_values import Truth
+from .user_constraints import written
 
 # Beyond this condition number udot has lost what the bound asks for: M is singular to a program.
 REGULAR = 1e13

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..closed_states import RANK
-from ..joint_motion import Array, times
-from ..truth import push
-from ..written_bounds import written
-from .asked import ELSEWHERE, Asked
 from .bodies import canonical, kinetic, weight
+from .closed_states import RANK
 from .differences import missing, relative, ways, worst_of
+from .evaluation import ELSEWHERE, Asked
+from .joint_motion import Array, times
 from .loops import accelerations, singular
+from .reference_values import push
+from .user_constraints import written
 
 
 def rates(asked: Asked, udot: Array) -> dict[str, Array]:

@@ -14,7 +14,7 @@ from ...arrays import Array
 from ...schema.tree import SampleRow
 
 if TYPE_CHECKING:
-    from ..loaded_model import LoadedModel
+    from ..models.loaded_model import LoadedModel
 
 CHANGED = "not checked: values are built in that SymPy's numbers do not belong to"
 YIELDING = "not checked: constraints treated by '{}' give way"

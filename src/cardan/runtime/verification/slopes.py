@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from ...ir.request import Request
-from ..joint_motion import Array, times
-from .asked import ELSEWHERE, Asked
 from .differences import missing, ways, worst_of
+from .evaluation import ELSEWHERE, Asked
+from .joint_motion import Array, times
 
 LETTERS = ("t", "q", "u", "z", "udot", "tau", "r")
 

@@ -23,8 +23,9 @@ class Integrator:
         multipliers: Whether it finds multipliers along with the motion.
         options: Numbers that its kernel reads, before the one that says whether it is adaptive.
         given_step: Whether it is adaptive, but steps as told where a step is given.
-        conditions: What it asks of a model, by the names of ``analyses/conditions.py``, in this
-            order; some choose options for the model.
+        conditions: What it asks of a model, by the names of
+            ``analyses/simulation/method_requirements.py``, in this order; some choose options
+            for the model.
         lanes: Whether ``kernels/lane_<kernel>.c`` takes its steps side by side.
         elements: Whether it is one for elements in absolute coordinates alone.
         tableau: Of a Runge-Kutta method without a class in SciPy: rows of a, those of an explicit

@@ -18,7 +18,7 @@ from ...ir.arithmetic import atan2, select, sqrt
 from ...ir.graph import ONE, ZERO, Graph
 from ...ir.matrix import Matrix
 from ...spatial.axis import complement, principal, unit
-from ..retold import Placed, reached, retold
+from ..frame_change import Placed, reached, retold
 from ..system import Joint, System
 
 # lines whose sine is below this are parallel: any direction across is normal to both, to rounding

@@ -13,7 +13,7 @@ from __future__ import annotations
 from ...ir.graph import ZERO, Graph
 from ...ir.matrix import Matrix
 from ...spatial.axis import principal
-from ..retold import Placed, reached, retold
+from ..frame_change import Placed, reached, retold
 from ..system import Body, System
 
 # operations: of a component of a position, of one that is a joint further out, and of a product of

@@ -15,7 +15,7 @@ from dataclasses import replace
 from ...ir.graph import Graph
 from ...ir.matrix import Matrix
 from ...spatial.axis import principal
-from ..retold import Placed, reached, retold
+from ..frame_change import Placed, reached, retold
 from ..system import Joint, System, Turn
 
 

@@ -1,0 +1,139 @@
+"""Blocks of runs put together: values by number of the run, statistics in the order of blocks."""
+
+from __future__ import annotations
+
+import math
+import os
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from ...arrays import Array, Booleans
+from ...errors import ArgumentError, ModelError
+from .job import Job, Piece
+from .lane_runner import NUMBERS
+from .reductions import Parts, States
+
+MESSAGES = 1000  # that are kept as text; the others are told by run(i)
+UNFINISHED = ("not_run", "interrupted")
+LESS = "Keep less: reduce='max of ...', 'mean of ...', or fewer runs at once"
+SHARE = 0.5  # of the memory of the machine that states may take
+
+
+class Gathered:
+    """Room for the answers of all runs.
+
+    Attributes:
+        x: Last states (runs, nx).
+        codes: Status per run as an index in ``words``.
+        numbers: (runs, 4).
+        messages: The first ones, by number of the run.
+        per_run: Reductions with a value per run.
+    """
+
+    def __init__(self, job: Job) -> None:
+        runs = job.varied.runs
+        self.job, self.done = job, 0
+        _refuse_too_much(job)
+        self.x = _room((runs, job.model.nx))
+        self.words = ["not_run", "finished"]
+        self.codes = np.zeros(runs, dtype=np.int8)
+        self.numbers = np.zeros((runs, len(NUMBERS)))
+        self.numbers[:, 0] = np.nan
+        self.messages: dict[int, str] = {}
+        self.per_run: dict[str, Array] = {}
+        self._merged: dict[str, Parts] = {}
+        # statistics of blocks whose predecessors are still to come
+        self._early: dict[int, tuple[int, dict[str, Parts]]] = {}
+        self._next = 0
+
+    def add(self, piece: Piece) -> None:
+        """A block."""
+        here = slice(piece.first, piece.last)
+        self.x[here], self.numbers[here] = piece.x, piece.numbers
+        for word in np.unique(piece.status).tolist():
+            if word not in self.words:
+                self.words.append(word)
+            self.codes[here][piece.status == word] = self.words.index(word)
+        self.tell(piece.messages)
+        self.done += int(np.isin(piece.status, UNFINISHED, invert=True).sum())
+        rest: dict[str, Parts] = {}
+        for name, reduction in self.job.kept.items():
+            parts = piece.parts[name]
+            if not reduction.per_run:
+                rest[name] = parts
+                continue
+            value = parts["value"]
+            if name not in self.per_run:
+                shape = (self.job.varied.runs, *value.shape[1:])
+                self.per_run[name] = _room(shape)
+            if value.shape[1:] != self.per_run[name].shape[1:]:
+                raise ArgumentError(
+                    f"reduce: '{name}' has shape {value.shape[1:]} for run {piece.first}, "
+                    f"{self.per_run[name].shape[1:]} for others; it must be the same for all"
+                )
+            self.per_run[name][here] = value
+        self._early[piece.first] = piece.last, rest
+        while self._next in self._early:
+            self._merge(self._next)
+
+    @property
+    def finished(self) -> Booleans:
+        """Which runs reached their end (runs,)."""
+        done: Booleans = self.codes == self.words.index("finished")
+        return done
+
+    def tell(self, messages: Mapping[int, str]) -> None:
+        """Keep what is to be said of runs, by their numbers."""
+        for k, text in messages.items():
+            if len(self.messages) < MESSAGES:
+                self.messages[k] = text
+
+    def _merge(self, first: int) -> None:
+        self._next, parts = self._early.pop(first)
+        for name, part in parts.items():
+            before = self._merged.get(name)
+            merged = part if before is None else self.job.kept[name].merged(before, part)
+            self._merged[name] = merged
+
+    def results(self) -> Mapping[str, Any]:
+        """Every reduction by name; of what was computed."""
+        # after an interruption there are gaps
+        for first in sorted(self._early):
+            self._merge(first)
+        found: dict[str, Any] = {}
+        for name, reduction in self.job.kept.items():
+            if reduction.per_run and name in self.per_run:
+                found[name] = self.per_run[name]
+            elif name in self._merged:
+                found[name] = reduction.result(self._merged[name])
+        return found
+
+
+def _room(shape: tuple[int, ...]) -> Array:
+    """Room for values of all runs, NaN as long as there are none.
+
+    Raises:
+        ModelError: this process may not have so much memory.
+    """
+    try:
+        return np.full(shape, np.nan)
+    except MemoryError:
+        raise ModelError(
+            f"what is kept of {shape[0]} runs takes {8 * math.prod(shape) / 1e9:.3g} GB, which "
+            f"this process has no memory for. {LESS}"
+        ) from None
+
+
+def _refuse_too_much(job: Job) -> None:
+    """Refuse to keep more states than the memory can hold, before anything is computed."""
+    times = 0 if job.over.times is None else len(job.over.times)
+    wanted = any(isinstance(one, States) for one in job.kept.values())
+    size = 8 * job.varied.runs * job.model.nx * (1 + wanted * times)
+    memory = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
+    if size > SHARE * memory:
+        raise ModelError(
+            f"the states of {job.varied.runs} runs at {times + 1} times take {size / 1e9:.3g} GB, "
+            f"this machine has {memory / 1e9:.3g} GB. {LESS}"
+        )

@@ -1,0 +1,122 @@
+"""Runs one after the other, each as ``simulate`` makes it: circuits, events, Python on the way."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ...arrays import Array
+from ...errors import CardanError, FunctionError
+from ...runtime.calls.parameters import Parameters
+from ...runtime.models.constraint_projection import Closing
+from ...runtime.models.loaded_model import LoadedModel
+from ...runtime.trajectory.trajectory import Trajectory
+from ..simulation.events import Happenings
+from ..simulation.method_choice import Case
+from ..simulation.run import Runner
+from ..simulation.settings import Settings, Start, start
+from ..simulation.signals import Signals
+from ..simulation.simulate import driven, runner_of
+from ..simulation.starts.start import closed_start
+from ..simulation.times import Span
+from .lane_runner import NUMBERS, Ends
+from .variations import Varied
+
+PARTS = (0.0, 0.13, 0.29, 0.41, 0.57, 0.71, 0.86, 1.0)
+
+
+def motion(
+    model: LoadedModel,
+    how: Settings,
+    given: Signals,
+    may: Happenings,
+    over: Span,
+    part: Varied,
+    case: Case | None = None,
+) -> tuple[Trajectory, Runner]:
+    """The only run of a part, and what made it.
+
+    Raises:
+        ModelError: its circuits cannot be assembled.
+        FunctionError: a function of the caller raised.
+        Limited: with ``case``: another method would be chosen.
+    """
+    if part.own_parameters:
+        model = model._with(Parameters(model.manifest, part.block("p")[0]))
+    constants = part.block("r")[0]
+    own = Signals(constants, given.pieces, given.functions, given.sample, given.defaulted)
+    named = part.named("q", 0), part.named("u", 0)
+    if model.manifest.absolute:
+        # what is not named goes where its own parameters and what is named carry it
+        begin = start(model, None, *named, part.named("z", 0))
+    else:
+        begin = Start(part.states()[0], ())
+    if Closing.of(model).rows or model.manifest.absolute:
+        begin = closed_start(model, begin, *named, over.start, own.first(over.start))
+    runner = runner_of(model, how, own, may)
+    return driven(runner, over, begin, False, case), runner
+
+
+def on_the_way(over: Span) -> Array:
+    """Some times of a run, both ends among them, at no even distances."""
+    times = over.start + (over.end - over.start) * np.array(PARTS)
+    times[-1] = over.end
+    return times
+
+
+class Single:
+    """Used as a :class:`.crew.Crew` is."""
+
+    def __init__(
+        self, model: LoadedModel, how: Settings, given: Signals, may: Happenings, over: Span
+    ) -> None:
+        self.model, self.how, self.given, self.may, self.over = model, how, given, may, over
+        self.stopped = False
+
+    def stop(self) -> None:
+        """End soon, from any thread."""
+        self.stopped = True
+
+    def run(self, part: Varied) -> Ends:
+        """All runs of a block."""
+        count, nx, nr, ns = part.runs, self.model.nx, self.model.nr, self.model.ns
+        times = np.empty(0) if self.over.times is None else self.over.times
+        # some rows on the way say what energy there is to account for
+        over = Span(self.over.start, self.over.end, on_the_way(self.over))
+        over = self.over if self.over.times is not None else over
+        ends = Ends(
+            np.full((count, nx), np.nan),
+            np.full((count, len(times), 1 + nx + nr + ns), np.nan),
+            ["not_run"] * count,
+            {},
+            np.zeros((count, len(NUMBERS))),
+        )
+        ends.numbers[:, 0] = np.nan
+        for k in range(count):
+            if self.stopped:
+                break
+            try:
+                one = part.part(k, k + 1)
+                made, runner = motion(self.model, self.how, self.given, self.may, over, one)
+            except FunctionError:
+                # the function is at fault, not this run
+                raise
+            except CardanError as problem:
+                # such as circuits that do not close with the parameters of this run
+                ends.status[k], ends.messages[k] = "not_begun", f"not begun: {problem}"
+                continue
+            self._keep(ends, k, made, runner)
+        return ends
+
+    def _keep(self, ends: Ends, k: int, made: Trajectory, runner: Runner) -> None:
+        """What became of one run."""
+        nx, reached = self.model.nx, len(made)
+        ends.x[k] = runner.views["y"][:nx]
+        ends.status[k] = made.status
+        if not made.success or made.conduct.warning:
+            said = [made.message] if not made.success else []
+            said += [made.conduct.warning] if made.conduct.warning else []
+            ends.messages[k] = "; ".join(said)
+        ends.numbers[k] = runner.record.t, *(made.statistics[name] for name in NUMBERS[1:])
+        if ends.rows.shape[1]:
+            parts = [made.t[:, None], made.x, made.r, made.s]
+            ends.rows[k, :reached] = np.concatenate(parts, axis=1)

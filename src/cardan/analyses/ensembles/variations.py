@@ -1,0 +1,348 @@
+"""What the runs of an ensemble differ by, from the words of the user to numbers per run."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+import numpy as np
+
+from ...arrays import Array
+from ...errors import ArgumentError, ModelError, SolveError, named, near, shown
+from ...runtime.calls.calling import numbers
+from ...runtime.models.initial import entries, initial_state, missing
+from ...runtime.models.loaded_model import LoadedModel
+from ...runtime.models.named_rotations import check_units, component, refuse_components
+from ..simulation.signals import Signals, signals
+from . import sampling
+
+SUCH = "such as vary={'mass': [1, 2, 5]}, or a plan, vary=cd.sample.grid(mass=(1, 2, 100))"
+SOME = 1 << 14  # runs whose parameters are looked at together
+WHAT = {"q": "coordinate", "u": "speed", "z": "state", "p": "parameter", "r": "input"}
+
+
+@dataclass(frozen=True)
+class Column:
+    """Values of one name, or of a whole block.
+
+    Attributes:
+        block: ``q``, ``u``, ``z``, ``p`` or ``r``.
+        name: As the user said it; the block itself where all of it was given.
+        place: Its entries in the block.
+        values: (runs, n), or (1, n) where all runs share them.
+    """
+
+    block: str
+    name: str
+    place: slice
+    values: Array = field(repr=False)
+
+    def part(self, first: int, last: int) -> Column:
+        """The same of some runs."""
+        return self if len(self.values) == 1 else replace(self, values=self.values[first:last])
+
+
+@dataclass(frozen=True)
+class Varied:
+    """Where every run starts, and with which numbers.
+
+    Attributes:
+        runs: How many there are.
+        base: Block -> what all runs start from, but for the columns.
+        quaternions: First entry of each in q.
+        columns: What is given, per run or for all.
+    """
+
+    runs: int
+    base: Mapping[str, Array] = field(repr=False)
+    quaternions: tuple[int, ...]
+    columns: tuple[Column, ...]
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """What differs between runs."""
+        return tuple(c.name for c in self.columns if len(c.values) > 1)
+
+    def part(self, first: int, last: int) -> Varied:
+        """The same of some runs alone."""
+        columns = tuple(column.part(first, last) for column in self.columns)
+        return replace(self, runs=last - first, columns=columns)
+
+    def states(self) -> Array:
+        """Where all runs start (runs, nx)."""
+        return np.concatenate([self.block(letter) for letter in "quz"], axis=1)
+
+    def block(self, letter: str) -> Array:
+        """q (runs, nq), u (runs, nu), z, p (runs, np) or r (runs, nr) of all runs."""
+        block = self.given(letter)
+        for start in self.quaternions if letter == "q" else ():
+            # entry by entry: every run gets the bits it would get alone
+            w, x, y, z = (block[:, start + k] for k in range(4))
+            block[:, start : start + 4] /= np.sqrt(w * w + x * x + y * y + z * z)[:, None]
+        return block
+
+    def given(self, letter: str) -> Array:
+        """As :meth:`block`, quaternions as they were given."""
+        block = np.tile(self.base[letter], (self.runs, 1))
+        for column in self.columns:
+            if column.block == letter:
+                block[:, column.place] = column.values
+        return block
+
+    @property
+    def own_parameters(self) -> bool:
+        """Whether any run has parameters of its own."""
+        return any(column.block == "p" for column in self.columns)
+
+    def named(self, letter: str, k: int) -> Any:
+        """What was given for q, u or z of run ``k``: by names, a whole block, or None."""
+        given = {c.name: c.values[k % len(c.values)] for c in self.columns if c.block == letter}
+        return given.get(letter, given or None)
+
+
+class Reader:
+    """Collects columns, and checks that they fit each other."""
+
+    def __init__(self, model: LoadedModel, runs: int | None, seed: int) -> None:
+        self.model, self.seed = model, sampling.checked_seed(seed)
+        self.columns: list[Column] = []
+        self.waiting: list[tuple[str, str, slice, sampling.Distribution]] = []
+        # how many runs there are, and who said so
+        self.runs: tuple[int, str] | None = None
+        if runs is not None:
+            if not isinstance(runs, int | np.integer) or runs < 1:
+                raise ModelError(f"runs={shown(runs)} is no number of runs: 1, 2, ...")
+            self.runs = int(runs), "runs="
+        self.covered: dict[tuple[str, int], str] = {}
+
+    def add(self, block: str, name: str, where: str, place: slice, value: Any) -> None:
+        """One name with its values."""
+        for k in range(place.start, place.stop):
+            other = self.covered.setdefault((block, k), where)
+            if other != where:
+                raise ModelError(f"{WHAT[block]} '{name}' is given twice: by {other} and {where}")
+        if callable(value) and not isinstance(value, sampling.Distribution):
+            word = getattr(value, "__name__", "it")
+            raise ModelError(
+                f"{where} is a function; call it with its numbers, such as "
+                f"cd.sample.{word if hasattr(sampling, word) else 'uniform'}(1, 2), and say runs="
+            )
+        if isinstance(value, sampling.Distribution):
+            if place.stop - place.start != 1:
+                raise ArgumentError(f"{where}: a distribution goes to one entry, such as 'base.px'")
+            self.waiting.append((block, name, place, value))
+            return
+        array = self.shaped(where, numbers(where, value), place.stop - place.start)
+        self._finite(block, where, place, array)
+        self.columns.append(Column(block, name, place, np.ascontiguousarray(array)))
+
+    def shaped(self, where: str, array: Array, size: int) -> Array:
+        """(runs, size) or (1, size); says how many runs there are."""
+        if size == 1 and (array.ndim == 0 or array.shape[-1:] != (1,)):
+            array = array[..., None]
+        if array.ndim == 2 and array.shape[1] == size and len(array):
+            self._count(where, len(array))
+            return array
+        if array.shape != (size,):
+            runs = self.runs[0] if self.runs else "runs"
+            one = "one number" if size == 1 else f"({size},)"
+            many = f"({runs},)" if size == 1 else f"({runs}, {size})"
+            shape = array.shape[:-1] if size == 1 else array.shape
+            raise ArgumentError(f"{where} has shape {shape}, expected {one} or {many}")
+        return array[None]
+
+    def _count(self, where: str, runs: int) -> None:
+        if runs == 1:
+            return
+        if self.runs is None:
+            self.runs = runs, where
+        elif self.runs[0] != runs:
+            raise ArgumentError(
+                f"{where} has values for {runs} runs, {self.runs[1]} says {self.runs[0]}"
+            )
+
+    def _finite(self, block: str, where: str, place: slice, array: Array) -> None:
+        bad = np.argwhere(~np.isfinite(array))
+        if len(bad):
+            run, k = bad[0].tolist()
+            name = _entry(self.model, block, place.start + k)
+            which = f" of run {run}" if len(array) > 1 else ""
+            raise SolveError(f"{where}: '{name}'{which} is {array[run, k]}; it must be finite")
+
+    def total(self) -> int:
+        """How many runs there are; what was waiting for it is drawn."""
+        if self.runs is None:
+            raise ModelError(
+                "nothing differs between the runs, or nothing says how many they are: give lists "
+                "with one value per run, a plan such as vary=cd.sample.grid(...), or runs= with "
+                "distributions"
+            )
+        for block, name, place, kind in self.waiting:
+            values = sampling.drawn(name, kind, self.runs[0], self.seed)[:, None]
+            self._finite(block, f"'{name}'", place, values)
+            self.columns.append(Column(block, name, place, values))
+        for column in self.columns:
+            if column.block == "p":
+                self.model._parameters.checked(column.name, column.values[:, 0])
+        return self.runs[0]
+
+
+def _entry(model: LoadedModel, block: str, k: int) -> str:
+    names = {"q": model.coordinates, "u": model.speeds, "z": model.internals, "r": model.inputs}
+    return names[block][k] if block in names else list(model.parameters)[k]
+
+
+def varied(
+    model: LoadedModel,
+    *,
+    x0: Any,
+    q: Any,
+    u: Any,
+    z: Any,
+    parameters: Mapping[str, Any] | None,
+    inputs: Mapping[str, Any] | None,
+    sample_time: float | None,
+    vary: sampling.Plan | Mapping[str, Any] | None,
+    runs: int | None,
+    seed: int,
+    over: tuple[float, float],
+) -> tuple[Varied, Signals]:
+    """What differs between runs, and the inputs that do not.
+
+    Args: as :func:`cardan.analyses.ensembles.ensemble` takes them; ``over`` is the span.
+
+    Raises:
+        ModelError: unknown names, something given twice, nothing that differs.
+        ArgumentError: shapes that do not fit. SolveError: a value that is not finite.
+    """
+    reader = Reader(model, runs, seed)
+    if x0 is not None and any(block is not None for block in (q, u, z)):
+        raise ModelError("the start is given twice: by x0= and by q=, u= or z=. Leave one out")
+    ends = model.nq, model.nq + model.nu
+    if x0 is not None:
+        x = reader.shaped("x0", numbers("x0", x0), model.nx)
+        q, u, z = np.split(x, ends, axis=1)
+    for letter, value in (("q", q), ("u", u), ("z", z)):
+        _state(reader, letter, value, "x0" if x0 is not None else letter)
+    for name, value in named("parameters", parameters, "'mass': values").items():
+        _parameter(reader, name, f"parameters={{'{name}': ...}}", value)
+    shared = _inputs(reader, inputs)
+    for name, column in _plan(vary).items():
+        _named(reader, name, column)
+    total = reader.total()
+    given = signals(model.manifest.inputs, shared, sample_time, over)
+    start, _ = initial_state(model.manifest, {}, {})
+    base = dict(zip("quz", np.split(start, ends), strict=True))
+    base |= {"p": model._parameters.vector, "r": given.constants}
+    made = Varied(total, base, tuple(model.manifest.quaternions), tuple(reader.columns))
+    _check_rotations(model, made)
+    for first in range(0, total if made.own_parameters else 0, SOME):
+        model._parameters.judge(made.part(first, min(first + SOME, total)).block("p"))
+    return made, given
+
+
+def _plan(vary: Any) -> Mapping[str, Any]:
+    """Name -> values or a distribution, out of ``vary``."""
+    if isinstance(vary, sampling.Plan):
+        return vary.values
+    if callable(vary):
+        raise ModelError(f"vary= is a function; call it, {SUCH}")
+    if vary is not None and not isinstance(vary, Mapping):
+        raise ModelError(
+            f"vary={shown(vary)} says not what differs: give names with values, {SUCH}"
+        )
+    return named("vary", vary, "'mass': values")
+
+
+def _state(reader: Reader, letter: str, value: Any, where: str) -> None:
+    """Coordinates, speeds or internal states, by names or as a block."""
+    if value is None:
+        return
+    model = reader.model
+    if not isinstance(value, Mapping):
+        size = {"q": model.nq, "u": model.nu, "z": model.nz}[letter]
+        if size or letter != "z":
+            reader.add(letter, letter, where, slice(0, size), value)
+        return
+    places = entries(model.manifest, letter)
+    for name, given in value.items():
+        here = f"{where}={{'{name}': ...}}"
+        if name not in places:
+            raise ModelError(f"{here}: {missing(model.manifest, letter, name, places)}")
+        reader.add(letter, name, here, places[name], given)
+
+
+def _parameter(reader: Reader, name: str, where: str, value: Any) -> None:
+    known = reader.model._parameters
+    # unknown and structural names are explained there
+    k = list(known).index(name) if name in known else known.checked(name, 0.0).size
+    reader.add("p", name, where, slice(k, k + 1), value)
+
+
+def _inputs(reader: Reader, inputs: Mapping[str, Any] | None) -> dict[str, Any]:
+    """Inputs that all runs share; those with a value per run become columns."""
+    shared = {}
+    for name, value in named("inputs", inputs, "'force': values").items():
+        own = (isinstance(value, np.ndarray) and value.ndim > 0) or _is_row(value)
+        known = reader.model.inputs
+        if own or isinstance(value, sampling.Distribution):
+            if name not in known:
+                raise ModelError(f"inputs: there is no input '{name}'.{near(name, known)}")
+            k = known.index(name)
+            reader.add("r", name, f"inputs={{'{name}': ...}}", slice(k, k + 1), value)
+        else:
+            shared[name] = value
+    return shared
+
+
+def _is_row(value: Any) -> bool:
+    """Whether it is a list of numbers, one per run; (times, values) are two lists."""
+    return isinstance(value, list | tuple) and bool(value) and all(map(np.isscalar, value))
+
+
+def _named(reader: Reader, name: str, column: Array) -> None:
+    """A name of a plan: whatever of the model it is."""
+    model = reader.model
+    tables: dict[str, Callable[[], dict[str, slice]]] = {
+        "q": lambda: _single(entries(model.manifest, "q")),
+        "u": lambda: {n: slice(k, k + 1) for k, n in enumerate(model.speeds)},
+        "z": lambda: entries(model.manifest, "z"),
+        "p": lambda: {n: slice(k, k + 1) for k, n in enumerate(model.parameters)},
+        "r": lambda: {n: slice(k, k + 1) for k, n in enumerate(model.inputs)},
+    }
+    places = {block: table() for block, table in tables.items()}
+    found = [block for block, table in places.items() if name in table]
+    if len(found) > 1:
+        words = " and a ".join(WHAT[block] for block in found)
+        raise ModelError(
+            f"vary: '{name}' is a {words} here. Say which by q=, u=, z=, parameters= or inputs="
+        )
+    if not found and name in model.manifest.structural:
+        model._parameters.checked(name, 0.0)
+    if not found:
+        part = component(model.manifest, name)
+        if part:
+            raise ModelError(f"vary: {part}")
+        known = [name for table in places.values() for name in table]
+        raise ModelError(
+            f"vary: there is no coordinate, speed, parameter or input '{name}'.{near(name, known)}"
+        )
+    reader.add(found[0], name, f"vary '{name}'", places[found[0]][name], column)
+
+
+def _single(places: Mapping[str, slice]) -> dict[str, slice]:
+    return {name: place for name, place in places.items() if place.stop - place.start == 1}
+
+
+def _check_rotations(model: LoadedModel, made: Varied) -> None:
+    """Refuse single components of quaternions, and quaternions whose length is not 1."""
+    covered = {
+        k for c in made.columns if c.block == "q" for k in range(c.place.start, c.place.stop)
+    }
+    refuse_components(model.manifest, "q, vary", covered)
+    if not covered.intersection(made.quaternions):
+        return
+    for first in range(0, made.runs, SOME):
+        part = made.part(first, min(first + SOME, made.runs))
+        check_units(model.manifest, part.given("q"), first=first)

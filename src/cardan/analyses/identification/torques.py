@@ -1,0 +1,217 @@
+"""Inverse dynamics along motions: forces and powers by name."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, final
+
+import numpy as np
+
+from ...arguments import Count, checked
+from ...arrays import Array
+from ...errors import ArgumentError, counted, near
+from ...ir.names import of_rate
+from ...runtime.trajectory.trajectory import Trajectory
+from ..mechanisms.actuation import actuation, named_speeds
+from .base_parameters import circuits
+from .data import Data, columns, measured, named_columns, write
+
+if TYPE_CHECKING:
+    from ...runtime.models.loaded_model import LoadedModel
+
+UNITS = {"rad/s": "N m", "m/s": "N"}
+
+
+@final
+@dataclass(frozen=True, repr=False, eq=False)
+class Torques:
+    """Forces of actuators along a motion: M udot + h = f + tau + Gᵀ lam.
+
+    ``torques["elbow"]`` is the history (nt,) of one.
+
+    Attributes:
+        model: Whose forces they are.
+        t: Times (nt,) [s].
+        q, u, udot: The motion (nt, nq), (nt, nu), (nt, nu).
+        actuators: Names of the speeds along which actuators act (na,).
+        units: Of their forces (na,).
+        forces: (nt, na).
+        unique: Whether no other forces of these actuators make the motion.
+    """
+
+    model: LoadedModel
+    t: Array
+    q: Array
+    u: Array
+    udot: Array
+    actuators: tuple[str, ...]
+    units: tuple[str, ...]
+    forces: Array
+    unique: bool
+
+    def _place(self, name: str) -> int:
+        known = [*self.actuators, *(of_rate(a) for a in self.actuators)]
+        if name not in known:
+            raise ArgumentError(f"'{name}' is no actuator here.{near(name, known)}")
+        return known.index(name) % len(self.actuators)
+
+    def __getitem__(self, name: str) -> Array:
+        """Force of one actuator (nt,) [N m], [N].
+
+        Raises:
+            ArgumentError: there is none of that name.
+        """
+        return np.asarray(self.forces[:, self._place(name)])
+
+    @property
+    def tau(self) -> Array:
+        """Generalized forces (nt, nu) as ``forward_dynamics(tau=)`` takes them."""
+        found = np.zeros_like(self.u)
+        found[:, named_speeds(self.model, self.actuators)] = self.forces
+        return found
+
+    @property
+    def power(self) -> Array:
+        """What every actuator supplies (nt, na) [W]."""
+        return np.asarray(self.forces * self.u[:, named_speeds(self.model, self.actuators)])
+
+    @property
+    def work(self) -> Array:
+        """What every actuator has supplied over the motion (na,) [J]."""
+        from scipy.integrate import trapezoid
+
+        return np.asarray(trapezoid(self.power, self.t, axis=0))
+
+    @property
+    def peak(self) -> Array:
+        """Largest size of every force (na,)."""
+        return np.asarray(np.abs(self.forces).max(axis=0, initial=0.0))
+
+    @property
+    def rms(self) -> Array:
+        """Root mean square of every force over the samples (na,)."""
+        return np.asarray(np.sqrt(np.mean(self.forces**2, axis=0)))
+
+    def table(self) -> dict[str, Array]:
+        """``t``, then ``elbow``, ``elbow.u``, ``elbow.udot``, ``elbow.tau`` as data has them."""
+        blocks = {"q": self.q, "u": self.u, "udot": self.udot, "tau": self.tau}
+        return named_columns(self.model, self.t, blocks)
+
+    @checked
+    def save(self, path: str | Path) -> Path:
+        """Write the table as comma-separated values. Returns the path."""
+        return write(Path(path), self.table())
+
+    @checked
+    def plot(self, path: str | Path | None = None) -> Any:
+        """Forces and powers as a Matplotlib figure, written to ``path`` if given."""
+        from ...view.plot import plot_over
+
+        curves = {"force [N m, N]": self.forces, "power [W]": self.power}
+        return plot_over(f"forces of {self.model.name}", "t [s]", self.t, curves, path)
+
+    def __repr__(self) -> str:
+        first, last = (self.t[0], self.t[-1]) if len(self.t) else (0.0, 0.0)
+        span = f"{counted(len(self.t), 'sample')}, {first:g} ... {last:g} s"
+        lines = [f"'{self.model.name}': forces along {span}"]
+        width = max((len(name) for name in self.actuators), default=0)
+        most = np.abs(self.power).max(axis=0, initial=0.0)
+        for name, unit, peak, rms, power in zip(
+            self.actuators, self.units, self.peak, self.rms, most, strict=True
+        ):
+            lines.append(
+                f"  {name:{width}}  to {peak:10.4g} {unit:3}  rms {rms:10.4g}   to {power:10.4g} W"
+            )
+        if not self.unique:
+            lines.append("  more actuators than freedoms: the forces of least norm")
+        return "\n".join(lines)
+
+
+@checked
+def torques(
+    model: LoadedModel,
+    motion: Any,
+    *,
+    actuators: Sequence[str] | None = None,
+    norm: Any = "minimum",
+    inputs: Mapping[str, float] | None = None,
+    cutoff: float | None = None,
+    period: float | None = None,
+    harmonics: Count = 5,
+) -> Torques:
+    """Forces that make a motion, beside those that the model's own elements supply.
+
+    Args:
+        model: With or without circuits; other parameters than those of the motion may be its own.
+        motion: A Trajectory; or a mapping with ``t`` (nt,) and ``q`` (nt, nq), or a coordinate by
+            name, ``{"t": t, "elbow": values}``: an array (nt,), or a spline or table, which is
+            called with the times. ``u`` and ``udot`` are found by differentiation where they are
+            missing, and from the equations of motion where a run knows them. Of a mechanism with
+            circuits the motion must keep them closed, as runs and :meth:`sweep` do.
+        actuators: Joints or speeds along which they act; by default every speed.
+        norm: Where circuits leave a choice: ``"minimum"`` or weights, as for ``actuation``.
+        inputs: Values of inputs in place of those of the motion: ``{"motor": 0}`` asks what it
+            takes without the motor.
+        cutoff, period, harmonics: How positions are smoothed; see
+            :func:`.identification.data.measured`. A filter leaves out samples at either end; all
+            others keep the times given.
+
+    Raises:
+        ArgumentError: names or shapes that do not fit.
+        SolveError: the constraints do not allow the motion, or the actuators cannot make it.
+    """
+    data = _motion(model, motion, cutoff, period, harmonics)
+    r = data.r.copy()
+    for name, value in (inputs or {}).items():
+        if name not in model.inputs:
+            raise ArgumentError(f"torques: there is no input '{name}'.{near(name, model.inputs)}")
+        r[:, model.inputs.index(name)] = value
+    given: dict[str, Any] = {"t": data.t, "r": r if model.nr else None}
+    chosen = named_speeds(model, actuators)
+    if circuits(model) or len(chosen) < model.nu:
+        made = actuation(
+            model, data.q, data.u, data.udot, [model.speeds[k] for k in chosen], norm=norm, **given
+        )
+        forces, unique = made.forces, bool(np.all(made.unique))
+    else:
+        forces, unique = model.inverse_dynamics(data.q, data.u, data.udot, **given), True
+    units = [UNITS.get(row.unit, "") for row in model.manifest.speeds]
+    return Torques(
+        model,
+        data.t,
+        data.q,
+        data.u,
+        data.udot,
+        tuple(model.speeds[k] for k in chosen),
+        tuple(units[k] for k in chosen),
+        forces,
+        unique,
+    )
+
+
+def _motion(
+    model: LoadedModel, motion: Any, cutoff: float | None, period: float | None, harmonics: int
+) -> Data:
+    """The samples, with accelerations by the equations of motion where a run has its model."""
+    smooth: dict[str, Any] = {"cutoff": cutoff, "period": period, "harmonics": harmonics}
+    if isinstance(motion, Trajectory):
+        if motion.model is None or cutoff is not None or period is not None:
+            return measured(model, motion, ends=True, **smooth)
+        rest: dict[str, Any] = {"t": motion.t, "r": motion.r if motion.r.shape[1] else None}
+        udot = motion.model.forward_dynamics(motion.q, motion.u, z=motion.z, s=motion.s, **rest)
+        nothing = np.zeros_like(motion.u)
+        return Data(motion.t, motion.q, motion.u, udot, nothing, motion.r)
+    if hasattr(motion, "keys") and "t" in motion:
+        t = np.asarray(motion["t"], dtype=float)
+        known = {*columns(model)["q"]}
+        motion = {key: _values(motion[key], t, key in known) for key in motion.keys()}  # noqa: SIM118
+    return measured(model, motion, ends=True, **smooth)
+
+
+def _values(given: Any, t: Array, coordinate: bool) -> Any:
+    """Samples of a coordinate that may be a spline or table."""
+    if coordinate and callable(given):
+        return np.asarray(given(t), dtype=float)
+    return given

@@ -1,0 +1,1 @@
+"""Linear models, modes, root loci, Campbell diagrams, trim."""

@@ -1,0 +1,276 @@
+"""Campbell diagrams: frequencies of a rotor over its speed, which way they whirl, critical speeds.
+
+A motion whirls forward where points go round as the rotor turns: of a complex displacement d with
+components x, y across the axis, |x + i y| is the part that goes forward and |x - i y| that which
+goes backward. Displacements and tilts of the bodies that spin count. Where coordinates turn along
+with the rotor, a forward whirl at w is one at speed + w seen from the ground, a backward one at
+speed - w: forward where that is positive. What does not go round, such as the vibration of a blade,
+has no one frequency there: it keeps that of the axes that turn along.
+
+Source: G. Genta, Dynamics of Rotating Systems (2005), chapters 1 and 2.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+from pathlib import Path
+from typing import Any, final
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from scipy.optimize import brentq
+
+from ...arguments import Count, Hold, checked
+from ...arrays import Array
+from ...errors import ModelError, SolveWarning, shown, warn
+from .family import Member, family
+from .root_locus import END, Locus, locus
+
+Complex = NDArray[np.complex128]
+OSCILLATES = 1e-6  # of the largest modulus: imaginary parts of what does
+SYNCHRONOUS = 1e-7  # of the largest speed: frequencies this near to a line lie on it
+ROUND = 0.1  # whirl of motions that go round
+SHOWN = 8
+
+
+@final
+@dataclass(frozen=True, repr=False, eq=False)
+class Campbell:
+    """Frequencies of a rotor over its speed.
+
+    Attributes:
+        locus: The eigenvalues behind it.
+        speed: Of the rotor (n,) [rad/s]; its name is ``label``.
+        label: As it was given.
+        turning: Whether coordinates turn along; frequencies are as seen from the ground.
+        frequencies: (n, k) [rad/s], a column for every motion; NaN where it does not oscillate.
+        whirl: As seen from there (n, k): from -1, backward, over 0, along a line, to 1, forward.
+    """
+
+    locus: Locus
+    speed: Array
+    label: str
+    turning: bool
+    frequencies: Array
+    whirl: Array
+    columns: NDArray[np.intp] = field(repr=False)
+
+    @property
+    def values(self) -> Complex:
+        """Eigenvalues (n, k) [1/s] of the columns, in the axes of the coordinates."""
+        return np.asarray(self.locus.eigenvalues[:, self.columns])
+
+    @property
+    def stable(self) -> NDArray[np.bool_]:
+        """Whether no small motion grows exponentially (n,)."""
+        return self.locus.stable
+
+    @checked
+    def critical(self, order: int = 1) -> list[float]:
+        """Speeds at which a frequency is a multiple of the speed, in their order.
+
+        Args:
+            order: The multiple: 1 for unbalance.
+
+        Raises:
+            ModelError: it is no whole number above 0.
+        """
+        if not isinstance(order, int | np.integer) or order < 1:
+            raise ModelError(f"critical({shown(order)}): a multiple of the speed, 1, 2, ...")
+        found = list[float]()
+        off = self.frequencies - order * np.abs(self.speed)[:, None]
+        # a motion that keeps to the line, as turns of the whole do in axes at rest, is no crossing
+        apart = np.abs(off) > SYNCHRONOUS * order * np.abs(self.speed).max()
+        for k in range(off.shape[1]):
+            for i in np.flatnonzero(
+                (off[:-1, k] * off[1:, k] <= 0) & (apart[:-1, k] | apart[1:, k])
+            ):
+                # both at the end and at the next begin it is one
+                if off[i, k] == 0 and (i > 0 or self.speed[i] == 0):
+                    continue
+                found.append(self._between(int(i), k, int(order)))
+        return sorted(found)
+
+    def _between(self, i: int, k: int, order: int) -> float:
+        """A critical speed between two rows."""
+        members = self.locus.family
+        low, high = (self.locus.members[j].s for j in (i, i + 1))
+
+        def off(s: float) -> float:
+            # the motion is the one next to the line between the rows
+            share = (s - low) / (high - low)
+            value = (1 - share) * self.values[i, k] + share * self.values[i + 1, k]
+            member = members.at(s, self.locus.members[i])
+            speed = members.told(s)[self.label]
+            return _seen(self, member, _place(member, value), speed)[0] - order * abs(speed)
+
+        s = brentq(off, low, high, xtol=1e-14, rtol=1e-14)
+        return members.told(float(s))[self.label]
+
+    @cached_property
+    def rotor(self) -> tuple[Array, tuple[str, ...]]:
+        """The axis (3,) in ground axes, and the bodies that turn about it, at the fastest row."""
+        return _rotor(self.locus.members[int(np.abs(self.speed).argmax())])
+
+    def __repr__(self) -> str:
+        first, last = self.speed[0] + 0.0, self.speed[-1]
+        lines = [
+            f"'{self.locus.name}', {self.label} = {first:.6g} ... {last:.6g} rad/s: "
+            f"{len(self.speed)} linear models, {self.locus.message}",
+            "  frequencies [rad/s] at the ends; whirl at the last (1 forward, -1 backward)",
+        ]
+        for k in range(min(SHOWN, self.frequencies.shape[1])):
+            ends = "".join(f"{f:14.6g}" for f in self.frequencies[[0, -1], k])
+            lines.append(f"  {ends}{self.whirl[-1, k]:9.2f}")
+        more = self.frequencies.shape[1] - SHOWN
+        lines += [f"  ... {more} more"] if more > 0 else []
+        critical = ", ".join(f"{speed:.9g}" for speed in self.critical())
+        lines.append(f"  critical speeds: {critical or 'none'}")
+        for change in self.locus.changes:
+            word = "begins" if change.lost else "ends"
+            lines.append(f"  {change.kind} {word} at {change.values[self.label]:.9g}")
+        return "\n".join(lines)
+
+    @checked
+    def plot(self, path: str | Path | None = None, orders: Sequence[int] = (1,)) -> Any:
+        """The diagram as a Matplotlib figure, written to ``path`` if given.
+
+        Args:
+            path: Picture file, or None.
+            orders: Multiples of the speed that are drawn, with the critical speeds.
+
+        Raises:
+            ModelError: a path that is no picture file.
+            ModuleNotFoundError: Matplotlib is not installed (extra ``plot``).
+        """
+        from ...view.loci import plot_campbell
+
+        growing = (
+            self.values.real
+            > np.array([m.spectrum.size for m in self.locus.members])[:, None] * OSCILLATES
+        )
+        critical = {int(order): self.critical(order) for order in orders}
+        return plot_campbell(
+            self.locus.name, self.label, self.speed, self.frequencies, self.whirl, growing,
+            critical, path,
+        )  # fmt: skip
+
+
+@checked
+def campbell(
+    model: Any,
+    swept: Mapping[str, Any] | None = None,
+    *,
+    count: Count | None = None,
+    turning: bool | None = None,
+    q: Mapping[str, ArrayLike] | ArrayLike | None = None,
+    u: Mapping[str, Any] | None = None,
+    hold: Hold | None = None,
+    wanted: Mapping[str, Any] | None = None,
+    free: Iterable[str] | None = None,
+    inputs: Mapping[str, float] | None = None,
+    parameters: Mapping[str, float] | None = None,
+    t: float = 0.0,
+    check: bool = False,
+    **named: Any,
+) -> Campbell:
+    """Frequencies of a rotor over its speed: ``model.campbell(spin=(0, 300))``.
+
+    Args:
+        model: The compiled model.
+        swept, named: Joint, parameter or input that is the speed -> (start, end) or values (n,)
+            [rad/s]. The first is the speed, others go together with it.
+        count: Members of a range; 31 if left out.
+        turning: Whether coordinates turn along with the rotor; by default those of scenes with
+            beams do, others do not.
+        q, u, hold, wanted, free, inputs, parameters, t: As ``root_locus`` takes them.
+        check: Raise where the end is not reached, instead of warning.
+
+    Raises:
+        As ``root_locus``.
+    """
+    given = {"q": q, "u": u, "hold": hold, "wanted": wanted, "free": free, "inputs": inputs,
+             "parameters": parameters, "t": t}  # fmt: skip
+    members = family(model, {**(swept or {}), **named}, given, count)
+    found = locus(members, check)
+    if found.message != END:
+        warn(found.message, SolveWarning)
+    label = next(iter(members.columns))
+    along = model.manifest.absolute if turning is None else bool(turning)
+    return _record(found, label, along)
+
+
+def _record(found: Locus, label: str, turning: bool) -> Campbell:
+    """Frequencies and whirl of all motions that oscillate somewhere."""
+    size = np.array([member.spectrum.size for member in found.members])[:, None]
+    upper = (found.eigenvalues.imag > OSCILLATES * size).sum(axis=0) * 2 > len(found)
+    columns = np.flatnonzero(upper & found.moving)
+    order = np.nanmean(found.eigenvalues.imag[:, columns], axis=0).argsort()
+    columns = columns[order]
+    shape = len(found), len(columns)
+    bare = Campbell(found, found[label], label, turning, np.zeros(shape), np.zeros(shape), columns)
+    seen = [
+        [_seen(bare, member, _place(member, value), found[label][i]) for value in row]
+        for i, (member, row) in enumerate(zip(found.members, bare.values, strict=True))
+    ]
+    table = np.array(seen).reshape(*shape, 2)
+    return Campbell(found, found[label], label, turning, table[..., 0], table[..., 1], columns)
+
+
+def _place(member: Member, value: complex) -> int:
+    return int(np.abs(member.values - value).argmin())
+
+
+def _seen(diagram: Campbell, member: Member, place: int, speed: float) -> tuple[float, float]:
+    """Frequency from the ground [rad/s], NaN where it does not oscillate, and whirl of a motion."""
+    value = member.values[place]
+    if abs(value.imag) <= OSCILLATES * member.spectrum.size:
+        return (np.nan, 0.0) if not diagram.turning else (abs(speed), 0.0)
+    shape = member.spectrum.right[:, place]
+    way = _whirl(member, shape if value.imag > 0 else shape.conj(), *diagram.rotor)
+    if not diagram.turning or abs(way) < ROUND:
+        return abs(value.imag), way
+    seen = abs(value.imag) * np.sign(way) + abs(speed)
+    return abs(seen), float(abs(way) * np.sign(seen))
+
+
+def _rotor(member: Member) -> tuple[Array, tuple[str, ...]]:
+    """Direction (3,) about which the fastest body turns, and those that turn like it."""
+    state, turning = member.state, dict[str, Array]()
+    known = "frame_jacobian" not in state.model.manifest.absent
+    for body in state.model.bodies if known else ():
+        J = state.model.frame_jacobian(body, state.q, **_rest(member))
+        turning[body] = J[:3] @ state.u
+    speeds = {body: float(np.linalg.norm(omega)) for body, omega in turning.items()}
+    fastest = max(speeds, key=lambda body: speeds[body], default="")
+    if not speeds.get(fastest):
+        return np.array([0.0, 0.0, 1.0]), tuple(turning)
+    spinning = tuple(body for body, speed in speeds.items() if speed > 0.5 * speeds[fastest])
+    return turning[fastest] / speeds[fastest], spinning
+
+
+def _whirl(member: Member, shape: Complex, axis: Array, bodies: tuple[str, ...]) -> float:
+    """From -1, backward, to 1, forward."""
+    first = np.linalg.svd(axis[None])[2][1]
+    second = np.cross(axis, first)
+    moved = member.linear.increments @ shape
+    forward, backward, along = 0.0, 0.0, 0.0
+    model = member.state.model
+    for body in bodies:
+        twist = model.frame_jacobian(body, member.state.q, **_rest(member)) @ moved
+        for part in (twist[:3], twist[3:]):
+            x, y = first @ part, second @ part
+            forward += abs(x + 1j * y) ** 2
+            backward += abs(x - 1j * y) ** 2
+            along += 2 * abs(axis @ part) ** 2
+    # what turns about the axis, or moves along it, whirls only by rounding
+    total = forward + backward + along
+    return float((forward - backward) / total) if total > 0 else 0.0
+
+
+def _rest(member: Member) -> dict[str, Any]:
+    """Time and inputs, as functions of a model take them."""
+    values = np.array(list(member.state.inputs.values()))
+    return {"t": member.state.t, **({"r": values} if len(values) else {})}

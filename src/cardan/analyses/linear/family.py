@@ -1,0 +1,241 @@
+"""A family of linear models: the same motion under parameters, inputs or speeds that change.
+
+Loci of eigenvalues, Campbell diagrams and derivatives of eigenvalues all ask it for members. Every
+member is found anew, next to one that is known: an equilibrium, a steady motion, or a trim.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...arrays import Array
+from ...errors import ArgumentError, ModelError, listed, near, shown
+from ..statics.equilibrium import equilibrium
+from ..statics.load_path import TIME, column
+from ..systems.dynamic_system import Contract, contract_of
+from .first_order import Choice
+from .linear_model import LinearModel
+from .linearize import linearize
+from .spectrum import Spectrum, spectrum
+from .trim import trim
+from .trim_arguments import by_entry
+
+Complex = NDArray[np.complex128]
+COUNT = 31  # members of a range
+STILL = 1e-7  # of the largest modulus: eigenvalues that are 0
+
+
+@dataclass(frozen=True, eq=False)
+class Member:
+    """A linear model of a family.
+
+    Attributes:
+        s: Place in the family, 0 to 1.
+        state: The equilibrium, or the trimmed motion, about which it stands.
+        linear: The linear model.
+        spectrum: Its eigenvalues, or those of chosen coordinates.
+        shapes: Columns (m, k) by which motions are known again, of length 1.
+    """
+
+    s: float
+    state: Any
+    linear: LinearModel
+    spectrum: Spectrum
+    shapes: Complex = field(repr=False)
+
+    @property
+    def values(self) -> Complex:
+        """Eigenvalues (k,)."""
+        return self.spectrum.values
+
+    @property
+    def still(self) -> NDArray[np.bool_]:
+        """Which eigenvalues are 0 (k,)."""
+        return np.asarray(np.abs(self.values) <= STILL * self.spectrum.size)
+
+    @property
+    def stable(self) -> bool:
+        """Whether none does."""
+        return not self.spectrum.growing.any()
+
+
+@dataclass(frozen=True, eq=False)
+class Family:
+    """Linear models between two ends.
+
+    Attributes:
+        model: The compiled model.
+        columns: Name -> values (n,) of what changes, evenly over the family.
+        kinds: Name -> which of :data:`PLACES` it belongs to.
+        given: What stays, as ``equilibrium`` or ``trim`` takes it.
+        coordinates: Whose motions count; all if None.
+    """
+
+    model: Any
+    columns: Mapping[str, Array]
+    kinds: Mapping[str, str]
+    given: Mapping[str, Any]
+    coordinates: tuple[str, ...] | None = None
+
+    @cached_property
+    def system(self) -> Contract:
+        """The contract of the model."""
+        return contract_of(self.model)
+
+    @property
+    def stations(self) -> Array:
+        """Places (n,) of the values that were given."""
+        return np.linspace(0, 1, len(next(iter(self.columns.values()))))
+
+    def told(self, s: float) -> dict[str, float]:
+        """What changes, at a place."""
+        places = self.stations
+        return {name: float(np.interp(s, places, column)) for name, column in self.columns.items()}
+
+    def at(self, s: float, beside: Member | None = None, choice: Choice | None = None) -> Member:
+        """The member at a place.
+
+        Args:
+            s: From 0 to 1; beyond the ends they stay.
+            beside: A member near it, where the search begins.
+            choice: Independent increments and speeds, where they are not to be chosen anew.
+
+        Raises:
+            SolveError: no equilibrium or steady motion there.
+        """
+        return self.member(s, self.told(s), beside, choice)
+
+    def member(
+        self, s: float, values: Mapping[str, float], beside: Member | None = None,
+        choice: Choice | None = None,
+    ) -> Member:  # fmt: skip
+        """The member with given values of what changes."""
+        given = {name: dict(v) if isinstance(v, Mapping) else v for name, v in self.given.items()}
+        if beside is not None:
+            self._begun(given, beside)
+        for name, value in values.items():
+            place = self.kinds[name]
+            if place == TIME:
+                given[TIME] = value
+            else:
+                given[place] = {**(given.get(place) or {}), name: value}
+        find: Any = trim if "wanted" in given else equilibrium
+        state = find(self.model, **given, check=True)
+        linear = linearize(state.model, state, choice=choice)
+        own = linear.spectrum if self.coordinates is None else self._closed(linear)
+        return Member(s, state, linear, own, self._shapes(linear, own))
+
+    def _begun(self, given: dict[str, Any], beside: Member) -> None:
+        """Begin where another member is."""
+        state = beside.state
+        given["q"] = state.q
+        free = getattr(state, "free", {})
+        for name, value in free.items():
+            for place, known in (("inputs", self.model.inputs), ("u", self.model.speeds),
+                                 ("parameters", self.model.parameters)):  # fmt: skip
+                if name in known:
+                    given[place] = {**(given.get(place) or {}), name: value}
+
+    def _closed(self, linear: LinearModel) -> Spectrum:
+        """Eigenvalues of the chosen coordinates alone."""
+        found = linear.second_order(self.coordinates)
+        n = len(found.coordinates)
+        inner = np.linalg.solve(found.M, np.hstack([-found.K, -found.damping]))
+        A = np.vstack([np.eye(n, 2 * n, n), inner])
+        rate = max(float(np.abs(np.linalg.eigvals(A)).max(initial=0.0)), 1e-300)
+        return spectrum(A, np.concatenate([np.ones(n), np.full(n, rate)]))
+
+    def _shapes(self, linear: LinearModel, own: Spectrum) -> Complex:
+        """Motions of all speeds, which do not depend on what is independent, of length 1."""
+        right = own.right
+        if self.coordinates is None:
+            columns = self.system.columns[:, None]
+            rate = max(own.size, 1e-300)
+            moved = linear.increments @ right / columns
+            parts = (moved, linear.speeds @ right / columns / rate, right[len(right) - linear.z :])
+            right = np.concatenate(parts)
+        length = np.linalg.norm(right, axis=0)
+        return np.asarray(right / np.where(length > 0, length, 1.0))
+
+
+def family(
+    model: Any,
+    swept: Mapping[str, Any],
+    given: Mapping[str, Any],
+    count: int | None = None,
+    coordinates: Any = None,
+) -> Family:
+    """A family out of what a user wrote.
+
+    Args:
+        model: The compiled model.
+        swept: Parameter, input, ``t``, or joint whose speed it is -> (start, end) or values (n,).
+        given: As ``equilibrium`` takes it, with ``wanted`` or ``free`` as ``trim`` does; values in
+            ``u``, ``hold`` and ``wanted`` may be arrays, and are swept then.
+        count: Members of a range.
+        coordinates: Whose motions count.
+
+    Raises:
+        ModelError: unknown names, nothing that changes. ArgumentError: values of a wrong shape.
+        SolveError: values that are not finite.
+    """
+    kinds, columns = dict[str, str](), dict[str, Any]()
+    stays = {name: value for name, value in given.items() if value is not None}
+    if stays.get("free") and "wanted" not in stays:
+        stays["wanted"] = {}
+    for name, values in swept.items():
+        kinds[name], columns[name] = _kind(model, name), values
+    for place in ("u", "hold", "wanted"):
+        named = stays.get(place)
+        if not isinstance(named, Mapping):
+            continue
+        moved = {n: v for n, v in named.items() if np.ndim(v) == 1 and _single(model, n)}
+        stays[place] = {n: v for n, v in named.items() if n not in moved}
+        for name, values in moved.items():
+            kinds[name], columns[name] = place, values
+    if "wanted" in stays:
+        stays["u"] = by_entry(model, stays.get("u", {}))
+    if not columns:
+        raise ModelError(
+            "swept: say what changes, from where to where, such as root_locus(P=(0, 10)) or "
+            "campbell(spin=(0, 300))"
+        )
+    if not (count is None or (isinstance(count, int) and count > 1)):
+        raise ModelError(f"count={shown(count)}: a number of members, at least 2")
+    found = {name: column(name, values, count or COUNT) for name, values in columns.items()}
+    if len({len(column) for column in found.values()}) > 1:
+        said = ", ".join(f"'{name}' has {len(column)}" for name, column in found.items())
+        raise ArgumentError(f"all that changes goes together: {said} values")
+    chosen = None if coordinates is None else tuple(listed("coordinates", coordinates, "steer"))
+    return Family(model, found, kinds, stays, chosen)
+
+
+def _single(model: Any, name: str) -> bool:
+    """Whether a name has one value, so that several are a sweep."""
+    single = {*model.coordinates, *model.speeds}
+    single |= {row.name for row in model.manifest.outputs}
+    single |= {name.removesuffix(".u") for name in model.speeds}
+    return name in single
+
+
+def _kind(model: Any, name: str) -> str:
+    """Where what changes belongs."""
+    if name in model.parameters:
+        return "parameters"
+    if name in model.inputs:
+        return "inputs"
+    if name == TIME:
+        return TIME
+    if name in model.speeds or f"{name}.u" in model.speeds:
+        return "u"
+    known = (*model.inputs, *model.speeds, *model.parameters)
+    raise ModelError(
+        f"there is no parameter, input or speed '{name}' to change; coordinates are moved by "
+        f"hold={{'...': (0, 1)}}.{near(name, known)}"
+    )

@@ -1,0 +1,189 @@
+"""Modes of vibration as a record: frequencies, damping, shapes, pictures."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any, final
+
+import numpy as np
+
+from ...arguments import Count, checked
+from ...arrays import Array, Booleans, Complex
+from ...errors import ArgumentError, ModelError, near
+from ...runtime.trajectory.solver_info import FINISHED, Conduct
+from ...runtime.trajectory.trajectory import Trajectory
+from ..statics.static_path import SHOWN
+from ..systems.dynamic_system import Moment, contract_of
+
+FULL = 0.25  # of a shape that is played: of the size of the mechanism, or radians
+ROUNDED = 1e-13  # damping ratios below this are none
+PICTURES = 120  # per play
+MOST_PERIODS = 1000  # of a play
+AXES = ("about x", "about y", "about z", "x", "y", "z")
+TOLD = 0.15  # entries below this part of the largest are not printed
+
+
+@final
+@dataclass(frozen=True, repr=False, eq=False)
+class Modes:
+    """Modes about a state, from the lowest frequency.
+
+    Attributes:
+        model: The model.
+        at: The state they stand about.
+        values: Eigenvalues (k,) [1/s]: decay, and angular frequency as imaginary part.
+        shapes: Increments along the speeds (nu, k), of modal mass 1; complex where phases differ.
+        increments, owners: Names of the increments, and joint or node of each.
+        momentum: Momentum about the ground origin by speeds (6, nu), angular part first;
+            (0, nu) of equations without bodies.
+        size: Of the mechanism [m].
+    """
+
+    model: Any
+    at: Moment
+    values: Complex
+    shapes: Any
+    increments: tuple[str, ...]
+    owners: tuple[str, ...]
+    momentum: Array = field(repr=False)
+    size: float
+
+    def __len__(self) -> int:
+        return len(self.values)
+
+    @property
+    def frequencies(self) -> Array:
+        """Of the oscillations (k,) [Hz]; 0 of what does not oscillate."""
+        return self.values.imag / (2 * np.pi)
+
+    @property
+    def angular(self) -> Array:
+        """The same (k,) [rad/s]."""
+        return np.asarray(self.values.imag)
+
+    @property
+    def damping(self) -> Array:
+        """Damping ratios (k,): negative of what grows; NaN of rigid-body modes."""
+        size = np.abs(self.values)
+        ratio = np.divide(-self.values.real, size, out=np.full(len(size), np.nan), where=size > 0)
+        return np.where(np.abs(ratio) < ROUNDED, 0.0, ratio)
+
+    @property
+    def rigid(self) -> Booleans:
+        """Which of them nothing holds (k,)."""
+        return np.asarray(self.values == 0)
+
+    @property
+    def participation(self) -> Array:
+        """Momentum of every mode at unit modal speed (6, k), angular part first.
+
+        Its square is the effective mass that the mode lends a support shaken that way.
+        """
+        found: Array = self.momentum @ self.shapes
+        return found
+
+    @property
+    def effective_mass(self) -> Array:
+        """Effective modal inertia (6, k) [kg m^2, kg]: the sum over all modes is that of the system
+        along what its joints allow."""
+        return np.asarray(np.abs(self.participation) ** 2)
+
+    @checked
+    def shape(self, k: int) -> dict[str, complex]:
+        """Shape of a mode by name: coordinates, or increments ``along`` speeds."""
+        values = self.shapes[:, self._number(k)]
+        return dict(zip(self.increments, values.tolist(), strict=True))
+
+    @checked
+    def twist(self, k: int, frame: str) -> Any:
+        """How a frame moves in a mode (6,): rotation, then displacement, in ground axes."""
+        J = self.model.frame_jacobian(frame, self.at.q, t=self.at.t, r=self.at.r)
+        return J @ self.shapes[:, self._number(k)]
+
+    @checked
+    def motion(self, k: int, amplitude: float | None = None, periods: float = 2.0) -> Trajectory:
+        """A mode as a motion, as large as is good to see, or by an amplitude.
+
+        Args:
+            k: Number of the mode, from 0.
+            amplitude: Factor of the shape.
+            periods: How often it is played; what does not oscillate takes a second.
+        """
+        if not 0 < periods <= MOST_PERIODS:
+            raise ArgumentError(
+                f"motion: periods={periods:g}: give a number above 0 and up to {MOST_PERIODS}"
+            )
+        if amplitude is not None and not math.isfinite(amplitude):
+            raise ArgumentError(f"motion: amplitude={amplitude:g}: give a finite number")
+        shape, system = self.shapes[:, self._number(k)], contract_of(self.model)
+        largest = float(np.abs(shape / system.columns).max(initial=0.0))
+        factor = FULL / max(largest, 1e-300) if amplitude is None else float(amplitude)
+        rate = float(self.angular[k])
+        phase = 2 * np.pi * periods * np.linspace(0, 1, int(PICTURES * periods) + 1)
+        t = phase / (rate or 2 * np.pi)
+        turning = factor * np.exp(1j * phase)[:, None] * shape
+        q = np.array([system.integrate(self.at.q, step) for step in np.real(turning)])
+        u = np.real(1j * rate * turning)
+        x = np.concatenate([q, u, np.tile(self.at.z, (len(t), 1))], axis=1)
+        r = np.broadcast_to(self.at.r, (len(t), len(self.at.r)))
+        words = f"mode {k} at {self.frequencies[k]:.6g} Hz"
+        counts = dict.fromkeys(("steps", "rejections", "evaluations", "milliseconds"), 0.0)
+        conduct = Conduct(words, "played, not integrated", {}, (), FINISHED, words, counts)
+        manifest = self.model.manifest
+        return Trajectory(t, x, r, np.zeros((len(t), 0)), None, manifest, conduct, self.model)
+
+    @checked
+    def animate(self, k: int, path: str | Path, **options: Any) -> Path:
+        """A page that plays a mode in any browser; see :meth:`motion` for the options."""
+        title = f"{self.model.name}, mode {k}: {self.frequencies[self._number(k)]:.6g} Hz"
+        return self.motion(k, **options).animate(path, title=title)
+
+    @checked
+    def plot(self, path: str | Path | None = None, count: Count = 6) -> Any:
+        """Shapes of the first modes over the numbers of their entries as a Matplotlib figure.
+
+        Raises:
+            ModelError: a path that is no picture file.
+            ModuleNotFoundError: Matplotlib is not installed (extra ``plot``).
+        """
+        from ...view.plot import plot_over
+
+        over = np.arange(len(self.increments), dtype=np.float64)
+        curves = {
+            f"{self.frequencies[k]:.5g} Hz": np.real(self.shapes[:, k])
+            for k in range(min(count, len(self)))
+        }
+        return plot_over(f"modes of {self.model.name}", "entry", over, curves, path)
+
+    def _number(self, k: int) -> int:
+        if not isinstance(k, int | np.integer) or not -len(self) <= k < len(self):
+            known = [str(n) for n in range(len(self))]
+            raise ModelError(f"there is no mode {k!r}.{near(k, known)}")
+        return int(k)
+
+    def __repr__(self) -> str:
+        lines = [
+            f"'{self.model.name}': {len(self)} mode{'s' if len(self) != 1 else ''}",
+            "        frequency [Hz]  damping ratio  shape",
+        ]
+        for k in range(min(len(self), SHOWN)):
+            ratio = "rigid" if self.rigid[k] else f"{self.damping[k]:.5g}"
+            lines.append(f"  {k:>3} {self.frequencies[k]:>17.8g} {ratio:>14}  {self._told(k)}")
+        lines += [f"  ... {len(self) - SHOWN} more"] if len(self) > SHOWN else []
+        return "\n".join(lines)
+
+    def _told(self, k: int) -> str:
+        """The largest entries of a shape."""
+        shape = self.shapes[:, k]
+        size = np.abs(shape)
+        told = [int(i) for i in np.argsort(-size)[:4] if size[i] >= TOLD * size.max() > 0]
+        words = []
+        for i in told:
+            # half a turn is one angle, and so is none
+            angle = round(float(np.degrees(np.angle(shape[i])))) % 360
+            turned = "" if np.isrealobj(shape) else f" at {angle - 360 * (angle > 180)} deg"
+            value = shape[i] if np.isrealobj(shape) else size[i]
+            words.append(f"{self.increments[i]} {value:.3g}{turned}")
+        return ", ".join(words)

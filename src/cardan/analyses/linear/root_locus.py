@@ -1,0 +1,207 @@
+"""Root loci: eigenvalues of a family of linear models, followed, and where stability changes.
+
+From member to member eigenvalues are told by the shapes of their motions and by their values, all
+at once (an assignment); where that is in doubt members between are looked at. Stability changes
+where the number of growing motions does; a real eigenvalue that passes 0 is divergence, a complex
+pair that passes the axis is flutter.
+
+Source: H. Ziegler, Principles of Structural Stability (1968), chapter 3; A. P. Seyranian, A. A.
+Mailybaev, Multiparameter Stability Theory with Mechanical Applications (2003), chapters 1 and 5.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from itertools import pairwise
+from pathlib import Path
+from typing import Any, final
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ...arguments import Count, Hold, checked
+from ...arrays import Array, Booleans, Complex, Integers
+from ...errors import SolveError, SolveWarning, warn
+from .family import Family, Member, family
+from .stability_change import Between, StabilityChange, follow
+
+DOUBT = 0.4  # costs of an eigenvalue to be another one above which members between are looked at
+DEEPEST = 6  # halvings of a step
+SHOWN = 6
+END = "reached the end"
+
+
+@final
+@dataclass(frozen=True, repr=False, eq=False)
+class Locus:
+    """Eigenvalues over what changes; ``locus["P"]`` is what changes (n,).
+
+    Attributes:
+        name: Of the model.
+        values: What changes, by name (n,).
+        eigenvalues: Followed (n, k) [1/s]: a column is a motion that changes continuously.
+        members: The linear models with their states (n,).
+        changes: Where stability changes, in their order.
+        message: ``"reached the end"``, or why it ends early.
+        family: For what goes on from here.
+    """
+
+    name: str
+    values: Mapping[str, Array]
+    eigenvalues: Complex
+    members: Sequence[Member]
+    changes: Sequence[StabilityChange]
+    message: str
+    family: Family = field(repr=False)
+
+    def __getitem__(self, name: str) -> Array:
+        return self.values[name]
+
+    def __len__(self) -> int:
+        return len(self.members)
+
+    @property
+    def stable(self) -> Booleans:
+        """Whether no small motion grows exponentially (n,)."""
+        return np.array([member.stable for member in self.members])
+
+    @property
+    def moving(self) -> Booleans:
+        """Which columns are not 0 all the way (k,)."""
+        size = np.array([member.spectrum.size for member in self.members])[:, None]
+        return np.asarray((np.abs(self.eigenvalues) > 1e-6 * size).any(axis=0))
+
+    def __repr__(self) -> str:
+        ends = ", ".join(f"{n} = {v[0] + 0.0:.6g} ... {v[-1]:.6g}" for n, v in self.values.items())
+        lines = [f"'{self.name}', {ends}: {len(self)} linear models, {self.message}"]
+        kept = self.eigenvalues[:, self.moving]
+        for row in dict.fromkeys((0, len(self) // 2, len(self) - 1)):
+            said = ", ".join(f"{n} = {v[row] + 0.0:.6g}" for n, v in self.values.items())
+            least = 1e-9 * self.members[row].spectrum.size
+            shown = [v for v in kept[row] if v.imag >= 0 and abs(v) > least]
+            words = [_number(v) for v in sorted(shown, key=lambda v: (-v.real, v.imag))[:SHOWN]]
+            more = ", ..." if len(shown) > SHOWN else ""
+            kind = "stable" if self.members[row].stable else "unstable"
+            lines.append(f"  {said}: {kind}; {', '.join(words)}{more}")
+        for change in self.changes:
+            said = ", ".join(f"{n} = {v:.9g}" for n, v in change.values.items())
+            word = "begins" if change.lost else "ends"
+            tail = f", {change.frequency:.6g} rad/s" if change.kind == "flutter" else ""
+            lines.append(f"  {change.kind} {word} at {said}{tail}")
+        return "\n".join(lines)
+
+    @checked
+    def plot(self, path: str | Path | None = None) -> Any:
+        """Loci in the complex plane, and real and imaginary parts over the first that changes.
+
+        Args:
+            path: Picture file, or None.
+
+        Returns:
+            The Matplotlib figure.
+
+        Raises:
+            ModelError: a path that is no picture file.
+            ModuleNotFoundError: Matplotlib is not installed (extra ``plot``).
+        """
+        from ...view.loci import plot_locus
+
+        label, over = next(iter(self.values.items()))
+        kept = self.eigenvalues[:, self.moving]
+        return plot_locus(
+            self.name, label, over, kept, [c.values[label] for c in self.changes], path
+        )
+
+
+@checked
+def root_locus(
+    model: Any,
+    swept: Mapping[str, Any] | None = None,
+    *,
+    count: Count | None = None,
+    coordinates: Iterable[str] | None = None,
+    q: Mapping[str, ArrayLike] | ArrayLike | None = None,
+    u: Mapping[str, Any] | None = None,
+    hold: Hold | None = None,
+    wanted: Mapping[str, Any] | None = None,
+    free: Iterable[str] | None = None,
+    inputs: Mapping[str, float] | None = None,
+    parameters: Mapping[str, float] | None = None,
+    t: float = 0.0,
+    check: bool = False,
+    **named: Any,
+) -> Locus:
+    """Eigenvalues as something changes: ``model.root_locus(P=(0, 10))``.
+
+    Args:
+        model: The compiled model.
+        swept, named: Parameter, input, ``t``, or joint whose speed it is -> (start, end), or values
+            (n,). Several go together.
+        count: Members of a range; 31 if left out.
+        coordinates: Those whose motions count, if their equations are closed: lean and steer of a
+            bicycle. All if left out.
+        q, u, hold, inputs, parameters, t: As ``equilibrium`` takes them; arrays in ``u`` and
+            ``hold`` are swept too.
+        wanted, free: As ``trim`` takes them, which finds the members then (no ``hold``); arrays in
+            ``wanted`` are swept too.
+        check: Raise where the end is not reached, instead of warning.
+
+    Returns:
+        Eigenvalues followed from member to member, and where stability changes.
+
+    Raises:
+        ModelError: unknown names, nothing that changes. ArgumentError: values of a wrong shape.
+        SolveError: no equilibrium or steady motion at the start; with ``check``, further on.
+    """
+    given = {"q": q, "u": u, "hold": hold, "wanted": wanted, "free": free, "inputs": inputs,
+             "parameters": parameters, "t": t}  # fmt: skip
+    found = locus(family(model, {**(swept or {}), **named}, given, count, coordinates), check)
+    if found.message != END:
+        warn(found.message, SolveWarning)
+    return found
+
+
+def locus(members: Family, check: bool = False) -> Locus:
+    """The locus of a family.
+
+    Raises:
+        SolveError: no first member; with ``check``, none further on.
+    """
+    rows, orders, message = [members.at(0.0)], list[Integers](), END
+    orders.append(np.arange(len(rows[0].values)))
+    changes = list[StabilityChange]()
+    try:
+        for s in members.stations[1:]:
+            here, order = _on(members, rows[-1], float(s), orders[-1])
+            rows.append(here)
+            orders.append(order)
+        # what grows is known against all that moves, also where everything stands still
+        rate = max(row.spectrum.size for row in rows)
+        for low, high in pairwise(rows):
+            changes += Between(members, rate).changes(low, high)
+    except SolveError as failed:
+        said = ", ".join(f"{n} = {v:.6g}" for n, v in members.told(rows[-1].s).items())
+        message = f"ends behind {said}: {failed}"
+        if check:
+            raise SolveError(message) from failed
+    values = {n: np.array([members.told(row.s)[n] for row in rows]) for n in members.columns}
+    eigenvalues = np.array([row.values[order] for row, order in zip(rows, orders, strict=True)])
+    return Locus(members.model.name, values, eigenvalues, rows, changes, message, members)
+
+
+def _on(
+    members: Family, before: Member, s: float, order: Integers, depth: int = 0
+) -> tuple[Member, Integers]:
+    """The next member, and places of the followed eigenvalues in it."""
+    here = members.at(s, before)
+    next_to, doubt = follow(before, here)
+    if doubt <= DOUBT or depth == DEEPEST:
+        return here, next_to[order]
+    middle, half = _on(members, before, 0.5 * (before.s + s), order, depth + 1)
+    return _on(members, middle, s, half, depth + 1)
+
+
+def _number(value: complex) -> str:
+    real = 0.0 if abs(value.real) < 1e-12 * abs(value) else value.real
+    return f"{real:.5g}" + (f" +- {value.imag:.5g} i" if value.imag > 0 else "")

@@ -1,0 +1,85 @@
+"""A motion that was trimmed, as a record."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Any, final
+
+from ...arrays import Array
+from ..systems.dynamic_system import Moment, NamedState
+from .first_order import Choice
+from .linear_model import LinearModel
+
+SHOWN = 24
+ROUNDED = 1e-12  # values below this are printed as none
+
+
+@final
+@dataclass(frozen=True, repr=False, eq=False)
+class SteadyMotion(NamedState):
+    """A steady motion with wanted values, or a rest: ``found["steer"]`` is a value by name.
+
+    A run starts there, ``found.model.simulate(10, x0=found, inputs=found.inputs)``; so do
+    ``linearize`` and ``modes``.
+
+    Attributes:
+        model: The model, with the parameters that were found.
+        x: State [q, u, z] (nx,).
+        free: What was free and its value: inputs, parameters, speeds, forces.
+        wanted: What was asked for, by name.
+        inputs: All inputs by name.
+        t: Time [s].
+        loose: Coordinates of which any value would do: they stay as they started.
+        iterations: Linear systems solved.
+        converged: Whether it is one.
+        message: The same as a sentence.
+        asked: As ``trim`` takes it, beginning here: to find it anew.
+        at, tau, choice: For analyses that go on from here.
+    """
+
+    model: Any
+    x: Array
+    free: Mapping[str, float]
+    wanted: Mapping[str, float]
+    inputs: Mapping[str, float]
+    t: float
+    loose: tuple[str, ...]
+    iterations: int
+    converged: bool
+    message: str
+    asked: Mapping[str, Any] = field(repr=False)
+    at: Moment = field(repr=False)
+    tau: Array = field(repr=False)
+    choice: Choice = field(repr=False)
+
+    @property
+    def named(self) -> dict[str, float]:
+        """All coordinates, speeds, internal states and free values by name."""
+        model = self.model
+        names = (*model.coordinates, *model.speeds, *model.internals)
+        return {**dict(zip(names, self.x.tolist(), strict=True)), **self.free}
+
+    @cached_property
+    def linear(self) -> LinearModel:
+        """The linear model about it."""
+        from .linearize import linearize
+
+        return linearize(self.model, self)
+
+    @property
+    def stable(self) -> bool:
+        """Whether no small motion about it grows exponentially."""
+        return self.linear.stable
+
+    def __repr__(self) -> str:
+        lines = [f"'{self.model.name}': {self.message}"]
+        told = {**self.wanted, **self.free}
+        values = {n: v for n, v in self.named.items() if n not in told and n not in self.loose}
+        stop = self.model.nq + self.model.nu
+        shown = [(n, v) for n, v in list(values.items())[:stop] if abs(v) > ROUNDED][:SHOWN]
+        lines += [f"  {name} = {value:.10g}  (wanted)" for name, value in self.wanted.items()]
+        lines += [f"  {name} = {value:.10g}  (free)" for name, value in self.free.items()]
+        lines += [f"  {name} = {value:.10g}" for name, value in shown]
+        return "\n".join(lines)

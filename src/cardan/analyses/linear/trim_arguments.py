@@ -1,0 +1,73 @@
+"""What a user asks of a trim, checked."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+import numpy as np
+
+from ...errors import ModelError, SolveError, listed, named, near
+from ..mechanisms.consistent_rates import read
+from ..systems.joint_system import Relative
+from .trim_problem import FORCE, Trimming
+
+
+def asked(
+    system: Relative, wanted: Any, free: Iterable[str], u: Any, inputs: Any, parameters: Any,
+    t: float,
+) -> Trimming:  # fmt: skip
+    """The trim that a user described, checked.
+
+    Raises:
+        ModelError: unknown names, a name in both. SolveError: values that are not finite.
+    """
+    aims = {n: float(v) for n, v in named("wanted", wanted, "'steer': 0.1").items()}
+    known = (*system.coordinates, *system.speeds, *system.outputs)
+    for name, value in aims.items():
+        if name not in known:
+            raise ModelError(
+                f"trim: '{name}' is no coordinate, speed or output to want.{near(name, known)}"
+            )
+        if not np.isfinite(value):
+            raise SolveError(f"trim: '{name}' is wanted at {value!r}; it must be finite")
+    kinds = {name: _kind(system, name) for name in listed("free", free, "torque")}
+    both = next((name for name in kinds if name in aims), None)
+    if both is not None:
+        raise ModelError(f"trim: '{both}' is wanted and free: leave one out")
+    start = by_entry(system.model, named("u", u, "'spin': 30"))
+    base = dict(named("parameters", parameters, "'mass': 2"))
+    system.changed(base)
+    if not np.isfinite(t):
+        raise SolveError(f"t={t!r}: it must be finite")
+    return Trimming(system, aims, kinds, start, base, system.given_inputs(inputs), float(t))
+
+
+def by_entry(model: Any, given: Mapping[str, Any]) -> dict[str, float]:
+    """Speeds by their own names, of joints and speeds with values.
+
+    Raises:
+        ModelError, ArgumentError, SolveError: unknown names, values of a wrong shape, not finite.
+    """
+    places, values = read("u", model, given)
+    return {model.speeds[k]: float(x) for k, x in zip(places, values, strict=True)}
+
+
+def _kind(system: Relative, name: str) -> str:
+    """What something free is.
+
+    Raises:
+        ModelError: there is nothing of the kind.
+    """
+    forces = [f"{n}{FORCE}" for n in (*system.speeds, *system.coordinates)]
+    if name in system.inputs:
+        return "input"
+    if name in system.speeds:
+        return "speed"
+    own = name.removesuffix(FORCE)
+    if name.endswith(FORCE) and (own in system.speeds or f"{own}.u" in system.speeds):
+        return "force"
+    if name in system.model.parameters:
+        return "parameter"
+    known = (*system.inputs, *system.speeds, *forces, *system.model.parameters)
+    raise ModelError(f"trim: there is nothing '{name}' that could be free.{near(name, known)}")

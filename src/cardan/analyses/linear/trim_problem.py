@@ -1,0 +1,378 @@
+"""What is unknown in a trim, and what has to hold."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+from functools import cached_property, lru_cache
+from typing import Any
+
+import numpy as np
+
+from ...arrays import Array, Integers
+from ...errors import ModelError, SolveError
+from ..mechanisms.consistent_rates import read, speeds
+from ..mechanisms.mechanism import Mechanism
+from ..mechanisms.position_solver import PositionSolver
+from ..systems.dynamic_system import Moment
+from ..systems.joint_system import Relative
+from .first_order import FirstOrder, chosen, first_order, pushed
+
+FORCE = ".force"
+NAMED, LEADING = 1e6, 1e3  # preference of speeds that are spoken of, and of the others
+SLOW = 1e-4  # of the speed of vibrations by a unit: speeds below which nothing is seen to change
+STEP = 1e-5  # of central differences by what is free: their error of 1e-10 slows no search
+
+
+@dataclass(frozen=True, eq=False)
+class Guess:
+    """A motion on the constraints.
+
+    Attributes:
+        at: The state with its accelerations.
+        tau: Forces along the speeds that are free (nu,).
+    """
+
+    at: Moment
+    tau: Array
+
+
+@dataclass(frozen=True, eq=False)
+class Trimming:
+    """Conditions of a steady motion.
+
+    Attributes:
+        system: The system.
+        wanted: Coordinate, speed or output -> value.
+        free: Name -> ``"input"``, ``"parameter"``, ``"force"`` or ``"speed"``; speeds last but
+            they are unknown anyway.
+        given: Speeds that keep a value or start there.
+        base: Parameters by name, as they stay or start.
+        r, t: Inputs (nr,) and time [s].
+        v: Independent speeds of a search, as places of speeds; chosen where it begins.
+    """
+
+    system: Relative
+    wanted: Mapping[str, float]
+    kinds: Mapping[str, str]
+    given: Mapping[str, Any]
+    base: Mapping[str, float]
+    r: Array
+    t: float
+    v: Integers | None = None
+
+    def searching(self, guess: Guess) -> Trimming:
+        """The same with speeds that are independent where a search begins."""
+        free = replace(self, v=None)
+        return replace(self, v=free.first(guess).v)
+
+    @cached_property
+    def free(self) -> tuple[str, ...]:
+        """What is free besides states."""
+        return tuple(n for n, kind in self.kinds.items() if kind != "speed")
+
+    def model(self, guess: Guess) -> Any:
+        """The model with the parameters of a guess."""
+        p = guess.at.parameters
+        return self.system.model.with_parameters(dict(p)) if p else self.system.model
+
+    def begin(self, q: Any) -> Guess:
+        """The start, assembled, with the speeds that were given."""
+        at = self.system.start(self.t, q, self.r, {}, dict(self.base) or None)
+        start = dict(self.given)
+        for name, value in self.wanted.items():
+            if name in self.system.speeds and not self._told(start, name):
+                start[name] = value
+        free = {n: 0.0 for n in self.system.speeds if self.kinds.get(n) == "speed"}
+        allowed = {**{n: v for n, v in free.items() if not self._told(start, n)}, **start}
+        m = self._mechanism(at)
+        try:
+            u = speeds(m, at.q, allowed, np.zeros(len(self.system.speeds)))
+        except ModelError:
+            # what is wanted need not fit the position where the search begins
+            u = speeds(m, at.q, dict(self.given), np.zeros(len(self.system.speeds)))
+        return self._accelerated(replace(at, u=u), np.zeros(len(u)))
+
+    def _told(self, start: Mapping[str, Any], name: str) -> bool:
+        return self.system.speeds.index(name) in self._places(start)
+
+    def _places(self, start: Mapping[str, Any]) -> list[int]:
+        return [int(k) for k in read("u", self.system.model, start)[0]]
+
+    def _mechanism(self, at: Moment) -> Mechanism:
+        return self.system._at(at)
+
+    def _accelerated(self, at: Moment, tau: Array) -> Guess:
+        return Guess(self.system.accelerations(at, tau), tau)
+
+    # first order
+
+    @cached_property
+    def _first(self) -> Callable[[Guess], FirstOrder]:
+        return lru_cache(maxsize=4)(self._linear)
+
+    def first(self, guess: Guess) -> FirstOrder:
+        """Small motions about a guess, in independent speeds of which those that are named lead."""
+        return self._first(guess)
+
+    def _linear(self, guess: Guess) -> FirstOrder:
+        system, found = self.system, self.system.tangents(guess.at)
+        G = found.G / system.rows[:, None] * system.columns
+        weights = np.full(len(system.columns), LEADING)
+        weights[self._named] = NAMED
+        e = chosen(G[system.positions], np.full(len(weights), LEADING))[1]
+        v = chosen(G, weights, self.v)[1]
+        return first_order(system, guess.at, (), guess.tau, (e, v))
+
+    @cached_property
+    def _named(self) -> list[int]:
+        """Speeds that are spoken of."""
+        own = self._places(self.given)
+        spoken = {*self.wanted, *self.kinds}
+        return own + [k for k, name in enumerate(self.system.speeds) if name in spoken]
+
+    # conditions
+
+    def states(self, guess: Guess) -> Array:
+        """Units of independent increments and speeds and of internal states (n,)."""
+        found = self.first(guess)
+        columns = self.system.columns
+        return np.concatenate([columns[found.e], columns[found.v], np.ones(len(guess.at.z))])
+
+    def kept(self, guess: Guess) -> list[int]:
+        """Independent speeds that are neither wanted nor free."""
+        names = self.system.speeds
+        return [k for k in self.first(guess).v if names[k] not in {*self.wanted, *self._open}]
+
+    @property
+    def _open(self) -> set[str]:
+        return {n for n, kind in self.kinds.items() if kind == "speed"}
+
+    def miss(self, guess: Guess) -> Array:
+        """Accelerations, rates of internal states, what is wanted, speeds that are kept."""
+        at, system = guess.at, self.system
+        own = at.udot[self.first(guess).v] / system.columns[self.first(guess).v]
+        kept = self.kept(guess)
+        stay = (at.u - self._start)[kept] / system.columns[kept]
+        parts = [own, system.internal_rates(at), self._off(guess), stay]
+        return np.concatenate(parts)
+
+    @cached_property
+    def _start(self) -> Array:
+        """Speeds that are kept have these values (nu,)."""
+        places, values = read("u", self.system.model, self.given)
+        found = np.zeros(len(self.system.speeds))
+        found[places] = values
+        return found
+
+    def _off(self, guess: Guess) -> Array:
+        """What is wanted, less its value, without units of length."""
+        values = self._seen(guess)
+        return np.array([(values[n] - v) / self._unit(n) for n, v in self.wanted.items()])
+
+    def _unit(self, name: str) -> float:
+        system = self.system
+        speed = name if name in system.speeds else f"{name}.u"
+        return float(system.columns[system.speeds.index(speed)]) if speed in system.speeds else 1.0
+
+    def _seen(self, guess: Guess) -> dict[str, float]:
+        system, at = self.system, guess.at
+        values = dict(zip(system.coordinates, at.q.tolist(), strict=True))
+        values |= dict(zip(system.speeds, at.u.tolist(), strict=True))
+        if any(name in system.outputs for name in self.wanted):
+            own = system.model.outputs(at.q, at.u, **system._rest(at))
+            values |= dict(zip(system.outputs, np.ravel(own).tolist(), strict=False))
+        return values
+
+    def matrix(self, guess: Guess) -> Array:
+        """How conditions change with the unknowns (m, n), without units."""
+        return self._matrices(guess)
+
+    @cached_property
+    def _matrices(self) -> Callable[[Guess], Array]:
+        return lru_cache(maxsize=2)(self._matrix)
+
+    def _matrix(self, guess: Guess) -> Array:
+        system, found = self.system, self.first(guess)
+        n, v = len(found.e), found.v
+        units, columns = self.states(guess), system.columns
+        own = found.A[n : n + len(v)] / columns[v][:, None]
+        rows = [own, found.A[n + len(v) :], self._wanted_rows(guess)]
+        kept = self.kept(guess)
+        rows.append(found.speeds[kept] / columns[kept][:, None])
+        by_states = np.concatenate(rows) * units
+        by_free = [self._by(guess, name) for name in self.free]
+        return np.column_stack([by_states, *by_free])
+
+    def _wanted_rows(self, guess: Guess) -> Array:
+        system, found, nz = self.system, self.first(guess), len(guess.at.z)
+        count = len(found.A)
+        rows, inner = np.zeros((len(self.wanted), count)), np.eye(nz, count, count - nz)
+        seen = system.seen(guess.at) if any(n in system.outputs for n in self.wanted) else None
+        turning = system.turning(guess.at)
+        for k, name in enumerate(self.wanted):
+            if name in system.coordinates:
+                rows[k] = turning[system.coordinates.index(name)] @ found.increments
+            elif name in system.speeds:
+                rows[k] = found.speeds[system.speeds.index(name)]
+            elif seen is not None:
+                i = system.outputs.index(name)
+                rows[k] = seen.along[i] @ found.increments + seen.by_u[i] @ found.speeds
+                rows[k] += seen.by_z[i] @ inner
+            rows[k] /= self._unit(name)
+        return rows
+
+    def _by(self, guess: Guess, name: str) -> Array:
+        """How conditions change with something that is free."""
+        if self.kinds[name] == "force":
+            system, found = self.system, self.first(guess)
+            answer = pushed(system, guess.at, [self._speed(name)])[:, 0]
+            column = np.zeros(len(self.miss(guess)))
+            column[: len(found.v)] = answer[found.v] / system.columns[found.v]
+            return column * self._size(guess, name)
+        h = STEP
+        sides = [self.miss(self._with(guess, {name: sign * h}, guess)) for sign in (1, -1)]
+        return np.asarray((sides[0] - sides[1]) / (2 * h))
+
+    # values
+
+    def _speed(self, name: str) -> int:
+        own = name.removesuffix(FORCE)
+        return self.system.speeds.index(own if own in self.system.speeds else f"{own}.u")
+
+    def _size(self, guess: Guess, name: str) -> float:
+        """A unit of something free."""
+        return max(abs(self.values(guess).get(name, 0.0)), 1.0)
+
+    def values(self, guess: Guess) -> dict[str, float]:
+        """What is free and its value."""
+        at, system, found = guess.at, self.system, dict[str, float]()
+        for name, kind in self.kinds.items():
+            if kind == "input":
+                found[name] = float(at.r[system.inputs.index(name)])
+            elif kind == "parameter":
+                default = system.model.parameters[name]
+                found[name] = float(np.asarray((at.parameters or {}).get(name, default)))
+            elif kind == "force":
+                found[name] = float(guess.tau[self._speed(name)])
+            else:
+                found[name] = float(at.u[system.speeds.index(name)])
+        return found
+
+    def _with(self, guess: Guess, change: Mapping[str, float], sizes: Guess) -> Guess:
+        """The guess with other free values (changes in their units), on its constraints."""
+        at, tau, r = guess.at, guess.tau.copy(), guess.at.r.copy()
+        parameters, now = dict(at.parameters or {}), self.values(guess)
+        for name, step in change.items():
+            value = now[name] + step * self._size(sizes, name)
+            if self.kinds[name] == "input":
+                r[self.system.inputs.index(name)] = value
+            elif self.kinds[name] == "parameter":
+                parameters[name] = value
+            else:
+                tau[self._speed(name)] = value
+        v = self.first(guess).v
+        return self._placed(replace(at, r=r, parameters=parameters or None), tau, v)
+
+    def _placed(self, at: Moment, tau: Array, v: Any) -> Guess:
+        """A motion on the constraints next to one, with its independent speeds."""
+        m = self._mechanism(at)
+        q, u = at.q, at.u
+        if len(self.system.positions):
+            end = PositionSolver(m).search(q)
+            if not end.met:
+                raise SolveError("trim: circuits do not close there")
+            q = end.q
+        if len(self.system.rows):
+            kept = {self.system.speeds[k]: u[k] for k in v}
+            u = speeds(m, q, kept, u)
+        return self._accelerated(replace(at, q=q, u=u), tau)
+
+    def moved(self, guess: Guess, step: Array) -> Guess:
+        """The guess after a step of the unknowns, without units."""
+        system, found = self.system, self.first(guess)
+        count, nz = len(found.A), len(guess.at.z)
+        x = step[:count] * self.states(guess)
+        at = system.advanced(guess.at, found.increments @ x)
+        at = replace(at, u=at.u + found.speeds @ x, z=at.z + x[count - nz :])
+        change = dict(zip(self.free, step[count:].tolist(), strict=True))
+        start = self._placed(at, guess.tau, found.v)
+        return self._with(start, change, guess) if change else start
+
+    # what is told
+
+    def unsteady(self, guess: Guess, tolerance: float) -> str:
+        """The speed with which accelerations change most as the motion goes on; "" if none do."""
+        system, at, found = self.system, guess.at, self.first(guess)
+        own = system.rates(at, guess.tau)
+        along = own.along[found.v] / system.columns[found.v][:, None]
+        by_u = own.by_u[found.v] / system.columns[found.v][:, None]
+        jerk = along @ at.u + by_u @ at.udot
+        stiff = float(np.abs(along).max(initial=0.0))
+        # below this speeds are rounding, against those of vibrations
+        moving = max(float(np.abs(at.u).max(initial=0.0)), SLOW * stiff**0.5)
+        scale = stiff * moving
+        scale += np.abs(by_u).max(initial=0.0) * np.abs(at.udot).max(initial=0.0)
+        if np.abs(jerk).max(initial=0.0) <= tolerance * scale:
+            return ""
+        # by independent increments: of others alone circuits would not stay closed
+        n = len(found.e)
+        shares = np.abs(along @ found.increments[:, :n] * at.u[found.e]).max(axis=0)
+        return system.speeds[int(found.e[shares.argmax()])]
+
+    def settled(self, name: str) -> bool:
+        """Whether a speed has a value that was asked for."""
+        return name in {*self.wanted, *self.kinds} or self._told(self.given, name)
+
+    def resting(self, name: str) -> Trimming:
+        """The same with a speed that is 0."""
+        return replace(self, wanted={**self.wanted, name: 0.0}, v=None)
+
+    def loose(self, guess: Guess, directions: Array, tolerance: float) -> tuple[str, ...]:
+        """Coordinates of which any value would do, by directions in which nothing changes."""
+        found = self.first(guess)
+        moved = found.increments @ (directions[:, : len(found.A)] * self.states(guess)).T
+        sizes = np.abs(moved / self.system.columns[:, None]).max(axis=1, initial=0.0)
+        return tuple(n for n, x in zip(self.system.increments, sizes, strict=True) if x > tolerance)
+
+    def left_over(self, guess: Guess, directions: Array) -> dict[str, float]:
+        """How much what is free takes part in directions (k, n) in which nothing changes."""
+        found, names = self.first(guess), self.system.speeds
+        count = len(found.A)
+        sizes = np.abs(directions).max(axis=0, initial=0.0)[count:]
+        own = dict(zip(self.free, sizes.tolist(), strict=True))
+        changed = found.speeds @ (directions[:, :count] * self.states(guess)).T
+        for name in self._open:
+            k = names.index(name)
+            own[name] = float(np.abs(changed[k]).max(initial=0.0)) / self.system.columns[k]
+        return own
+
+    def cure(self) -> str:
+        """What to do where what is free does not help."""
+        inputs = [name for name in self.system.inputs if name not in self.kinds]
+        known = ", ".join([*inputs, f"<joint>{FORCE}", "<joint>.u"])
+        return f"Free something that does: {known}; or want something else, start nearer"
+
+    def wishes(self, guess: Guess) -> slice:
+        """The conditions that are what is wanted."""
+        first = len(self.first(guess).v) + len(guess.at.z)
+        return slice(first, first + len(self.wanted))
+
+    def complaint(self, guess: Guess, row: int, miss: float) -> str:
+        """What a condition says that does not hold, and what to do."""
+        found = self.first(guess)
+        nv, nz, nw = len(found.v), len(guess.at.z), len(self.wanted)
+        cure = self.cure()
+        if row < nv:
+            name = self.system.speeds[found.v[row]]
+            value = miss * self.system.columns[found.v[row]]
+            return f"'{name}' changes at {value:.3g}, and nothing that is free stops it. {cure}"
+        if row < nv + nz:
+            name = self.system.internals[row - nv]
+            return f"'{name}' changes at {miss:.3g}, and nothing that is free stops it. {cure}"
+        if row < nv + nz + nw:
+            name = list(self.wanted)[row - nv - nz]
+            value = self.wanted[name] + miss * self._unit(name)
+            return f"'{name}' is {value:.6g}, not {self.wanted[name]:.6g}, at the nearest. {cure}"
+        name = self.system.speeds[self.kept(guess)[row - nv - nz - nw]]
+        return f"'{name}' cannot stay as it is given (0 if it is not). Free '{name}', or: {cure}"

@@ -1,0 +1,1 @@
+"""Closed loops: assembly, sweeps, singular positions, redundancy."""

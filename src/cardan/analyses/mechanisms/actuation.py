@@ -1,0 +1,381 @@
+"""Inverse and hybrid dynamics of closed systems: which actuators carry the load."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, final
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ...arguments import checked
+from ...arrays import Array
+from ...errors import ArgumentError, SolveError, near
+from ...runtime.calls.evaluation import State, Values
+from ...runtime.models.loaded_model import LoadedModel
+from ...runtime.verification.joint_motion import times
+from ..statics.force_balance import elastic
+from ..statics.static_problem import scaled
+from ..systems.dynamic_system import Moment, contract_of
+
+RANK = 1e-9  # singular values below this part of the largest count as zero
+LIGHT = 1e-14  # inertia along a motion, relative to the largest, that is none
+MET = 1e-7  # what is left of forces or accelerations, relative to their largest terms
+SHARE = 0.1  # entries below this part of the largest are not told
+
+
+@final
+@dataclass(frozen=True, repr=False, eq=False)
+class Actuation:
+    """A motion and the forces that make it: M udot + h = f + tau + Gᵀ lam.
+
+    Attributes:
+        name: Of the model.
+        actuators: Speeds along which actuators act.
+        forces: Of the actuators [N, N m] (..., na).
+        tau: All generalized applied forces, those given included (..., nu).
+        udot: The accelerations (..., nu).
+        multipliers: Forces of constraint (..., m); where constraints are redundant the smallest.
+        freedoms: Motions that the actuators have to make, (...).
+        rank: How many of the actuators are independent of each other there, (...).
+        norm: ``"minimum"`` or ``"weighted"``: which forces were taken where they are not unique.
+    """
+
+    name: str
+    actuators: tuple[str, ...]
+    forces: Array
+    tau: Array
+    udot: Array
+    multipliers: Array
+    freedoms: NDArray[np.intp]
+    rank: NDArray[np.intp]
+    norm: str
+
+    @property
+    def unique(self) -> NDArray[np.bool_]:
+        """Whether no other forces of the actuators make the same motion (...)."""
+        return np.asarray(self.rank == len(self.actuators))
+
+    def __getitem__(self, actuator: str) -> Array:
+        """Force of one actuator (...).
+
+        Raises:
+            ArgumentError: there is none of that name.
+        """
+        if actuator not in self.actuators and f"{actuator}.u" in self.actuators:
+            actuator = f"{actuator}.u"
+        if actuator not in self.actuators:
+            raise ArgumentError(
+                f"'{actuator}' is no actuator here.{near(actuator, self.actuators)}"
+            )
+        return np.asarray(self.forces[..., self.actuators.index(actuator)])
+
+    def __repr__(self) -> str:
+        count, freedoms = len(self.actuators), int(np.max(self.freedoms, initial=0))
+        lines = [f"'{self.name}': {_count(count, 'actuator')}, {_count(freedoms, 'freedom')}"]
+        free = int(count - np.min(self.rank, initial=count))
+        if free:
+            words = "of least norm" if self.norm == "minimum" else "of least weighted norm"
+            lines.append(f"  {_count(free, 'force')} without effect on the motion: those {words}")
+        else:
+            lines.append("  forces are unique")
+        if self.forces.ndim == 1:
+            lines += [f"  {n} = {x:.6g}" for n, x in zip(self.actuators, self.forces, strict=True)]
+        return "\n".join(lines)
+
+
+@dataclass(frozen=True)
+class _Place:
+    """A model at states, (..., n).
+
+    Attributes:
+        rest: Time, inputs and parameters, by argument.
+    """
+
+    model: LoadedModel
+    q: Array
+    u: Array
+    rest: Mapping[str, Any]
+
+    @property
+    def jacobian(self) -> Array:
+        """G (..., m, nu)."""
+        if not self.model.nlam:
+            return np.zeros((0, self.model.nu))
+        return self.model.constraint_jacobian(self.q, **self.rest)
+
+    def force(self, udot: Array) -> Array:
+        """M udot + h - f (..., nu)."""
+        return self.model.inverse_dynamics(self.q, self.u, udot, **self.rest)
+
+
+@checked
+def actuation(
+    model: LoadedModel,
+    q: State,
+    u: State,
+    udot: State,
+    actuators: Sequence[str] | None = None,
+    *,
+    norm: str | ArrayLike = "minimum",
+    t: ArrayLike = 0.0,
+    r: State | None = None,
+    parameters: Values | None = None,
+) -> Actuation:
+    """Forces of actuators that make a motion: inverse dynamics of closed systems.
+
+    Args:
+        model: With or without circuits.
+        q, u, udot: A motion that the constraints allow (..., nq), (..., nu), (..., nu), as
+            ``assemble`` and ``sweep`` give it.
+        actuators: Joints or speeds along which they act; by default every speed.
+        norm: Where more actuators than freedoms leave a choice: ``"minimum"``, the least sum of
+            squares, or weights (na,) or a positive definite matrix W (na, na) for least cᵀ W c.
+        t, r, parameters: Time, inputs and parameter values.
+
+    Raises:
+        ArgumentError: an unknown actuator; weights that are not positive.
+        SolveError: the constraints do not allow the motion, or the actuators cannot make it.
+
+    Source: Roberson and Schwertassek, Dynamics of Multibody Systems, chapter 8.
+    """
+    rest: dict[str, Any] = {"t": t, "r": r, "parameters": parameters}
+    place = _Place(model, model._vector("q", q), model._vector("u", u), rest)
+    motion = model._vector("udot", udot)
+    if motion.shape[-1:] != (model.nu,):
+        raise ArgumentError(
+            f"actuation: udot has the shape {motion.shape}, expected (..., {model.nu}): "
+            f"{', '.join(model.speeds[:6])}"
+        )
+    _refuse_impossible(place, motion)
+    chosen = named_speeds(model, actuators)
+    return _shared(place, motion, np.zeros(model.nu), chosen, norm)
+
+
+@checked
+def hybrid_dynamics(
+    model: LoadedModel,
+    q: State,
+    u: State,
+    udot: Mapping[str, ArrayLike],
+    *,
+    tau: State | None = None,
+    t: ArrayLike = 0.0,
+    r: State | None = None,
+    parameters: Values | None = None,
+) -> Actuation:
+    """Some accelerations are given, the others follow, and so do the forces that it takes.
+
+    Args:
+        model: With or without circuits.
+        q, u: States on the constraints (..., nq), (..., nu).
+        udot: Joint or speed -> its acceleration; actuators there provide what it takes.
+        tau: Other generalized applied forces (..., nu).
+        t, r, parameters: Time, inputs and parameter values.
+
+    Raises:
+        ArgumentError: an unknown joint or speed.
+        SolveError: the constraints do not allow these accelerations together.
+
+    Source: R. Featherstone, Rigid Body Dynamics Algorithms, section 9.1.
+    """
+    rest: dict[str, Any] = {"t": t, "r": r, "parameters": parameters}
+    place = _Place(model, model._vector("q", q), model._vector("u", u), rest)
+    chosen, wanted = _wanted(model, udot)
+    given = np.zeros(model.nu) if tau is None else model._vector("tau", tau)
+    # accelerations that keep to the constraints, corrected to those that are wanted
+    known = model.forward_dynamics(place.q, place.u, tau=given, **rest)
+    rows = np.eye(model.nu)[chosen]
+    G = place.jacobian
+    lead = np.broadcast_shapes(known.shape[:-1], G.shape[:-2], wanted.shape[:-1])
+    G, rows, known, wanted = (
+        np.broadcast_to(x, (*lead, *x.shape[-k:]))
+        for x, k in ((G, 2), (rows, 2), (known, 1), (wanted, 1))
+    )
+    both = np.concatenate([G, rows], axis=-2)
+    change = np.concatenate([np.zeros(G.shape[:-1]), wanted - known[..., chosen]], axis=-1)
+    back = np.linalg.pinv(both, rcond=RANK)
+    one = known + times(back, change)
+    left = one[..., chosen] - wanted
+    if not _small(np.concatenate([left, times(G, one - known)], axis=-1), wanted, known):
+        names = [model.speeds[i] for i in chosen]
+        raise SolveError(
+            f"model '{model.name}': the constraints do not allow these accelerations of "
+            f"{_listed(names)} together; give fewer of them, or those of assemble(...).udot"
+        )
+    # the balance along the motions that are left; across them anything regular will do
+    free = np.eye(model.nu) - back @ both
+    M = model.mass_matrix(place.q, **rest)
+    size = np.trace(M, axis1=-2, axis2=-1)[..., None, None] / max(1, model.nu)
+    inertia = free @ M @ free + size * (np.eye(model.nu) - free)
+    missing = times(free, given - place.force(one))
+    motion = one + times(free @ np.linalg.pinv(inertia, rcond=LIGHT, hermitian=True), missing)
+    return _shared(place, motion, given, chosen, "minimum")
+
+
+def _shared(
+    place: _Place, udot: Array, given: Array, chosen: list[int], norm: str | ArrayLike
+) -> Actuation:
+    """Forces of the chosen speeds that do what given ones leave to do."""
+    model, nu = place.model, place.model.nu
+    load, G = place.force(udot) - given, place.jacobian
+    lead = np.broadcast_shapes(load.shape[:-1], G.shape[:-2])
+    load, G = np.broadcast_to(load, (*lead, nu)), np.broadcast_to(G, (*lead, *G.shape[-2:]))
+    # what constraints cannot bear must come from the actuators
+    free = np.eye(nu) - np.linalg.pinv(G, rcond=RANK) @ G
+    soft, word = _softness(norm, len(chosen))
+    along = free[..., chosen] @ soft
+    forces = times(soft @ np.linalg.pinv(along, rcond=RANK), times(free, load))
+    tau = np.zeros((*lead, nu))
+    tau[..., chosen] = forces
+    left = times(free, load - tau)
+    if not _small(left, load, tau) and not _rounded(place, udot, left):
+        raise SolveError(_too_few(model, left, load, chosen))
+    lam = times(np.linalg.pinv(np.swapaxes(G, -1, -2), rcond=RANK), load - tau)
+    size = np.linalg.norm(along, ord=2, axis=(-2, -1)) if chosen else np.zeros(lead)
+    return Actuation(
+        model.name,
+        tuple(model.speeds[i] for i in chosen),
+        forces,
+        tau + given,
+        np.broadcast_to(udot, (*lead, nu)),
+        lam,
+        np.rint(np.trace(free, axis1=-2, axis2=-1)).astype(int),
+        np.linalg.matrix_rank(along, tol=RANK * size) if chosen else np.zeros(lead, int),
+        word,
+    )
+
+
+def _rounded(place: _Place, udot: Array, left: Array) -> bool:
+    """Whether what is left is rounding of elastic forces, which are large where they rest too."""
+    model, rest = place.model, place.rest
+    system = contract_of(model.with_parameters(rest["parameters"] or {}))
+    lead, nu = left.shape[:-1], model.nu
+    count = int(np.prod(lead))
+    r = system.given_inputs(None) if rest["r"] is None else model._vector("r", rest["r"])
+    wide = ((place.q, model.nq), (place.u, nu), (udot, nu), (r, model.nr))
+    blocks = [np.broadcast_to(x, (*lead, n)).reshape(count, n) for x, n in wide]
+    instants = np.broadcast_to(np.asarray(rest["t"], dtype=float), lead).ravel()
+    most = []
+    for t, *(q, u, rate, inputs) in zip(instants, *blocks, strict=True):
+        lam, z = np.zeros(len(system.multipliers)), np.zeros(len(system.internals))
+        at = Moment(float(t), q, u, rate, lam, inputs, z, system.modes)
+        K = scaled(system.tangents(at).K, system.columns, system.columns)
+        most.append(float((elastic(system, at, K) / system.columns).max(initial=0.0)))
+    return bool((np.abs(left).reshape(count, nu).max(axis=1) <= np.array(most)).all())
+
+
+def _softness(norm: str | ArrayLike, count: int) -> tuple[Array, str]:
+    """A factor S of the inverse of the weights, W⁻¹ = S Sᵀ, and a word for them."""
+    if isinstance(norm, str):
+        if norm != "minimum":
+            raise ArgumentError(f"norm='{norm}': 'minimum', or weights of the actuators")
+        return np.eye(count), norm
+    weights = np.asarray(norm, dtype=float)
+    if weights.shape == (count,):
+        weights = np.diag(weights)
+    symmetric = weights.shape == (count, count) and np.allclose(weights, weights.T)
+    if not symmetric or not np.linalg.eigvalsh(weights).min(initial=1.0) > 0:
+        raise ArgumentError(
+            f"norm: weights of {_count(count, 'actuator')} are as many positive numbers, or a "
+            "symmetric positive definite matrix"
+        )
+    return np.linalg.inv(np.linalg.cholesky(weights)).T, "weighted"
+
+
+def named_speeds(model: LoadedModel, names: Sequence[str] | None) -> list[int]:
+    """Speeds of joints or speeds by name, each once."""
+    if names is None:
+        return list(range(model.nu))
+    found: list[int] = []
+    for name in [names] if isinstance(names, str) else names:
+        found += [i for i in _named(model, name) if i not in found]
+    return found
+
+
+def _named(model: LoadedModel, name: str) -> list[int]:
+    rows = model.manifest.speeds
+    found = [i for i, row in enumerate(rows) if name in (row.name, row.joint)]
+    if not found:
+        joints = dict.fromkeys(row.joint for row in rows if row.joint)
+        why = ""
+        if name in model.joints:
+            why = " The joint has no speed of its own here: it is cut, fixed, prescribed or solved."
+        raise ArgumentError(
+            f"model '{model.name}': '{name}' is neither a joint with speeds nor a speed; those "
+            f"with speeds are {', '.join(joints)}.{why or near(name, [*joints, *model.speeds])}"
+        )
+    return found
+
+
+def _wanted(model: LoadedModel, udot: Mapping[str, ArrayLike]) -> tuple[list[int], Array]:
+    """Speeds whose accelerations are given, and those (..., number of them)."""
+    slots, values = list[int](), list[Array]()
+    for name, value in udot.items():
+        own, given = _named(model, name), np.asarray(value, dtype=float)
+        if len(own) == 1:
+            given = given[..., None]
+        elif given.shape[-1:] != (len(own),):
+            raise ArgumentError(
+                f"udot['{name}'] has shape {given.shape}, expected (..., {len(own)})"
+            )
+        slots += own
+        values += [given[..., k] for k in range(len(own))]
+    if len(set(slots)) < len(slots):
+        raise ArgumentError(f"udot names a speed twice: {', '.join(udot)}")
+    if not values:
+        return [], np.zeros(0)
+    return slots, np.stack(np.broadcast_arrays(*values), axis=-1)
+
+
+def _refuse_impossible(place: _Place, udot: Array) -> None:
+    """Accelerations must keep to the constraints.
+
+    Raises:
+        SolveError: they do not.
+    """
+    model = place.model
+    if not model.nlam:
+        return
+    known = model.forward_dynamics(place.q, place.u, **place.rest)
+    G = place.jacobian
+    left = times(G, udot - known)
+    if not _small(left, times(np.abs(G), np.abs(udot)), times(np.abs(G), np.abs(known))):
+        size = np.abs(left).reshape(-1, left.shape[-1]).max(axis=0)
+        names = [
+            n for n, x in zip(model.multipliers_of, size, strict=True) if x > SHARE * size.max()
+        ]
+        raise SolveError(
+            f"model '{model.name}': the constraints {_listed(names)} do not allow these "
+            f"accelerations, by {size.max():.3g}; assemble(...).udot and sweep(...) give some that "
+            "they do, hybrid_dynamics finds the rest to a few that are given"
+        )
+
+
+def _too_few(model: LoadedModel, left: Array, load: Array, chosen: list[int]) -> str:
+    """Which motions the actuators have no hold on."""
+    worst = left.reshape(-1, model.nu)[np.argmax(np.abs(left).reshape(-1, model.nu).max(axis=1))]
+    size = np.abs(worst).max()
+    names = [n for n, x in zip(model.speeds, worst, strict=True) if abs(x) > SHARE * size]
+    have = _listed([model.speeds[i] for i in chosen]) if chosen else "an empty set of actuators"
+    return (
+        f"model '{model.name}': {have} cannot make this motion: no force of theirs acts along a "
+        f"motion of {_listed(names)} together, where {size:.3g} is missing; name an actuator among "
+        "these speeds, or let their accelerations follow by hybrid_dynamics"
+    )
+
+
+def _small(left: Array, *terms: Array) -> bool:
+    """Whether a rest is nothing beside the largest term of its state."""
+    most = [np.abs(term).max(axis=-1, initial=0.0) for term in terms]
+    size = np.maximum.reduce(np.broadcast_arrays(*most))
+    return bool(np.all(np.abs(left).max(axis=-1, initial=0.0) <= MET * np.maximum(size, 1e-12)))
+
+
+def _count(number: int, what: str) -> str:
+    return f"{number} {what}{'' if number == 1 else 's'}"
+
+
+def _listed(names: Sequence[str]) -> str:
+    return ", ".join(f"'{name}'" for name in names[:8])

@@ -1,0 +1,153 @@
+"""Assembly: positions at which all circuits close and targets are met, and consistent speeds."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ...arguments import Count, Seed, checked
+from ...arrays import Array
+from ...errors import ArgumentError, ModelError
+from ...runtime.calls.calling import numbers
+from ...runtime.calls.evaluation import State
+from ...runtime.models.initial import start_of
+from ...runtime.models.loaded_model import LoadedModel
+from .assembly import Assembly
+from .assembly_diagnosis import explain, reached
+from .branches import branches
+from .consistent_rates import accelerations, speeds
+from .mechanism import Mechanism, refuse_nodes
+from .nearest_position import REACHED, choose, nearest
+from .position_solver import Solution, missed
+from .rounded_loops import rounded, slack
+from .searches import search
+from .targets import Target, read
+
+SAME = 1e-6  # positions nearer than this, without units, are one
+STARTS = 16
+
+
+@checked
+def assemble(
+    model: LoadedModel,
+    targets: Mapping[str, Any] | None = None,
+    *,
+    u: Mapping[str, Any] | None = None,
+    udot: Mapping[str, Any] | None = None,
+    weights: Mapping[str, float] | None = None,
+    hold: Iterable[str] | None = None,
+    branch: Mapping[str, Any] | None = None,
+    start: Mapping[str, ArrayLike] | ArrayLike | None = None,
+    starts: Count = STARTS,
+    seed: Seed = 0,
+    t: float = 0.0,
+    r: State | None = None,
+) -> Assembly:
+    """A position at which all circuits close, next to a start, with some of it given.
+
+    Args:
+        model: The compiled model; without circuits this is inverse kinematics.
+        targets: Coordinate or joint -> value, frame -> its position (3,) or pose (4, 4) in the
+            ground. All are held exactly but for those in ``weights``.
+        u, udot: Given speeds and accelerations by name; the other speeds are those of least kinetic
+            energy, the other accelerations those under the forces of the scene.
+        weights: Target -> weight; such targets are met as well as the rest allows: the weighted sum
+            of squares is least, lengths in sizes of the mechanism, angles in radians.
+        hold: Names of the targets that are held, instead of all without a weight.
+        branch: Coordinate -> ``"+"``, ``"-"`` or ``(low, high)``: which of several positions.
+        start: Coordinates to start from, by name or (nq,); the position next to them is chosen.
+        starts: Searches: the first from ``start``, the others from random coordinates.
+        seed: Of the random ones.
+        t, r: Time [s] and inputs, where something is prescribed.
+
+    Raises:
+        ModelError: the circuits cannot be assembled, targets that cannot hold together, no position
+            on the branch, unknown names.
+        ArgumentError, SolveError: values of a wrong shape, or not finite.
+
+    Warns:
+        SolveWarning: two positions are equally near to the start; or Ctrl-C ended the searches
+            once one had met the targets.
+    """
+    refuse_nodes(model, "assemble")
+    m = Mechanism(model, t, r)
+    goals, wanted = read(m, targets or {}, weights, hold), branches(model, branch or {})
+    if starts < 1:
+        raise ModelError(f"starts={starts}: at least one search is needed")
+    begin = _begin(model, start)
+    found = search(m, goals, begin, starts, seed)
+    met = [one for one in found if one.met]
+    if not met:
+        found = rounded(m, goals, begin, starts, seed)
+        met = [one for one in found if one.met]
+    if not met:
+        explain(m, goals, found, lambda n, some: search(n, some, begin, min(starts, 6), seed))
+    different = _different(m, met)
+    chosen = choose(m, different, wanted, begin)
+    if not wanted and all(goal.weight is None for goal in goals):
+        chosen = nearest(m, goals, begin, chosen)
+    many = chosen.freedoms > sum(len(t.value) for t in goals if t.weight is not None)
+    solutions = None if many and not any(t.weight is not None for t in goals) else len(different)
+    return finish(m, goals, chosen, u or {}, udot or {}, solutions, len(found))
+
+
+def _begin(model: LoadedModel, start: Any) -> Array:
+    """Coordinates to start from."""
+    named = start if isinstance(start, Mapping) else {}
+    if start is not None and not isinstance(start, Mapping):
+        q = numbers("start", start)
+        if q.shape != (model.nq,):
+            raise ArgumentError(
+                f"start has shape {q.shape}, expected ({model.nq},): {', '.join(model.coordinates)}"
+            )
+        named = dict(zip(model.coordinates, q.tolist(), strict=True))
+    return start_of(model, named, {})[0][: model.nq]
+
+
+def _different(m: Mechanism, found: Sequence[Solution]) -> list[Solution]:
+    """Positions that are not the same up to whole turns; of equal ones the first."""
+    kept: list[Solution] = []
+    for one in found:
+        away = (np.abs(m.between(k.q, m.nearest(one.q, k.q))).max(initial=0.0) for k in kept)
+        if not any(distance < SAME for distance in away):
+            kept.append(one)
+    return kept
+
+
+def finish(
+    m: Mechanism,
+    targets: Sequence[Target],
+    chosen: Solution,
+    u: Mapping[str, Any],
+    udot: Mapping[str, Any],
+    solutions: int | None,
+    starts: int,
+) -> Assembly:
+    """The record, with consistent speeds and accelerations."""
+    model, q = m.model, chosen.q
+    m.slack = m.slack or slack(m, q)
+    rest = start_of(model, {}, {})[0][model.nq : model.nx - model.nz]
+    velocities, rates = speeds(m, q, u, rest), None
+    if "forward_dynamics" in model.manifest.available:
+        rates = accelerations(m, q, velocities, udot)
+    elif udot:
+        raise ModelError(
+            "udot= needs the function 'forward_dynamics': compile(..., functions=[...])"
+        )
+    away = {t.name: t for t in targets if np.abs(missed(m, t, q)).max() > REACHED}
+    return Assembly(
+        name=model.name,
+        coordinates=model.coordinates,
+        speeds=model.speeds,
+        q=q,
+        u=velocities,
+        udot=rates,
+        gaps=m.gaps(q),
+        unreached={name: f"asked {t.asked}, {reached(m, t, q)}" for name, t in away.items()},
+        freedoms=chosen.freedoms,
+        solutions=solutions,
+        starts=starts,
+    )

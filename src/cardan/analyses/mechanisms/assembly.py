@@ -1,0 +1,85 @@
+"""The record of an assembled mechanism."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import final
+
+import numpy as np
+
+from ...arrays import Array
+from ...errors import ModelError, near
+
+LISTED = 24
+
+
+@final
+@dataclass(frozen=True, repr=False, eq=False)
+class Assembly:
+    """A consistent state of a mechanism: positions, speeds and accelerations that circuits allow.
+
+    Attributes:
+        name: Of the model.
+        coordinates, speeds: Names of q and u.
+        q, u, udot: Coordinates (nq,), speeds (nu,), accelerations (nu,); udot is None where the
+            model has no function ``forward_dynamics``.
+        gaps: Cut joint or constraint -> what is left open: a distance [m], and anything else [1].
+        unreached: Target that need not be held -> what is reached instead, in words.
+        freedoms: Degrees of freedom that circuits and held targets leave.
+        solutions: Different positions found; None where a freedom is left, as there are many.
+        starts: Searches begun.
+    """
+
+    name: str
+    coordinates: tuple[str, ...]
+    speeds: tuple[str, ...]
+    q: Array
+    u: Array
+    udot: Array | None
+    gaps: Mapping[str, tuple[float, float]]
+    unreached: Mapping[str, str]
+    freedoms: int
+    solutions: int | None
+    starts: int
+
+    @property
+    def x(self) -> Array:
+        """State [q, u] (nx,), as ``simulate(x0=...)`` takes it."""
+        return np.concatenate([self.q, self.u])
+
+    def __getitem__(self, name: str) -> float:
+        """A coordinate, or a speed such as ``elbow.u``, by name.
+
+        Raises:
+            ModelError: no such name.
+        """
+        for names, values in ((self.coordinates, self.q), (self.speeds, self.u)):
+            for wanted in (name, name.removesuffix(".u")):
+                if wanted in names and (wanted == name or names is self.speeds):
+                    return float(values[names.index(wanted)])
+        known = [*self.coordinates, *self.speeds]
+        raise ModelError(f"assembly['{name}']: there is no such entry.{near(name, known)}")
+
+    def __repr__(self) -> str:
+        found = {None: "one of many positions", 1: "the only position found"}
+        words = found.get(self.solutions, f"1 of {self.solutions} positions found")
+        lines = [
+            f"assembly of '{self.name}': {words} from {self.starts} "
+            f"start{'s' if self.starts != 1 else ''}, {self.freedoms} "
+            f"freedom{'s' if self.freedoms != 1 else ''} left"
+        ]
+        lines += _values("q", self.coordinates, self.q)
+        if np.any(self.u):
+            lines += _values("u", self.speeds, self.u)
+        for joint, (length, other) in self.gaps.items():
+            rest = f" and {other:.1e}" if other else ""
+            lines.append(f"  circuit of '{joint}' closed to {length:.1e} m{rest}")
+        lines += [f"  target '{name}' not reached: {said}" for name, said in self.unreached.items()]
+        return "\n".join(lines)
+
+
+def _values(letter: str, names: tuple[str, ...], values: Array) -> list[str]:
+    shown = [f"{n} = {v:.9g}" for n, v in zip(names, values.tolist(), strict=True)]
+    more = [f"and {len(shown) - LISTED} more"] if len(shown) > LISTED else []
+    return [f"  {letter}  {', '.join([*shown[:LISTED], *more])}"]

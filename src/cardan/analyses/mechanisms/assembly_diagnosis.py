@@ -1,0 +1,204 @@
+"""Why a mechanism cannot be assembled: what stays open, or what cannot hold together."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from typing import NoReturn, TypeVar
+
+import numpy as np
+
+from ...arrays import Array
+from ...errors import ModelError
+from ...runtime.trajectory.closure_errors import residual_unit
+from .mechanism import Mechanism
+from .position_solver import PositionSolver, Solution, missed
+from .rounded_loops import ROUNDED
+from .targets import Target
+
+WEIGHTS = "Leave one out, or give weights= to what need not be met exactly"
+T = TypeVar("T")
+Search = Callable[[Mechanism, Sequence[Target]], list[Solution]]
+NEAR = 1e-3  # residuals without units that rounding may explain
+HALVINGS = 30  # of the way from what is reached to what is asked
+
+
+def explain(
+    m: Mechanism,
+    targets: Sequence[Target],
+    found: Sequence[Solution],
+    again: Search,
+    remedy: str = WEIGHTS,
+) -> NoReturn:
+    """Raise the error for searches of which none met what must hold.
+
+    Args:
+        m: The mechanism.
+        targets: All of them.
+        found: Where the searches ended.
+        again: Searches for other targets, or without some relations.
+        remedy: What to do about targets that cannot hold.
+
+    Raises:
+        ModelError: always.
+    """
+    held = [target for target in targets if target.weight is None]
+    bare = again(m, []) if held else found
+    if not _any_met(bare):
+        raise ModelError(_culprits(m, again) or _open(m, bare))
+    conflict = _smallest(held, lambda some: _any_met(again(m, some)))
+    raise ModelError(_conflict(m, conflict, [*again(m, _wished(conflict)), *bare], remedy))
+
+
+def _any_met(found: Sequence[Solution]) -> bool:
+    return any(one.met for one in found)
+
+
+def _smallest(held: Sequence[T], holds: Callable[[Sequence[T]], bool]) -> list[T]:
+    """What cannot hold together, any of which could if the others were left out."""
+    kept = list(held)
+    for one in held:
+        rest = [other for other in kept if other is not one]
+        if not holds(rest):
+            kept = rest
+    return kept
+
+
+def _wished(targets: Sequence[Target]) -> list[Target]:
+    """The same targets, none of which must be held."""
+    return [replace(target, weight=1.0) for target in targets]
+
+
+def _conflict(
+    m: Mechanism, targets: Sequence[Target], found: Sequence[Solution], remedy: str
+) -> str:
+    """What is reached where all of them are only wished for."""
+
+    def away(one: Solution) -> float:
+        return sum(float(np.sum(missed(m, target, one.q) ** 2)) for target in targets)
+
+    ends = [replace(one, q=_turned_to(m, one.q, targets)) for one in found if one.met]
+    q = min(ends, key=away).q
+    if len(targets) == 1 and targets[0].kind == "coordinate":
+        q = _farthest(m, targets[0], q)
+    said = [f"'{t.name}' (asked {t.asked}; reached {reached(m, t, q)})" for t in targets]
+    if len(said) == 1:
+        return f"{said[0]} is out of reach{moment(m)}. {remedy}"
+    return f"{', '.join(said[:-1])} and {said[-1]} cannot hold together{moment(m)}. {remedy}"
+
+
+def reached(m: Mechanism, target: Target, q: Array) -> str:
+    """What a position (nq,) gives instead of a target, in words."""
+    if target.kind == "coordinate":
+        words = [f"{x:.6g}" for x in q[target.place]]
+        return words[0] if len(words) == 1 else f"({', '.join(words)})"
+    away = missed(m, target, q)
+    words = [f"{np.linalg.norm(away[-3:]) * m.size:.3g} m"]
+    if target.kind == "pose":
+        words.append(f"{np.linalg.norm(away[:3]):.3g} rad")
+    return f"{' and '.join(words)} away"
+
+
+def _turned_to(m: Mechanism, q: Array, targets: Sequence[Target]) -> Array:
+    """The same position with angles as near to what is asked as whole turns bring them."""
+    goal = q.copy()
+    for target in targets:
+        if target.kind == "coordinate":
+            goal[target.place] = target.value
+    return m.nearest(q, goal)
+
+
+def _farthest(m: Mechanism, target: Target, q: Array) -> Array:
+    """From a position as far towards what is asked as the mechanism goes."""
+    part = 0.5
+    for _ in range(HALVINGS):
+        ahead = q[target.place] + part * (target.value - q[target.place])
+        end = PositionSolver(m, [replace(target, value=ahead)]).search(q)
+        q, part = (end.q, part) if end.met else (q, 0.5 * part)
+    return q
+
+
+def turned_round(joint: str) -> str:
+    """What to say about a joint that closes with an axis the wrong way."""
+    return (
+        f"joint '{joint}' closes its circuit here only with an axis turned round, as it is not "
+        "built: start nearer to the position that is meant, or turn the axis in the scene"
+    )
+
+
+def moment(m: Mechanism) -> str:
+    """When and with what prescribed motions, in words; "" where time does not matter."""
+    moved = [f"'{j.name}'" for j in m.model.manifest.joints if j.prescribed]
+    if moved:
+        return f" at t = {m.t:g} s, where the motion of {', '.join(moved)} is prescribed"
+    return f" at t = {m.t:g} s" if m.t else ""
+
+
+def _culprits(m: Mechanism, again: Search) -> str:
+    """Relations of the user without which everything else holds; "" where they do not matter."""
+    relations = m.relations
+
+    def holds(some: Sequence[str]) -> bool:
+        return _any_met(again(m.without(set(relations) - set(some)), []))
+
+    if not relations or not holds([]):
+        return ""
+    names = [f"'{name}'" for name in _smallest(relations, holds)]
+    circuits = " with the circuits" if m.cuts else ""
+    if len(names) == 1:
+        return (
+            f"constraint {names[0]} cannot hold together{circuits}{moment(m)}: without it "
+            "everything closes. Look at its expression, its numbers and signs"
+        )
+    return (
+        f"constraints {', '.join(names[:-1])} and {names[-1]} cannot hold together{circuits}"
+        f"{moment(m)}: without any one of them the others hold. Leave one out, or correct it"
+    )
+
+
+def _open(m: Mechanism, found: Sequence[Solution]) -> str:
+    """What has the largest residual where the search came nearest."""
+    if not m.closing.rows:
+        return (
+            f"beams of '{m.model.name}' do not fit without strain between the places that are "
+            "named: name fewer coordinates"
+        )
+
+    def gap_of(one: Solution) -> float:
+        return max(max(length / m.size, other) for length, other in m.gaps(one.q).values())
+
+    straight = [one for one in found if not m.turned(one.q)]
+    turned = [one.turned for one in found if one.closed and one.turned]
+    if turned and not any(gap_of(one) < NEAR for one in straight):
+        return turned_round(turned[0])
+    gaps = m.gaps(min(straight or found, key=gap_of).q)
+    name = max(gaps, key=lambda one: max(gaps[one][0] / m.size, gaps[one][1]))
+    length, other = gaps[name]
+    many = f"{len(found)} start{'s' if len(found) != 1 else ''}"
+    cut = next((cut for cut in m.cuts if cut.name == name), None)
+    if cut is None:
+        row = next(row for row in m.closing.rows if name in (row.name, row.joint))
+        least = f"{max(length, other):.3g} {residual_unit(row)}".strip()
+        return (
+            f"constraint '{name}' cannot be met{moment(m)}: its residual comes no nearer to 0 than "
+            f"{least}, from {many}. Look at its expression, or give start= near the position that "
+            "is meant"
+        )
+    gap = f"{length:.3g} m" if length / m.size >= other else f"{other:.3g} (of an angle)"
+    near = ""
+    if max(length / m.size, other) < NEAR:
+        near = (
+            f". Redundant conditions of rounded numbers leave such residuals: up to {ROUNDED:g} of "
+            "the size of the mechanism they are ignored, so give lengths and axes more digits"
+        )
+    path = ", ".join(f"'{joint}'" for joint in cut.loop if joint != name)
+    between = f"frames '{cut.parent_frame}' and '{cut.child_frame}'"
+    if name in cut.loop:
+        between = f"frame '{cut.child_frame}' and where the joint would have it"
+    return (
+        f"the circuit that joint '{name}' closes ({path}) cannot be assembled{moment(m)}: the "
+        f"least residual found is {gap}, between {between}, from {many}. Check lengths and places "
+        "of its joints"
+        f"{', the prescribed motion' if 'prescribed' in moment(m) else ''}, or give start= near "
+        f"the position that is meant{near}"
+    )

@@ -1,0 +1,93 @@
+"""Which of several ways to assemble a mechanism is meant."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, NoReturn
+
+import numpy as np
+
+from ...arrays import Array
+from ...errors import ArgumentError, ModelError, near, shown
+from ...runtime.models.loaded_model import LoadedModel
+
+SIGNS = {"+": (0.0, math.inf), "-": (-math.inf, 0.0)}
+
+
+@dataclass(frozen=True)
+class Branch:
+    """A range that a coordinate must lie in; an angle up to whole turns.
+
+    Attributes:
+        name: Of the coordinate.
+        place: In q.
+        low, high: The range.
+        angle: Whether whole turns do not count.
+    """
+
+    name: str
+    place: int
+    low: float
+    high: float
+    angle: bool
+
+    def value(self, q: Array) -> float:
+        """The coordinate; an angle between -pi and pi."""
+        value = float(q[self.place])
+        return math.remainder(value, 2 * math.pi) if self.angle else value
+
+    def holds(self, q: Array) -> bool:
+        """Whether coordinates (nq,) lie on it."""
+        value = self.value(q)
+        turns = (-1, 0, 1) if self.angle and math.isfinite(self.low + self.high) else (0,)
+        return any(self.low <= value + 2 * math.pi * k <= self.high for k in turns)
+
+    def __str__(self) -> str:
+        if math.isinf(self.high):
+            return f"'{self.name}' > {self.low:g}"
+        if math.isinf(self.low):
+            return f"'{self.name}' < {self.high:g}"
+        return f"'{self.name}' between {self.low:g} and {self.high:g}"
+
+
+def branches(model: LoadedModel, named: Mapping[str, Any]) -> list[Branch]:
+    """Branches out of what the user wrote.
+
+    Raises:
+        ModelError: an unknown coordinate. ArgumentError: neither a sign nor a range.
+    """
+    found = []
+    for name, value in named.items():
+        if name not in model.coordinates:
+            raise ModelError(
+                f"branch: there is no coordinate '{name}'.{near(name, model.coordinates)}"
+            )
+        k = model.coordinates.index(name)
+        if isinstance(value, str) and value in SIGNS:
+            low, high = SIGNS[value]
+        elif not isinstance(value, str) and np.shape(value) == (2,) and value[0] < value[1]:
+            low, high = float(value[0]), float(value[1])
+        else:
+            raise ArgumentError(f"branch: '{name}' is {shown(value)}; give '+', '-' or (low, high)")
+        found.append(Branch(name, k, low, high, model.manifest.coordinates[k].unit == "rad"))
+    return found
+
+
+def refuse(wanted: Sequence[Branch], found: Sequence[Array]) -> NoReturn:
+    """Raise the error for positions that are all on other branches.
+
+    Raises:
+        ModelError: always.
+    """
+    said = " and ".join(str(branch) for branch in wanted)
+    values = [
+        ", ".join(f"{branch.name} = {branch.value(q):.6g}" for branch in wanted) for q in found
+    ]
+    listed = "; ".join(dict.fromkeys(values[:6])) + ("; ..." if len(values) > 6 else "")
+    many = "1 position was" if len(found) == 1 else f"{len(found)} positions were"
+    raise ModelError(
+        f"no assembled position has {said}. {many} found, with {listed}. Ask for one of these "
+        "branches, or for more starts="
+    )

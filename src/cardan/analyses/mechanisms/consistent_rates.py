@@ -1,0 +1,140 @@
+"""Speeds and accelerations that constraints allow, with some of them given."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...arrays import Array
+from ...errors import ArgumentError, ModelError, SolveError, miscounted, shown
+from ...runtime.models.initial import entries, missing
+from ...runtime.models.loaded_model import LoadedModel
+from .mechanism import Mechanism
+
+CONSISTENT = 1e-9  # of the largest of the given values
+
+
+def speeds(m: Mechanism, q: Array, given: Mapping[str, Any], rest: Array) -> Array:
+    """Speeds (nu,) with G u + g_t = 0, the given ones held, the others next to wanted ones.
+
+    Args:
+        m, q: Mechanism and an assembled position (nq,).
+        given: Joint or speed -> value.
+        rest: What the others are near to (nu,), in the metric of the mass matrix if there is one.
+
+    Raises:
+        ModelError: an unknown name, or values that cannot hold together.
+        ArgumentError, SolveError: values of a wrong shape, or not finite.
+    """
+    chosen, values = read("u", m.model, given)
+    u = rest.copy()
+    u[chosen] = values
+    start = m.rates(q, m.speeds_at(q, np.zeros(m.nu)))
+    held, more, right = m.held_speeds(q, chosen, values)
+    wanted = m.steps_of(u)
+    G = np.concatenate([m.jacobian(q), more])
+    found = _meet(m, q, G, wanted, held, np.concatenate([-start, right]), list(given), "u")
+    return m.speeds_at(q, found)
+
+
+def accelerations(m: Mechanism, q: Array, u: Array, given: Mapping[str, Any]) -> Array:
+    """Accelerations (nu,) with G udot = gamma, the given ones held, the others as forces have it.
+
+    Args:
+        m, q, u: Mechanism and a consistent state.
+        given: Joint or speed -> value of its derivative.
+
+    Raises:
+        As :func:`speeds`.
+    """
+    free: Array = m.model.forward_dynamics(q, u, t=m.t, r=m.r)
+    chosen, values = read("udot", m.model, given)
+    if not len(chosen):
+        return free
+    # accelerations under forces fulfill the constraints: they know gamma
+    G = m.jacobian(q)
+    gamma = G @ (free / m.columns)
+    udot = free.copy()
+    udot[chosen] = values
+    return m.columns * _meet(m, q, G, udot / m.columns, chosen, gamma, list(given), "udot")
+
+
+def read(what: str, model: LoadedModel, given: Mapping[str, Any]) -> tuple[NDArray[np.intp], Array]:
+    """Which speeds are given, and their values.
+
+    Args:
+        what: ``"u"`` or ``"udot"``, for messages.
+        model: Whose.
+        given: Joint or speed -> value.
+    """
+    places = entries(model.manifest, "u")
+    chosen, values = list[int](), list[float]()
+    for name, value in given.items():
+        where, place = f"{what}={{'{name}': ...}}", places.get(name)
+        if place is None:
+            raise ModelError(f"{where}: {missing(model.manifest, 'u', name, places)}")
+        array = np.asarray(value, dtype=np.float64).reshape(-1)
+        if array.size != place.stop - place.start:
+            raise ArgumentError(miscounted(where, array.size, model.speeds[place]))
+        if not np.isfinite(array).all():
+            raise SolveError(f"{where} is {shown(value)}; it must be finite")
+        if set(chosen) & set(range(place.start, place.stop)):
+            raise ModelError(f"{where}: given twice, once by joint, once by entry")
+        chosen += range(place.start, place.stop)
+        values += array.tolist()
+    return np.array(chosen, dtype=np.intp), np.array(values)
+
+
+def _meet(
+    m: Mechanism,
+    q: Array,
+    G: Array,
+    wanted: Array,
+    held: NDArray[np.intp],
+    right: Array,
+    names: list[str],
+    what: str,
+) -> Array:
+    """The vector without units next to a wanted one with G v = right and the held entries kept."""
+    missing_part, v = right - G @ wanted, wanted.copy()
+    if missing_part.any():
+        # the least change of the free entries that closes the gap
+        free = np.setdiff1d(np.arange(len(wanted)), held)
+        L = _metric(m, q, free)
+        step, *_ = np.linalg.lstsq(G[:, free] @ L, missing_part, rcond=m.rank)
+        v[free] += L @ step
+    left = right - G @ v
+    scale = max(1.0, float(np.abs(wanted).max(initial=0.0)))
+    worst = int(np.abs(left).argmax()) if len(left) else 0
+    if len(left) and not abs(left[worst]) <= max(CONSISTENT, m.slack) * scale:
+        said = ", ".join(f"'{name}'" for name in names) or "prescribed motions"
+        kind = "speeds" if what == "u" else "accelerations"
+        raise ModelError(
+            f"{kind} of {said} cannot hold together{_apart(m, worst, abs(left[worst]))}. Leave one "
+            "of them out"
+        )
+    return v
+
+
+def _apart(m: Mechanism, row: int, residual: float) -> str:
+    """Which joint would come apart, in words; "" where a row is not one of constraints."""
+    if row >= len(m.closing.rows):
+        return ""
+    told = m.closing.rows[row]
+    return f": joint '{told.joint}' would come apart at {residual * m.rows[row]:.3g} in " + (
+        f"'{told.name}'"
+    )
+
+
+def _metric(m: Mechanism, q: Array, free: NDArray[np.intp]) -> Array:
+    """L with L L^T the inverse mass matrix of the free speeds, without units; else the identity."""
+    M = m.mass(q)
+    if M is None:
+        return np.eye(len(free))
+    part = M[np.ix_(free, free)]
+    values, vectors = np.linalg.eigh(part)
+    least = 1e-9 * max(float(values.max(initial=0.0)), 1e-300)
+    return np.asarray(vectors / np.sqrt(np.maximum(values, least)))

@@ -1,0 +1,370 @@
+"""Circuits of a model at one instant, in numbers without units, for analyses in NumPy.
+
+Lengths count in sizes of the mechanism and angles in radians, so that rows and columns of Jacobians
+can be compared, and a rank says something.
+"""
+
+from __future__ import annotations
+
+import copy
+from collections.abc import Callable, Iterable, Mapping
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ...arrays import Array
+from ...errors import ModelError
+from ...runtime.models.constraint_projection import Closing, columns_of, size_of
+from ...runtime.models.initial import entries
+from ...runtime.models.random_states import random_state
+from ...runtime.verification.rotations import unit
+from ...schema.mechanism import CutRow
+from .mechanism_record import Connection, connect
+
+if TYPE_CHECKING:
+    from ...runtime.models.loaded_model import LoadedModel
+
+REACHED = 1e-9  # beyond limits that counts as on them
+TIGHT, LOOSE = 1e-10, 3e-5  # the latter as kernels/dependent.h has it
+NEARBY = 1e-5  # of a central difference; its error of 1e-10 slows no search
+
+
+class Mechanism:
+    """A model at a time and with inputs.
+
+    Attributes:
+        model, t, r: The model, the time [s], the inputs (nr,).
+        size: Against which lengths count [m].
+        columns: Size of the unit of every speed (nu,): ``size`` where it is a velocity.
+        released: Relations of the user that are not asked to hold.
+        slack: Residual without units up to which conditions that say the same twice may disagree,
+            as rounded lengths make them; 0 where they agree.
+        searches: How many searches are begun before a start is refused.
+    """
+
+    released: frozenset[str] = frozenset()
+    slack: float = 0.0
+    searches: int = 16
+
+    def __init__(self, model: LoadedModel, t: float = 0.0, r: Any = None) -> None:
+        """Args:
+        model: Compiled.
+        t: Time, where something is prescribed [s].
+        r: Inputs (nr,) or by name; their defaults if left out.
+        """
+        self.model, self.t = model, float(t)
+        if isinstance(r, Mapping):
+            r = model._vector("r", r)
+        self.r: Array | None = None if r is None else np.asarray(r, dtype=np.float64)
+        self.size = size_of(model)
+        self.columns = columns_of(model, self.size)
+        self._known: dict[str, tuple[bytes, Any]] = {}
+
+    @classmethod
+    def at(cls, model: LoadedModel, t: float, r: Array | None) -> Mechanism:
+        """As the class itself; what is the same at all times is found once for a model."""
+        known = model._derived.get(cls)
+        if known is None:
+            known = cls(model)
+            # what copies share
+            _ = known.rows, known.turning, known.connection, known._bounds, known._unreleased
+            model._derived[cls] = known
+        assert isinstance(known, cls)
+        return known.moved_to(t, r)
+
+    def moved_to(self, t: float, r: Array | None) -> Mechanism:
+        """The same mechanism at another time, with other inputs (nr,)."""
+        other = copy.copy(self)
+        other.t, other.r, other._known = float(t), r, {}
+        return other
+
+    def _once(self, what: str, q: Array, function: Callable[[Array], Any]) -> Any:
+        """A function of the position, found again only at another one."""
+        key, known = q.tobytes(), self._known.get(what)
+        if known is None or known[0] != key:
+            known = self._known[what] = key, function(q)
+        return known[1]
+
+    # constraints
+
+    @cached_property
+    def closing(self) -> Closing:
+        """The constraints, whether or not runs keep to them."""
+        rows = tuple(self.model.manifest.multipliers)
+        return Closing(rows, self.size)
+
+    @cached_property
+    def rows(self) -> Array:
+        """Size of the unit of every constraint (m,)."""
+        return np.array([self.size if r.unit == "N" else 1.0 for r in self.closing.rows])
+
+    @property
+    def cuts(self) -> list[CutRow]:
+        """The joints that close circuits, from the manifest."""
+        return list(self.model.manifest.cuts)
+
+    def evaluate(self, name: str, *values: ArrayLike) -> Array:
+        """Result of a function of t, the values, and r."""
+        return self.model._evaluate((name, None), (self.t, *values, self.r), None, None)
+
+    def residuals(self, q: Array) -> Array:
+        """Residuals (mp,) of the constraints of positions, without units."""
+        count = self.closing.positions
+        if count == 0:
+            return np.zeros(0)
+        found: Array = self.evaluate("constraints", q) / self.rows[:count]
+        return found[self._kept[:count]]
+
+    def turned(self, q: Array) -> str:
+        """The cut joint whose closing conditions hold with an axis turned round; "" if none."""
+        if not self.cuts or "facing" not in self.model.manifest.available:
+            return ""
+        values = self.evaluate("facing", q)
+        wrong = np.flatnonzero(values <= 0)
+        if not len(wrong):
+            return ""
+        entries = self.model.manifest.functions["facing"].outputs[0].entries
+        return str(entries[wrong[0]]).rpartition(".")[0]
+
+    @property
+    def nu(self) -> int:
+        """Number of steps."""
+        return self.model.nu
+
+    def jacobian(self, q: Array) -> Array:
+        """G (m, nu), without units."""
+        found: Array = self._once("jacobian", q, self._jacobian)
+        return found
+
+    def _jacobian(self, q: Array) -> Array:
+        if not self.closing.rows:
+            return np.zeros((0, self.nu))
+        found: Array = self.evaluate("constraint_jacobian", q) * self.columns / self.rows[:, None]
+        return found[self._kept]
+
+    def decomposition(self, q: Array) -> tuple[Array, Array]:
+        """Left singular vectors (m, m) and singular values of G."""
+        found: tuple[Array, Array] = self._once(
+            "decomposition", q, lambda q: np.linalg.svd(self.jacobian(q))[:2]
+        )
+        return found
+
+    @property
+    def rank(self) -> float:
+        """Singular values below this part of the largest are those of dependent conditions."""
+        return LOOSE if self.slack else TIGHT
+
+    @property
+    def positions(self) -> int:
+        """Rows of :meth:`jacobian` that belong to :meth:`residuals`."""
+        return int(self._kept[: self.closing.positions].sum())
+
+    @cached_property
+    def connection(self) -> Connection:
+        """The mechanism as searches in C know it."""
+        return connect(self, self._kept[: self.closing.positions])
+
+    def without(self, relations: Iterable[str]) -> Mechanism:
+        """The same mechanism with relations of the user released."""
+        other = copy.copy(self)
+        other.released = frozenset(relations)
+        for name in ("connection", "_unreleased"):
+            other.__dict__.pop(name, None)
+        other._known = {}
+        return other
+
+    @property
+    def relations(self) -> list[str]:
+        """Relations of positions that the user wrote."""
+        rows = self.closing.rows[: self.closing.positions]
+        return [str(row.name) for row in rows if row.name == row.joint]
+
+    @cached_property
+    def _unreleased(self) -> NDArray[np.bool_]:
+        return np.array([row.name not in self.released for row in self.closing.rows], bool)
+
+    @property
+    def _kept(self) -> NDArray[np.bool_]:
+        """Which rows must hold."""
+        return self._unreleased
+
+    def rates(self, q: Array, u: Array) -> Array:
+        """Residuals (m,) of the constraints of velocities, lengths without units."""
+        if not self.closing.rows:
+            return np.zeros(0)
+        return self.evaluate("constraint_rates", q, u) / self.rows
+
+    # coordinates
+
+    def advance(self, q: Array, step: Array) -> Array:
+        """Coordinates a step (nu,) without units away."""
+        moved = self.moved(q, step * self.columns)
+        return unit(moved, self.model.manifest.quaternions)
+
+    def moved(self, q: Array, along: Array) -> Array:
+        """Coordinates moved along speeds (nu,), whatever these are."""
+        if self.chosen:
+            along = self._joint_speeds(q) @ along
+        return np.asarray(self.model.integrate(q, along))
+
+    def between(self, q0: Array, q1: Array) -> Array:
+        """The step (nu,) without units from q0 to q1."""
+        found: Array = self.model.difference(q0, q1)
+        if self.chosen:
+            found = np.asarray(np.linalg.lstsq(self._joint_speeds(q0), found)[0], np.float64)
+        step: Array = found / self.columns
+        return step
+
+    @cached_property
+    def chosen(self) -> bool:
+        """Whether the speeds are not those of the joints, along which coordinates are moved."""
+        return any(row.joint is None for row in self.model.manifest.speeds)
+
+    def _joint_speeds(self, q: Array) -> Array:
+        """Speeds of the joints per chosen speed (nu, nu), by central differences along qdot."""
+        rates = (self.kinematics(q) / self.columns).T
+        ahead, behind = (self.model.difference(q, q + h * rates) for h in (NEARBY, -NEARBY))
+        return np.asarray(ahead - behind).T / (2 * NEARBY)
+
+    def kinematics(self, q: Array) -> Array:
+        """N (nq, nu): coordinates per step without units."""
+        found: Array = self._once("kinematics", q, self._kinematics)
+        return found
+
+    def _kinematics(self, q: Array) -> Array:
+        model = self.model
+        basis = np.concatenate([np.zeros((1, model.nu)), np.diag(self.columns)])
+        rates = model.qdot(q, basis, t=self.t, r=self.r)
+        return np.asarray(rates[1:] - rates[0]).T
+
+    @cached_property
+    def led(self) -> NDArray[np.intp]:
+        """Entries of q that are coordinates of joints (n,)."""
+        return np.arange(self.model.nq)
+
+    def drawn(self, rng: np.random.Generator) -> Array:
+        """Random coordinates (nq,)."""
+        return random_state(self.model.manifest, rng)[: self.model.nq]
+
+    def frame_jacobian(self, frame: str, q: Array) -> Array:
+        """Angular velocity and velocity of a frame per step (6, nu)."""
+        found: Array = self.model.frame_jacobian(frame, q, t=self.t, r=self.r)
+        return found * self.columns
+
+    def steps_of(self, u: Array) -> Array:
+        """Steps per second (nu,) of speeds of the model."""
+        return np.asarray(u / self.columns)
+
+    def speeds_at(self, q: Array, steps: Array) -> Array:
+        """Speeds of the model at a position, by steps per second (nu,)."""
+        return np.asarray(steps * self.columns)
+
+    def held_speeds(
+        self, q: Array, chosen: NDArray[np.intp], values: Array
+    ) -> tuple[NDArray[np.intp], Array, Array]:
+        """What given speeds say about steps: those held, and rows R with R steps = right.
+
+        Args:
+            q: Position (nq,).
+            chosen, values: Entries of u that are given.
+        """
+        return chosen, np.zeros((0, self.nu)), np.zeros(0)
+
+    def mass(self, q: Array) -> Array | None:
+        """Mass matrix per step (nu, nu), None where the model has none."""
+        if "mass_matrix" not in self.model.manifest.available:
+            return None
+        found: Array = self.model.mass_matrix(q, t=self.t, r=self.r)
+        return found * np.outer(self.columns, self.columns)
+
+    @cached_property
+    def turning(self) -> Array:
+        """Which coordinates are angles that come back after a turn (nq,): of free joints alone."""
+        manifest = self.model.manifest
+        kinds = ("revolute", "cylindrical", "universal", "planar")
+        leaders = {j.coupled.leader for j in manifest.joints if j.coupled}
+        whole = {j.name for j in manifest.joints if j.kind in kinds} - leaders
+        rows = manifest.coordinates
+        return np.array([row.unit == "rad" and row.joint in whole for row in rows], bool)
+
+    def nearest(self, q: Array, to: Array) -> Array:
+        """The same position with every angle within half a turn of that of another one."""
+        away = (q - to)[self.turning]
+        if not len(away) or abs(away).max() < np.pi:
+            return q
+        turns = np.where(self.turning, np.round((q - to) / (2 * np.pi)), 0.0)
+        found: Array = q - 2 * np.pi * turns
+        if self._open(found) <= self._open(q) + TIGHT:
+            return found
+        # relations of the user may hold for one of equal angles only
+        found = q
+        for k in np.flatnonzero(turns):
+            other = found.copy()
+            other[k] -= 2 * np.pi * turns[k]
+            if self._open(other) <= self._open(found) + TIGHT:
+                found = other
+        return found
+
+    def _open(self, q: Array) -> float:
+        """The largest residual of the constraints of positions."""
+        return float(np.abs(self.residuals(q)).max(initial=0.0))
+
+    @cached_property
+    def _bounds(self) -> tuple[NDArray[np.intp], Array, Array]:
+        """Entries of q that have limits, and these."""
+        places, rows = entries(self.model.manifest, "q"), list[tuple[int, float, float]]()
+        for name, limits in self.model.limits.items():
+            low, high = (limits.get(side) for side in ("lower", "upper"))
+            place = places.get(name, slice(0, 0))
+            for k in range(place.start, place.stop):
+                rows.append((k, -np.inf if low is None else low, np.inf if high is None else high))
+        table = np.array(rows, dtype=np.float64).reshape(-1, 3)
+        return table[:, 0].astype(np.intp), table[:, 1], table[:, 2]
+
+    def outside(self, q: Array) -> int:
+        """How many coordinates are outside their limits."""
+        limited, low, high = self._bounds
+        if not len(limited):
+            return 0
+        values = q[limited]
+        return int(np.sum((values < low - REACHED) | (values > high + REACHED)))
+
+    def gaps(self, q: Array) -> dict[str, tuple[float, float]]:
+        """Cut joint or constraint -> what is left open: a distance [m] and anything else [1]."""
+        count = self.closing.positions
+        values = self.evaluate("constraints", q) if count else np.zeros(0)
+        found: dict[str, tuple[float, float]] = {}
+        for row, value in zip(self.closing.rows[:count], values.tolist(), strict=True):
+            length, other = found.get(row.joint, (0.0, 0.0))
+            if row.unit == "N":
+                length = float(np.hypot(length, value))
+            else:
+                other = float(np.hypot(other, value))
+            found[row.joint] = length, other
+        return found
+
+
+def refuse_nodes(model: LoadedModel, what: str) -> None:
+    """Kinematics alone moves joints; where nodes stand they do not tell everything.
+
+    Args:
+        model: The model.
+        what: The analysis that was asked for.
+
+    Raises:
+        ModelError: the model is in absolute coordinates.
+    """
+    if not model.manifest.absolute:
+        return
+    cure = "its bodies are nodes. Compile it with coordinates='relative', which has joints for it"
+    if model.manifest.beams:
+        cure = (
+            "it has beams, whose shape follows from forces. model.equilibrium(hold={'...': value}) "
+            "gives a position with a joint held, model.statics(hold={'...': (start, end)}) many"
+        )
+    raise ModelError(
+        f"{what}: model '{model.name}' is in absolute coordinates, where kinematics alone does not "
+        f"tell a position: {cure}"
+    )

@@ -1,0 +1,116 @@
+"""A mechanism as searches in C know it: the record of ``kernels/position.h`` without targets."""
+
+from __future__ import annotations
+
+import ctypes
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...arrays import Array
+from ...runtime.calls.interpreted import PythonFunction
+from ...schema.records import COUNT, PositionRecord, TargetRecord, check
+
+if TYPE_CHECKING:
+    from .mechanism import Mechanism
+
+
+@dataclass(frozen=True, eq=False)
+class Connection:
+    """What searches in C know of a mechanism at any time.
+
+    Attributes:
+        library: The kernels.
+        record: A ``cardan_position`` without targets.
+        kept: What its pointers point to.
+        rows: Of the Jacobian of the constraints.
+        work: Numbers of work memory of its functions.
+        called_back: Whether some of these are Python.
+    """
+
+    library: ctypes.CDLL
+    record: PositionRecord
+    kept: list[Any]
+    rows: int
+    work: int = 0
+    called_back: bool = False
+
+
+def called(function: Callable[..., Array], size: int, **blocks: int) -> PythonFunction:
+    """A function of arrays for kernels.
+
+    Args:
+        function: Blocks -> array.
+        size: Numbers of the latter.
+        blocks: Name -> numbers of each.
+    """
+
+    def lists(*values: list[float]) -> list[float]:
+        found: list[float] = np.ravel(function(*map(np.array, values))).tolist()
+        return found
+
+    return PythonFunction(lists, [*blocks.items()], size)
+
+
+@lru_cache(maxsize=4)
+def searching(library: ctypes.CDLL) -> ctypes.CDLL:
+    """The kernels with the types of the functions of searches declared.
+
+    Raises:
+        BuildError: their records differ from those here.
+    """
+    for name, structure in (("position", PositionRecord), ("target", TargetRecord)):
+        check(library, f"cardan_{name}", structure)
+    record = ctypes.POINTER(PositionRecord)
+    for name in ("begin", "residuals", "jacobian"):
+        getattr(library, f"cardan_position_{name}").argtypes = [record]
+    library.cardan_position_length.argtypes = [record]
+    library.cardan_position_length.restype = COUNT
+    library.cardan_position_solve.argtypes = [record, COUNT]
+    return library
+
+
+def connect(m: Mechanism, required: NDArray[np.bool_]) -> Connection:
+    """The connection to the functions of a model.
+
+    Args:
+        m: The mechanism.
+        required: Which constraints of positions must hold.
+    """
+    model, record = m.model, PositionRecord()
+    layout = model._layout
+    arrays = {
+        **{letter: layout.start(letter).copy() for letter in "zsr"},
+        "kept": np.flatnonzero(required),
+        "rows": m.rows[: len(required)].copy(),
+        "columns": m.columns,
+        "quaternions": np.array(model.manifest.quaternions, dtype=np.intp),
+    }
+    for name, array in arrays.items():
+        setattr(record, name, array.ctypes.data)
+    record.nq, record.nu, record.positions = model.nq, m.nu, len(required)
+    record.kept_count, record.quaternion_count = len(arrays["kept"]), len(arrays["quaternions"])
+    names = ["constraints", "constraint_jacobian"] if len(required) else []
+    names += ["facing"] if m.cuts and "facing" in model.manifest.available else []
+    names += [] if m.chosen else ["integrate"]
+    # a start goes on with these: one run of the compiler makes all
+    later = ("constraint_rates", *(("difference", "qdot") if m.cuts else ()))
+    more = [name for name in later if name in model.manifest.available]
+    functions = model._load([(name, None) for name in (*names, *more)])[: len(names)]
+    kept: list[Any] = [arrays, functions]
+    for name, function in zip(names, functions, strict=True):
+        setattr(record, name, function.address)
+        setattr(record, f"{name}_w", function.w.ctypes.data)
+        if name == "facing":
+            record.facings = function.caller.size
+    if m.chosen:
+        moved = called(m.moved, model.nq, q=model.nq, du=m.nu)
+        record.integrate = moved.address
+        kept.append(moved)
+    work = max((function.work_size for function in functions), default=0)
+    python = m.chosen or any(function.interpreted for function in functions)
+    return Connection(searching(model._kernels()), record, kept, len(m.closing.rows), work, python)

@@ -1,0 +1,366 @@
+"""The joints of a model in absolute coordinates at one instant: nodes and beams go with them.
+
+What searches for a start change are the coordinates of the joints of the tree, as in joint
+coordinates: nodes stand where these carry them, and beams follow as if they were rigid. So the same
+search finds the same position in every kind of coordinates.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...arrays import Array
+from ...runtime.models.constraint_projection import Closing
+from ...runtime.models.finite_elements.assembled import Assembled
+from ...runtime.models.finite_elements.carried_nodes import Carrier, leading
+from ...runtime.models.finite_elements.elements import State
+from ...runtime.models.finite_elements.frames import rotation_vectors
+from ...runtime.models.loaded_model import LoadedModel
+from ...runtime.models.random_states import random_state
+from ...runtime.verification.rotations import unit
+from ...schema.entries import MultiplierRow
+from ...schema.manifest import Manifest
+from ...schema.mechanism import JointRow
+from ...schema.records import PositionRecord
+from .mechanism import Mechanism
+from .mechanism_record import Connection, called, searching
+
+ALWAYS = 1e-9  # residuals without units of conditions that hold wherever joints stand
+PROBE = 0.3  # radians, or sizes of the mechanism: a position like any other
+# units of rows in the manifest, and those of multipliers as joint coordinates have them
+FORCES = {"m": "N", "m/s": "N", "rad": "N*m", "rad/s": "N*m"}
+NEARBY = 1e-6  # of a central difference of what beams miss
+
+
+class NodalMechanism(Mechanism):
+    """A model in absolute coordinates whose joints alone are moved.
+
+    Args:
+        model, t, r: As :class:`.mechanism.Mechanism` takes them.
+        kept: Names of coordinates and speeds of nodes that stay what they are.
+        q: Coordinates (nq,) at which these are; the default ones if None.
+
+    Attributes:
+        lead: Entries of u that are speeds of joints of the tree (n,): steps are along these.
+        linked: Whether beams between two bodies that joints carry have to fit without strain.
+        nodes_named: Whether coordinates of nodes that joints carry are asked for.
+    """
+
+    linked = True
+    nodes_named = False
+
+    def __init__(
+        self,
+        model: LoadedModel,
+        t: float = 0.0,
+        r: Any = None,
+        kept: Collection[str] = (),
+        q: Array | None = None,
+    ) -> None:
+        super().__init__(model, t, r)
+        # where searches begin that are drawn: what is kept stays in these too
+        self._start = model._layout.start("q").copy()
+        if q is not None:
+            stays = np.isin(model.coordinates, list(kept))
+            self._start[stays] = q[stays]
+        self._every: tuple[MultiplierRow, ...] = tuple(model.manifest.multipliers)
+        self.lead = np.flatnonzero(leading(model))
+        self.columns = self.columns[self.lead]
+        moved = {int(k) for k in self.lead}
+        own = set[str]()
+        for row in model.manifest.joints:
+            (start, count), (first, _) = row.slot("q"), row.slot("u")
+            if first in moved:
+                own |= set(model.coordinates[start : start + count])
+        own |= {model.speeds[k] for k in self.lead} | set(kept)
+        names = (*model.coordinates, *model.speeds)
+        self.carrier = Carrier(model, [n for n in names if n not in own], self.t, self.r)
+        if self.carrier.tables.beams:
+            # every search carries all beams along
+            self.searches = 2
+        self._z = model._layout.start("z")
+        self._last: tuple[tuple[bytes, bytes], Array] | None = None
+
+    # what closes
+
+    @cached_property
+    def _probe(self) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+        """Rows of the model that joints alone do not fulfill, and steps that these depend on.
+
+        The former are those of what closes loops; both are the same at almost all positions.
+        """
+        rng = np.random.default_rng(0)
+        q = self.advance(self.carry(self._start), rng.uniform(-PROBE, PROBE, self.nu))
+        T = self.carrier.moving(q, self._unit_steps(np.arange(self.nu)))
+        still = self._evaluated("constraint_rates", q, T[0])
+        G = self._gradient(q) @ (T[1:] - T[0]).T
+        open_by = np.abs(still) + np.abs(G).max(axis=1, initial=0.0)
+        gaps = self._evaluated("constraints", q)
+        open_by[: len(gaps)] += np.abs(gaps)
+        rows = ~(open_by <= ALWAYS * max(1.0, self.size))
+        steps = np.abs(G[rows]).max(axis=0, initial=0.0) > ALWAYS
+        return np.flatnonzero(rows), np.flatnonzero(steps)
+
+    @property
+    def _rows(self) -> NDArray[np.intp]:
+        return self._probe[0]
+
+    def _gradient(self, q: Array) -> Any:
+        """G of all rows of the model (m, nu), sparse."""
+        return self._results.mesh.tangent(self._at(q))["G"]
+
+    @cached_property
+    def _results(self) -> Any:
+        source = self.model._source
+        assert isinstance(source, Assembled)
+        return source.results(self.model)
+
+    def _at(self, q: Array) -> State:
+        layout, still = self.model._layout, np.zeros(self.model.nu)
+        r = layout.start("r") if self.r is None else self.r
+        lam = np.zeros(len(self._every))
+        return State(q, still, still, lam, self.t, r, self._z, layout.start("s"))
+
+    @cached_property
+    def closing(self) -> Closing:
+        """As :attr:`Mechanism.closing`, less what holds wherever joints stand."""
+        rows = (self._every[k] for k in self._rows)
+        told = (row.replaced(unit=FORCES.get(row.unit, row.unit)) for row in rows)
+        return Closing(tuple(told), self.size)
+
+    def _evaluated(self, name: str, *values: Array) -> Array:
+        return super().evaluate(name, *values)
+
+    def evaluate(self, name: str, *values: Any) -> Array:
+        """As :meth:`Mechanism.evaluate`; of constraints those that joints do not fulfill."""
+        found = super().evaluate(name, *values)
+        if name in ("constraints", "constraint_rates"):
+            found = found[self._rows[self._rows < len(found)]]
+        return found
+
+    def residuals(self, q: Array) -> Array:
+        """As :meth:`Mechanism.residuals`, and what beams between two carried bodies miss."""
+        return np.concatenate([super().residuals(q), self._missed(q)])
+
+    def _jacobian(self, q: Array) -> Array:
+        """As :meth:`Mechanism.jacobian`, along speeds of joints."""
+        rows, steps = self._probe
+        found = np.zeros((len(rows), self.nu))
+        if len(rows):
+            T = self._moving(q, steps)
+            found[:, steps] = self._gradient(q)[rows] @ (T[1:] - T[0]).T / self.rows[:, None]
+        count = self.closing.positions
+        found = np.concatenate([found[:count], self._missed_jacobian(q), found[count:]])
+        return found[self._kept]
+
+    @property
+    def _kept(self) -> NDArray[np.bool_]:
+        rows, count = self._unreleased, self.closing.positions
+        links = np.ones(6 * len(self.links), dtype=bool)
+        return np.concatenate([rows[:count], links, rows[count:]])
+
+    @property
+    def positions(self) -> int:
+        """As :attr:`Mechanism.positions`."""
+        count = self.closing.positions
+        return int(self._unreleased[:count].sum()) + 6 * len(self.links)
+
+    def turned(self, q: Array) -> str:
+        """As :meth:`Mechanism.turned`."""
+        return self.carrier.turned(q)
+
+    @cached_property
+    def connection(self) -> Connection:
+        """As :attr:`Mechanism.connection`: everything goes with the joints."""
+        nq, nu, rows = self.model.nq, self.nu, self.positions
+        record = PositionRecord(nq=nq, nu=nu, positions=rows, kept_count=rows)
+        functions = {
+            "constraints": called(self.residuals, rows, q=nq),
+            "constraint_jacobian": called(lambda q: self.jacobian(q)[:rows], rows * nu, q=nq),
+            "integrate": called(self.advance, nq, q=nq, du=nu),
+            "kinematics": called(self.kinematics, nq * nu, q=nq),
+        }
+        for name, function in functions.items():
+            setattr(record, name, function.address)
+        library = searching(self.model._kernels())
+        return Connection(library, record, [functions], rows, called_back=True)
+
+    # motion
+
+    @property
+    def nu(self) -> int:
+        """Number of steps."""
+        return len(self.lead)
+
+    def carry(self, q: Array) -> Array:
+        """Coordinates (nq,) with nodes where the joints among them carry these."""
+        x = np.concatenate([q, np.zeros(self.model.nu), self._z])
+        return self.carrier.at(x)[: len(q)]
+
+    def state(self, q: Array, u: Array) -> tuple[Array, Array]:
+        """Coordinates and speeds of everything, by those of joints among q (nq,) and u (nu,)."""
+        return self.model.split(self.carrier.at(np.concatenate([q, u, self._z])))
+
+    def along(self, q: Array) -> Array:
+        """Speeds (n + 1, nu) of everything: with joints at rest, then by each step."""
+        return self._moving(q, np.arange(self.nu))
+
+    def _moving(self, q: Array, steps: NDArray[np.intp]) -> Array:
+        """Speeds of everything: with joints at rest, then by some of the steps."""
+        key = q.tobytes(), steps.tobytes()
+        if self._last is None or self._last[0] != key:
+            self._last = key, self.carrier.moving(q, self._unit_steps(steps))
+        return self._last[1]
+
+    def _unit_steps(self, steps: NDArray[np.intp]) -> Array:
+        """Speeds (k + 1, nu) of joints: none, then those of each step."""
+        found = np.zeros((len(steps) + 1, self.model.nu))
+        found[np.arange(1, len(steps) + 1), self.lead[steps]] = self.columns[steps]
+        return found
+
+    def _along(self, step: Array) -> Array:
+        u = np.zeros(self.model.nu)
+        u[self.lead] = step * self.columns
+        return u
+
+    def advance(self, q: Array, step: Array) -> Array:
+        """As :meth:`Mechanism.advance`; nodes go along."""
+        moved = np.asarray(self.model.integrate(q, self._along(step)), dtype=np.float64)
+        return self.carry(unit(moved, self.model.manifest.quaternions))
+
+    def drawn(self, rng: np.random.Generator) -> Array:
+        """As :meth:`Mechanism.drawn`: the same joints are drawn in any kind of coordinates."""
+        q = self._start.copy()
+        q[self.led] = random_state(self._tree, rng)[: len(self.led)]
+        return q
+
+    @cached_property
+    def led(self) -> NDArray[np.intp]:
+        """As :attr:`Mechanism.led`: joints of the tree."""
+        places = [np.arange(row.slot("q")[0], sum(row.slot("q"))) for row in self._joints]
+        return np.concatenate([np.zeros(0, dtype=np.intp), *places])
+
+    @cached_property
+    def _tree(self) -> Manifest:
+        """What the manifest of a tree says about the joints that are moved."""
+        manifest = self.model.manifest
+        at = {int(k): n for n, k in enumerate(self.led)}
+        slots = [row.slot("q") for row in self._joints]
+        return manifest.replaced(
+            coordinates=[manifest.coordinates[int(k)] for k in self.led],
+            speeds=[manifest.speeds[int(k)] for k in self.lead],
+            joints=[
+                row.replaced(q=(at[start], size))
+                for row, (start, size) in zip(self._joints, slots, strict=True)
+            ],
+            z=[],
+            quaternions=[],
+            scene=manifest.scene.replaced(rotations=[row.rotation for row in self._joints]),
+        )
+
+    def between(self, q0: Array, q1: Array) -> Array:
+        """As :meth:`Mechanism.between`: the shortest step along which joints change so, to first
+        order."""
+        found, *_ = np.linalg.lstsq(self.kinematics(q0)[self.led], (q1 - q0)[self.led], rcond=None)
+        return np.asarray(found)
+
+    @property
+    def chosen(self) -> bool:
+        """Speeds are those of joints."""
+        return False
+
+    def _kinematics(self, q: Array) -> Array:
+        """As :meth:`Mechanism._kinematics`."""
+        rates = self._results.mesh.rates
+        if self.nodes_named:
+            T = self.along(q)
+            return np.stack([rates(q, row) - rates(q, T[0]) for row in T[1:]], axis=-1)
+        # coordinates of a joint change by its own speeds alone: all joints at once
+        found = np.zeros((len(q), self.nu))
+        own = [(row.slot("q"), row.slot("u")) for row in self._joints]
+        steps = np.cumsum([0, *(count for _, (_, count) in own)])
+        for k in range(max((count for _, (_, count) in own), default=0)):
+            u = np.zeros(self.model.nu)
+            chosen = [n for n, (_, (_, count)) in enumerate(own) if k < count]
+            for n in chosen:
+                u[own[n][1][0] + k] = self.columns[steps[n] + k]
+            qdot = rates(q, u)
+            for n in chosen:
+                start, size = own[n][0]
+                found[start : start + size, steps[n] + k] = qdot[start : start + size]
+        return found
+
+    @cached_property
+    def _joints(self) -> list[JointRow]:
+        """Rows of the manifest of the joints that are moved."""
+        moved = frozenset(self.lead.tolist())
+        rows = self.model.manifest.joints
+        return [row for row in rows if row.u and row.u[1] and row.u[0] in moved]
+
+    def frame_jacobian(self, frame: str, q: Array) -> Array:
+        """As :meth:`Mechanism.frame_jacobian`."""
+        whole = self.model.frame_jacobian(frame, q, t=self.t, r=self.r)
+        T = self.along(q)
+        return np.asarray(whole @ (T[1:] - T[0]).T)
+
+    def steps_of(self, u: Array) -> Array:
+        """As :meth:`Mechanism.steps_of`."""
+        return np.asarray(u[self.lead] / self.columns)
+
+    def speeds_at(self, q: Array, steps: Array) -> Array:
+        """As :meth:`Mechanism.speeds_at`: nodes move with the joints."""
+        return self.state(q, self._along(steps))[1]
+
+    def held_speeds(
+        self, q: Array, chosen: NDArray[np.intp], values: Array
+    ) -> tuple[NDArray[np.intp], Array, Array]:
+        """As :meth:`Mechanism.held_speeds`: speeds of nodes follow from those of joints."""
+        at = {int(k): n for n, k in enumerate(self.lead)}
+        own = np.array([int(k) in at for k in chosen], dtype=bool)
+        held = np.array([at[int(k)] for k in chosen[own]], dtype=np.intp)
+        if own.all():
+            return held, np.zeros((0, self.nu)), np.zeros(0)
+        T, others = self.along(q), chosen[~own]
+        return held, (T[1:] - T[0]).T[others], values[~own] - T[0][others]
+
+    def mass(self, q: Array) -> Array | None:
+        """As :meth:`Mechanism.mass`."""
+        T = self.along(q)
+        moves = T[1:] - T[0]
+        return np.asarray(moves @ (self._results.mesh.tangent(self._at(q))["M"] @ moves.T))
+
+    # beams between two bodies that joints carry
+
+    @cached_property
+    def links(self) -> list[tuple[int, int]]:
+        """Ends of lines of beams both of which joints carry; GROUND for the ground."""
+        return self.carrier.links if self.linked else []
+
+    def _missed(self, q: Array) -> Array:
+        """By which rotation and way, without units, beams that are rigid would miss (6 k,)."""
+        parts = []
+        for one, other in self.links:
+            a, b, home = self.carrier.displaced(q, one, other)
+            way = (b[:3, :3] - a[:3, :3]) @ home + b[:3, 3] - a[:3, 3]
+            parts += [rotation_vectors(b[:3, :3] @ a[:3, :3].T), way / self.size]
+        return np.concatenate([np.zeros(0), *parts])
+
+    def _missed_jacobian(self, q: Array) -> Array:
+        if not self.links:
+            return np.zeros((0, self.nu))
+        steps = NEARBY * np.eye(self.nu)
+        sides = [[self._missed(self.advance(q, sign * step)) for step in steps] for sign in (1, -1)]
+        return np.asarray(np.array(sides[0]) - np.array(sides[1])).T / (2 * NEARBY)
+
+    def unlinked(self) -> NodalMechanism:
+        """The same mechanism where beams between two carried bodies may be strained."""
+        other = self.without(self.released)
+        assert isinstance(other, NodalMechanism)
+        other.linked = False
+        other.__dict__.pop("links", None)
+        return other

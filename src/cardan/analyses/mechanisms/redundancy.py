@@ -1,0 +1,329 @@
+"""Constraints that say the same twice, and what that leaves undetermined."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, final
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ...arguments import checked
+from ...arrays import Array
+from ...errors import SolveWarning, warn
+from ...runtime.calls.evaluation import State
+from ...runtime.models.initial import start_of
+from ...runtime.models.loaded_model import LoadedModel
+from ...schema.entries import MultiplierRow
+from .mechanism import Mechanism
+from .self_stress import COMPONENTS, RANK, determined, passed
+
+UNIQUE = 1e-7
+SHARE = 0.2  # entries below this part of the largest are not told
+FORMS = {"p": "translation along {}", "r": "rotation about {}"}
+# fourth-order central differences: step without units, weights by its multiples, rounding left
+NEARBY = 1e-3
+DIFFERENCE = {1: 2 / 3, -1: -2 / 3, 2: -1 / 12, -2: 1 / 12}
+ROUNDING = 1e-9
+SHARED = "constraints='perturbed' shares the others by compliance"
+ELASTIC = "with a beam in place of one of its bodies elasticity shares the others"
+
+
+@final
+@dataclass(frozen=True, repr=False, eq=False)
+class Redundancy:
+    """How many conditions are independent at a position.
+
+    Attributes:
+        name: Of the model.
+        freedoms: Degrees of freedom: speeds that all constraints allow.
+        constraints: Number of constraints.
+        rank: How many of them are independent here.
+        circuits: Cut joint or constraint -> (constraints, rank of them alone).
+        left_out: Those of the constraints that the motion of their circuit fulfills by itself: the
+            model has no multipliers for them.
+        directions: What is held twice, in words, one for each redundant constraint.
+        vectors: The same as combinations of the multipliers, then of what is left out
+            (redundant, m): self-stresses.
+        unique: Multiplier, or constraint that is left out -> whether it is determined.
+        components: Joint -> which components of its reaction are, in the order of
+            ``model.reaction``: Mx, My, Mz, Fx, Fy, Fz.
+        singular_values: Of the Jacobian without units, from the largest (min(m, nu),).
+    """
+
+    name: str
+    freedoms: int
+    constraints: int
+    rank: int
+    circuits: Mapping[str, tuple[int, int]]
+    left_out: tuple[str, ...]
+    directions: tuple[str, ...]
+    vectors: Array
+    unique: Mapping[str, bool]
+    components: Mapping[str, tuple[bool, ...]]
+    singular_values: Array
+
+    @property
+    def redundant(self) -> int:
+        """Number of constraints that could be left out."""
+        return self.constraints - self.rank
+
+    @property
+    def joints(self) -> Mapping[str, bool]:
+        """Joint -> whether its whole reaction is determined."""
+        return {name: all(own) for name, own in self.components.items()}
+
+    @property
+    def undetermined(self) -> list[str]:
+        """Which components of which reactions are not determined, a line for those alike."""
+        alike: dict[str, list[str]] = {}
+        for name in self.components:
+            alike.setdefault(self.loose(name), []).append(name)
+        alike.pop("", None)
+        return [
+            f"reactions not determined: {', '.join(names)} ({components})"
+            for components, names in alike.items()
+        ]
+
+    @checked
+    def loose(self, joint: str) -> str:
+        """Components of the reaction of a joint that are not determined: ``"Mx, My, Fz"``.
+
+        Returns:
+            ``""`` where all are, as those of joints in no loop.
+        """
+        own = self.components.get(joint, ())
+        return ", ".join(name for name, held in zip(COMPONENTS, own, strict=False) if not held)
+
+    def __repr__(self) -> str:
+        lines = [
+            f"'{self.name}': {self.constraints} constraints, {self.rank} independent, "
+            f"{self.redundant} redundant; {self.freedoms} "
+            f"degree{'s' if self.freedoms != 1 else ''} of freedom"
+        ]
+        lines += [f"  held twice: {words}" for words in self.directions]
+        lines += [f"  {line}" for line in self.undetermined]
+        firm = [name for name, held in self.joints.items() if held]
+        if firm and self.undetermined:
+            lines.append(f"  reactions determined: {', '.join(firm)}")
+        return "\n".join(lines)
+
+
+@checked
+def redundancy(
+    model: LoadedModel,
+    q: Mapping[str, ArrayLike] | ArrayLike | None = None,
+    *,
+    t: float = 0.0,
+    r: State | None = None,
+) -> Redundancy:
+    """Which constraints of a closed system are redundant at a position.
+
+    Args:
+        model: The compiled model.
+        q: An assembled position: coordinates (nq,) or by name; where the model starts if left out.
+        t, r: Time [s] and inputs, where something is prescribed.
+
+    Raises:
+        ModelError: an unknown name.
+    """
+    return report(Mechanism(model, t, r), position(model, q))
+
+
+def doubt(model: LoadedModel, joint: str, q: Any, t: Any, r: Any) -> None:
+    """Warn where the reaction of a joint is not determined at the first, middle and last state.
+
+    Args:
+        model: The compiled model.
+        joint: Whose reaction was asked for.
+        q, t, r: States as functions of the model take them (..., nq), (...), (..., nr).
+    """
+    if not bound(model):
+        return
+    treatment = model.manifest.scene.treatment
+    rests = any(cut.left_out for cut in model.manifest.cuts)
+    if treatment and not treatment.exact and not rests:
+        return
+    states = np.reshape(model._vector("q", q), (-1, model.nq))
+    times = np.broadcast_to(np.ravel(t), len(states)) if np.size(t) > 1 else np.ravel(t)
+    inputs = None if r is None else np.reshape(model._vector("r", r), (-1, model.nr))
+    for k in {0, len(states) // 2, len(states) - 1} if len(states) else ():
+        own = None if inputs is None else inputs[min(k, len(inputs) - 1)]
+        m = Mechanism(model, float(times[min(k, len(times) - 1)]), own)
+        found = report(m, states[k])
+        if found.joints.get(joint, True):
+            return
+    if len(states):
+        elastic = rests or model.manifest.absolute
+        warn(
+            f"the reaction of '{joint}' is not determined ({found.loose(joint)}): constraints of "
+            f"its loop say the same twice, {found.directions[0]}. One of the possible wrenches "
+            "is given. model.redundancy(q) tells which components are determined; "
+            f"{ELASTIC if elastic else SHARED}",
+            SolveWarning,
+        )
+
+
+def undetermined(model: LoadedModel, q: Array, t: float = 0.0) -> tuple[str, ...]:
+    """Lines on the reactions that constraints do not determine at a position (nq,) and time [s]."""
+    return tuple(report(Mechanism(model, t), q).undetermined) if bound(model) else ()
+
+
+def bound(model: LoadedModel) -> bool:
+    """Whether constraints bind a model whose rows are known."""
+    rows, known = model.manifest.multipliers, model.manifest.available
+    return bool(model.manifest.cuts) or bool(rows and "constraint_jacobian" in known)
+
+
+def position(model: LoadedModel, q: Any) -> Array:
+    """Coordinates (nq,) from an array, from names, or where the model starts."""
+    if q is not None and not isinstance(q, Mapping):
+        found: Array = model._vector("q", q)
+        return found
+    return start_of(model, q or {}, {})[0][: model.nq]
+
+
+def rank_of(singular_values: NDArray[Any]) -> int:
+    """How many singular values are not zero."""
+    largest = float(singular_values.max(initial=0.0))
+    return int(np.sum(singular_values > RANK * largest))
+
+
+def report(m: Mechanism, q: Array) -> Redundancy:
+    """The report of a mechanism at a position (nq,)."""
+    G = m.jacobian(q)
+    U, s, _ = np.linalg.svd(G, full_matrices=True)
+    rank, rest = rank_of(s), _left_out(m)
+    rows = [*m.closing.rows, *rest]
+    if rest:
+        U = np.linalg.svd(np.concatenate([G, _slopes(m, q, rest)]), full_matrices=True)[0]
+    vectors = _plain(U[:, rank:].T)
+    unique = {
+        str(row.name): bool(np.abs(vectors[:, k]).max(initial=0.0) < UNIQUE)
+        for k, row in enumerate(rows)
+    }
+    owners = np.array([row.joint for row in m.closing.rows])
+    circuits = {owner: (n, n) for owner, n in _solved(m).items()}
+    for owner in dict.fromkeys(owners.tolist()):
+        values = np.linalg.svd(G[owners == owner], compute_uv=False)
+        own = int(np.sum(values > RANK * float(s.max(initial=0.0))))
+        circuits[owner] = int(np.sum(owners == owner)), own
+    for row in rest:
+        count, own = circuits.get(row.joint, (0, 0))
+        circuits[row.joint] = count + 1, own
+    solved = sum(_solved(m).values())
+    components = determined(m, q)
+    return Redundancy(
+        name=m.model.name,
+        freedoms=G.shape[1] - rank,
+        constraints=len(rows) + solved,
+        rank=rank + solved,
+        circuits=circuits,
+        left_out=tuple(row.name for row in rest),
+        directions=tuple(_described(vector, rows, len(m.closing.rows)) for vector in vectors),
+        vectors=vectors,
+        unique=unique,
+        components=_of_circuits(m, unique) if components is None else components,
+        singular_values=s,
+    )
+
+
+def _left_out(m: Mechanism) -> list[MultiplierRow]:
+    """Conditions that the motion of their circuit fulfills by itself, as rows of multipliers."""
+    return [
+        MultiplierRow(name=row.name, unit=row.unit, joint=cut.name, level="position")
+        for cut in m.cuts
+        for row in cut.left_out
+    ]
+
+
+def _solved(m: Mechanism) -> dict[str, int]:
+    """Circuits in closed form, and how many conditions each of them fulfills."""
+    found: dict[str, int] = {}
+    for joint in m.model.manifest.joints:
+        if told := joint.solved:
+            found[told.loop] = found.get(told.loop, 0) + len(told.u)
+    return found
+
+
+def _slopes(m: Mechanism, q: Array, rest: Sequence[MultiplierRow]) -> Array:
+    """G (k, nu), without units, of what is left out, by central differences along the speeds.
+
+    Zeros where circuits are in closed form: the joints that follow fulfill it.
+    """
+    found = np.zeros((len(rest), m.nu))
+    if "closure" not in m.model.manifest.available:
+        return found
+    steps = NEARBY * np.eye(m.nu)
+    values = {
+        k: np.array([m.evaluate("closure", m.advance(q, k * step)) for step in steps])
+        for k in DIFFERENCE
+    }
+    entries = m.model.manifest.functions["closure"].outputs[0].entries
+    for n, row in enumerate(rest):
+        if row.name in entries:
+            k = entries.index(row.name)
+            along = sum(weight * values[step][:, k] for step, weight in DIFFERENCE.items())
+            found[n] = along / NEARBY / (m.size if row.unit == "N" else 1.0)
+    return np.where(np.abs(found) > ROUNDING, found, 0.0)
+
+
+def _of_circuits(m: Mechanism, unique: Mapping[str, bool]) -> dict[str, tuple[bool, ...]]:
+    """As :func:`.self_stress.determined` where joints are not known by their poses: a self-stress
+    is taken to load every joint of its circuit in full."""
+    rows = [*m.closing.rows, *_left_out(m)]
+    loose = {row.joint for row in rows if not unique[row.name]}
+    found: dict[str, bool] = {}
+    for cut in m.cuts:
+        for joint in passed(cut):
+            found[joint] = found.get(joint, True) and cut.name not in loose
+    return {joint: (held,) * len(COMPONENTS) for joint, held in found.items()}
+
+
+def _plain(vectors: Array) -> Array:
+    """A basis of the same space with as many zeros as elimination gives, largest entry 1."""
+    if not vectors.size:
+        return vectors
+    basis, row = vectors.copy(), 0
+    for column in range(basis.shape[1]):
+        if row == len(basis):
+            break
+        best = row + int(np.abs(basis[row:, column]).argmax())
+        if abs(basis[best, column]) < 1e-6:
+            continue
+        basis[[row, best]] = basis[[best, row]]
+        basis[row] /= basis[row, column]
+        others = np.arange(len(basis)) != row
+        basis[others] -= np.outer(basis[others, column], basis[row])
+        row += 1
+    largest = np.take_along_axis(basis, np.abs(basis).argmax(axis=1)[:, None], axis=1)
+    return np.asarray(basis / np.where(largest == 0, 1.0, largest))
+
+
+def _described(vector: Array, rows: Sequence[MultiplierRow], count: int) -> str:
+    """A combination of constraints in words: ``translation along y of joint 'J3'``.
+
+    Args:
+        vector: Entries of the rows (n,).
+        rows: Constraints, then conditions that the motion of a loop fulfills by itself.
+        count: How many are constraints.
+    """
+    told: list[tuple[str, str]] = []
+    sizes = np.abs(vector).round(9) / np.abs(vector).max()
+
+    # a translation first, if it has much of it
+    def order(k: int) -> tuple[bool, float]:
+        return sizes[k] < 0.5 or rows[k].unit != "N", -float(sizes[k])
+
+    for k in sorted(np.flatnonzero(sizes >= SHARE).tolist(), key=order):
+        joint, name = str(rows[k].joint), str(rows[k].name)
+        part = name.removeprefix(f"{joint}.")
+        form = FORMS.get(part[:1]) if len(part) == 2 and part[1] in "xyz" else None
+        told.append((form.format(part[1]) if form else f"'{part}'", joint))
+    first, joint = told[0]
+    if len(told) == 1 and sizes.argmax() >= count:
+        return f"{first} of joint '{joint}' (its loop moves in a group that holds it)"
+    others = [part if owner == joint else f"{part} of joint '{owner}'" for part, owner in told[1:]]
+    rest = f" (it follows from {', '.join(others)} and the other joints)" if others else ""
+    return f"{first} of joint '{joint}'{rest}"

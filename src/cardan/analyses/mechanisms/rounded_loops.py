@@ -1,0 +1,81 @@
+"""Circuits whose redundant conditions disagree a little, because lengths or axes are rounded.
+
+Conditions that say the same twice hold together for exact numbers only. With rounded ones they
+leave a residual, or allow single positions without motion. Where residuals stay below a bound they
+are ignored, in assembly and in runs alike, and the user is told.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from ...arrays import Array
+from ...errors import SolveWarning, warn
+from .mechanism import LOOSE, Mechanism
+from .position_solver import PositionSolver, Solution
+from .searches import search
+from .targets import Target
+
+ROUNDED = 1e-7  # residuals without units that rounded numbers may leave
+AGREED = 1e-13  # those that double precision leaves
+TOLD = 1e-10  # those that are worth a warning
+MARGIN = 100.0  # by which they may grow along a motion
+BESIDE = 1e-2  # a step, without units, to a place that is not singular by chance
+
+
+def rounded(
+    m: Mechanism, targets: Sequence[Target], begin: Array, starts: int, seed: int
+) -> list[Solution]:
+    """Searches that let redundant conditions disagree; the mechanism keeps the slack they need.
+
+    Args:
+        m: The mechanism; its ``slack`` is set where a search ends well.
+        targets, begin, starts, seed: As :func:`.searches.search` takes them.
+    """
+    m.slack = ROUNDED
+    found = search(m, targets, begin, starts, seed)
+    if any(one.met for one in found):
+        worst = max(one.open for one in found if one.met)
+        m.slack = MARGIN * worst
+        tell(m, worst)
+    else:
+        m.slack = 0.0
+    return found
+
+
+def slack(m: Mechanism, q: Array) -> float:
+    """The residual that redundant conditions leave beside a closed position; 0 if they agree.
+
+    Args:
+        m, q: Mechanism and a position at which all conditions hold.
+    """
+    values, rows = m.decomposition(q)[1], m.positions
+    if rows < len(m.closing.rows):
+        values = np.asarray(np.linalg.svd(m.jacobian(q)[:rows], compute_uv=False), np.float64)
+    if not len(values) or (len(values) == rows and values[-1] > LOOSE * values[0]):
+        return 0.0
+    loose = m.without(m.released)
+    loose.slack = ROUNDED
+    aside = np.random.default_rng(0).uniform(-BESIDE, BESIDE, m.nu)
+    found = PositionSolver(loose).solve(m.advance(q, aside))
+    if not AGREED < found.open <= ROUNDED:
+        return 0.0
+    tell(m, found.open)
+    return MARGIN * found.open
+
+
+def tell(m: Mechanism, residual: float) -> None:
+    """Warn of a residual without units, if it is more than the last digits."""
+    if residual < TOLD:
+        return
+    joints = ", ".join(f"'{cut.name}'" for cut in m.cuts)
+    warn(
+        f"model '{m.model.name}': circuits (of {joints}) close to {residual * m.size:.1g} m only. "
+        "Conditions that say the same twice disagree by that much, as rounded lengths or axes "
+        "make them: give the numbers more digits. Until then the residual is ignored (it may be "
+        f"{ROUNDED:g} of the size of the mechanism), and rtol below {MARGIN * residual:.0e} is in "
+        "vain",
+        SolveWarning,
+    )

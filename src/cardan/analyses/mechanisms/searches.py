@@ -1,0 +1,55 @@
+"""Searches for positions that meet what must hold, from a start and from random coordinates."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from ...arrays import Array
+from ...errors import SolveWarning, warn
+from ...runtime.models.initial import start_of
+from .mechanism import Mechanism
+from .position_solver import PositionSolver, Solution
+from .targets import Target
+
+
+def search(
+    m: Mechanism, targets: Sequence[Target], begin: Array, starts: int, seed: int
+) -> list[Solution]:
+    """Where searches from a start and from random coordinates end.
+
+    Ctrl-C ends them once one of them has met the targets.
+
+    Warns:
+        SolveWarning: they were interrupted.
+    """
+    found, solver = list[Solution](), PositionSolver(m, targets)
+    given = start_of(m.model, {}, {})[0][: m.model.nq]
+    rng = np.random.default_rng(seed)
+    for k in range(starts):
+        try:
+            end = solver.search(begin if k == 0 else drawn(m, given, rng))
+        except KeyboardInterrupt:
+            if not any(one.met for one in found):
+                raise
+            warn(
+                f"interrupted after {k} of {starts} searches: there may be more positions, and one "
+                "that is nearer to the start",
+                SolveWarning,
+            )
+            break
+        found.append(replace(end, q=m.nearest(end.q, begin), first=k == 0))
+    return found
+
+
+def drawn(m: Mechanism, given: Array, rng: np.random.Generator) -> Array:
+    """Random coordinates; lengths without limits as far from their start as the mechanism is."""
+    manifest = m.model.manifest
+    q = m.drawn(rng)
+    bound = {joint.name for joint in manifest.joints if joint.limits}
+    for k, row in enumerate(manifest.coordinates):
+        if row.unit == "m" and row.joint not in bound:
+            q[k] = given[k] + m.size * (q[k] - (row.default or 0.0))
+    return q

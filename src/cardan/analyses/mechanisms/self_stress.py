@@ -1,0 +1,200 @@
+"""Forces in closed loops that balance without any load: what they leave undetermined.
+
+Every loop may carry a wrench of its own round its joints. What joints pass along their freedoms
+must vanish, or be what a constraint of the user bears: the wrenches that are left are
+self-stresses, and a component of a reaction is determined where no self-stress has it. All six
+conditions of a loop are asked, those too that its motion fulfills by itself. In absolute
+coordinates every joint has conditions of its own, and self-stresses are combinations of all of
+them that vanish.
+
+Source: T. H. Davies, Mechanical networks, Mech. Mach. Theory 18 (1983); J. Angeles, Rational
+Kinematics, Springer (1988).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+
+import numpy as np
+
+from ...arrays import Array
+from ...runtime.verification.closed_states import closers_at, unbound
+from ...runtime.verification.flat_scene import motion_of, scene_of, unknown
+from ...runtime.verification.loop_constraints import Circuits, End, circuits_of, jacobian
+from ...runtime.verification.newton_euler import moving
+from ...runtime.verification.user_constraints import written
+from ...schema.mechanism import CutRow
+from .mechanism import Mechanism
+
+Components = dict[str, tuple[bool, ...]]
+Poses = tuple[Array, Array]  # R (n + 1, 3, 3) and p (n + 1, 3) of the ground and all bodies
+Seat = tuple[Array, Array]  # R (3, 3) and p (3,) of a frame, the latter without unit
+COMPONENTS = ("Mx", "My", "Mz", "Fx", "Fy", "Fz")
+RANK = 1e-8  # singular values below this part of the largest count as zero
+UNIQUE = 1e-7  # parts of a self-stress below this are none
+CLOSED = 1e-6  # of the size of the mechanism: joints that close loops have no pose farther off
+
+
+def determined(m: Mechanism, q: Array) -> Components | None:
+    """Whether every component of the reactions of joints is determined.
+
+    Args:
+        m, q: A model at a position (nq,) at which its loops are closed.
+
+    Returns:
+        Joint -> (Mx, My, Mz, Fx, Fy, Fz) as ``model.reaction`` orders them, of all joints of the
+        loops; None where joints are not known by their poses.
+    """
+    if m.model.manifest.absolute:
+        return _of_rows(m, q)
+    return _of_loops(m, q) if m.cuts else {}
+
+
+def null_space(rows: Array) -> Array:
+    """Combinations (k, m) of rows (m, n) that vanish, orthonormal."""
+    if not rows.size:
+        return np.eye(len(rows))
+    U, s, _ = np.linalg.svd(rows, full_matrices=True)
+    rank = int((s > RANK * s.max(initial=0.0)).sum())
+    return np.asarray(U[:, rank:].T)
+
+
+def _free(wrenches: Array) -> tuple[bool, ...]:
+    """Which components none of some wrenches (k, 6) without units has."""
+    return tuple((np.abs(wrenches).max(axis=0, initial=0.0) < UNIQUE).tolist())
+
+
+# joint coordinates
+
+
+def _of_loops(m: Mechanism, q: Array) -> Components | None:
+    """By the wrenches of all loops."""
+    model, own = m.model, written(m.model)
+    if unknown(model) or unbound(model):
+        return None
+    scene = scene_of(model)
+    tree = max((first + size for first, size in scene.q), default=0)
+    circuits = circuits_of(model.manifest, scene, max(tree, model.nq))
+    r = model._layout.start("r") if m.r is None else m.r
+    motion = motion_of(model, m.t, r)
+    motion = None if motion is None else np.reshape(motion, (1, *np.shape(motion)[-2:]))
+    whole, missed = closers_at(model, circuits, q, m.t, r, motion)
+    if not missed <= CLOSED * m.size:
+        return None
+    G = jacobian(circuits, whole, motion)[0][0]
+    loops = 6 * len(circuits.closers)
+    units = np.ones(len(G))
+    units[:loops].reshape(-1, 6)[:, 3:] = m.size
+    G = G / units[:, None]
+    if own:
+        bound = np.zeros((len(own), circuits.nu))
+        bound[:, : model.nu] = m.evaluate("constraint_jacobian", q)[own] / m.rows[own, None]
+        G = np.concatenate([G, bound])
+    G[:, : model.nu] *= m.columns
+    lengths = np.linalg.norm(G, axis=0)
+    stresses = null_space(G / np.where(lengths > 0, lengths, 1.0))[:, :loops]
+    poses = _poses(circuits, whole, motion, m.size)
+    return _carried(m, circuits, poses, stresses.reshape(-1, len(circuits.closers), 6))
+
+
+def _poses(circuits: Circuits, q: Array, motion: Array | None, size: float) -> Poses:
+    """R (n + 1, 3, 3) and p (n + 1, 3) without unit of the ground and all bodies."""
+    still = np.zeros((1, circuits.scene.nu))
+    own = moving(circuits.scene, q, still, still, motion)
+    turned = [np.broadcast_to(R, (1, 3, 3))[0] for R in own.turned]
+    return np.array(turned), np.array([np.broadcast_to(p, (1, 3))[0] / size for p in own.place])
+
+
+def _carried(m: Mechanism, circuits: Circuits, poses: Poses, stresses: Array) -> Components:
+    """What self-stresses (k, loops, 6) bring to every joint of the loops, fixed ones too."""
+    names = [joint.name for joint in m.model.manifest.joints]
+    through: dict[str, Array] = {}
+    seats: dict[str, Seat] = {}
+    for n, (closer, cut) in enumerate(zip(circuits.closers, m.cuts, strict=True)):
+        parent, child = (_placed(poses, end, m.size) for end in (closer.parent, closer.child))
+        moment, force = stresses[:, n, :3] @ child[0].T, stresses[:, n, 3:] @ parent[0].T
+        wrench = np.concatenate([moment + np.cross(child[1], force), force], axis=-1)
+        for body, sign in _path(circuits.scene.parents, closer.parent.body, closer.child.body):
+            through[names[body]] = through.get(names[body], 0.0) + sign * wrench
+            frame = m.model.manifest.joints[body].child_frame
+            seats[names[body]] = _placed(poses, _end(m, circuits, frame), m.size)
+        for weld in cut.fixed:
+            through[weld.joint] = through.get(weld.joint, 0.0) + weld.side * wrench
+            seats[weld.joint] = _placed(poses, _end(m, circuits, weld.frame), m.size)
+        if closer.name not in names:
+            through[closer.name] = wrench
+            seats[closer.name] = child
+    every = dict.fromkeys(name for cut in m.cuts for name in passed(cut))
+    return {name: _free(_seen(through[name], *seats[name])) for name in every}
+
+
+def passed(cut: CutRow) -> list[str]:
+    """Joints of a loop: those of the tree, fixed ones, the one that closes it."""
+    welds = [weld.joint for weld in cut.fixed]
+    return list(dict.fromkeys([*cut.loop, *welds, cut.name]))
+
+
+def _end(m: Mechanism, circuits: Circuits, frame: str) -> End:
+    """A frame on its body."""
+    rows, bodies = m.model.manifest.frames, [b.name for b in m.model.manifest.bodies]
+    k = [row.name for row in rows].index(frame)
+    body, numbers = rows[k].body, circuits.scene.numbers
+    number = bodies.index(body) if body in bodies else -1
+    return End(number, numbers["frame_rotation"][k], numbers["frame_position"][k])
+
+
+def _placed(poses: Poses, end: End, size: float) -> Seat:
+    """A frame of a body in ground axes."""
+    R, p = (values[end.body + 1] for values in poses)
+    return R @ end.rotation, p + R @ end.position / size
+
+
+def _path(parents: tuple[int, ...], parent: int, child: int) -> Iterator[tuple[int, float]]:
+    """Bodies whose joints a loop passes, and the sign with which its wrench does."""
+    one, other = parent, child
+    while one != other:
+        # bodies are numbered regularly: the higher number cannot be inboard of the other
+        if one > other:
+            yield one, 1.0
+            one = parents[one]
+        else:
+            yield other, -1.0
+            other = parents[other]
+
+
+def _seen(wrench: Array, rotation: Array, position: Array) -> Array:
+    """Wrenches (k, 6) about the origin in ground axes, at a frame and in its axes."""
+    moment, force = wrench[:, :3], wrench[:, 3:]
+    return np.concatenate([(moment - np.cross(position, force)) @ rotation, force @ rotation], -1)
+
+
+# absolute coordinates
+
+
+def _of_rows(m: Mechanism, q: Array) -> Components:
+    """By the conditions of all joints: reactions follow from multipliers."""
+    from ...runtime.models.finite_elements.assembled import Assembled
+    from ...runtime.models.finite_elements.elements import State
+
+    model = m.model
+    source, named = model._source, model.manifest.elements.reactions
+    assert isinstance(source, Assembled)
+    mesh, layout = source.results(model).mesh, model._layout
+    groups = mesh.tables.groups
+    having = [k for k, group in enumerate(groups) if "reaction" in group.kind.functions]
+    r = layout.start("r") if m.r is None else m.r
+    at = State(q, t=m.t, r=r, z=layout.start("z"), s=layout.start("s"))
+
+    def reactions(lam: Array) -> dict[str, Array]:
+        results = mesh.results("reaction", replace(at, lam=lam))
+        return {name: results[having.index(k)][row] for name, (k, row) in named.items()}
+
+    none = reactions(np.zeros(len(m.rows)))
+    stresses = null_space(m.jacobian(q))
+    units = np.array([1.0] * 3 + [m.size] * 3)
+    brought: Mapping[str, list[Array]] = {name: [] for name in named}
+    for stress in stresses:
+        for name, wrench in reactions(stress / m.rows).items():
+            brought[name].append((wrench - none[name]) * units)
+    return {name: _free(np.reshape(wrenches, (-1, 6))) for name, wrenches in brought.items()}

@@ -1,0 +1,215 @@
+"""What an assembled mechanism is to reach: values of coordinates, places and poses of frames."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from numbers import Real
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...arrays import Array
+from ...errors import ArgumentError, ModelError, SolveError, listed, miscounted, near, shown
+from ...runtime.models.finite_elements.frames import rotation_vectors
+from ...runtime.models.initial import entries, missing
+from ...runtime.models.named_rotations import check_units, refuse_components
+from .mechanism import Mechanism
+
+FRAMES = {(3,): "position", (4, 4): "pose"}
+
+
+@dataclass(frozen=True)
+class Target:
+    """One wanted value.
+
+    Attributes:
+        name: Of the coordinate, joint or frame.
+        kind: ``"coordinate"``, ``"position"`` or ``"pose"``.
+        value: (n,), (3,) or (4, 4).
+        place: Of the coordinates in q.
+        weight: How much it counts where it cannot be held; None: it must be held.
+    """
+
+    name: str
+    kind: str
+    value: Array
+    place: slice = field(default_factory=lambda: slice(0, 0))
+    weight: float | None = None
+
+    def entries_of(self, m: Mechanism) -> NDArray[np.intp]:
+        """Entries of q that are to have its values."""
+        return np.arange(self.place.start, self.place.stop)
+
+    def scales_of(self, m: Mechanism) -> Array:
+        """What these count in."""
+        rows = m.model.manifest.coordinates[self.place]
+        return np.array([m.size if row.unit == "m" else 1.0 for row in rows])
+
+    def residual(self, m: Mechanism, q: Array) -> Array:
+        """What a frame misses of it, without units: its rotation vector, then its place."""
+        pose = m.model.pose(self.name, q, t=m.t, r=m.r)
+        away: Array = (pose[:3, 3] - self.goal) / m.size
+        if self.kind == "position":
+            return away
+        return np.concatenate([rotation_vectors(pose[:3, :3] @ self.value[:3, :3].T), away])
+
+    def jacobian(self, m: Mechanism, q: Array) -> Array:
+        """Derivative of :meth:`residual` along steps (n, nu)."""
+        found = m.frame_jacobian(self.name, q)
+        found[3:] /= m.size
+        return found[3:] if self.kind == "position" else np.asarray(found)
+
+    @property
+    def rows(self) -> int:
+        """Number of residuals."""
+        return 6 if self.kind == "pose" else len(self.value)
+
+    @property
+    def goal(self) -> Array:
+        """The place (3,) that it gives a frame."""
+        return self.value[:3, 3] if self.kind == "pose" else self.value
+
+    @property
+    def asked(self) -> str:
+        """The wanted value in words."""
+        if self.kind == "coordinate":
+            return ", ".join(f"{x:.6g}" for x in self.value)
+        goal = self.goal
+        return f"{self.kind} at ({', '.join(f'{x:.6g}' for x in goal)}) m"
+
+
+@dataclass(frozen=True)
+class Coordinates(Target):
+    """Coordinates of several joints that are to have values.
+
+    Attributes:
+        entries: Of q (n,).
+        scales: What each counts in (n,).
+        others: As :class:`Target` has them.
+    """
+
+    entries: NDArray[np.intp] = field(default_factory=lambda: np.zeros(0, dtype=np.intp))
+    scales: Array = field(default_factory=lambda: np.ones(0))
+
+    def entries_of(self, m: Mechanism) -> NDArray[np.intp]:
+        """As :meth:`Target.entries_of`."""
+        return self.entries
+
+    def scales_of(self, m: Mechanism) -> Array:
+        """As :meth:`Target.scales_of`."""
+        return self.scales
+
+    def distance(self, q: Array) -> float:
+        """How far a position (nq,) is from them, in radians and sizes of the scene."""
+        return float(np.linalg.norm((q[self.entries] - self.value) / self.scales))
+
+
+def read(
+    m: Mechanism,
+    named: Mapping[str, Any],
+    weights: Mapping[str, float] | None = None,
+    hold: Iterable[str] | None = None,
+) -> list[Target]:
+    """Targets out of what the user wrote.
+
+    Args:
+        m: The mechanism.
+        named: Coordinate, joint or frame -> value.
+        weights: Of those that need not be held.
+        hold: Those that must be held; by default all without a weight.
+
+    Raises:
+        ModelError: an unknown name, a weight that is no positive number, weights or names to hold
+            that are none.
+        ArgumentError: a value of a wrong shape. SolveError: one that is not finite.
+    """
+    found = [_target(m, name, value) for name, value in named.items()]
+    _check_rotations(m, found)
+    known = [target.name for target in found]
+    weights, held = _weights(weights), None if hold is None else listed("hold", hold, "hand")
+    for word, names in (("weights", [*weights]), ("hold", held or [])):
+        for name in names:
+            if name not in known:
+                raise ModelError(f"{word}: '{name}' is no target.{near(name, known)}")
+    soft = [n for n in known if (n in weights if held is None else n not in held)]
+    counts = {name: float(weights.get(name, 1.0)) for name in soft}
+    return [replace(target, weight=counts.get(target.name)) for target in found]
+
+
+def _check_rotations(m: Mechanism, found: Sequence[Target]) -> None:
+    """Refuse single components of quaternions, and quaternions whose length is not 1."""
+    manifest, given = m.model.manifest, dict[int, float]()
+    for target in found:
+        if target.kind == "coordinate":
+            places = range(target.place.start, target.place.stop)
+            given.update(zip(places, target.value.tolist(), strict=True))
+    refuse_components(manifest, "targets", given)
+    q = m.model._layout.start("q").copy()
+    q[list(given)] = list(given.values())
+    check_units(manifest, q, "targets: ")
+
+
+def _weights(given: Any) -> dict[str, float]:
+    """Target -> weight, checked but for the names."""
+    if not isinstance(given, Mapping | None):
+        raise ModelError(
+            f"weights={shown(given)}: give targets with weights, such as {{'hand': 1.0}}"
+        )
+    for name, weight in (given or {}).items():
+        number = float(weight) if isinstance(weight, Real) else np.nan
+        if not (np.isfinite(number) and number > 0):
+            raise ModelError(f"weights: '{name}' has {shown(weight)}; weights are positive numbers")
+    return {name: float(weight) for name, weight in (given or {}).items()}
+
+
+def kept(m: Mechanism, hold: Any) -> dict[str, Any]:
+    """Coordinates and frames that keep a value beside what is driven.
+
+    Raises:
+        ModelError: names without values.
+    """
+    if isinstance(hold, Mapping | None):
+        return dict(hold or {})
+    known = [*entries(m.model.manifest, "q"), *m.model.frames]
+    told = near(hold, known) if isinstance(hold, str) and hold not in known else ""
+    raise ModelError(
+        f"hold={shown(hold)}: give coordinates or frames with the values they keep, such as "
+        f"{{'{hold if isinstance(hold, str) and hold in known else known[0]}': 0.2}}.{told}"
+    )
+
+
+def _target(m: Mechanism, name: str, value: Any) -> Target:
+    where, manifest = f"targets: '{name}'", m.model.manifest
+    array = np.asarray(value)
+    if array.dtype.kind not in "fiub":
+        raise ArgumentError(f"{where}: {shown(value)} is not a number or an array of numbers")
+    array = array.astype(np.float64)
+    if not np.isfinite(array).all():
+        raise SolveError(f"{where} is {shown(value)}; it must be finite")
+    places, frames = entries(manifest, "q"), m.model.frames
+    place = places.get(name)
+    if place is not None and not (name in frames and array.shape == (4, 4)):
+        if array.size != place.stop - place.start:
+            raise ArgumentError(miscounted(where, array.size, m.model.coordinates[place]))
+        return Target(name, "coordinate", array.reshape(-1), place)
+    if name in frames:
+        kind = FRAMES.get(array.shape)
+        if kind is None:
+            raise ArgumentError(
+                f"{where}: shape {array.shape}; a frame takes its position (3,) or pose (4, 4)"
+            )
+        if kind == "pose":
+            _check_pose(where, array)
+        return Target(name, kind, array)
+    raise ModelError(f"{where}: {missing(manifest, 'q', name, [*places, *frames])}")
+
+
+def _check_pose(where: str, pose: Array) -> None:
+    rotation = pose[:3, :3]
+    wrong = np.abs(rotation @ rotation.T - np.eye(3)).max()
+    if wrong > 1e-6 or np.linalg.det(rotation) < 0 or np.any(pose[3] != (0, 0, 0, 1)):
+        raise ArgumentError(
+            f"{where}: this is no pose: a rotation matrix and a position above (0, 0, 0, 1)"
+        )

@@ -1,0 +1,1 @@
+"""Simulation: starts, methods, runs, events, records of runs."""

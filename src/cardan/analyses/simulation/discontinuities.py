@@ -1,0 +1,67 @@
+"""Times at which a model jumps: comparisons of t, such as of ``Piecewise``, that change there.
+
+Steps end at them, and what is evaluated at such an end is evaluated one rounding inside the segment
+that the step belongs to: both sides of the jump are seen from their own side, whatever the
+comparison says of the time itself.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...arrays import Array
+from ...runtime.models.loaded_model import LoadedModel
+from .signals import Signals
+
+FUNCTION = "time_jumps"
+LOOKS = 4097  # times of a span at which every comparison is looked at
+FEW = 65  # where the caller steps
+HALVINGS = 200
+
+
+def stops_of(
+    model: LoadedModel, given: Signals, start: float, end: float, looks: int = LOOKS
+) -> list[float]:
+    """Times at which steps must end, in their direction: corners of inputs, jumps, the end."""
+    inside = {*given.corners(start, end), *time_jumps(model, start, end, looks)}
+    return [*sorted(inside, reverse=end < start), end]
+
+
+def jumps(model: LoadedModel) -> bool:
+    """Whether comparisons of the time make a model jump."""
+    if FUNCTION not in model._derived:
+        model._derived[FUNCTION] = FUNCTION in model.saved
+    return bool(model._derived[FUNCTION])
+
+
+def time_jumps(model: LoadedModel, start: float, end: float, looks: int = LOOKS) -> list[float]:
+    """Times strictly inside a span at which the model jumps, in the direction of the span.
+
+    A comparison that changes twice between two of the looks is not seen.
+    """
+    if not jumps(model) or start == end:
+        return []
+
+    def signs(t: Array) -> NDArray[np.bool_]:
+        p = model.parameters.vector
+        found = model._evaluate_saved(FUNCTION, p=p, t=t[:, None])["jumps"]
+        return np.broadcast_to(np.asarray(found) < 0, (len(t), np.shape(found)[-1]))
+
+    times = np.linspace(start, end, looks)
+    seen = signs(times)
+    found = set[float]()
+    for k, which in zip(*np.nonzero(seen[1:] != seen[:-1]), strict=True):
+        low, high = float(times[k]), float(times[k + 1])
+        for _ in range(HALVINGS):
+            middle = 0.5 * (low + high)
+            if middle in (low, high):
+                break
+            if signs(np.array([middle]))[0, which] == seen[k, which]:
+                low = middle
+            else:
+                high = middle
+        # the neighbor that has fewer digits is the one that was meant
+        found.add(min(low, high, key=lambda t: len(repr(t))))
+    low, high = min(start, end), max(start, end)
+    return sorted((t for t in found if low < t < high), reverse=end < start)

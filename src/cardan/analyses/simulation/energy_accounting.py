@@ -1,0 +1,244 @@
+"""What a run cannot account for, against what its tolerance is worth: the ledger speaks.
+
+A tolerance bounds the error of a step, and errors of steps add up over the periods that a run
+resolves. So a tolerance rtol is worth
+
+    energy     rtol (K + W) N       K: largest kinetic energy, W: work exchanged
+    momentum   rtol P N             P: largest momentum exchanged
+    closure    atol + rtol L        L: size of the scene; 1 of angles; times speeds of speeds
+
+with N = max(1, duration / fastest period resolved). W is what potential energies and sources have
+gone up and down by, P what single speeds have carried. A run that misses more than :data:`EXCESS`
+times as much, or more than :data:`CEILING` of the whole, says so whatever its status. Methods of
+order 2 take rtol^(2/3) for rtol, which their error in the end follows; atol counts beside rtol by
+its part of the largest speed, and speeds below it are rest. Given steps name no tolerance: theirs
+is taken as :data:`GIVEN`. What rounding adds is never an excess.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ...arrays import Array
+from ...runtime.models.constraint_projection import CLOSED, size_of
+from ...runtime.trajectory.energy_balance import impacts
+from ...runtime.trajectory.trajectory import Trajectory
+from .settings import Settings
+
+EXCESS = 100.0  # times what the tolerance is worth
+CEILING = 0.1  # of what moves: more than that no tolerance is worth
+GIVEN = 1e-4  # tolerance that a given step stands for
+LOOKED = 256  # rows of a run that are looked at
+PERIOD = 10.0  # steps that the fastest period resolved takes at least
+FEW, PARTS = 9, 64  # rows, and groups of speeds, of which the momenta they carry are summed
+MOMENTA = (("angular momentum", "N m s"), ("momentum", "N s"))
+SEEN = 1e-3  # of the speed that varies most: those that vary by less show no period
+ROUNDING = 64 * float(np.finfo(np.float64).eps)
+"""of all that was added up, for every step's rounding"""
+
+
+@dataclass(frozen=True)
+class Account:
+    """One quantity of a run.
+
+    Attributes:
+        what: Its name, for messages.
+        missed: What is unaccounted for.
+        worth: What the tolerance is worth.
+        whole: All that moved.
+        noise: What rounding may add up to.
+        unit: Of the four.
+    """
+
+    what: str
+    missed: float
+    worth: float
+    whole: float
+    noise: float
+    unit: str
+
+    @property
+    def most(self) -> float:
+        """What may be missed."""
+        return min(EXCESS * self.worth, CEILING * self.whole) + self.noise
+
+    @property
+    def excessive(self) -> bool:
+        """Whether more is missed than the tolerance is worth many times over."""
+        return not self.missed <= self.most
+
+    def __str__(self) -> str:
+        unit = self.unit
+        told = f"{self.missed:.2g} {unit} of {self.what} unaccounted for"
+        if EXCESS * self.worth < CEILING * self.whole:
+            return f"{told}, where the tolerance is worth {self.worth:.2g} {unit}"
+        return f"{told}, where {self.whole:.2g} {unit} was exchanged"
+
+
+def accounts(motion: Trajectory, how: Settings, slack: float = 0.0) -> list[Account]:
+    """Every quantity of a run that can be accounted for.
+
+    Args:
+        motion: The run.
+        how: Its tolerances.
+        slack: Residual, in sizes of the scene, up to which its start was taken as closed.
+    """
+    if len(motion) < 2:
+        return []
+    rows = _some(len(motion), LOOKED)
+    fastest = float(np.abs(motion.u).max(initial=0.0))
+    rtol, periods = float(in_the_end(how, fastest)), _periods(motion)
+    atol, of_whole = (how.atol, how.rtol) if how.method.adaptive else (0.0, GIVEN)
+    closures = _closure(motion, of_whole, atol, slack)
+    if fastest <= max(atol, ROUNDING):
+        # at rest, as far as the tolerance tells: what is left of speeds is rounding
+        return closures
+    return _energy(motion, rows, rtol, periods) + _momentum(motion, rows, rtol, periods) + closures
+
+
+def excess(motion: Trajectory, how: Settings, slack: float = 0.0) -> str:
+    """What a run misses beyond its tolerance, as a sentence; "" where it keeps to it."""
+    some = [account for account in accounts(motion, how, slack) if account.excessive]
+    if not some:
+        return ""
+    cure = "rtol= and atol= smaller" if how.method.adaptive else "step= shorter"
+    return f"{'; '.join(str(account) for account in some)}. Take {cure}, or another method"
+
+
+def in_the_end(how: Settings, fastest: ArrayLike) -> Array:
+    """The relative tolerance of a run: that of a step, over the steps that a period takes.
+
+    Args:
+        how: The tolerances.
+        fastest: The largest speeds, against which atol counts.
+    """
+    fastest = np.asarray(fastest, dtype=np.float64)
+    if not how.method.adaptive:
+        return np.full(fastest.shape, GIVEN)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        own = np.where(fastest > 0, np.minimum(how.rtol + how.atol / fastest, 1.0), 1.0)
+    # of order 2 a tighter tolerance takes more steps by its cube root
+    return own ** (2 / 3) if how.method.order == 2 else own
+
+
+def tolerated(how: Settings, fastest: Array, whole: Array, rounded: Array, steps: Array) -> Array:
+    """What may be missed of whole amounts (runs,), where nothing is known but the steps taken.
+
+    Args:
+        how: The tolerances.
+        fastest: Their largest speeds.
+        whole: What moves.
+        rounded: The largest amounts that are added up.
+        steps: Of every run.
+    """
+    worth = EXCESS * in_the_end(how, fastest) * np.maximum(1.0, steps / PERIOD)
+    return np.minimum(worth, CEILING) * whole + ROUNDING * rounded * np.maximum(10.0, steps)
+
+
+def _some(count: int, most: int) -> NDArray[np.intp]:
+    """Rows of a table, evenly from its first to its last."""
+    if count <= most:
+        return np.arange(count)
+    return (np.arange(most) * (count - 1)) // (most - 1)
+
+
+def _periods(motion: Trajectory) -> float:
+    """N: duration over the fastest period resolved."""
+    found = motion.statistics["steps"] / PERIOD
+    if motion.dense is not None and found > 1:
+        # every step is there: periods are seen where speeds turn back
+        u = motion.u
+        moves = np.diff(u, axis=0)
+        reach = np.ptp(u, axis=0)
+        turns = (moves[1:] * moves[:-1] < 0).sum(axis=0)[reach > SEEN * reach.max(initial=0.0)]
+        found = min(found, float(turns.max(initial=0)) / 2)
+    return max(1.0, found)
+
+
+def _rounded(motion: Trajectory, size: float) -> float:
+    """What rounding may add up to."""
+    return ROUNDING * size * max(10.0, motion.statistics["steps"])
+
+
+def _energy(
+    motion: Trajectory, rows: NDArray[np.intp], rtol: float, periods: float
+) -> list[Account]:
+    """The energy of a run."""
+    model = motion.model
+    if model is None or motion.sources is None or "energy" not in motion.manifest.available:
+        return []
+    t, x = motion.t[rows], motion.x[rows]
+    q, u = model.split(x)[:2]
+    r = motion.r[rows] if motion.r.shape[1] else None
+    energy = model.energy(q, u, t=t, r=r)
+    given = [column[rows] for column in motion.given.T]
+    given += [history[rows] for history in impacts(motion).values()]
+    total = energy.total - energy.total[0]
+    missed = float(np.abs(total - sum(given, np.zeros(len(rows)))).max())
+    exchanged = sum(float(np.ptp(history)) for history in [energy.potential, *given])
+    whole = float(energy.kinetic.max()) + exchanged
+    worth = rtol * whole * periods
+    noise = _rounded(motion, whole + float(np.abs(energy.potential).max()))
+    return [Account("energy", missed, worth, whole, noise, "J")]
+
+
+def _momentum(
+    motion: Trajectory, rows: NDArray[np.intp], rtol: float, periods: float
+) -> list[Account]:
+    """Both momenta of a run, where nothing acts from outside."""
+    model = motion.model
+    known = motion.manifest.available
+    if model is None or not isolated(motion) or "momentum" not in known or not model.nu:
+        return []
+    t, x = motion.t[rows], motion.x[rows]
+    q, u = model.split(x)[:2]
+    values = model.momentum(q, u, t=t)
+    some = _some(len(rows), FEW)
+    groups = np.array_split(np.arange(model.nu), min(model.nu, PARTS))
+    carried = np.zeros((2, len(some)))
+    for group in groups:
+        alone = np.zeros_like(u[some])
+        alone[:, group] = u[some][:, group]
+        part = model.momentum(q[some], alone, t=t[some]).reshape(-1, 2, 3)
+        carried += np.linalg.norm(part, axis=2).T
+    found = []
+    for k, (what, unit) in enumerate(MOMENTA):
+        own = values[:, 3 * k : 3 * k + 3]
+        missed = float(np.linalg.norm(own - own[0], axis=1).max())
+        whole = float(carried[k].max())
+        worth = rtol * whole * periods
+        found.append(Account(what, missed, worth, whole, _rounded(motion, whole), unit))
+    return found
+
+
+def isolated(motion: Trajectory) -> bool:
+    """Whether nothing acts on the scene from outside, gravity included."""
+    if not motion.manifest.isolated or motion.model is None:
+        return False
+    fixed: Mapping[str, float] = motion.manifest.structural
+    free = motion.model.parameters
+    names = [f"gravity.{axis}" for axis in "xyz"]
+    return not any(free[name] if name in free else fixed.get(name, 0.0) for name in names)
+
+
+def _closure(motion: Trajectory, rtol: float, atol: float, slack: float) -> list[Account]:
+    """How far circuits came open."""
+    model, ledger = motion.model, motion.ledger
+    if model is None or ledger is None:
+        return []
+    size = size_of(model)
+    fastest = max(1.0, float(np.abs(motion.u).max(initial=0.0)))
+    found = []
+    for level, rate in (("position", 1.0), ("velocity", fastest)):
+        for name, worst in getattr(ledger, level).items():
+            scale = (1.0 if worst.unit.startswith("rad") else size) * rate
+            worth = atol + rtol * scale
+            noise = 2 * max(slack, CLOSED) * scale
+            found.append(
+                Account(f"closure of '{name}'", worst.after, worth, scale, noise, worst.unit)
+            )
+    return found

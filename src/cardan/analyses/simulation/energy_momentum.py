@@ -1,0 +1,185 @@
+"""Whether the elements of a model are conservative, and what leaves them as they are."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ...arrays import Array
+from ...errors import ModelError
+from ...runtime.models.finite_elements.frames import rotation
+
+if TYPE_CHECKING:
+    from ...runtime.models.finite_elements.mesh import Mesh
+    from ...runtime.models.loaded_model import LoadedModel
+    from ...schema.integrators import Integrator
+
+# what differences of energies over a small way and rounding leave of forces
+DIFFERENCE, WAY = 1e-5, 1e-4
+SMALL = 1e-9
+# common motions that change no element: all rigid ones, those of what is heavy
+RIGID, HEAVY = 6.0, 3.0
+
+
+def conservative(model: LoadedModel, method: Integrator) -> tuple[Integrator, str]:
+    """The method with the symmetries of the elements of a model, none of which loses energy.
+
+    Raises:
+        ModelError: something in it is not conservative.
+    """
+    mesh: Mesh = model._source.results(model).mesh  # type: ignore[attr-defined]
+    looked = _Looked(mesh, f"method '{method.name}'")
+    looked.refuse()
+    down, symmetry = looked.symmetries()
+    return replace(method, options=(*down, *symmetry)), "energy and momenta kept"
+
+
+class _Looked:
+    """The elements of a model at two states that nothing singles out."""
+
+    def __init__(self, mesh: Mesh, who: str) -> None:
+        from ...runtime.models.finite_elements.elements import State
+
+        self.mesh, self.tables, self.who = mesh, mesh.tables, who
+        self.state = State
+        random = np.random.default_rng(1)
+        tables = mesh.tables
+        q0 = np.zeros(tables.nq)
+        for kind, start in zip(tables.kind, tables.q[:-1], strict=True):
+            quaternion = tables.kinds[kind].quaternion
+            if quaternion is not None:
+                q0[start + quaternion] = 1.0
+        away = [random.uniform(-1, 1, tables.nu) for _ in range(2)]
+        self.q = [mesh.move(q0, du) for du in away]
+        self.lam = random.uniform(-1, 1, tables.m)
+        self.way = random.uniform(-1, 1, tables.nu)
+
+    def refuse(self) -> None:
+        """Look for what takes energy from the motion or gives it.
+
+        Raises:
+            ModelError: there is something; it is named.
+        """
+        tables = self.tables
+        if tables.m != tables.mp:
+            self._say("rolls", "rolling constraints bind speeds alone")
+        for number, group in enumerate(tables.groups):
+            kind, what = group.kind, _named(group)
+            if "M" not in kind.parts and self._resists(number):
+                self._say(what, "its force depends on speeds")
+            if "M" in kind.parts and kind.nu and len(group.place[0]) > 1:
+                self._apart(number, what)
+        for group, lost in zip(tables.groups, self._lost(), strict=True):
+            if lost:
+                self._say(_named(group), "its force has no potential")
+        rates = self.mesh.balance(self.state(self.q[0], t=0.3))[2]
+        if np.abs(rates).max(initial=0.0) > SMALL:
+            self._say("a joint", "it is driven along a given motion")
+
+    def _resists(self, number: int) -> bool:
+        """Whether forces of a group change with speeds."""
+        moving = self.mesh.results("balance", self.state(self.q[0], u=self.way))[number]
+        rest = self.mesh.results("balance", self.state(self.q[0]))[number]
+        nu = self.tables.groups[number].kind.nu
+        change = np.abs(moving - rest)[:, :nu].max(initial=0.0)
+        return bool(change > SMALL * np.abs(rest)[:, :nu].max(initial=0.0))
+
+    def _say(self, what: str, why: str) -> None:
+        raise ModelError(
+            f"{self.who}: {what} is not conservative ({why}): take method='GeneralizedAlpha'"
+        )
+
+    def _apart(self, number: int, what: str) -> None:
+        """Masses of elements stand with their nodes."""
+        group = self.tables.groups[number]
+        having = [g for g in self.tables.groups if "balance_tangent" in g.kind.functions]
+        results = self.mesh.results("balance_tangent", self.state(self.q[0]))
+        values = results[next(k for k, g in enumerate(having) if g is group)]
+        nu, start = group.kind.nu, group.kind.parts["M"]
+        mass = values[0, start : start + nu * nu].reshape(nu, nu)
+        sizes = [len(c) for c in _columns(self.tables, group, 0)]
+        own = np.repeat(np.arange(len(sizes)), sizes)
+        if np.abs(mass[own[:, None] != own]).max(initial=0.0) > SMALL * np.abs(mass).max():
+            raise ModelError(
+                f"{self.who}: the mass of {what} couples nodes, and the energy of such elements "
+                "is not kept: scene.beam(..., inertia='lumped')"
+            )
+
+    def _forces(self, q: Array, lam: Array | None) -> list[Array]:
+        """Forces of every element on its places (n, nu), group by group."""
+        found = self.mesh.results("balance", self.state(q, lam=lam))
+        return [f[:, : g.kind.nu] for f, g in zip(found, self.tables.groups, strict=True)]
+
+    def _lost(self) -> list[bool]:
+        """Of every group whether its forces are not those of its energy."""
+        tables, q, way = self.tables, self.q[0], WAY * self.way
+        ends = [
+            self.mesh.results("energy", self.state(self.mesh.move(q, s * way))) for s in (-1, 1)
+        ]
+        having = [g for g in tables.groups if "energy" in g.kind.functions]
+        lost = []
+        for group, force in zip(tables.groups, self._forces(q, None), strict=True):
+            work = np.einsum("ni,ni->n", force, way[tables.columns(group)])
+            size = np.abs(force).max(initial=0.0) * WAY
+            if any(g is group for g in having):
+                k = next(k for k, g in enumerate(having) if g is group)
+                work = work - 0.5 * (ends[1][k][:, 1] - ends[0][k][:, 1])
+            lost.append(bool(np.abs(work).max(initial=0.0) > DIFFERENCE * size + 1e-300))
+        return lost
+
+    def _power(self, force: Array, group: Any, q: Array, motion: Array) -> Array:
+        """Of forces over a rigid motion (6) of everything: turn, then velocity of the origin."""
+        tables, power = self.tables, np.zeros(len(force))
+        for e in range(len(force)):
+            first = 0
+            for place in group.place[e]:
+                n = tables.u[place + 1] - tables.u[place]
+                own = force[e, first : first + n]
+                if tables.kinds[tables.kind[place]].name == "node":
+                    pose = q[tables.q[place] : tables.q[place] + 7]
+                    turn = rotation(pose[:4]).T @ motion[:3]
+                    power[e] += own[:3] @ turn
+                    power[e] += own[3:] @ (motion[3:] + np.cross(motion[:3], pose[4:]))
+                first += n
+        return power
+
+    def symmetries(self) -> tuple[Array, Array]:
+        """The direction of gravity (3,), and of every group how many motions leave it alone."""
+        down = self._down()
+        found = np.zeros(len(self.tables.groups))
+        across = np.linalg.svd(down[None, :])[2][1:] if down.any() else np.eye(3)[:2]
+        heavy = [np.append(down, np.zeros(3)), *(np.append(np.zeros(3), d) for d in across)]
+        cases = [(RIGID, list(np.eye(6))), (HEAVY, heavy if down.any() else [])]
+        forces = self._forces(self.q[1], self.lam)
+        for k, (group, every) in enumerate(zip(self.tables.groups, forces, strict=True)):
+            force = every[:1]
+            size = np.abs(force).max(initial=0.0)
+            for count, motions in cases:
+                powers = [self._power(force, group, self.q[1], motion) for motion in motions]
+                if motions and np.abs(powers).max(initial=0.0) <= SMALL * size:
+                    found[k] = count
+                    break
+        return down, found
+
+    def _down(self) -> Array:
+        """The direction of the force that is on an element with mass wherever it is."""
+        for group, every in zip(self.tables.groups, self._forces(self.q[0], None), strict=True):
+            if "M" in group.kind.parts:
+                motions = np.eye(6)[3:]
+                net = [self._power(every[:1], group, self.q[0], m)[0] for m in motions]
+                if np.linalg.norm(net) > 0:
+                    return np.array(net, float) / float(np.linalg.norm(net))
+        return np.zeros(3)
+
+
+def _columns(tables: Any, group: Any, element: int) -> list[Array]:
+    """Speeds of every place of an element."""
+    places = group.place[element]
+    return [np.arange(tables.u[place], tables.u[place + 1]) for place in places]
+
+
+def _named(group: Any) -> str:
+    """How users know an element of a group."""
+    return f"'{group.members[0]}'" if len(group.members) else f"an element '{group.kind.name}'"

@@ -1,0 +1,65 @@
+"""What is planned for a model in its folder before a run: its matrices, and where it starts."""
+
+from __future__ import annotations
+
+from contextlib import suppress
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...arrays import Array
+from ...errors import ModelError
+from ...runtime.models.constraint_projection import columns_of, size_of
+from ...runtime.models.finite_elements import table_loading
+from ...runtime.models.finite_elements.carried_nodes import Carrier, leading
+from ...runtime.models.finite_elements.record_fields import group_fields, mesh_fields, mover_fields
+from ...runtime.models.initial import start_of
+from ...runtime.models.loaded_model import LoadedModel
+from ...runtime.sparse.block_solver import plan_fields
+from ...runtime.sparse.matrices import Matrices
+from ...schema.planned import Planned
+from .starts.start import initial
+
+
+def planned(folder: Path) -> Planned:
+    """Plan the matrices of a model in absolute coordinates.
+
+    Args:
+        folder: Of the model.
+    """
+    model = LoadedModel(folder)
+    tables, size = table_loading.tables_of(model), size_of(model)
+    return Planned(
+        mesh_fields(tables, model.manifest.functions),
+        group_fields(tables),
+        mover_fields(tables),
+        plan_fields(tables.once(Matrices.of).plan),
+        _start(folder, model),
+        _held(model),
+        size,
+        columns_of(model, size),
+    )
+
+
+def _start(folder: Path, model: LoadedModel) -> Array:
+    """Where a run starts (nx,); what joints of the tree carry needs no search."""
+    start, free = start_of(model, {}, {}, {})
+    tree = {row.name for row in model.manifest.joints}
+    closed = any(row.joint not in tree for row in model.manifest.multipliers)
+    if closed or Carrier(model, free).links:
+        # equal bits on every machine; a start that cannot be assembled is told when it is asked for
+        with suppress(ModelError):
+            start = initial(LoadedModel(folder, reproducible=True))
+    return start
+
+
+def _held(model: LoadedModel) -> NDArray[np.bool_]:
+    held = np.ones(model.nq + model.nu, dtype=bool)
+    if not table_loading.tables_of(model).beams:
+        lead = leading(model)
+        held[model.nq :] = lead
+        for row in model.manifest.joints:
+            (place, count), (first, _) = row.slot("q"), row.slot("u")
+            held[place : place + count] = lead[first]
+    return held

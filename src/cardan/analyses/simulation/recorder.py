@@ -1,0 +1,169 @@
+"""What a run has written, and the motion that is made of it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from ...arrays import Array
+from ...errors import SolveError
+from ...runtime.trajectory.dense_output import Dense
+from ...runtime.trajectory.event_log import Happened
+from ...runtime.trajectory.solver_info import Conduct
+from ...runtime.trajectory.trajectory import Trajectory
+from .method_choice import JACOBIAN, remark
+from .run import Runner
+from .settings import Start
+from .times import Span
+
+# of the record, for Trajectory.statistics
+COUNTED = (
+    *("steps", "rejections", "evaluations", "looked", "limited"),
+    *("jacobians", "factorizations", "projections", "passed"),
+)
+
+
+class Kept:
+    """What a run has written, copied out of the room it writes to."""
+
+    def __init__(self, runner: Runner) -> None:
+        self.runner = runner
+        self.rows, self.spreads, self.logs = list[Array](), list[Array](), list[Array]()
+        self._told = 0
+
+    def take(self) -> None:
+        """Copy what is new, and give the room back."""
+        run = self.runner.record
+        self.rows.append(self.runner.rows[: run.count].copy())
+        self.spreads.append(self.runner.spreads[: run.count].copy())
+        self.logs.append(self.runner.drained())
+        run.count = 0
+
+    def fresh(self) -> tuple[Array, Array, Array]:
+        """Rows, dense output and log since the last call of this."""
+        new = [parts[self._told :] for parts in (self.rows, self.spreads, self.logs)]
+        self._told = len(self.rows)
+        rows, spreads, logs = (np.concatenate(parts) for parts in new)
+        return rows, spreads, logs
+
+    def halt(self, over: Span) -> tuple[str, str]:
+        """Give back most of the memory that rows have taken, which is full.
+
+        Arrays are put together beside the rows they are made of: the first third of them may fit.
+
+        Returns:
+            Status and message.
+
+        Raises:
+            SolveError: there is no room for any of it.
+        """
+        third = len(self.rows) // 3
+        for parts in (self.rows, self.spreads, self.logs):
+            del parts[third:]
+        self.runner.record.count = 0
+        self.runner.drained()
+        cure = "Ask for output times, such as simulate(np.linspace(0, 10, 1001)), to keep fewer"
+        cure = cure if over.times is None else "Ask for fewer output times"
+        if not any(map(len, self.rows)):
+            raise SolveError(f"there is no memory for the rows of this run. {cure}")
+        last = next(rows for rows in reversed(self.rows) if len(rows))
+        at = f"at t = {last[-1, 0]:.6g} s of {over.end:g} s"
+        return "too_large", f"stopped {at}: memory is full of what lies behind that. {cure}"
+
+    def motion(
+        self, over: Span, begin: Start, told: tuple[str, str], milliseconds: float
+    ) -> Trajectory:
+        """The motion so far.
+
+        Args:
+            over: What was asked for.
+            begin: Where it began.
+            told: Status and message.
+            milliseconds: What it took.
+        """
+        self.logs.append(self.runner.drained())
+        log = np.concatenate(self.logs)
+        table = np.concatenate(self.rows) if self.rows else np.empty((0, 0))
+        spreads = np.concatenate(self.spreads) if over.times is None and self.spreads else None
+        if not len(table):
+            table, spreads = self._first_row(over, begin), None
+        happened = Happened(np.empty((0, 0)), self.runner.may.rows, log)
+        if spreads is not None and len(log):
+            table, spreads = self._quiet(table, spreads, happened.quiet)
+        conduct = self._conduct(
+            begin, table, told, happened.counts | {"milliseconds": milliseconds}
+        )
+        return self._trajectory(table, spreads, conduct, happened)
+
+    def _quiet(self, table: Array, spreads: Array, quiet: Array) -> tuple[Array, Array]:
+        """One row where modes alone changed without an event: with the modes behind.
+
+        Args:
+            table: Rows t, y, r, s, multipliers.
+            spreads: Dense output of the step that led to each row.
+            quiet: When that was.
+        """
+        modes = 1 + self.runner.n + self.runner.model.nr
+        same = (table[1:, :modes] == table[:-1, :modes]).all(axis=1) & np.isin(table[1:, 0], quiet)
+        behind = 1 + np.flatnonzero(same & (self.runner.record.nlam == 0))
+        if not len(behind):
+            return table, spreads
+        table[behind - 1, modes:] = table[behind, modes:]
+        return np.delete(table, behind, axis=0), np.delete(spreads, behind, axis=0)
+
+    def _first_row(self, over: Span, begin: Start) -> Array:
+        """The start alone, for a run that broke down there."""
+        runner = self.runner
+        rest = np.zeros(runner.n - len(begin.x))
+        modes, none = runner.model._layout.start("s"), np.zeros(runner.record.nlam)
+        known = [np.array([over.start]), begin.x, rest, runner.signals.constants, modes, none]
+        return np.concatenate(known)[None, :]
+
+    def _conduct(
+        self, begin: Start, table: Array, told: tuple[str, str], more: Mapping[str, float]
+    ) -> Conduct:
+        runner, run, how = self.runner, self.runner.record, self.runner.settings
+        counts: dict[str, Any] = {name: getattr(run, name) for name in COUNTED}
+        inputs = table[0, 1 + runner.n :].tolist()
+        return Conduct(
+            method=how.method.name,
+            settings=how.words,
+            initial=begin.named(runner.model)
+            | dict(zip(runner.model.inputs, inputs, strict=False)),
+            defaulted=(*begin.defaulted, *runner.signals.defaulted),
+            status=told[0],
+            message=told[1],
+            statistics={**counts, **more},
+            reason=remark(how.method.name, run, JACOBIAN in runner.model.manifest.available)
+            or how.reason,
+        )
+
+    def _trajectory(
+        self, table: Array, spreads: Array | None, conduct: Conduct, happened: Happened
+    ) -> Trajectory:
+        runner, model = self.runner, self.runner.model
+        n, end = runner.n, 1 + runner.n + model.nr
+        t, y, r = table[:, 0].copy(), table[:, 1 : 1 + n], table[:, 1 + n : end].copy()
+        s, lam = table[:, end : end + model.ns], table[:, end + model.ns :]
+        dense = None
+        if spreads is not None and len(t) > 1:
+            quaternions = tuple(model.manifest.quaternions)
+            dense = Dense(t, y, spreads[1:], quaternions, runner.settings.method.charted)
+        return Trajectory(
+            t=t,
+            x=y[:, : model.nx].copy(),
+            r=r,
+            given=y[:, model.nx :].copy(),
+            sources=runner.sources if runner.powered else None,
+            manifest=model.manifest,
+            conduct=conduct,
+            model=model,
+            dense=dense,
+            inputs_at=runner.signals.recorded(t, r),
+            ledger=runner.ledger,
+            stored={"multipliers": lam.copy()} if runner.record.nlam else {},
+            happened=replace(happened, s=s.copy()),
+        )

@@ -1,0 +1,376 @@
+"""One run of a compiled integrator: its memory, its record, the loop that drives it."""
+
+from __future__ import annotations
+
+import ctypes
+import math
+import time
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import AbstractContextManager
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...arrays import Array
+from ...errors import ModelError, SolveError
+from ...processes import on_interrupt
+from ...runtime.calls.interpreted import called_back
+from ...runtime.models.constraint_projection import Closing, columns_of
+from ...runtime.models.loaded_model import LoadedModel
+from ...runtime.trajectory.closure_errors import Ledger
+from ...schema.records import Run, Signal, Tick
+from . import run_record as abi
+from .discontinuities import FEW, jumps, stops_of
+from .events import NOTHING, Happenings
+from .run_record import INPUTS
+from .settings import Settings
+from .signals import Signals
+from .singular_coordinates import bounded
+
+SOME_STEPS = 1 << 20
+SLICE = 0.01  # seconds between two looks at signals and progress
+ROWS = 2048
+LOG, ROOM = 256, 32  # rows of the log of events, and more per event
+
+
+@dataclass(frozen=True)
+class Saved:
+    """A checkpoint of a run.
+
+    Attributes:
+        record, memory: Of the run, to the bit.
+        owner: Whose they are.
+        ticks: When the next samples are due.
+        over: What ended it, in words; "" if it may go on.
+    """
+
+    record: Any
+    memory: bytes
+    owner: int
+    ticks: bytes = b""
+    over: str = ""
+
+
+class Runner:
+    """A run from a state over segments of time.
+
+    Everything the C works on lies in ``record`` and ``memory``: a copy of both is a checkpoint.
+    """
+
+    def __init__(
+        self,
+        model: LoadedModel,
+        settings: Settings,
+        given: Signals,
+        power: bool = True,
+        may: Happenings = NOTHING,
+    ) -> None:
+        """Allocate.
+
+        Args:
+            model: Whose ``rhs`` and ``power`` are called.
+            settings: How to step.
+            given: The inputs.
+            power: Integrate the power of the sources too.
+            may: What may happen.
+        """
+        self.model, self.settings, self.signals, self.may = model, settings, given, may
+        self.library = abi.kernels(model._kernels())
+        self.functions = [model._function(name) for name in ("rhs", "power")[: 1 + power]]
+        self.powered = power
+        self.closing = Closing.of(model)
+        self.closers = [model._function(name) for name in self.closing.functions]
+        self.needed = [model._function(name) for name in (*settings.method.needs, *may.functions)]
+        outputs = self.functions[-1].outputs if power else []
+        self.sources: tuple[str, ...] = tuple(outputs[0].entries or ()) if outputs else ()
+        self.n = model.nx + len(self.sources)
+        self.error: BaseException | None = None
+        called = [*self.functions, *self.closers, *self.needed]
+        self.interpreted = any(function.interpreted for function in called)
+        self._keep: list[Any] = []
+        self.method = abi.method(self.library, settings.method.kernel)
+        self.rows, self.spreads = np.empty((0, 0)), np.empty((0, self.method.dense_rows, self.n))
+        self.record = Run()
+        self._size()
+        self._allocate()
+        self._connect()
+        self.begun = bytes(self.record), self.closing
+
+    def _size(self) -> None:
+        """Fill in how long everything is."""
+        model, run = self.model, self.record
+        for name in ("init", "step", "dense", "length", "stages", "dense_rows"):
+            setattr(run, name, getattr(self.method, name))
+        run.nq, run.nu, run.nx, run.n, run.nr = model.nq, model.nu, model.nx, self.n, model.nr
+        run.nz, run.ns = model.nz, model.ns
+        run.ne, run.watched = self.may.model, self.may.watched
+        run.positions, run.rates = self.closing.positions, self.closing.rates
+        run.size = self.closing.size
+        run.nlam = model.nlam if self.settings.method.multipliers else 0
+        run.charted = self.settings.method.charted and len(model.manifest.quaternions) > 0
+        run.jumps = jumps(model)
+        run.on_grid = not self.settings.method.adaptive
+        names = (*self.closing.functions, *self.settings.method.needs, *self.may.functions)
+        for name, function in zip(names, [*self.closers, *self.needed], strict=True):
+            setattr(run, name, function.address)
+            setattr(run, f"{name}_w", self._pointer(function.w))
+        run.columns = self._pointer(columns_of(model, run.size))
+        method = self.settings.method
+        run.options = self._pointer(np.array([*method.options, method.adaptive], dtype=np.float64))
+        if model.manifest.absolute:
+            run.mesh = model._source.mesh(model)
+
+    def loosen(self, slack: float) -> None:
+        """Let residuals up to a slack, without units, count as none."""
+        self.closing = self.closing.loosened(slack)
+        self.record.size = self.closing.size
+
+    def _allocate(self) -> None:
+        """One block of numbers for everything but output rows."""
+        run, called = self.record, [*self.functions, *self.closers, *self.needed]
+        parts = sum(len(body.parts) for body in self.model.manifest.bodies)
+        rooms = max(self.model.nu, 6 * parts), max(function.work_size for function in called)
+        self.memory = np.zeros(self.library.cardan_run_length(run, *rooms))
+        first = self.memory.ctypes.data
+        self.library.cardan_run_lay(run, first, *rooms)
+        run.times = None
+        starts = [(getattr(run, name) - first) // self.memory.itemsize for name in abi.PIECES]
+        pieces = np.split(self.memory, starts[1:])
+        self.views: dict[str, Array] = dict(zip(abi.PIECES, pieces, strict=True))
+
+    def _connect(self) -> None:
+        """Fill in functions and tolerances."""
+        model, run = self.model, self.record
+        run.rhs, run.rhs_w = self.functions[0].address, self._pointer(self.functions[0].w)
+        if self.sources:
+            run.power, run.power_w = self.functions[1].address, self._pointer(self.functions[1].w)
+        quaternions = np.array(model.manifest.quaternions, dtype=np.intp)
+        run.quaternions, run.quaternion_count = self._pointer(quaternions), len(quaternions)
+        limited = np.array(bounded(model.manifest), dtype=np.intp)
+        run.bounded, run.bounded_count = self._pointer(limited), len(limited)
+        run.culprit = -1
+        self.adjust()
+        self._connect_signals()
+        self._connect_events()
+
+    def adjust(self) -> None:
+        """Fill in what may differ from run to run."""
+        run, settings = self.record, self.settings
+        run.rtol, run.atol = settings.rtol, settings.atol
+        run.max_step, run.h = settings.max_step, settings.step
+        self.views["r"][:] = self.signals.constants
+        self.views["s"][:] = self.model._layout.start("s")
+
+    def _connect_signals(self) -> None:
+        run, pieces = self.record, self.signals.pieces
+        table = (Signal * max(1, len(pieces)))()
+        self.pieces = [table[k] for k in range(len(pieces))]
+        for row, piece in zip(table, pieces, strict=False):
+            row.input, row.pieces, row.where = piece.input, len(piece.coefficients), 0
+            row.breaks = self._pointer(np.ascontiguousarray(piece.breaks))
+            row.coefficients = self._pointer(np.ascontiguousarray(piece.coefficients))
+        self._keep.append(table)
+        run.signals, run.signal_count = ctypes.addressof(table), len(pieces)
+        if self.signals.functions:
+            call = INPUTS(self._ask)
+            self._keep.append(call)
+            run.inputs = ctypes.cast(call, ctypes.c_void_p).value
+            run.sampled = self.signals.sample is not None
+
+    def _connect_events(self) -> None:
+        run, ticks = self.record, self.may.ticks
+        run.kinds = self._pointer(np.array(self.may.kinds, dtype=np.intp))
+        self.ticks = (Tick * max(1, len(ticks)))()
+        for row, tick in zip(self.ticks, ticks, strict=False):
+            row.event, row.period, row.phase = tick.event, tick.period, tick.phase
+        run.ticks, run.tick_count = ctypes.addressof(self.ticks), len(ticks)
+        width = 1 + len(self.may.rows) + 2 * (self.model.nx + self.model.ns)
+        run.log_capacity = LOG + ROOM * len(self.may.rows) if self.may.rows else 0
+        self.log = np.empty((run.log_capacity, width))
+        run.log = self.log.ctypes.data
+        if self.may.watches:
+            call = INPUTS(self._look)
+            self._keep.append(call)
+            run.watch = ctypes.cast(call, ctypes.c_void_p).value
+
+    def _pointer(self, array: NDArray[Any]) -> int:
+        """Address of an array that must live as long as this."""
+        self._keep.append(array)
+        return array.ctypes.data
+
+    def _ask(self, t: float, x: Any, r: Any) -> int:
+        """Evaluate the input functions; called from C."""
+        try:
+            state = np.ctypeslib.as_array(x, (self.model.nx,)).copy()
+            for k, function in self.signals.functions.items():
+                r[k] = float(function(t, state))
+        except BaseException as error:
+            # it must not cross the C frames: the drive raises it again
+            self.error = error
+            return 1
+        return 0
+
+    def _look(self, t: float, x: Any, values: Any) -> int:
+        """Evaluate what the caller watches; called from C."""
+        try:
+            state = np.ctypeslib.as_array(x, (self.model.nx,)).copy()
+            for k, value in enumerate(self.may.watch(t, state)):
+                values[k] = value
+        except BaseException as error:
+            self.error = error
+            return 1
+        return 0
+
+    # running
+
+    @property
+    def ledger(self) -> Ledger | None:
+        """How well circuits stayed closed; None without constraints."""
+        return self.closing.ledger(self.views["ledger"])
+
+    def start(self, t: float, x: Array, stops: Sequence[float]) -> int:
+        """Set the state and evaluate there. Returns the answer of the kernels."""
+        self.record.t = t
+        self.views["y"][: self.model.nx] = x
+        self.aim(stops)
+        return self._answer(self.library.cardan_run_start)
+
+    def aim(self, stops: Sequence[float]) -> None:
+        """Set the times at which steps must end; the last one is the end."""
+        self._stops = np.array(stops, dtype=np.float64)
+        self.may.distinguish_ticks(max(map(abs, (self.record.t, *stops))))
+        self.record.stops = self._stops.ctypes.data
+        self.record.stop_count, self.record.next_stop = len(self._stops), 0
+
+    @property
+    def stops(self) -> Array:
+        """The times at which steps must end."""
+        return self._stops
+
+    def want(self, times: Array | None, dense: bool) -> None:
+        """Say which rows to write: at ``times``, or at every step.
+
+        Args:
+            times: Output times, in the direction of the run.
+            dense: Keep the dense output of every step.
+
+        Raises:
+            SolveError: there is no memory for the rows.
+        """
+        run = self.record
+        run.capacity = ROWS if times is None else len(times)
+        width = 1 + self.n + self.model.nr + self.model.ns + run.nlam
+        try:
+            self.rows = np.empty((run.capacity, width))
+        except MemoryError:
+            raise SolveError(
+                f"there is no memory for {run.capacity} rows of {width} numbers. Give fewer "
+                "output times"
+            ) from None
+        run.rows = self.rows.ctypes.data
+        if times is not None:
+            self._times = np.ascontiguousarray(times)
+            run.times, run.time_count = self._times.ctypes.data, len(times)
+        if dense:
+            self.spreads = np.empty((ROWS, self.method.dense_rows, self.n))
+            run.spreads = self.spreads.ctypes.data
+
+    def drive(self, budget: int) -> int:
+        """Go on for at most ``budget`` steps. Returns the answer of the kernels."""
+        self.record.budget = budget
+        return self._answer(self.library.cardan_run_drive)
+
+    def _answer(self, kernel: Callable[[Run], int]) -> int:
+        """What a kernel says about the run.
+
+        Raises:
+            BaseException: what a function of the caller or of the model raised on the way.
+        """
+        if not self.interpreted:
+            answer = int(kernel(self.record))
+        else:
+            try:
+                with called_back(self._halt):
+                    answer = int(kernel(self.record))
+            except BaseException as error:
+                self.error, answer = error, abi.STOPPED
+                self.record.stop = 0
+        self.check()
+        return answer
+
+    def _halt(self) -> None:
+        """End the run after the present step."""
+        self.record.stop = 1
+
+    def advance(self, end: float) -> int:
+        """Go on to a time, in any direction. Returns the answer of the kernels."""
+        run = self.record
+        run.h = math.copysign(run.h, end - run.t)
+        self.aim(stops_of(self.model, self.signals, run.t, end, FEW))
+        run.t_start = run.t
+        # inputs may have jumped: the derivative at the start is new
+        answer = self._answer(self.library.cardan_segment) or abi.MORE
+        logs = []
+        while answer in (abi.MORE, abi.FULL):
+            run.count = 0
+            answer = self.drive(SOME_STEPS)
+            logs.append(self.drained())
+        self.happened = np.concatenate(logs) if logs else self.log[:0]
+        self.check()
+        self.check_interrupt()
+        return answer
+
+    def drained(self) -> Array:
+        """What has happened since the last call, as ``Happened.log``."""
+        taken = self.log[: self.record.log_count].copy()
+        self.record.log_count = 0
+        return taken
+
+    def save(self) -> Saved:
+        """A checkpoint."""
+        return Saved(bytes(self.record), self.memory.tobytes(), id(self), bytes(self.ticks))
+
+    def restore(self, saved: Saved) -> None:
+        """Go back to a checkpoint of this run.
+
+        Raises:
+            ModelError: it belongs to another one.
+        """
+        run, memory = self.record, self.memory
+        if saved.owner != id(self) or len(saved.memory) != memory.nbytes:
+            raise ModelError("this checkpoint was made by another stepper")
+        stops = run.stops
+        ctypes.memmove(ctypes.addressof(run), saved.record, ctypes.sizeof(run))
+        # the stops were those of a step that is over
+        run.stops, run.stop_count, run.next_stop = stops, 1, 0
+        memory[:] = np.frombuffer(saved.memory)
+        ctypes.memmove(self.ticks, saved.ticks, ctypes.sizeof(self.ticks))
+
+    def check(self) -> None:
+        """Raise what an input function raised."""
+        if self.error is not None and not isinstance(self.error, KeyboardInterrupt):
+            error, self.error = self.error, None
+            raise error
+
+    def check_interrupt(self) -> None:
+        """Raise KeyboardInterrupt if Ctrl-C ended the last call of a kernel."""
+        if isinstance(self.error, KeyboardInterrupt):
+            error, self.error = self.error, None
+            raise error
+
+    def slices(self) -> Iterator[int]:
+        """Drive to the end in slices of about 10 ms; yields the answer of each."""
+        budget, answer = 64, abi.MORE
+        while answer in (abi.MORE, abi.FULL):
+            before = time.perf_counter()
+            answer = self.drive(budget)
+            spent = max(time.perf_counter() - before, 1e-6)
+            if answer == abi.MORE:
+                budget = max(1, min(8 * budget, round(budget * SLICE / spent)))
+            yield answer
+
+    def interruptible(self) -> AbstractContextManager[bool]:
+        """Let Ctrl-C stop the run between two steps instead of raising."""
+        return on_interrupt(self._halt)

@@ -1,0 +1,66 @@
+"""The run record of ``kernels/run.h`` for Python."""
+
+from __future__ import annotations
+
+import ctypes
+from functools import lru_cache
+
+from ...schema.records import POINTER, REAL, Method, Run, Signal, Tick, check
+
+# answers of the kernels, as in run.h
+DONE, MORE, FULL, STOPPED, EVENT = 0, 1, 2, 3, 4
+NOT_FINITE, TOO_SMALL, MODEL, INPUT, SIZE, OPEN, TURNED = -1, -2, -3, -4, -5, -6, -7
+UNSOLVED, STORM, CHATTER, WHIRLED = -8, -9, -10, -11
+# kinds of events, as in run.h
+MODE, IMPACT, TICK, END, MARK, HALT = range(6)
+# pieces of the memory of a run, in the order of memory.c
+PIECES = (
+    *("y", "y_old", "trial", "f", "k", "spread", "r", "s", "at_rest", "work", "closing", "chart"),
+    *("holding", "passing", "own", "e", "board", "ledger"),
+)
+
+_SOUND = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.POINTER(Run))
+INPUTS = ctypes.CFUNCTYPE(
+    ctypes.c_int, REAL, ctypes.POINTER(ctypes.c_double), ctypes.POINTER(ctypes.c_double)
+)
+
+
+@lru_cache(maxsize=4)
+def kernels(library: ctypes.CDLL) -> ctypes.CDLL:
+    """The kernels library with the types of its run functions declared.
+
+    Raises:
+        BuildError: its records differ from those here.
+    """
+    for name, structure in (("run", Run), ("method", Method), ("signal", Signal), ("tick", Tick)):
+        check(library, f"cardan_{name}", structure)
+    record = ctypes.POINTER(Run)
+    for name in ("cardan_run_start", "cardan_run_drive", "cardan_refresh", "cardan_segment"):
+        getattr(library, name).argtypes = [record]
+    library.cardan_run_at.argtypes = [record, REAL, POINTER]
+    rooms = [ctypes.c_size_t, ctypes.c_size_t]
+    library.cardan_run_length.argtypes = [record, *rooms]
+    library.cardan_run_length.restype = ctypes.c_size_t
+    library.cardan_run_lay.argtypes, library.cardan_run_lay.restype = (
+        [record, POINTER, *rooms],
+        None,
+    )
+    return library
+
+
+def method(library: ctypes.CDLL, kernel: str) -> Method:
+    """The functions of a method, and how much it keeps."""
+    return Method.in_dll(library, f"cardan_{kernel}_method")
+
+
+def sound(library: ctypes.CDLL, method: Method, run: Run) -> bool:
+    """Whether the places that the memory of a run holds exist, where a method keeps any."""
+    known = [_SOUND(address(library, "cardan_hold_sound"))]
+    if method.sound:
+        known.append(_SOUND(method.sound))
+    return all(function(run) for function in known)
+
+
+def address(library: ctypes.CDLL, name: str) -> int:
+    """Address of a function of a library."""
+    return ctypes.cast(getattr(library, name), ctypes.c_void_p).value or 0

@@ -1,0 +1,240 @@
+"""Inputs of a run: constants, values at times, functions of the user."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from inspect import signature
+from typing import Any
+
+import numpy as np
+
+from ...arrays import Array
+from ...errors import ArgumentError, FunctionError, ModelError, SolveError, named, near, shown
+from ...runtime.calls.calling import numbers
+from ...runtime.trajectory.input_history import Pieces, Recorded
+from ...schema.entries import Entry
+
+InputFunction = Callable[[float, Array], float]
+
+
+@dataclass(frozen=True)
+class Checked:
+    """A function of the caller, whose result must be a number.
+
+    Attributes:
+        who: What it is, for messages.
+        function: f(t, x).
+    """
+
+    who: str
+    function: InputFunction
+
+    def __call__(self, t: float, x: Array) -> float:
+        """The result.
+
+        Raises:
+            FunctionError: it is no number, or the function raised, which is the cause.
+        """
+        try:
+            found = self.function(t, x)
+        except Exception as problem:
+            what = f"{type(problem).__name__}: {problem}"
+            raise FunctionError(f"{self.who} raised at t = {t:.9g} s: {what}") from problem
+        try:
+            return float(found)
+        except (TypeError, ValueError):
+            at = f"at t = {t:.9g} s"
+            raise FunctionError(
+                f"{self.who} gave {shown(found)}, which is no number, {at}"
+            ) from None
+
+
+@dataclass(frozen=True)
+class Signals:
+    """All inputs of a run.
+
+    Attributes:
+        constants: r (nr,) with defaults and constants in place.
+        pieces: Inputs by values at times.
+        functions: Index in r -> f(t, x).
+        sample: Time between two calls of the functions, None to call them at every stage [s].
+        defaulted: Names of the inputs that were not given.
+    """
+
+    constants: Array
+    pieces: tuple[Pieces, ...]
+    functions: dict[int, InputFunction]
+    sample: float | None
+    defaulted: tuple[str, ...]
+
+    def corners(self, start: float, end: float) -> list[float]:
+        """Times strictly inside a span, in its direction, at which a step must end."""
+        low, high = min(start, end), max(start, end)
+        found = {float(t) for piece in self.pieces for t in piece.breaks if low < t < high}
+        if self.functions and self.sample is not None:
+            # samples lie on a grid from the start
+            count = math.ceil((high - low) / self.sample - 1e-9)
+            sign = 1 if end > start else -1
+            found |= {start + sign * k * self.sample for k in range(1, count)}
+        return sorted(found, reverse=end < start)
+
+    def first(self, t: float) -> Array:
+        """r (nr,) at the start; functions, which prescribe no motion, are not asked."""
+        if not self.pieces:
+            return self.constants.copy()
+        found: Array = self.recorded(np.array([t]), self.constants[None])(np.array([t]))[0]
+        return found
+
+    def recorded(self, t: Array, r: Array) -> Recorded:
+        """The inputs of a run with values r (nt, nr) at its times t (nt,)."""
+        asked = tuple(self.functions)
+        return Recorded(self.constants, self.pieces, asked, self.sample is not None, t, r)
+
+
+def signals(
+    rows: Sequence[Entry],
+    given: Mapping[str, Any] | None,
+    sample: float | None,
+    span: tuple[float, float],
+) -> Signals:
+    """Inputs as they are given to ``simulate``.
+
+    Args:
+        rows: ``manifest.inputs``: name, unit, default.
+        given: Name -> constant, ``(times, values)`` or ``f(t, x)``.
+        sample: Sampling time of the functions [s].
+        span: Start and end of the run [s].
+
+    Raises:
+        ModelError: an unknown name; a function for a prescribed motion; values that do not cover
+            the run; a sampling time without functions.
+        ArgumentError: wrong shape. SolveError: a value that is not finite.
+    """
+    names = [str(row.name) for row in rows]
+    own = [n for n in names if not _derived(n, names)]
+    constants = np.array([row.default or 0.0 for row in rows], dtype=np.float64)
+    pieces: list[Pieces] = []
+    functions: dict[int, InputFunction] = {}
+    for name, value in named("inputs", given, f"'{own[0] if own else 'force'}': 1.0").items():
+        if name not in names:
+            raise ModelError(f"inputs: there is no input '{name}'.{near(name, own)}")
+        k = names.index(name)
+        if callable(value):
+            _refuse_motion(name, names)
+            functions[k] = checked(f"inputs: the function of '{name}'", value)
+        elif isinstance(value, tuple | list):
+            pieces += _table(name, k, value, f"{name}.rate" in names, span)
+        else:
+            constants[k] = _number(name, value)
+    if sample is not None and not functions:
+        raise ModelError("sample= is the time between two calls of input functions; none is given")
+    if sample is not None and not (math.isfinite(sample) and sample > 0):
+        raise ModelError(f"sample={sample:g}: the time between two calls must be positive")
+    left = tuple(n for n in own if n not in (given or {}))
+    return Signals(constants, tuple(pieces), functions, sample, left)
+
+
+def _derived(name: str, names: Sequence[str]) -> bool:
+    """Whether an entry of r is the rate or acceleration of another input."""
+    base, _, last = name.rpartition(".")
+    return last in ("rate", "acceleration") and base in names
+
+
+def _refuse_motion(name: str, names: Sequence[str]) -> None:
+    base = name.rpartition(".")[0] if _derived(name, names) else name
+    if f"{base}.rate" in names:
+        raise ModelError(
+            f"inputs: '{base}' prescribes a motion, which needs rate and acceleration too: give "
+            "(times, values), a constant, or write motion= as an expression in cd.t"
+        )
+
+
+def checked(who: str, function: InputFunction) -> Checked:
+    """A function that can be called with (t, x), as far as it can be told beforehand.
+
+    Args:
+        who: What it is, for messages.
+        function: f(t, x).
+
+    Raises:
+        ArgumentError: it takes something else.
+    """
+    made = Checked(who, function)
+    try:
+        signature(function).bind(0.0, None)
+    except TypeError as problem:
+        raise ArgumentError(f"{who} must take (t, x), time and state: {problem}") from None
+    except ValueError:
+        # built-in functions do not tell
+        return made
+    return made
+
+
+def _number(name: str, value: Any) -> float:
+    try:
+        number = float(value)
+    except (TypeError, ValueError):
+        raise ArgumentError(
+            f"inputs: '{name}' is {shown(value)}; give a number, (times, values) or a "
+            "function f(t, x)"
+        ) from None
+    if not math.isfinite(number):
+        raise SolveError(f"inputs: '{name}' is {number}. Every input must be finite")
+    return number
+
+
+def _table(
+    name: str, k: int, value: Sequence[Any], moves: bool, span: tuple[float, float]
+) -> list[Pieces]:
+    """Pieces through values at times: straight lines, or a smooth curve for a motion."""
+    if len(value) != 2:
+        raise ArgumentError(f"inputs: '{name}' has {len(value)} parts, expected (times, values)")
+    times, values = (numbers(f"inputs: '{name}'", v) for v in value)
+    _check_table(name, times, values, span)
+    if moves:
+        return _motion(name, k, times, values)
+    # a jump is a time that stands twice
+    width = np.diff(times)
+    slope = np.divide(np.diff(values), width, out=np.zeros_like(width), where=width > 0)
+    flat = np.zeros_like(slope)
+    return [Pieces(k, times, np.stack([values[:-1], slope, flat, flat], axis=1))]
+
+
+def _motion(name: str, k: int, times: Array, values: Array) -> list[Pieces]:
+    """Value, rate and acceleration of a prescribed motion: a cubic spline and its derivatives."""
+    from scipy.interpolate import CubicSpline
+
+    if len(times) < 4 or not (np.diff(times) > 0).all():
+        raise ModelError(
+            f"inputs: '{name}' prescribes a motion: give at least four times, no two equal, so "
+            "that rate and acceleration exist"
+        )
+    spline = CubicSpline(times, values)
+    made = []
+    for order in range(3):
+        c = (spline.derivative(order) if order else spline).c[::-1].T
+        full = np.zeros((len(times) - 1, 4))
+        full[:, : c.shape[1]] = c
+        made.append(Pieces(k + order, times, full))
+    return made
+
+
+def _check_table(name: str, times: Array, values: Array, span: tuple[float, float]) -> None:
+    if times.ndim != 1 or times.shape != values.shape or len(times) < 2:
+        raise ArgumentError(
+            f"inputs: '{name}' has times of shape {times.shape} and values of shape "
+            f"{values.shape}; expected two equal lengths of at least 2"
+        )
+    for what, row in (("time", times), ("value", values)):
+        bad = np.flatnonzero(~np.isfinite(row))
+        if len(bad):
+            raise SolveError(f"inputs: '{name}': {what} {bad[0]} is {row[bad[0]]}")
+    if (np.diff(times) < 0).any():
+        raise ModelError(f"inputs: the times of '{name}' must ascend; a time twice is a jump")
+    if times[0] > min(span) or times[-1] < max(span):
+        raise ModelError(
+            f"inputs: '{name}' has values from {times[0]:g} s to {times[-1]:g} s, the run goes "
+            f"from {min(span):g} s to {max(span):g} s. Add values at its ends"
+        )

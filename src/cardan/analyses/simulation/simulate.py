@@ -1,0 +1,328 @@
+"""Motion of a compiled model over time."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+from numpy.typing import ArrayLike
+
+from ...arguments import checked
+from ...errors import FunctionError, ModelError, SolveError, SolveWarning, warn
+from ...runtime.calls.interpreted import CURE
+from ...runtime.models.constraint_projection import Closing
+from ...runtime.models.loaded_model import LoadedModel
+from ...runtime.trajectory.trajectory import Trajectory
+from ...schema.functions import OF_ELEMENTS
+from ...schema.integrators import INTEGRATORS
+from ...schema.manifest import Manifest
+from . import run_record as abi
+from .alpha_methods import Alpha, GeneralizedAlpha
+from .discontinuities import stops_of
+from .energy_accounting import excess
+from .events import NOTHING, Happenings, check_start, happenings
+from .files.run_file import RunFile, run_file
+from .method_choice import JACOBIAN, Case, Limited, choose, given_up, reconsider
+from .method_requirements import suited
+from .outcome import explain
+from .progress import showing
+from .recorder import Kept
+from .run import Runner
+from .settings import Settings, Start, Values, blocks, settings, start, watched
+from .signals import Signals, signals
+from .spare_runners import put_aside, spare
+from .starts.start import closed_start
+from .times import Span, span
+
+LARGE = 1600  # pairs of speeds, as in a chain of 40: more are derived for minutes
+
+
+@checked
+def simulate(
+    model: LoadedModel,
+    t: float | ArrayLike | None = None,
+    *,
+    t_eval: ArrayLike | None = None,
+    x0: ArrayLike | None = None,
+    q: Values | ArrayLike | None = None,
+    u: Values | ArrayLike | None = None,
+    z: Values | ArrayLike | None = None,
+    events: Mapping[str, Any] | None = None,
+    method: str | GeneralizedAlpha | Alpha = "auto",
+    rtol: float = 1e-6,
+    atol: float | None = None,
+    step: float | None = None,
+    max_step: float | None = None,
+    inputs: Mapping[str, Any] | None = None,
+    sample: float | None = None,
+    checkpoint: str | Path | None = None,
+    every: float = 10.0,
+    check: bool = False,
+    progress: bool | Callable[[float], None] | None = None,
+) -> Trajectory:
+    """Integrate the equations of motion.
+
+    Args:
+        model: The compiled model.
+        t: End time (from 0), ``(start, end)`` (backward too), or an array of output times [s].
+            With an end or a pair the result is dense. A tuple or list of two is a pair; an array
+            of two is refused: ``t_eval`` takes it.
+        x0: Initial state (nx,); or by names:
+        q, u: Initial coordinates and speeds, ``{"elbow": 0.3, "base": [1, 0, 0, 0, 0, 0, 1]}``
+            or arrays (nq,), (nu,). What is not named comes from q0 and u0 of its joint, else 0;
+            of a system with circuits it is assembled next to that, see ``model.assemble``.
+        z: Initial internal states of elements, ``{"motor.current": 0.1}`` or an array (nz,).
+        events: Name -> what to watch, besides the events of the model: ``f(t, x)`` or
+            ``("elbow", 0.5)``. The run ends where that passes zero, or the coordinate, speed or
+            internal state the value; ``(what, "mark")`` only notes it. ``"down"`` or ``"up"`` as
+            a further word says which way, along the run.
+        method: Name of an integrator, such as ``"DOP853"``, ``"RK45"``, ``"RKMK853"``,
+            ``"Radau"``, ``"Rosenbrock"`` (adaptive), ``"RK4"``, ``"EnergyMidpoint"``,
+            ``"EnergyMomentum"`` (fixed step), or a :class:`cardan.GeneralizedAlpha`; ``"auto"``
+            takes what the scene and the first steps ask for, and says why.
+        rtol, atol: Tolerances of a step: rtol |x| + atol, root mean square over the state; of
+            generalized-alpha on nodes (rtol + atol) times the extent of the motion, of angles 1.
+            atol follows rtol unless given: 1e-3 rtol, at most 1e-9.
+        step: Step of fixed methods and of generalized-alpha, first one of others [s].
+        max_step: Largest step of an adaptive method [s]; past functions 1/1000 of the span.
+        inputs: Name -> constant, ``(times, values)`` (straight lines between; a time twice is a
+            jump; a cubic spline where the input prescribes a motion) or ``f(t, x)``.
+        sample: Time between two calls of the ``f(t, x)`` [s]; their values are held in between.
+            Without it they are called at every stage of every step.
+        checkpoint: A file that keeps what is computed, ``every`` so many seconds of computing. The
+            same call goes on from there, to the bit.
+        check: Raise instead of warn when the run does not reach its end, or misses more than its
+            tolerance is worth (``docs/integrators.md``, "What a run accounts for").
+        progress: True, False or a function of the fraction done; None: a bar in long runs.
+
+    Returns:
+        The motion; ``motion.events`` says what happened. If the run breaks down, or at Ctrl-C: what
+        was computed, with ``status``, ``message`` and a :class:`~cardan.errors.SolveWarning`, as
+        where energy, momentum or closure miss a hundred times what the tolerance is worth.
+
+    Raises:
+        ModelError: an unknown name, an empty span, options that do not fit.
+        ArgumentError: wrong shapes. FunctionError: yours failed; ``motion`` is what was computed.
+        SolveError: a number that is not finite; with ``check``, an early end.
+    """
+    over = span(t, t_eval)
+    begin = start(model, x0, q, u, z)
+    may = happenings(model, events)
+    may.forward(over.start, over.end)
+    how = settings(method, rtol, atol, step, max_step, over.length)
+    given = signals(model.manifest.inputs, inputs, sample, (over.start, over.end))
+    how = watched(how, given, over.length, max_step)
+    begin = closed_start(model, begin, *blocks(x0, q, u), over.start, r := given.first(over.start))
+    check_start(model, begin.x, over.start, r)
+    case = case_of(model, rtol, over, given, may) if method == "auto" else None
+    with run_file(checkpoint, every, model, how, given, may, over, begin) as file:
+        motion = _settled(model, how, given, may, over, begin, case, progress, file)
+    return _told(motion, check)
+
+
+def _told(motion: Trajectory, check: bool) -> Trajectory:
+    """The motion, with warnings of an early end and of what it cannot account for."""
+    said = [] if motion.success else [motion.message]
+    said += [motion.conduct.warning] if motion.conduct.warning else []
+    if said and check:
+        raise SolveError("; ".join(said))
+    for text in said:
+        warn(text, SolveWarning)
+    return motion
+
+
+def _settled(
+    model: LoadedModel,
+    how: Settings,
+    given: Signals,
+    may: Happenings,
+    over: Span,
+    begin: Start,
+    case: Case | None,
+    progress: bool | Callable[[float], None] | None,
+    file: RunFile | None,
+) -> Trajectory:
+    """The motion by the method asked for, or by that which its first steps ask for."""
+    first = chosen(how, case)
+    if file is not None and file.method not in ("", first.method.name):
+        # that was settled before the run was left
+        first = replace(how, method=INTEGRATORS[file.method], reason=file.reason)
+        case = None
+    try:
+        runner = runner_of(model, first, given, may)
+        motion = driven(runner, over, begin, progress, case, file)
+        if case is None or not given_up(case, first.method.name, motion.status):
+            put_aside(runner)
+            return motion
+        raise Limited(case)
+    except Limited as found:
+        if file is not None:
+            file.begin()
+        runner = runner_of(model, chosen(how, found.case), given, may)
+        return driven(runner, over, begin, progress, None, file)
+
+
+def case_of(model: LoadedModel, rtol: float, over: Span, given: Signals, may: Happenings) -> Case:
+    """What ``method="auto"`` chooses from."""
+    periods = [float(tick.period) for tick in may.ticks]
+    if given.functions and given.sample is not None:
+        periods.append(given.sample)
+    return Case(
+        rtol=rtol,
+        period=min(periods, default=None),
+        length=over.length,
+        derived=JACOBIAN in model.manifest.available,
+        asked=bool(given.functions),
+        elements=model.manifest.absolute,
+        beams=bool(model.manifest.beams),
+    )
+
+
+def chosen(how: Settings, case: Case | None) -> Settings:
+    """Settings with the method of a choice, if there is one."""
+    if case is None:
+        return how
+    rule = choose(case)
+    return replace(how, method=INTEGRATORS[rule.method], reason=rule.why)
+
+
+def runner_of(
+    model: LoadedModel, how: Settings, given: Signals, may: Happenings = NOTHING
+) -> Runner:
+    """What runs a model.
+
+    Raises:
+        ModelError: the model lacks a function that the method or its events need.
+    """
+    method, words = suited(model, how.method)
+    how = replace(how, method=method, words=f"{words}, {how.words}" if words else how.words)
+    how = _without_costly(model, how)
+    left = spare(model, how, given, may)
+    if left is not None:
+        return left
+    available = model.manifest.available
+    power = "power" in available
+    needs = [(f"method '{how.method.name}'", name) for name in how.method.needs]
+    needs += [("a run with events", name) for name in may.functions]
+    for what, name in needs:
+        if name not in available:
+            cure = f"cd.compile(..., functions=[..., '{name}'])"
+            cure = model.manifest.absent.get(name, cure)
+            if model.manifest.absolute and name not in OF_ELEMENTS:
+                cure = "absolute coordinates offer none; method='GeneralizedAlpha' needs none"
+            raise ModelError(
+                f"{what} needs the function '{name}', which model '{model.name}' lacks: {cure}"
+            )
+    called = ["rhs", *(["power"] if power else []), *Closing.of(model).functions]
+    called += [name for _, name in needs]
+    # side by side, as all must be compiled; by energy is told what the run cannot account for
+    model.prepare(*called, *(["energy"] if power and "energy" in available else []))
+    runner = Runner(model, how, given, power, may)
+    if runner.interpreted:
+        words = f"{how.words}, the model in Python as there is no C compiler: {CURE}"
+        runner.settings = replace(how, words=words)
+    return runner
+
+
+def driven(
+    runner: Runner,
+    over: Span,
+    begin: Start,
+    progress: bool | Callable[[float], None] | None,
+    case: Case | None = None,
+    file: RunFile | None = None,
+) -> Trajectory:
+    """Drive the run to its end and collect what came out.
+
+    Raises:
+        Limited: another method would be chosen, and less than half of the run is done.
+        FunctionError: a function of the caller raised; it has the motion until then.
+        SolveError: there is no memory for its rows.
+    """
+    kept, problem, full = Kept(runner), None, False
+    runner.loosen(begin.slack)
+    runner.want(over.times, dense=over.times is None)
+    clock = time.perf_counter()
+    with showing(progress, runner.model.name) as show, runner.interruptible():
+        try:
+            answer = _loop(runner, over, begin, kept, show, case, file)
+        except FunctionError as raised:
+            answer, problem = abi.INPUT, raised
+            kept.take()
+        except MemoryError:
+            # told below, where what was half done has gone
+            answer, full = abi.SIZE, True
+    milliseconds = 1e3 * (time.perf_counter() - clock)
+    told = ("function_failed", str(problem)) if problem else explain(runner, answer, over)
+    if file is not None and answer == abi.STOPPED:
+        told = told[0], f"{told[1]} in {file.path}, and the same call goes on from there"
+    motion = None
+    while motion is None:
+        told = kept.halt(over) if full else told
+        try:
+            motion = kept.motion(over, begin, told, milliseconds)
+        except MemoryError:
+            full = True
+    missed = excess(motion, runner.settings, begin.slack)
+    motion = replace(motion, conduct=replace(motion.conduct, warning=missed)) if missed else motion
+    if problem is not None:
+        problem.motion = motion
+        raise problem
+    return motion
+
+
+def _loop(
+    runner: Runner,
+    over: Span,
+    begin: Start,
+    kept: Kept,
+    show: Callable[[float], None],
+    case: Case | None,
+    file: RunFile | None,
+) -> int:
+    """Go on until the run is over. Returns the last answer of the kernels."""
+    stops = stops_of(runner.model, runner.signals, over.start, over.end)
+    answer = runner.start(over.start, begin.x, stops)
+    if file is not None and answer >= 0:
+        known = file.go_on(runner, kept)
+        if known in (abi.DONE, abi.EVENT):
+            return known
+    for said in runner.slices() if answer >= 0 and answer != abi.STOPPED else ():
+        answer = said
+        if answer != abi.MORE:
+            kept.take()
+        if file is not None:
+            file.note(runner, kept, answer)
+        done = abs(runner.record.t - over.start) / over.length
+        if case is not None and done < 0.5:
+            reconsider(case, runner, over, begin.x)
+        show(min(1.0, done))
+    return answer
+
+
+def speed_pairs(manifest: Manifest) -> int:
+    """Pairs of speeds of which one moves what the other moves: entries of M that are not 0."""
+    size = {row.child: row.u[1] for row in manifest.joints if row.u is not None}
+    parent = {row.child: row.parent for row in manifest.joints}
+    count = 0
+    for body, own in size.items():
+        count += own * own
+        above, seen = parent.get(body), {body}
+        while above is not None and above not in seen:
+            seen.add(above)
+            count += 2 * own * size.get(above, 0)
+            above = parent.get(above)
+    return count
+
+
+def _without_costly(model: LoadedModel, how: Settings) -> Settings:
+    """Settings of a method that differences what a large model would derive for minutes."""
+    found = [name for name in how.method.differenced if name in how.method.needs]
+    if not found or speed_pairs(model.manifest) <= LARGE:
+        return how
+    needs = tuple(name for name in how.method.needs if name not in found)
+    words = f"{how.words}, {' and '.join(found)} by differences as the model is large"
+    return replace(how, method=replace(how.method, needs=needs), words=words)

@@ -1,0 +1,1 @@
+"""Consistent states at which runs start."""

@@ -1,0 +1,324 @@
+"""Where a run of elements in tables starts: the joints are assembled, nodes and beams go along.
+
+Loops that joints alone do not close are closed by all nodes: beams bend then, and what is named is
+held all the same.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from contextlib import suppress
+from typing import Any
+
+import numpy as np
+
+from ....arrays import Array
+from ....errors import ModelError
+from ....runtime.models.constraint_projection import size_of
+from ....runtime.models.finite_elements import table_loading
+from ....runtime.models.finite_elements.assembled import Assembled
+from ....runtime.models.initial import entries
+from ....runtime.models.loaded_model import LoadedModel
+from ...mechanisms.branch_crossing import refuse_singular
+from ...mechanisms.consistent_rates import speeds
+from ...mechanisms.nearest_position import NEARLY, assembled
+from ...mechanisms.nodal_mechanism import NodalMechanism
+from ...mechanisms.position_solver import missed
+from ...mechanisms.targets import read
+from .strain_limits import warn_of_strain
+
+MOST = 60
+CLOSED, GOOD = 1e-12, 1e-9  # gaps against the size of the scene: sought, and good enough
+
+
+def meshed_start(model: LoadedModel, x: Array, q: Any, u: Any, t: float, r: Array) -> Array:
+    """A state (nx,) whose constraints hold, named coordinates and speeds kept as they are.
+
+    Args:
+        model: In absolute coordinates.
+        x: The start as it was named, with defaults.
+        q, u: As the user gave them.
+        t, r: Time and inputs.
+
+    Raises:
+        ModelError: no state near it fulfills the constraints.
+
+    Warns:
+        SolveWarning: beams are strained beyond what materials bear.
+    """
+    start = _Start(model, x, q, u, t, r)
+    place, carried = start.place()
+    speed = start.speed(place, carried)
+    found = np.concatenate([place, speed, start.internal])
+    warn_of_strain(model, found)
+    return found
+
+
+def start_of_search(
+    model: LoadedModel, x: Array, q: Any, hold: Mapping[str, Any], t: float, r: Array
+) -> Array:
+    """A state (nx,) at which a search for rest begins.
+
+    Args:
+        model, x, t, r: As :func:`meshed_start` takes them.
+        q: Where the search is to begin, as the user gave it; a whole block stays what it is but
+            for what constraints change.
+        hold: Coordinates that are held.
+
+    Raises:
+        ModelError: no state near it fulfills the constraints.
+    """
+    names = {**q, **hold} if isinstance(q, Mapping) else hold
+    start = _Start(model, x, names, None, t, r)
+    place = None
+    if q is None or isinstance(q, Mapping):
+        with suppress(ModelError):
+            place = start.place()[0]
+    if place is None:
+        place = start.by_nodes(start.q0, _held(model, hold, "q"))
+    return np.concatenate([place, start.u0, start.internal])
+
+
+class _Start:
+    """What is named of a start, and where it leads.
+
+    Args: as :func:`meshed_start` takes them.
+    """
+
+    def __init__(self, model: LoadedModel, x: Array, q: Any, u: Any, t: float, r: Array) -> None:
+        self.model = model
+        self.q0, self.u0, self.internal = (part.copy() for part in model.parts_of(x))
+        self.given = {"t": t, "r": r, "z": self.internal}
+        self.q, self.u = _named(model, q, "q"), _named(model, u, "u")
+        kept = [*_own_nodes(model, self.q, "q"), *_own_nodes(model, self.u, "u")]
+        self.m = NodalMechanism(model, t, r, kept, self.q0)
+        self.scale = max(size_of(model), float(np.abs(self.q0).max(initial=0.0)), 1e-9)
+
+    # positions
+
+    def place(self) -> tuple[Array, bool]:
+        """Coordinates, and whether nodes are where the joints carry them."""
+        if self.q is None:
+            return self._near(self.q0), False
+        begin = self.m.carry(self.q0)
+        names = {k: v for k, v in self.q.items() if not self._kept(k, "q")}
+        self.m.nodes_named = any(self._nodal(name, "q") for name in names)
+        if self._gap(begin) <= CLOSED * self.scale and not self._missed(names, begin):
+            return begin, True
+        goals = read(self.m, names)
+        try:
+            return self.m.carry(assembled(self.m, goals, begin).q), True
+        except ModelError as problem:
+            if not table_loading.tables_of(self.model).beams:
+                raise
+            return self._bent(names, begin, problem)
+
+    def _bent(
+        self, names: Mapping[str, Any], begin: Array, problem: ModelError
+    ) -> tuple[Array, bool]:
+        """As :meth:`place` where beams cannot stay as they are."""
+        if self.m.linked and self.m.links:
+            loose = self.m.unlinked()
+            try:
+                return loose.carry(assembled(loose, read(loose, names), begin).q), True
+            except ModelError:
+                pass
+        held = _held(self.model, self.q, "q")
+        try:
+            found = self.by_nodes(begin, held)
+        except ModelError:
+            raise problem from None
+        if any(np.abs(missed(self.m, goal, found)).max() > GOOD for goal in read(self.m, names)):
+            # what is named cannot be held, and is not replaced
+            raise problem
+        return self.m.nearest(found, begin), False
+
+    def _missed(self, names: Mapping[str, Any], q: Array) -> bool:
+        """Whether something named or a beam is missed, or an axis is turned round."""
+        m = self.m
+        open_by = np.abs(m.residuals(q)).max(initial=0.0)
+        off = [np.abs(missed(m, goal, q)).max() for goal in read(m, names)]
+        return bool(max([open_by, *off]) > GOOD) or bool(m.turned(q))
+
+    def _near(self, q: Array) -> Array:
+        """Coordinates that were all given, closed to the last digits."""
+        gaps = self._gaps(q)
+        worst = int(np.abs(gaps).argmax()) if len(gaps) else 0
+        if len(gaps) and abs(gaps[worst]) > NEARLY * self.scale:
+            row = self.model.manifest.multipliers[worst]
+            raise ModelError(
+                f"q: all coordinates are given, and '{row.name}' stays open by "
+                f"{abs(gaps[worst]):.3g}. Name only those that are to be held: the others follow"
+            )
+        return self.by_nodes(q, np.zeros(self.model.nu))
+
+    def _gaps(self, q: Array) -> Array:
+        found: Array = self.model._evaluate(
+            ("constraints", None), (self.given["t"], q, self.given["r"]), None, None
+        )
+        return found
+
+    def _gap(self, q: Array) -> float:
+        return float(np.abs(self._gaps(q)).max(initial=0.0))
+
+    def by_nodes(self, q: Array, held: Array) -> Array:
+        """Newton's steps of all coordinates but those held along a speed.
+
+        Raises:
+            ModelError: some constraint stays open.
+        """
+        place, speed, gap = q.copy(), np.zeros(self.model.nu), np.inf
+        positions = sum(row.level == "position" for row in self.model.manifest.multipliers)
+        if not positions:
+            return place
+        for _ in range(MOST):
+            found = self._closed("close_position", place, speed, held)
+            last, gap = gap, float(np.abs(found[len(q) :]).max(initial=0.0))
+            good = gap <= GOOD * self.scale and gap >= 0.5 * last
+            if gap <= CLOSED * self.scale or good:
+                return place
+            place = found[: len(q)]
+            _normalize(self.model, place)
+        raise ModelError(_open(self.model, found[len(q) :]))
+
+    # speeds
+
+    def speed(self, q: Array, carried: bool) -> Array:
+        """Speeds of everything at a position.
+
+        Raises:
+            ModelError: speeds that cannot hold together.
+        """
+        if self.u is None:
+            return self._near_speeds(q)
+        names = {k: v for k, v in self.u.items() if not self._kept(k, "u")}
+        if carried:
+            # beams take up what the speeds of their ends differ by
+            m = self.m.unlinked()
+            if m.closing.rows:
+                refuse_singular(m, q)
+            try:
+                found = m.state(q, speeds(m, q, names, self.u0))[1]
+                # nodes that beams alone hold have the speeds that were named
+                own = [self.model.speeds.index(n) for n in _own_nodes(self.model, self.u, "u")]
+                found[own] = self.u0[own]
+                return found
+            except ModelError:
+                if not table_loading.tables_of(self.model).beams:
+                    raise
+        u = self.m.state(q, self.u0)[1] if carried else self.u0
+        held = _held(self.model, self.u, "u")
+        found = self._closed("close_velocity", q, u, held)[: self.model.nu]
+        off = np.abs(found - u)[held != 0].max(initial=0.0)
+        if off > GOOD * max(1.0, float(np.abs(u).max(initial=0.0))):
+            raise ModelError(
+                f"speeds of {', '.join(f'{name!r}' for name in self.u)} cannot hold together. "
+                "Leave one of them out"
+            )
+        self._check_rates(q, found, ", ".join(f"'{name}'" for name in self.u) or "all joints")
+        return found
+
+    def _near_speeds(self, q: Array) -> Array:
+        """Speeds that were all given, made consistent to the last digits."""
+        u = self.u0
+        rates, size = self._rates(q, u), max(1.0, float(np.abs(u).max(initial=0.0)))
+        worst = int(np.abs(rates).argmax()) if len(rates) else 0
+        if len(rates) and abs(rates[worst]) > NEARLY * self.scale * size:
+            row = self.model.manifest.multipliers[worst]
+            raise ModelError(
+                f"u: all speeds are given, and joint '{row.joint}' would come apart at "
+                f"{abs(rates[worst]):.3g} in '{row.name}'. Name only those that are to be held: "
+                "the others follow"
+            )
+        return self._closed("close_velocity", q, u, np.zeros(self.model.nu))[: self.model.nu]
+
+    def _rates(self, q: Array, u: Array) -> Array:
+        found: Array = self.model._evaluate(
+            ("constraint_rates", None), (self.given["t"], q, u, self.given["r"]), None, None
+        )
+        return found
+
+    def _check_rates(self, q: Array, u: Array, said: str) -> None:
+        """Refuse speeds that constraints do not allow."""
+        rates = self._rates(q, u)
+        worst = int(np.abs(rates).argmax()) if len(rates) else 0
+        size = self.scale * max(1.0, float(np.abs(u).max(initial=0.0)))
+        if len(rates) and abs(rates[worst]) > GOOD * size:
+            row = self.model.manifest.multipliers[worst]
+            raise ModelError(
+                f"speeds of {said} cannot hold together: joint '{row.joint}' would come apart "
+                f"at {abs(rates[worst]):.3g} in '{row.name}'. Leave one of them out"
+            )
+
+    # names
+
+    def _kept(self, name: str, letter: str) -> bool:
+        return bool(_own_nodes(self.model, {name: 0.0}, letter))
+
+    def _nodal(self, name: str, letter: str) -> bool:
+        """Whether a name belongs to a node that joints carry."""
+        place = entries(self.model.manifest, letter)[name]
+        return place.start not in set(self.m.led.tolist())
+
+    def _closed(self, name: str, q: Array, u: Array, held: Array) -> Array:
+        source = self.model._source
+        assert isinstance(source, Assembled)
+        return source.results(self.model).closed(name, q, u, held, self.given)
+
+
+def _named(model: LoadedModel, given: Any, letter: str) -> Mapping[str, Any] | None:
+    """What was named; None where every entry was given."""
+    if given is not None and not isinstance(given, Mapping):
+        return None
+    places = entries(model.manifest, letter)
+    size = {"q": model.nq, "u": model.nu}[letter]
+    known = {k for name in given or {} for k in range(*places[name].indices(size))}
+    return None if len(known) == size else given or {}
+
+
+def _own_nodes(model: LoadedModel, named: Mapping[str, Any] | None, letter: str) -> list[str]:
+    """Entries of names that belong to nodes which beams alone hold: they stay where they are."""
+    if not named:
+        return []
+    tables, manifest = table_loading.tables_of(model), model.manifest
+    inside = sum(len(line) - 2 for line in tables.beams)
+    free = {*manifest.elements.beam_nodes, *range(len(tables.kind) - inside, len(tables.kind))}
+    starts = tables.q if letter == "q" else tables.u
+    own = {k for place in free for k in range(starts[place], starts[place + 1])}
+    places = entries(manifest, letter)
+    names = model.coordinates if letter == "q" else model.speeds
+    given = {k for name in named for k in range(places[name].start, places[name].stop)}
+    return [names[k] for k in sorted(own & given)]
+
+
+def _held(model: LoadedModel, named: Any, letter: str) -> Array:
+    """1 for the speeds (nu,) along which nothing may change."""
+    held = np.zeros(model.nu)
+    if not isinstance(named, Mapping) or not named:
+        return held
+    places = entries(model.manifest, letter)
+    sizes = {"q": model.nq, "u": model.nu}[letter]
+    known = {k for name in named for k in range(*places[name].indices(sizes))}
+    for joint in model.manifest.joints:
+        (start, count), (first, speeds) = joint.slot("q"), joint.slot("u")
+        if letter == "u":
+            held[[k for k in range(first, first + speeds) if k in known]] = 1.0
+        elif known & set(range(start, start + count)):
+            own = count == speeds
+            held[[first + k for k in range(speeds) if not own or start + k in known]] = 1.0
+    return held
+
+
+def _normalize(model: LoadedModel, q: Array) -> None:
+    entries = np.array(model.manifest.quaternions, dtype=np.intp)[:, None] + np.arange(4)
+    q[entries] /= np.linalg.norm(q[entries], axis=1)[:, None]
+
+
+def _open(model: LoadedModel, gaps: Array) -> str:
+    """What cannot be closed."""
+    k = int(np.argmax(np.abs(gaps)))
+    row = model.manifest.multipliers[k]
+    return (
+        f"the start cannot be assembled: '{row.name}' stays open by {abs(gaps[k]):.3g}. "
+        f"Name other coordinates of the loop of joint '{row.joint}', or fewer"
+    )

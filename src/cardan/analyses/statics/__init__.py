@@ -1,0 +1,1 @@
+"""Equilibria, load paths and their stability."""

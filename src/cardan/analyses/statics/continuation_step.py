@@ -1,0 +1,185 @@
+"""One step of a load path: where the tangent leads, and whether what is found there belongs to it.
+
+Newton's method converges to other branches without saying so. What it found is taken for the
+branch that is followed where it lies no further from what the tangent predicts than the place
+where the step began, where the same holds for the way back, and where the number of directions in
+which the stiffness pushes away is the same. A critical load that is passed changes that number too:
+steps are halved until they are so short that it is a place on the way and no other branch.
+
+Source: R. Seydel, Practical Bifurcation and Stability Analysis (2010), sections 4.2, 4.5 and 5.2
+(predictors, step control, test functions).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...arrays import Array
+from ...errors import SolveError
+from .newton import Search
+from .rest_stability import Standing, stand
+from .static_problem import Load, Point, Problem
+
+# corrections above this multiple of the predicted step and this part of the reach lead to another
+# branch; below these none is seen: anywhere, and where the number of unstable directions changes
+AHEAD, JUMP = 1.0, 0.1
+FLOOR, ROUNDED = 1e-4, 1e-7
+
+
+@dataclass(frozen=True, eq=False)
+class Place:
+    """A place of a path.
+
+    Attributes:
+        s: Part of the path that leads there.
+        point: Where it rests.
+        standing: How.
+        side: Its number that is another one beyond a critical load; the last one that was known.
+        dead: The same of the system under dead loads in place of what is prescribed.
+        free: Whether something was loose where the path began, in either system: then rounding
+            counts on neither side; elsewhere an eigenvalue that small passes 0.
+    """
+
+    s: float
+    point: Point
+    standing: Standing
+    side: int | None
+    dead: int | None
+    free: tuple[bool, bool]
+
+
+@dataclass(frozen=True, eq=False)
+class Crossing:
+    """Where a path passed a critical load.
+
+    Attributes:
+        before, after: Places next to it on both sides; of a limit load ``after`` lies on it.
+        of: ``"held"``: the system as it is followed; ``"dead load"``: as it stands under dead
+            loads in place of displacements that are prescribed, and is not followed; ``"limit"``:
+            the load beyond which there is no equilibrium.
+    """
+
+    before: Place
+    after: Place
+    of: str = "held"
+
+    @property
+    def lost(self) -> bool:
+        """Whether it stands less stably behind it."""
+        sides = (self.side(self.after) or 0, self.side(self.before) or 0)
+        return self.of == "limit" or sides[0] > sides[1]
+
+    @property
+    def kind(self) -> str:
+        """``"flutter"`` where an oscillation begins or ceases to grow, else ``"divergence"``."""
+        both = (self.standing(place) for place in (self.before, self.after))
+        return "flutter" if any(standing.frequency for standing in both) else "divergence"
+
+    @property
+    def direction(self) -> Array:
+        """The direction (nu,), without units, in which the stiffness gives way."""
+        return self.standing(self.after).direction
+
+    def standing(self, place: Place) -> Standing:
+        """How the system that it is about stands at a place."""
+        own = self.of == "held"
+        return place.standing if own else place.standing.under_dead_load
+
+    def side(self, place: Place) -> int | None:
+        """The number of that system which changes here."""
+        return place.side if self.of == "held" else place.dead
+
+
+@dataclass(frozen=True, eq=False)
+class Step:
+    """What the stiffness at a place predicts under another load.
+
+    Attributes:
+        problem: Of what.
+        start: Where it begins.
+        way: Predicted unknowns (nu + nz,), without units; None where the stiffness holds nothing
+            or leads further than that means something.
+        point: Where a search begins.
+    """
+
+    problem: Problem
+    start: Place
+    way: Array | None
+    point: Point
+
+    def off(self, point: Point) -> tuple[float, float]:
+        """How far a position is from what was predicted, and how far it may be."""
+        most = JUMP * self.problem.system.reach
+        moved = self.problem.step(self.start.point, point)[0]
+        if self.way is None:
+            return _size(moved), most
+        return _size(moved - self.way), min(AHEAD * _size(self.way), most)
+
+    def follows(self, point: Point) -> bool:
+        """Whether a position belongs to the branch that is followed."""
+        off, most = self.off(point)
+        return off <= most + FLOOR
+
+    def returns(self, there: Place, load: Load) -> bool:
+        """Whether the way back from a place leads to where the step began, under its load."""
+        return ahead(self.problem, there, load).follows(self.start.point)
+
+    def reached(self, s: float, found: Search, standing: Standing) -> Place:
+        """The place where a search ended; numbers that are not known there are the last known."""
+        return placed(s, found.point, standing, self.start)
+
+    def crosses(self, there: Place) -> bool:
+        """Whether a critical load lies on the way to a place."""
+        return _differ(self.start.side, there.side)
+
+    def crossings(self, there: Place) -> list[Crossing]:
+        """Critical loads that lie on the way to a place."""
+        pairs = (("held", self.start.side, there.side), ("dead load", self.start.dead, there.dead))
+        wanted = pairs if there.standing.dead is not None else pairs[:1]
+        return [Crossing(self.start, there, of) for of, *sides in wanted if _differ(*sides)]
+
+    def surely(self, point: Point) -> bool:
+        """Whether a position belongs to the branch though a critical load lies on the way."""
+        off, most = self.off(point)
+        return off <= most + ROUNDED
+
+
+def first(problem: Problem, found: Search, load: Load) -> Place:
+    """Where a path begins."""
+    return placed(0.0, found.point, stand(problem, found.point, load), None)
+
+
+def placed(s: float, point: Point, standing: Standing, last: Place | None) -> Place:
+    """The place where a system stands like that; ``last``: the one before, None of the first."""
+    both = (standing, standing.under_dead_load)
+    if last is None:
+        # what is loose at first, such as an upright column without load, stands on neither side
+        side, dead = (None if one.loose else one.side for one in both)
+        return Place(s, point, standing, side, dead, (bool(both[0].loose), bool(both[1].loose)))
+    pairs = zip(both, last.free, (last.side, last.dead), strict=True)
+    known = [(one.side if free else one.signed, before) for one, free, before in pairs]
+    side, dead = (before if now is None else now for now, before in known)
+    return Place(s, point, standing, side, dead, last.free)
+
+
+def _differ(before: int | None, after: int | None) -> bool:
+    return before is not None and after is not None and before != after
+
+
+def ahead(problem: Problem, start: Place, load: Load) -> Step:
+    """The step from a place to another load, along the tangent."""
+    point = problem.under(start.point, load)
+    try:
+        force, gap = problem.residual(point, load)
+        x, y = problem.system.saddle.solve(*problem.tangent(point, load), -force, -gap)
+    except SolveError:
+        return Step(problem, start, None, point)
+    if not _size(x) <= problem.system.reach:
+        return Step(problem, start, None, point)
+    return Step(problem, start, x, problem.under(problem.moved(point, x, y, load), load))
+
+
+def _size(step: Array) -> float:
+    return float(np.abs(step).max(initial=0.0))

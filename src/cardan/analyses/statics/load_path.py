@@ -1,0 +1,121 @@
+"""What a load path changes: parameters, inputs, held coordinates and time, from start to end."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from ...arrays import Array
+from ...errors import ArgumentError, ModelError, SolveError, near, shown
+from ..systems.dynamic_system import Contract
+from .static_problem import Load
+
+TIME = "t"
+
+
+@dataclass(frozen=True, eq=False)
+class Loading:
+    """Loads along a path from 0 to 1.
+
+    Attributes:
+        system: What is loaded.
+        base: What stays.
+        swept: Name -> values (n,), evenly over the path; n is 2 for a range.
+        kinds: Name -> ``"parameter"``, ``"input"``, ``"hold"`` or ``"t"``.
+        stations: Where rows are wanted (n,), None for wherever steps end.
+    """
+
+    system: Contract
+    base: Load
+    swept: Mapping[str, Array]
+    kinds: Mapping[str, str]
+    stations: Array | None
+
+    def values(self, s: float) -> dict[str, float]:
+        """Swept values at a place of the path."""
+        return {
+            name: float(np.interp(s, np.linspace(0, 1, len(column)), column))
+            for name, column in self.swept.items()
+        }
+
+    def at(self, s: float) -> Load:
+        """The load at a place of the path."""
+        load, r = self.base, self.base.r.copy()
+        parameters, hold = dict(load.parameters or {}), dict(load.hold)
+        t = load.t
+        for name, value in self.values(s).items():
+            kind = self.kinds[name]
+            if kind == "parameter":
+                parameters[name] = value
+            elif kind == "input":
+                r[self.system.inputs.index(name)] = value
+            elif kind == "hold":
+                hold[name] = value
+            else:
+                t = value
+        return replace(load, t=t, r=r, parameters=parameters or None, hold=hold)
+
+
+def loading(
+    system: Contract, known: Mapping[str, str], base: Load, swept: Mapping[str, Any],
+    hold: Mapping[str, Any],
+) -> Loading:  # fmt: skip
+    """A load path out of what a user wrote.
+
+    Args:
+        system: What is loaded.
+        known: Name -> kind of everything that can be swept.
+        base: What stays.
+        swept: Name -> (start, end) or values (n,).
+        hold: Coordinate -> the same.
+
+    Raises:
+        ModelError: nothing is swept, or an unknown name.
+        ArgumentError: values of a wrong shape or different numbers of them.
+        SolveError: values that are not finite.
+    """
+    if not swept and not hold:
+        raise ModelError(
+            "statics: say what is swept, from where to where, such as statics(P=(0, 10)). "
+            f"{near('', known).strip()}"
+        )
+    columns, kinds = dict[str, Array](), dict[str, str]()
+    for name, values in swept.items():
+        if name not in known:
+            raise ModelError(
+                f"statics: there is no parameter or input '{name}' to sweep; coordinates are "
+                f"swept by hold={{'...': (0, 1)}}.{near(name, known)}"
+            )
+        columns[name], kinds[name] = column(f"statics: {name}", values), known[name]
+    for name, values in hold.items():
+        system.place(name)
+        if name in columns:
+            raise ModelError(f"statics: '{name}' is swept and held: leave one out")
+        columns[name], kinds[name] = column(f"statics: {name}", values), "hold"
+    counts = {name: len(column) for name, column in columns.items()}
+    if len(set(counts.values())) > 1:
+        said = ", ".join(f"'{name}' has {n}" for name, n in counts.items())
+        raise ArgumentError(f"statics: all that is swept goes together: {said} values")
+    n = next(iter(counts.values()))
+    base = replace(base, prescribed=tuple(hold))
+    return Loading(system, base, columns, kinds, None if n == 2 else np.linspace(0, 1, n))
+
+
+def column(name: str, values: Any, count: int = 2) -> Array:
+    """Values of one name, checked; two of them are the ends of ``count``.
+
+    Raises:
+        ModelError: they are no numbers in a row.
+    """
+    try:
+        found = np.asarray(values, dtype=np.float64)
+    except (TypeError, ValueError):
+        found = np.zeros(())
+    if found.ndim != 1 or len(found) < 2:
+        raise ArgumentError(f"{name}={shown(values)}: give (start, end), or values (n,)")
+    if not np.isfinite(found).all():
+        raise SolveError(f"{name}={shown(values)}: they must be finite")
+    return found if len(found) > 2 else np.linspace(found[0], found[1], count)

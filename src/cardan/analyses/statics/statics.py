@@ -1,0 +1,269 @@
+"""Static loading: a system followed through loads that change, in steps that suit it.
+
+Each step starts where the tangent leads, and is halved where Newton's method does not get there or
+ends on another branch. What stops it is a limit point or a bifurcation, and is told so: the last
+position is kept. Where the path goes on though it is no longer stable, that is told too.
+
+Source: M. A. Crisfield, Non-linear Finite Element Analysis of Solids and Structures 1 (1991),
+section 9.5 (automatic increments).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ...arguments import Count, Hold, checked
+from ...arrays import Array
+from ...errors import ModelError, SolveError, SolveWarning, warn
+from ...runtime.trajectory.solver_info import FINISHED
+from ..systems.dynamic_system import Contract, contract_of
+from .continuation_step import Crossing, Place, Step, ahead, first
+from .critical_load import limit_load
+from .equilibrium import DIRECT, WAYS, Equilibrium, missed, read, record
+from .load_path import TIME, Loading, loading
+from .newton import Search, rest
+from .rest_stability import holdable, stand, words
+from .settling import held, settled
+from .static_path import StaticPath
+from .static_problem import Problem
+
+STEPS = 10
+GOOD = 5  # iterations after which the next step may be longer
+SMALLEST = 2.0**-20
+SHORT = 2.0**-6  # steps in which critical loads are passed; of those that are asked for
+
+
+@checked
+def statics(
+    model: Any,
+    swept: Mapping[str, Any] | None = None,
+    *,
+    steps: Count = STEPS,
+    q: Mapping[str, ArrayLike] | ArrayLike | None = None,
+    hold: Hold | None = None,
+    inputs: Mapping[str, float] | None = None,
+    parameters: Mapping[str, float] | None = None,
+    t: float = 0.0,
+    check: bool = False,
+    **named: Any,
+) -> StaticPath:
+    """Equilibria under loads that change: ``model.statics(P=(0, 10))``.
+
+    Args:
+        model: The compiled model.
+        swept, named: Parameter or input (or ``t``) -> (start, end), in steps of the program's
+            choice, or values (n,), each of which becomes a row. Several go together.
+        steps: Rows of a range, more where the way is hard.
+        q: Coordinates to start from, by name or (nq,).
+        hold: Coordinate -> value that it keeps, or what is swept: displacements are prescribed.
+        inputs, parameters: Values by name that stay, else those of the model.
+        t: Time [s], where something is prescribed.
+        check: Raise where the end is not reached, instead of warning.
+
+    Returns:
+        The path as far as it goes, or came before Ctrl-C. Where it became unstable a warning says
+        so, between which loads; ``crossings`` and ``critical()`` tell the places.
+
+    Raises:
+        ModelError: unknown names, nothing swept. ArgumentError: values of a wrong shape.
+        SolveError: no equilibrium at the start; with ``check``, none further on.
+    """
+    system = contract_of(model)
+    if not isinstance(steps, int) or steps < 1:
+        raise ModelError(f"statics: steps={steps!r}: a number of steps, at least 1")
+    if not isinstance(hold, Mapping | None) or not isinstance(swept, Mapping | None):
+        raise ModelError("statics: hold= and what is swept go by name, such as P=(0, 10)")
+    moved = {n: v for n, v in (hold or {}).items() if np.ndim(v) > 0}
+    still = {n: v for n, v in (hold or {}).items() if n not in moved}
+    base = read(system, still, inputs, parameters, t)
+    way = loading(system, _known(model), base, {**(swept or {}), **named}, moved)
+    rows, crossed = list[tuple[float, Equilibrium]](), list[Crossing]()
+    try:
+        failure = _follow(model, Problem(system), way, q, steps, rows, crossed)
+        status = "singular" if failure else FINISHED
+    except KeyboardInterrupt:
+        if not rows:
+            raise
+        status = "interrupted"
+        failure = f"interrupted behind {_said(way, rows[-1][0])}; what was computed is kept"
+    changed = _changed(system, way, crossed)
+    found = StaticPath.of(way, rows, crossed, status, failure)
+    if failure and check:
+        raise SolveError(failure)
+    for said in filter(None, (changed, failure)):
+        warn(said, SolveWarning)
+    return found
+
+
+def _known(model: Any) -> dict[str, str]:
+    """What can be swept."""
+    return {
+        **dict.fromkeys(model.parameters, "parameter"),
+        **dict.fromkeys(model.inputs, "input"),
+        TIME: "t",
+    }
+
+
+def _follow(
+    model: Any,
+    problem: Problem,
+    way: Loading,
+    q: Any,
+    steps: int,
+    rows: list[tuple[float, Equilibrium]],
+    crossed: list[Crossing],
+) -> str:
+    """Note places of the path and equilibria there, and critical loads; why it ended early."""
+    load = way.at(0.0)
+    start = settled(problem, problem.begin(load, q), load, WAYS)
+    if not start.converged:
+        raise SolveError(
+            f"statics, at the start ({_said(way, 0.0)}): {missed(problem.system, start, load)}"
+        )
+    here = first(problem, start, load)
+    places = [here]
+    rows.append((0.0, record(model, problem, start, load, here.standing)))
+    for goal in _goals(way, steps):
+        length = goal - here.s
+        while here.s < goal:
+            s = min(goal, here.s + length)
+            s = goal if goal - s < 1e-12 else s
+            load = way.at(s)
+            step = ahead(problem, here, load)
+            found = held(problem, here.point, load, rest(problem, step.point, load, DIRECT))
+            shortest = 0.5 * length < SMALLEST / steps
+            there = _reached(step, found, way, s, length * steps <= SHORT, shortest)
+            if there is not None:
+                crossed += step.crossings(there)
+                here = there
+                places.append(here)
+                length *= 1.5 if found.iterations <= GOOD else 1.0
+                if way.stations is None or s == goal:
+                    rows.append((s, record(model, problem, found, load, there.standing)))
+                continue
+            length *= 0.5
+            if shortest:
+                limit = limit_load(problem, way, places[0], here)
+                if limit is not None:
+                    # what balances beyond it does so within rounding alone
+                    most = max(limit.s, 0.0)
+                    here = [place for place in places if place.s <= most][-1]
+                    rows[:] = [row for row in rows if row[0] <= most]
+                    crossed[:] = [one for one in crossed if one.after.s <= most]
+                    crossed.append(Crossing(here, limit, "limit"))
+                return _stopped(problem.system, way, here, found, limit)
+    return ""
+
+
+def _reached(
+    step: Step, found: Search, way: Loading, s: float, short: bool, shortest: bool
+) -> Place | None:
+    """The place that was found; None where it is none of the path, or the step is too long."""
+    if not found.converged or not step.follows(found.point):
+        return None
+    there = step.reached(s, found, stand(step.problem, found.point, way.at(s)))
+    if shortest:
+        return there
+    # critical loads are passed in short steps, for other branches not to be taken for this one
+    if step.crosses(there) and not (short and step.surely(found.point)):
+        return None
+    return there if step.returns(there, way.at(step.start.s)) else None
+
+
+def _goals(way: Loading, steps: int) -> Iterator[float]:
+    """Places that are reached exactly, in their order."""
+    places = np.linspace(0, 1, steps + 1) if way.stations is None else way.stations
+    yield from places[1:].tolist()
+
+
+def _said(way: Loading, s: float) -> str:
+    return ", ".join(f"{name} = {value:.6g}" for name, value in way.values(s).items())
+
+
+def _stopped(
+    system: Contract, way: Loading, last: Place, found: Search, limit: Place | None
+) -> str:
+    """Where and why a path ended, and what to do."""
+    moving = words(system, found.motion)
+    where = f", along {moving}" if moving else ""
+    beyond, asked = _said(way, last.s), _said(way, 1.0)
+    ended = f"no equilibrium next to the last one beyond {beyond} (asked: {asked})"
+    if last.standing.loose:
+        free = " and ".join(last.standing.loose)
+        name = holdable(system, found.motion, way.base.hold)
+        cure = f", or hold it: hold={{'{name}': value}}" if name else ""
+        return f"{ended}: nothing holds {free} there. Begin where loads or springs hold it{cure}"
+    if limit is not None:
+        return (
+            f"{ended}: the stiffness gives way{where} at the limit point {_said(way, limit.s)}, "
+            "the largest load that equilibria lead to. The path up to there is kept"
+            f"{_onward(system, way, limit.standing.direction)}"
+        )
+    if not np.isfinite(last.standing.least):
+        # nothing is left to have a stiffness
+        modes = system.labels(last.point.at.s).items()
+        by = ", ".join(f"'{name}' ({label})" for name, label in modes)
+        along = f" along {moving}" if moving else ""
+        return (
+            f"{ended}: all motion is held there by {by or 'constraints'}, which bear no more"
+            f"{along}. The path up to there is kept; from there on it moves: simulate()"
+        )
+    return (
+        f"{ended}: the stiffness gives way there{where} (lowest eigenvalue "
+        f"{last.standing.least:.3g} J): a limit point, a bifurcation, or the "
+        "end of what the mechanism can reach. The path up to there is kept"
+        f"{_onward(system, way, last.standing.direction)}"
+    )
+
+
+def _onward(system: Contract, way: Loading, motion: Array) -> str:
+    """What leads on where a path along loads, or prescribed displacements, ended."""
+    prescribed = [name for name, kind in way.kinds.items() if kind == "hold"]
+    name = holdable(system, motion, (*way.base.hold, *prescribed))
+    if not name:
+        return ""
+    what = "another displacement leads" if prescribed else "prescribed displacements lead"
+    return f"; {what} on: hold={{'{name}': (start, end)}}"
+
+
+def _changed(system: Contract, way: Loading, crossed: list[Crossing]) -> str:
+    """Where stability changed on a path that goes on, and what to do; "" where it did not."""
+    changed = [crossing for crossing in crossed if crossing.of == "held"]
+    if not changed:
+        return ""
+    told = next((crossing for crossing in changed if crossing.lost), changed[0])
+    said = [_change(system, way, told)]
+    others = [crossing for crossing in changed if crossing is not told]
+    if others:
+        spans = "; ".join(_span(way, crossing) for crossing in others)
+        said.append(f"Stability changes also between {spans}.")
+    return " ".join([*said, "path.critical() finds the load" + ("s" if others else "")])
+
+
+def _change(system: Contract, way: Loading, crossing: Crossing) -> str:
+    """A change of stability, as sentences."""
+    span = f"from a load between {_span(way, crossing)} on"
+    moving = words(system, crossing.direction)
+    frequency = crossing.standing(crossing.after).frequency
+    sides = (crossing.side(place) for place in (crossing.before, crossing.after))
+    if not crossing.lost:
+        many = "{} instead of {}".format(*reversed([*sides]))
+        return f"it stands more stably {span}: unstable in {many} directions along {moving}."
+    if frequency:
+        return (
+            f"unstable {span}: forces that follow the motion feed an oscillation of "
+            f"{frequency:.6g} rad/s, which grows (flutter). The path goes on as it began."
+        )
+    return (
+        f"unstable {span}: the stiffness gives way along {moving}. The path goes on as it began, "
+        "where the system would leave it; a small load aside, or a shape that is not perfect, "
+        "leads onto the branch that it takes."
+    )
+
+
+def _span(way: Loading, crossing: Crossing) -> str:
+    return f"{_said(way, crossing.before.s)} and {_said(way, crossing.after.s)}"

@@ -1,0 +1,1 @@
+"""DynamicSystem, which every analysis works on, and its two implementations."""

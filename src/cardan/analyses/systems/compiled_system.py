@@ -1,0 +1,149 @@
+"""What contracts of compiled models share: names, units, values given by name."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Mapping
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...arrays import Array
+from ...errors import ArgumentError, ModelError, SolveError, near
+from ...runtime.models.initial import entries, missing, start_of
+from ...runtime.models.loaded_model import LoadedModel
+from ...runtime.models.named_rotations import component
+from .dynamic_system import Moment, Parameters
+
+
+class Modeled(ABC):
+    """A compiled model with the names that analyses ask for.
+
+    Attributes:
+        model: The model.
+        Others: as :class:`cardan.analyses.systems.dynamic_system.Contract` has them.
+    """
+
+    def __init__(self, model: LoadedModel, positions: int, size: float) -> None:
+        """Args:
+        model: Compiled.
+        positions: Number of constraints of positions, which come first.
+        size: Length against which displacements count [m].
+        """
+        manifest = model.manifest
+        self.model, self.name, self.size = model, model.name, size
+        self.coordinates, self.speeds = model.coordinates, model.speeds
+        self.internals, self.inputs = model.internals, model.inputs
+        rows = manifest.multipliers
+        self.multipliers = tuple(str(row.name) for row in rows)
+        self.outputs = tuple(str(row.name) for row in manifest.outputs)
+        self.owners = tuple(str(row.of or row.joint or row.name) for row in manifest.speeds)
+        self.positions = np.arange(positions)
+        units = [row.unit for row in manifest.speeds]
+        self.columns = np.array([size if name == "m/s" else 1.0 for name in units])
+        self.rows = np.array([size if row.unit == "N" else 1.0 for row in rows])
+
+    @property
+    @abstractmethod
+    def increments(self) -> tuple[str, ...]:
+        """As :meth:`Contract.increments`."""
+
+    def started(self, q: Any, hold: Mapping[str, Any], p: Parameters) -> tuple[LoadedModel, Array]:
+        """The model with these parameters, and the state x (nx,) at rest that q and hold name."""
+        model = self.model.with_parameters(dict(p)) if p else self.model
+        named = q if isinstance(q, Mapping) else {}
+        if q is not None and not isinstance(q, Mapping):
+            array = model._vector("q", q)
+            if array.shape != (model.nq,):
+                raise ArgumentError(f"q has shape {array.shape}, expected ({model.nq},)")
+            named = dict(zip(model.coordinates, array.tolist(), strict=True))
+        # a whole joint that is started from gives way to what is held of it
+        for joint, place in entries(model.manifest, "q").items():
+            own = {model.coordinates[k]: k - place.start for k in range(place.start, place.stop)}
+            if joint in named and joint not in own and set(own) & set(hold):
+                values = np.ravel(np.asarray(named[joint], dtype=np.float64))
+                named = {n: v for n, v in named.items() if n != joint}
+                named |= {n: values[k] for n, k in own.items() if n not in hold}
+        return model, start_of(model, {**named, **hold}, {})[0]
+
+    @cached_property
+    def modes(self) -> Array:
+        """Modes of elements as they start (ns,)."""
+        rows = self.model.manifest.s
+        return np.array([row.default or 0.0 for row in rows], dtype=np.float64)
+
+    @cached_property
+    def events(self) -> tuple[tuple[str, str, str], ...]:
+        """As :meth:`Contract.events`."""
+        rows = self.model.manifest.events
+        return tuple((row.element, row.kind, row.beyond) for row in rows)
+
+    @cached_property
+    def sign_units(self) -> tuple[str, ...]:
+        """As :meth:`Contract.sign_units`; models saved earlier do not tell."""
+        return tuple(row.unit for row in self.model.manifest.events)
+
+    def labels(self, s: Array) -> dict[str, str]:
+        """As :meth:`Contract.labels`."""
+        rows = zip(self.model.manifest.s, s, strict=True)
+        return {row.name: row.labels.get(str(int(x)), f"{x:g}") for row, x in rows}
+
+    def signs(self, at: Moment) -> Array:
+        """As :meth:`Contract.signs`."""
+        found: Array = self.model.events(at.q, at.u, **self._given(at))
+        return found
+
+    def behind(self, at: Moment, fired: NDArray[np.bool_]) -> Array:
+        """As :meth:`Contract.behind`."""
+        model = self.model
+        found = model.transition(at.q, at.u, fired.astype(float), **self._given(at))
+        return np.asarray(found[len(found) - model.ns :])
+
+    @staticmethod
+    def _given(at: Moment) -> dict[str, Any]:
+        return {"t": at.t, "r": at.r, "z": at.z, "s": at.s, "parameters": at.parameters}
+
+    def given_inputs(self, named: Any) -> Array:
+        """As :meth:`Contract.given_inputs`."""
+        found: Array = self.model._vector("r", {} if named is None else named)
+        if found.shape != (self.model.nr,):
+            raise ArgumentError(
+                f"inputs have shape {found.shape}, expected ({self.model.nr},): "
+                f"{', '.join(self.inputs)}"
+            )
+        if not np.isfinite(found).all():
+            raise SolveError(f"inputs {named}: they must be finite")
+        return found
+
+    def changed(self, values: Mapping[str, float]) -> Parameters:
+        """As :meth:`Contract.changed`."""
+        if values:
+            self.model.with_parameters(dict(values))
+        return dict(values) or None
+
+    @cached_property
+    def places(self) -> dict[str, tuple[int, int]]:
+        """As :meth:`Contract.places`."""
+        speeds = {name: k for k, name in enumerate(self.speeds)}
+        told = enumerate(self.model.manifest.speeds)
+        speeds |= {f"{row.of}.u": k for k, row in told if row.of}
+        known = set(self.coordinates)
+        pairs = ((n, k, speeds.get(f"{n}.u")) for k, n in enumerate(self.coordinates))
+        found = {name: (k, speed) for name, k, speed in pairs if speed is not None}
+        # parts of joints with several speeds, and positions of nodes
+        own = enumerate(self.increments)
+        parts = {name: (self.coordinates.index(name), k) for k, name in own if name in known}
+        return {**parts, **found}
+
+    def place(self, name: str) -> tuple[int, int]:
+        """As :meth:`Contract.place`."""
+        known = self.places
+        if name not in known:
+            words = f".{near(name, known)}"
+            manifest = self.model.manifest
+            if component(manifest, name) or name not in entries(manifest, "q"):
+                words = ": " + missing(manifest, "q", name, known)
+            raise ModelError(f"hold: '{name}' is not a coordinate that can be held{words}")
+        return known[name]

@@ -1,0 +1,352 @@
+"""Steady motions in absolute coordinates: beams go along rigidly with what carries them.
+
+A beam whose strains stay as they are moves as a rigid body: its nodes, and bodies clamped to it,
+share one twist V = (omega, v) of what is at the origin of the ground. With joints as constraints
+
+    u = T(q) V,   G u + g_t = 0,   udot = T V' + (0, omega x v of every node),   G udot = gamma
+
+determine speeds and their rates from those that are given: speeds of other joints are 0, and stay.
+An observer who turns along sees all of it at rest. In his axes displacements d and rotations e
+(those in axes of the bodies) obey d' = dv - omega x d and e' = dw - w x e, and dv' + omega x dv
+has the place of accelerations; tangent matrices, which no rigid motion changes, are constant.
+
+Source: M. Géradin, A. Cardona, Flexible Multibody Dynamics (2001), chapters 2 and 11; G. Genta,
+Dynamics of Rotating Systems (2005), chapter 2 (rotating observer).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any, final
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.sparse import coo_array, csr_array
+from scipy.sparse.csgraph import connected_components
+from scipy.spatial.transform import Rotation
+
+from ...arrays import Array
+from ...runtime.models.finite_elements.frames import rotation
+from ...runtime.models.finite_elements.tables import Integers, Tables
+from ...runtime.verification.rotations import cross_matrix
+from ..statics.static_problem import scaled
+from .saddle_point import RANK, split
+
+ALIKE = 1e-9  # twists that differ by less, of the largest, are one
+
+
+@dataclass(frozen=True, eq=False)
+class _Nodes:
+    """Nodes of one sort, in space or in a plane.
+
+    Attributes:
+        places: Their places (n,).
+        columns: Their speeds (n, k).
+        spread: Speeds in space by their own (n, 6, k).
+    """
+
+    places: Integers
+    columns: Integers
+    spread: Array
+
+
+@dataclass(frozen=True, eq=False)
+class Motion:
+    """How nodes stand and move, all of them in the order of :attr:`Carriage.nodes`.
+
+    Attributes:
+        R, p: Rotations (n, 3, 3) and positions (n, 3).
+        w, omega, v: Angular velocities in axes of the nodes and of the ground, velocities (n, 3).
+    """
+
+    R: Array
+    p: Array
+    w: Array
+    omega: Array
+    v: Array
+
+    @property
+    def twists(self) -> Array:
+        """Angular velocities, and velocities of what is at the origin (n, 6), ground axes."""
+        return np.concatenate([self.omega, self.v - np.cross(self.omega, self.p)], axis=1)
+
+
+@final
+class Carriage:
+    """What is carried along in the steady motions of a model.
+
+    Args:
+        tables: Its places.
+        beams: Name of the beam of every line of the tables.
+        leading: Whether a speed is that of a joint (nu,): those are told, the others follow.
+        columns, rows: Units of speeds (nu,) and of constraints (m,).
+        size: That of displacements.
+    """
+
+    def __init__(
+        self,
+        tables: Tables,
+        beams: Sequence[str],
+        leading: NDArray[np.bool_],
+        columns: Array,
+        rows: Array,
+        size: float,
+    ) -> None:
+        self.tables, self.leading = tables, leading
+        self._columns, self._rows = columns, rows
+        self._size = size
+        self.cluster, self.names, self._standing = _clusters(tables, beams)
+
+    @cached_property
+    def _sorts(self) -> tuple[_Nodes, ...]:
+        tables, found = self.tables, []
+        for flat, count in ((False, 6), (True, 3)):
+            places = tables.nodes(flat)
+            columns = tables.u[places][:, None] + np.arange(count)
+            spread = np.broadcast_to(np.eye(6), (len(places), 6, 6))
+            if flat:
+                planes = [tables.plane(k) for k in places]
+                own = [plane.spread for plane in planes if plane is not None]
+                spread = np.array(own).reshape(-1, 6, 3)
+            found.append(_Nodes(places, columns, spread))
+        return tuple(found)
+
+    @property
+    def nodes(self) -> Integers:
+        """Places that are nodes: those in space, then those of a plane."""
+        return np.concatenate([sort.places for sort in self._sorts])
+
+    def motion(self, q: Array, u: Array) -> Motion:
+        """How the nodes move."""
+        space, plane = self._sorts
+        poses = q[self.tables.q[space.places][:, None] + np.arange(7)]
+        flat = [self.tables.pose(q, int(k)) for k in plane.places]
+        poses = np.concatenate([poses, np.array(flat).reshape(-1, 7)])
+        R = rotation(poses[:, :4]).reshape(-1, 3, 3)
+        told = [np.einsum("nik,nk->ni", s.spread, u[s.columns]) for s in self._sorts]
+        w, v = np.split(np.concatenate(told), 2, axis=1)
+        return Motion(R, poses[:, 4:], w, np.einsum("nij,nj->ni", R, w), v)
+
+    # speeds that belong to given ones
+
+    def carrying(self, q: Array) -> csr_array:
+        """T (nu, k) without units: speeds by those that are told alone, and twists of clusters."""
+        tables, moved = self.tables, self.motion(q, np.zeros(self.tables.nu))
+        own = np.repeat(self.cluster, np.diff(tables.u)) < 0
+        alone = np.flatnonzero(own)
+        i, j, values = [alone], [np.arange(len(alone))], [np.ones(len(alone))]
+        blocks = _blocks(len(moved.p))
+        blocks[:, :3, :3] = moved.R.transpose(0, 2, 1)
+        blocks[:, 3:, :3] = -cross_matrix(moved.p) / self._size
+        blocks[:, 3:, 3:] = np.eye(3)
+        start = 0
+        for sort in self._sorts:
+            many = len(sort.places)
+            which = self.cluster[sort.places]
+            held = np.flatnonzero(which >= 0)
+            part = np.einsum("nik,nij->nkj", sort.spread, blocks[start : start + many])[held]
+            part[self._standing[which[held]]] = 0.0
+            rows = np.broadcast_to(sort.columns[held][:, :, None], part.shape)
+            first = len(alone) + 6 * which[held]
+            i.append(rows.ravel())
+            j.append(np.broadcast_to((first[:, None] + np.arange(6))[:, None], part.shape).ravel())
+            values.append(part.ravel())
+            start += many
+        # twists of the origin count in sizes, as displacements do
+        shape = (tables.nu, len(alone) + 6 * len(self.names))
+        entries = (np.concatenate(values), (np.concatenate(i), np.concatenate(j)))
+        return csr_array(coo_array(entries, shape))
+
+    def speeds(
+        self, q: Array, G: Any, drift: Array, rows: Integers, values: Array
+    ) -> tuple[Array, Array]:
+        """Speeds (nu,) that constraints allow, and what is left open of them and of given ones.
+
+        Args:
+            q: Coordinates (nq,).
+            G, drift: G (m, nu) and g_t (m,) of the constraints.
+            rows, values: Given speeds: places and values.
+        """
+        T = self.carrying(q)
+        hard = np.concatenate([(self._plain(G) @ T).toarray(), T[rows].toarray()])
+        right = np.concatenate([-drift / self._rows, values / self._columns[rows]])
+        wanted = T[self.leading].toarray()
+        found = _fit(hard, right, wanted, np.zeros(len(wanted)))
+        return (T @ found) * self._columns, hard @ found - right
+
+    def rates(self, q: Array, u: Array, G: Any, gamma: Array) -> Array:
+        """udot (nu,) of the steady motion with these speeds: those of joints stay as they are."""
+        T, moved = self.carrying(q), self.motion(q, u)
+        turning = np.zeros((len(moved.p), 6))
+        turning[self._carried, 3:] = np.cross(moved.omega, moved.v)[self._carried]
+        own = self._gathered(turning)
+        held = T[self.leading].toarray()
+        right = (gamma - G @ own) / self._rows
+        found = _fit(held, np.zeros(len(held)), (self._plain(G) @ T).toarray(), right)
+        return np.asarray(own + (T @ found) * self._columns)
+
+    def _plain(self, G: Any) -> Any:
+        """G without units."""
+        return scaled(csr_array(G), 1.0 / self._rows, self._columns)
+
+    # what moves with what
+
+    def apart(self, q: Array, u: Array) -> tuple[str, str] | None:
+        """Names of two beams that do not share one twist, None where all do."""
+        # the first node of every cluster; beams from ground to ground may have none
+        known, first = np.unique(self.cluster[self.nodes], return_index=True)
+        known, first = known[known >= 0], first[known >= 0]
+        if len(known) < 2:
+            return None
+        twists = self._told(self.motion(q, u))[first]
+        off = np.abs(twists - twists[0]).max(axis=1) > ALIKE * np.abs(twists).max()
+        worst = known[int(np.argmax(off))]
+        return (self.names[known[0]], self.names[worst]) if off.any() else None
+
+    def together(self, q: Array, u: Array) -> bool:
+        """Whether all nodes share one twist."""
+        twists = self._told(self.motion(q, u))
+        if not len(twists):
+            return False
+        return bool(np.abs(twists - twists[0]).max() <= ALIKE * np.abs(twists).max())
+
+    def _told(self, moved: Motion) -> Array:
+        """Twists without units (n, 6)."""
+        found: Array = moved.twists / np.repeat([1.0, self._size], 3)
+        return found
+
+    def turned(self, q: Array, u: Array, udot: Array) -> tuple[Array, Array, Array, float] | None:
+        """The motion a radian further: increments, speeds, their rates, and after what time.
+
+        None where not all nodes share one twist, or it changes, or nothing turns.
+        """
+        moved = self.motion(q, u)
+        turning = np.zeros((len(moved.p), 6))
+        turning[:, 3:] = np.cross(moved.omega, moved.v)
+        largest = float(np.abs(moved.omega).max(initial=0.0))
+        missed = np.abs((self._gathered(turning) - udot) / self._columns).max(initial=0.0)
+        if largest == 0 or not self.together(q, u) or missed > ALIKE * largest**2:
+            return None
+        tau = 1.0 / float(np.linalg.norm(moved.omega[0]))
+        turn = Rotation.from_rotvec(tau * moved.omega[0])
+        # a motion on a helix: along the axis, and around it
+        axis = tau * moved.omega[0]
+        along = np.outer(moved.v @ axis, axis)
+        around = np.cross(axis, turn.apply(moved.v) - moved.v)
+        steps = np.concatenate([tau * moved.w, tau * (along - around)], axis=1)
+        speeds = np.concatenate([moved.w, turn.apply(moved.v)], axis=1)
+        turning[:, 3:] = np.cross(moved.omega, speeds[:, 3:])
+        alone = np.ones(self.tables.nu)
+        alone[self._own] = 0.0
+        return (
+            self._gathered(steps) + tau * u * alone,
+            self._gathered(speeds) + u * alone,
+            self._gathered(turning),
+            tau,
+        )
+
+    @cached_property
+    def _own(self) -> Integers:
+        """Speeds of nodes."""
+        return np.concatenate([sort.columns.ravel() for sort in self._sorts])
+
+    @property
+    def _carried(self) -> NDArray[np.bool_]:
+        """Which nodes belong to a cluster (n,)."""
+        return np.asarray(self.cluster[self.nodes] >= 0)
+
+    # tangents
+
+    def following(self, q: Array, u: Array, udot: Array) -> tuple[csr_array, csr_array]:
+        """How speeds and their rates change along increments where all share one twist."""
+        moved = self.motion(q, u)
+        alpha = np.einsum("nij,nj->ni", moved.R, self.motion(q, udot).w)
+        first, second = _blocks(len(moved.p)), _blocks(len(moved.p))
+        turn = cross_matrix(moved.omega)
+        first[:, :3, :3], first[:, 3:, 3:] = cross_matrix(moved.w), turn
+        second[:, :3, :3] = cross_matrix(self.motion(q, udot).w)
+        second[:, 3:, 3:] = cross_matrix(alpha) + turn @ turn
+        return self._matrix(first), self._matrix(second)
+
+    def observer(self, q: Array, u: Array) -> tuple[csr_array, csr_array]:
+        """E and W (nu, nu): increments change at E e + v, and rates of speeds are v' + W v.
+
+        Displacements of nodes that go along with beams are those that one sees who turns along,
+        of all others those in ground axes.
+        """
+        moved = self.motion(q, u)
+        twists = self._told(moved)
+        along = np.zeros(len(twists), dtype=bool)
+        if len(self.names):
+            lead = twists[np.argmax(self._carried)]
+            along = np.abs(twists - lead).max(axis=1) <= ALIKE * np.abs(twists).max(initial=0.0)
+            along |= self._carried
+        E, W = _blocks(len(moved.p)), _blocks(len(moved.p))
+        E[:, :3, :3] = -cross_matrix(moved.w)
+        W[along, 3:, 3:] = cross_matrix(moved.omega)[along]
+        E[:, 3:, 3:] = -W[:, 3:, 3:]
+        return self._matrix(E), self._matrix(W)
+
+    # nodes in the places of the model
+
+    def _gathered(self, told: Array) -> Array:
+        """Speeds (nu,) of the model from those of nodes in space (n, 6)."""
+        found, start = np.zeros(self.tables.nu), 0
+        for sort in self._sorts:
+            part = told[start : start + len(sort.places)]
+            found[sort.columns] = np.einsum("nik,ni->nk", sort.spread, part)
+            start += len(sort.places)
+        return found
+
+    def _matrix(self, blocks: Array) -> csr_array:
+        """A matrix (nu, nu) of the model from those of nodes in space (n, 6, 6)."""
+        i, j, values, start = list[Any](), list[Any](), list[Array](), 0
+        for sort in self._sorts:
+            part = blocks[start : start + len(sort.places)]
+            part = np.einsum("nik,nij,njl->nkl", sort.spread, part, sort.spread)
+            i.append(np.broadcast_to(sort.columns[:, :, None], part.shape).ravel())
+            j.append(np.broadcast_to(sort.columns[:, None], part.shape).ravel())
+            values.append(part.ravel())
+            start += len(sort.places)
+        entries = (np.concatenate(values), (np.concatenate(i), np.concatenate(j)))
+        found = csr_array(coo_array(entries, (self.tables.nu, self.tables.nu)))
+        found.eliminate_zeros()
+        return found
+
+
+def _clusters(
+    tables: Tables, beams: Sequence[str]
+) -> tuple[Integers, list[str], NDArray[np.bool_]]:
+    """Of every place what moves as one body with it, -1 for none; a beam of each; which stand."""
+    count = len(tables.kind)
+    lines = [np.zeros(0, dtype=np.intp), *tables.beams]
+    first = [np.full(len(line), line[:1].sum()) for line in lines]
+    # the ground is one place more
+    ends = tuple(np.where(x < 0, count, x) for x in map(np.concatenate, (first, lines)))
+    graph = coo_array((np.ones(len(ends[0])), ends), (count + 1, count + 1))
+    label = connected_components(graph, directed=False)[1]
+    cluster, names = np.full(count, -1, dtype=np.intp), list[str]()
+    known: dict[int, int] = {}
+    for line, name in zip(tables.beams, beams, strict=True):
+        own = int(label[count if line[0] < 0 else line[0]])
+        if own not in known:
+            known[own] = len(names)
+            names.append(name)
+            cluster[label[:-1] == own] = known[own]
+    standing = np.array([own == label[count] for own in known], dtype=bool)
+    return cluster, names, standing
+
+
+def _fit(hard: Array, right: Array, wanted: Array, target: Array) -> Array:
+    """What fulfills equations, and others next to that as well as can be; the smallest of all."""
+    U, s, Z, V = split(hard)
+    found: Array = V @ ((U.T @ right) / s)
+    if len(wanted) and Z.shape[1]:
+        found = found + Z @ np.linalg.lstsq(wanted @ Z, target - wanted @ found, RANK)[0]
+    return found
+
+
+def _blocks(n: int) -> Array:
+    return np.zeros((n, 6, 6))

@@ -1,0 +1,177 @@
+"""Sparse systems with constraints whose unknowns come in blocks, by the solver of the runtime."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from hashlib import sha256
+from typing import final
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.sparse import coo_array, csr_array
+
+from ...arrays import Array, Booleans
+from ...errors import SolveError
+from ...runtime.sparse.block_solver import BlockSolver, solution, solver
+from ...runtime.sparse.plan import Plan, plan
+from ...runtime.sparse.systems import balanced
+from .saddle_point import Matrix, Singular
+
+Longs = NDArray[np.int64]
+KEPT = 4  # patterns: of searches and of eigenvalues
+MOTION = 1e-3  # of a direction without units: below this part nothing moves along it
+
+
+@dataclass(frozen=True, eq=False)
+class _Seen:
+    """A pattern that was planned.
+
+    Attributes:
+        plan: The plan.
+        order, place: Which unknown stands where in it, and where each unknown stands (n + m,).
+        at: Where the numbers of K, G and Gᵀ go in its values.
+    """
+
+    plan: Plan
+    order: Longs
+    place: Longs
+    at: Longs
+
+
+@final
+@dataclass(eq=False)
+class Blockwise:
+    """Factors [K Gᵀ; G 0] block by block; plans of the last patterns are kept.
+
+    Attributes:
+        places: First speed of every place, and how many there are (places + 1,). What comes behind
+            them, such as internal states, has places of its own.
+        massless: Which places may have nothing on their diagonal (places,).
+        elements: To which element every row of G belongs (m,). More rows stand for themselves.
+    """
+
+    places: NDArray[np.integer]
+    massless: Booleans
+    elements: NDArray[np.integer]
+    _seen: dict[bytes, _Seen] = field(default_factory=dict)
+    _plans: dict[bytes, Plan] = field(default_factory=dict)
+
+    def __call__(self, K: Matrix, G: Matrix) -> Callable[[Array], Array]:
+        """Solver of [K Gᵀ; G 0] for a right-hand side (n + m,), or several (n + m, k).
+
+        Raises:
+            Singular: nothing holds an unknown; the solver, where no solution exists.
+        """
+        seen, by = self._factors(csr_array(K), csr_array(G), False)
+        n = K.shape[0]
+
+        def solve(right: Array) -> Array:
+            sides = np.asarray(right, float)[seen.order].reshape(len(seen.order), -1)
+            try:
+                found = [solution(by, side) for side in sides.T]
+            except SolveError:
+                raise Singular(_motion(by, seen.place[:n])) from None
+            return np.stack(found, axis=1)[seen.place].reshape(np.shape(right))
+
+        return solve
+
+    def counted(self, K: Matrix, G: Matrix, symmetric: bool) -> tuple[int | None, float]:
+        """Eigenvalues below 0 of K on what G allows, and the sign of its determinant there.
+
+        By Sylvester's law the rows of G add as many eigenvalues below 0 as above, and their part of
+        the determinant has the sign (-1)^m.
+
+        Returns:
+            Their number, None where it is not known; 1, -1, or 0 where that is not known.
+        """
+        try:
+            _seen, by = self._factors(csr_array(K), csr_array(G), symmetric)
+        except Singular:
+            return None, 0.0
+        m, shifts = G.shape[0], by.shifts
+        # as long as the matrix is further from a singular one than from the one that was factored
+        if len(shifts) and not by.smallest()[0] > 2 * np.abs(shifts).max():
+            return None, 0.0
+        sign = by.determinant()[0]
+        if not symmetric:
+            return None, sign * (-1) ** m
+        _, negative, zero = by.inertia()
+        # pivots that were replaced count as zero
+        negative, zero = negative + int(np.sum(shifts < 0)), zero - len(shifts)
+        sure = zero == 0 and (-1) ** negative == sign
+        return (negative - m if sure else None), sign * (-1) ** m
+
+    def _factors(self, K: csr_array, G: csr_array, symmetric: bool) -> tuple[_Seen, BlockSolver]:
+        """How the pattern of K and G was planned, and the factors."""
+        parts = (K.indptr, K.indices, G.indptr, G.indices)
+        key = sha256(b"".join(part.tobytes() for part in parts)).digest()
+        if key not in self._seen:
+            if len(self._seen) == KEPT:
+                self._seen.clear()
+            self._seen[key] = self._look(K, G)
+        seen = self._seen[key]
+        values = np.bincount(
+            seen.at, np.concatenate([K.data, G.data, G.data]), seen.plan.pattern.values
+        ).astype(np.float64)
+        by = solver(seen.plan)
+        try:
+            by.factor(values, *balanced(seen.plan, values), symmetric=symmetric)
+        except SolveError:
+            raise Singular from None
+        return seen, by
+
+    def _blocks(self, n: int, m: int) -> Longs:
+        """The block of every unknown (n + m,)."""
+        count, known = len(self.places) - 1, int(self.places[-1])
+        speeds = np.repeat(np.arange(count), np.diff(self.places))
+        own = count + np.arange(n - known)
+        elements = np.unique(self.elements, return_inverse=True)[1]
+        rest = int(elements.max(initial=-1)) + 1 + np.arange(m - len(self.elements))
+        rows = count + (n - known) + np.concatenate([elements, rest])
+        return np.concatenate([speeds, own, rows]).astype(np.int64)
+
+    def _look(self, K: Matrix, G: Matrix) -> _Seen:
+        """Plan matrices of the pattern of K and G."""
+        n, m = K.shape[0], G.shape[0]
+        block = self._blocks(n, m)
+        order = np.argsort(block, kind="stable")
+        place = np.empty_like(order)
+        place[order] = np.arange(n + m)
+        block = block[order]
+        (down, across), (row, held) = (coo_array(x).coords for x in (K, G))
+        i = place[np.concatenate([down, n + row.astype(np.int64), held])]
+        j = place[np.concatenate([across, held, n + row.astype(np.int64)])]
+        nb = int(block[-1]) + 1 if len(block) else 0
+        pairs, pair = np.unique(block[i] * nb + block[j], return_inverse=True)
+        sizes = np.bincount(block, minlength=nb)
+        multiplier, massless = np.cumsum(sizes) > n, np.zeros(nb, bool)
+        massless[: len(self.massless)] = self.massless
+        coupled = np.stack(np.divmod(pairs, max(nb, 1)), 1)
+        key = pairs.tobytes() + sizes.tobytes() + n.to_bytes(8, "little")
+        if key not in self._plans:
+            through = _through_rows(coupled, multiplier)
+            self._plans.clear()
+            self._plans[key] = plan(sizes, [coupled, through], multiplier, massless)
+        made = self._plans[key]
+        matrix = made.pattern
+        known = matrix.rows.astype(np.int64) * nb + matrix.column
+        start = matrix.value[np.searchsorted(known, pairs)][pair]
+        at = start + (i - matrix.first[block[i]]) * matrix.stride[block[i]]
+        return _Seen(made, order, place, at + j - matrix.first[block[j]])
+
+
+def _through_rows(coupled: Longs, multiplier: Booleans) -> Longs:
+    """Blocks of speeds that meet in the rows of an element, which couples them."""
+    rows = coupled[multiplier[coupled[:, 0]]]
+    shape = (len(multiplier), len(multiplier))
+    held = coo_array((np.ones(len(rows)), (rows[:, 0], rows[:, 1])), shape).tocsr()
+    return np.stack((held.T @ held).nonzero(), 1).astype(np.int64)
+
+
+def _motion(by: BlockSolver, speeds: Longs) -> Array | None:
+    """The direction of speeds that is held least, None where rows contradict each other alone."""
+    found = by.smallest()[1]
+    motion = found[speeds]
+    moved, all_of_it = np.abs(motion).max(initial=0.0), np.abs(found).max(initial=0.0)
+    return motion / np.linalg.norm(motion) if moved > MOTION * all_of_it else None

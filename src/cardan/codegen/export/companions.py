@@ -1,0 +1,36 @@
+"""What goes along with exported C: files of ``kernels/``, and functions that runs call."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from ...schema.integrators import KERNELS
+from .. import layout
+from . import linkage
+
+# integrators by their files
+INTEGRATORS = {name: method for name, method in KERNELS.items() if not method.elements}
+# what a run calls beside rhs: of a closed system, of one with events
+CLOSING = (
+    *("close_position", "close_velocity", "constraint_jacobian"),
+    # what a start is judged by
+    *("constraints", "constraint_rates", "facing", "integrate", "difference", "qdot"),
+)
+HAPPENING = ("events", "transition")
+
+
+def needed(integrators: Iterable[str]) -> dict[str, None]:
+    """Functions of the model that integrators call beside rhs."""
+    return dict.fromkeys(name for one in integrators for name in INTEGRATORS[one].needs)
+
+
+def kernels(integrators: tuple[str, ...], elements: bool) -> dict[str, str]:
+    """Texts of the files that an export needs, by name.
+
+    Args:
+        integrators: Its methods.
+        elements: Whether it consists of elements in tables.
+    """
+    roots = ["export.c", *(["mesh_export.c"] if elements else [])]
+    roots += ["simulate.c", *(f"{one}.c" for one in integrators)] if integrators else []
+    return {name: layout.kernel(name) for name in linkage.closure(roots)}

@@ -1,0 +1,263 @@
+"""Export: a model as plain C that compiles alone, with a package for NumPy on top."""
+
+from __future__ import annotations
+
+import shutil
+import tempfile
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from ...equations.record import Equations
+from ...errors import CodegenError, DerivationError, near, shown
+from ...schema.c_functions import FunctionRow
+from ...schema.manifest import Manifest
+from .. import header, layout, manifest
+from ..header import Exported
+from ..languages import LANGUAGES, cython
+from ..sources import source
+from ..writing import generate
+from . import companions, model_file
+from . import prefix as prefixes
+from .model_file import Content
+from .readme import readme
+
+STANDARD = ("rhs", "forward_dynamics", "inverse_dynamics", "mass_matrix", "bias", "energy")
+# what building an export leaves in its directory
+PRODUCTS = ("build", "example", "*.o", "*.so", "*.egg-info", "__pycache__")
+DIGITS = 12
+FLAGS = ("-std=c99", "-O2", "-fno-math-errno")
+
+
+@dataclass(frozen=True)
+class Wanted:
+    """What both kinds of coordinates are asked for.
+
+    Attributes:
+        target: The directory.
+        language: ``"cython"`` or ``"c"``.
+        integrators: By their kernels.
+        reproducible: Whether flags forbid contraction.
+        prefix: Before all names.
+    """
+
+    target: Path
+    language: str
+    integrators: tuple[str, ...]
+    reproducible: bool
+    prefix: str
+
+    @classmethod
+    def checked(
+        cls,
+        directory: str | Path,
+        language: str,
+        integrators: Sequence[str],
+        reproducible: bool,
+        prefix: str,
+    ) -> Wanted:
+        """What was asked for, if it makes sense.
+
+        Raises:
+            CodegenError: an unknown word, a directory that holds other things.
+        """
+        target, methods = Path(directory).resolve(), tuple(name.lower() for name in integrators)
+        if language not in LANGUAGES:
+            raise CodegenError(f"language '{language}' does not exist.{near(language, LANGUAGES)}")
+        for name in methods:
+            if name not in companions.INTEGRATORS:
+                known = near(name, companions.INTEGRATORS)
+                raise CodegenError(f"integrators: '{name}' does not exist.{known}")
+        prefixes.check(prefix, language)
+        check(target)
+        return cls(target, language, methods, reproducible, prefix)
+
+
+def written(wanted: Wanted, fill: Callable[[Path], Content]) -> Path:
+    """Write an export; it appears whole or not at all.
+
+    Args:
+        wanted: What was asked for.
+        fill: Writes model and functions into a folder, and says what else there is.
+
+    Raises:
+        CodegenError: there is no room, or nothing may be written there.
+    """
+
+    def complete(folder: Path) -> None:
+        content = fill(folder)
+        layout.add_files(folder, _texts(layout.manifest_of(folder), wanted, content))
+        if wanted.prefix:
+            prefixes.add(folder, wanted.prefix)
+        (folder / layout.LOCK).unlink()
+
+    try:
+        replaced(wanted.target, complete)
+    except OSError as error:
+        why = error.strerror or error
+        raise CodegenError(
+            f"{wanted.target} cannot be written: {why}. Make room, or name another directory"
+        ) from error
+    return wanted.target
+
+
+def _texts(data: Manifest, wanted: Wanted, content: Content) -> dict[str, str]:
+    """Everything beside the functions, by file name."""
+    methods, functions, elements = wanted.integrators, content.functions, data.absolute
+    flags = (*FLAGS, f"-ffp-contract={'off' if wanted.reproducible else 'on'}")
+    line = f"cc {' '.join(flags)} -DCARDAN_EXAMPLE -o example *.c -lm && ./example"
+    package = cython.package(data) if wanted.language == "cython" else ""
+    headers = ["simulate.h" if methods else "export.h", *(["mesh_export.h"] if elements else [])]
+    files = companions.kernels(methods, elements)
+    files |= {
+        "functions.h": header.prototypes(data.name, functions, headers, content.declared),
+        "model.c": model_file.text(data, content, methods),
+        "example.c": f"/* Try it:  {line} */\n{source('example.c')}",
+        "README.md": readme(data, functions, line, bool(methods), package),
+        **content.files,
+    }
+    return files | (cython.files(data, flags) if package else {})
+
+
+def export(
+    equations: Equations,
+    directory: str | Path,
+    functions: Sequence[Any] | None = None,
+    language: str = "cython",
+    integrators: Sequence[str] = (),
+    reproducible: bool = False,
+    loops: bool | None = None,
+    prefix: str = "",
+) -> Path:
+    """Write C that needs nothing but a C compiler, and what makes it easy to use.
+
+    Args:
+        equations: What to write.
+        directory: A new or empty one, or an earlier export of cardan, which is replaced.
+        functions: Names such as ``"mass_matrix"``, or pairs such as ``("pose", "hand")``; by
+            default the dynamics and the energy, of a closed system also what closes it, of one
+            with events what happens.
+        language: ``"cython"`` adds a package for NumPy, ``"c"`` leaves it at C.
+        integrators: By their files, such as ``"dop853"``, ``"rk4"`` or ``"radau"``: their C comes
+            along, and ``example.c`` simulates.
+        reproducible: The flags written down forbid contraction: equal bits from every compiler.
+        loops: As :func:`cardan.compile` takes it.
+        prefix: Put before the names of all functions and data, such as ``"arm_"``: exports with
+            different prefixes can be linked into one program. With ``language="c"``.
+
+    Returns:
+        The directory. It appears whole or not at all.
+
+    Raises:
+        CodegenError: the directory holds other things; an unknown language or integrator.
+        DerivationError: an unknown function.
+    """
+    if not isinstance(functions, list | tuple | None):
+        raise CodegenError(f"functions={shown(functions)}: give a list such as ['rhs']")
+    for one in functions or ():
+        if not isinstance(one, str) and not (isinstance(one, tuple | list) and len(one) == 2):
+            raise CodegenError(f"functions: {shown(one)}: give names, or ('pose', 'hand')")
+    wanted = Wanted.checked(directory, language, integrators, reproducible, prefix)
+    asked = _asked(equations, functions, wanted.integrators)
+
+    def fill(folder: Path) -> Content:
+        layout.write_model(folder, manifest.base(equations, tuple(n for n, _ in asked)))
+        made = []
+        for name, of in asked:
+            function = equations.form(name, of, loops)
+            notes = equations.notes(name, of, function)
+            made.append((generate(function, equations.system.name, notes, of=of), function))
+        layout.add_functions(folder, made)
+        entries = layout.manifest_of(folder).functions
+        return Content(_ordered(entries), _closed(equations))
+
+    return written(wanted, fill)
+
+
+def _asked(
+    equations: Equations, functions: Sequence[Any] | None, integrators: tuple[str, ...]
+) -> list[tuple[str, str | None]]:
+    """Names of the functions to write, and to what they belong.
+
+    Raises:
+        DerivationError: one does not exist.
+    """
+    known = equations.names()
+    # equations that tell of no energy go without
+    usual = [name for name in STANDARD if name != "energy" or name in known]
+    asked = [(f, None) if isinstance(f, str) else tuple(f) for f in functions or usual]
+    if integrators or not functions:
+        # what keeps a closed system closed belongs to its dynamics
+        # trees start anywhere
+        closing = companions.CLOSING if equations.system.closed else ()
+        called = [n for n in (*closing, *companions.HAPPENING) if n in known]
+        more = (*(("rhs",) if integrators else ()), *called, *companions.needed(integrators))
+        asked += [(name, None) for name in more if (name, None) not in asked]
+    for name, _ in asked:
+        if name not in known:
+            raise DerivationError(f"function '{name}' does not exist.{near(name, known)}")
+    return asked
+
+
+def _ordered(entries: Mapping[str, FunctionRow]) -> dict[str, Exported]:
+    """Functions of the manifest; first one that no run calls beside rhs, if there is one."""
+    called = {*companions.CLOSING, *companions.HAPPENING}
+    called |= {*companions.needed(companions.INTEGRATORS)}
+    ordered = sorted(entries, key=called.__contains__)
+    return {name: Exported.of(entries[name]) for name in ordered}
+
+
+def _closed(equations: Equations) -> dict[str, list[float]]:
+    """Coordinates at which all circuits close, next to the initial ones, where there are any."""
+    found = equations.feasibility() if equations.system.closed else None
+    if found is None or not found.closes:
+        return {}
+    # as many digits as are the same on every machine; a run closes the rest
+    return {"q": [round(float(x), DIGITS) + 0.0 for x in found.q]}
+
+
+def replaced(target: Path, fill: Callable[[Path], None]) -> None:
+    """Fill a directory beside the target, then move it there in one step."""
+    target.parent.mkdir(parents=True, exist_ok=True)
+    scratch = Path(tempfile.mkdtemp(prefix=".cardan-", dir=target.parent))
+    try:
+        scratch.chmod(0o755)
+        fill(scratch)
+        if not target.exists():
+            scratch.rename(target)
+            return
+        # an earlier export goes only when the new one has its place
+        before = scratch.with_name(f"{scratch.name}-before")
+        target.rename(before)
+        try:
+            scratch.rename(target)
+        except BaseException:
+            before.rename(target)
+            raise
+        shutil.rmtree(before, ignore_errors=True)
+    except BaseException:
+        shutil.rmtree(scratch, ignore_errors=True)
+        raise
+
+
+def check(target: Path) -> None:
+    """Refuse to replace what is not ours.
+
+    Raises:
+        CodegenError: the target is a file, where we are, or a directory with other things in it.
+    """
+    if target == Path.cwd():
+        raise CodegenError(
+            f"{target} is where you are, and an export replaces its directory: name another one"
+        )
+    if target.exists() and not target.is_dir():
+        raise CodegenError(f"{target} is a file: name a directory to export to")
+    if target.is_dir():
+        names = {p.name for p in target.iterdir() if not any(map(p.match, PRODUCTS))}
+        foreign = sorted(names - layout.written(target)) if names else []
+        if foreign:
+            raise CodegenError(
+                f"directory {target} holds other things ({', '.join(foreign[:3])}): "
+                "name a new or empty one"
+            )

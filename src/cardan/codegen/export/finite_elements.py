@@ -1,0 +1,154 @@
+"""Export of a model whose elements stand in tables: C that compiles alone and simulates."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Any
+
+from ...equations.finite_elements.record import Absolute
+from ...equations.functions import blocks
+from ...errors import CodegenError, DerivationError, near
+from ...schema.integrators import Integrator
+from ...schema.planned import Planned
+from .. import layout
+from ..finite_elements import functions_header, model_folder, tables_header
+from ..sources import source
+from ..writing import generate
+from . import companions
+from .constants import Name
+from .export import Wanted, written
+from .model_file import Content
+
+# what a run calls; what the example shows
+CALLED, SHOWN = ("rhs", "balance", "move", "qdot", "close_position", "close_velocity"), "energy"
+# tolerances of ``simulate``: the method is none for many digits
+LOOSE = {"alpha": {"rtol": 1e-6, "atol": 1e-9}}
+
+
+def _called(method: Integrator) -> set[str]:
+    """Functions that a method calls of elements in tables."""
+    assembled = method.differenced if "assembled" in method.conditions else ()
+    return set(method.needs) - set(assembled)
+
+
+# methods that need no more than elements give
+METHODS = tuple(name for name, m in companions.INTEGRATORS.items() if _called(m) <= set(CALLED))
+
+
+def export(
+    absolute: Absolute,
+    directory: str | Path,
+    plan: Callable[[Path], Planned],
+    functions: Sequence[Any] | None = None,
+    language: str = "c",
+    integrators: Sequence[str] = (),
+    reproducible: bool = False,
+    prefix: str = "",
+) -> Path:
+    """Write C that needs nothing but a C compiler.
+
+    Args:
+        absolute: What to write.
+        directory: A new or empty one, or an earlier export of cardan, which is replaced.
+        plan: Folder of a model -> what is known of its matrices and its start.
+        functions: Names of functions of the whole model; all by default.
+        language: ``"c"``.
+        integrators: By their files, such as ``"alpha"`` or ``"dop853"``: their C comes along, and
+            ``example.c`` simulates.
+        reproducible: The flags written down forbid contraction: equal bits from every compiler.
+        prefix: Put before the names of all functions and data, such as ``"arm_"``: exports with
+            different prefixes can be linked into one program.
+
+    Returns:
+        The directory. It appears whole or not at all.
+
+    Raises:
+        CodegenError: the directory holds other things; an unknown language or integrator, or one
+            that elements in tables do not go with.
+        DerivationError: an unknown function.
+    """
+    wanted = Wanted.checked(directory, language, integrators, reproducible, prefix)
+    _check(absolute, wanted)
+    names = _asked(functions, wanted.integrators)
+
+    def fill(folder: Path) -> Content:
+        model_folder.write(folder, absolute, tuple(functions_header.WHOLE))
+        # what gives the data of elements by the parameters is C here too
+        commons = model_folder.commons(absolute)
+        if commons:
+            model = absolute.system.name
+            layout.add_functions(folder, [(generate(f, model=model), f) for f in commons])
+        entries, planned = layout.manifest_of(folder).functions, plan(folder)
+        nq, start = absolute.places.nq, planned.start.tolist()
+        calls = Name("&cardan_calls_of_elements")
+        return Content(
+            functions_header.exported(names, SHOWN),
+            {"q": start[:nq], "u": start[nq:]},
+            {
+                "mesh": Name("&mesh"),
+                "elements": Name("&elements"),
+                "calls": calls,
+                "size": planned.size,
+            },
+            planned.columns,
+            LOOSE,
+            functions_header.declared(absolute, entries, planned, names),
+            {
+                **{name: source(name) for name in ("elements.h", "elements.c")},
+                "tables.h": tables_header.tables(absolute, entries, planned),
+            },
+        )
+
+    return written(wanted, fill)
+
+
+def _check(absolute: Absolute, wanted: Wanted) -> None:
+    """Refuse what elements in tables do not go with.
+
+    Raises:
+        CodegenError: a package, a method that needs other functions, or internal states.
+    """
+    name = absolute.system.name
+    if wanted.language != "c":
+        raise CodegenError(
+            f"language '{wanted.language}': model '{name}' is in absolute coordinates, whose "
+            "elements are exported as C: language='c'. In Python use cardan.compile()"
+        )
+    for method in wanted.integrators:
+        if method not in METHODS:
+            raise CodegenError(
+                f"integrators: '{method}' needs functions that absolute coordinates do not have. "
+                f"Model '{name}' goes with {', '.join(METHODS)}"
+            )
+    if wanted.integrators and blocks.internals(absolute.system):
+        cure = "leave out what has them"
+        if not absolute.system.segments:
+            cure = "derive(scene, coordinates='relative')"
+        raise CodegenError(
+            f"integrators: model '{name}' has internal states, which no run in absolute "
+            f"coordinates takes: {cure}"
+        )
+
+
+def _asked(functions: Sequence[Any] | None, integrators: Sequence[str]) -> tuple[str, ...]:
+    """Names of the functions to write, in their usual order.
+
+    Raises:
+        DerivationError: one does not exist.
+    """
+    known = functions_header.WHOLE
+    asked = tuple(known) if functions is None else functions
+    for one in asked:
+        if not isinstance(one, str):
+            raise DerivationError(
+                f"function '{one[0]}' of '{one[1]}': exports of absolute coordinates have "
+                f"functions of the whole model only; poses of nodes are in q: {', '.join(known)}"
+            )
+        if one not in known:
+            raise DerivationError(
+                f"function '{one}' does not exist in exports of absolute coordinates."
+                f"{near(one, known)}"
+            )
+    needed = {*asked, SHOWN, *(CALLED if integrators else ())}
+    return tuple(name for name in known if name in needed)

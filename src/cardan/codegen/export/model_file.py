@@ -1,0 +1,158 @@
+"""``model.c``: values of a scene to start from, and all that a run must know as one constant."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+from ...schema.blocks import BLOCKS
+from ...schema.integrators import KERNELS
+from ...schema.manifest import Manifest
+from ...schema.rows import column
+from ..header import VALUES, Exported, array
+from ..program.naming import comment
+from .constants import Constants, Name, Value
+
+# where none are asked for: tolerances of a run, and the step of methods that choose none [s]
+TOLERANCES = {"rtol": 1e-9, "atol": 1e-12}
+STEP = 1e-3
+
+
+@dataclass(frozen=True)
+class Content:
+    """What an export of one kind of coordinates consists of.
+
+    Attributes:
+        functions: By name; the first is the one that the example shows.
+        start: Values to start from instead of those that the scene names, by block.
+        own: Fields of ``cardan_export``.
+        columns: What speeds count in (nu,); nothing: all in 1.
+        loose: Tolerances other than the usual ones, by method.
+        declared: More lines of ``functions.h``.
+        files: More files, by name.
+    """
+
+    functions: Mapping[str, Exported]
+    start: Mapping[str, Sequence[float]]
+    own: Mapping[str, Value] = field(default_factory=dict)
+    columns: Any = ()
+    loose: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
+    declared: Sequence[str] = ()
+    files: Mapping[str, str] = field(default_factory=dict)
+
+
+def text(manifest: Manifest, content: Content, integrators: Sequence[str]) -> str:
+    """The file.
+
+    Args:
+        manifest: Of the model.
+        content: Of the export.
+        integrators: Methods of the export, by their kernels.
+    """
+    functions, own, name = content.functions, content.own, comment(manifest.name)
+    c = Constants(
+        "/*",
+        f" * model.c: values of model '{name}' to start from; the model as one",
+        " * constant.",
+        " */",
+        f'#include "{"tables.h" if own.get("elements") else "functions.h"}"',
+    )
+    for block in VALUES:
+        values = content.start.get(block) or starts(manifest, block)
+        rows = manifest.block(block)
+        names = [row.name + (f" [{row.unit}]" if row.unit else "") for row in rows]
+        c.say(BLOCKS[block].meaning)
+        c.named(f"const double {array(block)}", values, map(comment, names))
+    for one in integrators:
+        c.lines.append(f"extern const cardan_method cardan_{one}_method;")
+    methods = [_method(one, {**TOLERANCES, **content.loose.get(one, {})}) for one in integrators]
+    quaternions = manifest.quaternions
+    c.say("all that a run must know of the model")
+    fields: dict[str, Value] = {
+        "name": manifest.name,
+        **{f"n{block}": len(manifest.block(block)) for block in VALUES if block != "p"},
+        "zeros": _zeros(manifest),
+        **{block: Name(f"cardan_default_{block}") for block in VALUES},
+        "functions": c.records("cardan_exported_function", "scene_functions", _rows(functions)),
+        "function_count": len(functions),
+        "methods": c.records("cardan_exported_method", "scene_methods", methods),
+        "method_count": len(methods),
+        "quaternions": c.numbers("quaternions", list(quaternions)),
+        "quaternion_count": len(quaternions),
+        **_constraints(manifest),
+        "size": 1.0,
+        "columns": c.numbers("columns", content.columns),
+        **(
+            _events(c, manifest) if integrators and {"events", "transition"} <= {*functions} else {}
+        ),
+        **own,
+    }
+    c.record("const cardan_export cardan_scene", fields)
+    return c.text
+
+
+def starts(manifest: Manifest, block: str) -> list[float]:
+    """Values of a block where the scene starts."""
+    values = [float(x) for x in column(manifest.block(block), "default")]
+    for joint in manifest.joints if block in "qu" else ():
+        first, initial = (joint.q, joint.q0) if block == "q" else (joint.u, joint.u0)
+        if first and initial:
+            values[first[0] : first[0] + len(initial)] = map(float, initial)
+    return values
+
+
+def _rows(functions: Mapping[str, Exported]) -> list[Value]:
+    rows: list[Value] = []
+    for own, entry in functions.items():
+        sizes = {k: Name(f"{own}_{k}_size") for k in entry.sizes}
+        row: dict[str, Value] = {"name": own, "function": Name(own), **sizes}
+        rows.append(row | ({"prepare": Name(f"prepare_{own}")} if "w" in sizes else {}))
+    return rows
+
+
+def _method(name: str, tolerances: Mapping[str, float]) -> Value:
+    known = KERNELS[name]
+    fixed = {} if known.adaptive else {"step": STEP}
+    return {
+        "name": name,
+        "method": Name(f"&cardan_{name}_method"),
+        **tolerances,
+        **fixed,
+        "charted": known.charted,
+    }
+
+
+def _zeros(manifest: Manifest) -> int:
+    """Length of what stands for everything that is zero."""
+    parts = sum(len(body.parts) for body in manifest.bodies)
+    blocks = (*map(manifest.block, "uqzs"), manifest.events, manifest.multipliers)
+    return max(6 * parts, 1, *map(len, blocks))
+
+
+def _constraints(manifest: Manifest) -> dict[str, Value]:
+    """Rows that runs keep closed, those of positions among them."""
+    rows = manifest.multipliers if manifest.projected else ()
+    positions = sum(row.level == "position" for row in rows)
+    return {"positions": positions, "rates": len(rows)}
+
+
+def _events(c: Constants, manifest: Manifest) -> dict[str, Value]:
+    """What happens, and when."""
+    modes, rows, kinds = [row.name for row in manifest.s], list[Value](), list[Value]()
+    for row in manifest.events:
+        mode, value = next(iter(row.decides.items()), ("", 0.0))
+        place = modes.index(mode) if mode else -1
+        rows.append({"name": row.name, "mode": place, "first": float(value)})
+        kinds.append(Name(f"CARDAN_{row.kind.upper()}"))
+    ticks: list[Value] = [
+        {"event": tick.event, "period": float(tick.period), "phase": float(tick.phase)}
+        for tick in manifest.ticks
+    ]
+    return {
+        "events": c.records("cardan_exported_event", "scene_events", rows),
+        "kinds": c.records("ptrdiff_t", "scene_kinds", kinds),
+        "event_count": len(rows),
+        "ticks": c.records("cardan_exported_tick", "scene_ticks", ticks),
+        "tick_count": len(ticks),
+    }

@@ -1,0 +1,108 @@
+"""Names of an export that begin with a prefix, so that several can be linked into one program."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+
+from ...errors import CodegenError, shown
+from ...schema.manifest import Manifest
+from .. import layout
+from . import linkage
+
+# enumerators, macros and types at the beginnings of lines
+_DEFINED = re.compile(r"^(?: {4}(?=\w+ = )|#define |typedef struct )(\w+)", re.M)
+_GUARD = re.compile(r"^#ifndef (CARDAN_\w+_H)$", re.M)
+# headers of which a program has one for each model; types of the others are the same for all
+OWN = ("model.h", "functions.h", "elements.h")
+
+
+def check(prefix: str, language: str) -> None:
+    """Refuse what is no beginning of names in C, and packages: these never meet in one program.
+
+    Raises:
+        CodegenError: one of the two.
+    """
+    if prefix and not re.fullmatch(r"[A-Za-z]\w*", prefix, re.ASCII):
+        raise CodegenError(
+            f"prefix={shown(prefix)}: names in C begin with a letter and go on with letters, "
+            "digits and _, such as 'arm_'"
+        )
+    if prefix and language != "c":
+        raise CodegenError(f"prefix='{prefix}': it goes with language='c'; packages do not collide")
+
+
+def add(folder: Path, prefix: str) -> None:
+    """Rename what the files of an export show to a linker; the manifest says so."""
+    paths = sorted(path for path in folder.iterdir() if path.suffix in (".c", ".h"))
+    texts = {path.name: path.read_text("utf-8") for path in paths}
+    names = _names(texts)
+    shared = _shared(texts)
+    for name, text in texts.items():
+        more = _declared(text, prefix) if name in shared else ""
+        texts[name] = renamed(text + more, names, prefix)
+    layout.add_files(folder, texts)
+
+    def renamed_functions(manifest: Manifest) -> Manifest:
+        functions = {
+            name: entry.replaced(sha256=manifest.sha256[entry.file])
+            for name, entry in manifest.functions.items()
+        }
+        return manifest.replaced(prefix=prefix, functions=functions)
+
+    layout.change(folder, renamed_functions)
+
+
+def _names(texts: Mapping[str, str]) -> frozenset[str]:
+    """Names with external linkage, and what the model's own headers define."""
+    found: set[str] = set()
+    for text in texts.values():
+        found |= linkage.external(text)
+    for name in OWN:
+        found.update(_DEFINED.findall(texts.get(name, "")))
+    return frozenset(found - {"main"})
+
+
+def _shared(texts: Mapping[str, str]) -> set[str]:
+    """Headers that those of the model itself lead to."""
+    headers: set[str] = set()
+    ahead = [name for name in OWN if name in texts]
+    while ahead:
+        new = {*linkage.included(texts[ahead.pop()])} & texts.keys() - headers
+        headers |= new
+        ahead += sorted(new)
+    return headers.difference(OWN)
+
+
+def _declared(text: str, prefix: str) -> str:
+    """What follows a header whose types are the same for all models: its functions once more.
+
+    Where two models meet in one file, its guard hides the functions of the second.
+    """
+    guard = _GUARD.search(text)
+    functions = linkage.prototypes(text)
+    includes = [f'#include "{file}"' for file in linkage.included(text)]
+    if guard is None or not (functions or includes):
+        return ""
+    name = f"{prefix}{guard[1]}"
+    about = "/* functions of this model, where the types stood in a header of another one */"
+    lines = ["", about, f"#ifndef {name}", f"#define {name}", *includes, *functions, "#endif", ""]
+    return "\n".join(lines)
+
+
+def renamed(text: str, names: Iterable[str], prefix: str) -> str:
+    """C with the prefix before some names, but in comments, strings and names of files."""
+    known = frozenset(names)
+
+    def word(found: re.Match[str]) -> str:
+        name = found.group()
+        return prefix + name if name in known else name
+
+    parts, last = [], 0
+    for skipped in linkage.SKIPPED.finditer(text):
+        parts += [linkage.WORD.sub(word, text[last : skipped.start()]), skipped.group()]
+        last = skipped.end()
+    parts.append(linkage.WORD.sub(word, text[last:]))
+    # macros make names of methods out of two parts
+    return "".join(parts).replace("cardan_##", f"{prefix}cardan_##")

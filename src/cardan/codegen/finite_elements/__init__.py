@@ -1,0 +1,1 @@
+"""Folders of models whose elements stand in tables."""

@@ -1,0 +1,253 @@
+"""The folder of a model whose elements stand in tables: what the manifest says, and numbers."""
+
+from __future__ import annotations
+
+import io
+import zipfile
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from ...equations.finite_elements.record import GROUND, Absolute, BlockKind, Group, Kind
+from ...ir.function import Function
+from ...schema.entries import MultiplierRow, OutputRow
+from ...schema.finite_elements import ElementKind, FiniteElements, GroupRow, PlaceKind
+from ...schema.manifest import Manifest
+from ...schema.mechanism import BeamRow, BodyRow, FrameRow
+from ...schema.records import PARTS
+from ...schema.tree import Tree
+from .. import flat_scene, layout
+from ..manifest import Base, common
+from ..writing import generate
+from .manifest_rows import plane_of, rows
+
+FILE = "mesh.npz"
+
+
+def base(absolute: Absolute, functions: Sequence[str]) -> Base:
+    """What the manifest says before any function is written.
+
+    Args:
+        absolute: The equations.
+        functions: Names that may be asked for.
+    """
+    system, places = absolute.system, absolute.places
+    coordinates, speeds, joints = rows(absolute)
+    data = Manifest(
+        **common(system, "absolute", functions),
+        coordinates=coordinates,
+        speeds=speeds,
+        multipliers=_multipliers(absolute),
+        cuts=[],
+        joints=joints,
+        bodies=[
+            BodyRow(name=b.name, parent="ground", parts=[p.name for p in b.parts])
+            for b in system.bodies
+            if b.parts
+        ],
+        beams=list(_beams(absolute)),
+        frames=[_frame(absolute, k) for k in range(len(system.frames))],
+        outputs=[OutputRow(name=name, unit=unit) for name, unit in absolute.results],
+        quaternions=_quaternions(absolute),
+        scene=Tree(parents=[], kinds=[], rotations=[], forces=[], unknown=[]),
+        finite_elements=FiniteElements(
+            places=[_place(kind) for kind in places.kinds],
+            kinds=[_kind(kind, absolute.groups) for kind in absolute.kinds],
+            groups=[_group(k, group) for k, group in enumerate(absolute.groups)],
+            beam_nodes=_beam_nodes(absolute),
+            segments=len(absolute.lines),
+            frames="frames__data",
+            states=absolute.states.name,
+            reference=_reference(absolute),
+            power_sources=list(absolute.powers),
+            reactions={name: (int(group), int(k)) for name, (group, k) in absolute.joints.items()},
+        ),
+    )
+    return Base(data, lambda: saved(absolute))
+
+
+def saved(absolute: Absolute) -> tuple[Function, ...]:
+    """Functions of the parameters that the runtime evaluates as they are."""
+    jumps = flat_scene.time_jumps(absolute.system)
+    some = (jumps,) if jumps is not None else ()
+    return (*commons(absolute), absolute.frames.poses, absolute.states, *some)
+
+
+def commons(absolute: Absolute) -> tuple[Function, ...]:
+    """What gives the data of elements by the parameters, of the groups that have such data."""
+    return tuple(
+        replace(group.common, name=common_name(k, group))
+        for k, group in enumerate(absolute.groups)
+        if group.common is not None
+    )
+
+
+def common_name(k: int, group: Group) -> str:
+    """Name of what gives the data of group k by the parameters, "" where nothing does."""
+    return f"data_{k}__{group.kind.name}" if group.common is not None else ""
+
+
+def functions(absolute: Absolute) -> tuple[Function, ...]:
+    """What is written as C: the functions of all kinds of elements and places."""
+    kinds: Sequence[Kind | BlockKind] = (*absolute.kinds, *absolute.places.kinds)
+    return tuple({f.name: f for kind in kinds for f in kind.functions.values()}.values())
+
+
+def numbers(absolute: Absolute) -> bytes:
+    """The tables as a file of NumPy; the same bytes for the same tables."""
+    tables: dict[str, Any] = {"kind": absolute.places.kind}
+    tables |= {f"line_{k}": line for k, line in enumerate(absolute.lines)}
+    segments = absolute.system.segments
+    tables |= {f"stations_{k}": segment.line.stations for k, segment in enumerate(segments)}
+    for k, group in enumerate(absolute.groups):
+        tables[f"place_{k}"] = group.places
+        for name in ("own", "z", "s", "outputs", "powers"):
+            values = getattr(group, name)
+            if values is not None:
+                tables[f"{name}_{k}"] = values
+    room = io.BytesIO()
+    with zipfile.ZipFile(room, "w", zipfile.ZIP_DEFLATED) as file:
+        for name, table in tables.items():
+            # without a date: the same tables are the same bytes
+            with file.open(zipfile.ZipInfo(f"{name}.npy"), "w", force_zip64=True) as entry:
+                np.lib.format.write_array(entry, np.ascontiguousarray(table), allow_pickle=False)
+    return room.getvalue()
+
+
+def write(folder: Path, absolute: Absolute, available: Sequence[str]) -> None:
+    """Write a model: manifest, tables, and the C of every kind of element.
+
+    Args:
+        folder: Made if it does not exist.
+        absolute: The equations.
+        available: Names of the functions of the whole model.
+    """
+    layout.write_model(folder, base(absolute, available))
+    layout.add_files(folder, {FILE: numbers(absolute)})
+    wanted = {f.name: f for f in functions(absolute)}
+    missing = [wanted[each] for each in layout.missing(folder, list(wanted))]
+    # no word of the model: what its elements share with those of others is compiled once
+    made = [(generate(f), f) for f in missing]
+    if made:
+        layout.add_functions(folder, made)
+
+
+def _place(kind: BlockKind) -> PlaceKind:
+    return PlaceKind(
+        name=kind.name,
+        nq=kind.nq,
+        nu=kind.nu,
+        quaternion=kind.quaternion,
+        functions={name: f.name for name, f in kind.functions.items()},
+        plane=plane_of(kind),
+    )
+
+
+def _kind(kind: Kind, groups: Sequence[Group]) -> ElementKind:
+    group = next(group for group in groups if group.kind.name == kind.name)
+    return ElementKind(
+        name=kind.name,
+        nq=kind.nq,
+        nu=kind.nu,
+        m=kind.m,
+        mp=kind.mp,
+        nz=0 if group.z is None else group.z.shape[1],
+        ns=0 if group.s is None else group.s.shape[1],
+        functions={name: f.name for name, f in kind.functions.items()},
+        parts=parts(kind.functions),
+    )
+
+
+def parts(found: Mapping[str, Function]) -> dict[str, int]:
+    """Where the matrices of a tangent begin in its results."""
+    if "balance_tangent" not in found:
+        return {}
+    starts, at = {}, 0
+    for output in found["balance_tangent"].outputs:
+        if output.name in PARTS:
+            starts[output.name] = at
+        at += output.size
+    return starts
+
+
+def _group(k: int, group: Group) -> GroupRow:
+    return GroupRow(kind=group.kind.name, common=common_name(k, group), members=list(group.members))
+
+
+def _reference(absolute: Absolute) -> list[float]:
+    """Coordinates of the joints in the reference configuration, as ``states`` takes them."""
+    found: list[float] = []
+    for joint in absolute.system.joints:
+        own = [c.default for c in joint.element.coordinates]
+        if joint.q >= 0:
+            found += joint.q0 if joint.implicit and joint.q0 is not None else own
+    return [float(x) for x in found]
+
+
+def _beam_nodes(absolute: Absolute) -> list[int]:
+    """Places of nodes that only beams hold."""
+    implicit = {joint.name for joint in absolute.system.joints if joint.implicit}
+    named = len(absolute.places) - len(absolute.inner)
+    return [k for k in range(named) if absolute.places.names[k] in implicit]
+
+
+def _quaternions(absolute: Absolute) -> list[int]:
+    """First entry of every unit quaternion in q."""
+    places = absolute.places
+    at = np.array([-1 if k.quaternion is None else k.quaternion for k in places.kinds])
+    own = at[places.kind] if len(at) else np.zeros(0, dtype=int)
+    return [int(start) for start in (places.q[:-1] + own)[own >= 0]]
+
+
+def _multipliers(absolute: Absolute) -> list[MultiplierRow]:
+    """Rows of the multipliers, those of positions first."""
+    made = [
+        MultiplierRow(
+            name=f"{member}.{row}" if row else member,
+            unit=unit,
+            joint=member,
+            level="position" if k < group.kind.mp else "velocity",
+        )
+        for group in absolute.groups
+        for member in group.members
+        for k, (row, unit) in enumerate(group.kind.rows)
+    ]
+    return sorted(made, key=lambda row: row.level != "position")
+
+
+def _beams(absolute: Absolute) -> Iterator[BeamRow]:
+    """Rows of the segments: ends, first of the q of the nodes between, their number, length."""
+    system, places = absolute.system, absolute.places
+    # the nodes inside of beams are the last places, in the order of the segments
+    at, size = absolute.places.nq - absolute.reference.size, absolute.inner.shape[1]
+    for segment, line in zip(system.segments, absolute.lines, strict=True):
+        inner = segment.line.elements - 1
+        width, height, is_round = segment.outline
+        yield BeamRow(
+            name=segment.name,
+            start=system.frames[segment.frame_a].name,
+            end=system.frames[segment.frame_b].name,
+            q=(at, inner),
+            outline=(width, height, is_round),
+            length=float(segment.line.stations[-1] - segment.line.stations[0]),
+            plane=plane_of(places.kinds[places.kind[line[1]]]) if inner else None,
+        )
+        at += size * inner
+
+
+def _frame(absolute: Absolute, k: int) -> FrameRow:
+    system, places = absolute.system, absolute.places
+    frame, place = system.frames[k], int(absolute.frames.place[k])
+    body = system.bodies[frame.body] if frame.body >= 0 else None
+    parts = body.parts if body is not None else ()
+    fixed = place == GROUND
+    return FrameRow(
+        name=frame.name,
+        body=body.name if body is not None and parts else "ground",
+        part=parts[frame.part].name if parts else None,
+        node=None if fixed else (int(places.q[place]), int(places.u[place])),
+        plane=None if fixed else plane_of(places.kinds[places.kind[place]]),
+    )

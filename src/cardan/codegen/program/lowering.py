@@ -1,0 +1,108 @@
+"""From a staged Function to a Program: the parameter stage, the stage that runs, and the head."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from ...errors import CodegenError
+from ...ir.function import Function, Output, Staged
+from . import parts
+from .file_head import Cost, head, operations
+from .naming import RESERVED, comment
+from .program import Place, Program, Table
+from .routines import Built, Result, Stage, build, headers
+from .values import Values
+
+
+def lower(
+    staged: Staged, model: str = "", notes: Sequence[str] = (), longest: int = parts.LONGEST
+) -> Program:
+    """The program of a function: ``prepare_<name>`` for the parameters, ``<name>`` for the rest.
+
+    Args:
+        staged: What the passes made.
+        model: Name of the model, for the reader.
+        notes: Lines for the reader, such as the formalism.
+        longest: Statements after which a routine is split.
+
+    Raises:
+        CodegenError: a placeholder was left in the graph, or the name is none for C.
+    """
+    function = staged.function
+    check_name(function.name)
+    order = staged.order or tuple(function.live())
+    values = Values(function, order, staged.prepare)
+
+    # w[k] is the k-th prepared node; what crosses between parts of prepare follows
+    targets = [Result(i, Place("w", k), values.described(i)) for i, k in values.w.items()]
+    first = Stage(f"prepare_{function.name}", "prepare", order, targets, "w", len(targets))
+    prepare = build(first, values, longest)
+    second = Stage(function.name, "function", order, results(function), "work", 0)
+    body = build(second, values, longest)
+
+    counts = (operations(body), operations(prepare))
+    read = prepare.blocks | body.blocks
+    return Program(
+        name=function.name,
+        head=head(function, model, notes, read, Cost(body.length, prepare.length, *counts)),
+        includes=headers(prepare, body),
+        tables=tables(prepare, body) + prepare.tables,
+        routines=prepare.routines + body.routines,
+        blocks=tuple(block.name for block in function.inputs if block.name in read),
+        operations=counts[0],
+        prepare_operations=counts[1],
+        work_size=body.length,
+        prepared_size=prepare.length,
+    )
+
+
+def check_name(name: str) -> None:
+    """Refuse what cannot be the name of a C function."""
+    if not re.fullmatch("[A-Za-z][A-Za-z0-9_]*", name) or name in RESERVED:
+        raise CodegenError(f"'{name}' cannot be the name of a C function")
+
+
+def results(function: Function) -> list[Result]:
+    """The entries of ``out``, with the text that says what they are."""
+    found: list[Result] = []
+    for output in function.outputs:
+        for k, node in enumerate(output.nodes):
+            found.append(Result(node, Place("out", len(found)), described(output, k)))
+    return found
+
+
+def described(output: Output, k: int) -> str:
+    """Text for a comment: name and unit of an entry of a result."""
+    if output.entries:
+        text = f"{output.name}: {output.entries[k]}"
+    else:
+        text = output.name + _position(output.shape, k)
+    if output.units and output.units[k]:
+        text += f" [{output.units[k]}]"
+    return comment(text)
+
+
+def _position(shape: tuple[int, ...], k: int) -> str:
+    """Indices of entry k of an array, such as ``[2][0]``; "" for a scalar."""
+    text = ""
+    for size in reversed(shape):
+        k, index = divmod(k, size)
+        text = f"[{index}]{text}"
+    return text
+
+
+def tables(*stages: Built) -> tuple[Table, ...]:
+    """The measured data that the nodes read, as constant arrays."""
+    found: dict[str, Table] = {}
+    for built in stages:
+        if "table" not in built.operators:
+            continue
+        scope = built.routines[-1].scope
+        nodes = scope.graph.nodes
+        for number in {int(nodes[nodes[i][1]][1]) for i in built.order if nodes[i][0] == "table"}:
+            table, name = scope.graph.tables[number], scope.table(number)
+            flat = tuple(c for piece in table.coefficients for c in piece)
+            found[f"{name}_breaks"] = Table(f"{name}_breaks", table.breaks)
+            found[f"{name}_coefficients"] = Table(f"{name}_coefficients", flat)
+    return tuple(found[name] for name in sorted(found))

@@ -1,0 +1,182 @@
+"""The two ends of an element, as its functions read them and as what acts on them is told."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from ...ir.arithmetic import Scalar, select
+from ...ir.function import Block
+from ...ir.graph import ONE, Graph
+from ...ir.matrix import Matrix
+from ...spatial.exponential import conjugate, multiply
+from ...spatial.rotations.quaternion import Quaternion
+from ...spatial.short_rotations import rotation_vector
+from .node_set import Ground, Motion, Node, Offset, Place, Point, Pose
+from .plane import PlaneGround, PlaneNode, PlaneOffset
+
+PLACES: dict[str, type[Place]] = {
+    place.kind: place
+    for place in (Node, Offset, Ground, Point, PlaneNode, PlaneOffset, PlaneGround)
+}
+NODE, OFFSET, GROUND = "node", "offset", "ground"
+NAMES = ("start", "end")
+CELLS = tuple(i + j for i in "xyz" for j in "xyz")
+RATES = {"q": "", "u": "/s", "udot": "/s^2", "du": ""}
+LOADS = {"rad": "N*m", "m": "N"}
+STRESSES = ("m1", "m2", "m3", "n1", "n2", "n3")
+STRESS_UNITS = ("N*m",) * 3 + ("N",) * 3
+# entries of strain and stress that are zero in the plane
+OUTSIDE = (0, 1, 5)
+Loads = Sequence[Matrix]
+
+
+def relative_rotation(start: Pose, end: Pose) -> tuple[Matrix, Matrix]:
+    """Rotation vector (3, 1) of ``end`` seen from ``start``, and the rotation (3, 3)."""
+    if start.angle is not None and end.angle is not None:
+        turn = end.angle - start.angle
+        rotation = start.rotation.T @ end.rotation
+        return Matrix.vector(rotation.graph, [0.0, 0.0, turn]), rotation
+    assert start.quaternion is not None
+    assert end.quaternion is not None
+    quaternion = multiply(conjugate(start.quaternion), end.quaternion).note("relative")
+    rotation = Quaternion().matrix(quaternion).note("r")
+    # of the two quaternions that are this rotation the one that turns by less than pi
+    negative = quaternion[0].apply("lt", 0.0)
+    short = [select(negative, -x, x) for x in quaternion]
+    w, *v = Matrix.vector(quaternion.graph, short).note("short")
+    return rotation_vector(w, Matrix.vector(quaternion.graph, v)), rotation
+
+
+@dataclass(frozen=True)
+class Ends:
+    """The two ends of an element.
+
+    Attributes:
+        graph: Where the expressions live.
+        kinds: Of both, by name.
+        data: Names of the entries of p.
+    """
+
+    graph: Graph
+    kinds: tuple[str, str]
+    data: tuple[str, ...]
+
+    @staticmethod
+    def names(kinds: Sequence[str]) -> tuple[str, ...]:
+        """Names of the data that say where ends are."""
+        places = [PLACES[kind] for kind in kinds]
+        return tuple(
+            f"{name}_{entry}"
+            for name, place in zip(NAMES, places, strict=True)
+            for entry in place.data
+        )
+
+    def number(self, name: str) -> Scalar:
+        """An entry of the data."""
+        return Scalar(self.graph, self.graph.var("p", self.data.index(name)))
+
+    def vector(self, *names: str) -> Matrix:
+        """Entries of the data as a column."""
+        return Matrix.vector(self.graph, [self.number(name) for name in names])
+
+    @property
+    def places(self) -> tuple[Place, ...]:
+        """Both ends."""
+        found: list[Place] = []
+        q = u = 0
+        for name, kind in zip(NAMES, self.kinds, strict=True):
+            place = PLACES[kind]
+            given = tuple(self.number(f"{name}_{entry}") for entry in place.data)
+            found.append(place(self.graph, given, q, u))
+            q, u = q + len(place.coordinates), u + len(place.speeds)
+        return tuple(found)
+
+    @property
+    def planar(self) -> bool:
+        """Whether nothing leaves the plane z = 0; see :data:`OUTSIDE`."""
+        return all(kind.startswith("plane") for kind in self.kinds)
+
+    @property
+    def speeds(self) -> tuple[str, ...]:
+        """Names of the entries of u."""
+        return self._entries("u").entries
+
+    @property
+    def load_units(self) -> tuple[str, ...]:
+        """Units of what acts along them."""
+        return tuple(LOADS[unit] for place in self.places for _, unit in place.speeds)
+
+    def pose(self, k: int) -> Pose:
+        """Where end k is."""
+        pose = self.places[k].pose()
+        pose.rotation.hint("", f"{NAMES[k]}_R", CELLS)
+        return pose
+
+    def motion(self, k: int) -> Motion:
+        """How end k moves."""
+        return self.places[k].motion()
+
+    def increments(self) -> list[Matrix]:
+        """Finite increments of both ends to first order: rotations in their axes, positions."""
+        found: list[Matrix] = []
+        for place in self.places:
+            change = place.spread() @ place.entries("du")
+            found += [change.block(slice(3)), change.block(slice(3, 6))]
+        return found
+
+    def directions(self, letter: str) -> list[dict[int, int]]:
+        """Changes of a block at unit increments of each of its entries; of q along the speeds."""
+        if letter == "q":
+            return [seeds for place in self.places for seeds in place.directions()]
+        return [{self.graph.var(letter, k): ONE} for k in range(len(self.speeds))]
+
+    def blocks(self, *letters: str) -> tuple[Block, ...]:
+        """The input blocks that functions of these ends may read."""
+        return tuple(self._entries(letter) for letter in letters)
+
+    def _entries(self, letter: str) -> Block:
+        if letter == "p":
+            return Block("p", self.data, ("",) * len(self.data))
+        if letter == "z":
+            return Block("z", STRESSES, STRESS_UNITS)
+        names: list[str] = []
+        units: list[str] = []
+        for name, place in zip(NAMES, self.places, strict=True):
+            for entry, unit in place.coordinates if letter == "q" else place.speeds:
+                names.append(f"{name}.{entry}")
+                units.append(unit + RATES[letter] if unit else "")
+        return Block(letter, tuple(names), tuple(units))
+
+    # what acts on the ends, told along the speeds
+
+    def told(self, loads: Loads) -> Matrix:
+        """Moments and forces on both ends as one column (nu, 1).
+
+        Args:
+            loads: Moment on end 1 in its axes, force on end 1 in ground axes, and of end 2.
+        """
+        parts = [
+            place.spread().T @ Matrix.vstack(loads[2 * k], loads[2 * k + 1])
+            for k, place in enumerate(self.places)
+        ]
+        return Matrix.vstack(*parts)
+
+    def derivative(self, blocks: Sequence[Loads], loads: Loads) -> Matrix:
+        """Derivative of :meth:`told` along q from that of the loads by increments of the ends.
+
+        Args:
+            blocks: 4 x 4 blocks (3, 3).
+            loads: The loads themselves: arms turn with nodes.
+        """
+        places, rows = self.places, list[Matrix]()
+        spreads = [place.spread() for place in places]
+        for i, place in enumerate(places):
+            row: list[Matrix] = []
+            for j in range(2):
+                lines = [line[2 * j : 2 * j + 2] for line in blocks[2 * i : 2 * i + 2]]
+                part = Matrix.vstack(*(Matrix.hstack(*line) for line in lines))
+                part = spreads[i].T @ part @ spreads[j]
+                row.append(part + place.bent(loads[2 * i + 1]) if i == j else part)
+            rows.append(Matrix.hstack(*row))
+        return Matrix.vstack(*rows)

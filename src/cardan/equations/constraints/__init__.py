@@ -1,0 +1,1 @@
+"""Closed loops and other constraints, and the ways to treat them."""

@@ -1,0 +1,159 @@
+"""Legs: three freedoms that carry the center of a ball joint to where its circuit closes.
+
+The third joint of a leg, a motor or a slide, makes up the distance from the center of the other two
+axes, or, where these are parallel, from the plane in which they move the ball. That is one equation
+A cos + B sin = C for an angle, a quadratic one for a length. Then the pair follows as a dyad.
+
+Source: C. H. Suh, C. W. Radcliffe, Kinematics and Mechanisms Design (1978); J.-P. Merlet, Parallel
+Robots, chapter 3 (inverse kinematics of legs).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from ...ir.arithmetic import Scalar, sqrt
+from ...ir.matrix import Matrix
+from ...topology.system import Closure
+from .dyads import (
+    Branches,
+    Found,
+    arms,
+    branches,
+    flattened,
+    leaning,
+    slide,
+    turn,
+    turned,
+    two_axes,
+)
+
+if TYPE_CHECKING:
+    from ..kinematics.kinematics import Kinematics
+
+INSIDE, OUTSIDE, OPPOSITE = "inside", "outside", "opposite"
+
+
+@dataclass(frozen=True)
+class Third:
+    """The joint that makes up for what the pair cannot, and what it moves.
+
+    Attributes:
+        axis, seat: Its axis, a point on it.
+        turns: Whether it is revolute.
+        side: Which of its two solutions.
+        place: ``"inside"``: it carries the pair, ``"outside"``: the pair carries it,
+            ``"opposite"``: it is on the other branch of the circuit.
+    """
+
+    axis: Matrix
+    seat: Matrix
+    turns: bool
+    side: int
+    place: str
+
+    @classmethod
+    def of(cls, k: Kinematics, closure: Closure, b: Branches) -> Third:
+        """The third joint of a leg."""
+        third, pair = closure.third, [i for i in closure.unknown if i != closure.third]
+        place = INSIDE if third < pair[0] else OUTSIDE
+        if b.side[third] != b.side[pair[0]]:
+            place = OPPOSITE
+        turns = k.system.joints[third].element.kind == "revolute"
+        return cls(b.axis(k, third), b.seats[third][1], turns, closure.side, place)
+
+    def reaching(self, x: Matrix, y: Matrix, reach: Matrix) -> Found:
+        """The coordinate at which point x is as far from y, which it does not move, as asked."""
+        if not self.turns:
+            return Found(length=slide(self.axis, x - y, reach, self.side))
+        start, goal = x - self.seat, y - self.seat
+        value = (start.dot(start) + goal.dot(goal) - reach.dot(reach)) * 0.5
+        return self.leaning(start, goal, value)
+
+    def leaning(self, start: Matrix, goal: Matrix, value: Scalar) -> Found:
+        """The angle after which start·goal has a value, for a goal that is not turned."""
+        flat = flattened(self.axis)
+        rest = value - self.axis.dot(start) * self.axis.dot(goal)
+        across = flat(start)
+        return turn(self.axis, across, leaning(flat(goal), across, rest, self.axis, self.side))
+
+    def direction(self, found: Found, x: Matrix) -> Matrix:
+        """A direction as the joint moves it."""
+        return turned(self.axis, found, x) if self.turns else x
+
+    def point(self, found: Found, x: Matrix) -> Matrix:
+        """A point as the joint moves it."""
+        if found.length is not None:
+            return x + self.axis * found.length
+        return self.seat + turned(self.axis, found, x - self.seat)
+
+
+def leg(k: Kinematics, closure: Closure) -> dict[int, tuple[Found, ...]]:
+    """Two axes that meet, and a third joint: the distance from where they meet, then directions."""
+    b = branches(k, closure)
+    third, pair = Third.of(k, closure, b), [i for i in closure.unknown if i != closure.third]
+    side, center = b.side[pair[0]], b.seats[pair[-1]][1]
+    own, other = b.ends[side][1], b.ends[-side][1]
+    first, second = _axes(k, b, pair)
+    if third.place == OUTSIDE:
+        reach = other - center
+        found = third.reaching(own, center, reach)
+        start, end = third.point(found, own) - center, reach
+    elif third.place == INSIDE:
+        reach = own - center
+        found = third.reaching(center, other, reach)
+        first, second, start = (third.direction(found, x) for x in (first, second, reach))
+        end = other - third.point(found, center)
+    else:
+        start = reach = own - center
+        found = third.reaching(other, center, reach)
+        end = third.point(found, other) - center
+    length = sqrt(reach.dot(reach))
+    one, two = two_axes(
+        first, second, start / length, end / length, (0, 1), closure.branch
+    ).values()
+    return {closure.third: (found,), **_shared(k, pair, one[0], two[0])}
+
+
+def _axes(k: Kinematics, b: Branches, pair: list[int]) -> tuple[Matrix, Matrix]:
+    """The axes of the pair at its zero, the inner one first."""
+    if len(pair) == 2:
+        return b.axis(k, pair[0]), b.axis(k, pair[1])
+    names = ("axis2", "axis1") if k.system.joints[pair[0]].reversed else ("axis1", "axis2")
+    return b.axis(k, pair[0], names[0]), b.axis(k, pair[0], names[1])
+
+
+def _shared(k: Kinematics, pair: list[int], one: Found, two: Found) -> dict[int, tuple[Found, ...]]:
+    """Angles about the inner and the outer axis as coordinates of the joints that have them."""
+    if len(pair) == 2:
+        return {pair[0]: (one,), pair[1]: (two,)}
+    if k.system.joints[pair[0]].reversed:
+        return {pair[0]: (two.back, one.back)}
+    return {pair[0]: (one, two)}
+
+
+def arm(k: Kinematics, closure: Closure) -> dict[int, tuple[Found, ...]]:
+    """Two parallel axes and a third one: the ball comes into their plane, then a planar dyad."""
+    b = branches(k, closure)
+    third, pair = Third.of(k, closure, b), [i for i in closure.unknown if i != closure.third]
+    side = b.side[pair[0]]
+    own, other = b.ends[side][1], b.ends[-side][1]
+    first, second = _axes(k, b, pair)
+    inner, outer = b.seats[pair[0]][1], b.seats[pair[1]][1]
+    # along the axes the pair moves nothing
+    if third.place == OUTSIDE:
+        found = third.leaning(own - third.seat, first, first.dot(other - third.seat))
+        own = third.point(found, own)
+    elif third.place == INSIDE:
+        found = third.leaning(first, other - third.seat, first.dot(own - third.seat))
+        first, second = third.direction(found, first), third.direction(found, second)
+        inner, outer, own = (third.point(found, x) for x in (inner, outer, own))
+    else:
+        found = third.leaning(other - third.seat, first, first.dot(own - third.seat))
+        other = third.point(found, other)
+    flat = flattened(first)
+    one, two = arms(
+        (first, second), flat(outer - inner), flat(own - outer), flat(other - inner), closure.branch
+    )
+    return {closure.third: (found,), pair[0]: (one,), pair[1]: (two,)}

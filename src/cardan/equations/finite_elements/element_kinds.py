@@ -1,0 +1,301 @@
+"""Kinds of elements: pieces that differ in their data only, and the functions they share."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import fields, is_dataclass, replace
+from functools import cached_property
+from typing import Any
+
+from ...elements.forces.force import ForceElement
+from ...elements.joints.joint import Joint as JointElement
+from ...elements.joints.joint import Reversed
+from ...ir.derivative import directional
+from ...ir.function import Block, Function, Output
+from ...ir.graph import ONE, ZERO
+from ...ir.matrix import Matrix
+from ...schema.blocks import ABI_ORDER
+from ...topology.system import System
+from ..constraints.constraints import VELOCITY, rows
+from ..constraints.loop_loads import with_closing
+from ..functions import event_functions, outputs, residuals
+from ..functions.blocks import blocks
+from ..functions.context import Context
+from ..functions.dynamics import Dynamics
+from ..functions.functions import WRENCH
+from ..kinematics.joint_forces import driving_force, joint_forces
+from ..kinematics.kinematics import Kinematics
+from .joint_constraints import Held, increments
+from .parts import Piece
+from .record import BlockKind, Kind
+
+METHOD = "composite"
+ABOUT = {
+    "balance": "M udot + h - f - Gᵀ lam, then g and G u + g_t",
+    "balance_tangent": "derivatives of the balance along q, u, udot, of the rates along q, and G",
+    "gamma": "G udot = gamma",
+    "energy": "kinetic and potential energy",
+    "momentum": "angular (about the ground origin) and linear momentum",
+    "power": "power of what has no potential",
+    "zdot": "rates of internal states",
+    "reaction": "wrench of parent on child at the child joint frame, in its axes",
+    "outputs": "contributions to outputs",
+}
+
+
+# what members have in common
+
+
+def structure(piece: Piece, places: Iterable[BlockKind]) -> str:
+    """Text that two pieces share if and only if the same functions serve both."""
+    system = piece.system
+    told = (
+        system.bodies,
+        [replace(joint, element=_outline(joint.element)) for joint in system.joints],  # type: ignore[arg-type]
+        [replace(cut, element=_outline(cut.element)) for cut in system.cuts],  # type: ignore[arg-type]
+        [replace(force, element=_outline(force.element)) for force in system.forces],  # type: ignore[arg-type]
+        system.frames,
+        system.constraints,
+        system.outputs,
+        system.gravity,
+        system.atoms,
+        piece.kind,
+        piece.joint,
+        piece.turned,
+        piece.driven,
+        len(piece.cutting.z),
+        len(piece.cutting.s),
+        [place.name for place in places],
+        system.graph.nodes,
+    )
+    return repr(told)
+
+
+def _outline(element: JointElement | ForceElement) -> str:
+    """An element without the numbers and names that a member may have of its own."""
+    if isinstance(element, Reversed):
+        return f"reversed {_outline(element.element)}"
+    quantities = element.quantities()
+    assert is_dataclass(element)
+    told = [
+        (field.name, _pattern(getattr(element, field.name), field.name in quantities))
+        for field in fields(element)
+        if field.type not in ("Place", "Bodies", "JointName")
+    ]
+    held = (element.held, element.slips) if isinstance(element, JointElement) else ()
+    return repr((type(element).__name__, told, held))
+
+
+def _pattern(value: Any, own: bool) -> str:
+    """What the equations may depend on in a field; only the form of a quantity of a member."""
+    if isinstance(value, (tuple, list)):
+        return f"({', '.join(_pattern(x, own) for x in value)})"
+    if not own or value is None or isinstance(value, (str, bool)):
+        return repr(value)
+    if isinstance(value, (int, float)):
+        return repr(float(value)) if value in (0, 1, -1) else "number"
+    return "expression"
+
+
+# what they share
+
+
+def kind_of(name: str, piece: Piece, places: tuple[BlockKind, ...]) -> Kind:
+    """The kind of a piece.
+
+    Args:
+        name: Of the kind.
+        piece: Any of its members.
+        places: What its places hold.
+    """
+    context = _context(piece)
+    made = _Builder(context, piece).made()
+    listed = blocks(piece.system)
+    listed["z"] = _states("z", len(piece.cutting.z))
+    listed["s"] = _states("s", len(piece.cutting.s))
+    inputs = tuple(listed[letter] for letter in ABI_ORDER)
+    return Kind(
+        name=name,
+        blocks=places,
+        rows=tuple((_suffix(row.name), row.unit) for row in rows(piece.system)),
+        mp=sum(row.level != VELOCITY for row in rows(piece.system)),
+        data=listed["p"].entries,
+        functions={
+            function: Function(
+                f"{name}__{function}",
+                context.k.graph,
+                inputs,
+                results,
+                tuple(_owners(piece.system)),
+                ABOUT[function],
+            )
+            for function, results in made.items()
+        },
+        source=piece.source,
+    )
+
+
+def _suffix(name: str) -> str:
+    """Name of a row behind that of its member."""
+    return name.partition(".")[2]
+
+
+def _states(letter: str, count: int) -> Block:
+    names = tuple(f"{letter}{k + 1}" for k in range(count))
+    return Block(letter, names, ("",) * count)
+
+
+def _owners(system: System) -> Iterable[str]:
+    names = [body.name for body in system.bodies]
+    names += [joint.name for joint in system.joints]
+    names += [force.name for force in system.forces]
+    names += [entry.name for entry in system.constraints]
+    return dict.fromkeys(names)
+
+
+def _context(piece: Piece) -> Context:
+    listed = blocks(piece.system).values()
+    names = {block.name: block.entries for block in listed}
+    units = {block.name: block.units for block in listed}
+    return Context(Dynamics(Kinematics(piece.system), METHOD), names, units)
+
+
+class _Builder:
+    """Results of the functions of one kind."""
+
+    def __init__(self, context: Context, piece: Piece) -> None:
+        self.c, self.piece, self.system = context, piece, piece.system
+        self.k, self.d = context.k, context.d
+
+    def made(self) -> dict[str, tuple[Output, ...]]:
+        """Those that are not zero throughout; outputs are there whatever they are."""
+        found = {
+            "balance": self._balance(),
+            "balance_tangent": self._tangent(),
+            "gamma": self._gamma(),
+            "energy": self._energy(),
+            "momentum": self._momentum(),
+            "power": self._power(),
+            "zdot": self._zdot(),
+            "reaction": self._reaction(),
+            "outputs": self._outputs(),
+        }
+        return {
+            name: results
+            for name, results in found.items()
+            if any(node != ZERO or name == "outputs" for o in results for node in o.nodes)
+        }
+
+    def _vector(self, name: str, x: Matrix, entries: tuple[str, ...] = ()) -> Output:
+        return Output(name, (x.rows,), x.nodes, entries)
+
+    def _balance(self) -> tuple[Output, ...]:
+        if self.piece.joint:
+            held = self.held
+            return (
+                *self.c.vector("balance", held.settled(-held.forces(self._lam())), "tau"),
+                self._vector("g", held.settled(held.position)),
+                self._vector("rates", held.settled(held.rates)),
+            )
+        return residuals.balance(self.c) if self.system.nu or self.system.closed else ()
+
+    def _tangent(self) -> tuple[Output, ...]:
+        if not self.system.nu:
+            return ()
+        if self.piece.joint:
+            found = self._held_tangent()
+        elif self.system.closed:
+            found = residuals.balance_tangent(self.c)
+        else:
+            found = self._free_tangent()
+        return tuple(output for output in found if any(node != ZERO for node in output.nodes))
+
+    def _free_tangent(self) -> tuple[Output, ...]:
+        """K, C and M of what binds nothing."""
+        g, nu = self.k.graph, self.system.nu
+        b = self.d.inverse(self.c.udot)
+        slots = [{g.var("u", n): ONE} for n in range(nu)]
+        K, C = (directional(g, b.nodes, along) for along in (increments(self.k), slots))
+        return (
+            Output("K", (nu, nu), tuple(column[i] for i in range(nu) for column in K)),
+            Output("C", (nu, nu), tuple(column[i] for i in range(nu) for column in C)),
+            Output("M", (nu, nu), self.d.mass_matrix.nodes),
+        )
+
+    def _held_tangent(self) -> tuple[Output, ...]:
+        """K, R and G of a joint: it has no mass, and what it holds no damping."""
+        held, nu = self.held, self.system.nu
+        m = held.rates.rows
+        K = held.settled(held.along(-held.forces(self._lam())))
+        R = held.settled(held.along(held.rates))
+        return (
+            Output("K", (nu, nu), K.nodes),
+            Output("R", (m, nu), R.nodes),
+            Output("G", (m, nu), held.settled(held.jacobian).nodes),
+        )
+
+    def _gamma(self) -> tuple[Output, ...]:
+        if self.piece.joint:
+            return (self._vector("gamma", self.held.settled(self.held.gamma)),)
+        return (self._vector("gamma", self.d.constraints.gamma),) if self.system.closed else ()
+
+    def _energy(self) -> tuple[Output, ...]:
+        pair = zip(("kinetic", "potential"), outputs.energy(self.d), strict=True)
+        return tuple(Output(name, (), (value.node,), (name,), ("J",)) for name, value in pair)
+
+    def _momentum(self) -> tuple[Output, ...]:
+        return (self._vector("momentum", outputs.momentum(self.k)),)
+
+    def _zdot(self) -> tuple[Output, ...]:
+        return (self._vector("zdot", event_functions.rates(self.d)),)
+
+    def _lam(self) -> Matrix:
+        return self.d.block("lam", len(rows(self.system)))
+
+    @cached_property
+    def held(self) -> Held:
+        """What the joint holds."""
+        return Held(self.k)
+
+    def _reaction(self) -> tuple[Output, ...]:
+        if not self.piece.joint:
+            return ()
+        wrench, turned = self.held.transmitted(self._lam()).wrench, self.piece.turned
+        if turned >= 0:
+            wrench = outputs.on_declared_child(self.k, turned, wrench)
+        return (Output("reaction", (6,), wrench.nodes, *WRENCH),)
+
+    def _driving(self) -> list[tuple[int, Any]]:
+        """(joint, force along it) of prescribed joints, as far as this element needs it."""
+        if not self.piece.driven:
+            return []
+        d, rest = self.d, self.c.udot
+        acc = outputs.system_accelerations(d, rest)
+        loads = with_closing(
+            self.k, d.loads, [self.held.transmitted(self._lam())] if self.piece.joint else []
+        )
+        forces = joint_forces(self.k, acc, loads)
+        still = Matrix.zeros(self.k.graph, 1)
+        return [(i, driving_force(self.k, i, forces, d.loads, still)[0]) for i in self.piece.driven]
+
+    def _outputs(self) -> tuple[Output, ...]:
+        d = self.d
+        if any(atom.quantity == "acceleration" for atom in self.system.atoms.values()):
+            acc = outputs.system_accelerations(d, self.c.udot)
+            self.k.acceleration = lambda frame: outputs.acceleration(d, acc, frame)
+        nodes = list(self.k.resolve([entry.node for entry in self.system.outputs]))
+        nodes += [force.node for _, force in self._driving()]
+        return (Output("outputs", (len(nodes),), tuple(nodes)),)
+
+    def _power(self) -> tuple[Output, ...]:
+        nodes: list[int] = []
+        if self.system.forces:
+            nodes.append(sum((x for _, x in self.d.loads.power), self._zero()).node)
+        nodes += [(force * self.k.u(i)[0]).node for i, force in self._driving()]
+        if self.system.constraints:
+            (rate,), (lam,) = self.d.constraints.prescribed, self._lam()
+            nodes.append((-lam * rate).node)
+        return (Output("power", (len(nodes),), tuple(nodes)),)
+
+    def _zero(self) -> Any:
+        return Matrix.zeros(self.k.graph, 1)[0]

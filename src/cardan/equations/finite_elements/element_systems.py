@@ -1,0 +1,338 @@
+"""Small systems cut out of a scene: what one element couples, with data of its own.
+
+Every body of the scene stands here without mass on a free joint from the ground; coordinates of a
+joint that an element only reads move a body without mass from the ground. What depends on
+parameters alone becomes a parameter of the small system; zeros and ones stay what they are, so that
+members of one kind give the same expressions.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+from ...elements.joints.free import Free
+from ...elements.joints.joint import Joint as JointElement
+from ...elements.joints.prismatic import Prismatic
+from ...elements.joints.revolute import Revolute
+from ...errors import DerivationError
+from ...ir.function import live, operands
+from ...ir.graph import MADE_BY_NOBODY, MINUS_ONE, ONE, ZERO, Graph
+from ...ir.ops import LEAVES
+from ...ir.rewrite import rebuild
+from ...topology.conversion import IDENTITY, ORIGIN
+from ...topology.system import (
+    GROUND,
+    Atom,
+    Body,
+    Coupling,
+    Frame,
+    Joint,
+    Nodes,
+    Parameter,
+    Prescribed,
+    System,
+)
+from .nodal_scene import NODE, Key, Scene
+
+Data = dict[str, tuple[int, int, Nodes]]
+STRUCTURAL = (ZERO, ONE, MINUS_ONE)
+LINE: Nodes = (ONE, ZERO, ZERO)
+# the joint that an element is made of
+CARRIED = "joint"
+
+
+@dataclass(frozen=True)
+class Mass:
+    """Mass data of a body: m, m c (3), inertia about the origin (9)."""
+
+    mass: int = ZERO
+    first_moment: Nodes = ORIGIN
+    inertia: Nodes = (ZERO,) * 9
+
+
+NOTHING = Mass()
+
+
+class Cutting:
+    """Grows a small system.
+
+    Args:
+        scene: Where from.
+
+    Attributes:
+        places: Keys of the places whose coordinates it has, in the order of its q and u.
+        data: Expression in the parameters of the scene of each of its own parameters.
+        z, s: Entries of the internal states and modes of the scene that it reads.
+    """
+
+    def __init__(self, scene: Scene) -> None:
+        self.scene = scene
+        self.system = scene.system
+        self.graph = Graph()
+        self.graph.tables = self.system.graph.tables.copy()
+        self.bodies: list[Body] = []
+        self.joints: list[Joint] = []
+        self.frames: list[Frame] = [Frame("ground", GROUND, 0, IDENTITY, ORIGIN)]
+        self.atoms: dict[str, Atom] = {}
+        self.places: list[Key] = []
+        self.data: list[int] = []
+        self.z: list[int] = []
+        self.s: list[int] = []
+        self._names: list[str] = []
+        self._own: dict[int, int] = {}
+        self._body: dict[int, int] = {GROUND: GROUND}
+        self._joint: dict[int, int] = {}
+        self._frame: dict[int, int] = {0: 0}
+        self._slots = [0, 0]
+
+    def made(self, **more: object) -> System:
+        """The small system."""
+        given: dict[str, object] = {
+            "gravity": ORIGIN,
+            "forces": (),
+            "outputs": (),
+            "cuts": (),
+            "constraints": (),
+            **more,
+        }
+        return System(
+            name=self.system.name,
+            graph=self.graph,
+            bodies=tuple(self.bodies),
+            joints=tuple(self.joints),
+            frames=tuple(self.frames),
+            parameters=tuple(Parameter(name, 0.0, "") for name in self._names),
+            inputs=self.system.inputs,
+            atoms=self.atoms,
+            nq=self._slots[0],
+            nu=self._slots[1],
+            **given,  # type: ignore[arg-type]
+        )
+
+    # places
+
+    def node(self, body: int, mass: Mass = NOTHING) -> int:
+        """Number here of a body of the scene."""
+        if body not in self._body:
+            self._body[body] = self.floating(self._numbered("body"), mass)
+            self.places.append((NODE, body))
+        return self._body[body]
+
+    def floating(self, name: str, mass: Mass = NOTHING) -> int:
+        """Number here of a new body that moves freely."""
+        return self._enter(name, GROUND, Free(), {}, mass)
+
+    def joint(self, i: int) -> int:
+        """Number here of a joint of the scene whose coordinates are read."""
+        if i in self.scene.nodal:
+            return self.node(i)
+        if i not in self._joint:
+            element, data = self._stand_in(i)
+            self._joint[i] = self._moving("", i, GROUND, element, data)
+        return self._joint[i]
+
+    def carried(self, i: int, parent: int) -> int:
+        """Number here of a body without mass that a joint of the scene moves from a body here."""
+        joint = self.system.joints[i]
+        place = (
+            self.expressions(joint.rotation, "place_rotation"),
+            self.expressions(joint.position, "place_position"),
+        )
+        data = self.quantities(joint.data)
+        return self._moving(CARRIED, i, parent, joint.element, data, place)
+
+    def _stand_in(self, i: int) -> tuple[JointElement, Data]:
+        """A joint with the same coordinates; where there is one, of the simplest kind."""
+        joint = self.system.joints[i]
+        if self.scene.line(i) != 1:
+            return joint.element, self.quantities(joint.data)
+        slides = joint.element.coordinates[0].unit == "m"
+        return (Prismatic("x") if slides else Revolute("x")), {"axis": (3, 1, LINE)}
+
+    def _moving(
+        self,
+        name: str,
+        i: int,
+        parent: int,
+        element: JointElement,
+        data: Data,
+        place: tuple[Nodes, Nodes] = (IDENTITY, ORIGIN),
+    ) -> int:
+        """A body without mass on a joint with the coordinates of joint i of the scene."""
+        joint = self.system.joints[i]
+        coupling = motion = None
+        if joint.coupling is not None:
+            ratio, offset = joint.coupling.ratio, joint.coupling.offset
+            own = self.expressions((ratio, offset), "coupling")
+            coupling = Coupling(self.joint(joint.coupling.leader), *own)
+        elif joint.motion is not None:
+            told = joint.motion
+            given = (told.value, told.rate, told.acceleration)
+            motion = Prescribed(*self.expressions(given, "motion"))
+        else:
+            self.places.append(("joint", i))
+        name = name or self._numbered("joint")
+        return self._enter(name, parent, element, data, NOTHING, place, coupling, motion)
+
+    def _numbered(self, name: str) -> str:
+        return f"{name}{sum(joint.name.startswith(name) for joint in self.joints) + 1}"
+
+    def _enter(
+        self,
+        name: str,
+        parent: int,
+        element: JointElement,
+        data: Data,
+        mass: Mass,
+        place: tuple[Nodes, Nodes] = (IDENTITY, ORIGIN),
+        coupling: Coupling | None = None,
+        motion: Prescribed | None = None,
+    ) -> int:
+        number, (q, u) = len(self.bodies), self._slots
+        free = coupling is None and motion is None
+        own = (mass.mass, mass.first_moment, mass.inertia)
+        self.bodies.append(Body(name, parent, *own, parts=()))
+        self.frames.append(Frame(name, number, 0, IDENTITY, ORIGIN))
+        self.joints.append(
+            Joint(
+                name=name,
+                element=element,
+                data=data,
+                parent_frame=0,
+                child_frame=len(self.frames) - 1,
+                rotation=place[0],
+                position=place[1],
+                q=q if free else -1,
+                u=u if free else -1,
+                coupling=coupling,
+                motion=motion,
+            )
+        )
+        if free:
+            self._slots = [q + len(element.coordinates), u + len(element.speeds)]
+        return number
+
+    def own_frame(self, body: int) -> int:
+        """Index of the frame of a body here that is its own."""
+        return self.joints[body].child_frame
+
+    def frame(self, number: int) -> int:
+        """Index here of a frame of the scene."""
+        number = self.scene.frame(number)
+        if number not in self._frame:
+            frame = self.system.frames[number]
+            body = self.node(frame.body)
+            name = f"frame{len(self._frame)}"
+            rotation = self.expressions(frame.rotation, f"{name}_rotation")
+            position = self.expressions(frame.position, f"{name}_position")
+            self._frame[number] = len(self.frames)
+            self.frames.append(Frame(name, body, 0, rotation, position))
+        return self._frame[number]
+
+    # expressions
+
+    def quantities(self, data: Data) -> Data:
+        """Quantities of an element of the scene."""
+        return {
+            name: (rows, columns, self.expressions(nodes, name))
+            for name, (rows, columns, nodes) in data.items()
+        }
+
+    def expressions(self, nodes: Sequence[int], name: str) -> Nodes:
+        """Expressions of the scene told here.
+
+        Args:
+            nodes: In the graph of the scene.
+            name: What new parameters are called.
+        """
+        graph = self.system.graph
+        order = live(graph, nodes)
+        fixed = _of_parameters(self.system, order)
+        told: dict[int, int] = {}
+        for i in (n for n in nodes if n in fixed):
+            told[i] = self._datum(i, name, len(nodes) > 1)
+        for i in order:
+            if i in fixed:
+                continue
+            node = graph.nodes[i]
+            if node[0] in LEAVES:
+                told[i] = self._leaf(i)
+                continue
+            for k in operands(node):
+                if k in fixed and graph.nodes[k][0] != "const":
+                    told[k] = self._datum(k, name, True)
+        start = len(self.graph)
+        found = rebuild(graph, nodes, told, into=self.graph)[1]
+        # who wrote them first is no matter: they stand for all members of a kind
+        for i in range(start, len(self.graph)):
+            self.graph.origins[i] = MADE_BY_NOBODY
+            self.graph.labels.pop(i, None)
+            self.graph.shared.pop(i, None)
+        return tuple(found)
+
+    def _datum(self, i: int, name: str, several: bool) -> int:
+        """An expression in parameters alone as a parameter of its own, or as the number it is."""
+        graph = self.system.graph
+        if i in STRUCTURAL:
+            return i
+        if graph.nodes[i][0] == "neg":
+            return self.graph.neg(self._datum(graph.nodes[i][1], name, several))
+        if i not in self._own:
+            count = sum(other.startswith(f"{name}.") for other in self._names)
+            taken = several or name in self._names
+            self._own[i] = self.graph.var("p", len(self.data))
+            self._names.append(f"{name}.{count + 1}" if taken else name)
+            self.data.append(i)
+        return self._own[i]
+
+    def _leaf(self, i: int) -> int:
+        """A leaf that moves: time, input, coordinate, state or placeholder."""
+        kind, name, *rest = self.system.graph.nodes[i]
+        if kind == "atom":
+            return self._atom(name) if name in self.system.atoms else self.graph.atom(name)
+        if name in ("t", "r"):
+            return self.graph.var(name, rest[0])
+        if name in ("z", "s"):
+            return self.graph.var(name, self.state(name, rest[0]))
+        if name not in ("q", "u"):
+            raise DerivationError(f"an expression that reads block '{name}' belongs to no element")
+        owner, entry = self.scene.slot(name, rest[0])
+        joint = self.joints[self.joint(owner)]
+        return self.graph.var(name, (joint.q if name == "q" else joint.u) + entry)
+
+    def state(self, block: str, entry: int) -> int:
+        """Entry here of an internal state ("z") or mode ("s") of the scene."""
+        own = self.z if block == "z" else self.s
+        if entry not in own:
+            own.append(entry)
+        return own.index(entry)
+
+    def _atom(self, name: str) -> int:
+        """A placeholder for the motion of frames or joints."""
+        atom = self.system.atoms[name]
+        if atom.quantity in ("q", "u"):
+            own = replace(atom, frame=self.joint(atom.frame))
+        else:
+            frame, wrt, in_ = (self.frame(f) for f in (atom.frame, atom.wrt, atom.in_))
+            own = replace(atom, frame=frame, wrt=wrt, in_=in_)
+        for known, other in self.atoms.items():
+            if other == own:
+                return self.graph.atom(known)
+        known = f"motion {len(self.atoms)}"
+        self.atoms[known] = own
+        return self.graph.atom(known)
+
+
+def _of_parameters(system: System, order: Sequence[int]) -> set[int]:
+    """Which nodes of a topological order depend on parameters alone."""
+    nodes, found = system.graph.nodes, set[int]()
+    for i in order:
+        node = nodes[i]
+        if (
+            node[0] == "const"
+            or node[:2] == ("var", "p")
+            or (node[0] not in LEAVES and all(k in found for k in operands(node)))
+        ):
+            found.add(i)
+    return found

@@ -1,0 +1,246 @@
+"""System -> Absolute: places, kinds found by structure, and the tables of their members."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+
+import numpy as np
+
+from ...arrays import Integers
+from ...elements.flexible import FLEXIBLE
+from ...errors import DerivationError
+from ...ir.function import Function, Output
+from ...ir.graph import ZERO
+from ...spatial.plane import NORMALS
+from ...topology.system import Cut, Joint, System, own_lengths
+from ..functions.blocks import parameters
+from .blocks import Holds, holds
+from .element_kinds import kind_of, structure
+from .nodal_scene import NODE, Key, Scene
+from .parts import Piece, pieces
+from .planar_kinds import flattened
+from .planarity import check, planes
+from .record import GROUND, Absolute, BlockKind, Frames, Group, Kind, Places, unique
+from .segments import beamed
+from .states import states
+
+
+def lowered(system: System, plane: str | None = None) -> Absolute:
+    """A system in absolute coordinates.
+
+    Args:
+        system: The system graph.
+        plane: Normal of the plane it stays in ("x", "y" or "z"), "auto" to look for one, None for
+            space.
+
+    Raises:
+        DerivationError: it has events, or friction pressed by reactions; or leaves the plane.
+    """
+    _refuse(system)
+    scene = Scene(system)
+    if plane != "auto":
+        return _lowered(scene, None if plane is None else NORMALS.index(plane))
+    for normal in reversed(range(3)):
+        try:
+            return _lowered(scene, normal)
+        except DerivationError:
+            continue
+    return _lowered(scene, None)
+
+
+def _lowered(scene: Scene, normal: int | None) -> Absolute:
+    """A scene in space, or in the plane across an axis of the ground."""
+    system = scene.system
+    bodies, lines = (None, ()) if normal is None else planes(scene, normal)
+    hold = holds(scene, bodies, lines)
+    at = {key: k for k, key in enumerate(scene.places)}
+    taken, space = set(FLEXIBLE), dict[str, Kind]()
+    found = _sorted(pieces(scene), hold, taken, space)
+    # elements that do nothing are left out, not those that push out of a plane
+    found = [(kind, own) for kind, own in found if space.get(kind.name, kind).functions]
+    results = _names(found, "outputs", lambda piece: piece.results)
+    powers = _names(found, "power", lambda piece: piece.powers)
+    beams = beamed(scene, at, hold, powers, taken)
+    names = [*(scene.name(key) for key in scene.places), *beams.names]
+    kinds, every = _numbered([hold.node] * (bodies is None), [*hold.here.values(), *beams.kinds])
+    groups, position = list[Group](), 0
+    other = sum(kind.mp * len(members) for kind, members in found)
+    for kind, members in found:
+        rows = _rows(kind, len(members), position, other)
+        groups.append(_group(kind, members, at, rows, system, (results, powers)))
+        position += kind.mp * len(members)
+        other += (kind.m - kind.mp) * len(members)
+    joints = {
+        piece.name: (g, e)
+        for g, (_, members) in enumerate(found)
+        for e, piece in enumerate(members)
+        if piece.joint
+    }
+    if normal is not None:
+        check(scene, (*groups, *beams.groups), space | beams.space, normal)
+    return Absolute(
+        system=system,
+        places=Places(names, kinds, every),
+        groups=(*groups, *beams.groups),
+        frames=_frames(scene, at),
+        joints=joints,
+        states=states(scene, bodies),
+        results=tuple((name, _unit(system, name)) for name in results),
+        powers=tuple(powers),
+        reference=beams.reference,
+        lines=beams.lines,
+    )
+
+
+def _numbered(
+    first: Sequence[BlockKind], places: Sequence[BlockKind]
+) -> tuple[tuple[BlockKind, ...], Integers]:
+    """The kinds of places there are, and the kind of every place."""
+    kinds = {kind.name: kind for kind in (*first, *places)}
+    numbers = {name: k for k, name in enumerate(kinds)}
+    every = np.array([numbers[kind.name] for kind in places], dtype=np.intp)
+    return tuple(kinds.values()), every
+
+
+def _refuse(system: System) -> None:
+    """What belongs to relative coordinates alone.
+
+    Raises:
+        DerivationError: written equations, events, or friction pressed by reactions.
+    """
+    if system.written:
+        raise DerivationError(
+            f"'{system.name}' is made of written equations, which have coordinates of their own: "
+            'leave out coordinates="absolute"'
+        )
+    for force in system.forces:
+        what = ""
+        if force.element.pressed:
+            what = "the force follows from the reaction of its joint"
+        elif force.element.events():
+            what = f"it has events ('{force.element.events()[0].about}')"
+        if what:
+            cure = 'Use coordinates="relative"'
+            if system.segments:
+                cure = "Beams have no others: leave it out, or put rigid bodies in place of beams"
+            raise DerivationError(
+                f"'{force.name}' ({force.element.kind}): {what}, which absolute coordinates do not "
+                f"have. {cure}"
+            )
+
+
+def _sorted(
+    found: Iterable[Piece], hold: Holds, taken: set[str], space: dict[str, Kind]
+) -> list[tuple[Kind, list[Piece]]]:
+    """Pieces by kind, in the order in which kinds come up; kinds of planes as they are in space."""
+    members: dict[str, list[Piece]] = {}
+    for piece in found:
+        members.setdefault(structure(piece, _blocks(piece, hold.here)), []).append(piece)
+    made = []
+    for pieces_of in members.values():
+        name = unique(pieces_of[0].kind, taken)
+        here, there = (_blocks(pieces_of[0], known) for known in (hold.here, hold.space))
+        kind = kind_of(name, pieces_of[0], there)
+        if any(block.plane is not None for block in here):
+            space[name], kind = kind, flattened(name, kind, here)
+        made.append((kind, pieces_of))
+    return made
+
+
+def _blocks(piece: Piece, at: Mapping[Key, BlockKind]) -> tuple[BlockKind, ...]:
+    return tuple(at[key] for key in piece.cutting.places)
+
+
+def _names(
+    found: Sequence[tuple[Kind, list[Piece]]], function: str, names: object
+) -> dict[str, int]:
+    """Numbers of the outputs or powers by name."""
+    listed = (
+        name
+        for kind, members in found
+        if function in kind.functions
+        for piece in members
+        for name in names(piece)  # type: ignore[operator]
+    )
+    return {name: k for k, name in enumerate(dict.fromkeys(listed))}
+
+
+def _group(
+    kind: Kind,
+    members: list[Piece],
+    at: Mapping[Key, int],
+    rows: Integers,
+    system: System,
+    named: tuple[Mapping[str, int], Mapping[str, int]],
+) -> Group:
+    """The table of the members of a kind."""
+    results, powers = named
+    has = kind.functions.keys()
+    return Group(
+        kind=kind,
+        members=tuple(piece.name for piece in members),
+        places=_table([[at[key] for key in piece.cutting.places] for piece in members]),
+        rows=rows,
+        common=_common(kind, members, system),
+        z=_table([piece.cutting.z for piece in members]) if members[0].cutting.z else None,
+        s=_table([piece.cutting.s for piece in members]) if members[0].cutting.s else None,
+        outputs=_table([[results[n] for n in p.results] for p in members])
+        if "outputs" in has
+        else None,
+        powers=_table([[powers[n] for n in p.powers] for p in members]) if "power" in has else None,
+    )
+
+
+def _rows(kind: Kind, count: int, position: int, other: int) -> Integers:
+    """First rows of members that follow each other, of positions and of the others."""
+    each = np.arange(count, dtype=np.intp)
+    return np.stack([position + kind.mp * each, other + (kind.m - kind.mp) * each], axis=1)
+
+
+def _table(rows: Sequence[Sequence[int]]) -> Integers:
+    return np.array(rows, dtype=np.intp).reshape(len(rows), -1)
+
+
+def _common(kind: Kind, members: list[Piece], system: System) -> Function | None:
+    """The data of all members as a function of the parameters of the scene."""
+    rows = [tuple(piece.cutting.data) for piece in members]
+    count = len(kind.data)
+    if not count:
+        return None
+    alike = len(set(rows)) == 1
+    nodes = rows[0] if alike else tuple(node for row in rows for node in row)
+    shape = (count,) if alike else (len(rows), count)
+    return _of_parameters(f"{kind.name}__data", system, (Output("data", shape, nodes),))
+
+
+def _of_parameters(name: str, system: System, results: tuple[Output, ...]) -> Function:
+    return Function(name, system.graph, (parameters(system),), results, ("ground",))
+
+
+def _frames(scene: Scene, at: Mapping[Key, int]) -> Frames:
+    """Where the frames of the scene are fixed."""
+    system = scene.system
+    told = [system.frames[scene.frame(k)] for k in range(len(system.frames))]
+    place = [GROUND if f.body < 0 else at[NODE, f.body] for f in told]
+    rotation = tuple(node for f in told for node in f.rotation)
+    position = tuple(node for f in told for node in f.position)
+    results = [
+        Output("rotation", (len(told), 9), rotation),
+        Output("position", (len(told), 3), position),
+    ]
+    # those of joints count where the size of the scene is asked for
+    joints: tuple[Joint | Cut, ...] = (*system.joints, *system.closing)
+    lengths = tuple(node for joint in joints for node in own_lengths(joint) if node != ZERO)
+    if lengths:
+        results.append(Output("lengths", (len(lengths),), lengths))
+    poses = _of_parameters("frames__data", system, tuple(results))
+    return Frames(np.array(place, dtype=np.intp), poses)
+
+
+def _unit(system: System, name: str) -> str:
+    """Unit of an output, or of a driving force ``<joint>.force``."""
+    for entry in system.outputs:
+        if entry.name == name:
+            return entry.unit
+    joint = next(j for j in system.joints if f"{j.name}.force" == name)
+    return "N" if joint.element.speeds[0].unit == "m/s" else "N*m"

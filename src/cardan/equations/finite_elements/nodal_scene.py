@@ -1,0 +1,102 @@
+"""A system looked at as nodes and joints with coordinates of their own."""
+
+from __future__ import annotations
+
+from functools import cached_property
+from typing import TypeAlias
+
+from ...elements.joints.free import Free
+from ...elements.joints.joint import Joint as JointElement
+from ...elements.joints.joint import Reversed
+from ...topology.conversion import IDENTITY, ORIGIN
+from ...topology.system import GROUND, Cut, System
+
+NODE, JOINT = "node", "joint"
+# what a place belongs to: (NODE, body) or (JOINT, joint)
+Key: TypeAlias = tuple[str, int]
+
+
+class Scene:
+    """What the parts of a system become.
+
+    Args:
+        system: The system graph.
+    """
+
+    def __init__(self, system: System) -> None:
+        self.system = system
+
+    @cached_property
+    def carried(self) -> dict[int, Cut]:
+        """Bodies that only stand for the far side of a joint that closes a circuit, with it."""
+        return {cut.carrier: cut for cut in self.system.cuts if cut.carrier is not None}
+
+    @cached_property
+    def nodal(self) -> frozenset[int]:
+        """Free joints that hold nothing: their coordinates are those of the node they move."""
+        acted = {j for force in self.system.forces for j in force.joints.values()}
+        return frozenset(
+            i
+            for i, joint in enumerate(self.system.joints)
+            if joint.element == Free()
+            and self.system.bodies[i].parent == GROUND
+            and (joint.rotation, joint.position) == (IDENTITY, ORIGIN)
+            and i not in acted
+            and i not in self.carried
+        )
+
+    @cached_property
+    def places(self) -> tuple[Key, ...]:
+        """All places, in the order of the tree: a joint with coordinates before its node."""
+        found: list[Key] = []
+        for i, joint in enumerate(self.system.joints):
+            if joint.q >= 0 and i not in self.nodal:
+                found.append((JOINT, i))
+            if i not in self.carried:
+                found.append((NODE, i))
+        return tuple(found)
+
+    def name(self, place: Key) -> str:
+        """Name of a place: of the joint, or of the body of a node unless a joint is called so."""
+        kind, i = place
+        if kind == JOINT or i in self.nodal:
+            return self.system.joints[i].name
+        name = self.system.bodies[i].name
+        return f"{name}.node" if name in self._joint_names else name
+
+    @cached_property
+    def _joint_names(self) -> frozenset[str]:
+        return frozenset(joint.name for joint in self.system.joints)
+
+    def frame(self, number: int) -> int:
+        """A frame on a body that is no node, told by the one it coincides with."""
+        cut = self.carried.get(self.system.frames[number].body)
+        return number if cut is None else cut.child_frame
+
+    def slot(self, block: str, entry: int) -> tuple[int, int]:
+        """Joint and entry within it of an entry of q or u."""
+        i = self._owners[block][entry]
+        joint = self.system.joints[i]
+        return i, entry - (joint.q if block == "q" else joint.u)
+
+    @cached_property
+    def _owners(self) -> dict[str, list[int]]:
+        found: dict[str, list[int]] = {"q": [], "u": []}
+        for i, joint in enumerate(self.system.joints):
+            if joint.q >= 0:
+                found["q"] += [i] * len(joint.element.coordinates)
+                found["u"] += [i] * len(joint.element.speeds)
+        return found
+
+    def line(self, i: int) -> int:
+        """Number of coordinates of a joint if they just add up, else 0."""
+        element = self.system.joints[i].element
+        return len(element.coordinates) if adds_up(element) else 0
+
+
+def adds_up(element: JointElement) -> bool:
+    """Whether the speeds of a joint are the rates of its coordinates."""
+    if isinstance(element, Reversed):
+        return adds_up(element.element)
+    own = (type(element).rates, type(element).integrate)
+    return own == (JointElement.rates, JointElement.integrate)

@@ -1,0 +1,179 @@
+"""What a system falls into: bodies, joints, force elements, relations and outputs, one by one."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from ...elements.joints.fixed import Fixed
+from ...elements.joints.joint import Joint as JointElement
+from ...ir.graph import ZERO
+from ...topology.loops.circuits import circuit
+from ...topology.system import Cut, Force, Named, System
+from .element_systems import CARRIED, Cutting, Mass
+from .nodal_scene import Scene
+
+BODY = "Géradin and Cardona, Flexible Multibody Dynamics, 2001, chapter 7 (rigid body)"
+
+
+@dataclass(frozen=True)
+class Piece:
+    """One member of a kind, as a small system.
+
+    Attributes:
+        name: Of the member.
+        kind: What the kind may be called.
+        cutting: How it was cut: its places and data.
+        system: The small system.
+        source: Literature.
+        joint: Whether it transmits a reaction, as cut joint 0 of the small system.
+        turned: The joint of the small system that was declared with parent and child exchanged,
+            -1 for none.
+        driven: Prescribed joints of the small system to whose driving force it contributes.
+        results: Names of the outputs that it contributes to.
+        powers: Names of the powers that it contributes to.
+    """
+
+    name: str
+    kind: str
+    cutting: Cutting
+    system: System
+    source: str = ""
+    joint: bool = False
+    turned: int = -1
+    driven: tuple[int, ...] = ()
+    results: tuple[str, ...] = ()
+    powers: tuple[str, ...] = ()
+
+
+def pieces(scene: Scene) -> Iterator[Piece]:
+    """The pieces of a system: bodies, joints of the tree, those that close circuits, the rest."""
+    system = scene.system
+    for i in range(len(system.bodies)):
+        if i not in scene.carried and _has_mass(system, i):
+            yield _body(scene, i)
+    for i in range(len(system.joints)):
+        if i not in scene.nodal and i not in scene.carried:
+            yield _joint(scene, i)
+    for cut in system.cuts:
+        yield _closing(scene, cut) if cut.carrier is None else _joint(scene, cut.carrier)
+    for force in system.forces:
+        yield _force(scene, force)
+    for entry in system.constraints:
+        yield _relation(scene, entry)
+    for entry in system.outputs:
+        yield _output(scene, entry)
+
+
+def _has_mass(system: System, i: int) -> bool:
+    body = system.bodies[i]
+    return any(node != ZERO for node in (body.mass, *body.first_moment, *body.inertia))
+
+
+def _body(scene: Scene, i: int) -> Piece:
+    cutting, body = Cutting(scene), scene.system.bodies[i]
+    (mass,) = cutting.expressions((body.mass,), "mass")
+    moment = cutting.expressions(body.first_moment, "first_moment")
+    inertia = cutting.expressions(body.inertia, "inertia")
+    cutting.node(i, Mass(mass, moment, inertia))
+    gravity = cutting.expressions(scene.system.gravity, "gravity")
+    return Piece(body.name, "body", cutting, cutting.made(gravity=gravity), BODY)
+
+
+def _joint(scene: Scene, i: int) -> Piece:
+    """A joint that moves a body without mass, which is held on the child by its reaction."""
+    cutting, joint = Cutting(scene), scene.system.joints[i]
+    parent = cutting.node(scene.system.bodies[i].parent)
+    cut = scene.carried.get(i)
+    end = cutting.own_frame(cutting.node(i)) if cut is None else cutting.frame(cut.child_frame)
+    carried = cutting.carried(i, parent)
+    held = _cut(cutting, Fixed(), (cutting.own_frame(carried), end), carried)
+    moved = joint.motion is not None
+    return Piece(
+        joint.name,
+        joint.element.kind,
+        cutting,
+        cutting.made(cuts=(held,)),
+        joint.element.source,
+        joint=True,
+        turned=carried if joint.reversed else -1,
+        driven=(carried,) if moved else (),
+        results=(f"{joint.name}.force",) if moved else (),
+        powers=(f"{joint.name}.motion",) if moved else (),
+    )
+
+
+def _closing(scene: Scene, cut: Cut) -> Piece:
+    """A joint without coordinates of its own: what it holds."""
+    cutting = Cutting(scene)
+    frames = (cutting.frame(cut.parent_frame), cutting.frame(cut.child_frame))
+    held = _cut(cutting, cut.element, frames, None, cutting.quantities(cut.data))
+    system = cutting.made(cuts=(held,))
+    kind = f"{cut.element.kind}_held"
+    return Piece(cut.name, kind, cutting, system, cut.element.source, joint=True)
+
+
+def _cut(
+    cutting: Cutting,
+    element: JointElement,
+    frames: tuple[int, int],
+    carrier: int | None,
+    data: dict[str, tuple[int, int, tuple[int, ...]]] | None = None,
+) -> Cut:
+    """What holds two frames of a small system, all of it."""
+    ends = (cutting.frames[frame].body for frame in frames)
+    base, path = circuit([body.parent for body in cutting.bodies], *ends)
+    return Cut(
+        CARRIED,
+        element,
+        data or {},
+        *frames,
+        base,
+        path,
+        rows=tuple(range(len(element.held))),
+        carrier=carrier,
+    )
+
+
+def _force(scene: Scene, force: Force) -> Piece:
+    cutting, element = Cutting(scene), force.element
+    frames = {role: cutting.frame(frame) for role, frame in force.frames.items()}
+    joints = {role: cutting.joint(joint) for role, joint in force.joints.items()}
+    for block, first, count in (
+        ("z", force.z, len(element.internals())),
+        ("s", force.s, len(element.modes())),
+    ):
+        for entry in range(count):
+            cutting.state(block, first + entry)
+    data = cutting.quantities(force.data)
+    own = Force(element.kind, element, data, frames, joints)
+    names = [scene.system.joints[joint].name for joint in force.joints.values()]
+    driven = {
+        number: name
+        for number, name in zip(joints.values(), names, strict=True)
+        if cutting.joints[number].motion is not None
+    }
+    return Piece(
+        force.name,
+        element.kind,
+        cutting,
+        cutting.made(forces=(own,)),
+        element.source,
+        driven=tuple(driven),
+        results=tuple(f"{name}.force" for name in driven.values()),
+        powers=(force.name, *(f"{name}.motion" for name in driven.values())),
+    )
+
+
+def _relation(scene: Scene, entry: Named) -> Piece:
+    cutting = Cutting(scene)
+    (node,) = cutting.expressions((entry.node,), "value")
+    system = cutting.made(constraints=(Named("relation", node, entry.unit),))
+    return Piece(entry.name, "relation", cutting, system, powers=(f"{entry.name}.motion",))
+
+
+def _output(scene: Scene, entry: Named) -> Piece:
+    cutting = Cutting(scene)
+    (node,) = cutting.expressions((entry.node,), "value")
+    system = cutting.made(outputs=(Named("output", node, entry.unit),))
+    return Piece(entry.name, "output", cutting, system, results=(entry.name,))

@@ -1,0 +1,322 @@
+"""Segments of beams as tables of flexible elements on their nodes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cache
+
+import numpy as np
+
+from ...arrays import Integers
+from ...elements.flexible import BEAMS, FLEXIBLE, INERTIAS
+from ...elements.flexible.element import FlexibleElement
+from ...elements.flexible.element_ends import GROUND as AT_GROUND
+from ...elements.flexible.element_ends import NODE as AT_NODE
+from ...elements.flexible.element_ends import OFFSET
+from ...ir.function import Block, Function, Output
+from ...ir.graph import ZERO, Graph
+from ...ir.interpreter import evaluate
+from ...ir.matrix import Matrix
+from ...spatial.exponential import quaternion_of
+from ...topology.beams.segment_tables import Segment
+from ...topology.conversion import IDENTITY, ORIGIN
+from ..functions.blocks import parameters
+from .blocks import Holds
+from .nodal_scene import NODE, Key, Scene
+from .planar_kinds import flattened
+from .record import GROUND, BlockKind, Group, Kind, Numbers, unique
+
+# elements of a segment up to which they share a table with those of others
+FEW = 100
+# kind of element -> data of a segment without which it does nothing
+ASIDE = {
+    "damping": ("damping",),
+    "dead_load": ("dead_force", "dead_moment"),
+    "follower_load": ("follower_force", "follower_moment"),
+}
+
+
+@dataclass(frozen=True)
+class Beamed:
+    """What the segments of a scene add.
+
+    Attributes:
+        names: Of the nodes between named ones.
+        reference: Their coordinates in the reference configuration, one after the other.
+        kinds: What each of them holds.
+        space: Kinds of elements in space by the name of those in a plane.
+        lines: Places of the nodes of every segment, GROUND at ends fixed to the ground.
+        groups: The elements.
+    """
+
+    names: tuple[str, ...]
+    reference: Numbers
+    kinds: tuple[BlockKind, ...]
+    space: dict[str, Kind]
+    lines: tuple[Integers, ...]
+    groups: tuple[Group, ...]
+
+
+@dataclass(frozen=True)
+class _End:
+    """Where a segment ends: its place, how it sits there, and the numbers that say so."""
+
+    place: int
+    kind: str
+    data: tuple[float, ...] = ()
+
+
+@dataclass(frozen=True)
+class _Part:
+    """Elements of one kind in a segment.
+
+    Attributes:
+        kind: Theirs.
+        names: Of the elements.
+        places: Of their nodes (n, number of nodes).
+        common: Expressions of their common data.
+        own: The other data (n, k).
+        power: Number of the source of power, -1 for none.
+    """
+
+    kind: Kind
+    names: Sequence[str]
+    places: Integers
+    common: tuple[int, ...]
+    own: Numbers
+    power: int
+
+
+def beamed(
+    scene: Scene, at: Mapping[Key, int], holds: Holds, powers: dict[str, int], taken: set[str]
+) -> Beamed:
+    """Nodes and elements of all segments.
+
+    Args:
+        scene: The scene.
+        at: Its places, which the nodes in between follow.
+        holds: What places hold.
+        powers: Numbers of the sources of power; beams are added.
+        taken: Names of kinds that there are.
+    """
+    builder = _Builder(scene, at, holds, powers, taken)
+    names, poses, lines, parts = list[str](), list[Numbers](), list[Integers](), list[_Part]()
+    kinds = list[BlockKind]()
+    place, known = len(at), dict[str, tuple[int, int]]()
+    for number, segment in enumerate(scene.system.segments):
+        count = segment.line.elements
+        # nodes and elements are numbered along the whole beam
+        nodes, elements = known.get(segment.name, (0, 0))
+        known[segment.name] = nodes + count - 1, elements + count
+        ends = [builder.end(frame) for frame in (segment.frame_a, segment.frame_b)]
+        inner = range(place, place + count - 1)
+        line = np.array([ends[0].place, *inner, ends[1].place], dtype=np.intp)
+        names += [f"{segment.name}.node{nodes + k + 1}" for k in range(count - 1)]
+        place += count - 1
+        own = poses_of(segment)
+        inside = holds.inside(number)
+        poses.append(_coordinates(inside, own[1:-1]).ravel())
+        kinds += [inside] * (count - 1)
+        lines.append(line)
+        told = [f"{segment.name}.{elements + k + 1}" for k in range(count)]
+        pairs = np.hstack([own[:-1], own[1:]])
+        parts += builder.parts(segment, told, line, ends, pairs, inside)
+    reference = np.concatenate(poses) if poses else np.zeros(0)
+    groups = tuple(builder.groups(parts))
+    return Beamed(tuple(names), reference, tuple(kinds), builder.space, tuple(lines), groups)
+
+
+def _coordinates(kind: BlockKind, poses: Numbers) -> Numbers:
+    """Coordinates of nodes at poses (n, 7)."""
+    return poses if kind.plane is None else kind.plane.told(poses)
+
+
+def poses_of(segment: Segment) -> Numbers:
+    """Unit quaternions and positions of the nodes (n + 1, 7)."""
+    line = segment.line
+    found = evaluate(_quaternions(), {"q": line.rotations.reshape(-1, 9)}, "numpy")["q"]
+    # of q and -q that beside the one before
+    turned = np.sum(found[1:] * found[:-1], axis=1) < 0
+    found[1:] *= np.cumprod(np.where(turned, -1.0, 1.0))[:, None]
+    return np.hstack([found, line.positions])
+
+
+@cache
+def _quaternions() -> Function:
+    """Rotation matrix q (9) -> unit quaternion (4)."""
+    graph = Graph()
+    R = Matrix(graph, 3, 3, [graph.var("q", k) for k in range(9)])
+    block = Block("q", tuple(f"R{k}" for k in range(9)), ("",) * 9)
+    output = Output("q", (4,), quaternion_of(R).nodes)
+    return Function("quaternions", graph, (block,), (output,))
+
+
+class _Builder:
+    """Makes the groups of segments; kinds are derived once."""
+
+    def __init__(
+        self,
+        scene: Scene,
+        at: Mapping[Key, int],
+        holds: Holds,
+        powers: dict[str, int],
+        taken: set[str],
+    ) -> None:
+        self.scene, self.system = scene, scene.system
+        self.at, self.holds, self.powers, self.taken = at, holds, powers, taken
+        self.keys = list(at)
+        self.space: dict[str, Kind] = {}
+        self._kinds: dict[tuple[str, ...], Kind] = {}
+
+    def end(self, number: int) -> _End:
+        """Where a frame at the end of a segment is."""
+        frame = self.system.frames[self.scene.frame(number)]
+        if frame.body < 0:
+            return _End(GROUND, AT_GROUND, self._numbers(frame.rotation + frame.position))
+        place = self.at[NODE, frame.body]
+        if (frame.rotation, frame.position) == (IDENTITY, ORIGIN):
+            return _End(place, AT_NODE)
+        return _End(place, OFFSET, self._numbers(frame.rotation + frame.position))
+
+    def _numbers(self, nodes: tuple[int, ...]) -> tuple[float, ...]:
+        """Expressions at the values of the parameters: geometry of beams is fixed."""
+        made = self._function("place", nodes)
+        p = [parameter.value for parameter in self.system.parameters]
+        return tuple(float(x) for x in evaluate(made, {"p": p})["data"])
+
+    def _function(self, name: str, nodes: tuple[int, ...], *shape: int) -> Function:
+        output = Output("data", shape or (len(nodes),), nodes)
+        p = parameters(self.system)
+        return Function(name, self.system.graph, (p,), (output,), ("ground",))
+
+    def groups(self, parts: Sequence[_Part]) -> Iterator[Group]:
+        """One table for each kind; long parts have one of their own, with data told once."""
+        sorted_by: dict[tuple[object, ...], list[_Part]] = {}
+        for part in parts:
+            apart = part.common if len(part.names) > FEW else ()
+            sorted_by.setdefault((part.kind.name, apart), []).append(part)
+        for number, some in enumerate(sorted_by.values()):
+            kind, counts = some[0].kind, [len(part.names) for part in some]
+            power = np.repeat([part.power for part in some], counts)[:, None]
+            yield Group(
+                kind=kind,
+                members=[name for part in some for name in part.names],
+                places=np.concatenate([part.places for part in some]),
+                rows=np.zeros((sum(counts), 2), dtype=np.intp),
+                common=self._common(f"{kind.name}__data_{number}", some),
+                own=np.concatenate([part.own for part in some]),
+                powers=power.astype(np.intp) if "power" in kind.functions else None,
+            )
+
+    def _common(self, name: str, parts: Sequence[_Part]) -> Function:
+        """Common data of a group as a function of the parameters of the scene."""
+        first = parts[0].common
+        if all(part.common == first for part in parts):
+            return self._function(name, first)
+        nodes = [node for part in parts for node in part.common * len(part.names)]
+        return self._function(name, tuple(nodes), len(nodes) // len(first), len(first))
+
+    def parts(
+        self,
+        segment: Segment,
+        names: Sequence[str],
+        line: Integers,
+        ends: Sequence[_End],
+        poses: Numbers,
+        inside: BlockKind,
+    ) -> Iterator[_Part]:
+        """The elements of a segment: those at its ends apart where they are no nodes.
+
+        Args:
+            segment: The segment.
+            names: Of its elements.
+            line: Places of its nodes.
+            ends: Where it begins and ends.
+            poses: Of both nodes of every element in the reference configuration (n, 14).
+            inside: What its nodes inside hold.
+        """
+        for element, values in self._elements(segment):
+            own = element.rows(segment.line.stations, poses)
+            apart = [end.place >= 0 and self._held(end.place, inside) != inside for end in ends]
+            for part, kinds, data in _parts(segment.line.elements, ends, apart):
+                places = np.stack([line[:-1][part], line[1:][part]], axis=1)
+                places = places[:, [kind != AT_GROUND for kind in kinds]]
+                first = places[0] if len(places) else ()
+                held = tuple(self._held(int(place), inside) for place in first)
+                rows, kind = own[part], self._kind(element, kinds, held)
+                own_data = np.hstack([rows, np.tile(data, (len(rows), 1))])
+                common = tuple(values[name] for name in element.common)
+                power = self._power(segment) if "power" in kind.functions else -1
+                yield _Part(kind, names[part], places, common, own_data, power)
+
+    def _power(self, segment: Segment) -> int:
+        """Where the power of elements goes: one sum for the whole beam."""
+        return self.powers.setdefault(segment.name, len(self.powers))
+
+    def _held(self, place: int, inside: BlockKind) -> BlockKind:
+        """What a node of a segment holds."""
+        return self.holds.here[self.keys[place]] if place < len(self.keys) else inside
+
+    def _kind(
+        self, element: FlexibleElement, kinds: tuple[str, str], held: tuple[BlockKind, ...]
+    ) -> Kind:
+        """The kind of an element between such ends, whose nodes hold this."""
+        name = element.name(kinds)
+        key = (name, *(block.name for block in held))
+        if key not in self._kinds:
+            places = (self.holds.node,) * len(held)
+            functions, source = element.derived(kinds), element.source
+            found = Kind(name, places, (), 0, element.data(kinds), functions, source)
+            if held != places:
+                space, own = found, unique(name, self.taken)
+                found = flattened(own, space, held)
+                self.space[own] = space
+            self._kinds[key] = found
+        return self._kinds[key]
+
+    def _elements(self, segment: Segment) -> Iterator[tuple[FlexibleElement, dict[str, int]]]:
+        """The elements that a segment is made of, with the expressions of their common data."""
+        values, strained = self._values(segment), BEAMS[segment.element]
+        yield strained, values
+        # what it carries for all acts once
+        values = values | dict.fromkeys(strained.carries, ZERO)
+        if values["rhoA"] != ZERO:
+            yield INERTIAS[segment.inertia], values
+        for kind, names in ASIDE.items():
+            entries = (x for name, x in values.items() if name.rstrip("_123") in names)
+            if any(node != ZERO for node in entries):
+                yield FLEXIBLE[kind](), values
+
+    def _values(self, segment: Segment) -> dict[str, int]:
+        """Common data by name; entries of vectors are numbered."""
+        data = {name: nodes for name, (_, _, nodes) in segment.data.items()}
+        values: dict[str, int] = {}
+        for name, nodes in (*data.items(), ("gravity", self.system.gravity)):
+            numbered = [f"{name}_{k + 1}" for k in range(len(nodes))]
+            values |= dict(zip(numbered if len(nodes) > 1 else [name], nodes, strict=True))
+        return values
+
+
+def _parts(
+    count: int, ends: Sequence[_End], apart: Sequence[bool]
+) -> Iterator[tuple[slice, tuple[str, str], tuple[float, ...]]]:
+    """Runs of elements between ends of the same kinds, with the data of these ends.
+
+    Where a node at an end holds other coordinates than those inside, its element is apart too. One
+    element from ground to ground cannot move: it is left out.
+    """
+    first, last = ends
+    if count == 1:
+        if (first.kind, last.kind) == (AT_GROUND, AT_GROUND):
+            return
+        yield slice(0, 1), (first.kind, last.kind), first.data + last.data
+        return
+    start = int(first.kind != AT_NODE or apart[0])
+    stop = count - int(last.kind != AT_NODE or apart[1])
+    if start:
+        yield slice(0, 1), (first.kind, AT_NODE), first.data
+    if stop > start:
+        yield slice(start, stop), (AT_NODE, AT_NODE), ()
+    if stop < count:
+        yield slice(stop, count), (AT_NODE, last.kind), last.data

@@ -1,0 +1,75 @@
+"""States of the relative formulation as states of nodes and joints."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from ...ir.arithmetic import atan2
+from ...ir.function import Function, Output
+from ...ir.matrix import Matrix
+from ...spatial.exponential import quaternion_of
+from ...spatial.plane import Plane
+from ..constraints.constraints import Constraints
+from ..functions.blocks import blocks
+from ..kinematics.kinematics import Kinematics
+from .nodal_scene import JOINT, NODE, Scene
+
+FACING = "facing "  # before the name of the joint
+READ = ("t", "q", "u", "r", "p")
+
+
+def states(scene: Scene, planes: Mapping[int, Plane] | None = None) -> Function:
+    """[t, q, u, r, p] of the relative formulation -> [q, u] of all places.
+
+    Args:
+        scene: The scene.
+        planes: By body those nodes that are told by x, y and angle in a plane.
+
+    Nodes stand where the joints of the tree carry them; coordinates of joints stay what they are.
+    Numbers ``facing <joint>`` of a joint that closes a circuit are positive where none of its axes
+    is turned round.
+    """
+    system, k = scene.system, Kinematics(scene.system)
+    q, u = list[int](), list[int]()
+    for kind, i in scene.places:
+        plane = (planes or {}).get(i) if kind == NODE else None
+        if plane is not None:
+            with k.graph.made_by(system.bodies[i].name, "state"):
+                own_q, own_u = _in_plane(plane, k, i)
+            q += own_q
+            u += own_u
+            continue
+        if kind == JOINT or i in scene.nodal:
+            q += k.coordinates[i].nodes
+            u += k.speeds[i].nodes
+            continue
+        with k.graph.made_by(system.bodies[i].name, "state"):
+            R = k.ground_rotation[i]
+            q += Matrix.vstack(quaternion_of(R), k.ground_position[i]).nodes
+            u += Matrix.vstack(k.omega[i], R @ k.v[i]).nodes
+    listed = blocks(system)
+    results = [Output("q", (len(q),), tuple(q)), Output("u", (len(u),), tuple(u))]
+    if system.cuts:
+        owners, facing = Constraints(k).facing
+        for owner in dict.fromkeys(owners):
+            own = tuple(n for name, n in zip(owners, facing.nodes, strict=True) if name == owner)
+            results.append(Output(f"{FACING}{owner}", (len(own),), own))
+    return Function(
+        "states",
+        k.graph,
+        tuple(listed[letter] for letter in READ),
+        tuple(results),
+        tuple(body.name for body in system.bodies),
+        "states of the nodes and joints by joint coordinates",
+    )
+
+
+def _in_plane(plane: Plane, k: Kinematics, i: int) -> tuple[tuple[int, ...], tuple[int, ...]]:
+    """x, y, angle of a body and their rates."""
+    R, p = k.ground_rotation[i], k.ground_position[i]
+    spread = Matrix.of(k.graph, plane.spread.tolist())
+    turned = R @ Matrix.of(k.graph, plane.rotation.T.tolist())
+    a, b = plane.along
+    angle = atan2(turned[b, a], turned[a, a])
+    rates = spread.T @ Matrix.vstack(k.omega[i], R @ k.v[i])
+    return (p[a].node, p[b].node, angle.node), rates.nodes

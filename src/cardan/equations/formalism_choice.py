@@ -1,0 +1,135 @@
+"""Equations by the formalism asked for, or by the one that takes the fewest operations."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from ..errors import DerivationError, counted, near
+from ..topology.system import Named, System
+from .constraints.treatments import Treatment
+from .formalisms import FORMALISMS, OTHER_NAMES
+from .reading.counts import Counts
+from .record import Equations
+from .rewrites import check_names
+
+# operations by which eliminating a joint within its bodies exceeds writing its rows of M, measured
+# on arms, legged robots and chains: 25 to 40 in space, less in a plane
+ELIMINATION = 40
+# what takes M of written equations as it stands
+WRITTEN = "composite"
+# ratios of the two between which the functions are counted
+UNCLEAR = (0.85, 3.5)
+
+
+def chosen_by(
+    system: System,
+    method: str,
+    chosen: tuple[Named, ...],
+    rewrites: Sequence[str] | None,
+    treatment: Treatment,
+) -> Equations:
+    """Equations of a system by the formalism asked for, or by the one that takes least.
+
+    Raises:
+        DerivationError: an unknown formalism or rewrite.
+    """
+    check_method(method)
+    if system.written and method not in ("auto", WRITTEN):
+        raise DerivationError(
+            f"'{system.name}' is made of written equations, which are taken as they are: leave out "
+            "method= and speeds="
+        )
+    names = None if rewrites is None else check_names(rewrites)
+    plain = Equations(system, method, chosen, "", names, treatment=treatment)
+    if method != "auto":
+        return plain
+    best, reason = predicted(system)
+    if best is not None:
+        return replace(plain, method=best, reason=reason)
+    both = {m: replace(plain.fresh, method=m) for m in ("composite", "articulated")}
+    try:
+        counts = {m: both[m].operations_of("forward_dynamics") for m in both}
+    except DerivationError:
+        # M is singular: everything but udot can be had
+        return replace(plain, method="composite", reason=f"{counted(system.depth(), 'joint')} deep")
+    best = min(counts, key=lambda m: counts[m].cycles)
+    other = next(m for m in counts if m != best)
+    reason = f"{_told(counts[best])}; by {other} {_told(counts[other])}"
+    return replace(both[best], reason=reason)
+
+
+def _told(counts: Counts) -> str:
+    return f"{counted(counts.total, 'operation')}, {counts.critical_path:.0f} in a row"
+
+
+def check_method(method: str) -> None:
+    """Complain about an unknown formalism; names of other schools are translated.
+
+    Raises:
+        DerivationError: it does not exist.
+    """
+    if method in FORMALISMS or method == "auto":
+        return
+    other = OTHER_NAMES.get(method.lower())
+    hint = (
+        f" '{method}' is called '{other}' here." if other else near(method, ("auto", *FORMALISMS))
+    )
+    raise DerivationError(f"method '{method}' does not exist.{hint}")
+
+
+def check_chooses(method: str) -> None:
+    """Complain about a formalism that does not take chosen speeds.
+
+    Raises:
+        DerivationError: it does not, or does not exist.
+    """
+    check_method(method)
+    if not FORMALISMS[method].chooses:
+        others = ", ".join(f"'{name}'" for name, other in FORMALISMS.items() if other.chooses)
+        raise DerivationError(
+            f"speeds= goes with method={others}, not '{method}', which eliminates the speeds of "
+            "one joint after the other"
+        )
+
+
+def predicted(system: System) -> tuple[str | None, str]:
+    """The formalism whose forward dynamics will take fewer operations, with the reason.
+
+    M and its factorization grow with the cube of the depth, articulated bodies with the number of
+    joints. Where the prediction is not clear the formalism is None: count.
+    """
+    if system.closed:
+        return "composite", "its constraints need M"
+    if system.closures:
+        return "composite", "circuits tie joints together"
+    if system.written:
+        return WRITTEN, "its equations are written with M"
+    coupled = [j.name for j in system.joints if j.coupling is not None]
+    if coupled:
+        return "composite", f"joint {coupled[0]} is coupled"
+    factor, joints = factorization(system), sum(j.u >= 0 for j in system.joints)
+    ratio = factor / (ELIMINATION * max(joints, 1))
+    depth = system.depth()
+    told = counted(factor, "operation")
+    if ratio < UNCLEAR[0]:
+        return "composite", f"{counted(depth, 'joint')} deep: solving with M takes {told}"
+    if ratio > UNCLEAR[1]:
+        return "articulated", f"{counted(depth, 'joint')} deep: solving with M would take {told}"
+    return None, ""
+
+
+def factorization(system: System) -> int:
+    """Operations of M = Lᵀ D L and one solution, with the zeros of the branches of the tree.
+
+    Source: Featherstone, Rigid Body Dynamics Algorithms (2008), chapter 8.
+    """
+    total, above = 0, list[int]()
+    for body, joint in zip(system.bodies, system.joints, strict=True):
+        inner = above[body.parent] if body.parent >= 0 else 0
+        own = len(joint.element.speeds) if joint.u >= 0 else 0
+        # row by row: divide, subtract the products, and once each way through for the solution
+        for n in range(inner, inner + own):
+            total += n * (n + 1) + 5 * n + 1
+        above.append(inner + own)
+    return total

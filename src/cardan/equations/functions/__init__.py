@@ -1,0 +1,1 @@
+"""Functions of a system, each derived when it is requested."""

@@ -1,0 +1,106 @@
+"""What the builders of functions work with, and which there are."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+from ...errors import DerivationError, near
+from ...ir.function import Output
+from ...ir.matrix import Matrix
+from ...ir.rewrite import rebuild
+from ...schema.functions import FUNCTIONS
+from ...topology.system import System
+from ..constraints.reaction_friction import pressed, solved
+from ..kinematics.kinematics import Kinematics
+from .dynamics import Dynamics
+
+
+def frame_number(system: System, name: str) -> int:
+    """Index of a frame by its name.
+
+    Raises:
+        DerivationError: no such frame.
+    """
+    for i, frame in enumerate(system.frames):
+        if frame.name == name:
+            return i
+    names = [f.name for f in system.frames]
+    raise DerivationError(f"frame '{name}' does not exist.{near(name, names)}")
+
+
+@dataclass(frozen=True)
+class Context:
+    """What a builder works with.
+
+    Attributes:
+        d: The dynamics, underived.
+        names, units: Of the entries of every input block, and of ``qdot``.
+        of: The frame or joint asked for.
+    """
+
+    d: Dynamics
+    names: dict[str, tuple[str, ...]]
+    units: dict[str, tuple[str, ...]]
+    of: str | None = None
+
+    @property
+    def k(self) -> Kinematics:
+        return self.d.k
+
+    @property
+    def udot(self) -> Matrix:
+        """The block udot as a vector."""
+        return self.d.block("udot", self.k.system.nu)
+
+    @property
+    def frame(self) -> int:
+        return frame_number(self.k.system, self.of or "")
+
+    def with_friction_at(self, udot: Matrix) -> None:
+        """Let friction that follows from reactions be that at given accelerations.
+
+        Raises:
+            DerivationError: the reactions do not follow from these, as circuits are closed.
+        """
+        own = pressed(self.k.system)
+        if own and (self.k.system.cuts or self.k.system.constraints):
+            raise DerivationError(
+                f"the friction of '{own[0].name}' follows from reactions, which accelerations "
+                "alone do not determine in closed circuits: inverse dynamics has no answer here"
+            )
+        if own:
+            rest = Matrix.zeros(self.k.graph, self.k.system.nu)
+            self.d.pressed = solved(self.d, rest, udot)
+
+    def vector(self, name: str, x: Matrix, like: str) -> tuple[Output, ...]:
+        """A result with the names and units of an input block."""
+        return (Output(name, (x.rows,), x.nodes, self.names[like], self.units[like]),)
+
+
+Builder = Callable[[Context], tuple[Output, ...]]
+
+
+# of every function of the table, by name
+RECIPES: dict[str, Builder] = {}
+
+
+def recipe(builder: Builder) -> Builder:
+    """Let a builder derive the function of its name."""
+    assert builder.__name__ in FUNCTIONS, f"the table has no function {builder.__name__}"
+    RECIPES[builder.__name__] = builder
+    return builder
+
+
+def settled(c: Context, results: tuple[Output, ...]) -> tuple[Output, ...]:
+    """Results with the friction that follows from reactions, at the model's own forces if no others
+    were spoken of."""
+    if not pressed(c.k.system):
+        return results
+    if not c.d.pressed.values:
+        c.d.forward(Matrix.zeros(c.k.graph, c.k.system.nu))
+    graph, values = c.k.graph, c.d.pressed.values
+    return tuple(
+        replace(output, nodes=tuple(rebuild(graph, output.nodes, values, into=graph)[1]))
+        for output in results
+    )

@@ -1,0 +1,209 @@
+"""What elements keep themselves over time: rates of internal states, events and what they change.
+
+Source: F. Pfeiffer and Ch. Glocker, Multibody Dynamics with Unilateral Contacts, 1996, chapters 5
+and 8 (impacts, stick and slip as constraints that come and go).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import cached_property
+
+from ...elements.forces.force import Places
+from ...elements.internal_states import Impulse
+from ...ir.arithmetic import Scalar, select
+from ...ir.derivative import forward
+from ...ir.graph import ZERO
+from ...ir.matrix import Matrix
+from ...ir.rewrite import rebuild
+from ...topology.system import Force
+from ..constraints.constraints import VELOCITY
+from ..constraints.treatments import Labels
+from ..kinematics.loads import places
+from .dynamics import Dynamics
+
+# how often impulses that would pull are left out before the rest is taken as it is
+PASSES = 3
+ATTEMPTS = ("", "second_", "third_", "fourth_")
+
+
+class Along:
+    """What elements may know of the motion under their own forces.
+
+    Args:
+        d: The dynamics.
+    """
+
+    def __init__(self, d: Dynamics) -> None:
+        self.k = d.k
+        rest = Matrix.zeros(d.k.graph, d.k.system.nu)
+        self.udot = d.forward(rest)
+        self._lam = d.bound(rest)[1] if d.k.system.closed else rest
+        self._rows = [row.name for row in d.constraints.rows] if d.k.system.closed else []
+        self._certainty = d.pressed.certainty
+
+    def of(self, force: Force) -> Own:
+        """The part of one element."""
+        names = [f"{force.name}.{name}" for name, _ in force.element.holding()]
+        nodes = [self._lam.nodes[self._rows.index(name)] for name in names]
+        certainty = self._certainty.get(force.name)
+        return Own(self, Matrix(self.k.graph, len(nodes), 1, nodes), certainty)
+
+    def derivative(self, x: Scalar) -> Scalar:
+        """Time derivative of an expression along the motion."""
+        g = self.k.graph
+        seeds = dict(self.k.time_seeds)
+        for i, node in enumerate(self.udot.nodes):
+            seeds[g.var("u", i)] = node
+        return Scalar(g, forward(g, [x.node], seeds)[0])
+
+
+class Own:
+    """What one element may know of the solution of the equations of motion."""
+
+    def __init__(self, along: Along, held: Matrix, certainty: Scalar | None) -> None:
+        self.held, self.certainty = held, certainty
+        self._along = along
+
+    def derivative(self, x: Scalar) -> Scalar:
+        """Time derivative of an expression along the motion."""
+        return self._along.derivative(x)
+
+
+def rates(d: Dynamics) -> Matrix:
+    """Rates of internal states, ``zdot = law of the element`` (nz, 1)."""
+    d.k.graph.describe(rates)
+    nodes: list[int] = []
+    for force in d.k.system.forces:
+        if force.element.internals():
+            with d.k.graph.made_by(force.name, "zdot"):
+                nodes += force.element.rates(places(d.k, force)).nodes
+    return Matrix(d.k.graph, len(nodes), 1, nodes)
+
+
+def signs(d: Dynamics) -> Matrix:
+    """Values of all events (ne, 1): it happens where ``event = value that falls through zero``."""
+    d.k.graph.describe(signs)
+    along, nodes = Along(d), list[int]()
+    for force in d.k.system.forces:
+        if force.element.events():
+            with d.k.graph.made_by(force.name, "event"):
+                found = force.element.signs(places(d.k, force), along.of(force))
+                nodes += [value.node for value in found]
+    return Matrix(d.k.graph, len(nodes), 1, nodes)
+
+
+class Jump:
+    """The events of an element, and the speeds behind all that happen together."""
+
+    def __init__(self, d: Dynamics, force: Force, speeds: Matrix) -> None:
+        self.k, self._d, self._force, self._speeds = d.k, d, force, speeds
+
+    @cached_property
+    def before(self) -> Own:
+        """The solution of the equations of motion before the event."""
+        return Along(self._d).of(self._force)
+
+    def fired(self, event: int) -> Scalar:
+        """1 where this event of the element happened, else 0."""
+        return Scalar(self.k.graph, self.k.graph.var("e", self._force.e + event))
+
+    def after(self, x: Scalar) -> Scalar:
+        """Value of an expression with the speeds behind the event."""
+        g = self.k.graph
+        behind = {g.var("u", i): node for i, node in enumerate(self._speeds.nodes)}
+        return Scalar(g, rebuild(g, [x.node], behind, into=g)[1][0])
+
+    def response(self, velocity: Scalar) -> Scalar:
+        """Acceleration of a velocity per force along it, circuits and what others hold included."""
+        nodes = self._d.constraints.gradient(self._force.name, velocity.node, VELOCITY)
+        row = Matrix(self.k.graph, 1, len(nodes), nodes)
+        return (row @ self._d.response(row))[0]
+
+
+def transition(d: Dynamics) -> tuple[Matrix, Matrix, Matrix]:
+    """u (nu, 1), z (nz, 1) and s (ns, 1) behind the events that the block ``e`` says happened.
+
+    Impulses P along velocities J u go through the whole system:
+    ``speeds = u + M⁻¹ Jᵀ P, J speeds as the events ask``.
+    """
+    k = d.k
+    k.graph.describe(transition)
+    before = k.block("u", 0, k.system.nu)
+    impulses: list[Impulse] = []
+    names: list[str] = []
+    for force in k.system.forces:
+        with k.graph.made_by(force.name, "impulse"):
+            found = force.element.impulses(places(k, force), Jump(d, force, before))
+        impulses += found
+        names += [f"{force.name}.{event.name}" for event in force.element.events()[: len(found)]]
+    with k.graph.made_by("impact", "speeds"):
+        behind = _jumped(d, before, impulses, names)
+    z, s = list[int](), list[int]()
+    for force in k.system.forces:
+        with k.graph.made_by(force.name, "change"):
+            at = places(k, force)
+            change = force.element.change(at, Jump(d, force, behind))
+            z += _behind(at, change.z, at.z)
+            s += _behind(at, change.s, at.s)
+    return behind, Matrix(k.graph, len(z), 1, z), Matrix(k.graph, len(s), 1, s)
+
+
+def _behind(at: Places, changed: Matrix | None, stays: Matrix) -> Sequence[int]:
+    return (stays if changed is None else changed).nodes
+
+
+def _jumped(
+    d: Dynamics, before: Matrix, impulses: Sequence[Impulse], names: Sequence[str]
+) -> Matrix:
+    """Speeds behind impulses: M du = Jᵀ P + Gᵀ P', J u as wanted, the circuits closed.
+
+    Impulses that would pull where they can only push are left out, again and again.
+    """
+    if not impulses:
+        return before
+    g = d.k.graph
+    bound, held = _bound_rows(d)
+    active = [impulse.active for impulse in impulses]
+    unilateral = [i for i, impulse in enumerate(impulses) if impulse.unilateral]
+    jacobian = [
+        Matrix(g, 1, before.rows, d.constraints.gradient("impact", i.velocity.node, VELOCITY))
+        for i in impulses
+    ]
+    behind = before
+    for attempt in ATTEMPTS[: min(len(unilateral) - 1, PASSES) + 1]:
+        for on, name in zip(active, names, strict=True):
+            g.hint(on.node, name, f"{attempt}active")
+        rows = [row * on for row, on in zip(jacobian, active, strict=True)]
+        missing = [(i.velocity - i.after) * on for i, on in zip(impulses, active, strict=True)]
+        step, pushes = d.pushed(
+            Matrix.vstack(*rows, *([bound] if bound.rows else [])),
+            Matrix(g, len(rows) + bound.rows, 1, [m.node for m in missing] + [ZERO] * bound.rows),
+            Labels(
+                d.k.speed_names,
+                tuple(f"{attempt}{name}" for name in (*names, *held)),
+                f"{attempt}impact",
+                "missing_speed",
+            ),
+        )
+        behind = (before + step).hint("", f"{attempt}behind", d.k.speed_names)
+        for push, name in zip(pushes, names, strict=False):
+            g.hint(push.node, name, f"{attempt}impulse")
+        for i in unilateral:
+            pushing = (pushes[i] * 0).apply("le", pushes[i])
+            active[i] = active[i] * select(pushing, 1, 0)
+    return behind
+
+
+def _bound_rows(d: Dynamics) -> tuple[Matrix, list[str]]:
+    """G of everything but what elements hold: that says itself what it bears; names of the rows."""
+    g, nu = d.k.graph, d.k.system.nu
+    if not d.k.system.closed:
+        return Matrix(g, 0, nu, ()), []
+    own = {
+        f"{force.name}.{name}" for force in d.k.system.forces for name, _ in force.element.holding()
+    }
+    G = d.constraints.jacobian
+    kept = [i for i, row in enumerate(d.constraints.rows) if row.name not in own]
+    nodes = [n for i in kept for n in G.block(slice(i, i + 1)).nodes]
+    return Matrix(g, len(kept), nu, nodes), [d.constraints.rows[i].name for i in kept]

@@ -1,0 +1,1 @@
+"""Motion of a tree, its inertia and its loads."""

@@ -1,0 +1,53 @@
+"""Partial velocities: what one generalized speed moves, found by differentiating velocities.
+
+Source: Kane and Levinson, Dynamics: Theory and Applications (1985), chapters 2 and 4.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from ...ir.derivative import forward
+from ...ir.graph import ONE, ZERO
+from ...ir.matrix import Matrix
+from .kinematics import Kinematics
+from .loads import Loads
+
+
+@dataclass(frozen=True)
+class Partials:
+    """Partial velocities of a body by generalized speed: angular and of the origin, body axes."""
+
+    angular: dict[int, Matrix]
+    linear: dict[int, Matrix]
+
+
+def partials(k: Kinematics) -> list[Partials]:
+    """Partial velocities of every body; speeds that do not move a body are left out."""
+    g, nu = k.graph, k.system.nu
+    result = [Partials({}, {}) for _ in k.system.bodies]
+    nodes = [n for i in range(len(result)) for n in (*k.omega[i].nodes, *k.v[i].nodes)]
+    for r in range(nu):
+        dots = forward(g, nodes, {g.var("u", r): ONE})
+        for i, partial in enumerate(result):
+            angular = Matrix(g, 3, 1, dots[6 * i : 6 * i + 3])
+            linear = Matrix(g, 3, 1, dots[6 * i + 3 : 6 * i + 6])
+            if not (angular.is_zero and linear.is_zero):
+                partial.angular[r], partial.linear[r] = angular, linear
+    return result
+
+
+def generalized_forces(k: Kinematics, loads: Loads) -> Matrix:
+    """f (nu, 1): applied wrenches and joint forces projected on the partial velocities."""
+    g, nu = k.graph, k.system.nu
+    total = [ZERO] * nu
+    for i, partial in enumerate(partials(k)):
+        if i in loads.wrenches:
+            moment, force = loads.wrenches[i]
+            for r, w in partial.angular.items():
+                value = (w.dot(moment) + partial.linear[r].dot(force)).node
+                total[r] = g.add(total[r], value)
+    for i, force in loads.joints.items():
+        for r, left in k.partials_of(k.speeds[i]).items():
+            total[r] = g.add(total[r], left.dot(force).node)
+    return Matrix(g, nu, 1, total)

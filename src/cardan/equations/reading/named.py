@@ -1,0 +1,56 @@
+"""Equations with names for what closed circuits determine, as SymPy. Loads SymPy."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+import sympy
+
+from ...errors import DerivationError
+from ...ir.forms.readable import TooLong, readable
+from ...ir.forms.sympy_out import to_sympy_shared
+from ...ir.graph import Graph
+from ...ir.matrix import Matrix
+
+if TYPE_CHECKING:
+    from .readable import Readable
+
+# operations of a definition as it comes that is worth a search for a short form
+LONGEST = 3000
+Definitions = list[tuple[Any, Any]]
+
+
+def named(equations: Readable, name: str) -> tuple[Definitions, Any]:
+    """Definitions and matrix of a function; see :meth:`.Readable.named`.
+
+    Raises:
+        DerivationError: an entry is too long to write out.
+    """
+    function, following = equations.named_function(name)
+    try:
+        matrix = readable(function, equations.symbols)
+    except TooLong as problem:
+        raise DerivationError(
+            f"{name} has an entry of {problem.operations:,} operations, with names for what "
+            f"follows: too long to write out. Use equations.symbolic('{name}')"
+        ) from problem
+    definitions: Definitions = []
+    for symbol in following.used(function.graph, function.roots):
+        node = following.definitions[symbol]
+        definitions += _definition(function.graph, symbol, node, equations.symbols)
+    return definitions, matrix
+
+
+def _definition(
+    g: Graph, symbol: str, node: int, names: Mapping[tuple[str, int], Any]
+) -> Definitions:
+    """What a symbol stands for, by intermediates of its own where it is long."""
+    value = Matrix(g, 1, 1, [node])
+    try:
+        return [(sympy.Symbol(symbol), readable(value, names, longest=LONGEST)[0])]
+    except TooLong:
+        parts, (whole,) = to_sympy_shared(value, names)
+        own = {part: sympy.Symbol(f"{symbol}.{part}") for part, _ in parts}
+        found = [(own[part], x.xreplace(own)) for part, x in parts]
+        return [*found, (sympy.Symbol(symbol), whole.xreplace(own))]

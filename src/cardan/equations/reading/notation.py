@@ -1,0 +1,143 @@
+"""How names read in formulas: ``theta1.u`` is a θ with the index 1 and a dot.
+
+Names are whatever users called their joints: each writer escapes what it writes.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from ...ir.names import of_rate
+
+if TYPE_CHECKING:
+    from ..record import Equations
+
+_GREEK = """
+    alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi pi rho sigma tau
+    upsilon phi chi psi omega Gamma Delta Theta Lambda Xi Pi Sigma Upsilon Phi Psi Omega
+"""
+GREEK = frozenset(_GREEK.split())
+# numbers of a body by their dotted names: upper.mass is m with the index upper
+NUMBERS = {"mass": "m", "com": "c", "inertia": "I"}
+# what TeX takes for commands or layout
+_TEX = {
+    "\\": r"\backslash{}",
+    "{": r"\{",
+    "}": r"\}",
+    "$": r"\$",
+    "&": r"\&",
+    "#": r"\#",
+    "%": r"\%",
+    "_": r"\_",
+    "^": r"\hat{}",
+    "~": r"\sim{}",
+}
+
+
+@dataclass(frozen=True)
+class Notation:
+    """A symbol as it is set.
+
+    Attributes:
+        letter: One letter, the name of a Greek one, or a word.
+        index: Below it, "" without one.
+        dots: Time derivatives, 0 to 2.
+    """
+
+    letter: str
+    index: str = ""
+    dots: int = 0
+
+    @property
+    def is_letter(self) -> bool:
+        return self.letter in GREEK or len(self.letter) == 1
+
+    @property
+    def character(self) -> str:
+        """The letter itself; Greek ones by their character."""
+        if self.letter not in GREEK:
+            return self.letter
+        name = "lamda" if self.letter.lower() == "lambda" else self.letter
+        from unicodedata import lookup
+
+        case = "CAPITAL" if self.letter[0].isupper() else "SMALL"
+        return lookup(f"GREEK {case} LETTER {name.upper()}")
+
+    def latex(self) -> str:
+        """Escaped for TeX's math mode."""
+        if self.letter in GREEK:
+            # capitals that look like Latin ones have no command; none of them is in GREEK
+            base = f"\\{self.letter}"
+        else:
+            base = self.letter if self.is_letter and self.letter.isalnum() else _word(self.letter)
+        if self.dots:
+            base = f"\\{'d' * self.dots}ot{{{base}}}"
+        return f"{base}_{{{_index(self.index)}}}" if self.index else base
+
+
+def notation(name: str, dots: int = 0) -> Notation:
+    """How a name is set: digits at its end, and what follows a dot, stand below."""
+    letters = re.fullmatch(r"([^\W\d_]+)_?(\d+)", name)
+    if letters:
+        return Notation(letters[1], letters[2], dots)
+    number = re.fullmatch(r"(.+)\.(mass|com|inertia)(?:\.([xyz]+))?", name)
+    if number:
+        return Notation(NUMBERS[number[2]], ",".join(filter(None, (number[1], number[3]))), dots)
+    head, sign, tail = name.partition("_")
+    if sign and tail and (head in GREEK or len(head) == 1):
+        return Notation(head, tail, dots)
+    head, sign, tail = name.partition(".")
+    if sign and head and tail:
+        first = Notation("g") if head == "gravity" else notation(head, dots)
+        return Notation(first.letter, ",".join(filter(None, (first.index, tail))), dots)
+    return Notation(name, "", dots)
+
+
+def symbols(equations: Equations) -> Mapping[str, Notation]:
+    """Notation by name of symbol, for coordinates, speeds, inputs and parameters.
+
+    A speed that is the rate of a coordinate is that coordinate with a dot, any other one a u.
+    """
+    plain = _rates(equations)
+    found: dict[str, Notation] = {}
+    for letter in ("p", "r", "q"):
+        for name in equations.blocks[letter].entries:
+            found[name] = notation(name)
+    for name, rate in zip(equations.speeds, equations.blocks["udot"].entries, strict=True):
+        coordinate = plain.get(name)
+        for key, dots in ((name, 0), (rate, 1)):
+            if coordinate is not None:
+                found[key] = notation(coordinate, dots + 1)
+            else:
+                found[key] = Notation("u", of_rate(name), dots)
+    return _distinct(found)
+
+
+def _distinct(found: Mapping[str, Notation]) -> Mapping[str, Notation]:
+    """Names that would look the same are set as they are."""
+    first: dict[Notation, str] = {}
+    for name, sign in found.items():
+        first.setdefault(sign, name)
+    return {n: s if first[s] == n else Notation(n) for n, s in found.items()}
+
+
+def _rates(equations: Equations) -> dict[str, str]:
+    """Speed -> the coordinate whose rate it is."""
+    if equations.chosen:
+        return {}
+    return {
+        equations.speeds[joint.u]: equations.coordinates[joint.q]
+        for joint in equations.system.joints
+        if joint.u >= 0 and len(joint.element.coordinates) == len(joint.element.speeds) == 1
+    }
+
+
+def _word(text: str) -> str:
+    return rf"\mathrm{{{''.join(_TEX.get(c, c) for c in text)}}}"
+
+
+def _index(text: str) -> str:
+    return text if text.isalnum() and len(text) <= 2 else _word(text)

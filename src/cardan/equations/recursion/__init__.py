@@ -1,0 +1,1 @@
+"""Recursions over the tree, cut into steps."""

@@ -1,0 +1,80 @@
+"""Which functions are written as loops over the bodies, and where their results arise."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from ...ir.function import Function
+from ...ir.recursion import Recursion
+from ...topology.system import System
+from ..kinematics.kinematics import Kinematics
+from .folded import Fold, fold
+from .steps import recursion
+from .sweeps import LATER, LEFT_OUT, Sweeps
+
+# bodies above which loops are written, and how often a step must be used at least: measured on
+# chains, loops run 5 % slower and compile ten times faster at 100 bodies
+LOOPED, REPEATED = 60, 4
+# those whose results belong to single joints
+FOLDED = (
+    "rhs",
+    "forward_dynamics",
+    "inverse_dynamics",
+    "bias",
+    "gravity",
+    "coriolis",
+    "applied",
+    "qdot",
+)
+
+
+def repeats(recursion: Recursion) -> bool:
+    """Whether enough bodies are alike for loops to be shorter."""
+    visits = sum(len(sweep) for sweep in recursion.sweeps)
+    return visits >= REPEATED * len(recursion.steps)
+
+
+def homes(system: System, function: Function, fold: Fold | None = None) -> list[int]:
+    """Body at whose visit every entry of the results is computed.
+
+    Args:
+        system: The tree.
+        function: The results.
+        fold: How the tree was shortened: entries of bodies left out have none.
+    """
+    missing = LATER if fold is None else LEFT_OUT
+    q, u = [missing] * system.nq, [missing] * system.nu
+    for i, joint in enumerate((fold.system if fold else system).joints):
+        if joint.q >= 0:
+            for slots, first, count in (
+                (q, joint.q, len(joint.element.coordinates)),
+                (u, joint.u, len(joint.element.speeds)),
+            ):
+                slots[first : first + count] = [i] * count
+    homes: list[int] = []
+    for o in function.outputs:
+        like = next((x for x in (q, u) if o.shape == (len(x),)), None)
+        homes += [LATER] * o.size if like is None else like
+    return homes
+
+
+def by_bodies(
+    system: System, derive: Callable[[Kinematics], Function], folds: bool = True
+) -> Recursion:
+    """A function as a recursion over the bodies; of bodies that repeat only a few are derived.
+
+    Args:
+        system: The tree.
+        derive: Makes the function from the kinematics of a tree.
+        folds: Whether its results belong to single joints.
+    """
+    short = fold(system) if folds else None
+    for folded in (short, None) if short is not None else (None,):
+        k = Kinematics(folded.system if folded else system, cut=True)
+        function = derive(k)
+        assert k.cuts is not None
+        own = homes(system, function, folded)
+        made = recursion(Sweeps(k.cuts, function, own, k.system, folded))
+        if made is not None:
+            return made
+    raise AssertionError("a tree that is not folded has its visits")

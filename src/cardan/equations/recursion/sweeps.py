@@ -1,0 +1,224 @@
+"""When and where handed values are computed: sweeps over the tree, and places in a store.
+
+Every handed value, every part of a sum and every result is computed when its body is visited. A
+sweep goes outward or inward; a value stands in the first sweep in which all that it reads is there.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Callable, Sequence
+from typing import NamedTuple
+
+from ...errors import DerivationError
+from ...ir.function import Function, live
+from ...ir.recursion import STORE
+from ...topology.system import System
+from .folded import Fold
+from .recursion_boundary import Cuts
+
+# sweeps that any function of a tree needs by far; more means that values wait for each other
+MOST_SWEEPS = 40
+# the body of what no body is visited for, and of what is not looked at
+LATER, LEFT_OUT, AFTER = -2, -3, "after the sweeps"
+
+
+class Task(NamedTuple):
+    """Something to compute at a body.
+
+    Attributes:
+        name: All tasks of one name stand in the same sweep.
+        body: Whose visit it belongs to; ``LATER`` after all sweeps.
+        node: Its expression.
+        leaf: The stored value it defines or adds to; -1 for a result.
+        out: Entry of the results, -1 for others.
+        adds: Whether it adds to what is stored.
+    """
+
+    name: str
+    body: int
+    node: int
+    leaf: int = -1
+    out: int = -1
+    adds: bool = False
+
+
+class Sweeps:
+    """The tasks of a function, in sweeps.
+
+    Args:
+        cuts: The handed values.
+        function: Its results.
+        homes: Body of every entry of the results, ``LATER`` for those of no body.
+        system: The tree.
+        fold: How the tree was shortened, if it was.
+    """
+
+    def __init__(
+        self,
+        cuts: Cuts,
+        function: Function,
+        homes: Sequence[int],
+        system: System,
+        fold: Fold | None = None,
+    ) -> None:
+        self.cuts = cuts
+        self.graph = cuts.graph
+        self.function = function
+        self.system = system
+        self.fold = fold
+        self.parents = [b.parent for b in system.bodies]
+        # all nodes of a task, the inputs and the stored values among them
+        self.cones: dict[Task, list[int]] = {}
+        self.inputs: dict[Task, list[int]] = {}
+        self.reads: dict[Task, list[int]] = {}
+        # tasks of one name and body that were found together
+        self.bundles: list[tuple[str, int, list[Task]]] = []
+        self.tasks = self._tasks(homes)
+        self.phases = self._phases()
+        self.by_visit = self._visits()
+        self.places, self.size = self._places()
+        self.fields = {place: cuts.definitions[leaf] for leaf, place in self.places.items()}
+
+    # what is to be done
+
+    def _tasks(self, homes: Sequence[int]) -> list[Task]:
+        """All that the results need; notes what each of it is made from."""
+        named = [o.name for o in self.function.outputs for _ in o.nodes]
+        waiting = [
+            Task(f"out {name}" if home != LATER else AFTER, home, node, out=n)
+            for n, (name, node, home) in enumerate(
+                zip(named, self.function.roots, homes, strict=True)
+            )
+            if home != LEFT_OUT
+        ]
+        seen = set[int]()
+        while waiting:
+            # what one visit computes under one name is looked at together
+            bundles: dict[tuple[str, int], list[Task]] = defaultdict(list)
+            for task in waiting:
+                bundles[task.name, task.body].append(task)
+            waiting = []
+            for (name, body), bundle in bundles.items():
+                if body != LATER:
+                    self.bundles.append((name, body, bundle))
+                for leaf in self._note(bundle):
+                    if leaf not in seen:
+                        seen.add(leaf)
+                        waiting.extend(self._made(leaf))
+        return sorted(self.cones, key=lambda t: (t.leaf, t.adds, t.body, t.out))
+
+    def _note(self, bundle: Sequence[Task]) -> list[int]:
+        """Note what the tasks of a bundle are made from; returns the stored values among it."""
+        nodes = self.graph.nodes
+        cone = live(self.graph, [task.node for task in bundle])
+        inputs = [i for i in cone if nodes[i][0] == "var"]
+        stored = [i for i in inputs if nodes[i][1] == STORE]
+        for task in bundle:
+            self.cones[task], self.inputs[task], self.reads[task] = cone, inputs, stored
+        return stored
+
+    def _made(self, leaf: int) -> list[Task]:
+        """What makes a stored value."""
+        d = self.cuts.definitions[leaf]
+        if not d.added:
+            return [Task(d.field[0], d.body, d.node, leaf)]
+        name = d.field[0]
+        own = Task(f"{name} of itself", d.body, d.node, leaf)
+        added: dict[int, int] = {}
+        for by, node in d.added:
+            added[by] = self.graph.add(added[by], node) if by in added else node
+        return [own, *(Task(f"{name} added", by, n, leaf, adds=True) for by, n in added.items())]
+
+    # when
+
+    def _phases(self) -> dict[str, int]:
+        """Number of the sweep of every name; even ones go outward, odd ones inward."""
+        rules = sorted({rule for bundle in self.bundles for rule in self._rules(*bundle)})
+        phases = dict.fromkeys((name for name, _, _ in self.bundles), 0)
+        changed = True
+        while changed:
+            changed = False
+            for name, relation, read in rules:
+                wanted = _LEAST[relation](phases[read])
+                if wanted > phases[name]:
+                    phases[name], changed = wanted, True
+                if wanted > MOST_SWEEPS:
+                    raise DerivationError(
+                        f"'{self.function.name}' is no recursion over this tree: {name} and {read} "
+                        "wait for each other. Use loops=False"
+                    )
+        return phases
+
+    def _rules(self, name: str, body: int, tasks: Sequence[Task]) -> set[tuple[str, str, str]]:
+        """(name, where the body of what it reads is, name of that)."""
+        definitions, rules = self.cuts.definitions, set[tuple[str, str, str]]()
+        read = [definitions[leaf] for leaf in self.reads[tasks[0]]]
+        for owner, quantity in {(d.body, d.field[0]) for d in read if not d.added}:
+            rules.add((name, self._relation(body, owner), quantity))
+        for d in read:
+            if d.added:
+                # complete when everybody has added
+                adders = {self._relation(body, by) for by, _ in d.added}
+                whole = "outboard" if d.body == body and adders == {"outboard"} else "far"
+                rules.add((name, whole, f"{d.field[0]} added"))
+        for task in tasks:
+            if task.adds:
+                d = definitions[task.leaf]
+                relation = self._relation(body, d.body)
+                rules.add((name, relation, f"{d.field[0]} of itself"))
+        return rules
+
+    def _relation(self, reader: int, owner: int) -> str:
+        """Where the owner of a value is seen from a body that reads it."""
+        if reader == owner:
+            return "own"
+        if reader == LATER:
+            return "far"
+        low, high = min(reader, owner), max(reader, owner)
+        # regular numbering: whoever is inboard has the lower number
+        while high > low:
+            high = self.parents[high]
+        if high != low:
+            return "far"
+        return "inboard" if owner < reader else "outboard"
+
+    def _visits(self) -> dict[tuple[int, int], list[Task]]:
+        """(phase, body) -> its tasks."""
+        found: dict[tuple[int, int], list[Task]] = defaultdict(list)
+        last = max(self.phases.values(), default=0) + 1
+        for task in self.tasks:
+            phase = last if task.body == LATER else self.phases[task.name]
+            found[phase, task.body].append(task)
+        return found
+
+    # where
+
+    def _places(self) -> tuple[dict[int, int], int]:
+        """Place in the store of every value that another visit reads: [body][field]."""
+        at = {t.leaf: visit for visit, tasks in self.by_visit.items() for t in tasks if t.leaf >= 0}
+        wanted: set[int] = set()
+        for visit, tasks in self.by_visit.items():
+            for task in tasks:
+                if task.leaf >= 0 and self.cuts.definitions[task.leaf].added:
+                    wanted.add(task.leaf)
+                wanted.update(leaf for leaf in self.reads[task] if at[leaf] != visit)
+        fields = sorted({self.cuts.definitions[leaf].field for leaf in wanted})
+        number = {field: k for k, field in enumerate(fields)}
+        definitions, fold = self.cuts.definitions, self.fold
+        bodies = range(len(self.parents)) if fold is None else fold.numbers
+        places = {
+            leaf: bodies[definitions[leaf].body] * len(fields) + number[definitions[leaf].field]
+            for leaf in sorted(wanted)
+        }
+        return places, len(fields) * (max(bodies, default=-1) + 1)
+
+
+# phase of what is read -> first phase in which it can be read: an outward sweep has been at
+# everybody inboard, an inward one at everybody outboard
+_LEAST: dict[str, Callable[[int], int]] = {
+    "own": lambda phase: phase,
+    "inboard": lambda phase: phase + phase % 2,
+    "outboard": lambda phase: phase + 1 - phase % 2,
+    "far": lambda phase: phase + 1,
+}

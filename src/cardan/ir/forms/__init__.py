@@ -1,0 +1,1 @@
+"""Expressions in forms for people: Fourier sums, nested products, SymPy."""

@@ -1,0 +1,57 @@
+"""Compilations side by side: all of them or none."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Sequence
+from concurrent.futures import Future, ThreadPoolExecutor, wait
+from threading import get_ident
+from typing import Protocol, TypeVar
+
+from . import limited_subprocess
+
+# seconds between two looks at compilers that are to end
+PATIENCE = 0.02
+
+
+class Made(Protocol):
+    """What a compilation makes."""
+
+    def discard(self) -> None:
+        """Throw it away, unless others have it."""
+
+
+T = TypeVar("T", bound=Made)
+
+
+def together(tasks: Sequence[Callable[[], T]]) -> list[T]:
+    """What all tasks make, in their order; the first error of one ends all."""
+    if len(tasks) < 2:
+        return [task() for task in tasks]
+    threads: set[int] = set()
+    workers = min(len(tasks), os.cpu_count() or 1)
+    with ThreadPoolExecutor(workers, "", lambda: threads.add(get_ident())) as pool:
+        running = [pool.submit(task) for task in tasks]
+        try:
+            done = [task.exception() for task in running]
+        except BaseException:
+            # Ctrl-C reaches this thread alone: the compilers of the others end now, those too
+            # that a thread is just about to start
+            pool.shutdown(wait=False, cancel_futures=True)
+            begun = [task for task in running if not task.cancelled()]
+            while wait(begun, timeout=PATIENCE).not_done:
+                limited_subprocess.stop(threads)
+            _discard(running)
+            raise
+    failed = [error for error in done if error]
+    if failed:
+        _discard(running)
+        raise failed[0]
+    return [task.result() for task in running]
+
+
+def _discard(tasks: Sequence[Future[T]]) -> None:
+    """Throw away what tasks that have ended made."""
+    for task in tasks:
+        if not task.cancelled() and not task.exception():
+            task.result().discard()

@@ -1,0 +1,160 @@
+"""The kernels as they were compiled when cardan was installed: which there are, of which sources.
+
+They lie beside their sources, in ``kernels/built``: objects named after the hash of all that they
+were made of, and ``index.json``, which says which of them is which.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import platform
+import sys
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from pathlib import Path
+
+from ...schema.records import KERNELS
+from .cpu_levels import Level
+
+DIRECTORY = KERNELS
+LEVEL = "level.c"  # chooses among the others, so that it is built for any processor
+INDEX = "index.json"
+# what works on lanes: shared parameters, or each lane its own
+LANE_SOURCES = (("batch.c", "abreast.c", "lane_*.c", "layouts.c"), ("batch.c",))
+WIDTHS = (2, 4, 8)
+
+
+@dataclass(frozen=True)
+class Variant:
+    """One of the libraries that the kernels are compiled into.
+
+    Attributes:
+        reproducible: No contraction: every compiler of IEEE arithmetic gives equal bits.
+        lanes: States side by side; 1: everything but what works on lanes.
+        lane_parameters: Every state has parameters of its own.
+    """
+
+    reproducible: bool = False
+    lanes: int = 1
+    lane_parameters: bool = False
+
+    @property
+    def name(self) -> str:
+        """As ``index.json`` calls it: ``"scalar"``, ``"lanes8-own-exact"``."""
+        lanes = f"lanes{self.lanes}" if self.lanes > 1 else "scalar"
+        return lanes + "-own" * self.lane_parameters + "-exact" * self.reproducible
+
+    @property
+    def macros(self) -> tuple[str, ...]:
+        """What the compiler is told beside its flags."""
+        return macros(self.lanes, self.lane_parameters) if self.lanes > 1 else ()
+
+    def sources(self) -> list[Path]:
+        """C files."""
+        patterns = ("*.c",) if self.lanes == 1 else LANE_SOURCES[self.lane_parameters]
+        paths = {path for pattern in patterns for path in DIRECTORY.glob(pattern)}
+        return sorted(paths - {DIRECTORY / LEVEL})
+
+
+def macros(lanes: int, lane_parameters: bool) -> tuple[str, ...]:
+    """What a compiler is told of lanes, and of parameters that each of them has for itself."""
+    parameters = ("-DCARDAN_LANE_PARAMETERS",) if lane_parameters else ()
+    return (f"-DCARDAN_LANES={lanes}", *parameters)
+
+
+def variants(widths: Sequence[int] = WIDTHS) -> Iterator[Variant]:
+    """All libraries of a level, for some numbers of lanes."""
+    for reproducible in (False, True):
+        yield Variant(reproducible)
+        for lanes in widths:
+            yield Variant(reproducible, lanes, False)
+            yield Variant(reproducible, lanes, True)
+
+
+def digest(pattern: str = "*.[ch]") -> str:
+    """Hash of kernel sources; of all by default."""
+    total = hashlib.sha256()
+    for path in sorted(DIRECTORY.glob(pattern)):
+        content = path.read_bytes()
+        total.update(f"\0{path.name}\0{len(content)}\0".encode())
+        total.update(content)
+    return total.hexdigest()
+
+
+def machine() -> str:
+    """System and kind of processor."""
+    return f"{sys.platform} {platform.machine()}"
+
+
+@dataclass(frozen=True)
+class Index:
+    """What was compiled when cardan was installed.
+
+    Attributes:
+        sources: Hash of the sources.
+        machine: Where they were compiled: system and kind of processor.
+        compiler: What their compiler said about itself.
+        level: The object that tells the level of a processor.
+        level_source: Hash of its source.
+        objects: File of a library by level and name.
+    """
+
+    sources: str
+    machine: str
+    compiler: str
+    level: str
+    level_source: str
+    objects: dict[str, dict[str, str]]
+
+    @classmethod
+    def of(cls, compiler: str, level: str, objects: dict[str, dict[str, str]]) -> Index:
+        """What was compiled here, of the sources as they are."""
+        return cls(digest(), machine(), compiler, level, digest(LEVEL), objects)
+
+    def text(self) -> bytes:
+        """Content of ``index.json``."""
+        return (json.dumps(vars(self), indent=1) + "\n").encode()
+
+
+def folder() -> Path:
+    """Where the objects are."""
+    return DIRECTORY / "built"
+
+
+def _index() -> Index | None:
+    """What was compiled for machines like this one, of whatever sources."""
+    try:
+        index = Index(**json.loads((folder() / INDEX).read_text("utf-8")))
+    except (OSError, ValueError, TypeError):
+        return None
+    # a folder may have come from another machine
+    return index if index.machine == machine() else None
+
+
+@lru_cache(maxsize=1)
+def current() -> Index | None:
+    """What is there of these very sources; None if nothing is."""
+    index = _index()
+    return index if index and index.sources == digest() else None
+
+
+def library(level: Level, variant: Variant) -> Path | None:
+    """The object of a variant, if it was compiled for this level."""
+    index = current()
+    return _there(index.objects.get(level.name, {}).get(variant.name)) if index else None
+
+
+def level_object() -> Path | None:
+    """The object that tells the level of this processor, if it was compiled of this source.
+
+    Every process asks for it, also those that use no other kernel: these are not read.
+    """
+    index = _index()
+    return _there(index.level) if index and index.level_source == digest(LEVEL) else None
+
+
+def _there(name: str | None) -> Path | None:
+    """An object of the index; None if it is gone, as copies of a folder may lack it."""
+    return folder() / name if name and (folder() / name).is_file() else None

@@ -1,0 +1,1 @@
+"""Calls of generated C from NumPy."""

@@ -1,0 +1,247 @@
+"""Many states: in lanes once they pay, in pieces, in threads where there is enough to do.
+
+A piece takes some hundredths of a second, so that Ctrl-C is heard. The lane build of a function is
+compiled when the time that its batches took, with what is left of the present one, exceeds what the
+compiler will take: no sequence of calls takes much more than twice the time of the best choice.
+What is in the cache is used at once. Lanes give the bits of single states: nobody sees the change.
+"""
+
+from __future__ import annotations
+
+import os
+import threading
+import time
+from collections.abc import Callable, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
+
+import numpy as np
+
+from ...arrays import Array
+from ...errors import BuildError, BuildWarning, warn
+from ...schema.blocks import ORDER, SLOT
+from .lanes import Answer, Lanes, Recipe, States, width
+
+Single = Callable[[list[Array | None], Sequence[int], Array], tuple[int, int]]
+Run = Callable[[int, int], Answer]
+
+FIRST = 256  # states before the time of one is known
+PIECE = 0.03  # seconds between two looks at signals
+FEW = 32  # states from which on lanes are worth a thought
+THREADED = 4e-3  # seconds of work from which on threads pay
+DIFFERENCE = 1e-6  # of the largest entry; builds of one text differ by rounding, if at all
+LARGEST = 8  # all widths divide it
+
+
+def cores() -> int:
+    """Processor cores that this process may use."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
+def threads(asked: int | None = None) -> int:
+    """Threads of a large batch: as asked for, else ``$CARDAN_THREADS``, else the cores.
+
+    Raises:
+        BuildError: that is no number of threads.
+    """
+    text = os.environ.get("CARDAN_THREADS", "").strip() if asked is None else str(asked)
+    if not text:
+        return cores()
+    if not (text.isascii() and text.isdigit()) or int(text) < 1:
+        where = "CARDAN_THREADS" if asked is None else "threads"
+        raise BuildError(f"{where}={text} is no number of threads: 1, 2, ...")
+    return int(text)
+
+
+def one_by_one(one: Single, states: States) -> Run:
+    """The call from one state to another that goes through them one by one."""
+
+    def run(start: int, end: int) -> Answer:
+        pairs = zip(states.blocks, states.strides, strict=True)
+        here = [None if block is None else block[start * step :] for block, step in pairs]
+        status, failed = one(here, states.strides, states.out[start:end])
+        return status, failed + start if failed >= 0 else -1, False
+
+    return run
+
+
+class Batch:
+    """One function over many states.
+
+    Args:
+        name: For messages.
+        recipe: Of its lane builds; None where there are none, such as without a compiler.
+        address: The function built for one state, 0 without a compiler.
+        sizes: Entries of every block that it reads, by slot.
+        work_size: Numbers of work memory it needs.
+        asked: Threads; None for the default.
+    """
+
+    def __init__(
+        self,
+        name: str,
+        recipe: Recipe | None,
+        address: int = 0,
+        sizes: Sequence[int] = (),
+        work_size: int = 0,
+        asked: int | None = None,
+    ) -> None:
+        self.name = name
+        self.recipe = recipe
+        self.address = address
+        self.sizes = tuple(sizes) or (0,) * len(ORDER)
+        self.work_size = work_size
+        self.asked = asked
+        self._lock = threading.RLock()
+        # by whether every state has parameters of its own
+        self._built: dict[bool, Lanes | None] = {}
+        self._spent = {False: 0.0, True: 0.0}
+
+    @property
+    def cost(self) -> float:
+        """What the compiler is expected to take for a lane build [s]."""
+        return np.inf if self.recipe is None else self.recipe.seconds
+
+    def run(
+        self, one: Single, blocks: list[Array | None], strides: Sequence[int], out: Array
+    ) -> Answer:
+        """Results at all states.
+
+        Args:
+            one: Runs through states one by one.
+            blocks, strides, out: As :func:`.abi_ctypes.run` takes them.
+
+        Returns:
+            (first status that is not 0, index of that state or -1, whether all numbers that are
+            read and all results are known to be finite).
+        """
+        states, own = States(blocks, strides, out), strides[SLOT["w"]] != 0
+        count, single = len(out), one_by_one(one, states)
+        way = (self.found(own, states) if count >= FEW else None) or single
+        found: list[Answer] = []
+        at, end = 0, min(count, FIRST)
+        while at < count:
+            before = time.perf_counter()
+            found.append(way(at, end))
+            spent = time.perf_counter() - before
+            rate, at = spent / (end - at), end
+            left = rate * (count - at)
+            if way is single and count >= FEW:
+                self._spent[own] += spent
+                if self._spent[own] + left > self.cost:
+                    way = self._better(own, one, states) or single
+            # whole blocks of lanes
+            piece = max(1, int(PIECE / max(rate, 1e-9)) // LARGEST) * LARGEST
+            if left > THREADED and self.address and threads(self.asked) > 1:
+                found.extend(self._threaded(way, at, count, piece))
+                break
+            end = min(count, at + piece)
+        failed = next((answer for answer in found if answer[0]), None)
+        return failed or (0, -1, all(finite for _, _, finite in found))
+
+    def watches(self, strides: Sequence[int], count: int) -> tuple[bool, ...]:
+        """Whether a run will look for numbers that are not finite, by slot."""
+        lanes = count >= FEW and self.ready(strides[SLOT["w"]] != 0) is not None
+        return tuple(lanes and size > 0 for size in self.sizes)
+
+    @property
+    def lanes(self) -> int:
+        """States side by side as things stand, with parameters that all states share."""
+        built = self._built.get(False)
+        return 1 if built is None else built.width
+
+    def _threaded(self, way: Run, start: int, count: int, piece: int) -> list[Answer]:
+        """The states from ``start`` on, shared by threads."""
+        many = threads(self.asked)
+        share = -(-(count - start) // (many * LARGEST)) * LARGEST
+        step = min(piece, share)
+        with ThreadPoolExecutor(many, "cardan") as pool:
+            running = [
+                pool.submit(way, at, min(count, at + step)) for at in range(start, count, step)
+            ]
+            try:
+                return [task.result() for task in running]
+            finally:
+                # Ctrl-C: what has not begun does not begin
+                for task in running:
+                    task.cancel()
+
+    def ready(self, own: bool) -> Lanes | None:
+        """The lane build, if it was made before, here or by another process."""
+        with self._lock:
+            if self.recipe is not None and own not in self._built:
+                lanes = width()
+                self._built[own] = self.recipe.there(lanes, own) if lanes > 1 else None
+            return self._built.get(own)
+
+    def found(self, own: bool, states: States) -> Run | None:
+        """The call of the lane build, if it was made before."""
+        built = self.ready(own)
+        if built is None:
+            return None
+        return built.call(self.address, states, self.sizes, self.work_size)
+
+    def _better(self, own: bool, one: Single, states: States) -> Run | None:
+        """The call of the lane build, made now; None where there can be none."""
+        if self.recipe is None or width() == 1:
+            self._spent[own] = -np.inf
+            return None
+        try:
+            self.build(own, one, states)
+        except BuildError as error:
+            self._spent[own] = -np.inf
+            warn(
+                f"{self.name}: no build for several states at once, they are done one by one. "
+                f"{error}",
+                BuildWarning,
+            )
+            return None
+        return self.found(own, states)
+
+    def build(self, own: bool, one: Single, states: States) -> int:
+        """Make the lane build now unless it is there.
+
+        Args:
+            own: Whether every state has parameters of its own.
+            one, states: What it is compared with before it is used.
+
+        Returns:
+            States side by side, 1 where the machine has no vectors.
+
+        Raises:
+            BuildError: the compiler failed, or results differ.
+        """
+        with self._lock:
+            found = self._built.get(own)
+            lanes = 1 if self.recipe is None else width()
+            if self.recipe is None or lanes == 1:
+                return 1
+            if found is None:
+                found = self.recipe.made(lanes, own)
+                try:
+                    if found.built.fresh:
+                        self._compare(found, one, states)
+                except BaseException:
+                    found.built.discard()
+                    raise
+                found = replace(found, built=found.built.published())
+                self._built[own] = found
+            return found.width
+
+    def _compare(self, lanes: Lanes, one: Single, states: States) -> None:
+        """Both builds at the first states.
+
+        Raises:
+            BuildError: they differ.
+        """
+        count = min(len(states.out), 4 * LARGEST)
+        shape = (count, states.out.shape[1])
+        first, second = np.empty(shape), np.empty(shape)
+        one_by_one(one, replace(states, out=first))(0, count)
+        lanes.call(self.address, replace(states, out=second), self.sizes, self.work_size)(0, count)
+        scale = np.abs(first[np.isfinite(first)]).max(initial=0.0)
+        if not np.allclose(first, second, rtol=0, atol=DIFFERENCE * scale, equal_nan=True):
+            raise BuildError(
+                f"{self.name}: the compiler makes different code of one text for single states and "
+                "for several at once. Try another one: CC"
+            )

@@ -1,0 +1,119 @@
+"""What the functions of a compiled model share: how they are called."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ...arrays import Array
+from ...errors import ArgumentError, ModelError, near
+from ...schema.functions import FUNCTIONS, STANDARD
+from ...schema.manifest import Manifest
+from .objects import Key
+
+if TYPE_CHECKING:
+    from .loaded_function import LoadedFunction
+
+Values = Mapping[str, ArrayLike]
+State = ArrayLike | Values
+
+
+class Evaluation(ABC):
+    """Functions on states; ``...`` are leading axes that broadcast.
+
+    Every function takes ``parameters={name: value}`` for values other than the model's own; the
+    values may have leading axes too. ``t`` and ``r`` matter where motions are prescribed.
+    """
+
+    _calls: Mapping[Key, Any]
+    _doubted: set[str]  # joints whose reaction was said to be open
+
+    @abstractmethod
+    def _evaluate(
+        self, key: Key, values: tuple[Any, ...], parameters: Values | None, out: Array | None
+    ) -> Array:
+        """Call a function, with parameter values of its own where they are given."""
+
+    @abstractmethod
+    def _function(self, name: str, of: str | None = None) -> LoadedFunction:
+        """A function, loaded."""
+
+    def _check_of(self, name: str, of: str | None) -> None:
+        """Whether there are such a function and its frame or joint.
+
+        Raises:
+            ModelError: there are not, or the system has no such function.
+        """
+        if name not in STANDARD:
+            raise ModelError(f"function '{name}' does not exist.{near(name, STANDARD)}")
+        if name in self.manifest.absent:
+            raise ModelError(f"{name}: {self.manifest.absent[name]}")
+        kind = FUNCTIONS[name].of
+        known = self.joints if kind == "joint" else self.frames
+        if kind in ("joint", "frame") and of is None:
+            raise ModelError(f"{name}: {kind}=None: give the name of a {kind}.{near('', known)}")
+        if kind != "function" and of is not None and of not in known:
+            what = kind or "frame"
+            raise ModelError(f"{name}: {what} '{of}' does not exist.{near(of, known)}")
+
+    def _doubt(self, joint: str, q: State, t: ArrayLike, r: State | None) -> None:  # noqa: B027
+        """Warn where the reaction of a joint is not determined at states.
+
+        What tells it is an analysis: models that know analyses do.
+        """
+
+    @abstractmethod
+    def _vector(self, block: str, value: Any) -> Array:
+        """A vector given as an array or by names, as an array."""
+
+    @abstractmethod
+    def parts_of(self, x: ArrayLike) -> tuple[Array, Array, Array]:
+        """q, u and z of a state x."""
+
+    @abstractmethod
+    def split(self, x: ArrayLike) -> tuple[Array, Array]:
+        """q and u of a state x."""
+
+    @property
+    @abstractmethod
+    def manifest(self) -> Manifest:
+        """What the compiler states about the model."""
+
+    @property
+    @abstractmethod
+    def speeds(self) -> tuple[str, ...]:
+        """Names of u."""
+
+    @property
+    @abstractmethod
+    def bodies(self) -> tuple[str, ...]:
+        """Names of the bodies that can move, in the order of the block ``wrench``."""
+
+    @property
+    @abstractmethod
+    def joints(self) -> tuple[str, ...]:
+        """Names of joints."""
+
+    @property
+    @abstractmethod
+    def frames(self) -> tuple[str, ...]:
+        """Names of frames."""
+
+    @property
+    @abstractmethod
+    def part_of(self) -> dict[str, str | None]:
+        """Frame -> the body it is fixed to, None for the ground."""
+
+
+def into(result: Array, out: Array | None) -> Array:
+    """The result, in ``out`` if that was given."""
+    if out is None:
+        return result
+    if out.shape != np.shape(result):
+        raise ArgumentError(f"out has shape {out.shape}, expected {np.shape(result)}")
+    out[...] = result
+    return out

@@ -1,0 +1,72 @@
+"""The functions of a model as its own C: loaded, checked, published."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING, final
+
+from .loaded_function import LoadedFunction, assemble, batch
+from .objects import Key
+
+if TYPE_CHECKING:
+    from ..models.loaded_model import LoadedModel
+    from .measuring import Row
+
+
+class Source(ABC):
+    """Where the functions of a model come from."""
+
+    @abstractmethod
+    def add(self, model: LoadedModel, missing: Sequence[Key]) -> None:
+        """Load functions into ``model._functions``; nobody gets one before it is checked."""
+
+    @abstractmethod
+    def mesh(self, model: LoadedModel) -> int:
+        """Address of the tables of elements in C, 0 where functions know the whole model."""
+
+    @abstractmethod
+    def measured(self, model: LoadedModel, seed: int, judged: bool) -> list[Row]:
+        """Rows of a report: at random states, with errors where these can be judged."""
+
+
+@final
+class Generated(Source):
+    """Every function is C of its own."""
+
+    def add(self, model: LoadedModel, missing: Sequence[Key]) -> None:
+        """Load functions, check those that were compiled now, and publish them."""
+        objects, loaded = model._objects, model._functions
+        codes = objects.load(objects.symbols(missing))
+        fresh = {key: c.symbol for key, c in zip(missing, codes, strict=True) if c.fresh}
+        p = model.parameters.vector
+        try:
+            for (name, of), code in zip(missing, codes, strict=True):
+                arguments = model._layout.reads(name, of)
+                if code.symbol not in objects.batches:
+                    objects.batches[code.symbol] = batch(code, arguments, objects.threads)
+                ways = objects.batches[code.symbol]
+                loaded[name, of] = assemble(name, of, code, arguments, p, ways)
+            if fresh:
+                from ..verification.verify import verify_built
+
+                verify_built(model, fresh)
+            for key, symbol in fresh.items():
+                found: LoadedFunction = loaded[key]
+                loaded[key] = replace(found, code=objects.keep(symbol))
+        except BaseException:
+            for key in missing:
+                loaded.pop(key, None)
+            objects.forget(fresh.values())
+            raise
+
+    def mesh(self, model: LoadedModel) -> int:
+        """None."""
+        return 0
+
+    def measured(self, model: LoadedModel, seed: int, judged: bool) -> list[Row]:
+        """The dynamics and every other function that was written."""
+        from .function_costs import functions
+
+        return functions(model, seed, judged)

@@ -1,0 +1,134 @@
+"""What the manifest says about the blocks of a model, as arguments of its functions."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from functools import cached_property
+from typing import final
+
+import numpy as np
+
+from ...arrays import Array
+from ...ir.request import reads
+from ...schema.blocks import ARGUMENTS, SLOT
+from ...schema.manifest import Manifest
+from ...schema.mechanism import JointRow
+from ...schema.rows import column
+from .calling import Argument
+
+AXES = ("mx", "my", "mz", "fx", "fy", "fz")
+
+
+@final
+class Places(Mapping[str, slice]):
+    """Name -> where its entries lie; found out when somebody asks, as there may be very many.
+
+    Args:
+        names: Of the entries.
+        joints, letter: Whose names stand for all of their own, and where they say which.
+    """
+
+    def __init__(
+        self, names: Sequence[str], joints: Sequence[JointRow] = (), letter: str = ""
+    ) -> None:
+        self._names, self._joints, self._letter = names, joints, letter
+
+    @cached_property
+    def _found(self) -> dict[str, slice]:
+        found = {name: slice(k, k + 1) for k, name in enumerate(self._names)}
+        for joint in self._joints:
+            start, size = joint.slot(self._letter)
+            if size:
+                found.setdefault(joint.name, slice(start, start + size))
+        return found
+
+    def __getitem__(self, name: str) -> slice:
+        return self._found[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._found)
+
+    def __len__(self) -> int:
+        return len(self._found)
+
+
+class Layout:
+    """Names, sizes and defaults of the blocks of a model."""
+
+    def __init__(self, manifest: Manifest) -> None:
+        self.manifest = manifest
+        self.coordinates: tuple[str, ...] = tuple(column(manifest.coordinates, "name"))
+        self.speeds: tuple[str, ...] = tuple(column(manifest.speeds, "name"))
+        self.inputs = tuple(row.name for row in manifest.inputs)
+        self.internals = tuple(row.name for row in manifest.z)
+        self.modes = tuple(row.name for row in manifest.s)
+        self.events = tuple(row.name for row in manifest.events)
+        self.multipliers = tuple(row.name for row in manifest.multipliers)
+        self.parts = tuple(part for body in manifest.bodies for part in body.parts)
+        # bodies without parts only stand for joints: their frames are nobody's
+        self.part_of = {
+            row.name: row.part
+            for row in manifest.frames
+            if row.part is not None or row.body == "ground"
+        }
+
+    @cached_property
+    def places(self) -> Mapping[str, Mapping[str, slice]]:
+        """Block -> name -> where its entries lie; a joint's name stands for its whole block."""
+        joints = self.manifest.joints
+        q, u = (
+            Places(names, joints, letter)
+            for names, letter in ((self.coordinates, "q"), (self.speeds, "u"))
+        )
+        r = Places(self.inputs)
+        own = {block: Places(names) for block, names in self._own.items()}
+        return {"q": q, "q0": q, "u": u, "udot": u, "tau": u, "du": u, "r": r} | own
+
+    def names(self, block: str) -> tuple[str, ...]:
+        """Name of every entry of a block."""
+        own = {"q": self.coordinates, "q0": self.coordinates, "r": self.inputs} | self._own
+        return own.get(block, self.speeds)
+
+    @property
+    def _own(self) -> dict[str, tuple[str, ...]]:
+        """Blocks that only some systems have."""
+        own = {"z": self.internals, "s": self.modes, "e": self.events}
+        return own | {"lam": self.multipliers}
+
+    def start(self, block: str) -> Array:
+        """Entries of a block that are not named: defaults of q, r, z and s, else zeros."""
+        if block not in ("q", "q0", "r", "z", "s"):
+            return np.zeros(len(self.names(block)))
+        defaults = column(self.manifest.block(block), "default")
+        return np.array([x or 0.0 for x in defaults], dtype=np.float64)
+
+    @cached_property
+    def arguments(self) -> dict[str, Argument]:
+        """Every argument by name."""
+        nq, nu, nz = len(self.coordinates), len(self.speeds), len(self.internals)
+        wrench = tuple(f"{p}.{a}" for p in self.parts for a in AXES)
+        state = ((SLOT["q"], 0), (SLOT["u"], nq), *(((SLOT["z"], nq + nu),) if nz else ()))
+        names = self.coordinates + self.speeds + self.internals
+        known = {
+            "t": Argument("t", (), ("t",), ((SLOT["t"], 0),), np.zeros(())),
+            "x": Argument("x", (nq + nu + nz,), names, state, None, "entries"),
+            "wrench": Argument(
+                "wrench",
+                (len(self.parts), 6),
+                wrench,
+                ((SLOT["wrench"], 0),),
+                np.zeros((len(self.parts), 6)),
+            ),
+        }
+        return {name: known.get(name) or self._vector(name) for name in ARGUMENTS}
+
+    def _vector(self, block: str) -> Argument:
+        names, start = self.names(block), self.start(block)
+        slots, places = ((SLOT[block], 0),), self.places[block]
+        default = start if ARGUMENTS[block].default else None
+        what = ARGUMENTS[block].entries
+        return Argument(block, (len(names),), names, slots, default, what, places, start)
+
+    def reads(self, function: str, of: str | None = None) -> list[Argument]:
+        """Arguments of a function in their order."""
+        return [self.arguments[name] for name in reads(function, of)]

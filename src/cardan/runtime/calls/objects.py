@@ -1,0 +1,381 @@
+"""The C functions of a model directory: compiled on first use, loaded."""
+
+from __future__ import annotations
+
+import ctypes
+import hashlib
+import json
+import threading
+import time
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from ... import regular_file
+from ...errors import BuildError, CompilerMissing, DerivationError, ModelError, near
+from ...schema.c_functions import FunctionRow
+from ...schema.manifest import Manifest, from_file
+from ..build import cache, prebuilt
+from ..build.object_file import Object
+from ..build.toolchain import Compiler
+from .abi_ctypes import LOADED, block_sizes
+from .interpreted import Interpreted, announce
+from .lanes import Recipe
+
+if TYPE_CHECKING:
+    from ...ir.function import Function
+    from .batch import Batch
+
+Key = tuple[str, str | None]
+# writes what is missing of functions, gives their C names
+Provide = Callable[[Sequence[Key]], list[str]]
+
+
+@dataclass(frozen=True)
+class Code:
+    """A compiled C function.
+
+    Attributes:
+        symbol: Its C name.
+        entry: Its entry in the manifest.
+        fresh: True until it is checked.
+        address: Of ``symbol``, or of what evaluates it where there is no compiler.
+        prepare: Address of ``prepare_symbol``; 0 without a compiler.
+        built: The shared object it lives in, None without a compiler.
+        library: Keeps it loaded.
+        interpreted: What is evaluated instead where there is no compiler.
+        recipe: What its lane builds are made of, None without a compiler.
+        blocks: Numbers of each input block that the C reads, as its object says.
+        lanes: States that it takes side by side, with parameters of their own where several.
+    """
+
+    symbol: str
+    entry: FunctionRow = field(repr=False)
+    fresh: bool
+    address: int = 0
+    prepare: int = 0
+    built: Object | None = None
+    library: ctypes.CDLL | None = field(default=None, repr=False)
+    interpreted: Interpreted | None = field(default=None, repr=False)
+    recipe: Recipe | None = field(default=None, repr=False)
+    blocks: dict[str, int] = field(default_factory=dict, repr=False)
+    lanes: int = 1
+
+    def take(self, blocks: Mapping[str, int]) -> None:
+        """Make sure that blocks of these sizes are what the C reads.
+
+        Raises:
+            BuildError: it reads more or less.
+        """
+        for name, size in blocks.items():
+            if self.blocks.get(name, 0) not in (0, size):
+                raise BuildError(
+                    f"{self.symbol} reads {self.blocks[name]} numbers of '{name}', its manifest "
+                    f"gives {size}. Compile or export the model again"
+                )
+
+    def discard(self) -> None:
+        """Nobody finds its object in the cache."""
+        if self.built is not None:
+            self.built.discard()
+
+    def checked(self) -> Code:
+        """The same after its check: its object goes into the cache."""
+        built = None if self.built is None else replace(self.built.published(), fresh=False)
+        return replace(self, fresh=False, built=built)
+
+
+# looks at two files that others write one after the other, and seconds between them
+ATTEMPTS, PAUSE = 4, 0.05
+
+
+class Objects:
+    """Loaded functions of one directory; safe to use from several threads.
+
+    Attributes:
+        directory: Where ``manifest.json`` and the C files are.
+        manifest: As read; grows when functions are provided.
+        lock: Held while functions are loaded and checked.
+        threads: Of large batches; None for the default.
+        batches: What goes through many states, by C name.
+        lanes: Functions that are compiled for several states side by side alone, by C name.
+    """
+
+    def __init__(
+        self,
+        directory: Path,
+        provide: Provide | None = None,
+        reproducible: bool = False,
+        threads: int | None = None,
+    ) -> None:
+        self.directory = Path(directory)
+        self.reproducible = reproducible
+        self.threads = threads
+        self.batches: dict[str, Batch] = {}
+        self.lanes: dict[str, int] = {}
+        self.tables: Any = None  # of elements: what no parameter changes
+        self.sizes: dict[bytes, float] = {}  # of the mechanism, by parameters
+        self.truth: tuple[tuple[Any, ...], Any] | None = None  # of the last judgement, and for what
+        self._provide = provide
+        self.lock = threading.RLock()
+        self._loaded: dict[str, Code] = {}
+        self._saved: dict[str, Any] = {}
+        self._saved_mark = (0, 0)
+        self._parsed: dict[str, tuple[Any, Any]] = {}
+        self.manifest = self._read()
+
+    def _read(self) -> Manifest:
+        path = self.directory / "manifest.json"
+        try:
+            return from_file(regular_file.content(path), str(path))
+        except FileNotFoundError:
+            raise ModelError(
+                f"{self.directory} holds no compiled model: {path} is missing"
+            ) from None
+        except ModelError:
+            raise
+        except ValueError as error:
+            raise ModelError(
+                f"{path} is not a manifest, or is damaged: {error}. Compile or export the model "
+                "again"
+            ) from None
+        except OSError as error:
+            raise ModelError(f"{path} cannot be read: {error.strerror or error}") from error
+
+    def saved(self) -> dict[str, Any]:
+        """The saved Functions of ``functions.json`` as plain data, by C name."""
+        path = self.directory / "functions.json"
+        try:
+            status = path.stat()
+            mark = (status.st_mtime_ns, status.st_size)
+            # the file grows with every function that is written: read it when it has changed
+            if mark != self._saved_mark:
+                self._saved = self._stated(path)
+                self._saved_mark = mark
+        except FileNotFoundError:
+            return {}
+        except (ValueError, RecursionError) as error:
+            raise ModelError(
+                f"{path} does not hold saved functions: {error}. Compile or export the model again"
+            ) from None
+        except OSError as error:
+            raise ModelError(f"{path} cannot be read: {error.strerror or error}") from error
+        return self._saved
+
+    def _stated(self, path: Path) -> dict[str, Any]:
+        """The content of ``functions.json``, which is what the manifest says.
+
+        Raises:
+            ValueError: it is something else.
+        """
+        for attempt in range(ATTEMPTS):
+            content = regular_file.content(path)
+            stated = self.manifest.sha256.get(path.name)
+            if stated is None or hashlib.sha256(content).hexdigest() == stated:
+                found = json.loads(content)
+                if not isinstance(found, dict):
+                    raise ValueError("it holds no functions by their names")
+                return found
+            # another process writes both, one after the other
+            time.sleep(PAUSE * attempt)
+            self.manifest = self._read()
+        raise ValueError("it is not the file its manifest speaks of")
+
+    def function(self, name: str) -> Any:
+        """A saved Function by its C name, made of plain data once."""
+        from ...ir.serialize import from_dict
+
+        data = self.saved().get(name)
+        if data is None:
+            path = self.directory / "functions.json"
+            raise ModelError(f"{path} does not hold '{name}'. Compile or export the model again")
+        known = self._parsed.get(name)
+        if known is None or known[0] is not data:
+            # the data themselves say whether the file was read again
+            known = self._parsed[name] = data, from_dict(data)
+        return known[1]
+
+    def symbol(self, name: str, of: str | None = None) -> str:
+        """C name of one function, as :meth:`symbols`."""
+        return self.symbols([(name, of)])[0]
+
+    def symbols(self, keys: Sequence[Key]) -> list[str]:
+        """C names of functions; makes sure that their texts and manifest entries exist.
+
+        Raises:
+            ModelError: the model has no such function; or it was saved without it.
+        """
+        with self.lock:
+            if self._provide is None:
+                return [self._stored(*key) for key in keys]
+            symbols = self._provide(keys)
+            if not self.manifest.functions.keys() >= {*symbols}:
+                self.manifest = self._read()
+            for symbol in {*symbols} - self.manifest.functions.keys():
+                raise BuildError(f"function '{symbol}' was not written to {self.directory}")
+            return symbols
+
+    def write(self, names: Iterable[str]) -> None:
+        """Write the C of functions; those that do not exist for this system are left out."""
+        for name in names if self._provide is not None else ():
+            try:
+                self.symbol(name)
+            except DerivationError:
+                continue  # such as udot where M is singular: nothing to write
+
+    def _stored(self, name: str, of: str | None) -> str:
+        """C name of a function that is in the directory."""
+        functions = self.manifest.functions
+        for symbol, entry in functions.items():
+            if symbol.split("__")[0] == name and entry.of == of:
+                return str(symbol)
+        asked = f"('{name}', '{of}')" if of else f"'{name}'"
+        raise ModelError(
+            f"model '{self.manifest.name}' was compiled without {asked}. Export it again with "
+            f"functions=(..., {asked}), or use it once before pickling.{near(name, functions)}"
+        )
+
+    def load(self, symbols: Sequence[str]) -> list[Code]:
+        """The compiled functions; several that must be compiled are compiled at once.
+
+        What is fresh is in no cache yet: :meth:`keep` or :meth:`forget` it after its check.
+
+        Raises:
+            BuildError: the compiler failed; or a text is not the one the manifest speaks of.
+        """
+        with self.lock:
+            missing = [s for s in dict.fromkeys(symbols) if s not in self._loaded]
+            if missing:
+                self._verify_headers()
+            self._loaded.update(zip(missing, self._made(missing), strict=True))
+            return [self._loaded[s] for s in symbols]
+
+    def keep(self, symbol: str) -> Code:
+        """A function that passed its check: other processes may find it now."""
+        self._loaded[symbol] = code = self._loaded[symbol].checked()
+        return code
+
+    def forget(self, symbols: Iterable[str]) -> None:
+        """Functions that did not: they are made again when somebody asks for them."""
+        for symbol in symbols:
+            code = self._loaded.pop(symbol, None)
+            self.batches.pop(symbol, None)
+            if code is not None:
+                code.discard()
+
+    def _made(self, symbols: Sequence[str]) -> list[Code]:
+        """Functions as C, or as expressions where there is no compiler."""
+        paths = [self.text_path(symbol) for symbol in symbols]
+        try:
+            by = cache.compiler().for_models()
+            lanes = [self.lanes.get(symbol, 1) for symbol in symbols]
+            extra = [LOADED + (prebuilt.macros(n, True) if n > 1 else by.tuning) for n in lanes]
+            built = cache.compiled_apart(paths, self.directory, self.reproducible, by, extra)
+        except CompilerMissing as missing:
+            found = [Interpreted(self._expressions(symbol, missing)) for symbol in symbols]
+            announce()
+            return [
+                Code(symbol, self.manifest.functions[symbol], True, one.address, interpreted=one)
+                for symbol, one in zip(symbols, found, strict=True)
+            ]
+        try:
+            return [self._connected(s, one, by) for s, one in zip(symbols, built, strict=True)]
+        except BaseException:
+            for one in built:
+                one.discard()
+            raise
+
+    def _connected(self, symbol: str, built: Object, by: Compiler) -> Code:
+        """A function in its object.
+
+        Raises:
+            BuildError: the object does not hold what the manifest says.
+        """
+        entry = self.manifest.functions[symbol]
+        # exports may have a prefix before all names
+        name = f"{self.manifest.prefix}{symbol}"
+        library = built.load()
+        try:
+            address = ctypes.cast(library[name], ctypes.c_void_p).value or 0
+            shared = library[f"{self.manifest.prefix}prepare_{symbol}"]
+            prepare = ctypes.cast(shared, ctypes.c_void_p).value or 0
+            blocks = block_sizes(library, name, entry)
+        except (AttributeError, ValueError) as error:
+            raise BuildError(
+                f"{self.directory / entry.file} does not hold what its manifest says: {error}. "
+                "Compile or export the model again"
+            ) from None
+        path, check = self.directory / entry.file, partial(self._verify_sources, symbol)
+        recipe = Recipe(name, path, self.directory, self.reproducible, by, check)
+        found = address, prepare, built, library, None, recipe, blocks, self.lanes.get(symbol, 1)
+        return Code(symbol, entry, built.fresh, *found)
+
+    def _expressions(self, symbol: str, missing: CompilerMissing) -> Function:
+        """The saved Function of a symbol.
+
+        Raises:
+            CompilerMissing: it is not saved.
+            ModelError: what is saved breaks a rule.
+        """
+        from ...ir.serialize import from_dict
+
+        saved = self.saved()
+        if symbol not in saved:
+            raise missing
+        try:
+            return from_dict(saved[symbol])
+        except (ValueError, RecursionError) as error:
+            raise ModelError(f"{self.directory / 'functions.json'}: {symbol}: {error}") from None
+
+    def text_path(self, symbol: str) -> Path:
+        """The C file of a function, whose content is what the manifest says.
+
+        Raises:
+            BuildError: it is missing or was changed.
+        """
+        entry = self.manifest.functions.get(symbol)
+        if entry is None:
+            raise BuildError(
+                f"{self.directory}: its manifest has no function '{symbol}'. It was changed, or "
+                "removed while this process used it: compile the model again"
+            )
+        path = self.directory / entry.file
+        self._verify(path, entry.sha256)
+        return path
+
+    def _verify_headers(self) -> None:
+        """Make sure that the headers, which the compiler reads as well, are what the manifest says.
+
+        Raises:
+            BuildError: one is missing or was changed.
+        """
+        for name, stated in self.manifest.sha256.items():
+            if name.endswith(".h"):
+                self._verify(self.directory / Path(name).name, stated)
+
+    def _verify_sources(self, symbol: str) -> None:
+        """Make sure that all the compiler reads for a function is what the manifest says.
+
+        Raises:
+            BuildError: something is missing or was changed.
+        """
+        self.text_path(symbol)
+        self._verify_headers()
+
+    def _verify(self, path: Path, stated: str | None) -> None:
+        """Make sure that a text is the one the manifest speaks of.
+
+        Raises:
+            BuildError: it is missing or was changed.
+        """
+        try:
+            content = regular_file.content(path)
+        except OSError as error:
+            raise BuildError(f"{path} cannot be read: {error.strerror}") from error
+        if stated and hashlib.sha256(content).hexdigest() != stated:
+            raise BuildError(
+                f"{path} is not the text its manifest speaks of: it was changed by hand or only "
+                "half copied. Compile or export the model again"
+            )

@@ -1,0 +1,73 @@
+"""Random arguments of a function: what it is measured with, and what its builds are compared at."""
+
+from __future__ import annotations
+
+from math import prod
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ...arrays import Array
+from ...schema.blocks import ORDER, SLOT
+from .lanes import States
+from .loaded_function import LoadedFunction
+
+if TYPE_CHECKING:
+    from ..models.loaded_model import LoadedModel
+
+# where builds are compared
+SEED, STATES = 1, 32
+
+
+def values(
+    model: LoadedModel, function: LoadedFunction, rng: np.random.Generator, count: int
+) -> dict[str, Array]:
+    """Random arguments, (count, ...): states inside limits; inputs, internal states and modes at
+    their defaults."""
+    made: dict[str, Array] = {}
+    x = model.random_state(rng, (count,))
+    q, u = model.split(x)
+    states = {"q": q, "q0": q, "u": u, "x": x, "t": np.full(count, 0.3)}
+    for argument in function.caller.arguments:
+        if argument.name in "rzs" and argument.default is not None:
+            given = np.broadcast_to(argument.default, (count, *argument.shape)).copy()
+            states[argument.name] = given
+        random = rng.uniform(-1, 1, (count, *argument.shape))
+        made[argument.name] = states.get(argument.name, random)
+    return made
+
+
+def states(
+    function: LoadedFunction, values: dict[str, Array], count: int, own: bool = False
+) -> States:
+    """The arguments as blocks, with room for the results of each of ``count`` states.
+
+    Args:
+        function: What is called.
+        values: Arguments (count, ...) by name; a function of parameters alone has none.
+        count: States.
+        own: Every state has parameters of its own; they are equal.
+    """
+    blocks: list[Array | None] = [None] * len(ORDER)
+    strides = [0] * len(ORDER)
+    for argument in function.caller.arguments:
+        array = values[argument.name]
+        for slot, first in argument.blocks:
+            blocks[slot] = np.ascontiguousarray(array).reshape(-1)[first:]
+            strides[slot] = argument.size
+    w = function.w
+    if own:
+        w, strides[SLOT["w"]] = np.tile(w, count), len(w)
+    blocks[SLOT["w"]] = w
+    return States(blocks, strides, np.empty((count, prod(function.caller.shape))))
+
+
+def build(model: LoadedModel, function: LoadedFunction, own: bool = False) -> int:
+    """Make the lane build of a function now; returns its width, 1 where there is none.
+
+    Args:
+        own: For states with parameters of their own.
+    """
+    made = values(model, function, np.random.default_rng(SEED), STATES)
+    caller = function.caller
+    return caller.batch.build(own, caller.call, states(function, made, STATES, own))

@@ -1,0 +1,1 @@
+"""Compiled models as data and calls."""

@@ -1,0 +1,175 @@
+"""Constraints of a model as the runs see them, and the projection of states onto them."""
+
+from __future__ import annotations
+
+import ctypes
+from contextlib import nullcontext
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ...arrays import Array
+from ...errors import ArgumentError
+from ...schema.entries import MultiplierRow
+from ...schema.records import Run, check
+from ...schema.rows import column
+from ..calls.interpreted import called_back
+from ..trajectory.closure_errors import Ledger
+from .finite_elements.frames import standing
+
+if TYPE_CHECKING:
+    from .loaded_model import LoadedModel
+
+CLOSED = 1e-11  # residuals relative to the size that are enough, as in kernels/close.c
+MOST_SIZES = 64  # that are remembered
+
+
+@dataclass(frozen=True)
+class Closing:
+    """What closes the circuits of a model.
+
+    Attributes:
+        rows: Multipliers of the manifest, those of positions first.
+        size: Of the mechanism, against which residuals count [m].
+        watched: Whether runs look out for places where branches meet: not those of elements.
+    """
+
+    rows: tuple[MultiplierRow, ...]
+    size: float
+    watched: bool = True
+
+    @classmethod
+    def of(cls, model: LoadedModel) -> Closing:
+        """Constraints of a model that states are projected onto; none for a tree."""
+        rows = tuple(model.manifest.multipliers)
+        if not model.manifest.projected:
+            rows = ()
+        meshed = model.manifest.absolute
+        return cls(rows, size_of(model) if rows or meshed else 1.0, not meshed)
+
+    def loosened(self, slack: float) -> Closing:
+        """The same where residuals up to a slack, without units, count as none."""
+        return replace(self, size=self.size * max(1.0, slack / CLOSED))
+
+    @cached_property
+    def positions(self) -> int:
+        """Number of constraints of positions."""
+        return sum(row.level == "position" for row in self.rows)
+
+    @property
+    def rates(self) -> int:
+        """Number of constraints of velocities: all of them."""
+        return len(self.rows)
+
+    @property
+    def functions(self) -> tuple[str, ...]:
+        """The functions of the model that project."""
+        if not self.rows:
+            return ()
+        watch = ("constraint_jacobian",) if self.watched else ()
+        close = ("close_position", "close_velocity") if self.positions else ("close_velocity",)
+        return (*close, *watch)
+
+    def ledger(self, numbers: Array) -> Ledger | None:
+        """The ledger of a run from its numbers (4 (positions + rates),)."""
+        return Ledger.of(self.rows, numbers.reshape(-1, 4)) if self.rows else None
+
+    def row(self, k: int) -> tuple[str, str]:
+        """Level (``position`` or ``velocity``) and multiplier name of a row of the ledger."""
+        level = "position" if k < self.positions else "velocity"
+        return level, self.rows[k if k < self.positions else k - self.positions].name
+
+
+def size_of(model: LoadedModel) -> float:
+    """Size of a mechanism [m]: the longest way between two joints of a body or along a beam, or
+    the largest radius or length of a joint; 1 without any."""
+    if model._size is None:
+        model._size = _measured(model)
+    return model._size
+
+
+def _measured(model: LoadedModel) -> float:
+    """The size from the saved scene."""
+    told = model.manifest.elements.frames if model.manifest.absolute else "scene"
+    if told not in model.saved:
+        return 1.0
+    known, vector = model._objects.sizes, model.parameters.vector
+    size = known.get(vector.tobytes())
+    if size is None:
+        found = model._evaluate_saved(told, p=vector)
+        if model.manifest.absolute:
+            # where the ground has frames says nothing
+            carried = [row.node is not None for row in model.manifest.frames]
+            places = standing(model)[1][carried]
+        else:
+            parts = [np.ravel(found[key]) for key in ("position", "frame_position")]
+            places = np.concatenate(parts).reshape(-1, 3)
+        lengths = [float(np.linalg.norm(places, axis=1).max(initial=0.0))]
+        own = [np.ravel(found[key]) for key in ("lengths", "sizes", "cut_sizes") if key in found]
+        lengths += [float(np.abs(some).max(initial=0.0)) for some in own]
+        lengths += [beam.length for beam in model.manifest.beams]
+        size = max(lengths) or 1.0
+        if len(known) >= MOST_SIZES:
+            known.clear()
+        known[vector.tobytes()] = size
+    return size
+
+
+def columns_of(model: LoadedModel, size: float) -> Array:
+    """What every speed counts in (nu,): sizes of the mechanism, or radians."""
+    units = column(model.manifest.speeds, "unit")
+    return np.array([size if name == "m/s" else 1.0 for name in units])
+
+
+def project(model: LoadedModel, t: Array, x: Array, r: Array, s: Array, ledger: Ledger) -> Array:
+    """States on the constraints next to given ones.
+
+    Args:
+        model: A model with circuits.
+        t, x, r, s: Times (n,), states (n, nx), inputs (n, nr), discrete states (n, ns).
+        ledger: Of the run they belong to: what it let pass is close enough.
+
+    Returns:
+        (n, nx); where a state does not close it stays what it was.
+    """
+    closing = Closing.of(model)
+    passed = max((worst.after for worst in ledger.position.values()), default=0.0)
+    size = closing.loosened(2 * passed / closing.size).size
+    names = closing.functions[: 1 + (closing.positions > 0)]
+    functions = [model._function(name) for name in names]
+    library = model._kernels()
+    check(library, "cardan_run", Run)
+    run = Run(nq=model.nq, nu=model.nu, nz=model.nz, nx=model.nx, n=model.nx, nr=model.nr)
+    run.ns, run.positions, run.rates, run.size = model.ns, closing.positions, closing.rates, size
+    run.atol, quaternions = 1.0, np.array(model.manifest.quaternions, dtype=np.intp)
+    for name, function in zip(names, functions, strict=True):
+        setattr(run, name, function.address)
+        setattr(run, f"{name}_w", function.w.ctypes.data)
+    library.cardan_closing_length.restype = ctypes.c_ssize_t
+    sizes = {
+        "y": model.nx,
+        "r": model.nr,
+        "s": model.ns,
+        "at_rest": model.nu + 6 * len(model.manifest.bodies),
+        "work": max(function.work_size for function in functions),
+        "closing": library.cardan_closing_length(ctypes.byref(run)),
+    }
+    rooms = {name: np.zeros(count) for name, count in sizes.items()}
+    rooms["quaternions"], run.quaternion_count = quaternions, len(quaternions)
+    for name, room in rooms.items():
+        setattr(run, name, room.ctypes.data)
+    if not closing.watched:
+        run.mesh = model._source.mesh(model)
+    for name, block, count in (("x", x, model.nx), ("r", r, model.nr), ("s", s, model.ns)):
+        if block.shape != (len(t), count):
+            raise ArgumentError(
+                f"{name} of a motion of '{model.name}' has shape {block.shape}, expected "
+                f"({len(t)}, {count}): it belongs to another model"
+            )
+    closed, *rows = (np.array(rows, dtype=np.float64, order="C") for rows in (x, t, r, s))
+    pointers = [ctypes.c_void_p(block.ctypes.data) for block in (rows[0], closed, *rows[1:])]
+    with called_back() if any(function.interpreted for function in functions) else nullcontext():
+        library.cardan_close_states(ctypes.byref(run), ctypes.c_ssize_t(len(t)), *pointers)
+    return closed

@@ -1,0 +1,252 @@
+"""Derivatives of the functions of a compiled model."""
+
+from __future__ import annotations
+
+from abc import ABC
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+from math import prod
+from typing import Any
+
+import numpy as np
+
+from ...arguments import checked
+from ...arrays import Array
+from ...errors import ArgumentError, ModelError, near, shown
+from ...ir.request import Request
+from ...schema.blocks import DIRECTIONS
+from ...schema.functions import DIFFERENTIABLE, FUNCTIONS
+from ..calls.evaluation import Values, into
+from ..calls.functions import Functions
+from .wrenches import generalized, read_wrenches
+
+STANDARD = ("q", "u", "r", "p")
+# what a wrench on a frame can be felt through
+PUSHED = ("forward_dynamics", "inverse_dynamics")
+
+
+class Derivatives(Functions, ABC):
+    """Derivatives of all functions above."""
+
+    @checked
+    def derivative(
+        self, function: str | tuple[str, str], wrt: str | Sequence[str] = STANDARD
+    ) -> Derivative:
+        """The derivative of a function, itself a function of the same arguments.
+
+        ``A, B = model.derivative("forward_dynamics", wrt=("q", "u"))(q, u, tau=tau)``
+
+        Args:
+            function: Such as ``"forward_dynamics"``, or ``("pose", "hand")``.
+            wrt: Blocks ``t q u r p udot tau``, or parameters and inputs by name, such as
+                ``("q", "u", "upper.mass")``. ``"q"`` stands for nu columns along the speeds: the
+                change of the function when q moves as it does at unit speeds (``integrate``). By
+                default q, u, r and p as far as the function reads them.
+
+        Returns:
+            A :class:`Derivative`: called, it gives one array per block or name, (..., *shape of
+            the function, columns); t and single names have no axis of columns. One array instead
+            of a tuple where ``wrt`` is a text. Units: of the function over those of the argument.
+
+        Raises:
+            ModelError: no such function, block, parameter or input.
+            ArgumentError: the function does not read what it is to be differentiated by.
+        """
+        pair = (function, None) if isinstance(function, str) else function
+        if not isinstance(pair, tuple) or len(pair) != 2:
+            raise ModelError(
+                f"derivative: a name, or a pair such as ('pose', 'hand'), is wanted, "
+                f"not {shown(function)}"
+            )
+        name, of = pair
+        if name not in DIFFERENTIABLE:
+            raise ModelError(f"derivative of '{name}' does not exist.{near(name, DIFFERENTIABLE)}")
+        if bool(FUNCTIONS[name].of) != (of is not None):
+            wanted = "needs a frame or joint: ('pose', 'hand')" if of is None else "takes none"
+            raise ModelError(f"derivative: {name} {wanted}")
+        self._check_of(name, of)
+        reads = {*FUNCTIONS[name].reads.replace("x", "q u z").split(), "p"}
+        if not wrt or not isinstance(wrt, (str, list, tuple)):
+            raise ModelError(
+                "derivative: wrt is a block such as 'q', a parameter or input, or several of "
+                f"them, not {shown(wrt)}"
+            )
+        entries = (wrt,) if isinstance(wrt, str) else tuple(wrt)
+        if wrt is STANDARD:
+            entries = tuple(block for block in STANDARD if block in reads)
+        for entry in entries:
+            self._check_wrt(name, entry, reads)
+        return Derivative(self, name, of, entries, isinstance(wrt, str))
+
+    def _check_wrt(self, function: str, entry: str, reads: set[str]) -> None:
+        if entry in DIRECTIONS and entry not in reads:
+            raise ArgumentError(
+                f"derivative: {function} does not read {entry}; it reads {', '.join(sorted(reads))}"
+            )
+        inputs = tuple(row.name for row in self.manifest.inputs)
+        parameters = tuple(row.name for row in self.manifest.parameters)
+        if entry not in (*DIRECTIONS, *inputs, *parameters):
+            raise ModelError(
+                f"derivative: '{entry}' is no block ({', '.join(DIRECTIONS)}), parameter or input."
+                f"{near(entry, (*DIRECTIONS, *parameters, *inputs))}"
+            )
+
+
+@dataclass(frozen=True)
+class Derivative:
+    """A derivative, ready to be called with the arguments of its function.
+
+    Attributes:
+        model: Whose function it is.
+        function, of: The function and its frame or joint.
+        wrt: What it is differentiated by: the order of the results.
+        single: Whether the result is one array.
+    """
+
+    model: Derivatives = field(repr=False)
+    function: str
+    of: str | None
+    wrt: tuple[str, ...]
+    single: bool = False
+
+    @cached_property
+    def request(self) -> str:
+        """As ``functions=`` of an export takes it: ``("derivative", request)``."""
+        order = {block: n for n, block in enumerate(DIRECTIONS)}
+        ordered = sorted(dict.fromkeys(self.wrt), key=lambda x: (order.get(x, len(order)), x))
+        return str(Request(self.function, self.of, tuple(ordered)))
+
+    @property
+    def operations(self) -> dict[str, int]:
+        """Number of each operator of its C."""
+        found: dict[str, int] = self._loaded.entry.operations
+        return found
+
+    @property
+    def _loaded(self) -> Any:
+        return self.model._function("derivative", self.request)
+
+    def __call__(
+        self,
+        *states: Any,
+        wrenches: Values | None = None,
+        parameters: Values | None = None,
+        out: Any = None,
+        **rest: Any,
+    ) -> Any:
+        """The derivatives at states of any leading shape.
+
+        Args:
+            states, rest: As the function takes them; leading axes broadcast.
+            wrenches: Frame -> (..., 6), for forward and inverse dynamics.
+            parameters: Other values than the model's own.
+            out: Arrays to fill and return, as many as there are results.
+
+        Raises:
+            ArgumentError, ModelError, SolveError: as the function itself.
+        """
+        given = self._named(states, rest)
+        if wrenches is None:
+            found = self._results(given, parameters)
+        elif self.function not in PUSHED:
+            raise ArgumentError(
+                f"derivative: wrenches go with {' and '.join(PUSHED)}, not with {self.function}"
+            )
+        else:
+            found = self._pushed(given, wrenches, parameters)
+        listed = [found[name] for name in self.wrt]
+        if out is not None:
+            outs = (out,) if self.single else tuple(out)
+            if len(outs) != len(listed):
+                raise ArgumentError(f"out holds {len(outs)} arrays, expected {len(listed)}")
+            listed = [into(x, o) for x, o in zip(listed, outs, strict=True)]
+        return listed[0] if self.single else tuple(listed)
+
+    def _named(self, states: Sequence[Any], rest: Mapping[str, Any]) -> dict[str, Any]:
+        """Arguments by name."""
+        # solvers call rhs(t, x, r)
+        order, known = self._order
+        if len(states) > len(order):
+            raise ArgumentError(
+                f"derivative of {self.function} takes {', '.join(order)} in this order and the "
+                f"rest by name, not {len(states)} states"
+            )
+        given = dict(zip(order, states, strict=False))
+        for name, value in rest.items():
+            if name not in known or name in given:
+                what = "is given twice" if name in given else "is none of its arguments"
+                raise ArgumentError(
+                    f"derivative of {self.function}: {name} {what}.{near(name, known)}"
+                )
+            given[name] = value
+        return given
+
+    def _results(self, given: Mapping[str, Any], parameters: Values | None) -> dict[str, Array]:
+        """One array per block or name."""
+        key = ("derivative", self.request)
+        values = tuple(given.get(name, 0.0 if name == "t" else None) for name in self._reads)
+        flat = self.model._evaluate(key, values, parameters, None)
+        outputs, found, start = self._loaded.outputs, {}, 0
+        if len(outputs) == 1:
+            return {self.wrt[0]: flat}
+        for output in outputs:
+            shape = tuple(output.shape)
+            end = start + prod(shape)
+            part = flat[..., start:end]
+            found[output.name.removeprefix("d_")] = part.reshape(part.shape[:-1] + shape)
+            start = end
+        return found
+
+    @cached_property
+    def _reads(self) -> tuple[str, ...]:
+        """Blocks that the function reads."""
+        return tuple(FUNCTIONS[self.function].arguments)
+
+    @cached_property
+    def _order(self) -> tuple[tuple[str, ...], tuple[str, ...]]:
+        """Arguments that states stand for, and those that have a name."""
+        names = tuple(name for name in self._reads if name != "wrench")
+        return tuple(FUNCTIONS[self.function].required), names
+
+    def _pushed(
+        self, given: dict[str, Any], wrenches: Values, parameters: Values | None
+    ) -> dict[str, Array]:
+        """With wrenches on frames: tau grows by Jᵀ w, and J changes too."""
+        model, rest = self.model, {name: given.get(name) for name in ("q", "r")}
+        place: dict[str, Any] = {**rest, "t": given.get("t", 0.0), "parameters": parameters}
+        changes = self._jacobians(read_wrenches(model, wrenches), place)
+        if self.function == "inverse_dynamics":
+            found = self._results(given, parameters)
+            return {name: x - changes[name] if name in changes else x for name, x in found.items()}
+        own = generalized(model, wrenches, place.pop("q"), **place)
+        tau = given.get("tau")
+        pushed = {**given, "tau": own if tau is None else model._vector("tau", tau) + own}
+        # M^-1 is what udot gains by tau
+        more = Derivative(model, self.function, None, (*dict.fromkeys((*self.wrt, "tau")),))
+        found = more._results(pushed, parameters)
+        for name, change in changes.items():
+            columns = change if change.ndim >= 2 and _has_columns(name) else change[..., None]
+            gained = found["tau"] @ columns
+            found[name] = found[name] + (gained if _has_columns(name) else gained[..., 0])
+        return found
+
+    def _jacobians(
+        self, wrenches: Mapping[str, Array], place: Mapping[str, Any]
+    ) -> dict[str, Array]:
+        """Changes of the sum of Jᵀ w by block or name."""
+        felt = tuple(name for name in self.wrt if name not in ("u", "tau", "udot"))
+        total: dict[str, Array] = {}
+        given = {name: value for name, value in place.items() if name != "parameters"}
+        for frame, wrench in wrenches.items() if felt else ():
+            jacobian = Derivative(self.model, "frame_jacobian", frame, felt)
+            for name, change in jacobian._results(given, place["parameters"]).items():
+                letters = "...ijk,...i->...jk" if _has_columns(name) else "...ij,...i->...j"
+                own = np.einsum(letters, change, wrench)
+                total[name] = total[name] + own if name in total else own
+        return total
+
+
+def _has_columns(name: str) -> bool:
+    """Whether a derivative by this has an axis of columns."""
+    return name in DIRECTIONS and name != "t"

@@ -1,0 +1,125 @@
+"""The functions of a model whose elements stand in tables: summed over these, or solved for."""
+
+from __future__ import annotations
+
+import ctypes
+from collections.abc import Callable, Sequence
+from math import prod
+from typing import TYPE_CHECKING, final
+
+import numpy as np
+
+from ....arrays import Array
+from ....errors import ModelError
+from ....schema.blocks import ORDER
+from ....schema.c_functions import FunctionRow, ResultRow
+from ....schema.functions import OF_ELEMENTS
+from ...calls.calling import Caller
+from ...calls.generated import Source
+from ...calls.loaded_function import LoadedFunction
+from ...calls.objects import Code, Key
+from .evaluation import Results
+from .mesh import NEEDED
+from .table_loading import load
+
+if TYPE_CHECKING:
+    from ...calls.measuring import Row
+    from ..loaded_model import LoadedModel
+
+
+@final
+class Assembled(Source):
+    """Functions over the tables of a model at its parameters."""
+
+    def __init__(self) -> None:
+        self._results: Results | None = None
+
+    def results(self, model: LoadedModel) -> Results:
+        """What evaluates them; made on first use, once for all threads: runs keep its address."""
+        with model._objects.lock:
+            if self._results is None:
+                self._results = Results(load(model), model)
+            return self._results
+
+    def add(self, model: LoadedModel, missing: Sequence[Key]) -> None:
+        """Make functions callable."""
+        for name, of in missing:
+            if name not in OF_ELEMENTS:
+                known = ", ".join(OF_ELEMENTS)
+                raise ModelError(
+                    f"model '{model.name}' is in absolute coordinates, which offer no '{name}'. "
+                    f"There are: {known}"
+                )
+            model._functions[name, of] = self._function(model, name, of)
+
+    def mesh(self, model: LoadedModel) -> int:
+        """Address of the tables, with what methods ask of elements themselves."""
+        mesh = self.results(model).mesh
+        mesh.connect("balance", "balance_tangent", "gamma")
+        return ctypes.addressof(mesh.record)
+
+    def measured(self, model: LoadedModel, seed: int, judged: bool) -> list[Row]:
+        """Functions of the whole mesh, then its elements kind by kind."""
+        from .element_costs import rows
+
+        return rows(model, self.results(model), seed, judged)
+
+    def _function(self, model: LoadedModel, name: str, of: str | None) -> LoadedFunction:
+        model._check_of(name, of)
+        results, arguments = self.results(model), model._layout.reads(name, of)
+        shape, entries = results.shape(name)
+        code = self._code(results, name, entries, shape)
+        address = code.address
+        # runs hand the address of the record on as prepared parameters
+        record = results.mesh.record
+        count = ctypes.sizeof(record) // 8
+        w = np.ctypeslib.as_array((ctypes.c_double * count).from_buffer(record))
+        caller = Caller(
+            f"{name}('{of}')" if of else name,
+            address,
+            arguments,
+            shape,
+            entries,
+            0,
+            w,
+            evaluator=_Evaluator(results.of(name, of)),  # type: ignore[arg-type]
+        )
+        return LoadedFunction(name, of, code, w, caller, caller, results.mesh.interpreted)
+
+    def _code(
+        self, results: Results, name: str, entries: Sequence[str], shape: tuple[int, ...]
+    ) -> Code:
+        mesh, address, work = results.mesh, 0, 0
+        # runs call these from C: closures over the mesh
+        if name in NEEDED:
+            address, work = mesh.closure(name), mesh.work
+        entry = FunctionRow(
+            file="",
+            symbol=name,
+            work_size=work,
+            prepared_size=0,
+            output_size=prod(shape),
+            outputs=[ResultRow(name=name, shape=list(shape), entries=list(entries))],
+            operations={},
+            inputs=[],
+            lanes=[1],
+            sha256="",
+        )
+        return Code(name, entry, False, address)
+
+
+class _Evaluator:
+    """A function of one state, called as generated C is; see :class:`.Interpreted`."""
+
+    def __init__(self, function: Callable[[dict[str, Array]], Array]) -> None:
+        self.function = function
+
+    def run(
+        self, blocks: list[Array | None], strides: Sequence[int], out: Array
+    ) -> tuple[int, int]:
+        """The results of every row of ``out``."""
+        given = [(n, b, d) for n, b, d in zip(ORDER, blocks, strides, strict=True) if b is not None]
+        for k in range(len(out)):
+            here = {name: block[k * stride :] for name, block, stride in given}
+            out[k] = np.reshape(self.function(here), -1)
+        return 0, -1

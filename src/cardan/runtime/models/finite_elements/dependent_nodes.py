@@ -1,0 +1,129 @@
+"""Nodes of beams that follow what their beams are joined to, for the start of runs.
+
+A joint that stands otherwise than in the reference configuration carries the node it moves. What
+hangs on it by beams goes along rigidly; between two nodes that were carried apart the motion goes
+over from one to the other along the beam.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+from ....arrays import Array
+from .tables import Integers, Tables
+
+GROUND = -1
+
+
+@dataclass(frozen=True)
+class Motion:
+    """How a node left its reference pose: a rotation about the ground's origin, then a shift.
+
+    Attributes:
+        turn: Rotation.
+        shift: (3,) [m].
+        omega, velocity: Angular velocity, and velocity of what is at the origin, ground axes.
+    """
+
+    turn: Rotation
+    shift: Array
+    omega: Array
+    velocity: Array
+
+
+_REST = Motion(Rotation.identity(), np.zeros(3), np.zeros(3), np.zeros(3))
+
+
+def trailed(
+    tables: Tables,
+    lines: Sequence[Integers],
+    reference: Array,
+    x: Array,
+    held: Collection[int],
+) -> Array:
+    """A state (nx,) whose beams follow the nodes that stand where they are told to.
+
+    Args:
+        tables: Places of the model.
+        lines: Of every segment the places of its nodes from end to end; GROUND for the ground.
+        reference: Coordinates (nq,) in the reference configuration.
+        x: The state, with those nodes where they are to be.
+        held: Places that are there already.
+    """
+    moved, known = x.copy(), dict[int, Motion]()
+    known[GROUND] = _REST
+    ends = {int(place) for line in lines for place in (line[0], line[-1])}
+    for place in ends & set(held):
+        known[place] = motion_of(tables, reference, x, place)
+    waiting = joined(lines, known)
+    while waiting:
+        # first what lies between two known ends, then what hangs on one
+        ready = sorted(waiting, key=lambda line: -sum(int(line[k]) in known for k in (0, -1)))
+        line = ready[0]
+        waiting = [other for other in waiting if other is not line]
+        one, other = (known.get(int(line[k])) for k in (0, -1))
+        if one is None and other is None:
+            break
+        _carry(tables, reference, moved, line, one or other or _REST, other or one or _REST)
+        for k, motion in ((0, other), (-1, one)):
+            known.setdefault(int(line[k]), motion or _REST)
+    return moved
+
+
+def joined(lines: Sequence[Integers], known: Collection[int]) -> list[Integers]:
+    """Lines that go on through nodes where nothing else hangs and nobody says where they are."""
+    at: dict[int, list[int]] = {}
+    for k, line in enumerate(lines):
+        for place in (int(line[0]), int(line[-1])):
+            at.setdefault(place, []).append(k)
+    through = {place for place, own in at.items() if len(set(own)) == 2 and place not in known}
+    found: list[Integers] = []
+    for line in lines:
+        # segments of a beam follow each other
+        if found and int(line[0]) in through and found[-1][-1] == line[0]:
+            found[-1] = np.concatenate([found[-1], line[1:]])
+        else:
+            found.append(line)
+    return found
+
+
+def motion_of(tables: Tables, reference: Array, x: Array, place: int) -> Motion:
+    """How a place left its pose in the reference configuration."""
+    at, home = tables.pose(x, place), tables.pose(reference, place)
+    now = _rotation(at[:4])
+    turn = now * _rotation(home[:4]).inv()
+    speed = tables.speeds(x[tables.nq :], place)
+    omega = now.apply(speed[:3])
+    return Motion(
+        turn,
+        at[4:] - turn.apply(home[4:]),
+        omega,
+        speed[3:] - np.cross(omega, at[4:]),
+    )
+
+
+def _carry(
+    tables: Tables, reference: Array, x: Array, line: Integers, one: Motion, other: Motion
+) -> None:
+    """Move the nodes inside of a segment, and ends that are not known, into ``x``."""
+    nodes = line != GROUND
+    places, s = line[nodes], np.linspace(0.0, 1.0, len(line))[nodes, None]
+    arc = (other.turn * one.turn.inv()).as_rotvec()
+    turn = Rotation.from_rotvec(s * arc) * one.turn if arc.any() else one.turn
+    home = tables.poses(reference, places)
+    positions = [m.turn.apply(home[:, 4:]) + m.shift for m in (one, other)]
+    position = (1 - s) * positions[0] + s * positions[1]
+    now = turn * _rotation(home[:, :4])
+    omega = (1 - s) * one.omega + s * other.omega
+    velocity = (1 - s) * one.velocity + s * other.velocity + np.cross(omega, position)
+    poses = np.hstack([np.roll(now.as_quat(), 1, axis=1), position])
+    tables.put(x, places, poses, np.hstack([now.inv().apply(omega), velocity]))
+
+
+def _rotation(q: Array) -> Rotation:
+    """Of unit quaternions (..., 4)."""
+    return Rotation.from_quat(np.roll(q, -1, axis=-1))

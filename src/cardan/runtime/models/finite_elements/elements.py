@@ -1,0 +1,195 @@
+"""What elements in tables give together, however their functions are evaluated."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+import scipy.sparse
+
+from ....arrays import Array
+from ....schema.records import PARTS
+from .tables import Table, Tables
+
+# unknowns of its own that an element of mixed form has: its stress
+INNER = 6
+
+
+@dataclass(frozen=True)
+class State:
+    """What elements are asked at; blocks that are left out count as zeros.
+
+    Attributes:
+        q, u, udot: Coordinates (nq,), speeds and their derivatives (nu,).
+        lam: Multipliers (m,).
+        t, r: Time [s] and inputs (nr,).
+        z, s: Internal states and modes of elements.
+        du, inner: Of a search: increments (nu,), and unknowns that elements keep themselves.
+    """
+
+    q: Array
+    u: Array | None = None
+    udot: Array | None = None
+    lam: Array | None = None
+    t: float = 0.0
+    r: Array | None = None
+    z: Array | None = None
+    s: Array | None = None
+    du: Array | None = None
+    inner: Array | None = None
+
+
+class Elements(ABC):
+    """The tables of a model with functions and data."""
+
+    tables: Tables
+    data: Sequence[Array]
+    inner: int
+
+    def read(self, number: int, at: State, inner: int = 0) -> dict[str, Array]:
+        """What the functions of a group read, (n, size) each, or (size,) for all of them.
+
+        Args:
+            number, at: Which group, where.
+            inner: Where the unknowns that its elements keep themselves begin in ``at.inner``.
+        """
+        tables, group = self.tables, self.tables.groups[number]
+        n = len(group)
+        places = tables.places_of(group)
+        columns, zero = tables.columns(group), np.zeros(tables.nu)
+        given = {"q": at.q[places], "p": self.data[number]}
+        for name, block in (("u", at.u), ("udot", at.udot), ("du", at.du)):
+            given[name] = (zero if block is None else block)[columns]
+        lam = np.zeros(tables.m) if at.lam is None else at.lam
+        given["lam"] = lam[tables.lines(number)]
+        for name, which, block in (("z", group.z, at.z), ("s", group.s, at.s)):
+            given[name] = np.zeros((n, 0)) if which is None or block is None else block[which]
+        if at.inner is not None and "mixed" in group.kind.functions:
+            given["z"] = at.inner[inner : inner + INNER * n].reshape(n, INNER)
+        given["r"] = np.zeros(tables.nr) if at.r is None else at.r
+        given["t"] = np.array([at.t])
+        return given
+
+    @abstractmethod
+    def balance(self, at: State) -> tuple[Array, Array, Array]:
+        """M udot + h - f - Gᵀ lam (nu,), residuals of positions (mp,), of speeds (m,)."""
+
+    @abstractmethod
+    def gamma(self, at: State) -> Array:
+        """gamma (m,) with G udot = gamma."""
+
+    @abstractmethod
+    def total(self, form: str, size: int, at: State) -> Array:
+        """Sum (size,) of a function over the elements: ``energy``, ``momentum``, ``power``."""
+
+    @abstractmethod
+    def results(self, form: str, at: State) -> list[Array]:
+        """Of every group that has the function the results of its elements (n, size)."""
+
+    @abstractmethod
+    def accelerations(self, at: State, tau: Array | None = None) -> tuple[Array, Array]:
+        """udot (nu,) and multipliers (m,) under the forces of the elements and tau (nu,).
+
+        Raises:
+            SolveError: something can move that has neither mass nor inertia; it is named.
+        """
+
+    @abstractmethod
+    def rates(self, q: Array, u: Array) -> Array:
+        """qdot (nq,)."""
+
+    @abstractmethod
+    def move(self, q: Array, du: Array) -> Array:
+        """Coordinates (nq,) moved by an increment (nu,) along the speeds."""
+
+    @abstractmethod
+    def call(self, name: str, at: State, size: int, tau: Array | None = None) -> Array:
+        """``close_position`` or ``close_velocity``: the closed block, then what was open.
+
+        Args:
+            name, at, size: Which, where, length of the result.
+            tau: Other than 0 along speeds (nu,) that are held.
+        """
+
+    def settled(self, at: State) -> Array:
+        """Unknowns that elements keep themselves in a search, as they are at a position."""
+        asked = replace(at, inner=np.zeros(self.inner), du=np.zeros(self.tables.nu))
+        return self.stepped(asked)
+
+    def stepped(self, at: State) -> Array:
+        """The same after the increment ``at.du``."""
+        found = self.results("mixed_step", at)
+        return np.concatenate([rows.ravel() for rows in found]) if found else np.zeros(0)
+
+    def loads(self, at: State) -> Array:
+        """Sizes (nu,) of the loads that act: forces of all elements but joints, beams, springs."""
+        groups = [g for g in self.tables.groups if "balance" in g.kind.functions]
+        found: Array = np.zeros(self.tables.nu)
+        for group, values in zip(groups, self.results("balance", at), strict=True):
+            kind = group.kind
+            spring = "energy" in kind.functions and "momentum" not in kind.functions
+            if not (kind.m or spring):
+                np.add.at(found, self.tables.columns(group), np.abs(values[:, : kind.nu]))
+        return found
+
+    def mixed_balance(self, at: State) -> tuple[Array, Array, Array]:
+        """As :meth:`balance`, where elements keep unknowns ``at.inner`` themselves."""
+        force, gaps, rates = self.balance(at)
+        for group, (plain, own) in self._mixed("balance", at):
+            nu = group.kind.nu
+            np.add.at(force, self.tables.columns(group), own[:, :nu] - plain[:, :nu])
+        return force, gaps, rates
+
+    def mixed_tangent(self, at: State) -> dict[str, scipy.sparse.csr_matrix]:
+        """As :meth:`tangent`, likewise."""
+        found, changed = self.tangent(at), []
+        for group, (plain, own) in self._mixed("balance_tangent", at):
+            nu, start = group.kind.nu, group.kind.parts["K"]
+            columns = self.tables.columns(group)
+            change = own[:, nu : nu + nu * nu] - plain[:, start : start + nu * nu]
+            changed.append(_entries(columns, columns, change))
+        K = found["K"] + _assembled(changed, (self.tables.nu, self.tables.nu))
+        return found | {"K": scipy.sparse.csr_matrix(K)}
+
+    def _mixed(self, form: str, at: State) -> list[tuple[Table, tuple[Array, Array]]]:
+        """Groups of mixed elements with their results of a form, and of the mixed one."""
+        groups = self.tables.groups
+        plain = [g for g in groups if form in g.kind.functions]
+        own = [g for g in groups if "mixed" in g.kind.functions]
+        by_group = {id(g): rows for g, rows in zip(plain, self.results(form, at), strict=True)}
+        found = zip(own, self.results("mixed", at), strict=True)
+        return [(group, (by_group[id(group)], rows)) for group, rows in found]
+
+    def tangent(self, at: State) -> dict[str, scipy.sparse.csr_matrix]:
+        """K, C, M (nu, nu), R, G (m, nu): derivatives of the balance, rows of constraints."""
+        tables = self.tables
+        found: dict[str, list[tuple[Any, Any, Any]]] = {name: [] for name in PARTS}
+        numbers = [k for k, g in enumerate(tables.groups) if "balance_tangent" in g.kind.functions]
+        results = self.results("balance_tangent", at)
+        for number, values in zip(numbers, results, strict=True):
+            group = tables.groups[number]
+            columns, lines = tables.columns(group), tables.lines(number)
+            for name, start in group.kind.parts.items():
+                rows = lines if name in "RG" else columns
+                block = values[:, start : start + rows.shape[1] * columns.shape[1]]
+                found[name].append(_entries(rows, columns, block))
+        shapes = {name: (tables.m if name in "RG" else tables.nu, tables.nu) for name in PARTS}
+        return {name: _assembled(found[name], shapes[name]) for name in PARTS}
+
+
+def _entries(rows: Any, columns: Any, values: Array) -> tuple[Any, Any, Any]:
+    """Row, column and value of every entry of element matrices."""
+    n, height, width = len(values), rows.shape[1], columns.shape[1]
+    i = np.broadcast_to(rows[:, :, None], (n, height, width)).reshape(-1)
+    j = np.broadcast_to(columns[:, None, :], (n, height, width)).reshape(-1)
+    return i, j, values.reshape(-1)
+
+
+def _assembled(entries: list[tuple[Any, Any, Any]], shape: tuple[int, int]) -> Any:
+    if not entries:
+        return scipy.sparse.csr_matrix(shape)
+    i, j, values = (np.concatenate(part) for part in zip(*entries, strict=True))
+    return scipy.sparse.csr_matrix((values, (i, j)), shape=shape)

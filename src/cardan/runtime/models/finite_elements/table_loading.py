@@ -1,0 +1,257 @@
+"""Read the tables of a model from its folder and load the functions of its kinds."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .... import regular_file
+from ....arrays import Array
+from ....errors import ModelError
+from ....schema.c_functions import FunctionRow
+from ....schema.manifest import Manifest
+from ....schema.records import PARTS
+from ...calls.lanes import width
+from ...calls.objects import Code
+from ...formats.number_file import unpacked
+from .elements import INNER, Elements
+from .mesh import Mesh
+from .tables import Table, Tables
+
+if TYPE_CHECKING:
+    from ..loaded_model import LoadedModel
+
+FILE = "mesh.npz"
+# elements of a group from which on they go side by side: fewer would leave most lanes unused
+LANE_THRESHOLD = 8
+WHOLE = ("z", "s", "outputs", "powers")
+
+
+def tables(manifest: Manifest, directory: Path) -> Tables:
+    """The tables of a model.
+
+    Raises:
+        ModelError: the file with its numbers is missing or damaged.
+    """
+    try:
+        content = regular_file.content(directory / FILE)
+        if hashlib.sha256(content).hexdigest() != manifest.sha256.get(FILE):
+            raise ValueError("it is not the file its manifest speaks of")
+        found = _tables(manifest, unpacked(content))
+        _fit(found, manifest)
+        _check_mesh(found, manifest)
+        return found
+    except (OSError, ValueError, KeyError, TypeError, IndexError, AttributeError) as error:
+        raise ModelError(f"{directory / FILE} does not hold the elements: {error}") from error
+
+
+def _fit(found: Tables, manifest: Manifest) -> None:
+    """Make sure that the places that the kernels take from tables exist.
+
+    Raises:
+        ValueError: one does not.
+    """
+    kinds, places = len(found.kinds), len(found.kind)
+    inside = found.kind.ndim == 1 and bool(np.all((found.kind >= 0) & (found.kind < kinds)))
+    sizes = (found.nq, found.nu) if inside else ()
+    if sizes != (len(manifest.coordinates), len(manifest.speeds)):
+        raise ValueError("its nodes are not those of the coordinates")
+    for group in found.groups:
+        n = len(group.place)
+        limits = (
+            (places, group.place),
+            (found.nz, group.z),
+            (found.ns, group.s),
+            (len(manifest.outputs), group.outputs),
+            (len(found.powers), group.powers),
+        )
+        for most, table in limits:
+            if table is not None and not (
+                table.ndim == 2 and len(table) == n and np.all((table >= 0) & (table < most))
+            ):
+                raise ValueError(f"an element of '{group.kind.name}' is between no nodes")
+        _check_sizes(found, group)
+        if group.own is not None and (group.own.ndim != 2 or len(group.own) != n):
+            raise ValueError(f"the data of '{group.kind.name}' are not those of its elements")
+
+
+def _check_sizes(elements: Tables, group: Table) -> None:
+    """Make sure that elements are as large as what they couple.
+
+    Raises:
+        ValueError: they are not.
+    """
+    kind, sums = group.kind, {}
+    for name in ("nq", "nu"):
+        sizes = np.array([getattr(each, name) for each in elements.kinds], dtype=np.intp)
+        widths = sizes[elements.kind][group.place]
+        # kernels take numbers of all elements place by place, as the first of them has them
+        sums[name] = np.where(widths == widths[:1], widths, -1).sum(axis=1)
+    sums |= {
+        name: np.array([0 if table is None else table.shape[1]])
+        for name, table in (("nz", group.z), ("ns", group.s))
+    }
+    for name, sizes in sums.items():
+        stated = getattr(kind, name)
+        if not np.all(sizes == stated):
+            raise ValueError(f"elements of '{kind.name}' have {name} = {stated}")
+    if kind.mp > kind.m:
+        raise ValueError(f"elements of '{kind.name}' have {kind.m} constraints")
+
+
+def _check_results(elements: Tables, entries: Mapping[str, FunctionRow]) -> None:
+    """Make sure that functions give as many numbers as the kernels take from them.
+
+    Raises:
+        ValueError: one gives more or less.
+    """
+    checks: list[tuple[str, Mapping[str, str], dict[str, int]]] = []
+    for place in elements.kinds:
+        nq, nu = place.nq, place.nu
+        sizes = {"move": nq + nu * nu, "qdot": nq}
+        right = nq == nu or sizes.keys() <= place.functions.keys()
+        if place.node:
+            right = (nq, nu) == ((7, 6) if place.plane is None else (3, 3))
+        if not right:
+            raise ValueError(f"places of '{place.name}' have nq = {nq} and nu = {nu}")
+        checks.append((place.name, place.functions, sizes))
+    for group in elements.groups:
+        kind, nu, m = group.kind, group.kind.nu, group.kind.m
+        sizes = {"balance": nu + kind.mp + m, "gamma": m, "energy": 2, "momentum": 6}
+        sizes |= {"reaction": 6, "stress": 24, "mixed": nu + nu * nu, "mixed_step": INNER}
+        sums = {"power": group.powers, "outputs": group.outputs}
+        sizes |= {name: 0 if x is None else x.shape[1] for name, x in sums.items()}
+        checks.append((kind.name, kind.functions, sizes))
+    for what, functions, sizes in checks:
+        for name in sizes.keys() & functions.keys():
+            if entries[functions[name]].output_size != sizes[name]:
+                raise ValueError(f"{name} of '{what}' gives not {sizes[name]} numbers")
+
+
+def _check_mesh(elements: Tables, manifest: Manifest) -> None:
+    """Make sure that what the manifest says about elements is of these.
+
+    Raises:
+        ValueError: it is not.
+    """
+    mesh, available, places = manifest.elements, manifest.functions, len(elements.kind)
+    kinds = [group.kind for group in elements.groups]
+    functions = [kind.functions for kind in elements.kinds] + [kind.functions for kind in kinds]
+    missing = [name for each in functions for name in each.values() if name not in available]
+    if missing:
+        raise ValueError(f"functions of elements are not there: {missing!r:.80}")
+    _check_results(elements, available)
+    for kind in kinds:
+        most = available[kind.functions["balance_tangent"]].output_size if kind.parts else 0
+        for name, start in kind.parts.items():
+            size = (kind.m if name in "RG" else kind.nu) * kind.nu
+            if name not in PARTS or start > most - size:
+                raise ValueError(f"matrices of '{kind.name}' lie outside of its tangent")
+    inside = all(np.all((line >= -1) & (line < places)) for line in elements.beams)
+    for right, what in (
+        ((elements.mp, elements.m) == (manifest.held, len(manifest.multipliers)), "multipliers"),
+        (inside and len(elements.beams) == len(manifest.beams), "beams"),
+        (all(k < places for k in mesh.beam_nodes), "loose nodes"),
+        # squares of them are numbers
+        (all(abs(x) < 1e150 for x in mesh.reference), "rest"),
+    ):
+        if not right:
+            raise ValueError(f"its {what} are not those of the manifest")
+
+
+def _tables(manifest: Manifest, numbers: Mapping[str, Any]) -> Tables:
+    told = manifest.elements
+    kinds = {kind.name: kind for kind in told.kinds}
+    groups = tuple(
+        Table(
+            kind=kinds[row.kind],
+            place=numbers[f"place_{k}"].astype(np.intp),
+            common=row.common,
+            own=numbers.get(f"own_{k}"),
+            members=row.members,
+            **{name: _whole(numbers.get(f"{name}_{k}")) for name in WHOLE},
+        )
+        for k, row in enumerate(told.groups)
+    )
+    return Tables(
+        kinds=tuple(told.places),
+        kind=numbers["kind"].astype(np.intp),
+        groups=groups,
+        nr=len(manifest.inputs),
+        nz=len(manifest.z),
+        ns=len(manifest.s),
+        beams=tuple(numbers[f"line_{k}"].astype(np.intp) for k in range(told.segments)),
+        stations=tuple(numbers[f"stations_{k}"] for k in range(told.segments)),
+        powers=tuple(told.power_sources),
+        outputs=len(manifest.outputs),
+    )
+
+
+def _whole(array: Any) -> Any:
+    return None if array is None else array.astype(np.intp)
+
+
+def tables_of(model: LoadedModel) -> Tables:
+    """The tables of a model, read once for all of its sets of parameters."""
+    objects = model._objects
+    with objects.lock:
+        if objects.tables is None:
+            objects.tables = tables(model.manifest, model.directory)
+            objects.lanes = _side_by_side(objects.tables, model.manifest.functions)
+        found: Tables = objects.tables
+        return found
+
+
+def _side_by_side(elements: Tables, entries: Mapping[str, FunctionRow]) -> dict[str, int]:
+    """Functions that are compiled for elements side by side, by C name, and for how many."""
+    lanes = width()
+    kinds = [group.kind for group in elements.groups if len(group) >= LANE_THRESHOLD]
+    symbols = [symbol for kind in kinds for symbol in kind.functions.values()]
+    return {symbol: lanes for symbol in symbols if 1 < lanes in entries[symbol].lanes}
+
+
+def data_of(model: LoadedModel, group: Table) -> Array:
+    """Data (n, k) of the elements of a group at the parameters of a model."""
+    n, parts = len(group), []
+    if group.common:
+        found = model._evaluate_saved(group.common, p=model.parameters.vector)
+        common = np.asarray(found["data"], dtype=np.float64)
+        # (k,) for all of them, or (n, k)
+        parts.append(np.broadcast_to(common, (n, common.shape[-1])))
+    if group.own is not None:
+        parts.append(group.own)
+    return np.ascontiguousarray(np.concatenate(parts, axis=1)) if parts else np.zeros((n, 0))
+
+
+def load(model: LoadedModel) -> Mesh:
+    """The elements of a model at its parameters, ready to be asked."""
+    found = tables_of(model)
+    objects = model._objects
+
+    def codes(symbols: Sequence[str]) -> dict[str, Code]:
+        """Functions of elements, several compiled at once."""
+        wanted = list(dict.fromkeys(symbols))
+        with objects.lock:
+            return dict(zip(wanted, objects.load(wanted), strict=True))
+
+    def judge(elements: Elements, fresh: Sequence[str]) -> None:
+        """Functions of elements that pass their check are found by other processes."""
+        from ...verification.verify import verify_elements
+
+        try:
+            verify_elements(model, elements, fresh)
+            for symbol in fresh:
+                objects.keep(symbol)
+        except BaseException:
+            objects.forget(fresh)
+            raise
+
+    data = [data_of(model, group) for group in found.groups]
+    # of the model: whoever loads its functions holds it already
+    lock, entries = objects.lock, model.manifest.functions
+    lanes = max(objects.lanes.values(), default=1)
+    return Mesh(found, entries, codes, data, lanes, model._kernels(), lock, judge)

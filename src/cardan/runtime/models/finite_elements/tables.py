@@ -1,0 +1,230 @@
+"""The elements of a model as tables: what stands in its folder besides functions."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any, TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ....arrays import Array
+from ....schema.finite_elements import ElementKind, PlaceKind
+from .node_pose import Plane, pose, speeds
+
+Integers = NDArray[np.intp]
+T = TypeVar("T")
+
+
+@dataclass(frozen=True)
+class Table:
+    """The elements of a kind.
+
+    Attributes:
+        kind: What they share.
+        place: (n, places) which places each couples.
+        first: (n,) first of its rows, numbered group by group as they come.
+        common: Name of the saved Function p -> data, "" without.
+        own: (n, k) data that are numbers.
+        members: Their names.
+        z, s: (n, nz), (n, ns) which internal states and modes of the scene are theirs.
+        outputs, powers: (n, k) entries of the scene's to which they contribute.
+    """
+
+    kind: ElementKind
+    place: Integers
+    common: str = ""
+    own: Array | None = None
+    members: Sequence[str] = ()
+    z: Integers | None = None
+    s: Integers | None = None
+    outputs: Integers | None = None
+    powers: Integers | None = None
+
+    def __len__(self) -> int:
+        return len(self.place)
+
+
+@dataclass(frozen=True)
+class Tables:
+    """All places and elements of a model.
+
+    Attributes:
+        kinds: Of places.
+        kind: (places,) index of the kind of every place.
+        groups: The elements.
+        nr, nz, ns: Inputs, internal states and modes of the scene.
+        beams: Places of the nodes of every segment of a beam; -1 for the ground.
+        stations: Their arc lengths from the start of the beam [m].
+        powers: Names of the sources of power.
+        outputs: How many the scene has.
+    """
+
+    kinds: tuple[PlaceKind, ...]
+    kind: Integers
+    groups: tuple[Table, ...]
+    nr: int
+    nz: int = 0
+    ns: int = 0
+    beams: tuple[Integers, ...] = ()
+    stations: tuple[Array, ...] = ()
+    powers: tuple[str, ...] = ()
+    outputs: int = 0
+
+    def once(self, make: Callable[[Tables], T]) -> T:
+        """What follows from the tables alone, made when it is first asked for."""
+        made: dict[Any, T] = self.__dict__.setdefault("_made", {})
+        if make not in made:
+            made[make] = make(self)
+        return made[make]
+
+    def _starts(self, sizes: list[int]) -> Integers:
+        each = np.array(sizes, dtype=np.intp)[self.kind] if len(self.kind) else self.kind
+        return np.concatenate(([0], np.cumsum(each))).astype(np.intp)
+
+    @cached_property
+    def q(self) -> Integers:
+        """(places + 1,) first coordinate of every place."""
+        return self._starts([kind.nq for kind in self.kinds])
+
+    @cached_property
+    def u(self) -> Integers:
+        """(places + 1,) first speed of every place."""
+        return self._starts([kind.nu for kind in self.kinds])
+
+    @property
+    def driven(self) -> bool:
+        """Whether something is driven along a motion: its power is that of its multipliers."""
+        return any(name.endswith(".motion") for name in self.powers)
+
+    @property
+    def nq(self) -> int:
+        """Number of coordinates."""
+        return int(self.q[-1])
+
+    @property
+    def nu(self) -> int:
+        """Number of speeds."""
+        return int(self.u[-1])
+
+    @property
+    def mp(self) -> int:
+        """Rows of positions."""
+        return sum(len(group) * group.kind.mp for group in self.groups)
+
+    @property
+    def m(self) -> int:
+        """Rows of constraints."""
+        return sum(len(group) * group.kind.m for group in self.groups)
+
+    @cached_property
+    def rows(self) -> tuple[Integers, ...]:
+        """Of every group (n, 2): first row of positions, first of the others behind those."""
+        found, position, other = [], 0, self.mp
+        for group in self.groups:
+            kind, each = group.kind, np.arange(len(group), dtype=np.intp)
+            rest = kind.m - kind.mp
+            pairs = np.stack([position + kind.mp * each, other + rest * each], axis=1)
+            found.append(np.ascontiguousarray(pairs))
+            position, other = position + kind.mp * len(group), other + rest * len(group)
+        return tuple(found)
+
+    def places_of(self, group: Table) -> Integers:
+        """(n, nq) global coordinate of every local one."""
+        return _spread(self.q, group.place)
+
+    def columns(self, group: Table) -> Integers:
+        """(n, nu) global speed of every local one."""
+        return _spread(self.u, group.place)
+
+    def lines(self, number: int) -> Integers:
+        """(n, m) global row of every local one."""
+        kind, rows = self.groups[number].kind, self.rows[number]
+        own = [rows[:, :1] + np.arange(kind.mp), rows[:, 1:] + np.arange(kind.m - kind.mp)]
+        return np.concatenate(own, axis=1)
+
+    # nodes in space
+
+    @cached_property
+    def planes(self) -> tuple[Plane | None, ...]:
+        """Of every kind of place how nodes of a plane stand in space, None of others."""
+        return tuple(Plane.of(kind.plane) for kind in self.kinds)
+
+    def plane(self, place: int) -> Plane | None:
+        """How a node of a plane stands in space, None of others."""
+        return self.planes[int(self.kind[place])]
+
+    def nodes(self, flat: bool) -> Integers:
+        """Places that are nodes, those of a plane or all others."""
+        kinds = [k for k, x in enumerate(self.kinds) if x.node and (x.plane is not None) == flat]
+        return np.flatnonzero(np.isin(self.kind, kinds))
+
+    def pose(self, q: Array, place: int) -> Array:
+        """Unit quaternion and position (7,) of a node at coordinates of the model."""
+        return pose(self.plane(place), q[self.q[place] : self.q[place + 1]])
+
+    def speeds(self, u: Array, place: int) -> Array:
+        """Angular velocity in its axes and velocity in those of the ground (6,) of a node."""
+        return speeds(self.plane(place), u[self.u[place] : self.u[place + 1]])
+
+    def distances(self, q: Array, units: Array) -> Array:
+        """How large the coordinates are that speeds change (nu,), in units; angles count 1.
+
+        Of nodes the distance from the origin, of joints the displacement, at least 1.
+
+        Args:
+            q: Coordinates (nq,).
+            units: Of every speed (nu,): a length, or 1 of angles.
+        """
+        found: Array = np.ones(self.nu)
+        for k, kind in enumerate(self.kinds):
+            places = np.flatnonzero(self.kind == k)
+            own = q[self.q[places][:, None] + np.arange(kind.nq)]
+            speeds = self.u[places][:, None] + np.arange(kind.nu)
+            unit, first = units[speeds], kind.nq if kind.quaternion is None else kind.quaternion
+            if kind.node:
+                place = own[:, [n for n in range(kind.nq) if not first <= n < first + 4]]
+                far = np.linalg.norm(place, axis=1)[:, None] / unit
+                found[speeds] = np.where(unit == 1.0, 1.0, far)
+            elif kind.nq == kind.nu:
+                found[speeds] = np.maximum(np.abs(own) / unit, 1.0)
+        return found
+
+    def poses(self, q: Array, places: Integers) -> Array:
+        """Unit quaternions and positions (n, 7) of nodes at coordinates of the model."""
+        found = np.empty((len(places), 7))
+        for kind, some in self._alike(places):
+            found[some] = pose(
+                Plane.of(kind.plane), q[self._entries(self.q, places[some], kind.nq)]
+            )
+        return found
+
+    def put(self, x: Array, places: Integers, poses: Array, speeds: Array) -> None:
+        """Write poses (n, 7) and speeds (n, 6) of nodes into a state."""
+        for kind, some in self._alike(places):
+            plane, here, u = Plane.of(kind.plane), poses[some], speeds[some]
+            at = self._entries(self.q, places[some], kind.nq)
+            x[at] = here if plane is None else plane.told(here, x[at[:, 2]])
+            at = self.nq + self._entries(self.u, places[some], kind.nu)
+            x[at] = u if plane is None else u @ plane.spread
+
+    def _alike(self, places: Integers) -> Iterator[tuple[PlaceKind, Integers]]:
+        """Kinds of places, and which of these are of that kind."""
+        kind = self.kind[places]
+        for k in np.unique(kind):
+            yield self.kinds[k], np.flatnonzero(kind == k)
+
+    @staticmethod
+    def _entries(starts: Integers, places: Integers, size: int) -> Integers:
+        return starts[places, None] + np.arange(size)
+
+
+def _spread(starts: Integers, place: Integers) -> Integers:
+    """(n, k) all numbers of the places (n, places) of elements of one kind."""
+    if not place.size:
+        return np.zeros((len(place), 0), dtype=np.intp)
+    sizes = starts[place[0] + 1] - starts[place[0]]
+    parts = [starts[place[:, k], None] + np.arange(sizes[k]) for k in range(place.shape[1])]
+    return np.concatenate(parts, axis=1)

@@ -1,0 +1,227 @@
+"""A state out of named initial values."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ...arrays import Array
+from ...errors import ArgumentError, ModelError, SolveError, miscounted, near, shown
+from ...schema.entries import Entry
+from ...schema.manifest import Manifest
+from ...schema.mechanism import JointRow
+from ...schema.rows import column, having
+from ..verification.rotations import unit
+from .named_rotations import check_units, component, refuse_components
+
+if TYPE_CHECKING:
+    from .loaded_model import LoadedModel
+
+
+def start_of(
+    model: LoadedModel,
+    q: Mapping[str, ArrayLike],
+    u: Mapping[str, ArrayLike],
+    z: Mapping[str, ArrayLike] | None = None,
+) -> tuple[Array, tuple[str, ...]]:
+    """As :func:`initial_state`; nodes of absolute coordinates go where the joints carry them."""
+    if q or u or z:
+        return _placed(model, q, u, z)
+    if start_of not in model._derived:
+        model._derived[start_of] = _placed(model, q, u, z)
+    x, rest = model._derived[start_of]
+    return x.copy(), rest
+
+
+def _placed(
+    model: LoadedModel,
+    q: Mapping[str, ArrayLike],
+    u: Mapping[str, ArrayLike],
+    z: Mapping[str, ArrayLike] | None,
+) -> tuple[Array, tuple[str, ...]]:
+    x, rest = initial_state(model.manifest, q, u, z)
+    if not model.manifest.absolute:
+        return x, rest
+    from .finite_elements.carried_nodes import carried
+
+    return carried(model, x, rest), rest
+
+
+def initial_state(
+    manifest: Manifest,
+    q: Mapping[str, ArrayLike],
+    u: Mapping[str, ArrayLike],
+    z: Mapping[str, ArrayLike] | None = None,
+) -> tuple[Array, tuple[str, ...]]:
+    """State x = [q, u, z] from values by joint (``"elbow"``, ``"base"``) or entry (``"base.px"``).
+
+    Args:
+        manifest: Of the model.
+        q, u: Values; a joint with several coordinates takes all of them at once.
+        z: Internal states by their names.
+
+    Returns:
+        x (nx,) with quaternions of unit length to rounding, and the names of the entries that
+        were not given: they come from q0 and u0 of their joints, else they are those of the
+        reference position; internal states start as their elements say.
+
+    Raises:
+        ModelError: an unknown name, a joint without coordinates of its own, a value given twice,
+            single components of a quaternion.
+        ArgumentError: the wrong number of values.
+        SolveError: a value that is not finite, or a quaternion whose length is not 1.
+    """
+    joints = manifest.joints
+    values, given = [], []
+    for letter, rows, named in (
+        ("q", manifest.coordinates, q),
+        ("u", manifest.speeds, u),
+        ("z", manifest.z, z or {}),
+    ):
+        block = _defaults(letter, rows, joints)
+        named_here = _fill(letter, block, rows, manifest, named)
+        values.append(block)
+        names = column(rows, "name")
+        given.append(
+            names
+            if not named_here
+            else [n for n, k in zip(names, named_here, strict=True) if not k]
+        )
+    check_units(manifest, values[0])
+    values[0][:] = unit(values[0], manifest.quaternions)
+    return np.concatenate(values), (*given[0], *given[1], *given[2])
+
+
+def _defaults(letter: str, rows: Sequence[Entry], joints: Sequence[JointRow]) -> Array:
+    """q0 or u0 where a joint has them, else what the coordinates start from."""
+    block = np.array([x or 0.0 for x in column(rows, "default")], dtype=np.float64)
+    for joint in having(joints, f"{letter}0"):
+        start, size = joint.slot(letter)
+        if size:
+            block[start : start + size] = joint.q0 if letter == "q" else joint.u0
+    return block
+
+
+def _fill(
+    letter: str,
+    block: Array,
+    rows: Sequence[Entry],
+    manifest: Manifest,
+    named: Mapping[str, ArrayLike],
+) -> list[bool]:
+    """Write named values into a block; which entries they cover, none where nothing is named."""
+    if not named:
+        return []
+    places = _places(letter, rows, manifest.joints)
+    covered = [False] * len(rows)
+    for name, value in named.items():
+        where = f"{letter}={{'{name}': ...}}"
+        place = places.get(name)
+        if place is None:
+            raise ModelError(f"{where}: {missing(manifest, letter, name, places)}")
+        entries = [row.name for row in rows[place]]
+        if any(covered[place]):
+            raise ModelError(
+                f"{where}: '{entries[0]}' is given twice, once by joint, once by entry"
+            )
+        block[place] = _numbers(where, value, entries)
+        covered[place] = [True] * len(entries)
+    if letter == "q":
+        named_here = {k for k, known in enumerate(covered) if known}
+        refuse_components(manifest, "q=", named_here)
+    return covered
+
+
+def _places(letter: str, rows: Sequence[Entry], joints: Sequence[JointRow]) -> dict[str, slice]:
+    """Name -> entries: every entry by its own name, every joint for all of its entries."""
+    places = {}
+    for joint in joints:
+        start, size = joint.slot(letter)
+        if size:
+            places[joint.name] = slice(start, start + size)
+    for k, row in enumerate(rows):
+        places.setdefault(row.name, slice(k, k + 1))
+    return places
+
+
+def entries(manifest: Manifest, letter: str) -> dict[str, slice]:
+    """Name -> entries of q, u or z: every entry by its name, every joint for all of its own."""
+    return _places(letter, manifest.block(letter), manifest.joints)
+
+
+def followers(manifest: Manifest, letter: str) -> dict[str, slice]:
+    """Joints and entries that follow from loops -> their places among all that follow.
+
+    Args:
+        manifest: Of the model.
+        letter: ``"q"`` or ``"u"``.
+    """
+    found: dict[str, slice] = {}
+    at = 0
+    for joint in having(manifest.joints, "solved"):
+        own = joint.solved.names(letter) if joint.solved else ()
+        if own:
+            found[joint.name] = slice(at, at + len(own))
+        for name in own:
+            found.setdefault(name, slice(at, at + 1))
+            at += 1
+    return found
+
+
+def missing(manifest: Manifest, letter: str, name: str, known: Iterable[str]) -> str:
+    """Why there is no such entry of q, u or z, with the known names and the likely one.
+
+    Who names one component of a rotation is not sent to another one.
+    """
+    part = component(manifest, name) if letter == "q" else ""
+    if part:
+        return part
+    if letter == "z":
+        return f"there is no internal state '{name}'.{near(name, known)}"
+    what = {"q": "coordinate", "u": "speed"}[letter]
+    # what is there is not misspelled
+    follows = _follows(name, what, manifest)
+    if follows:
+        return f"{follows}{near('', known)}"
+    return f"there is no joint or {what} '{name}'.{near(name, known)}"
+
+
+def _follows(name: str, what: str, manifest: Manifest) -> str:
+    """Why a joint that is there has nothing of its own; "" where there is no such joint."""
+    joint = next((j for j in manifest.joints if j.name == name), None)
+    closing = {row.name for row in manifest.cuts}
+    if joint is None and name in closing:
+        return (
+            f"joint '{name}' closes a kinematic loop and has no {what} of its own: the others "
+            "determine it. Name others, or let cut=True cut another joint of the loop."
+        )
+    if joint is not None and joint.coupled:
+        return f"joint '{name}' follows '{joint.coupled.leader}' and has no {what} of its own."
+    if joint is not None and joint.solved:
+        return f"joint '{name}' follows from the loop that '{joint.solved.loop}' closes."
+    if joint is not None:
+        return f"joint '{name}' moves as prescribed and has no {what} of its own."
+    # in absolute coordinates every joint has multipliers, and one that closes a loop nothing else
+    if manifest.absolute and name in {row.joint for row in manifest.multipliers}:
+        return (
+            f"'{name}' closes a kinematic loop and has no {what} of its own: the others determine "
+            "it. Name others."
+        )
+    return ""
+
+
+def _numbers(where: str, value: ArrayLike, entries: list[str]) -> Array:
+    """The values of some entries, checked."""
+    array = np.asarray(value)
+    if array.dtype.kind not in "fiub":
+        raise ArgumentError(f"{where}: {shown(value)} is not a number")
+    array = np.atleast_1d(array.astype(np.float64))
+    if array.shape != (len(entries),):
+        raise ArgumentError(miscounted(where, array.size, entries))
+    for entry, number in zip(entries, array, strict=True):
+        if not np.isfinite(number):
+            raise SolveError(f"{where}: '{entry}' is {number}. Every initial value must be finite")
+    return array

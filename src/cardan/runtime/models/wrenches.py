@@ -1,0 +1,93 @@
+"""Wrenches on frames, turned into what the compiled functions read."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ...arrays import Array
+from ...errors import ArgumentError, ModelError, named, near
+from ..calls.calling import numbers
+
+if TYPE_CHECKING:
+    from ..calls.evaluation import Evaluation, State, Values
+
+
+def read_wrenches(model: Evaluation, wrenches: Mapping[str, ArrayLike]) -> dict[str, Array]:
+    """Wrenches as arrays (..., 6), their frames known."""
+    result = {}
+    for frame, value in named("wrenches", wrenches, "'hand': [0, 0, 0, 0, 0, 1]").items():
+        if frame not in model.frames:
+            raise ModelError(
+                f"wrenches: frame '{frame}' does not exist.{near(frame, model.frames)}"
+            )
+        array = numbers(f"wrenches: '{frame}'", value)
+        if array.ndim == 0 or array.shape[-1] != 6:
+            raise ArgumentError(
+                f"wrenches: '{frame}' has shape {array.shape}, "
+                "expected (..., 6): moment, then force"
+            )
+        result[frame] = array
+    return result
+
+
+def _at(
+    model: Evaluation,
+    function: str,
+    frame: str,
+    q: State,
+    r: State | None = None,
+    t: ArrayLike = 0.0,
+    parameters: Values | None = None,
+) -> Array:
+    """What a function gives of a frame."""
+    return model._evaluate((function, frame), (t, q, r), parameters, None)
+
+
+def generalized(model: Evaluation, wrenches: Mapping[str, ArrayLike], q: Any, **rest: Any) -> Array:
+    """The generalized force (..., nu) of wrenches at frame origins in ground axes: sum of Jᵀ w."""
+    total: Array = np.zeros(len(model.speeds))
+    for frame, wrench in read_wrenches(model, wrenches).items():
+        jacobian = _at(model, "frame_jacobian", frame, q, **rest)
+        total = total + np.einsum("...ij,...i->...j", jacobian, wrench)
+    return total
+
+
+def refuse_ground(model: Evaluation, wrenches: Mapping[str, ArrayLike], joint: str) -> None:
+    """The reaction of a fixed joint may hold a wrench on the ground that the block has no row for.
+
+    Raises:
+        ModelError: a wrench on a frame fixed to the ground; names it.
+    """
+    still = [frame for frame in read_wrenches(model, wrenches) if model.part_of[frame] is None]
+    if still and joint in model.manifest.fixed:
+        raise ModelError(
+            f"reaction('{joint}'): the wrench on '{still[0]}' acts on a body fixed to the ground "
+            "and would not be counted. Put it into the scene as a Force and a Torque"
+        )
+
+
+def by_part(model: Evaluation, wrenches: Mapping[str, ArrayLike], q: Any, **rest: Any) -> Array:
+    """The block ``wrench``: (..., parts, 6), each at the origin of the part's own frame."""
+    parts, part_of = model.bodies, model.part_of
+    rows: dict[str, Array] = {}
+    for frame, wrench in read_wrenches(model, wrenches).items():
+        part = part_of[frame]
+        if part is None:
+            continue
+        if part != frame:
+            # the same force at the origin of the part has the moment of its arm
+            places = (_at(model, "pose", name, q, **rest)[..., :3, 3] for name in (frame, part))
+            arm = np.subtract(*places)
+            moment = wrench[..., :3] + np.cross(arm, wrench[..., 3:])
+            force = np.broadcast_to(wrench[..., 3:], moment.shape)
+            wrench = np.concatenate([moment, force], axis=-1)
+        rows[part] = rows[part] + wrench if part in rows else wrench
+    lead = np.broadcast_shapes(*(row.shape[:-1] for row in rows.values()))
+    result = np.zeros((*lead, len(parts), 6))
+    for part, row in rows.items():
+        result[..., parts.index(part), :] = row
+    return result

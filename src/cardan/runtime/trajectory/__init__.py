@@ -1,0 +1,1 @@
+"""Records of runs: states over time, events, energy, files."""

@@ -1,0 +1,134 @@
+"""Where frames are along a motion, whether its model is at hand or not."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ...arrays import Array
+from ...errors import ModelError, near
+from ..models.finite_elements import frames
+from ..models.finite_elements.node_pose import Plane
+from ..verification import flat_scene, newton_euler
+from ..verification.joint_motion import REVERSED
+from ..verification.rotations import PARAMETERS
+from .joint_poses import POSES, joints_of
+
+if TYPE_CHECKING:
+    from ..models.loaded_model import LoadedModel
+    from .trajectory import Trajectory
+
+
+def numbers(model: LoadedModel) -> Mapping[str, Array]:
+    """Numbers of the scene of a model, see :attr:`.Trajectory.scene`."""
+    if model.manifest.absolute:
+        return frames.numbers(model)
+    found: Mapping[str, Array] = model._evaluate_saved("scene", p=model.parameters.vector)
+    return found
+
+
+def pose(motion: Trajectory, frame: str) -> Array:
+    """Poses (nt, 4, 4) of a frame of a run without its model.
+
+    They follow from the stored ones of another frame of its body, else from the coordinates.
+
+    Raises:
+        ModelError: no such frame, or the file does not say how its body moves.
+    """
+    rows = motion.manifest.frames
+    own = next((row for row in rows if row.name == frame), None)
+    if own is None:
+        raise ModelError(
+            f"frame '{frame}' does not exist.{near(frame, [row.name for row in rows])}"
+        )
+    place, body = placed(motion, frame), own.body
+    # nodes of their own, such as those that joints of the user's carry, belong to no body
+    if body == "ground" and not own.node:
+        return np.broadcast_to(place, (len(motion), 4, 4)).copy()
+    for row in rows if body != "ground" else ():
+        history = motion.stored.get(f"pose {row.name}")
+        if row.body == body and history is not None:
+            found: Array = history @ inverse(placed(motion, row.name)) @ place
+            return found
+    if not told(motion):
+        motion._model(f"the pose of '{frame}'")
+    if motion.manifest.absolute:
+        parts = (motion.scene[name] for name in ("frame_rotation", "frame_position"))
+        return frames.Frames(rows, *parts).pose(frame, motion.q)
+    bodies = [row.name for row in motion.manifest.bodies]
+    try:
+        joints = joints_of(motion.manifest, motion.scene)
+        scene = flat_scene.scene_from(motion.manifest, motion.scene, joints)
+        rotations, origins = newton_euler.poses(scene, motion.q)
+    except (IndexError, ValueError) as problem:
+        raise ModelError(
+            f"the file does not say how '{frame}' moves: its joints have other numbers of "
+            "coordinates or speeds than their kinds"
+        ) from problem
+    k, T = bodies.index(body), np.tile(np.eye(4), (len(motion), 1, 1))
+    T[:, :3, :3], T[:, :3, 3] = rotations[k], origins[k]
+    return T @ place
+
+
+def inverse(pose: Array) -> Array:
+    """The inverse (4, 4) of a rigid transform: also of a damaged one, which may have none."""
+    back = np.eye(4)
+    back[:3, :3] = pose[:3, :3].T
+    back[:3, 3] = -pose[:3, :3].T @ pose[:3, 3]
+    return back
+
+
+def told(motion: Trajectory) -> bool:
+    """Whether a run without its model tells poses by its coordinates alone."""
+    manifest = motion.manifest
+    if manifest.absolute:
+        return "frame_rotation" in motion.scene
+    scene = manifest.scene
+    known = all(
+        kind.removeprefix(REVERSED) in POSES and (rotation is None or rotation in PARAMETERS)
+        for kind, rotation in zip(scene.kinds, scene.rotations, strict=True)
+    )
+    joints = manifest.joints
+    given = any(joint.prescribed or joint.solved for joint in joints)
+    return not scene.empty and "position" in motion.scene and known and not given
+
+
+def placed(motion: Trajectory, frame: str) -> Array:
+    """Transform (4, 4) from the axes of a frame to those of the rigid body that carries it.
+
+    Raises:
+        ModelError: the file does not say.
+    """
+    names = [row.name for row in motion.manifest.frames]
+    if frame not in names:
+        raise ModelError(f"frame '{frame}' does not exist.{near(frame, names)}")
+    if "frame_rotation" not in motion.scene:
+        raise ModelError("the file does not say where frames sit in their bodies")
+    k, place = names.index(frame), np.eye(4)
+    place[:3, :3] = np.reshape(motion.scene["frame_rotation"], (-1, 3, 3))[k]
+    place[:3, 3] = np.reshape(motion.scene["frame_position"], (-1, 3))[k]
+    return place
+
+
+def line(motion: Trajectory, beam: str) -> Array:
+    """Positions (nt, nodes, 3) of the nodes of a beam from its start to its end.
+
+    Raises:
+        ModelError: no such beam.
+    """
+    rows = motion.manifest.beams
+    pieces = [row for row in rows if row.name == beam]
+    if not pieces:
+        names = list(dict.fromkeys(row.name for row in rows))
+        raise ModelError(f"beam '{beam}' does not exist.{near(beam, names)}")
+    found = [motion.pose(pieces[0].start)[:, None, :3, 3]]
+    for piece in pieces:
+        first, count = piece.q
+        plane = Plane.of(piece.plane)
+        size = 7 if plane is None else 3
+        inner = motion.q[:, first : first + size * count].reshape(len(motion), count, size)
+        places = inner[:, :, 4:] if plane is None else inner[:, :, :2] @ plane.spread[3:, :2].T
+        found += [places, motion.pose(piece.end)[:, None, :3, 3]]
+    return np.concatenate(found, axis=1)

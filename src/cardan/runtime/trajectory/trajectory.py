@@ -1,0 +1,396 @@
+"""The result of a simulation."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, final
+
+import numpy as np
+
+from ...arguments import Times, checked
+from ...arrays import Array
+from ...errors import ModelError, near
+from ...notebooks import html
+from ...schema.manifest import Manifest
+from ..calls.methods import Energy
+from . import dependent_joints
+from .closure_errors import Drift, Ledger, multipliers_of, residuals_of
+from .dense_output import Dense
+from .energy_balance import Balance, balance, impacts
+from .event_log import Event, Happened
+from .frame_history import line, numbers, placed, pose
+from .input_history import Recorded
+from .interpolation import inputs_at, states_at
+from .solver_info import EVENT, FINISHED, Conduct
+
+if TYPE_CHECKING:
+    from ..models.finite_elements.beams import BeamStress
+    from ..models.loaded_model import LoadedModel
+
+
+@final
+@dataclass(frozen=True, repr=False, eq=False)
+class Trajectory:
+    """Motion of a model over time.
+
+    ``motion["elbow"]`` is the history of a coordinate, ``motion["elbow.u"]`` of a speed,
+    ``motion["base"]`` of all coordinates of a joint; outputs and inputs by their names.
+
+    Attributes:
+        t: Times (nt,) [s].
+        x: States [q, u, z] (nt, nx).
+        r: Inputs (nt, nr).
+        given: Energy that every source has given since the start (nt, sources) [J].
+        sources: Names of the sources; None where the model has no function ``power``.
+        manifest: Names and units, as the compiler states them.
+        conduct: How the run went.
+        model: The model, None for a run read from a file.
+        dense: Polynomials between the times, None where only output times were asked for.
+        inputs_at: Inputs (m, nr) at times (m,), None where only those at ``t`` are known.
+        stored: Histories read from a file or computed before, by name.
+        numbers: The flat scene of a run read from a file, see :attr:`scene`.
+        ledger: Residuals of the constraints over the run, None without circuits.
+        happened: The discrete states along the run, and its events; see :attr:`events`.
+    """
+
+    t: Array
+    x: Array
+    r: Array
+    given: Array
+    sources: tuple[str, ...] | None
+    manifest: Manifest
+    conduct: Conduct
+    model: LoadedModel | None = None
+    dense: Dense | None = None
+    inputs_at: Recorded | None = None
+    stored: dict[str, Array] = field(default_factory=dict)
+    numbers: Mapping[str, Array] = field(default_factory=dict)
+    ledger: Ledger | None = None
+    happened: Happened = field(default_factory=Happened)
+
+    # what happened
+
+    @property
+    def success(self) -> bool:
+        """Whether the run reached its end, or an event that ends it."""
+        return self.conduct.status in (FINISHED, EVENT)
+
+    @property
+    def status(self) -> str:
+        """``finished``, ``event`` (one ended the run), or why it ended early."""
+        return self.conduct.status
+
+    @property
+    def message(self) -> str:
+        """The status as a sentence."""
+        return self.conduct.message
+
+    @property
+    def statistics(self) -> dict[str, float]:
+        """steps, rejections, evaluations, events, milliseconds and more."""
+        return dict(self.conduct.statistics)
+
+    def __repr__(self) -> str:
+        from .summary import summary
+
+        return summary(self)
+
+    _repr_html_ = html
+
+    def __len__(self) -> int:
+        return len(self.t)
+
+    def __reduce__(self) -> tuple[object, ...]:
+        # the arrays, the names and the model's source; what can be computed again stays behind
+        from .pickled import reduced
+
+        return reduced(self)
+
+    # states
+
+    @property
+    def nq(self) -> int:
+        """Number of coordinates."""
+        return len(self.manifest.coordinates)
+
+    @property
+    def q(self) -> Array:
+        """Coordinates (nt, nq)."""
+        return self.x[:, : self.nq]
+
+    @property
+    def u(self) -> Array:
+        """Speeds (nt, nu)."""
+        return self.x[:, self.nq : self.nq + len(self.manifest.speeds)]
+
+    @property
+    def z(self) -> Array:
+        """Internal states of elements (nt, nz)."""
+        return self.x[:, self.nq + len(self.manifest.speeds) :]
+
+    @property
+    def s(self) -> Array:
+        """Discrete states of elements (nt, ns)."""
+        return self.happened.s if self.happened.s.size else np.zeros((len(self), 0))
+
+    @cached_property
+    def events(self) -> tuple[Event, ...]:
+        """What happened, in the order of time, but for samples: those are :attr:`ticks`.
+
+        Rows at ``t`` stand before and behind a change.
+        """
+        return self.happened.events(self.x.shape[1])
+
+    @cached_property
+    def ticks(self) -> tuple[Event, ...]:
+        """Samples of controllers, in the order of time; in ``s``, ``s_after`` what they hold."""
+        return self.happened.events(self.x.shape[1], ticks=True)
+
+    def __getitem__(self, name: str) -> Array:
+        """History of a coordinate, speed, state of an element, input, output or multiplier.
+
+        Shape (nt,), (nt, n) for several.
+
+        Raises:
+            ModelError: no such name.
+        """
+        place = self._places.get(name)
+        if place is not None:
+            values, columns = place
+            return values[:, columns]
+        follow = dependent_joints.names(self.manifest)
+        if name in follow:
+            return dependent_joints.history(self, name)
+        for what, names, function in (
+            ("output", self._outputs, "outputs"),
+            ("multiplier", [row.name for row in self.manifest.multipliers], "multipliers"),
+        ):
+            if name in names:
+                model = self._model(f"{what} '{name}'")
+                given = {"t": self.t, "r": self._r, **self._own}
+                table: Array = getattr(model, function)(self.q, self.u, **given)
+                return table[:, names.index(name)]
+        forces = [row.name for row in self.manifest.multipliers]
+        known = [*self._places, *follow, *self._outputs, *forces]
+        raise ModelError(f"motion['{name}']: there is no such history.{near(name, known)}")
+
+    @cached_property
+    def _places(self) -> dict[str, tuple[Array, int | slice]]:
+        """Name -> the array it lies in, and its column or columns there."""
+        places: dict[str, tuple[Array, int | slice]] = {}
+        for letter, values, suffix in (("q", self.q, ""), ("u", self.u, ".u")):
+            for joint in self.manifest.joints:
+                start, size = joint.slot(letter)
+                if size:
+                    columns = start if size == 1 else slice(start, start + size)
+                    places[joint.name + suffix] = (values, columns)
+        blocks = {"q": self.q, "u": self.u, "r": self.r, "z": self.z, "s": self.s}
+        for letter, values in blocks.items():
+            for k, row in enumerate(self.manifest.block(letter)):
+                places.setdefault(row.name, (values, k))
+        return places
+
+    @cached_property
+    def _outputs(self) -> list[str]:
+        """Names of the outputs."""
+        return [row.name for row in self.manifest.outputs]
+
+    @property
+    def _r(self) -> Array | None:
+        """Inputs for functions of the model."""
+        return self.r if self.r.shape[1] else None
+
+    @property
+    def _own(self) -> dict[str, Any]:
+        """States of elements for functions of the model that read them."""
+        return {"z": self.z, "s": self.s}
+
+    def _model(self, what: str) -> LoadedModel:
+        if self.model is None:
+            raise ModelError(
+                f"{what} needs the model, which a file does not hold. Compile it and give it: "
+                "cd.load_motion(path, model)"
+            )
+        return self.model
+
+    @checked
+    def at(self, t: Times) -> Array:
+        """State between the steps, (nx,) for one time, (m, nx) for m times.
+
+        Raises:
+            ModelError: a time outside the run, or none of those that are all a run kept.
+        """
+        times = np.asarray(t, dtype=np.float64)
+        values = states_at(self, np.atleast_1d(times))[:, : self.x.shape[1]]
+        return values[0] if times.ndim == 0 else values
+
+    @checked
+    def resample(self, times: Times) -> Trajectory:
+        """The same motion at other times, from the dense output.
+
+        Raises:
+            ModelError: as :meth:`at`.
+        """
+        at = np.atleast_1d(np.asarray(times, dtype=np.float64))
+        y, nx, r = states_at(self, at), self.x.shape[1], inputs_at(self, at)
+        known = self.happened
+        rest: dict[str, Any] = {"dense": None, "stored": {}, "given": y[:, nx:]}
+        return replace(
+            self, t=at, x=y[:, :nx], r=r, happened=replace(known, s=known.modes(self.t, at)), **rest
+        )
+
+    # energy
+
+    @cached_property
+    def energy(self) -> Energy:
+        """Kinetic, potential and total energy (nt,) each [J]."""
+        if "kinetic" in self.stored:
+            kinetic, potential = self.stored["kinetic"], self.stored["potential"]
+            return Energy(kinetic, potential, kinetic + potential)
+        return self._model("energy").energy(self.q, self.u, t=self.t, r=self._r)
+
+    @property
+    def work(self) -> dict[str, Array]:
+        """Energy that every force without a potential has given since the start (nt,) [J].
+
+        With what impacts have taken, as ``<element>.impact``.
+        """
+        if self.sources is None:
+            raise ModelError(
+                "work needs the function 'power': compile(..., functions=[..., 'power'])"
+            )
+        given = {name: self.given[:, k] for k, name in enumerate(self.sources)}
+        return given | impacts(self)
+
+    @cached_property
+    def balance(self) -> Balance:
+        """Where the energy of the run came from and went [J]."""
+        return balance(self)
+
+    @cached_property
+    def drift(self) -> Drift:
+        """What the energy ledger misses (nt,) [J]: zero but for integration errors.
+
+        Total energy minus that at the start minus the work of all sources. Of a system with
+        circuits ``drift.position`` and ``drift.velocity`` hold the worst residuals by multiplier.
+        """
+        total = self.energy.total
+        missing: Array = total - total[0] - sum(self.work.values(), np.zeros(len(total)))
+        return Drift.of(missing, self.ledger)
+
+    @property
+    def constraints(self) -> dict[str, Array]:
+        """Residual (nt,) of every constraint of positions by multiplier; a tree has none."""
+        return residuals_of(self)
+
+    @property
+    def multipliers(self) -> dict[str, Array]:
+        """History (nt,) of every Lagrange multiplier [N, N m]; a tree has none."""
+        return multipliers_of(self)
+
+    # what a model shows along the motion
+
+    @checked
+    def pose(self, frame: str) -> Array:
+        """Transforms (nt, 4, 4) from frame axes to ground axes."""
+        key = f"pose {frame}"
+        if key not in self.stored and self.model is not None:
+            self.stored[key] = self.model.pose(frame, self.q, t=self.t, r=self._r)
+        return self.stored[key] if key in self.stored else pose(self, frame)
+
+    @checked
+    def line(self, beam: str) -> Array:
+        """Positions (nt, nodes, 3) [m] of the nodes of a beam, from its start to its end."""
+        return line(self, beam)
+
+    @checked
+    def beam(self, name: str) -> BeamStress:
+        """Forces, moments and strains (nt, 2 n, 3) along a beam, in axes of the section."""
+        from ..models.finite_elements.beams import beam
+
+        return beam(self._model(f"what beam '{name}' carries"), name, self.q)
+
+    @cached_property
+    def scene(self) -> Mapping[str, Array]:
+        """Numbers of the scene at the parameters of the run, constant in body axes.
+
+        mass, first_moment (by body), position, rotation (of the inboard joint frame in the parent
+        body), frame_rotation, frame_position (by frame) and more. In absolute coordinates
+        frame_rotation and frame_position alone, on the node that carries a frame.
+        """
+        return self.numbers if self.model is None else numbers(self.model)
+
+    @checked
+    def placed(self, frame: str) -> Array:
+        """Transform (4, 4) from the axes of a frame to those of the rigid body that carries it."""
+        return placed(self, frame)
+
+    @checked
+    def torques(self, **options: Any) -> Any:
+        """Forces that actuators add to make this motion: :meth:`CompiledModel.torques`."""
+        from ...analyses.identification.torques import torques
+
+        return torques(self._model("torques"), self, **options)
+
+    @checked
+    def reaction(self, joint: str) -> Array:
+        """Wrench (nt, 6) of parent on child at the child joint frame, in its axes; moment first."""
+        model = self._model(f"the reaction of '{joint}'")
+        reaction: Array = model.reaction(joint, self.q, self.u, t=self.t, r=self._r, **self._own)
+        return reaction
+
+    # ways out
+
+    def to_xarray(self) -> Any:
+        """An ``xarray.Dataset`` with named coordinates, speeds, inputs and energies.
+
+        Raises:
+            ModuleNotFoundError: xarray is not installed (extra ``data``).
+        """
+        from .dataset import to_xarray
+
+        return to_xarray(self)
+
+    @checked
+    def save(self, path: str | Path) -> Path:
+        """Write everything but the model; :func:`cardan.load_motion` reads it.
+
+        The ending says the format: .nc (netCDF), .npz (NumPy archive) or .csv (a table of what
+        changes over time, which is not read again). The file appears complete or not at all.
+        Returns its path.
+        """
+        from .storage import save
+
+        return save(self, Path(path))
+
+    @checked
+    def plot(self, path: str | Path | None = None, names: Iterable[str] | None = None) -> Any:
+        """Histories over time as a Matplotlib figure, written to ``path`` if given.
+
+        Args:
+            path: Picture file; the ending says the format.
+            names: What to draw, such as ``["elbow", "elbow.u"]``; all coordinates, all speeds and
+                the energies by default.
+
+        Raises:
+            ModelError: unknown names, no picture file. ModuleNotFoundError: no Matplotlib.
+        """
+        from ...view.plot import plot
+
+        return plot(self, path, names)
+
+    @checked
+    def animate(self, path: str | Path, *, fps: float = 60.0, title: str | None = None) -> Path:
+        """Write one self-contained page that plays the motion in any browser. Returns its path.
+
+        Args:
+            path: HTML file.
+            fps: Pictures per second of motion; long motions get fewer.
+            title: Headline, the name of the model by default.
+        """
+        from ...view.page import write_page
+
+        return write_page(self, Path(path), fps=fps, title=title)

@@ -1,0 +1,153 @@
+"""One question to a model: its functions at the states at which it is judged."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ...errors import SolveWarning
+from ...ir.request import reads
+from ..calls.objects import Key
+from .closed_states import RANK
+from .differences import slope
+from .joint_motion import Array, times
+from .newton_euler import Moving, Scene, moving
+from .reference_values import Truth
+
+if TYPE_CHECKING:
+    from ..models.loaded_model import LoadedModel
+
+
+ELSEWHERE = "what it is compared with is not compiled"
+
+
+@dataclass(frozen=True)
+class Asked:
+    """A model, and what is known of it at some states.
+
+    Attributes:
+        model: What is judged.
+        scene: Its flat scene.
+        truth: Independent numbers at the states.
+        known: Functions that may be called: those that are judged, or were.
+        adrift: Why its own motion is not known, "" where it is.
+    """
+
+    model: LoadedModel
+    scene: Scene
+    truth: Truth
+    known: frozenset[Key] = frozenset()
+    adrift: str = ""
+    kept: dict[Any, Any] = field(default_factory=dict, repr=False, compare=False)
+
+    @cached_property
+    def blocks(self) -> dict[str, Array]:
+        """All that functions may read, by letter."""
+        truth, layout = self.truth, self.model._layout
+        n = len(truth.q)
+        rest = {
+            name: np.broadcast_to(layout.start(name), (n, len(layout.names(name)))) for name in "zs"
+        }
+        t = np.full((n, 1), truth.t)
+        own = {"t": t, "q": truth.q, "u": truth.u, "udot": truth.udot, "tau": truth.tau}
+        return {**own, "r": np.broadcast_to(truth.r, (n, truth.r.shape[-1])), **rest}
+
+    def call(
+        self, name: str, of: str | None = None, given: Mapping[str, Array] | None = None
+    ) -> Array:
+        """A function at the states, or at other blocks; (n, ...)."""
+        values: list[Any] = []
+        found = self.blocks if given is None else {**self.blocks, **given}
+        for letter in reads(name, of):
+            if letter == "x":
+                values.append(np.concatenate([found[k] for k in "quz"], axis=-1))
+            elif letter == "t":
+                values.append(found["t"][..., 0])
+            else:
+                values.append(found.get(letter))
+        with np.errstate(all="ignore"), warnings.catch_warnings():
+            # states at which a function has no value say nothing
+            warnings.simplefilter("ignore", SolveWarning)
+            result: Array = self.model._function(name, of).caller(None, *values)
+        # parameters alone have no states
+        return result if values else np.broadcast_to(result, (len(self.truth.q), *result.shape))
+
+    def along_speeds(self, du: Array, q: Array | None = None) -> Array:
+        """Rates of coordinates (n, nq) per unit of an increment (n, nu) along the speeds."""
+        at = {"q": self.truth.q if q is None else q}
+        still = self.call("qdot", None, {**at, "u": np.zeros_like(du)})
+        return self.call("qdot", None, {**at, "u": du}) - still
+
+    def knows(self, *names: str) -> bool:
+        """Whether functions may be called."""
+        return all((name, None) in self.known for name in names)
+
+    @cached_property
+    def tree(self) -> tuple[Array, Array, Array, Array | None]:
+        """Coordinates, speeds and accelerations of the whole tree, and its prescribed motion."""
+        truth, scene = self.truth, self.scene
+        if truth.bound is None:
+            return truth.q, truth.u, truth.udot, truth.motion
+        bound = truth.bound
+        udot = times(bound.carries, truth.udot) + bound.rests
+        return bound.q, bound.u[:, : scene.nu], udot, truth.motion
+
+    @cached_property
+    def redundant(self) -> bool:
+        """Whether constraints depend on others: reactions are not unique, nor is what is nearby."""
+        if self.truth.bound is None or not self.knows("constraint_jacobian"):
+            return False
+        G = self.call("constraint_jacobian")
+        most = float(np.abs(G).max(initial=0.0)) or 1.0
+        ranks = np.linalg.matrix_rank(G, tol=RANK * most)
+        return bool((np.asarray(ranks) < G.shape[-2]).any())
+
+    @cached_property
+    def moving(self) -> Moving:
+        """The motion of all bodies, without gravity."""
+        q, u, udot, motion = self.tree
+        return moving(self.scene, q, u, udot, motion, pull=0.0)
+
+    def along(self, x: Array) -> Array:
+        """Numbers along the speeds of the tree as numbers along those of the model (n, nu)."""
+        bound = self.truth.bound
+        if bound is None:
+            return x
+        return times(np.swapaxes(bound.carries, -1, -2), x)
+
+    @cached_property
+    def length(self) -> float:
+        """Size of the mechanism, against which lengths count."""
+        places = [self.scene.numbers.get(k, np.zeros(0)) for k in ("position", "frame_position")]
+        found = max((float(np.abs(x).max(initial=0.0)) for x in places), default=0.0)
+        return found if found > 0 else 1.0
+
+    def size(self, rates: Mapping[str, Array]) -> Array:
+        """How far rates lead in terms of sizes, (n,): angles are of size 1."""
+        n, scale = len(self.truth.q), self.length
+        found = np.zeros(n)
+        for name, rate in rates.items():
+            rows = self.model.manifest.coordinates if name == "q" else ()
+            sizes = np.array([scale if row.unit == "m" else 1.0 for row in rows])
+            parts = np.abs(rate / sizes if len(sizes) else rate)
+            found = np.maximum(found, parts.max(axis=-1, initial=0.0))
+        return found
+
+    def slope(
+        self,
+        name: str,
+        of: str | None,
+        rates: Mapping[str, Array],
+        given: Mapping[str, Array] | None = None,
+    ) -> tuple[Array, Array]:
+        """Derivative (n, k) of a function along rates of blocks, and how far it may be off."""
+        at = {**self.blocks, **(given or {})}
+        wanted = {letter for x in reads(name, of) for letter in ("quz" if x == "x" else (x,))}
+        here = {k: v for k, v in at.items() if k in wanted}
+        moved = {k: v for k, v in rates.items() if k in here}
+        return slope(lambda blocks: self.call(name, of, blocks), here, moved, self.size(moved))

@@ -1,0 +1,353 @@
+"""Functions of every kind of element, judged by each other and by laws that no element may break.
+
+Tangents are differences of balances; balances are those of Lagrange's equations, of energies that
+are judged by quadrature (:mod:`.shapes`); momenta follow from kinetic energies, what constraints
+transmit from their rows.
+
+Source: Lurie, Analytical Mechanics (2002), chapter 10, for speeds that are no rates.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from typing import Any
+
+import numpy as np
+
+from ..differences import BLURRED, input_rates, missing, relative, ways, worst_of
+from ..joint_motion import Array, cross, times
+from ..rotations import quaternion
+from .members import NODE, Members, NotThere
+from .shapes import ENERGIES, MOMENTA, STRESSES, quaternion_of
+
+# inputs are shaken by this to see what rounding may do, and how many times
+SHAKEN, LESS = 1e-14, 1e2
+OWN = "no law leads to it"
+MATRICES = {"K": ("q", 0), "C": ("u", 0), "M": ("udot", 0), "R": ("q", 1), "G": ("u", 1)}
+
+
+def judged(members: Members) -> Iterator[tuple[str, float, str]]:
+    """Name, error and reason of every function of a kind."""
+    for form in members.codes:
+        error, why = _text(members, form), ""
+        try:
+            law = LAWS[form](members) if form in LAWS else OWN
+        except NotThere as missed:
+            law = f"needs '{missed}'"
+        if isinstance(law, str):
+            why = law
+        elif np.isnan(law):
+            why = BLURRED
+        else:
+            error = worst_of(error, law)
+        yield form, error, why
+
+
+def _text(members: Members, form: str) -> float:
+    """C against its expressions, of the largest entry, less what rounding of the inputs may do.
+
+    NaN where expressions give no numbers.
+    """
+    known = members.expressions(form)
+    if known is None:
+        return np.nan
+    found, good = members.call(form), np.isfinite(known).all(axis=-1)
+    if not good.any():
+        return np.nan
+    known, found = known[good], found[good]
+    apart = np.nan_to_num(np.abs(found - known), nan=np.inf)
+    size = np.abs(known).max(initial=0.0)
+    if apart.max(initial=0.0) <= 1e-14 * size:
+        return 0.0
+    rng = np.random.default_rng(11)
+    moved = {k: x * (1 + SHAKEN * rng.uniform(-1, 1, x.shape)) for k, x in members.given.items()}
+    near = members.expressions(form, moved)
+    loose = LESS * np.abs((known if near is None else near[good]) - known).max(initial=0.0)
+    return float(np.maximum(apart - loose, 0.0).max(initial=0.0)) / (size or 1.0)
+
+
+def _tangent(members: Members) -> float | str:
+    """K, C, M, R and G."""
+    kind, n = members.table.kind, members.count
+    flat, worst, nu = members.call("balance_tangent"), np.nan, kind.nu
+    for name, (letter, bound) in MATRICES.items():
+        rows = kind.m if bound else nu
+        at = kind.parts.get(name)
+        values = np.zeros((n, rows, nu)) if at is None else flat[:, at : at + rows * nu]
+        values = values.reshape(n, rows, nu)
+        if not rows:
+            continue
+        ends = slice(nu + kind.mp, None) if bound else slice(0, nu)
+        scale = np.abs(values).max(axis=(1, 2), initial=0.0)
+        for way in ways(n, nu):
+            rate = members.along(way) if letter == "q" else way
+            found, off = members.slope(lambda b: members.call("balance", b), {letter: rate})
+            size = np.abs(members.call("balance")).max(axis=-1, initial=0.0)
+            error = missing(found[:, ends], off, times(values, way), scale, size * 1e-3)
+            worst = worst_of(worst, error)
+    return worst
+
+
+def _rates(members: Members, moving: bool = True) -> dict[str, Array]:
+    given = members.given
+    found = {"q": members.along(given["u"]), "t": np.ones((members.count, 1))}
+    if given["r"].shape[-1]:
+        found["r"] = input_rates(members.model.inputs, given["r"])
+    return found | ({"u": given["udot"]} if moving else {})
+
+
+def _gamma(members: Members) -> float | str:
+    """G udot - gamma is the derivative of G u + g_t."""
+    kind = members.table.kind
+    ends = slice(kind.nu + kind.mp, None)
+    found, off = members.slope(lambda b: members.call("balance", b), _rates(members))
+    turned, _ = members.slope(lambda b: members.call("balance", b), {"u": members.given["udot"]})
+    known = turned[:, ends] - found[:, ends]
+    return missing(known, off, members.call("gamma"), found[:, ends], turned[:, ends])
+
+
+def _balance(members: Members) -> float | str:
+    """Rows of constraints and what their multipliers do; forces by energies and powers."""
+    kind = members.table.kind
+    value, worst, judges = members.call("balance"), np.nan, 0
+    if kind.m:
+        judges, worst = 1, _rows(members, value)
+    # what an element has, compiled or not yet: where it has losses, energy alone is not its law
+    forms = {"energy", "power", "zdot"} & set(kind.functions)
+    if kind.m or not forms <= set(members.codes):
+        return worst if judges else OWN
+    if members.plain and forms == {"energy"}:
+        judges, worst = 1, worst_of(worst, _lagrange(members, value[:, : kind.nu]))
+    if forms and "zdot" not in forms:
+        judges, worst = 1, worst_of(worst, _ledger(members, value[:, : kind.nu]))
+    return worst if judges else OWN
+
+
+def _rows(members: Members, value: Array) -> float:
+    """G u + g_t is the derivative of g; b has -Gᵀ lam in it."""
+    kind, given, n = members.table.kind, members.given, members.count
+    nu, mp = kind.nu, kind.mp
+    found, off = members.slope(lambda b: members.call("balance", b), _rates(members, moving=False))
+    rates = value[:, nu + mp :]
+    worst = missing(found[:, nu : nu + mp], off, rates[:, :mp], rates, np.abs(given["u"]))
+    still = members.call("balance", {"lam": np.zeros((n, kind.m))})[:, :nu]
+    held = value[:, :nu] - still
+    power = (held * given["u"]).sum(axis=-1)
+    # what depends on speeds in the rows, times the multipliers
+    rest = members.call("balance", {"u": np.zeros((n, nu))})[:, nu + mp :]
+    known = -((rates - rest) * given["lam"]).sum(axis=-1)
+    terms = held * given["u"]
+    return worst_of(worst, relative((power - known)[:, None], terms, known[:, None]))
+
+
+def _lagrange(members: Members, force: Array) -> float:
+    """b = d/dt dT/du + omega x dT/domega - X(T - V), along every speed."""
+    given, nu = members.given, members.table.kind.nu
+    n = members.count
+
+    def energies(blocks: Mapping[str, Array]) -> Array:
+        return members.call("energy", blocks)
+
+    def momenta(blocks: Mapping[str, Array]) -> Array:
+        return _momenta(members, energies, blocks)
+
+    rates, off = members.slope(momenta, _rates(members))
+    p, known = momenta(given), rates.copy()
+    for block, first in zip(members.blocks, members.starts[1], strict=False):
+        if block.node and block.nq == NODE:
+            turn = slice(first, first + 3)
+            known[:, turn] += cross(given["u"][:, turn], p[:, turn])
+    for k in range(nu):
+        unit = np.broadcast_to(np.eye(nu)[k], (n, nu))
+        change, doubt = members.slope(energies, {"q": members.along(unit)})
+        known[:, k] -= change[:, 0] - change[:, 1]
+        off = np.maximum(off, doubt)
+    return missing(known, off, force)
+
+
+def _momenta(
+    members: Members, energies: Callable[..., Array], blocks: Mapping[str, Array]
+) -> Array:
+    """dT/du: T is of second degree in the speeds, differences of which are exact."""
+    u, found = blocks["u"], []
+    for k in range(u.shape[-1]):
+        unit = np.eye(u.shape[-1])[k]
+        both = [energies({**blocks, "u": u + sign * unit})[:, 0] for sign in (1.0, -1.0)]
+        found.append((both[0] - both[1]) / 2)
+    return np.stack(found, axis=-1)
+
+
+def _ledger(members: Members, force: Array) -> float:
+    """b . u is the rate of the energy less the power."""
+    given, n = members.given, members.count
+    work = (force * given["u"]).sum(axis=-1)
+    known, off, terms = np.zeros(n), np.zeros(n), [force * given["u"]]
+    if "energy" in members.codes:
+        found, off = members.slope(lambda b: members.call("energy", b), _rates(members))
+        known, terms = found.sum(axis=-1), [*terms, found]
+    if "power" in members.codes:
+        power = members.call("power")
+        known, terms = known - power.sum(axis=-1), [*terms, power]
+    return missing(known[:, None], off, work[:, None], *terms)
+
+
+def _ends(members: Members) -> tuple[Array, Array, dict[str, Array]] | None:
+    """Poses (n, 14) and speeds (n, 12) of both ends of a flexible element, and its data by name.
+
+    Ends that are fixed to nodes, or to the ground, have their place among the data. None of
+    elements that are not flexible, and of those in a plane.
+    """
+    name = members.table.kind.name
+    if not any(name.startswith(kind) for kind in (*ENERGIES, *STRESSES)):
+        return None
+    if any(not block.node or block.nq != NODE for block in members.blocks):
+        return None
+    form = next(iter(members.codes.values())).symbol
+    inputs = members.model._objects.saved()[form]["inputs"]
+    names: list[str] = next((b["entries"] for b in inputs if b["name"] == "p"), [])
+    data = {entry: members.given["p"][:, k] for k, entry in enumerate(names)}
+    q, u, k = list[Array](), list[Array](), 0
+    for end in ("start", "end"):
+        held = f"{end}_px" in data
+        grounded = held and _grounded(members, end, data)
+        pose, speed = np.tile([1.0] + [0.0] * 6, (members.count, 1)), np.zeros((members.count, 6))
+        if not grounded:
+            pose = members.given["q"][:, 7 * k : 7 * k + 7]
+            speed = members.given["u"][:, 6 * k : 6 * k + 6]
+            k += 1
+        if held:
+            pose, speed = _carried(pose, speed, end, data)
+        q, u = [*q, pose], [*u, speed]
+    return np.concatenate(q, axis=-1), np.concatenate(u, axis=-1), data
+
+
+def _grounded(members: Members, end: str, data: Mapping[str, Array]) -> bool:
+    """Whether an end is fixed to the ground: the other one is the only node then."""
+    other = "end" if end == "start" else "start"
+    words = members.table.kind.name.split("_")
+    if len(members.blocks) == 2:
+        return False
+    return f"{other}_px" not in data or words[-2 if end == "start" else -1] == "ground"
+
+
+def _carried(pose: Array, speed: Array, end: str, data: Mapping[str, Array]) -> tuple[Array, Array]:
+    """Pose and speeds of a frame that is fixed to another."""
+    n = len(pose)
+    cells = [data[f"{end}_R{i}{j}"] for i in "123" for j in "123"]
+    R = np.stack(cells, axis=-1).reshape(n, 3, 3)
+    p = np.stack([data[f"{end}_p{x}"] for x in "xyz"], axis=-1)
+    turned = quaternion(pose[:, :4])
+    place = pose[:, 4:] + times(turned, p)
+    back = np.swapaxes(R, -1, -2)
+    moved = speed[:, 3:] + times(turned, cross(speed[:, :3], p))
+    whole = np.concatenate([quaternion_of(turned @ R), place], axis=-1)
+    return whole, np.concatenate([times(back, speed[:, :3]), moved], axis=-1)
+
+
+def _energy(members: Members) -> float | str:
+    """By quadrature of strain measures and of point masses, and by what it does."""
+    law, ends = _balance(members), _ends(members)
+    names = [name for name in ENERGIES if members.table.kind.name.startswith(name)]
+    found = ENERGIES[max(names, key=len)](*ends) if ends and names else None
+    if found is None:
+        return law
+    error = relative(members.call("energy") - found, found)
+    return error if isinstance(law, str) else max(error, law)
+
+
+def _momentum(members: Members) -> float | str:
+    """dT/dv, and its moment with dT/domega; of points along the shape where an end is held."""
+    ends = _ends(members)
+    names = [name for name in MOMENTA if members.table.kind.name.startswith(name)]
+    value = members.call("momentum")
+    if ends and names:
+        known = MOMENTA[max(names, key=len)](*ends)
+        return relative(value - known, known)
+    if any(not block.node or block.nq != NODE for block in members.blocks):
+        return "its places are no nodes in space"
+    if "ground" in members.table.kind.name:
+        return OWN
+    p = _momenta(members, lambda b: members.call("energy", b), members.given)
+    known = np.zeros((members.count, 6))
+    for a, b, _ in zip(*members.starts, members.blocks, strict=False):
+        q = members.given["q"][:, a : a + NODE]
+        turned = times(quaternion(q[:, :4]), p[:, b : b + 3])
+        linear = p[:, b + 3 : b + 6]
+        known += np.concatenate([turned + cross(q[:, 4:], linear), linear], axis=-1)
+    return relative(value - known, known, p)
+
+
+def _reaction(members: Members) -> float | str:
+    """Force, and moment along it, are those that the multipliers put on a node."""
+    nodes = [
+        (a, b)
+        for block, a, b in zip(members.blocks, *members.starts, strict=False)
+        if block.node and block.nq == NODE
+    ]
+    if not nodes:
+        return "it joins no nodes in space"
+    n, kind = members.count, members.table.kind
+    still = members.call("balance", {"lam": np.zeros((n, kind.m))})
+    held = members.call("balance")[:, : kind.nu] - still[:, : kind.nu]
+    a, b = nodes[-1]
+    turned = times(quaternion(members.given["q"][:, a : a + 4]), held[:, b : b + 3])
+    force, wrench = held[:, b + 3 : b + 6], members.call("reaction")
+    size = np.abs(wrench).max(axis=-1, keepdims=True)
+    norms = [np.linalg.norm(x, axis=-1) for x in (force, wrench[:, 3:])]
+    along = [(x * y).sum(axis=-1) for x, y in ((turned, force), (wrench[:, :3], wrench[:, 3:]))]
+    first = relative((norms[0] - norms[1])[:, None], size)
+    # the moment about any point has the same part along the force, whichever end it acts on
+    apart = np.abs(np.abs(along[0]) - np.abs(along[1]))
+    return max(first, relative(apart[:, None], size * size))
+
+
+def _mixed(members: Members) -> float | str:
+    """With the stress that there is: the balance and its tangent."""
+    none = {"du": np.zeros_like(members.given["du"])}
+    z = members.call("mixed_step", none)
+    value = members.call("mixed", {"z": z})
+    known = np.concatenate([members.call("balance"), members.call("balance_tangent")], axis=-1)
+    nu = members.table.kind.nu
+    parts = (slice(0, nu), slice(nu, None))
+    return max(relative(value[:, part] - known[:, part], known[:, part]) for part in parts)
+
+
+def _mixed_step(members: Members) -> float | str:
+    """The stress that there is comes from any; small increments lead to that behind them."""
+    du = members.given["du"]
+    none = {"du": np.zeros_like(du)}
+    z = members.call("mixed_step", none)
+    again = members.call("mixed_step", {**none, "z": z})
+    worst = relative(again - z, z, members.given["z"])
+
+    def settled(blocks: Mapping[str, Array]) -> Array:
+        return members.call("mixed_step", {**blocks, "du": np.zeros_like(blocks["du"])})
+
+    found, off = members.slope(settled, {"q": members.along(du)})
+    step = members.call("mixed_step", {"z": z}) - z
+    return worst_of(worst, missing(found, off, step, z * 1e-3))
+
+
+def _stress(members: Members) -> float | str:
+    """By quadrature of strain measures."""
+    ends = _ends(members)
+    names = [name for name in STRESSES if members.table.kind.name.startswith(name)]
+    known = STRESSES[max(names, key=len)](ends[0], ends[2]) if ends and names else None
+    if known is None:
+        return OWN
+    value = members.call("stress").reshape(members.count, 4, 6)
+    return max(relative(value[:, k] - known[:, k], known[:, k]) for k in range(4))
+
+
+LAWS: dict[str, Callable[[Members], Any]] = {
+    "balance": _balance,
+    "balance_tangent": _tangent,
+    "gamma": _gamma,
+    "energy": _energy,
+    "power": lambda members: _balance(members),
+    "momentum": _momentum,
+    "reaction": _reaction,
+    "mixed": _mixed,
+    "mixed_step": _mixed_step,
+    "stress": _stress,
+}

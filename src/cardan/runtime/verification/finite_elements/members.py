@@ -1,0 +1,222 @@
+"""Elements of one kind at random states, and what their functions give there."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ....ir.interpreter import evaluate
+from ....ir.serialize import from_dict
+from ....schema.finite_elements import PlaceKind
+from ...calls import loaded_function
+from ...calls.lanes import unpacked
+from ...calls.objects import Code
+from ...models.finite_elements.elements import Elements, State
+from ...models.finite_elements.tables import Table, Tables
+from ...models.initial import start_of
+from ..differences import slope
+from ..joint_motion import Array
+from ..source_expressions import results
+
+if TYPE_CHECKING:
+    from ...models.loaded_model import LoadedModel
+
+# how far places are moved from where they start: angles [rad], lengths in parts of the scene's
+TURNED, SHIFTED = 0.3, 0.03
+MOST = 2
+# random configurations of the scene at which what was compiled just now is judged
+STATES = 2
+NODE = 7
+
+
+class NotThere(Exception):
+    """A function that a law needs and the kind does not have, or not compiled; by its name."""
+
+
+@dataclass(frozen=True)
+class Members:
+    """Some elements of one kind at random states, (n, ...) each.
+
+    Attributes:
+        model: Whose.
+        table: Their group.
+        given: What their functions read.
+        codes: Functions by name.
+        blocks: Places that they couple.
+        length: Size of the scene [m].
+    """
+
+    model: LoadedModel
+    table: Table
+    given: Mapping[str, Array]
+    codes: Mapping[str, Code]
+    blocks: tuple[PlaceKind, ...]
+    length: float
+    kept: dict[str, Any] = field(default_factory=dict, repr=False, compare=False)
+
+    @property
+    def count(self) -> int:
+        """Number of states."""
+        return len(self.given["q"])
+
+    def call(self, form: str, given: Mapping[str, Array] | None = None) -> Array:
+        """Results (n, size) of a function, at other blocks where they are given.
+
+        Raises:
+            NotThere: there is no such function.
+        """
+        if form not in self.codes:
+            raise NotThere(form)
+        code, blocks = self.codes[form], {**self.given, **(given or {})}
+        n = max(len(x) for x in blocks.values() if x.ndim > 1)
+        run, out = loaded_function.calls(code, blocks, n)
+        with np.errstate(all="ignore"):
+            run()
+        return unpacked(out, code.lanes)[:n]
+
+    def expressions(self, form: str, given: Mapping[str, Array] | None = None) -> Array | None:
+        """Results of the saved expressions, at other blocks if given; None where not saved."""
+        saved = self.model._objects.saved().get(self.codes[form].symbol)
+        if saved is None:
+            return None
+        return results(from_dict(saved), given or self.given, self.count)
+
+    # ways to move
+
+    @cached_property
+    def starts(self) -> tuple[list[int], list[int]]:
+        """First local coordinate and speed of every block."""
+        q, u = np.cumsum([[0, 0]] + [[b.nq, b.nu] for b in self.blocks], axis=0).T.tolist()
+        return q, u
+
+    @cached_property
+    def plain(self) -> bool:
+        """Whether all places are nodes, or have speeds that are rates of coordinates."""
+        return all("qdot" not in b.functions or b.node for b in self.blocks)
+
+    def along(self, du: Array, q: Array | None = None) -> Array:
+        """Rates of the coordinates of increments along the speeds."""
+        q = self.given["q"] if q is None else q
+        found = np.zeros_like(q)
+        for block, a, b in zip(self.blocks, *self.starts, strict=False):
+            own = du[:, b : b + block.nu]
+            if block.nq == NODE and block.quaternion is not None:
+                found[:, a : a + 4] = quaternion_rate(q[:, a : a + 4], own[:, :3])
+                found[:, a + 4 : a + 7] = own[:, 3:]
+            elif "qdot" in block.functions:
+                rates = from_dict(self.model._objects.saved()[block.functions["qdot"]])
+                here = {"q": q[:, a : a + block.nq], "u": own}
+                found[:, a : a + block.nq] = evaluate(rates, here, "numpy")[rates.outputs[0].name]
+            else:
+                found[:, a : a + block.nq] = own
+        return found
+
+    def slope(
+        self, f: Any, rates: Mapping[str, Array], given: Mapping[str, Array] | None = None
+    ) -> tuple[Array, Array]:
+        """Derivative of a function of blocks along rates, and how far it may be off."""
+        at = {**self.given, **(given or {})}
+        size = np.zeros(self.count)
+        for name, rate in rates.items():
+            scale = self._scale if name == "q" else 1.0
+            size = np.maximum(size, np.abs(rate / scale).max(axis=-1, initial=0.0))
+        return slope(f, at, rates, size)
+
+    @cached_property
+    def _scale(self) -> Array:
+        scale = np.ones(self.given["q"].shape[-1])
+        for block, a in zip(self.blocks, self.starts[0], strict=False):
+            if block.node and block.nq == NODE:
+                scale[a + 4 : a + 7] = self.length
+            elif block.node:
+                scale[a : a + 2] = self.length
+            else:
+                scale[a : a + block.nq] = min(1.0, self.length)
+        return scale
+
+
+def quaternion_rate(q: Array, w: Array) -> Array:
+    """Rate of unit quaternions that turn with w in their own axes."""
+    real, v = q[:, :1], q[:, 1:]
+    return 0.5 * np.concatenate(
+        [-(v * w).sum(axis=-1, keepdims=True), real * w + np.cross(v, w)], axis=-1
+    )
+
+
+def members_of(
+    model: LoadedModel,
+    elements: Elements,
+    codes: Mapping[str, Code],
+    seed: int,
+    count: int = STATES,
+) -> list[Members]:
+    """Some members of every kind, of its largest group, in so many configurations."""
+    rng, tables = np.random.default_rng(seed), elements.tables
+    groups = tables.groups
+    largest: dict[str, int] = {}
+    for k in sorted(range(len(groups)), key=lambda k: len(groups[k])):
+        largest[groups[k].kind.name] = k
+    length = _length(tables)
+    states = [_state(model, elements, rng, length) for _ in range(count)]
+    found = []
+    for number in sorted(largest.values()):
+        group = groups[number]
+        rows = np.unique(np.linspace(0, len(group) - 1, min(MOST, len(group))).astype(int))
+        parts = [_read(elements, number, at, rows) for at in states]
+        given = {k: np.concatenate([part[k] for part in parts]) for k in parts[0]}
+        own = {f: codes[symbol] for f, symbol in group.kind.functions.items() if symbol in codes}
+        places = (
+            tuple(tables.kinds[tables.kind[p]] for p in group.place[0]) if group.place.size else ()
+        )
+        found.append(Members(model, group, _drawn(given, rng), own, places, length))
+    return found
+
+
+def _read(elements: Elements, number: int, at: State, rows: Any) -> dict[str, Array]:
+    given = elements.read(number, at)
+    n = len(elements.tables.groups[number])
+    return {k: np.broadcast_to(x, (n, x.shape[-1]))[rows] for k, x in given.items()}
+
+
+def _drawn(given: dict[str, Array], rng: np.random.Generator) -> dict[str, Array]:
+    """Blocks that elements keep to themselves, drawn too."""
+    n, nu = given["u"].shape
+    found = dict(given)
+    found["du"] = 1e-2 * rng.uniform(-1, 1, (n, nu))
+    if not found["z"].shape[-1]:
+        found["z"] = rng.uniform(-1, 1, (n, 6))
+    return found
+
+
+def _state(model: LoadedModel, elements: Elements, rng: Any, length: float) -> State:
+    tables, layout = elements.tables, model._layout
+    # as the scene tells it: to assemble it would take the elements that are judged here
+    q = start_of(model, {}, {})[0][: tables.nq]
+    step = TURNED * rng.uniform(-1, 1, tables.nu)
+    for kind, start in zip(tables.kind, tables.u[:-1], strict=True):
+        place = tables.kinds[kind]
+        if place.node and place.nq == NODE:
+            step[start + 3 : start + 6] *= SHIFTED / TURNED * length
+        elif place.node:
+            step[start : start + 2] *= SHIFTED / TURNED * length
+    r = layout.start("r")
+    return State(
+        q=elements.move(np.asarray(q), step),
+        u=rng.uniform(-1, 1, tables.nu),
+        udot=rng.uniform(-1, 1, tables.nu),
+        lam=rng.uniform(-1, 1, tables.m),
+        t=0.3,
+        r=r + 0.3 * rng.uniform(-1, 1, len(r)),
+        z=layout.start("z") + 0.1 * rng.uniform(-1, 1, len(layout.start("z"))),
+        s=layout.start("s"),
+    )
+
+
+def _length(tables: Tables) -> float:
+    """The longest element of a beam [m]; 1 where there are none."""
+    sizes = [float(np.diff(stations).max()) for stations in tables.stations]
+    return max(sizes, default=1.0)

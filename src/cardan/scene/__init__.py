@@ -1,0 +1,22 @@
+"""What the user writes: bodies, frames, joints, forces, parameters, inputs, outputs; and files."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from . import inertia, shape
+from .body import Body
+from .files import load
+from .frame import Frame
+from .scene import Model
+
+__all__ = ["Body", "Frame", "Model", "inertia", "load", "shape", "t"]
+
+
+def __getattr__(name: str) -> Any:
+    """``t``, the symbol of time, is made on demand: it needs SymPy."""
+    if name == "t":
+        from sympy import Symbol
+
+        return Symbol("t")
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

@@ -1,0 +1,157 @@
+"""Beams as the user describes them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+from ..elements.centerlines import Centerline
+from ..elements.joints.cylindrical import Cylindrical
+from ..elements.joints.joint import Joint as JointElement
+from ..elements.joints.planar import Planar
+from ..elements.joints.prismatic import Prismatic
+from ..elements.joints.revolute import Revolute
+from ..elements.joints.spherical import Spherical
+from ..elements.joints.universal import Universal
+from ..elements.material import Material
+from ..elements.sections import Section
+from ..errors import ModelError
+from . import checks
+from .body import Body
+from .frame import Place
+
+if TYPE_CHECKING:
+    from .scene import Model
+
+
+# what is let go at an end -> the joint that lets it
+RELEASED: dict[frozenset[str], JointElement] = {
+    **{frozenset({f"r{axis}"}): Revolute(axis) for axis in "xyz"},
+    **{frozenset({axis}): Prismatic(axis) for axis in "xyz"},
+    **{frozenset({axis, f"r{axis}"}): Cylindrical(axis) for axis in "xyz"},
+    frozenset({"rx", "ry"}): Universal("x", "y"),
+    frozenset({"ry", "rz"}): Universal("y", "z"),
+    frozenset({"rx", "rz"}): Universal("x", "z"),
+    frozenset({"x", "y", "rz"}): Planar("z"),
+    frozenset({"y", "z", "rx"}): Planar("x"),
+    frozenset({"x", "z", "ry"}): Planar("y"),
+    frozenset({"rx", "ry", "rz"}): Spherical(),
+}
+
+
+@dataclass(frozen=True)
+class End:
+    """An end of a beam.
+
+    Attributes:
+        place: The frame (or body) it is joined to; None for a free one.
+        point: Where a free end is, in ground axes at the reference configuration (3).
+        released: Directions in which it is let go.
+    """
+
+    place: Place | None
+    point: tuple[Any, Any, Any] | None = None
+    released: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Beam:
+    """A beam; made by :meth:`Model.beam`.
+
+    Attributes:
+        model: The model it belongs to.
+        name: Its name.
+        ends: Start and end.
+        section, material: What it is made of.
+        elements: Number of finite elements.
+        up: Direction of e3, or None.
+        line: Its centerline in the reference configuration.
+        element: Kind of finite element.
+        inertia: How its mass moves with its nodes.
+        temperature: Rise against the reference configuration [K].
+        prestrain: What it has without stress beyond the reference configuration, by name.
+        base: Body in whose axes points and directions are given, None for the ground.
+        stops: Where nodes were asked for by :meth:`at`: name -> place in 0 ... 1.
+    """
+
+    model: Model = field(repr=False)
+    name: str
+    ends: tuple[End, End]
+    section: Section
+    material: Material
+    elements: int
+    up: tuple[Any, ...] | None
+    line: Centerline
+    element: str
+    inertia: str
+    temperature: Any
+    prestrain: Mapping[str, Any]
+    base: Body | None = None
+    stops: dict[str, float] = field(default_factory=dict)
+
+    @property
+    def start(self) -> Place:
+        """The frame it starts from, or its node there; see :meth:`at`."""
+        return self.model.nodes[f"{self.name}.start"]
+
+    @property
+    def end(self) -> Place:
+        """The frame it ends in, or its node there; see :meth:`at`."""
+        return self.model.nodes[f"{self.name}.end"]
+
+    def at(self, s: float, *, name: str | None = None) -> Place:
+        """A node of the beam, which is a frame: origin on the centerline, axes e1, e2, e3.
+
+        Args:
+            s: Place in 0 ... 1 of its arc length, 0 its start and 1 its end. A node is put there.
+            name: Under which it is known to ``pose``, ``velocity`` and the like.
+
+        Returns:
+            The node; where an end is joined to a frame and not released, that frame.
+
+        Raises:
+            ModelError: a number outside 0 ... 1, or a name that is taken.
+        """
+        where = checks.number(f"beam '{self.name}': at", s)
+        if name is not None:
+            checks.name("node", name)
+        if not 0 <= where <= 1:
+            raise ModelError(
+                f"beam '{self.name}': at({where:g}) lies outside; s runs from 0 (start) to 1 (end) "
+                "of its length"
+            )
+        known = {0.0: "start", 1.0: "end"}.get(where)
+        if known is not None and name is None:
+            return self.start if known == "start" else self.end
+        if known is not None:
+            raise ModelError(f"beam '{self.name}': at({where:g}) is called '{self.name}.{known}'")
+        for given, stop in self.stops.items():
+            if stop == where and name in (None, given):
+                return self.model.nodes[given]
+        if name is None:
+            count = len(self.stops) + 1
+            while f"{self.name}.at{count}" in self.model.nodes:
+                count += 1
+            name = f"{self.name}.at{count}"
+        self.model.new_place("node", name)
+        self.stops[name] = where
+        self.model.nodes[name] = made = node(self.model, name)
+        return made
+
+    def releases(self) -> dict[str, JointElement]:
+        """The joints of ends that are not clamped, by name."""
+        ends = zip(("start", "end"), self.ends, strict=True)
+        return {
+            f"{self.name}.{role}": RELEASED[frozenset(end.released)]
+            for role, end in ends
+            if end.released
+        }
+
+    def __repr__(self) -> str:
+        return f"Beam({self.name!r}, {self.section.kind}, {self.elements} elements)"
+
+
+def node(model: Model, name: str) -> Body:
+    """A node of beams: a body without mass, whose place follows from its beam."""
+    return Body(model, name, 0, (0, 0, 0), (0,) * 6)

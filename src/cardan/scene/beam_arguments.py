@@ -1,0 +1,233 @@
+"""What a user may write about a beam, checked where it is written."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+from ..elements.centerlines import Centerline, Straight
+from ..elements.flexible import BEAMS, INERTIAS
+from ..elements.material import Material
+from ..elements.sections import Section
+from ..elements.validation import axis, is_expression, number, vector
+from ..errors import ModelError, near, shown
+from . import checks
+from .beam import RELEASED, Beam, End, node
+from .body import Body
+from .frame import Frame
+
+if TYPE_CHECKING:
+    from .scene import Model
+
+# of one beam, as bodies of one scene
+MOST_ELEMENTS = 100_000
+ROLES = ("start", "end")
+# what a beam is made of unless it says
+ELEMENT, INERTIA = "hellinger_reissner", "linked"
+# what an end may be let go in: displacements along and rotations about e1, e2, e3
+RELEASES = ("x", "y", "z", "rx", "ry", "rz")
+# what a beam may have without stress: its names in the order of the house, rotations first
+STRAINS = ("twist", "curvature2", "curvature3", "stretch", "shear2", "shear3")
+
+
+def add_beam(
+    model: Model,
+    name: str,
+    ends: Sequence[tuple[Any, Any]],
+    made_of: tuple[Any, Any],
+    elements: Any,
+    up: Any,
+    line: Any,
+    kinds: tuple[Any, Any],
+    temperature: Any,
+    prestrain: Mapping[str, Any] | None,
+) -> Beam:
+    """The work of :meth:`Model.beam`.
+
+    Args:
+        ends: What the start and the end are joined to, and what is released there.
+        made_of: Section and material.
+        kinds: Of element and inertia.
+    """
+    checks.new("beam", name, model.beams)
+    who = f"beam '{name}'"
+    first, last = (
+        end_of(model, who, role, *given) for role, given in zip(ROLES, ends, strict=True)
+    )
+    section, material = materialized(who, *made_of)
+    rise = number(who, "temperature", temperature)
+    if not _zero(rise) and _zero(material.expansion):
+        raise ModelError(
+            f"{who}: temperature= acts through the expansion of the material; give "
+            "cd.material(expansion=...)"
+        )
+    made = Beam(
+        model,
+        name,
+        (first, last),
+        section,
+        material,
+        count_of(who, elements),
+        None if up is None else axis(who, "up", up),
+        line_of(who, line),
+        chosen(who, "element", kinds[0], BEAMS),
+        chosen(who, "inertia", kinds[1], INERTIAS),
+        rise,
+        prestrain_of(who, prestrain),
+    )
+    add_nodes(made)
+    return made
+
+
+def add_nodes(beam: Beam) -> None:
+    """Put a beam and its nodes into its model: an end that is clamped has none of its own.
+
+    Raises:
+        ModelError: a name is taken.
+    """
+    model = beam.model
+    checks.new("beam", beam.name, model.beams)
+    names = [f"{beam.name}.{role}" for role in ROLES]
+    for name in (*names, *beam.stops):
+        model.new_place("beam", name)
+    for name, end in zip(names, beam.ends, strict=True):
+        clamped = end.place if not end.released else None
+        model.nodes[name] = clamped or node(model, name)
+    for name in beam.stops:
+        model.nodes[name] = node(model, name)
+    model.beams[beam.name] = beam
+
+
+def end_of(model: Model, who: str, role: str, given: Any, released: Any) -> End:
+    """An end as written: a frame, a body, a name, or three numbers for a free end.
+
+    Raises:
+        ModelError: none of these, or a release of what nothing holds.
+    """
+    letting = _released(who, role, released)
+    if letting and frozenset(letting) not in RELEASED:
+        listed = ", ".join("+".join(sorted(directions)) for directions in RELEASED)
+        raise ModelError(
+            f"{who}: release_{role} of {'+'.join(letting)} is no joint. Known: {listed}. For all "
+            "six let the end be free: give its point"
+        )
+    if isinstance(given, (Body, Frame, str)):
+        return End(model.place(who, given, role), None, letting)
+    if letting:
+        raise ModelError(f"{who}: release_{role}: that end is free, nothing holds it; leave it out")
+    return End(None, _triple(who, role, given))
+
+
+def _released(who: str, role: str, given: Any) -> tuple[str, ...]:
+    """Directions in which an end is let go; one may stand alone."""
+    listed = (given,) if isinstance(given, str) else given
+    if not isinstance(listed, (tuple, list, set, frozenset)):
+        raise ModelError(
+            f"{who}: release_{role} is {shown(given)}; give directions, such as 'ry' "
+            "or ('ry', 'rz')"
+        )
+    for one in listed:
+        if one not in RELEASES:
+            raise ModelError(
+                f"{who}: release_{role} has no direction {shown(one)}." + near(one, RELEASES)
+            )
+    return tuple(listed)
+
+
+def _triple(who: str, role: str, given: Any) -> tuple[Any, Any, Any]:
+    try:
+        x, y, z = vector(who, role, given, 3)
+    except ModelError as problem:
+        raise ModelError(
+            f"{problem}. An end is a frame, a body, a name or three numbers in ground axes"
+        ) from problem
+    return x, y, z
+
+
+def count_of(who: str, elements: Any) -> int:
+    """A number of elements.
+
+    Raises:
+        ModelError: not a whole number above 0, or an absurd one.
+    """
+    number = checks.is_number(elements) and not isinstance(elements, bool)
+    if not (number and elements >= 1 and elements % 1 == 0):
+        raise ModelError(f"{who}: elements is {shown(elements)}; give a whole number, 1 or more")
+    if elements > MOST_ELEMENTS:
+        raise ModelError(f"{who}: {shown(elements)} elements; a beam has at most {MOST_ELEMENTS}")
+    return int(elements)
+
+
+def chosen(who: str, what: str, given: Any, known: Collection[str]) -> str:
+    """A word of a list.
+
+    Raises:
+        ModelError: another one, with the near ones.
+    """
+    if not isinstance(given, str) or given not in known:
+        raise ModelError(f"{who}: {what} {shown(given)} does not exist." + near(given, known))
+    return str(given)
+
+
+def line_of(who: str, line: Any) -> Centerline:
+    """The centerline as written; straight where none is given.
+
+    Raises:
+        ModelError: it is none.
+    """
+    if line is None:
+        return Straight()
+    if not isinstance(line, Centerline):
+        raise ModelError(
+            f"{who}: line is {shown(line)}; give cd.arc(...), cd.spline(points) or nothing"
+        )
+    return line
+
+
+def materialized(who: str, section: Any, material: Any) -> tuple[Section, Material]:
+    """Section and material as written; a general section needs no material.
+
+    Raises:
+        ModelError: they are none, or do not say how stiff the beam is.
+    """
+    if not isinstance(section, Section):
+        raise ModelError(
+            f"{who}: section is {shown(section)}; give one of cd.section, such as "
+            "cd.section.circle(radius=0.01)"
+        )
+    if material is None and not section.shaped:
+        material = Material()
+    if not isinstance(material, Material):
+        raise ModelError(
+            f"{who}: material is {shown(material)}; give cd.material(E=..., nu=..., rho=...)"
+        )
+    if section.shaped and not material.elastic:
+        raise ModelError(f"{who}: its section is a shape; the material must say E and nu (or G)")
+    if not section.shaped and (material.E is not None or not _zero(material.rho)):
+        raise ModelError(
+            f"{who}: a general section says stiffness and mass itself; leave E, nu, G and rho out "
+            "of the material"
+        )
+    return section, material
+
+
+def prestrain_of(who: str, given: Mapping[str, Any] | None) -> dict[str, Any]:
+    """Strains by name.
+
+    Raises:
+        ModelError: an unknown name, or what is no number.
+    """
+    if given is not None and not isinstance(given, Mapping):
+        raise ModelError(
+            f"{who}: prestrain is {shown(given)}; give strains by name, {{'twist': 0.1}}"
+        )
+    found = {}
+    for name, value in (given or {}).items():
+        if name not in STRAINS:
+            raise ModelError(f"{who}: prestrain has no '{name}'." + near(name, STRAINS))
+        found[name] = number(who, f"prestrain {name}", value)
+    return found
+
+
+def _zero(value: Any) -> bool:
+    return not is_expression(value) and value == 0

@@ -1,0 +1,92 @@
+"""Files that describe scenes."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from warnings import catch_warnings, simplefilter
+
+from ...arguments import checked
+from ...errors import ModelError, warn
+from ..origins import gathered
+from ..scene import Model
+from . import mjcf, urdf, yaml
+from .document import content, parse
+from .options import Options
+
+# by the root element of an XML file, whatever its name ends in
+ROOTS = {"robot": urdf.of_root, "mujoco": mjcf.of_root}
+
+
+def _xml(path: Path, options: Options) -> Model:
+    """The model of a URDF or MJCF file."""
+    root = parse(content(path), path.name)
+    reader = ROOTS.get(root.tag)
+    if reader is None:
+        raise ModelError(
+            f"file '{path.name}': the root is <{str(root.tag)[:60]}>; read are "
+            + " and ".join(f"<{tag}>" for tag in ROOTS)
+        )
+    return reader(root, options, path.name, path.parent)
+
+
+READERS = {
+    ".urdf": _xml,
+    ".xml": _xml,
+    ".mjcf": _xml,
+    ".yaml": yaml.read,
+    ".yml": yaml.read,
+}
+
+
+@checked
+def load(
+    path: str | Path,
+    base: str = "fixed",
+    mimic: str = "couple",
+    snap: bool = True,
+    packages: str | Path | Sequence[str | Path] = (),
+    parameters: Mapping[str, float] | None = None,
+) -> Model:
+    """Read a scene from a file.
+
+    Args:
+        path: A scene (``.yaml``), a robot (``.urdf``) or a model of MuJoCo (``.xml``, ``.mjcf``);
+            the root element tells the two apart.
+        base: For URDF robots: ``"fixed"``: the root is fixed to the ground; ``"free"``: it floats.
+        mimic: For URDF robots: ``"couple"``: a joint that mimics another follows it; ``"free"``: it
+            moves freely.
+        snap: Replace rounded multiples of a quarter turn by exact ones, within half a unit of the
+            last printed digit; all are listed in ``Model.snaps``. With False numbers stay as they
+            are printed.
+        packages: Folder or folders below which ``package://`` paths and absolute paths must lie.
+        parameters: Values by dotted name that replace those of the file.
+
+    Returns:
+        The model. What the file says and the model does not act on is listed in ``Model.notes``;
+        ``print(model)`` shows these, and joints whose limits or friction no force acts for.
+
+    Raises:
+        ModelError: the file cannot be read or is at fault.
+        TopologyError: links form a loop or nothing joins them.
+    """
+    folders = [packages] if isinstance(packages, str | Path) else packages
+    roots = tuple(Path(root) for root in folders)
+    with catch_warnings(record=True) as said:
+        simplefilter("always")
+        model = _read(Path(path), Options(base, mimic, snap, roots, load=_read))
+    for doubt in gathered(said, model.origins):
+        warn(str(doubt), type(doubt))
+    model.values.update(parameters or {})
+    return model
+
+
+def _read(file: Path, options: Options) -> Model:
+    """The model of a file of any known sort."""
+    reader = READERS.get(file.suffix.lower())
+    if reader is None:
+        raise ModelError(
+            f"file '{file.name}': cannot read '{file.suffix}' files. Known: {', '.join(READERS)}"
+        )
+    options.budget.take()
+    return reader(file, options)

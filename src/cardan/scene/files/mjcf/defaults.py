@@ -1,0 +1,92 @@
+"""Default classes: attributes that elements take over where they say nothing."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from ....errors import ModelError, near
+from ..document import Element
+from .compiler import ORIENTATIONS
+from .ignored import Unread, known
+
+TOP = "main"
+# elements that have defaults -> what is read of them
+KINDS = {name: name for name in ("joint", "geom", "site", "motor")} | {"equality": "weld"}
+# of these only one may be said: the element's own word counts
+TOGETHER = (frozenset(ORIENTATIONS),)
+
+
+class Defaults:
+    """The classes of a file.
+
+    Args:
+        where: The file, for messages.
+        unread: Collects what is passed over.
+    """
+
+    def __init__(self, where: str, unread: Unread) -> None:
+        self.where = where
+        self.unread = unread
+        # class -> tag -> attributes
+        self.classes: dict[str, dict[str, dict[str, str]]] = {TOP: {}}
+
+    def read(self, element: Any) -> None:
+        """The classes of a <default> of the file, those inside it included.
+
+        Raises:
+            ModelError: a class without a name, or one that is defined twice.
+        """
+        waiting = [(element, TOP, TOP)]
+        while waiting:
+            raw, name, parent = waiting.pop()
+            if name != TOP and name in self.classes:
+                raise ModelError(
+                    f"{self.where}:{raw.line}: default class '{name[:80]}' is defined twice"
+                )
+            own = dict(self.classes[parent])
+            for child in raw:
+                if child.tag in KINDS:
+                    self.unread.attributes(child, KINDS[child.tag])
+                    given = {k: text for k, text in child.items() if k in known(KINDS[child.tag])}
+                    own[child.tag] = merged(own.get(child.tag, {}), given)
+                elif child.tag != "default":
+                    self.unread.element(child, "default")
+            self.classes[name] = own
+            inner = [child for child in raw if child.tag == "default"]
+            for child in reversed(inner):
+                if not child.get("class"):
+                    raise ModelError(
+                        f"{self.where}:{child.line}: a default inside another needs a class"
+                    )
+                waiting.append((child, child.get("class"), name))
+        # the outermost class may have a name of its own
+        self.classes[element.get("class") or TOP] = self.classes[TOP]
+
+    def of(self, raw: Any, where: str, inherited: str, tag: str | None = None) -> Element:
+        """An element with what its class adds.
+
+        Args:
+            inherited: The class of the bodies around it.
+            tag: Under which the classes know it; its own by default.
+
+        Raises:
+            ModelError: there is no such class.
+        """
+        name = raw.get("class") or inherited
+        if name not in self.classes:
+            listed = near(name, self.classes).replace(" Known:", " Classes:")
+            raise ModelError(f"{where}: there is no default class '{name[:80]}'.{listed}")
+        given = self.classes[name].get(tag or raw.tag, {})
+        made = type(raw)(raw.tag, merged(given, raw.attrib))
+        made.line = raw.line
+        made.extend(raw)
+        return Element(made, where)
+
+
+def merged(given: dict[str, str], own: dict[str, str]) -> dict[str, str]:
+    """Attributes of a class with an element's own before them."""
+    hidden = set(own)
+    for alternatives in TOGETHER:
+        if alternatives & hidden:
+            hidden |= alternatives
+    return {key: text for key, text in given.items() if key not in hidden} | dict(own)

@@ -1,0 +1,184 @@
+"""The document: included files in place, sections joined, bodies in order."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from ....errors import ModelError, TopologyError
+from ..document import Element, content, parse
+from ..meshes import Meshes
+from ..options import Options
+from ..pose import HERE, Pose
+from .compiler import Compiler
+from .defaults import TOP
+from .ignored import Unread
+
+MOST_BODIES = 100_000
+# how a message begins that says where it is
+PLACE = re.compile(r"^[^:]+:\d+: ")
+# they make bodies by rules of their own; without them the model would be another
+REFUSED = ("replicate", "composite", "flexcomp", "attach")
+
+
+@dataclass(frozen=True)
+class Found:
+    """A body of the file with what is in it.
+
+    Attributes:
+        raw: The element.
+        name: Its own name or a made one; "" for the world.
+        parent: Number of its parent, -1 for the world.
+        pose: In axes of the parent, all joints as drawn.
+        parts: Elements inside, each with the pose of the frames around it and its default class.
+    """
+
+    raw: Any
+    name: str
+    parent: int
+    pose: Pose
+    parts: tuple[tuple[Any, Pose, str], ...]
+
+
+@dataclass(frozen=True)
+class Document:
+    """An MJCF document.
+
+    Attributes:
+        root: Its root element, included files in place.
+        file: Its name, for messages.
+        unread: Collects what is passed over.
+    """
+
+    root: Any
+    file: str
+    unread: Unread
+
+    def place(self, raw: Any) -> str:
+        """``arm.xml:12``: where an element begins."""
+        return f"{getattr(raw, 'file', self.file)}:{raw.line}"
+
+    def where(self, raw: Any) -> str:
+        """The place and name of an element: the head of a message."""
+        name = raw.get("name")
+        named = f" '{name[:80]}'" if name else ""
+        return f"{self.place(raw)}: <{raw.tag}>{named}"
+
+    @contextmanager
+    def placed(self, raw: Any) -> Iterator[None]:
+        """Errors that do not say where they are say that they are here."""
+        try:
+            yield
+        except (ModelError, TopologyError) as problem:
+            if PLACE.match(str(problem)):
+                raise
+            raise type(problem)(f"{self.place(raw)}: {problem}") from problem
+
+    def section(self, name: str) -> Element:
+        """All elements of the root of a name as one: their attributes, later ones count."""
+        raws = self.root.findall(name)
+        made = type(self.root)(name, {k: text for raw in raws for k, text in raw.attrib.items()})
+        made.extend(child for raw in raws for child in raw)
+        made.line = raws[-1].line if raws else self.root.line
+        return Element(made, self.where(made))
+
+    def bodies(self, compiler: Compiler) -> Iterator[Found]:
+        """The world and all bodies, every parent before its children.
+
+        Raises:
+            ModelError: too many, or elements that make bodies by rules of their own.
+        """
+        taken, count = {"ground"}, 0
+        # a body, the number of its parent, its pose there, the class around it
+        waiting: list[tuple[Any, int, Pose, str]] = [(self.section("worldbody").raw, -1, HERE, TOP)]
+        while waiting:
+            raw, parent, pose, style = waiting.pop()
+            parts, children = [], []
+            for child, around, own in self._inside(raw, raw.get("childclass") or style, compiler):
+                if child.tag == "body":
+                    self.unread.attributes(child)
+                    place = around.then(compiler.pose(Element(child, self.where(child))))
+                    children.append((child, count, place, own))
+                else:
+                    parts.append((child, around, own))
+            name = "" if parent < 0 else self._name(raw, count, taken)
+            yield Found(raw, name, parent, pose, tuple(parts))
+            count += 1
+            if count > MOST_BODIES:
+                raise ModelError(f"file '{self.file}' has more than {MOST_BODIES} bodies")
+            waiting += reversed(children)
+
+    def _name(self, raw: Any, count: int, taken: set[str]) -> str:
+        """The name of a body, its own or a made one.
+
+        Raises:
+            ModelError: another body has it.
+        """
+        name = raw.get("name") or f"body{count}"
+        if raw.get("name") and name in taken and name != "ground":
+            raise ModelError(f"{self.where(raw)}: another body has this name; rename one of them")
+        while name in taken:
+            name += "_"
+        taken.add(name)
+        return str(name)
+
+    def _inside(self, raw: Any, style: str, compiler: Compiler) -> Iterator[tuple[Any, Pose, str]]:
+        """What a body contains, with the poses of the frames around it."""
+        waiting = [(child, HERE, style) for child in reversed(raw)]
+        while waiting:
+            child, around, own = waiting.pop()
+            if child.tag in REFUSED:
+                raise ModelError(
+                    f"{self.where(child)} is not read, and without it bodies would be missing; "
+                    "write its bodies out (MuJoCo saves models so)"
+                )
+            if child.tag != "frame":
+                yield child, around, own
+                continue
+            self.unread.attributes(child)
+            pose = around.then(compiler.pose(Element(child, self.where(child))))
+            inner = child.get("childclass") or own
+            waiting += [(grandchild, pose, inner) for grandchild in reversed(child)]
+
+
+def expanded(root: Any, options: Options, file: str, folder: Path | None) -> Any:
+    """The root with the content of included files in the place of every <include>.
+
+    Raises:
+        ModelError: a file that is missing, outside the declared folders, included twice, or one
+            too many.
+    """
+    meshes, seen = Meshes(options.packages, folder), {file}
+    waiting = [root]
+    while waiting:
+        raw = waiting.pop()
+        for number in range(len(raw) - 1, -1, -1):
+            if raw[number].tag == "include":
+                inner = _included(raw[number], options, meshes, file, seen)
+                raw[number : number + 1] = list(inner)
+        waiting += list(raw)
+    return root
+
+
+def _included(raw: Any, options: Options, meshes: Meshes, file: str, seen: set[str]) -> Any:
+    """The root of an included file; its own includes stand in it."""
+    where = f"{getattr(raw, 'file', file)}:{raw.line}: <include>"
+    name = Element(raw, where).text("file")
+    path = meshes.locate(name, where, "file")
+    if path is None:
+        raise ModelError(
+            f"{where}: there is no file '{name[:80]}' below the folder of the model; packages= "
+            "names other folders"
+        )
+    if str(path) in seen or path.name == file:
+        raise ModelError(f"{where}: file '{path.name}' is included twice; MuJoCo takes it once")
+    seen.add(str(path))
+    options.budget.take()
+    inner = parse(content(path), path.name)
+    for element in inner.iter():
+        element.file = path.name
+    return inner

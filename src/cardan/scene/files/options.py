@@ -1,0 +1,57 @@
+"""How files are read, and what they may cost."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from ...errors import ModelError
+
+if TYPE_CHECKING:
+    from ..scene import Model
+
+MOST_FILES = 1000
+
+
+@dataclass
+class Budget:
+    """What one :func:`cardan.load` may read, all included files together."""
+
+    files: int = 0
+
+    def take(self) -> None:
+        """Count one more file.
+
+        Raises:
+            ModelError: there are too many.
+        """
+        self.files += 1
+        if self.files > MOST_FILES:
+            raise ModelError(f"more than {MOST_FILES} files are included; make the scene smaller")
+
+
+@dataclass(frozen=True)
+class Options:
+    """How to read a file, see :func:`cardan.load`.
+
+    Attributes:
+        parents: The scenes that include the present file, the outermost first.
+        budget: What may still be read.
+        load: Reads an included file; None where none can be included.
+    """
+
+    base: str = "fixed"
+    mimic: str = "couple"
+    snap: bool = True
+    packages: tuple[Path, ...] = ()
+    parents: tuple[Path, ...] = ()
+    budget: Budget = field(default_factory=Budget)
+    load: Callable[[Path, Options], Model] | None = None
+
+    def __post_init__(self) -> None:
+        if self.base not in ("fixed", "free"):
+            raise ModelError(f"base must be 'fixed' or 'free', not {self.base!r}")
+        if self.mimic not in ("couple", "free"):
+            raise ModelError(f"mimic must be 'couple' or 'free', not {self.mimic!r}")

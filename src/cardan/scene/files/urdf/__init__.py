@@ -1,0 +1,44 @@
+"""URDF robots, with joints that close circuits.
+
+Source: the URDF specification, http://wiki.ros.org/urdf/XML. ``<loop_joint>`` is an extension, see
+:mod:`.loops`.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from ....errors import ModelError
+from ...scene import Model
+from ..document import parse
+from ..options import Options
+from .reader import Reader
+
+
+def of_root(root: Any, options: Options, file: str, folder: Path | None) -> Model:
+    """The model of a parsed document, see :func:`from_text`."""
+    if root.tag != "robot":
+        raise ModelError(f"file '{file}': the root is <{root.tag}>, not <robot>")
+    return Reader(root, options, file, folder).model()
+
+
+def from_text(
+    text: str | bytes,
+    options: Options | None = None,
+    name: str = "text",
+    folder: Path | None = None,
+) -> Model:
+    """The model of a URDF document.
+
+    Args:
+        text: The document.
+        options: How to read it.
+        name: Of the file, for messages.
+        folder: Of the file, for relative mesh paths.
+
+    Raises:
+        ModelError: it is no URDF document, or a link or joint of it is at fault.
+        TopologyError: links form a loop or nothing joins them.
+    """
+    return of_root(parse(text, name), options or Options(), name, folder)

@@ -1,0 +1,139 @@
+"""Joints that close circuits, an extension of URDF.
+
+    <loop_joint name="C" type="revolute">
+      <link1 link="coupler"/>
+      <link2 link="rocker"/>
+      <origin xyz="0.25 0 0" rpy="0 0 0"/>
+      <axis xyz="0 0 1"/>
+    </loop_joint>
+
+It joins two links of the tree. Its frame on link1 is given by <origin> like that of any joint, and
+<axis> in that frame. Its frame on link2 is the one that coincides with it in the reference
+configuration, all coordinates zero; where the circuit is not closed there, an <origin> inside
+<link2> says where the frame is on link2. Types are those of a <joint>, without floating, and
+spherical (or ball), cylindrical and universal with a second direction <axis2>.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from ....elements.joints.cylindrical import Cylindrical
+from ....elements.joints.joint import Joint as JointElement
+from ....elements.joints.spherical import Spherical
+from ....elements.joints.universal import Universal
+from ....errors import ModelError, near
+from ....spatial.numbers import of_sequence
+from ...body import Body
+from ...frame import Place
+from ...scene import Model
+from ..document import Element
+from ..pose import HERE, Pose, written
+from .graph import Edge, known_link
+from .kinds import TYPES as PLAIN
+from .kinds import Origin, axis_of, kind_of, origin_of
+
+TYPES = (*(kind for kind in PLAIN if kind != "floating"), "spherical", "ball", "cylindrical",
+         "universal")  # fmt: skip
+PASSED_OVER = ("limit", "dynamics", "mimic")
+
+
+def close(
+    scene: Model,
+    root: Any,
+    file: str,
+    bodies: Mapping[str, Body],
+    drawn: Mapping[str, Pose],
+    snap: bool,
+) -> None:
+    """Make the <loop_joint>s of a robot.
+
+    Args:
+        bodies: By the name of their link.
+        drawn: Poses of links in the reference configuration.
+
+    Raises:
+        ModelError: an end that is missing or no link, a link joined to itself, an unknown type.
+    """
+    for raw in root.findall("loop_joint"):
+        place = f"{file}:{raw.line}"
+        name = Element(raw, f"{place}: <loop_joint>").text("name")
+        element = Element(raw, f"{place}: loop joint '{name[:80]}'")
+        ends = _ends(element, bodies)
+        kind = _kind(element, snap, scene.snaps)
+        one = _pose(origin_of(element, element.where, snap, scene.snaps))
+        inner = Element(raw.find("link2"), f"{element.where} link2")
+        if inner.child("origin") is None:
+            two = drawn[ends[1]].inverse().then(drawn[ends[0]]).then(one)
+        else:
+            two = _pose(origin_of(inner, inner.where, snap, scene.snaps))
+        frames = [_frame(bodies[link], pose) for link, pose in zip(ends, (one, two), strict=True)]
+        if name in scene.joints:
+            raise ModelError(f"{element.where}: a joint has this name; rename one of them")
+        scene.joint(name, kind, frames[0], frames[1], cut=True)
+        scene.origins["joint", name] = place
+        skipped = [tag for tag in PASSED_OVER if element.child(tag) is not None]
+        if skipped:
+            scene.notes.append(f"{element.where}: {', '.join(skipped)} does not act on it")
+
+
+def _ends(element: Element, bodies: Mapping[str, Body]) -> tuple[str, str]:
+    found = []
+    for role in ("link1", "link2"):
+        end = element.child(role)
+        if end is None:
+            raise ModelError(f"{element.where}: <{role} link=.../> is missing")
+        found.append(end.text("link"))
+        known_link(element.where, role, found[-1], bodies)
+    if found[0] == found[1]:
+        raise ModelError(f"{element.where}: it joins link '{found[0]}' to itself")
+    return found[0], found[1]
+
+
+def _kind(element: Element, snap: bool, snaps: list[str]) -> JointElement:
+    kind = element.text("type")
+    if kind not in TYPES:
+        raise ModelError(
+            f"{element.where}: type '{kind[:40]}' closes no circuit." + near(kind, TYPES)
+        )
+    if kind in ("spherical", "ball"):
+        return Spherical()
+    if kind in PLAIN:
+        return kind_of(element, snap, snaps)
+    axis = axis_of(element, "axis", snap, snaps)
+    if kind == "cylindrical":
+        return Cylindrical(axis)
+    if element.child("axis2") is None:
+        raise ModelError(f"{element.where}: a universal joint needs <axis2 xyz=.../> too")
+    return Universal(axis, axis_of(element, "axis2", snap, snaps))
+
+
+def reference(base: str, edges: list[Edge], origins: Mapping[str, Origin]) -> dict[str, Pose]:
+    """Poses of all links where all coordinates are zero, in axes of the root.
+
+    Args:
+        origins: Position and roll, pitch, yaw by name of the joint.
+    """
+    outboard: dict[str, list[Edge]] = {}
+    for edge in edges:
+        outboard.setdefault(edge.parent, []).append(edge)
+    drawn, stack = {base: HERE}, [base]
+    while stack:
+        link = stack.pop()
+        for edge in outboard.get(link, ()):
+            drawn[edge.child] = drawn[link].then(_pose(origins[edge.name]))
+            stack.append(edge.child)
+    return drawn
+
+
+def _pose(origin: Origin) -> Pose:
+    (x, y, z), rpy = origin
+    return Pose(of_sequence("xyz", rpy), (x, y, z))
+
+
+def _frame(body: Body, pose: Pose) -> Place:
+    turn = written(pose.rotation)
+    if turn is None and not any(pose.position):
+        return body
+    return body.at(*pose.position, rotation=turn)

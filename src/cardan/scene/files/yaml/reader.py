@@ -1,0 +1,366 @@
+"""Scene file -> Model: section by section, in the order in which names are needed."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from ....elements.forces import FORCES
+from ....elements.joints import JOINTS
+from ....errors import ModelError, near
+from ....version import SCENE
+from ...dh import add_dh
+from ...frame import Frame, triple
+from ...scene import Model
+from ..document import content
+from ..meshes import Meshes
+from ..options import Options
+from . import keys, tables
+from .item import Item
+from .scope import FIXED, MOVING
+from .tree import decoded, parse, renamed
+from .values import Values
+
+MOST_BODIES = 100_000
+
+
+def read(path: Path, options: Options) -> Model:
+    """The model of a scene file, see :func:`cardan.load`."""
+    if options.base != "fixed" or options.mimic != "couple":
+        raise ModelError(
+            f"file '{path.name}': base= and mimic= are for robots; a scene says it in its joints"
+        )
+    try:
+        here = path.resolve()
+    except (OSError, RuntimeError) as problem:
+        raise ModelError(
+            f"file '{path.name}' cannot be read: its links go in a circle"
+        ) from problem
+    if here in options.parents:
+        circle = " -> ".join(p.name for p in (*options.parents, here))
+        raise ModelError(f"file '{path.name}' includes itself: {circle}; break the circle")
+    inner = dataclasses.replace(options, parents=(*options.parents, here))
+    return from_text(decoded(content(path), path.name), inner, path.name, path.parent)
+
+
+def from_text(
+    text: str, options: Options | None = None, name: str = "text", folder: Path | None = None
+) -> Model:
+    """The model of a scene.
+
+    Args:
+        text: The document.
+        options: How to read it.
+        name: Of the file, for messages; the model is called by its stem unless it says.
+        folder: Of the file; what it refers to lies below.
+
+    Raises:
+        ModelError, TopologyError: no scene, or one of its items is at fault; with file, line and
+            column.
+    """
+    return _Reader(Item(parse(text, name), "", name), options or Options(), folder).model
+
+
+class _Reader:
+    """One reading. ``model`` is complete when this is made."""
+
+    def __init__(self, root: Item, options: Options, folder: Path | None) -> None:
+        self.options = options
+        given = self._sections(self._today(root))
+        title = given["name"].text() if "name" in given else Path(root.file).stem
+        with given.get("name", root).placed():
+            self.model = Model(title)
+        self.meshes = Meshes(options.packages, folder)
+        self.values = Values(self.model, self.meshes, options.snap)
+        self.waiting: list[tuple[str, Item]] = []
+        for section, scope in _ORDER.items():
+            self.values.scope = scope
+            if section in given:
+                getattr(self, f"_{section}")(given[section])
+            if section in ("include", "beams"):
+                self._late_frames(last=section == "beams")
+        for note in self.meshes.notes():
+            if note not in self.model.notes:
+                self.model.notes.append(note)
+
+    def _sections(self, root: Item) -> dict[str, Item]:
+        """The keys of the document.
+
+        Raises:
+            ModelError: an unknown key.
+        """
+        return root.fields(keys.TOP, "a scene")
+
+    @staticmethod
+    def _today(root: Item) -> Item:
+        """The document under the names that keys have today.
+
+        Raises:
+            ModelError: no mapping, no version, or one that is not read.
+        """
+        version = root.items("a scene, 'cardan: 1' and more keys,").get("cardan")
+        if version is None:
+            raise root.error("the key 'cardan' is missing; a scene begins with 'cardan: 1'")
+        number = version.number()
+        if not isinstance(number, int):
+            raise version.error(f"version {version.described()} is not read; say 'cardan: 1'")
+        if not SCENE.reads(number):
+            raise version.error(SCENE.refusal("the scene", number, ""))
+        return dataclasses.replace(root, node=renamed(root.node, (), number))
+
+    def _each(self, section: Item, kind: str, read: Callable[[str, Item], None]) -> None:
+        """Read the items of a section and remember where they stand."""
+        for name, item in section.items().items():
+            read(name, item)
+            self.model.origins[kind, name] = item.spot
+
+    # what expressions are made of
+
+    def _parameters(self, section: Item) -> None:
+        self._each(section, "parameter", self._parameter)
+
+    def _parameter(self, name: str, item: Item) -> None:
+        given = self._short(item, "value", keys.PARAMETER, "a parameter")
+        with item.placed(named=True):
+            self.model.parameter(name, given["value"], given.get("unit"))
+
+    def _inputs(self, section: Item) -> None:
+        self._each(section, "input", self._input)
+
+    def _input(self, name: str, item: Item) -> None:
+        given = {} if item.is_null else self._short(item, "default", keys.INPUT, "an input")
+        with item.placed(named=True):
+            self.model.input(name, given.get("default", 0.0), given.get("unit"))
+
+    def _short(
+        self, item: Item, key: str, known: tuple[keys.Key, ...], what: str
+    ) -> dict[str, Any]:
+        """A mapping, or a bare value that stands for the key of that name."""
+        if item.is_text:
+            entry = next(entry for entry in known if entry.name == key)
+            return {key: self.values.read(entry, item)}
+        return self.values.record(known, item, what)
+
+    def _gravity(self, item: Item) -> None:
+        self.model.gravity = triple(self.values.vector(item), "gravity")
+
+    def _tables(self, section: Item) -> None:
+        for name, item in section.items().items():
+            if name in self.model.parameters or name in self.model.inputs:
+                raise item.at_key("the name is taken by a parameter or an input")
+            self.values.tables[name] = tables.table(self.values, item)
+
+    # bodies and frames
+
+    def _bodies(self, section: Item) -> None:
+        self._each(section, "body", self._body)
+
+    def _body(self, name: str, item: Item) -> None:
+        given = self.values.record(keys.BODY, item, "a body")
+        pose, base = given.pop("pose", (None, None))
+        with item.placed():
+            made = self.model.body(name, pose=pose, **given)
+            if base is not None:
+                home = self.model.place(f"body '{name}'", base, "base").body
+                self.model.bodies[name] = dataclasses.replace(made, base=home)
+
+    def _dh(self, section: Item) -> None:
+        self._each(section, "dh", self._chain)
+
+    def _chain(self, name: str, item: Item) -> None:
+        given = self.values.record(keys.DH, item, "a table")
+        with item.placed():
+            add_dh(self.model, prefix=f"{name}.", snap=self.options.snap, **given)
+
+    def _frames(self, section: Item) -> None:
+        """Frames on the bodies that are known by now; the others wait for bodies and nodes."""
+        self.waiting = list(section.items().items())
+        self._late_frames(last=False)
+
+    def _late_frames(self, last: bool) -> None:
+        """Frames whose body is known by now; all that are left where no more bodies come."""
+        waiting, self.waiting = self.waiting, []
+        for name, item in waiting:
+            body = item.items("a frame such as {body: ...}").get("body")
+            known = body is not None and body.is_text
+            if last or (known and self._is_body(body.text())):  # type: ignore[union-attr]
+                self._frame(name, item)
+            else:
+                self.waiting.append((name, item))
+
+    def _is_body(self, name: str) -> bool:
+        return name in self.model.bodies or name in self.model.nodes
+
+    def _frame(self, name: str, item: Item) -> None:
+        made = self.values.frame(item, name)
+        body, _, count = name.rpartition(".at")
+        if isinstance(made, Frame) and body == made.body.name and count.isdigit():
+            # a made name, such as those of Body.at: it names no place of the system
+            self.model.frames[name] = dataclasses.replace(made, named=False)
+        self.model.origins["frame", name] = item.spot
+
+    def _include(self, section: Item) -> None:
+        self._each(section, "include", self._subsystem)
+
+    def _subsystem(self, name: str, item: Item) -> None:
+        given = self.values.record(keys.INCLUDE, item, "an included file")
+        where = item.items()["file"]
+        how = {key: given[key] for key in ("base", "mimic") if key in given}
+        with where.placed():
+            path = self.meshes.locate(given["file"], where.path, "file")
+            if path is None or self.options.load is None:
+                raise ModelError(
+                    f"{where.path}: there is no file '{given['file'][:80]}' below the folder of "
+                    "the scene; packages= names other folders"
+                )
+            other = self.options.load(path, dataclasses.replace(self.options, **how))
+            other.values.update(given.get("parameters", {}))
+        with item.placed():
+            self.model.include(other, given.get("prefix", name), given.get("at"))
+            if len(self.model.bodies) > MOST_BODIES:
+                raise ModelError(f"more than {MOST_BODIES} bodies; make the scene smaller")
+
+    # beams
+
+    def _beams(self, section: Item) -> None:
+        for name, item in section.items().items():
+            self._beam(name, item)
+            # the next beam may begin at a frame on a node of this one
+            self._late_frames(last=False)
+
+    def _beam(self, name: str, item: Item) -> None:
+        self.model.origins["beam", name] = item.spot
+        given = self.values.record(keys.BEAM, item, "a beam")
+        nodes, base = given.pop("nodes", {}), given.pop("base", None)
+        with item.placed():
+            made = self.model.beam(name, **given)
+            if base is not None:
+                home = self.model.place(f"beam '{name}'", base, "base").body
+                made = self.model.beams[name] = dataclasses.replace(made, base=home)
+            for node, s in nodes.items():
+                made.at(s, name=node)
+
+    # joints, forces, outputs
+
+    def _joints(self, section: Item) -> None:
+        self._each(section, "joint", self._joint)
+        for name, item in section.items().items():
+            couple = self.model.joints[name].couple
+            if couple is not None and couple.leader not in self.model.joints:
+                listed = near(couple.leader, self.model.joints).replace(" Known:", " Joints:")
+                said = "couple" if "couple" in item.items() else "leader"
+                raise item.items()[said].error(f"'{couple.leader}' is no joint.{listed}")
+
+    def _joint(self, name: str, item: Item) -> None:
+        kind = self._type(item, JOINTS, "joint")
+        self.values.local = ()
+        given = self.values.record(keys.of_joint(kind), item, f"a {kind} joint")
+        own = {key.name: given.pop(key.name) for key in keys.of_element(JOINTS[kind])
+               if key.name in given}  # fmt: skip
+        base, friction = given.pop("base", None), given.pop("friction", 0.0)
+        del given["type"]
+        with item.placed(named=True):
+            element = JOINTS[kind](**own)
+        with item.placed():
+            made = self.model.joint(name, element, **given)
+            home = None
+            if base is not None:
+                home = self.model.place(f"joint '{name}'", base, "base").body
+            if home is not None or friction:
+                made = dataclasses.replace(made, base=home, friction=float(friction))
+                self.model.joints[name] = made
+
+    def _forces(self, section: Item) -> None:
+        self._each(section, "force", self._force)
+
+    def _force(self, name: str, item: Item) -> None:
+        kind = self._type(item, FORCES, "force")
+        given = self.values.record(keys.of_force(kind), item, f"a {kind}")
+        del given["type"]
+        with item.placed(named=True):
+            element = FORCES[kind](**given)
+        known = self.model.joint_kinds() if element.joints() else {}
+        for role, joint in element.joints().items():
+            if joint not in known:
+                listed = near(joint, known).replace(" Known:", " Joints:")
+                raise item.items()[role].error(f"there is no joint '{joint[:80]}'.{listed}")
+        with item.placed():
+            self.model.force(name, element)
+
+    def _type(self, item: Item, family: dict[str, Any], what: str) -> str:
+        """The member of a family that an item is.
+
+        Raises:
+            ModelError: no type, or one that does not exist.
+        """
+        word = item.items(f"a {what} such as {{type: {next(iter(family))}}}").get("type")
+        if word is None:
+            raise item.error(f"a {what} needs the key 'type'." + near("", family))
+        if word.text() not in family:
+            listed = near(word.text(), family).replace(" Known:", " Types:")
+            raise word.error(f"there is no {what} '{word.text()[:80]}'.{listed}")
+        return word.text()
+
+    def _constraints(self, section: Item) -> None:
+        self._each(section, "constraint", self._constraint)
+
+    def _constraint(self, name: str, item: Item) -> None:
+        given = self._short(item, "expression", keys.OUTPUT, "a constraint")
+        with item.placed():
+            self.model.constraint(name, given["expression"], given.get("unit", ""))
+
+    def _outputs(self, section: Item) -> None:
+        self._each(section, "output", self._output)
+
+    def _output(self, name: str, item: Item) -> None:
+        given = self._short(item, "expression", keys.OUTPUT, "an output")
+        with item.placed():
+            self.model.output(name, given["expression"], given.get("unit", ""))
+
+    # what the reader of the model must know
+
+    def _values(self, item: Item) -> None:
+        self.model.values.update(self.values.reals(item))
+
+    def _simulate(self, item: Item) -> None:
+        given = self.values.record(keys.SIMULATE, item, "simulate")
+        model = self.model
+        joints = [*model.joint_kinds(), *((*model.bodies, *model.nodes) if model.beams else ())]
+        for block in ("q", "u"):
+            for name, entry in item.items()[block].items().items() if block in given else ():
+                if not any(name == j or name.startswith(f"{j}.") for j in joints):
+                    listed = near(name, joints).replace(" Known:", " Joints:")
+                    raise entry.at_key(f"'{name[:80]}' is no joint.{listed}")
+        if "time" in given:
+            given = {"t": given.pop("time")} | given
+        self.model.settings.update(given)
+
+    def _notes(self, item: Item) -> None:
+        self.model.notes += self.values.texts(item)
+
+    def _snaps(self, item: Item) -> None:
+        self.model.snaps += self.values.texts(item)
+
+
+# sections in the order in which they are read, and what their expressions may speak of
+_ORDER = {
+    "notes": FIXED,
+    "snaps": FIXED,
+    "parameters": FIXED,
+    "inputs": FIXED,
+    "tables": FIXED,
+    "gravity": FIXED,
+    "bodies": FIXED,
+    "dh": FIXED,
+    "frames": FIXED,
+    "include": FIXED,
+    "beams": FIXED,
+    "joints": FIXED,
+    "constraints": MOVING,
+    "forces": MOVING,
+    "outputs": MOVING,
+    "values": FIXED,
+    "simulate": FIXED,
+}

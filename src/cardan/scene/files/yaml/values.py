@@ -1,0 +1,327 @@
+"""Values of a scene file, by kind: what stands there becomes what Python would be given."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import Any
+
+from ....elements.material import material
+from ....errors import ModelError, near
+from ....spatial.numbers import check_axes, check_orthonormal
+from ...body import INERTIA_ENTRIES
+from ...frame import Place
+from ...scene import Model
+from ..angles import snap
+from ..expression import parse
+from ..meshes import Meshes
+from . import keys
+from .item import Item
+from .keys import Key
+from .scope import FIXED, Names, Scope
+
+
+class Values:
+    """Reads values; every method is a kind of :class:`.keys.Key`.
+
+    Attributes:
+        model: The model being built: names in places and expressions are its own.
+        scope: What expressions may speak of in the present section.
+        tables: Measured functions by name.
+        frames: Frames made inside a value, by the node: an alias means the same frame.
+    """
+
+    def __init__(self, model: Model, meshes: Meshes, snap: bool) -> None:
+        self.model = model
+        self.meshes = meshes
+        self.snap = snap
+        self.tables: dict[str, Any] = {}
+        self.scope = FIXED
+        self.local: tuple[str, ...] = ()
+        self.frames: dict[int, Place] = {}
+
+    def read(self, key: Key, item: Item) -> Any:
+        """The value of a key."""
+        return getattr(self, key.kind)(item)
+
+    def record(self, known: Sequence[Key], item: Item, what: str) -> dict[str, Any]:
+        """The values of a mapping with known keys, as arguments."""
+        given = item.fields(known, what)
+        # in the order of the keys: names of own coordinates come before expressions of them
+        return {key.name: self.read(key, given[key.name]) for key in known if key.name in given}
+
+    # numbers and expressions
+
+    def value(self, item: Item) -> Any:
+        """A number, an expression or rows of them."""
+        if item.is_list:
+            return tuple(self.value(entry) for entry in item.entries())
+        return self.scalar(item)
+
+    def scalar(self, item: Item) -> Any:
+        """A number or an expression."""
+        number = item.number()
+        return self._expression(item, self.scope) if number is None else number
+
+    def _expression(self, item: Item, scope: Scope) -> Any:
+        names = Names(self.model, scope, self.tables, self.local, item.where)
+        text = item.text()
+        found = parse(text, names, where=item.where)
+        if found.free_symbols:
+            return found
+        if not found.is_number or not found.is_extended_real or not found.is_finite:
+            raise item.error(f"'{text[:60]}' is no finite number")
+        return int(found) if found.is_Integer else float(found)
+
+    def law(self, item: Item) -> Any:
+        """An expression in anything that moves."""
+        number = item.number()
+        return self._expression(item, Scope.MOVING) if number is None else number
+
+    def motion(self, item: Item) -> Any:
+        """An expression in t, inputs and parameters; several in order, null for none."""
+        if item.is_list:
+            return tuple(None if x.is_null else self.motion(x) for x in item.entries())
+        number = item.number()
+        return self._expression(item, Scope.DRIVEN) if number is None else number
+
+    def real(self, item: Item) -> int | float:
+        """A number; arithmetic of numbers is one too.
+
+        Raises:
+            ModelError: it depends on a name.
+        """
+        number = item.number()
+        if number is None:
+            number = self._expression(item, Scope.NUMBERS)
+        return number
+
+    def numbers(self, item: Item) -> Any:
+        """A number or a list of them."""
+        return self.column(item) if item.is_list else self.real(item)
+
+    times = numbers
+
+    def column(self, item: Item) -> tuple[int | float, ...]:
+        return tuple(self.real(entry) for entry in item.entries("a list of numbers"))
+
+    def reals(self, item: Item) -> dict[str, int | float]:
+        """Numbers by name."""
+        return {name: self.real(entry) for name, entry in item.items("numbers by name").items()}
+
+    def initial(self, item: Item) -> dict[str, Any]:
+        """A number or several by name."""
+        return {name: self.numbers(entry) for name, entry in item.items("numbers by name").items()}
+
+    def signals(self, item: Item) -> dict[str, Any]:
+        """Constants, or times and values, by the names of inputs."""
+        return {
+            name: tuple(self.column(column) for column in entry.entries())
+            if entry.is_list
+            else self.real(entry)
+            for name, entry in item.items("signals by name").items()
+        }
+
+    def bound(self, item: Item) -> float | None:
+        """A limit: a number, ``.inf``, ``-.inf``, or null for none."""
+        if item.is_null:
+            return None
+        if item.is_text and item.text() in (".inf", "-.inf"):
+            return -math.inf if item.text()[0] == "-" else math.inf
+        return self.real(item)
+
+    def vector(self, item: Item) -> tuple[Any, ...]:
+        """Three numbers or expressions."""
+        return tuple(self.scalar(entry) for entry in item.three())
+
+    # words
+
+    def text(self, item: Item) -> str:
+        return item.text()
+
+    def texts(self, item: Item) -> list[str]:
+        return [entry.text() for entry in item.entries("a list of texts")]
+
+    def names(self, item: Item) -> tuple[str, ...]:
+        """Names of own coordinates; the expressions beside them may have them."""
+        self.local = tuple(self.texts(item))
+        return self.local
+
+    def flag(self, item: Item) -> bool:
+        if not item.is_text or item.text() not in ("true", "false"):
+            raise item.error(f"true or false is wanted, not {item.described()}")
+        return item.text() == "true"
+
+    def direction(self, item: Item) -> Any:
+        """``x``, ``-z`` or three numbers or expressions."""
+        return item.text() if item.is_text else self.vector(item)
+
+    # places
+
+    def place(self, item: Item) -> Place:
+        """A body or frame by its name, or a frame made here: ``{body:, at:, rotation:}``."""
+        if item.is_text:
+            with item.placed():
+                return self.model.place(item.path, item.text())
+        known = self.frames.get(id(item.node))
+        if known is None:
+            known = self.frames[id(item.node)] = self.frame(item, None)
+        return known
+
+    def members(self, item: Item) -> tuple[Place, ...]:
+        """A body by its name, or several."""
+        entries = item.entries() if item.is_list else [item]
+        return tuple(self.place(entry) for entry in entries)
+
+    def frame(self, item: Item, name: str | None) -> Place:
+        """A frame on a body."""
+        given = self.record(keys.FRAME, item, "a frame")
+        with item.placed():
+            body = self.model.place(item.path, given["body"], "body")
+            if body is not body.body:
+                raise ModelError(f"{item.path}: '{body.name}' is a frame, not a body")
+            at, rotation = given.get("at", (0, 0, 0)), given.get("rotation")
+            return body.body.at(*at, rotation=rotation, name=name)
+
+    def rotation(self, item: Item) -> Any:
+        """``[XYZ, a, b, c]`` or 3x3."""
+        entries = item.entries("a rotation, [XYZ, a, b, c] or 3x3,")
+        if len(entries) == 4 and entries[0].is_text:
+            with entries[0].placed():
+                check_axes(entries[0].text(), entries[0].path)
+            return (entries[0].text(), *(self._angle(entry) for entry in entries[1:]))
+        rows = tuple(self.vector(entry) for entry in entries)
+        if len(rows) != 3:
+            raise item.error("a rotation is [XYZ, a, b, c] or 3x3")
+        if all(isinstance(entry, (int, float)) for row in rows for entry in row):
+            with item.placed():
+                check_orthonormal([[float(x) for x in row] for row in rows], item.path)
+        return rows
+
+    def _angle(self, item: Item) -> Any:
+        """An angle; a printed rounding of a quarter turn becomes exact."""
+        number = item.number()
+        if number is None or not self.snap:
+            return self.value(item)
+        return snap(item.text(), number, item.path, self.model.snaps)
+
+    def pose(self, item: Item) -> tuple[Any, str | None]:
+        """A pose as :meth:`Model.body` takes it, and the body in whose axes it is given."""
+        if not item.is_list:
+            given = self.record(keys.POSE, item, "a pose")
+            return (given["position"], given.get("rotation")), given.get("base")
+        entries = item.entries()
+        if len(entries) == 2:
+            return (self.vector(entries[0]), self.rotation(entries[1])), None
+        if len(entries) == 4:
+            return tuple(tuple(map(self.scalar, row.entries())) for row in entries), None
+        return self.vector(item), None
+
+    # what bodies and joints have
+
+    def inertia(self, item: Item) -> Any:
+        """3x3, three principal values, entries by name, or the inertia of a solid."""
+        if item.is_list:
+            return self.value(item)
+        given = item.items("an inertia")
+        solids = [name for name in given if name in keys.INERTIAS]
+        if solids:
+            name = solids[0]
+            if len(given) > 1:
+                raise item.error(f"'{name}' stands alone; move the other keys into it")
+            function = keys.INERTIAS[name]
+            arguments = self.record(keys.of_function(function), given[name], f"a {name}")
+            with given[name].placed(named=True):
+                return function(**arguments)
+        for name, entry in given.items():
+            if name not in INERTIA_ENTRIES:
+                known = [*INERTIA_ENTRIES, *keys.INERTIAS]
+                raise entry.at_key(f"an inertia has no key '{name[:80]}'." + near(name, known))
+        return {name: self.scalar(entry) for name, entry in given.items()}
+
+    def shapes(self, item: Item) -> list[Any]:
+        """One shape or a list of them: ``{cylinder: {radius:, length:}}``."""
+        return [self._shape(entry) for entry in (item.entries() if item.is_list else [item])]
+
+    def _shape(self, item: Item) -> Any:
+        given = item.items("a shape such as {sphere: {radius: ...}}")
+        if len(given) != 1:
+            raise item.error("a shape has one key, its kind" + near("", keys.SHAPES))
+        ((name, entry),) = given.items()
+        function = keys.SHAPES.get(name)
+        if function is None:
+            raise entry.at_key(f"shape '{name[:80]}' does not exist." + near(name, keys.SHAPES))
+        arguments = self.record(keys.of_function(function), entry, f"a {name}")
+        with entry.placed(named=True):
+            return function(**arguments)
+
+    # what beams have
+
+    def end(self, item: Item) -> Any:
+        """A frame, or three numbers or expressions."""
+        return self.vector(item) if item.is_list else self.place(item)
+
+    def section(self, item: Item) -> Any:
+        """A cross-section: ``{tube: {outer:, inner:}}``."""
+        return self._chosen("section", item)
+
+    def line(self, item: Item) -> Any:
+        """A centerline: ``{arc: {center:}}``."""
+        return self._chosen("line", item)
+
+    def _chosen(self, what: str, item: Item) -> Any:
+        """A member of a family by its kind."""
+        family = keys.CHOICES[what]
+        given = item.items(f"a {what} such as {{{next(iter(family))}: {{...}}}}")
+        if len(given) != 1:
+            raise item.error(f"a {what} has one key, its kind." + near("", family))
+        ((name, entry),) = given.items()
+        if name not in family:
+            raise entry.at_key(f"{what} '{name[:80]}' does not exist." + near(name, family))
+        arguments = self.record(keys.of_element(family[name]), entry, f"a {name}")
+        with entry.placed(named=True):
+            return family[name](**arguments)
+
+    def material(self, item: Item) -> Any:
+        """``{E:, nu:, rho:}``."""
+        given = self.record(keys.MATERIAL, item, "a material")
+        with item.placed(named=True):
+            return material(**given)
+
+    def prestrain(self, item: Item) -> dict[str, Any]:
+        """Strains by name."""
+        return self.record(keys.PRESTRAIN, item, "prestrain")
+
+    def mesh(self, item: Item) -> str:
+        """A mesh file below the declared folders."""
+        with item.placed():
+            return self.meshes.find(item.text(), item.path)
+
+    def limits(self, item: Item) -> Any:
+        """(lower, upper, ...) or a mapping."""
+        if item.is_list:
+            return tuple(self.bound(entry) for entry in item.entries())
+        return self.record(keys.LIMITS, item, "limits")
+
+    def links(self, item: Item) -> list[Any]:
+        """Rows of a Denavit-Hartenberg table: mappings, or [a, alpha, d, theta]."""
+        rows: list[Any] = []
+        for entry in item.entries("a list of rows"):
+            if not entry.is_list:
+                rows.append(self.record(keys.LINK, entry, "a row"))
+                continue
+            if len(entry.entries()) != 4:
+                raise entry.error("a row is [a, alpha, d, theta] or a mapping")
+            rows.append([self.scalar(number) for number in entry.entries()])
+        return rows
+
+    def couple(self, item: Item) -> tuple[Any, ...]:
+        """(leader, ratio, offset) from a list or a mapping."""
+        if not item.is_list:
+            given = self.record(keys.COUPLE, item, "a coupling")
+            return given["leader"], given["ratio"], given.get("offset", 0)
+        entries = item.entries()
+        if len(entries) not in (2, 3):
+            raise item.error("a coupling is [leader, ratio] or [leader, ratio, offset]")
+        first, *rest = entries
+        return (first.text(), *(self.scalar(entry) for entry in rest))

@@ -1,0 +1,53 @@
+"""The bodies that a force element acts on by their mass."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from ..errors import ModelError
+from .body import Body
+from .checks import is_number
+
+if TYPE_CHECKING:
+    from .connections import Force
+    from .scene import Model
+
+
+def pulled(model: Model, force: Force) -> tuple[Body, ...]:
+    """The bodies whose mass a force element acts on.
+
+    Raises:
+        ModelError: the ground, a frame or a body of the element's own frames among them, no body
+            at all, or beams where all that has mass is meant.
+    """
+    element = force.element
+    who, given = f"force '{force.name}' ({element.kind})", element.masses()
+    ends = {model.place(who, place, role).body for role, place in element.frames().items()}
+    if given:
+        return tuple(_named(model, who, body, ends) for body in given)
+    if model.beams:
+        raise ModelError(
+            f"{who}: it acts on rigid bodies, and beam '{next(iter(model.beams))}' has mass too; "
+            "say with bodies= which it acts on"
+        )
+    found = tuple(b for b in model.bodies.values() if has_mass(b) and b not in ends)
+    if not found:
+        raise ModelError(f"{who}: no body but that of its frame has mass; give one a mass")
+    return found
+
+
+def _named(model: Model, who: str, given: Any, ends: set[Body]) -> Body:
+    """One body that the user named."""
+    body = model.place(who, given, "body")
+    if not isinstance(body, Body):
+        raise ModelError(f"{who}: '{body.name}' is a frame; give its body, '{body.body.name}'")
+    if body is model.ground:
+        raise ModelError(f"{who}: the ground does not move; leave it out of bodies")
+    if body in ends:
+        raise ModelError(f"{who}: '{body.name}' carries its center; no body pulls itself")
+    return body
+
+
+def has_mass(body: Body) -> bool:
+    """Whether a body has mass or inertia; expressions count."""
+    return not all(is_number(x) and x == 0 for x in (body.mass, *body.inertia))

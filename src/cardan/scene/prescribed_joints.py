@@ -1,0 +1,88 @@
+"""Joints of several coordinates that are prescribed: chains of joints with one."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+from ..elements.joints.joint import Joint as JointElement
+from ..elements.joints.joint import Step
+from ..elements.joints.prismatic import Prismatic
+from ..elements.joints.revolute import Revolute
+from ..errors import ModelError
+from .frame import Place
+
+if TYPE_CHECKING:
+    from .connections import Joint
+    from .scene import Model
+
+
+def several(motion: Any) -> bool:
+    """Whether ``motion=`` says a value for each of several coordinates."""
+    return isinstance(motion, Sequence) and not isinstance(motion, str)
+
+
+def chain(
+    scene: Model,
+    name: str,
+    kind: JointElement,
+    ends: tuple[Place | str, Place | str],
+    motion: Sequence[Any],
+    rest: Mapping[str, Any],
+) -> Joint:
+    """The joints ``<name>.<coordinate>`` and bodies without mass between them, all or none.
+
+    Args:
+        scene: The model.
+        name, kind, ends: Of the joint that is meant.
+        motion: A value for each of its coordinates; None for one that moves freely.
+        rest: Other arguments of the joint, which must be None.
+
+    Returns:
+        The last of the joints, whose child is the child.
+
+    Raises:
+        ModelError: the kind is no turning and sliding one after the other, or another number.
+    """
+    who = f"joint '{name}' ({kind.kind})"
+    for key, value in rest.items():
+        if value is not None:
+            raise ModelError(
+                f"{who}: {key}= does not go with motion= for several coordinates; make a chain of "
+                "joints with one coordinate each"
+            )
+    names = [component.name for component in kind.coordinates]
+    if not kind.steps():
+        raise ModelError(
+            f"{who}: motion= can prescribe the coordinates of universal, cylindrical and planar "
+            'joints, and of spherical and free ones in angles, such as cd.Free("ZYX"); else make '
+            "a chain of joints with one coordinate each"
+        )
+    if len(motion) != len(names):
+        raise ModelError(
+            f"{who}: motion= has {len(motion)} values; give {len(names)}, for {', '.join(names)}; "
+            "None where it moves freely"
+        )
+    before = dict(scene.bodies), dict(scene.joints)
+    try:
+        return _made(scene, name, kind.steps(), ends, dict(zip(names, motion, strict=True)))
+    except ModelError:
+        scene.bodies, scene.joints = before
+        raise
+
+
+def _made(
+    scene: Model,
+    name: str,
+    steps: Sequence[Step],
+    ends: tuple[Place | str, Place | str],
+    motion: Mapping[str, Any],
+) -> Joint:
+    place = ends[0]
+    for k, step in enumerate(steps):
+        own = f"{name}.{step.component}"
+        following = ends[1] if k == len(steps) - 1 else scene.body(own)
+        element = Prismatic(step.axis) if step.slides else Revolute(step.axis)
+        made = scene.joint(own, element, place, following, motion=motion[step.component])
+        place = following
+    return made

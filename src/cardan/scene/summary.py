@@ -1,0 +1,122 @@
+"""A model on one screen: what is in it and what of it does not act."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+from ..elements.forces.friction import Friction
+from ..elements.forces.stop import Stop
+from .connections import Joint
+
+if TYPE_CHECKING:
+    from .scene import Model
+
+MOST_ROWS = 30
+WIDEST = 28
+
+
+def notes_of(model: Model) -> list[str]:
+    """What a user should know: notes of files, and what joints are said to have without effect."""
+    held, rubbing = (
+        {f.element.joint for f in model.forces.values() if isinstance(f.element, kind)}
+        for kind in (Stop, Friction)
+    )
+    joints = model.joints.values()
+    ends = [j.name for j in joints if j.limits[:2] != (None, None) and j.name not in held]
+    rates = [j.name for j in joints if j.limits[2:] != (None, None) and j.name not in ends]
+    dry = [j.name for j in joints if j.friction and j.name not in rubbing]
+    without_effect = (
+        ("friction does not act; add a Friction", dry),
+        ("limits do not act in a run; add a Stop to hold a joint inside them", ends),
+        ("limits of speed and effort do not act", rates),
+    )
+    told = (f"joints {', '.join(names)}: {what}" for what, names in without_effect if names)
+    return [*model.notes, *told]
+
+
+def summary(model: Model) -> str:
+    """Bodies with their joints, forces, declared names and notes."""
+    counts = ", ".join(
+        f"{len(items)} {what}{'s' if len(items) != 1 else ''}"
+        for what, items in (
+            ("joint", model.joints),
+            ("beam", model.beams),
+            ("force", model.forces),
+            ("parameter", model.parameters),
+            ("input", model.inputs),
+            ("output", model.outputs),
+            ("constraint", model.constraints),
+        )
+        if items
+    )
+    bodies = f"{len(model.bodies)} bod{'y' if len(model.bodies) == 1 else 'ies'}"
+    gravity = ", ".join(_short(g) for g in model.gravity)
+    lines = [
+        f"model '{model.name}': {bodies}{', ' if counts else ''}{counts}",
+        f"gravity ({gravity}) m/s^2",
+    ]
+    lines += ["", *_table(body_rows(model))] if model.bodies else []
+    lines += ["", *_table(beam_rows(model))] if model.beams else []
+    lines += ["", "forces", *(f"  {line}" for line in force_rows(model))] if model.forces else []
+    lines += [f"note: {_fit(note, 160)}" for note in notes_of(model)]
+    return "\n".join(lines)
+
+
+def body_rows(model: Model) -> list[list[str]]:
+    """Bodies with their joints, below their titles."""
+    inboard = {joint.child.body: joint for joint in model.joints.values()}
+    rows = [["body", "mass [kg]", "joint", "kind", "parent", ""]]
+    for body in model.bodies.values():
+        joint = inboard.get(body)
+        row = [body.name, _short(body.mass)]
+        if joint is None:
+            row += ["-", "", "", ""]
+        else:
+            row += [joint.name, joint.kind.kind, joint.parent.body.name, _remark(joint)]
+        rows.append(row)
+    return rows
+
+
+def beam_rows(model: Model) -> list[list[str]]:
+    """Beams, below their titles."""
+    rows = [["beam", "section", "line", "from", "to", "elements"]]
+    for beam in model.beams.values():
+        ends = (beam.start.name, beam.end.name)
+        rows.append([beam.name, beam.section.kind, beam.line.kind, *ends, str(beam.elements)])
+    return rows
+
+
+def _remark(joint: Joint) -> str:
+    if joint.motion is not None:
+        return f"prescribed: {joint.motion}"
+    if joint.couple is not None:
+        return f"follows {joint.couple.leader}"
+    return ""
+
+
+def force_rows(model: Model) -> list[str]:
+    """Forces by their kinds."""
+    kinds: dict[str, list[str]] = {}
+    for force in model.forces.values():
+        kinds.setdefault(force.element.kind, []).append(force.name)
+    return [f"{kind}: {_fit(', '.join(names), 100)}" for kind, names in kinds.items()]
+
+
+def _table(rows: Sequence[Sequence[str]]) -> list[str]:
+    hidden = len(rows) - 1 - MOST_ROWS
+    shown = [[_fit(cell, WIDEST) for cell in row] for row in rows[: MOST_ROWS + 1]]
+    widths = [max(len(row[k]) for row in shown) for k in range(len(shown[0]))]
+    lines = [
+        "  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)).rstrip()
+        for row in shown
+    ]
+    return [*lines, f"... and {hidden} more"] if hidden > 0 else lines
+
+
+def _short(value: Any) -> str:
+    return f"{value:.6g}" if isinstance(value, (int, float)) else str(value)
+
+
+def _fit(text: str, width: int) -> str:
+    return text if len(text) <= width else text[: width - 3] + "..."

@@ -1,0 +1,73 @@
+"""Equations that a user derived with SymPy's mechanics package, as a model.
+
+Coordinates and speeds become one block that moves no body; see
+:mod:`cardan.elements.external_equations`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+from ...arguments import checked
+from ...errors import ModelError, shown
+
+if TYPE_CHECKING:
+    from ..scene import Model
+
+__all__ = ["from_sympy"]
+
+
+@checked
+def from_sympy(
+    equations: Any,
+    outputs: Mapping[str, Any] | None = None,
+    parameters: Mapping[Any, float] | None = None,
+    inputs: Mapping[Any, float] | None = None,
+    potential: Any = None,
+    name: str = "equations",
+) -> Model:
+    """A model of equations of motion that were derived with SymPy.
+
+    Args:
+        equations: ``KanesMethod`` or ``LagrangesMethod`` whose equations are formed, a ``System``
+            of ``sympy.physics.mechanics``; ``(q, u, M, f)`` of M u' = f, q' = u;
+            ``(q, u, kinematics, M, f)`` with q' as expressions; the same with constraints behind,
+            a list or a dict by name of expressions that are kept at 0; or what
+            ``equations.to_sympy()`` returns. A speed may be the derivative of a coordinate; it is
+            called ``<coordinate>.u`` then.
+        outputs: Name -> expression to be computed along with the motion.
+        parameters: Symbol or its name -> default value, of every symbol but the time.
+        inputs: Function of time or its name -> default value, where that is not 0. Functions of
+            time that are neither coordinates nor speeds are inputs; a derivative of one is another,
+            ``<input>.rate`` or ``<input>.acceleration``.
+        potential: Potential energy [J] as an expression of coordinates and parameters, where M is
+            the mass matrix: gives the model its ``energy``. A Lagrangian tells it by itself.
+        name: Of the model.
+
+    Returns:
+        The model, to be compiled like any other; functions of bodies and frames it has none.
+
+    Raises:
+        ModelError: no such form, unknown functions, symbols without a value, names given twice,
+            accelerations outside of M u', constraints that contradict, texts for expressions.
+
+    Source: T. R. Kane and D. A. Levinson, Dynamics: Theory and Applications, 1985, chapter 6.
+    """
+    from .construction import made
+    from .texts import refuse_texts
+
+    told = {"equations": equations, "outputs": outputs, "potential": potential}
+    for what, given in told.items():
+        try:
+            refuse_texts(what, given)
+        except RecursionError as problem:
+            raise ModelError(f"from_sympy: {what}: lists in lists without end") from problem
+    values = {"parameters": parameters, "inputs": inputs}
+    for what, table in values.items():
+        if table is not None and not isinstance(table, Mapping):
+            raise ModelError(
+                f"from_sympy: {what}={shown(table)}: give values by symbol or name, such as "
+                "{'m': 1.0}"
+            )
+    return made(equations, outputs or {}, parameters or {}, inputs or {}, potential, name)

@@ -1,0 +1,132 @@
+"""What SymPy says about written equations at some states: every build is compared with it.
+
+Loads SymPy.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import sympy
+from sympy.physics.mechanics import dynamicsymbols
+
+from ...arrays import Array
+from .constraints import Bound
+from .names import Words
+from .numbers import numbers
+from .sources import Source
+
+SEED = 5
+TIME = 0.3
+# how far coordinates are drawn from 0, again and again until everything is finite there
+REACHES = (0.6, 0.2, 1.2, 3.0) * 6
+WANTED = 3
+# speeds beyond which one state must do: M is stored
+MANY = 20
+
+
+@dataclass(frozen=True)
+class State:
+    """Numbers at a state on the constraints.
+
+    Attributes:
+        values: Symbol, function of time or derivative -> number.
+        M: (nu, nu). f: (nu,). G: (m, nu), rows as of ``Bound.velocities``.
+    """
+
+    values: Mapping[Any, float]
+    M: Array
+    f: Array
+    G: Array
+
+
+def states(source: Source, words: Words, bound: Bound) -> list[State]:
+    """States at which everything is finite; fewer where that is rare."""
+    rng, found = np.random.default_rng(SEED), list[State]()
+    wanted = WANTED if len(source.u) <= MANY else 1
+    for reach in REACHES:
+        values = bound.moved(_drawn(rng, reach, words, bound))
+        state = None if values is None else _state(source, words, bound, values)
+        if state is not None:
+            found.append(state)
+        if len(found) == wanted:
+            break
+    return found
+
+
+def _drawn(rng: np.random.Generator, reach: float, words: Words, bound: Bound) -> dict[Any, float]:
+    """Values of all plain symbols."""
+    values = {sympy.Symbol("t"): TIME}
+    values |= {x: float(reach * rng.uniform(-1, 1)) for x in bound.q}
+    values |= {x: float(rng.uniform(-1, 1)) for x in bound.u}
+    names = [*words.inputs.values(), *(x.name for x in bound.following.values())]
+    names += [x.name for x in bound.following]
+    values |= {sympy.Symbol(n): float(rng.uniform(-1, 1)) for n in dict.fromkeys(names)}
+    return values | {sympy.Symbol(name): value for name, value in words.parameters.items()}
+
+
+def _state(source: Source, words: Words, bound: Bound, values: Mapping[Any, float]) -> State | None:
+    """The numbers at a state, None where one is not finite."""
+    t, known = dynamicsymbols._t, dict(values)
+    known |= {x: values[sympy.Symbol(name)] for x, name in words.names.items()}
+    known |= {d: 0.0 for x in source.zero for d in (x, x.diff(t))}
+    rates = numbers(source.rates, known)
+    known |= {x.diff(t): rate for x, rate in zip(source.q, rates, strict=True)}
+    nu = len(source.u)
+    flat = np.array(numbers([*source.M, *source.f], known))
+    G = bound.matrix(values)
+    if not all(np.isfinite(x).all() for x in (flat, G, rates)):
+        return None
+    return State(known, flat[: nu * nu].reshape(nu, nu), flat[nu * nu :], G)
+
+
+def samples(
+    source: Source, words: Words, bound: Bound, found: Sequence[State], solved: bool
+) -> tuple[dict[str, Any], ...]:
+    """The reference as plain data for the manifest.
+
+    Args:
+        solved: Whether M is the identity in what was made of the equations, and f is u'.
+    """
+    return tuple(_sample(source, words, bound, state, solved) for state in found)
+
+
+def _sample(
+    source: Source, words: Words, bound: Bound, state: State, solved: bool
+) -> dict[str, Any]:
+    value = {x.name: v for x, v in state.values.items() if isinstance(x, sympy.Symbol)}
+    M, f = state.M, state.f
+    if solved:
+        M, f = np.eye(len(f)), np.asarray(np.linalg.solve(M, f), dtype=np.float64)
+    rows, right = _balance(source, bound, state)
+    inputs = [*words.inputs.values(), *(x.name for x in bound.following.values())]
+    return {
+        "held": [*bound.positions, *bound.speeds],
+        "t": TIME,
+        "q": [value[name] for name in words.q],
+        "u": [value[name] for name in words.u],
+        "r": {name: value[name] for name in inputs},
+        "p": dict(words.parameters),
+        "qdot": numbers(source.rates, state.values),
+        "M": M.tolist(),
+        "f": f.tolist(),
+        "rows": rows.tolist(),
+        "right": right.tolist(),
+    }
+
+
+def _balance(source: Source, bound: Bound, state: State) -> tuple[Array, Array]:
+    """Rows A and b of A u' = b: SymPy's own, or M u' = f where constraints do no work, and G."""
+    nu = len(state.f)
+    if source.balance is not None:
+        left, right = (np.array(numbers(list(x), state.values)) for x in source.balance)
+        if np.isfinite(left).all() and np.isfinite(right).all():
+            return left.reshape(-1, nu), right
+    _, sizes, across = np.linalg.svd(state.G) if len(state.G) else (0, np.zeros(0), np.eye(nu))
+    free = across[np.count_nonzero(sizes > 1e-10) :]
+    rows = np.vstack([free @ state.M, state.G])
+    gamma = bound.at(bound.gamma, state.values)
+    return rows, np.concatenate([free @ state.f, gamma])

@@ -1,0 +1,1 @@
+"""Beams as nodes and the segments between them."""

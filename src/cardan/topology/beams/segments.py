@@ -1,0 +1,182 @@
+"""Segments of beams: their ends on bodies, what they are made of, and what acts along them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+
+from ...elements import material as materials
+from ...elements.forces.line_load import LineLoad
+from ...elements.sections.section import Stiffness
+from ...errors import ModelError, near
+from ...ir.arithmetic import Scalar
+from ...ir.graph import ZERO
+from ...scene.beam import Beam
+from ...scene.beam_arguments import STRAINS
+from ...scene.scene import Model
+from ..assembly import Assembly
+from ..conversion import ORIGIN, Converter
+from ..system import Nodes
+from .beams import Laid
+from .segment_tables import Segment
+
+Data = dict[str, tuple[int, int, Nodes]]
+# of a shape with numbers of its own
+PAIRS = ("shear", "GA", "EI", "rhoI")
+LOADS = ("dead_force", "dead_moment", "follower_force", "follower_moment")
+
+
+def segments(scene: Model, assembly: Assembly) -> tuple[Segment, ...]:
+    """The segments of all beams, in the order of the beams, each from start to end.
+
+    Raises:
+        ModelError: numbers that no beam has.
+    """
+    loads = _loads(scene, assembly.convert)
+    made = [_made(beam, assembly.convert) for beam in scene.beams.values()]
+    outlines = _checked(made, assembly.convert)
+    found: list[Segment] = []
+    for one, outline in zip(made, outlines, strict=True):
+        beam, laid = one.beam, assembly.beams.laid(one.beam)
+        data = _data(one, assembly.convert) | loads[beam.name]
+        frames = [_frame(beam, name, laid, assembly) for name in laid.names]
+        found += [
+            Segment(
+                *(beam.name, beam.element, beam.inertia, frames[k], frames[k + 1], data, line),
+                outline,
+            )
+            for k, line in enumerate(laid.lines)
+        ]
+    return tuple(found)
+
+
+def settle(assembly: Assembly) -> None:
+    """Nodes, and bodies that only beams hold, begin where they are in the reference."""
+    for name in assembly.beams.nodes.implicit:
+        k = assembly.joint_number[name]
+        pose = assembly.reference.poses[assembly.model.joints[name].child.body]
+        q0 = assembly.beams.coordinates(pose)
+        assembly.joints[k] = replace(assembly.joints[k], implicit=True, q0=q0)
+
+
+def _frame(beam: Beam, name: str, laid: Laid, assembly: Assembly) -> int:
+    """Number of the frame at a named node: of the node itself, or on the body it is clamped to."""
+    place = beam.model.nodes[name]
+    if place.name == name:
+        return assembly.frame(place, name)
+    beams, body = assembly.beams, place.body
+    with assembly.graph.made_by(beam.name, "placement"):
+        pose = beams.numbers(assembly.reference.poses[body])
+        # where the user said; only the axes are those of the section
+        where = beams.numbers(assembly.placed(place, name))[1]
+        local = beams.constant(pose[0].T @ laid.pose(name)[0], where)
+        number, home = assembly.home[body]
+        part = assembly.rigid(number).index[body.name]
+        whole = home.then(assembly.graph, local)
+        return assembly.new_frame((beam, name), assembly.unwritten(name), number, part, whole)
+
+
+@dataclass(frozen=True)
+class Made:
+    """What a beam is made of, as expressions: what is written, and what follows."""
+
+    beam: Beam
+    section: Mapping[str, Scalar]
+    material: Mapping[str, Scalar]
+    stiffness: Stiffness
+
+
+def _made(beam: Beam, convert: Converter) -> Made:
+    with convert.graph.made_by(beam.name, "section"):
+        section = _scalars(beam.section.quantities(), f"{beam.name}.section", convert)
+        material = _material(beam, convert)
+        return Made(beam, section, material, beam.section.stiffness(section, material))
+
+
+def _data(made: Made, convert: Converter) -> Data:
+    """Stiffness, inertia, damping and strain without stress."""
+    beam, graph = made.beam, convert.graph
+    with graph.made_by(beam.name, "strain"):
+        strain = dict.fromkeys(STRAINS, Scalar(graph, ZERO))
+        for name, value in beam.prestrain.items():
+            unit = "" if name in ("stretch", "shear2", "shear3") else "1/m"
+            node = convert.scalar(value, f"{beam.name}.prestrain.{name}", unit)
+            strain[name] = Scalar(graph, node)
+        rise = Scalar(graph, convert.scalar(beam.temperature, f"{beam.name}.temperature", "K"))
+        strain["stretch"] = strain["stretch"] + made.material["expansion"] * rise
+    numbers = {**vars(made.stiffness), "damping": made.material["damping"]}
+    data: Data = {name: (1, 1, (value.node,)) for name, value in numbers.items()}
+    return data | {"strain": (6, 1, tuple(value.node for value in strain.values()))}
+
+
+def _scalars(quantities: Mapping[str, object], name: str, convert: Converter) -> dict[str, Scalar]:
+    """Quantities by name; those of both directions as ``name.e2`` and ``name.e3``."""
+    found = {}
+    for key, entry in quantities.items():
+        *_, nodes = convert.quantity(entry, f"{name}.{key}")  # type: ignore[arg-type]
+        if key in PAIRS:
+            for label, node in zip(("e2", "e3"), nodes * (3 - len(nodes)), strict=True):
+                found[f"{key}.{label}"] = Scalar(convert.graph, node)
+        else:
+            found[key] = Scalar(convert.graph, nodes[0])
+    return found
+
+
+def _material(beam: Beam, convert: Converter) -> dict[str, Scalar]:
+    """``E G nu rho damping expansion``, as far as they are told."""
+    found = _scalars(beam.material.quantities(), f"{beam.name}.material", convert)
+    if "G" in found:
+        found["nu"] = found["E"] / (2 * found["G"]) - 1
+    elif "E" in found:
+        found["G"] = found["E"] / (2 * (1 + found["nu"]))
+    return found
+
+
+def _checked(made: Sequence[Made], convert: Converter) -> list[tuple[float, float, bool]]:
+    """Outlines of the sections, whose numbers at the values of the parameters are possible ones.
+
+    Raises:
+        ModelError: those of a beam are not.
+    """
+    # all at once: a walk through the graph for each of many beams would take long
+    named = [each for one in made for each in (one.section, one.material, vars(one.stiffness))]
+    values = iter(convert.defaults([x.node for each in named for x in each.values()]))
+    told = iter([{key: next(values) for key in each} for each in named])
+    outlines = []
+    for one in made:
+        section, material, found = next(told), next(told), next(told)
+        material = {key: material[key] for key in one.beam.material.quantities()}
+        problem = one.beam.section.complaint(section) or materials.complaint(material)
+        for name, value in found.items():
+            least = 0.0 if name.startswith("rho") else math.ulp(0.0)
+            if not problem and not (math.isfinite(value) and value >= least):
+                problem = f"{name} comes out as {value:g}; check the numbers of its section"
+        if problem:
+            raise ModelError(f"beam '{one.beam.name}': {problem}")
+        outline = one.beam.section.outline(section)
+        outlines.append((outline.e2, outline.e3, outline.round))
+    return outlines
+
+
+def _loads(scene: Model, convert: Converter) -> dict[str, Data]:
+    """Sums of what acts along every beam, per length."""
+    sums: dict[str, dict[str, Nodes]] = {name: dict.fromkeys(LOADS, ORIGIN) for name in scene.beams}
+    for name, force in scene.forces.items():
+        element = force.element
+        if not isinstance(element, LineLoad):
+            continue
+        if element.beam not in scene.beams:
+            listed = near(element.beam, scene.beams).replace(" Known:", " Beams:")
+            what = f"'{element.beam}' is a body, and there is no such beam"
+            if element.beam not in scene.bodies:
+                what = f"there is no beam '{element.beam}'"
+            raise ModelError(f"force '{name}' (line_load): {what}.{listed}")
+        with convert.graph.made_by(name, "data"):
+            for key, entry in element.quantities().items():
+                *_, nodes = convert.quantity(entry, f"{name}.{key}")
+                where = f"{'follower' if element.follower else 'dead'}_{key}"
+                before = sums[element.beam][where]
+                added = map(convert.graph.add, before, nodes)
+                sums[element.beam][where] = tuple(added)
+    return {beam: {key: (3, 1, nodes) for key, nodes in own.items()} for beam, own in sums.items()}

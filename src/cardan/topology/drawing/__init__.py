@@ -1,0 +1,1 @@
+"""The system graph as text and as a picture."""

@@ -1,0 +1,177 @@
+"""The graph of a scene for people: its matrices, its tree, its drawings.
+
+Vertices are bodies (the ground is vertex 0), arcs are joints directed from parent to child.
+
+Source: Roberson and Schwertassek, Dynamics of Multibody Systems, chapter 8; Wittenburg, Dynamics
+of Multibody Systems, section 5.3.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from itertools import pairwise
+
+from ...scene.beam import Beam
+from ...scene.body import Body
+from ...scene.connections import Joint
+from ...scene.scene import Model
+from ..beams.nodal_scene import with_beams
+from ..tree import Branch, loop, spanning_tree
+from . import drawing
+from .labeled_matrix import Labelled
+
+
+@dataclass(frozen=True)
+class GraphView:
+    """Bodies and joints as a graph; ``print`` draws the tree.
+
+    Attributes:
+        name: Of the model.
+        bodies: Names of the bodies, ground first.
+        branches: The joints of the spanning tree in regular order.
+        closing: The joints that close circuits, and are cut.
+        reasons: Why each of them was chosen.
+        beams: (beam, body, body) of every piece between named nodes, which are bodies here.
+    """
+
+    name: str
+    bodies: tuple[str, ...]
+    branches: tuple[Branch, ...] = field(repr=False)
+    closing: tuple[Joint, ...] = ()
+    reasons: tuple[str, ...] = ()
+    beams: tuple[tuple[str, str, str], ...] = ()
+
+    @property
+    def joints(self) -> tuple[str, ...]:
+        """Names of all joints: tree joints first, then those that close circuits."""
+        return tuple(joint.name for joint in self._joints)
+
+    @property
+    def _joints(self) -> tuple[Joint, ...]:
+        return (*(branch.joint for branch in self.branches), *self.closing)
+
+    @property
+    def incidence(self) -> Labelled:
+        """Bodies x joints: +1 where the joint leaves the body, -1 where it arrives."""
+        rows = tuple(
+            tuple((j.parent.body.name == b) - (j.child.body.name == b) for j in self._joints)
+            for b in self.bodies
+        )
+        return Labelled(self.bodies, self.joints, rows, "incidence: +1 leaves, -1 arrives")
+
+    @property
+    def path(self) -> Labelled:
+        """Tree joints x bodies: -1 (+1) where the path from the ground runs along (against) it.
+
+        It is the inverse of the incidence matrix of the tree without the row of the ground.
+        """
+        paths = self._paths()
+        bodies = tuple(b.outer.name for b in self.branches)
+        rows = tuple(
+            tuple((1 if k.reversed else -1) if k in paths[b] else 0 for b in bodies)
+            for k in self.branches
+        )
+        names = tuple(k.joint.name for k in self.branches)
+        return Labelled(names, bodies, rows, "path: -1 from the ground along the joint")
+
+    @property
+    def circuit(self) -> Labelled:
+        """Circuits x joints: +1 (-1) where the circuit runs along (against) the joint."""
+        tree = list(self.branches)
+        rows = []
+        for closing in self.closing:
+            signs = dict.fromkeys(self.joints, 0)
+            # from the child of the closing joint back to its parent
+            at = closing.child.body
+            signs[closing.name] = 1
+            ring = loop(tree, closing)
+            start = ring.index(closing)
+            for joint in (*ring[start + 1 :], *ring[:start]):
+                along = joint.parent.body is at
+                signs[joint.name] = 1 if along else -1
+                at = joint.child.body if along else joint.parent.body
+            rows.append(tuple(signs.values()))
+        names = tuple(joint.name for joint in self.closing)
+        return Labelled(names, self.joints, tuple(rows), "circuit: +1 along, -1 against")
+
+    @property
+    def spanning_tree(self) -> tuple[tuple[str, str, str], ...]:
+        """(joint, inner body, outer body) in regular order."""
+        return tuple((b.joint.name, b.inner.name, b.outer.name) for b in self.branches)
+
+    @property
+    def mass_pattern(self) -> Labelled:
+        """Blocks of the mass matrix by joint: 1 where some body is moved by both joints.
+
+        The zeros are those that branches induce; they hold for every value of the parameters.
+
+        Source: Featherstone, Rigid Body Dynamics Algorithms, section 6.4.
+        """
+        moving: list[str] = []
+        leaders: dict[str, str | None] = {}
+        for branch in self.branches:
+            joint = branch.joint
+            if joint.couple is not None:
+                leaders[joint.name] = joint.couple.leader
+            elif joint.motion is None and joint.kind.coordinates:
+                leaders[joint.name] = joint.name
+                moving.append(joint.name)
+        together: set[tuple[str, str]] = set()
+        for path in self._paths().values():
+            moved = {_leader(leaders, branch.joint.name) for branch in path} - {None}
+            together |= {(a, b) for a in moved for b in moved if a and b}
+        rows = tuple(tuple(int((a, b) in together) for b in moving) for a in moving)
+        return Labelled(tuple(moving), tuple(moving), rows, "mass matrix: blocks by joint")
+
+    def _paths(self) -> dict[str, frozenset[Branch]]:
+        """Body -> the branches on its path from the ground."""
+        paths: dict[str, frozenset[Branch]] = {"ground": frozenset()}
+        for branch in self.branches:
+            paths[branch.outer.name] = paths[branch.inner.name] | {branch}
+        return {branch.outer.name: paths[branch.outer.name] for branch in self.branches}
+
+    def __str__(self) -> str:
+        return drawing.text(self.branches, self.closing, self.beams)
+
+    def dot(self) -> str:
+        """The graph in the language of Graphviz."""
+        return drawing.dot(self.name, self.bodies, self.branches, self.closing, self.beams)
+
+    def svg(self) -> str:
+        """A picture of the tree with its circuits dashed, and beams as thick lines."""
+        return drawing.svg(self.bodies, drawing.arcs(self.branches, self.closing, self.beams))
+
+    def _repr_svg_(self) -> str:
+        return self.svg()
+
+    def _repr_html_(self) -> str:
+        """The picture in the colors of the page: pictures alone are black on dark pages too."""
+        return self.svg()
+
+
+def view(model: Model) -> GraphView:
+    """The graph of a model; bodies that nothing joins to the ground are left out of the tree."""
+    scene, _ = with_beams(model)
+    branches, closing = spanning_tree(scene)
+    bodies: list[Body] = [scene.ground, *scene.bodies.values()]
+    names, cut = tuple(b.name for b in bodies), tuple(c.joint for c in closing)
+    reasons = tuple(c.reason for c in closing)
+    beams = tuple(piece for beam in model.beams.values() for piece in _pieces(beam))
+    return GraphView(model.name, names, tuple(branches), cut, reasons, beams)
+
+
+def _pieces(beam: Beam) -> list[tuple[str, str, str]]:
+    """(beam, body, body) from each of its named nodes to the next."""
+    inner = [beam.model.nodes[name] for _, name in sorted((s, n) for n, s in beam.stops.items())]
+    bodies = [place.body.name for place in (beam.start, *inner, beam.end)]
+    return [(beam.name, a, b) for a, b in pairwise(bodies)]
+
+
+def _leader(leaders: dict[str, str | None], joint: str) -> str | None:
+    """The joint with coordinates that moves a joint, None where nothing does."""
+    for _ in leaders:
+        leader = leaders.get(joint)
+        if leader is None or leader == joint:
+            return leader
+        joint = leader
+    return None
