@@ -163,7 +163,7 @@ FAMILIES: dict[str, frozenset[str]] = {
     ),
     "explain.writers": frozenset(),
     "codegen.languages": frozenset({"expressions"}),
-    "runtime.formats": frozenset({"contents"}),
+    "runtime.formats": frozenset({"contents", "number_file"}),
     "schema.integrators": frozenset({"integrator", "alpha_family"}),
     "scene.files": frozenset({"angles", "document", "expression", "meshes", "options", "pose"}),
     "cli": frozenset(

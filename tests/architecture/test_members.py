@@ -180,7 +180,7 @@ from typing import Any, ClassVar
 from ...ir.arithmetic import cos, sin
 from ...ir.matrix import Matrix
 from ..quantity import Quantity
-from ..written import number
+from ..validation import number
 from .joint import Component, Joint
 
 

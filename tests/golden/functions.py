@@ -20,7 +20,7 @@ from typing import Any
 
 from numpy.typing import ArrayLike
 
-from ..arrays import Array
+from ...arrays import Array
 from .evaluation import Evaluation, State, Values
 from .methods import Axes, Energy
 

@@ -232,8 +232,8 @@ class CompiledModel(LoadedModel):
 
         Args:
             t: End, ``(start, end)`` or output times [s], which ``t_eval`` takes too.
-            vary: A plan of :mod:`cardan.analyses.ensembles.sampling`, or name -> values (runs,) or distribution;
-                names of coordinates, speeds, parameters or inputs.
+            vary: A plan of :mod:`cardan.analyses.ensembles.sampling`, or name -> values (runs,) or
+                distribution;            names of coordinates, speeds, parameters or inputs.
             x0: States (runs, nx); or q, u, z: arrays (runs, nq), (runs, nu) or by names,
                 ``{"elbow": values}``. One number or state is that of all runs; a distribution such as
                 ``cd.sample.normal(0, 0.1)`` is drawn for every run.

@@ -68,7 +68,6 @@ def base(equations: Equations, functions: Sequence[str] = ()) -> Base:
     once = {force.name: force for force in system.forces}.values()
     limits = [row for force in once for row in _limits(system, force)]
     absent = {name: why for joint in system.joints for name, why in joint.element.lacks.items()}
-    rows = equations.constraint_rows
     data = Manifest(
         **common(system, equations.method, functions),
         coordinates=_coordinates(system),
@@ -76,9 +75,9 @@ def base(equations: Equations, functions: Sequence[str] = ()) -> Base:
         events=_events(system),
         ticks=_ticks(system),
         limits=limits,
-        multipliers=[_multiplier(row) for row in rows],
+        multipliers=[_multiplier(row) for row in equations.constraint_rows],
         # what holds such a system together is that its constraints give way
-        projected=not rows or equations.treatment.exact,
+        projected=not equations.constraint_rows or equations.treatment.exact,
         cuts=[_cut(equations, cut) for cut in system.closing],
         joints=joints,
         bodies=[

@@ -111,12 +111,8 @@ def _build(
     convert.moving = True
     places = internal_states.numbered(scene, convert)
     atoms = _atoms(scene, assembly)
-    forces = tuple(
-        one
-        for name, force in scene.forces.items()
-        if not isinstance(force.element, LineLoad)
-        for one in _forces(model, assembly, name, places[name])
-    )
+    pointwise = [n for n, one in scene.forces.items() if not isinstance(one.element, LineLoad)]
+    forces = tuple(one for n in pointwise for one in _forces(model, assembly, n, places[n]))
     joints = prescribed_motion.prescribed(
         scene, assembly.joints, assembly.joint_number, convert, inputs
     )

@@ -10,10 +10,10 @@ from ...errors import DerivationError, near
 from ...schema.blocks import DIRECTIONS
 from ...schema.functions import FUNCTIONS
 from ...topology.system import System
-from ..constraints import constraint_functions  # noqa: F401
 
 # to import them is to know their recipes
-from . import blocks
+from ..constraints import constraint_functions  # noqa: F401
+from . import blocks, canonical, functions, regressor, residuals, rhs_jacobian  # noqa: F401
 from .context import RECIPES as RECIPES
 from .derivatives import request_of
 
