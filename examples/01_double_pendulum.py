@@ -11,7 +11,7 @@ out = Path("out/double_pendulum")
 out.mkdir(parents=True, exist_ok=True)
 
 # A scene has bodies and joints. Parameters are SymPy symbols with a value; units are converted.
-scene = cd.Model("double_pendulum", gravity=(0, 0, -9.81))
+scene = cd.Scene("double_pendulum", gravity=(0, 0, -9.81))
 m = scene.parameter("m", 1.0, unit="kg")
 l = scene.parameter("l", 500, unit="mm")
 

@@ -12,7 +12,7 @@ out = Path("out/cart_pole")
 shutil.rmtree(out, ignore_errors=True)
 
 # A force on the cart is an input; a spring pulls it back.
-scene = cd.Model("cart_pole", gravity=(0, 0, -9.81))
+scene = cd.Scene("cart_pole", gravity=(0, 0, -9.81))
 push = scene.input("push", default=0.0)
 cart = scene.body("cart", mass=2.0)
 pole = scene.body("pole", mass=0.5, com=(0, 0, 0.4), inertia=cd.inertia.rod(0.5, 0.8, axis="z"))

@@ -13,7 +13,7 @@ out = Path("out/four_bar")
 out.mkdir(parents=True, exist_ok=True)
 
 # Links in the x-y plane, along x where all angles are 0. Joints are declared as for a tree.
-scene = cd.Model("four_bar", gravity=(0, -9.81, 0))
+scene = cd.Scene("four_bar", gravity=(0, -9.81, 0))
 links = {}
 for name, length in {"crank": 0.1, "coupler": 0.25, "rocker": 0.2}.items():
     rod = cd.inertia.box(length, length, 0.02, 0.01)

@@ -23,7 +23,7 @@ BODIES = {
     "K6": (0.00706, 5.667e-7, (0.00579, 0, 0)),
     "K7": (0.05498, 1.912e-5, (-0.00449, -0.01228, 0)),
 }
-scene = cd.Model("andrews", gravity=(0, 0, 0))
+scene = cd.Scene("andrews", gravity=(0, 0, 0))
 bodies = {}
 for name, (mass, moment, center) in BODIES.items():
     inertia = (moment / 2, moment / 2, moment)

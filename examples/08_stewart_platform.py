@@ -22,7 +22,7 @@ BASE = ring(0.6, [-10, 10, 110, 130, 230, 250])
 TOP = ring(0.4, [-50, 50, 70, 170, 190, 290])
 
 # Six legs of two bodies: universal joint below, slide with a drive, ball joint above.
-scene = cd.Model("stewart_platform", gravity=(0, 0, -9.81))
+scene = cd.Scene("stewart_platform", gravity=(0, 0, -9.81))
 platform = scene.body("platform", mass=5.0, com=(0, 0, 0.03), inertia=(0.22, 0.25, 0.4))
 for k in range(6):
     tube = scene.body(f"tube{k}", mass=1.2, com=(0, 0, 0.2), inertia=(0.016, 0.016, 5e-4))

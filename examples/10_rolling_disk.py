@@ -13,7 +13,7 @@ out = Path("out/rolling_disk")
 out.mkdir(parents=True, exist_ok=True)
 
 # A thin disk on a table. q: point of contact x, y, heading, lean, angle about the axle.
-scene = cd.Model("rolling_disk", gravity=(0, 0, -9.81))
+scene = cd.Scene("rolling_disk", gravity=(0, 0, -9.81))
 m, r = scene.parameter("m", 1.0, unit="kg"), scene.parameter("r", 100, unit="mm")
 coin = scene.body("coin", mass=m, inertia=(m * r**2 / 4, m * r**2 / 2, m * r**2 / 4))
 scene.joint("rolling", cd.RollingDisk(r), scene.ground, coin)

@@ -14,7 +14,7 @@ out.mkdir(parents=True, exist_ok=True)
 PANELS, LENGTH = 4, 1.6
 
 # Panels hang on each other in a zigzag; nothing holds the satellite.
-scene = cd.Model("solar_array", gravity=(0, 0, 0))
+scene = cd.Scene("solar_array", gravity=(0, 0, 0))
 hub = scene.body("hub", mass=400.0, inertia=(120.0, 150.0, 120.0))
 scene.joint("drift", cd.Free(), scene.ground, hub)
 place = hub.at(0.8, 0, 0)

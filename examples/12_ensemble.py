@@ -8,7 +8,7 @@ import numpy as np
 
 import cardan as cd
 
-scene = cd.Model("cart", gravity=(0, 0, -9.81))
+scene = cd.Scene("cart", gravity=(0, 0, -9.81))
 m = scene.parameter("m", 1.0, unit="kg")
 length = scene.parameter("l", 0.5, unit="m")
 push = scene.input("push")

@@ -14,7 +14,7 @@ out.mkdir(parents=True, exist_ok=True)
 LENGTH = 1.0
 
 # A strip of 20 mm by 0.5 mm, clamped at the left; M turns its other end about y.
-scene = cd.Model("roll_up", gravity=(0, 0, 0))
+scene = cd.Scene("roll_up", gravity=(0, 0, 0))
 M = scene.parameter("M", 0.0, unit="N*m")
 steel = cd.material(E=2.1e11, nu=0.3, rho=7850)
 strip = cd.section.rectangle(0.02, 0.0005)

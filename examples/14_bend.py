@@ -25,7 +25,7 @@ KNOWN = [
 
 def bend(elements: int) -> cd.CompiledModel:
     """Clamped at the origin along y, curving to x; a force P along z at the tip."""
-    scene = cd.Model("bend", gravity=(0, 0, 0))
+    scene = cd.Scene("bend", gravity=(0, 0, 0))
     P = scene.parameter("P", 0.0, unit="N")
     E, G = 1e7, 5e6
     section = cd.section.general(EA=E, GA=G, GJ=G / 6, EI=E / 12, rhoA=1)

@@ -16,7 +16,7 @@ out = Path("out/slider_crank")
 out.mkdir(parents=True, exist_ok=True)
 
 # A rigid crank that is driven up to 150 rad/s, an elastic rod with pins at both ends, a slider.
-scene = cd.Model("flexible_slider_crank", gravity=(0, 0, 0))
+scene = cd.Scene("flexible_slider_crank", gravity=(0, 0, 0))
 crank = scene.body("crank", mass=0.36, com=(0.075, 0, 0), inertia=(0, 0.002727, 0.002727))
 slider = scene.body("slider", mass=0.075552, pose=(0.45, 0, 0))
 angle = sympy.Piecewise((750 * cd.t**2, cd.t < 0.1), (150 * cd.t - 7.5, True))

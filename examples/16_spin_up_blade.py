@@ -16,7 +16,7 @@ out = Path("out/spin_up")
 out.mkdir(parents=True, exist_ok=True)
 
 # The hub turns by a given angle: at rest at first, 6 rad/s from t = 15 s on.
-scene = cd.Model("spin_up", gravity=(0, 0, 0))
+scene = cd.Scene("spin_up", gravity=(0, 0, 0))
 t = cd.t
 wave = (15 / (2 * sympy.pi)) ** 2 * (sympy.cos(2 * sympy.pi * t / 15) - 1)
 angle = sympy.Piecewise((6 * (t**2 / 2 + wave) / 15, t < 15), (6 * t - 45, True))

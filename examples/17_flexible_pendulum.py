@@ -12,7 +12,7 @@ import cardan as cd
 out = Path("out/pendulum")
 out.mkdir(parents=True, exist_ok=True)
 
-scene = cd.Model("flexible_pendulum")
+scene = cd.Scene("flexible_pendulum")
 rubber = cd.material(E=5e6, nu=0.45, rho=1100)
 bar = scene.beam("bar", (0, 0, 0), (1, 0, 0), cd.section.rectangle(0.02, 0.02), rubber, elements=10)
 scene.joint("pin", cd.Revolute("y"), scene.ground, bar.start)

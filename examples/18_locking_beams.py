@@ -15,7 +15,7 @@ out.mkdir(parents=True, exist_ok=True)
 
 def boom(is_locked: bool) -> cd.CompiledModel:
     """Two tubes with a hinge between them, which a spring opens; or locked straight."""
-    scene = cd.Model("boom", gravity=(0, 0, 0))
+    scene = cd.Scene("boom", gravity=(0, 0, 0))
     carbon = cd.material(E=7e10, nu=0.3, rho=1600, damping=2e-4)
     tube = cd.section.tube(outer=0.02, inner=0.018)
     inner = scene.beam("inner", scene.ground, (1, 0, 0), tube, carbon, elements=3)

@@ -16,7 +16,7 @@ out.mkdir(parents=True, exist_ok=True)
 
 # A disk off the middle of a light shaft: it moves across and tilts, and both are coupled.
 m, transverse, polar = 4.0, 0.05, 0.08
-scene = cd.Model("rotor", gravity=(0, 0, 0))
+scene = cd.Scene("rotor", gravity=(0, 0, 0))
 across, along, tilted = (scene.body(name, mass=0, inertia=(0, 0, 0)) for name in "abc")
 shaft = scene.body("shaft", mass=0, inertia=(0, 0, 0))
 disk = scene.body("disk", mass=m, inertia=(transverse, transverse, polar))

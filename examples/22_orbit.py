@@ -20,7 +20,7 @@ n = np.sqrt(MU / HEIGHT**3)
 
 # Attitude alone: a frame goes along the orbit, the satellite turns against it. z points to the
 # earth; yaw about z, then pitch about y, then roll about x are the coordinates.
-scene = cd.Model("satellite", gravity=(0, 0, 0))
+scene = cd.Scene("satellite", gravity=(0, 0, 0))
 mu = scene.parameter("mu", MU, unit="m^3/s^2")
 orbit = cd.orbit.circular(scene, "orbit", mu, HEIGHT, inclination=1.2)
 sat = scene.body("sat", mass=50.0, inertia=INERTIA)
@@ -41,7 +41,7 @@ print(f"swings between {np.degrees(swing['attitude.angle2'].min()):.1f} and", en
 print(f"{np.degrees(swing['attitude.angle2'].max()):.1f} degrees")
 
 # The whole motion: six coordinates about a planet that is not round.
-whole = cd.Model("whole", gravity=(0, 0, 0))
+whole = cd.Scene("whole", gravity=(0, 0, 0))
 body = whole.body("sat", mass=50.0, inertia=INERTIA)
 whole.joint("free", cd.Free(), whole.ground, body)
 whole.force("field", cd.CentralGravity(whole.ground, MU))

@@ -15,7 +15,7 @@ out.mkdir(parents=True, exist_ok=True)
 # A slender satellite: it spins about the axis of its least inertia. A wheel turns about the same
 # axis, and a ball in a tube, on a spring and in oil, takes energy wherever the axis wobbles.
 I1, I2, I3 = 4.0, 4.2, 3.6
-scene = cd.Model("dual_spin", gravity=(0, 0, 0))
+scene = cd.Scene("dual_spin", gravity=(0, 0, 0))
 momentum = scene.parameter("hs", 0.0, unit="N*m*s")
 box = cd.shape.box(1, 1, 1.5)
 bus = scene.body("bus", mass=20.0, inertia=(I1, I2 - 0.1, I3 - 0.1), shape=box)
@@ -44,7 +44,7 @@ for hs in (0.0, 3.0):
 motion.animate(out / "dual_spin.html")
 
 # How the wheel gets its momentum: a motor spins it up, and the satellite slows down.
-spinning = cd.Model("spin_up", gravity=(0, 0, 0))
+spinning = cd.Scene("spin_up", gravity=(0, 0, 0))
 carrier = spinning.body("bus", mass=20.0, inertia=(I1, I2, I3))
 spinning.joint("attitude", cd.Spherical(), spinning.ground, carrier)
 torque = spinning.input("torque")

@@ -18,9 +18,9 @@ PATH = (0.8 * sp.sin(1.3 * cd.t), -0.6 * sp.sin(2.1 * cd.t))
 KP, KD = 36.0, 12.0
 
 
-def arm() -> cd.Model:
+def arm() -> cd.Scene:
     """Two links under gravity."""
-    scene = cd.Model("arm_on_path", gravity=(0, 0, -9.81))
+    scene = cd.Scene("arm_on_path", gravity=(0, 0, -9.81))
     upper = scene.body("upper", mass=3.0, com=(0.25, 0, 0), inertia=(0.01, 0.07, 0.07))
     lower = scene.body("lower", mass=1.5, com=(0.2, 0, 0), inertia=(0.005, 0.03, 0.03))
     scene.joint("shoulder", cd.Revolute("y"), scene.ground, upper)

@@ -14,7 +14,7 @@ out = Path("out/lqr")
 out.mkdir(parents=True, exist_ok=True)
 
 # A plate that moves in the x-z plane, with a propeller at each end that pushes along its own z.
-scene = cd.Model("drone", gravity=(0, 0, -9.81))
+scene = cd.Scene("drone", gravity=(0, 0, -9.81))
 left, right = scene.input("left"), scene.input("right")
 drone = scene.body("drone", mass=1.2, inertia=(0.01, 0.02, 0.02))
 scene.joint("fly", cd.Planar("y"), scene.ground, drone)

@@ -13,7 +13,7 @@ out = Path("out/door")
 out.mkdir(parents=True, exist_ok=True)
 
 # A door that is pushed along its rail, and a lamp that hangs from it.
-scene = cd.Model("sliding_door")
+scene = cd.Scene("sliding_door")
 door = scene.body("door", mass=20.0, com=(0, 0, -1), inertia=(7.0, 8.0, 1.5))
 lamp = scene.body("lamp", mass=1.2, com=(0, 0, -0.4), inertia=(0.02, 0.02, 0.005))
 scene.joint("rail", cd.Prismatic("x"), scene.ground, door)

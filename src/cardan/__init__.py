@@ -4,7 +4,7 @@ From a scene to equations of motion, to C, to fast simulation::
 
     import cardan as cd
 
-    scene = cd.Model("pendulum", gravity=(0, 0, -9.81))
+    scene = cd.Scene("pendulum", gravity=(0, 0, -9.81))
     rod = scene.body("rod", mass=1, com=(0, 0, -0.5), inertia=cd.inertia.rod(1, 1, axis="z"))
     scene.joint("pivot", cd.Revolute("y"), scene.ground, rod)
     motion = cd.compile(scene).simulate(10.0, q={"pivot": 1.0})
@@ -22,7 +22,7 @@ __version__ = VERSION
 
 # public name -> module that holds it (None: the module itself), in the order of use
 _PUBLIC: dict[str, str] = {
-    "Model": "scene",
+    "Scene": "api.scene",
     "load": "scene",
     "from_dh": "scene.dh",
     "from_sympy": "scene.sympy_import",
@@ -40,14 +40,14 @@ _PUBLIC: dict[str, str] = {
     "GeneralizedAlpha": "analyses.simulation.alpha_methods",
     "Alpha": "analyses.simulation.alpha_methods",
     "stability": "analyses.simulation.precision.method_stability",
-    "Equations": "equations.record",
+    "Equations": "api.equations",
     "CompiledModel": "api.compiled_model",
     "load_model": "api.saved_model",
     "excitation": "analyses.identification.excitation",
     "identify": "analyses.identification.identify",
     "sample": "analyses.ensembles.sampling",
-    "Ensemble": "analyses.ensembles",
-    "Trajectory": "runtime.trajectory.trajectory",
+    "Ensemble": "api.results",
+    "Trajectory": "api.trajectory",
     "load_motion": "runtime.trajectory.storage",
     "load_ensemble": "analyses.ensembles.ensemble_file",
     **dict.fromkeys(
@@ -75,13 +75,17 @@ _FAMILIES = {
     "elements.forces": "FORCES",
     "equations.constraints.treatments": "TREATMENTS",
 }
+# functions of lower rooms whose results have verbs
+_FACED = frozenset(
+    {"load", "from_dh", "from_sympy", "excitation", "identify", "load_motion", "load_ensemble"}
+)
 _MODULES = frozenset({"orbit", "inertia", "section", "shape", "sample", "stability"})
 _RENAMED = {"load_model": "load", "load_motion": "load", "load_ensemble": "load"}
 
 # what pickles name, for ever -> module that holds it
 _PICKLED = {
     "_unpickled_model": "api.saved_model",
-    "_unpickled_motion": "runtime.trajectory.pickled",
+    "_unpickled_motion": "api.trajectory",
 }
 
 
@@ -97,7 +101,8 @@ def _named(name: str) -> object:
         return ["__version__", *_PUBLIC, *(one for module in _FAMILIES for one in _members(module))]
     if name in _PUBLIC or name in _PICKLED:
         module = import_module(f".{_PUBLIC.get(name) or _PICKLED[name]}", __name__)
-        return module if name in _MODULES else getattr(module, _RENAMED.get(name, name))
+        value = module if name in _MODULES else getattr(module, _RENAMED.get(name, name))
+        return _faced(value) if name in _FACED else value
     # names of classes begin with a capital: others may be modules that Python asks for
     found = (_members(module).get(name) for module in _FAMILIES if name[0].isupper())
     return next(filter(None, found), None)
@@ -110,6 +115,12 @@ def __getattr__(name: str) -> Any:
         raise AttributeError(f"module 'cardan' has no attribute '{name}'")
     globals()[name] = value
     return value
+
+
+def _faced(function: Any) -> object:
+    from .api.faces import faced
+
+    return faced(function)
 
 
 def _html(result: object) -> str:

@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING, Any, Literal, overload
 
 from . import topology
 from .api.compiled_model import CompiledModel
+from .api.equations import Equations, FiniteElementEquations
+from .api.faces import face
 from .arguments import checked
 from .codegen import CFile, generate, layout, manifest
 from .codegen.fingerprint import fingerprint
@@ -16,18 +18,16 @@ from .codegen.finite_elements import model_folder
 from .equations.constraints.assembly_branches import with_branches
 from .equations.constraints.treatments import Treatment, treatment
 from .equations.finite_elements.lowering import lowered
-from .equations.finite_elements.record import Absolute
 from .equations.formalism_choice import check_chooses, chosen_by
-from .equations.record import Equations
 from .errors import BuildError, CodegenError, DerivationError, SolveWarning, near, warn
 from .runtime.build import cache_folder as cache
 from .runtime.verification.flat_scene import unjudged
 from .schema.functions import OF_ELEMENTS, STANDARD
 
 if TYPE_CHECKING:
+    from .api.scene import Scene
     from .ir.function import Function
     from .ir.recursion import Recursion
-    from .scene import Model
     from .topology.system import Named, System
 
 COORDINATES = ("auto", "relative", "absolute")
@@ -36,7 +36,7 @@ PLANES = ("auto", "x", "y", "z")
 
 @overload
 def derive(
-    scene: Model,
+    scene: Scene,
     coordinates: Literal["auto", "relative"] = "auto",
     method: str = "auto",
     speeds: Mapping[str, Any] | None = None,
@@ -50,17 +50,17 @@ def derive(
 
 @overload
 def derive(
-    scene: Model,
+    scene: Scene,
     coordinates: Literal["absolute"],
     *,
     specialize: bool | Sequence[str] | Mapping[str, float] = False,
     plane: Literal["auto", "x", "y", "z"] | None = None,
-) -> Absolute: ...
+) -> FiniteElementEquations: ...
 
 
 @checked
 def derive(
-    scene: Model,
+    scene: Scene,
     coordinates: str = "auto",
     method: str = "auto",
     speeds: Mapping[str, Any] | None = None,
@@ -70,7 +70,7 @@ def derive(
     branches: Mapping[str, str] | None = None,
     independent: Sequence[str] | None = None,
     plane: str | None = None,
-) -> Equations | Absolute:
+) -> Equations | FiniteElementEquations:
     """Equations of motion of a scene.
 
     Args:
@@ -134,7 +134,7 @@ def derive(
 
 
 def _relative(
-    scene: Model,
+    scene: Scene,
     system: System,
     method: str,
     speeds: Mapping[str, Any] | None,
@@ -156,10 +156,11 @@ def _relative(
     if speeds:
         chosen = topology.named_speeds(scene, system, speeds)
         method = "kane" if method == "auto" else method
-    return chosen_by(system, method, chosen, rewrites, bound)
+    equations: Equations = face(chosen_by(system, method, chosen, rewrites, bound))
+    return equations
 
 
-def _absolute(system: System, given: Sequence[str], plane: str | None) -> Absolute:
+def _absolute(system: System, given: Sequence[str], plane: str | None) -> FiniteElementEquations:
     """Equations in absolute coordinates.
 
     Raises:
@@ -172,12 +173,13 @@ def _absolute(system: System, given: Sequence[str], plane: str | None) -> Absolu
             f"{', '.join(f'{name}=' for name in given)} belong to joint coordinates: leave them "
             "out, or take coordinates='relative'"
         )
-    return lowered(system, plane)
+    equations: FiniteElementEquations = face(lowered(system, plane))
+    return equations
 
 
 @checked
 def compile(
-    scene: Model | Equations | Absolute,
+    scene: Scene | Equations | FiniteElementEquations,
     functions: Sequence[str] = STANDARD,
     directory: str | Path | None = None,
     *,
@@ -222,7 +224,7 @@ def compile(
         independent=independent,
         plane=plane,
     )
-    if isinstance(equations, Absolute):
+    if isinstance(equations, FiniteElementEquations):
         return _of_elements(equations, directory, threads)
     functions = _asked(equations, functions)
     base = manifest.base(equations, functions)
@@ -309,7 +311,7 @@ def _say_what_stays_open(equations: Equations, folder: Path) -> None:
 
 
 def _of_elements(
-    equations: Absolute, directory: str | Path | None, threads: int | None
+    equations: FiniteElementEquations, directory: str | Path | None, threads: int | None
 ) -> CompiledModel:
     """The model of equations in absolute coordinates: C of its kinds of elements, and tables."""
     folder = Path(directory) if directory is not None else _workspace(equations, None)
@@ -320,15 +322,17 @@ def _of_elements(
     return CompiledModel(folder, threads=threads)
 
 
-def _derived(scene: Model | Equations | Absolute, **options: Any) -> Equations | Absolute:
+def _derived(
+    scene: Scene | Equations | FiniteElementEquations, **options: Any
+) -> Equations | FiniteElementEquations:
     """The equations of a scene by the options that are given.
 
     Raises:
         DerivationError: options for equations that are derived already.
     """
     given = {name: x for name, x in options.items() if x is not None}
-    if not isinstance(scene, (Equations, Absolute)):
-        found: Equations | Absolute = derive(scene, **given)
+    if not isinstance(scene, (Equations, FiniteElementEquations)):
+        found: Equations | FiniteElementEquations = derive(scene, **given)
         return found
     if given:
         raise DerivationError(
@@ -337,7 +341,7 @@ def _derived(scene: Model | Equations | Absolute, **options: Any) -> Equations |
     return scene
 
 
-def _workspace(equations: Equations | Absolute, loops: bool | None) -> Path:
+def _workspace(equations: Equations | FiniteElementEquations, loops: bool | None) -> Path:
     """Folder of the cache for the C of these equations."""
     return cache.directory() / "models" / fingerprint(equations, loops)[:32]
 

@@ -11,9 +11,9 @@ import cardan as cd
 from analyses.interpreted import without_compiler
 
 
-def double_scene() -> cd.Model:
+def double_scene() -> cd.Scene:
     """A planar double pendulum of rods, damped at the elbow, with a torque at the shoulder."""
-    scene = cd.Model("double", gravity=(0, 0, -9.81))
+    scene = cd.Scene("double", gravity=(0, 0, -9.81))
     rod = cd.inertia.rod(1.0, 0.5, axis="z")
     upper = scene.body("upper", mass=1.0, com=(0, 0, -0.25), inertia=rod)
     lower = scene.body("lower", mass=1.0, com=(0, 0, -0.25), inertia=rod)
@@ -33,7 +33,7 @@ def double() -> cd.CompiledModel:
 @pytest.fixture(scope="module")
 def ball() -> cd.CompiledModel:
     """A spinning body on a floating base: quaternion and position."""
-    scene = cd.Model("ball", gravity=(0, 0, -9.81))
+    scene = cd.Scene("ball", gravity=(0, 0, -9.81))
     body = scene.body("body", mass=2.0, com=(0, 0, 0), inertia=(0.1, 0.2, 0.25))
     scene.joint("base", cd.Free(), scene.ground, body)
     return cd.compile(scene)
@@ -42,7 +42,7 @@ def ball() -> cd.CompiledModel:
 @pytest.fixture(scope="module")
 def crank() -> cd.CompiledModel:
     """A hinge moved by an input, with a free pendulum on it."""
-    scene = cd.Model("crank", gravity=(0, 0, -9.81))
+    scene = cd.Scene("crank", gravity=(0, 0, -9.81))
     wheel = scene.body("wheel", mass=1.0, com=(0, 0, 0), inertia=(0.1, 0.1, 0.1))
     rod = scene.body("rod", mass=1.0, com=(0, 0, -0.5), inertia=(0.1, 0.1, 0.01))
     scene.joint("drive", cd.Revolute("y"), scene.ground, wheel, motion=scene.input("angle"))

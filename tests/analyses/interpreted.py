@@ -41,9 +41,9 @@ def no_compiler(*given: Any, **named: Any) -> Any:
     raise CompilerMissing("no C compiler")
 
 
-def four_bar() -> cd.Model:
+def four_bar() -> cd.Scene:
     """A linkage whose loop is closed by constraints."""
-    scene = cd.Model("four_bar", gravity=(0, -9.81, 0))
+    scene = cd.Scene("four_bar", gravity=(0, -9.81, 0))
     links = {}
     for name, length in {"crank": 0.1, "coupler": 0.25, "rocker": 0.2}.items():
         rod = cd.inertia.box(length, length, 0.02, 0.01)
@@ -56,18 +56,18 @@ def four_bar() -> cd.Model:
     return scene
 
 
-def bouncing() -> cd.Model:
+def bouncing() -> cd.Scene:
     """A slide that meets an elastic stop with friction on the way: impacts and modes."""
-    scene = cd.Model("bouncing", gravity=(0, 0, -9.81))
+    scene = cd.Scene("bouncing", gravity=(0, 0, -9.81))
     body = scene.body("body", mass=1.0, com=(0, 0, 0), inertia=(1, 1, 1))
     scene.joint("rail", cd.Prismatic("z"), scene.ground, body, q0=0.5)
     scene.force("stop", cd.Stop("rail", lower=0.0, restitution=0.6))
     return scene
 
 
-def beam() -> cd.Model:
+def beam() -> cd.Scene:
     """a bar of rubber that falls around its pin."""
-    scene = cd.Model("beam", gravity=(0, 0, -9.81))
+    scene = cd.Scene("beam", gravity=(0, 0, -9.81))
     rubber = cd.material(E=5e6, nu=0.45, rho=1100)
     section = cd.section.rectangle(0.02, 0.02)
     ends = (0, 0, 0), (0.5, 0, 0)

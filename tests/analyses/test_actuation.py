@@ -27,7 +27,7 @@ def model_of(name: str, constraints: str = "auto") -> cd.CompiledModel:
 @cache
 def five_bar() -> cd.CompiledModel:
     """Two cranks, two rods and a motor at the joint between the rods: two freedoms."""
-    scene = cd.Model("five_bar", gravity=(0, -9.81, 0))
+    scene = cd.Scene("five_bar", gravity=(0, -9.81, 0))
     rods = {}
     for name in ("left", "long", "back", "right"):
         rods[name] = scene.body(name, mass=0.5, com=(0.1, 0, 0), inertia=(1e-3, 2e-3, 2e-3))
@@ -167,7 +167,7 @@ def test_hybrid_dynamics_agrees_with_a_prescribed_motion(name):
 
 
 def test_hybrid_dynamics_of_a_tree_takes_whole_joints():
-    scene = cd.Model("swing")
+    scene = cd.Scene("swing")
     arm = scene.body("arm", mass=1.0, com=(0, 0, -0.3), inertia=(0.03, 0.03, 0.01))
     ball = scene.body("ball", mass=0.4, com=(0.1, 0, 0), inertia=(0.01, 0.02, 0.02))
     scene.joint("pivot", cd.Revolute("y"), scene.ground, arm)

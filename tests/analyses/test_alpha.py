@@ -24,7 +24,7 @@ SPEED = 150.0
 
 def top(name: str = "heavy_top", **options: Any) -> cd.CompiledModel:
     """The fast heavy top: a free body, whose center is held to turn about the ground origin."""
-    scene = cd.Model(name, gravity=(0, 0, -9.81))
+    scene = cd.Scene(name, gravity=(0, 0, -9.81))
     body = scene.body("top", mass=15, com=(0, 0, 0), inertia=(0.234375, 0.46875, 0.234375))
     scene.joint("free", cd.Free(), scene.ground, body)
     scene.joint("pivot", cd.Spherical(), scene.ground, body.at(0, -1, 0), cut=True)
@@ -101,7 +101,7 @@ def test_order_of_named_methods(model: cd.CompiledModel, exact: Exact, method: A
 
 
 def test_newmark_without_constraints() -> None:
-    scene = cd.Model("ball", gravity=(0, 0, -9.81))
+    scene = cd.Scene("ball", gravity=(0, 0, -9.81))
     body = scene.body("body", mass=1, com=(0, 0.1, -0.3), inertia=(0.1, 0.2, 0.25))
     scene.joint("ball", cd.Spherical(), scene.ground, body)
     model, counts, errors = cd.compile(scene), np.array([100, 200, 400]), []
@@ -243,7 +243,7 @@ def test_long_rotations_in_a_step(model: cd.CompiledModel) -> None:
 
 
 def test_inputs_work_and_backwards() -> None:
-    scene = cd.Model("driven", gravity=(0, 0, -9.81))
+    scene = cd.Scene("driven", gravity=(0, 0, -9.81))
     push = scene.input("push")
     rod = scene.body("rod", mass=1, com=(0, 0, -0.5), inertia=cd.inertia.rod(1, 1, axis="z"))
     scene.joint("pivot", cd.Revolute("y"), scene.ground, rod)
@@ -265,7 +265,7 @@ def test_inputs_work_and_backwards() -> None:
 
 
 def test_function_of_time() -> None:
-    scene = cd.Model("driven")
+    scene = cd.Scene("driven")
     push = scene.input("push")
     cart = scene.body("cart", mass=2)
     scene.joint("slide", cd.Prismatic("x"), scene.ground, cart)
@@ -332,7 +332,7 @@ def test_stepper_and_checkpoint(model: cd.CompiledModel) -> None:
 
 def test_events_end_segments() -> None:
     """Sticking is a constraint that comes and goes."""
-    scene = cd.Model("oscillator")
+    scene = cd.Scene("oscillator")
     block = scene.body("block", mass=2)
     scene.joint("x", cd.Prismatic("x"), scene.ground, block)
     scene.force("spring", cd.TorsionSpring("x", stiffness=50))

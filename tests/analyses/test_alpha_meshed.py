@@ -79,9 +79,9 @@ def test_damping_is_capped(model: cd.CompiledModel) -> None:
 # step control
 
 
-def pendulum() -> cd.Model:
+def pendulum() -> cd.Scene:
     """Two rods of 1 m in a plane."""
-    scene = cd.Model("rods_meshed", gravity=(0, 0, -9.81))
+    scene = cd.Scene("rods_meshed", gravity=(0, 0, -9.81))
     push = scene.input("push")
     rod = cd.inertia.rod(1, 1, axis="z")
     a = scene.body("a", mass=1, com=(0, 0, -0.5), inertia=rod)
@@ -92,9 +92,9 @@ def pendulum() -> cd.Model:
     return scene
 
 
-def rubber() -> cd.Model:
+def rubber() -> cd.Scene:
     """A rod of rubber let go from the side, of which every oscillation is resolved."""
-    scene = cd.Model("rubber_meshed", gravity=(0, 0, -9.81))
+    scene = cd.Scene("rubber_meshed", gravity=(0, 0, -9.81))
     tube = cd.section.tube(0.1, 0.02)
     rod = scene.beam("rod", (0, 0, 0), (1, 0, 0), tube, RUBBER, elements=2)
     scene.joint("pin", cd.Revolute("y"), scene.ground, rod.start)
@@ -161,7 +161,7 @@ def test_double_pendulum(kick: float, index: int) -> None:
 @INDICES
 def test_energy_of_a_damped_pendulum(index: int) -> None:
     """One node at its own pivot, a spring and losses: the ledger closes."""
-    scene = cd.Model("damped_meshed", gravity=(0, 0, -9.81))
+    scene = cd.Scene("damped_meshed", gravity=(0, 0, -9.81))
     bob = scene.body("bob", mass=1.0, com=(0, 0, -1), inertia=(0.1, 0.1, 0.1))
     scene.joint("pin", cd.Revolute("y"), scene.ground, bob)
     rope = cd.SpringDamper(

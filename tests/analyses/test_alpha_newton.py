@@ -18,9 +18,9 @@ INDICES = pytest.mark.parametrize("index", [2, 3])
 TILT = np.array([np.sin(0.3), 0.0, np.cos(0.3)])
 
 
-def rod(tilt: Array) -> cd.Model:
+def rod(tilt: Array) -> cd.Scene:
     """A rod of rubber on a ball joint, which has coordinates of its own."""
-    scene = cd.Model("spun_rod", gravity=(0, 0, -9.81))
+    scene = cd.Scene("spun_rod", gravity=(0, 0, -9.81))
     rubber = cd.material(E=5e6, nu=0.3, rho=1100)
     tube = cd.section.tube(0.1, 0.02)
     beam = scene.beam("rod", (0, 0, 0), tuple(tilt), tube, rubber, elements=4)
@@ -117,7 +117,7 @@ def test_newton_steps_are_full_or_modified() -> None:
 @pytest.fixture(scope="module")
 def rods() -> cd.CompiledModel:
     """Two rods of 1 m in a plane, anywhere and in any unit of length."""
-    scene = cd.Model("rods_anywhere")
+    scene = cd.Scene("rods_anywhere")
     metre, away = scene.parameter("metre", 1.0), scene.parameter("away", 0.0)
     scene.gravity = (0, 0, -9.81 * metre)
     inertia = (metre**2 / 12, metre**2 / 12, 1e-3 * metre**2)

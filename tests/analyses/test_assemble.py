@@ -115,7 +115,7 @@ def test_inverse_kinematics_of_a_parallel_robot(platform: cd.CompiledModel) -> N
 
 
 def test_inverse_kinematics_of_a_tree() -> None:
-    scene = cd.Model("arm")
+    scene = cd.Scene("arm")
     a = scene.body("a", mass=1.0, com=(0.5, 0, 0), inertia=(0.01, 0.1, 0.1))
     b = scene.body("b", mass=1.0, com=(0.4, 0, 0), inertia=(0.01, 0.1, 0.1))
     scene.joint("first", cd.Revolute("z"), scene.ground, a)
@@ -213,9 +213,9 @@ def test_mistakes(bars: cd.CompiledModel) -> None:
             bars.assemble(*positional, **named)
 
 
-def driven_four_bar() -> cd.Model:
+def driven_four_bar() -> cd.Scene:
     """The four-bar with its crank moved at 2 rad/s from an angle of 1."""
-    scene = cd.Model("driven", gravity=(0, 0, 0))
+    scene = cd.Scene("driven", gravity=(0, 0, 0))
     bodies = {}
     for name in ("crank", "coupler", "rocker"):
         length = FOUR_BAR[name]

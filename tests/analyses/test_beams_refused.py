@@ -11,7 +11,7 @@ SECTION = cd.section.general(EA=1e6, GA=1e6, GJ=100, EI=100, rhoA=1)
 
 
 def test_a_beam_that_nothing_holds_is_named() -> None:
-    scene = cd.Model("free", gravity=(0, 0, -9.81))
+    scene = cd.Scene("free", gravity=(0, 0, -9.81))
     scene.beam("rod", (0, 0, 0), (1, 0, 0), SECTION, elements=2)
     with pytest.warns(cd.SolveWarning, match=r"nothing holds 'rod\.start'.*rigid-body mode"):
         found = cd.compile(scene).equilibrium()
@@ -20,7 +20,7 @@ def test_a_beam_that_nothing_holds_is_named() -> None:
 
 def arch() -> cd.CompiledModel:
     """A shallow arch, clamped at both ends, with a load P in the middle: it snaps through."""
-    scene = cd.Model("arch", gravity=(0, 0, 0))
+    scene = cd.Scene("arch", gravity=(0, 0, 0))
     load, far = scene.parameter("P", 0.0), scene.ground.at(1, 0, 0)
     line = cd.arc(through=(0.5, 0, 0.1))
     beam = scene.beam("arch", scene.ground, far, SECTION, line=line, elements=4)

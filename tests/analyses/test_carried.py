@@ -25,15 +25,15 @@ EDGE = [
 ]
 
 
-def cut(scene: cd.Model, name: str, **changes: Any) -> cd.Model:
+def cut(scene: cd.Scene, name: str, **changes: Any) -> cd.Scene:
     """The scene with a joint cut."""
     scene.joints[name] = dataclasses.replace(scene.joints[name], cut=True, **changes)
     return scene
 
 
-def follower(rotation: str = "quaternion") -> cd.Model:
+def follower(rotation: str = "quaternion") -> cd.Scene:
     """A disc drives a rod that a spring keeps down, by a roller on its edge."""
-    scene = cd.Model("follower", gravity=(0, -9.81, 0))
+    scene = cd.Scene("follower", gravity=(0, -9.81, 0))
     disc = scene.body("disc", mass=0.5, com=(0.005, 0, 0), inertia=(2e-4, 2e-4, 4e-4))
     rod = scene.body("rod", mass=0.2, com=(0, 0.05, 0), inertia=(1e-4, 1e-5, 1e-4))
     scene.joint("shaft", cd.Revolute("z"), scene.ground, disc, motion=SPEED * cd.t)

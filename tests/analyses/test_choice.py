@@ -44,7 +44,7 @@ def test_every_rule_is_reached_and_exists() -> None:
 
 def knee(**options: Any) -> cd.CompiledModel:
     """A pendulum whose second link is held by a spring and a damper of 1e7 1/s."""
-    scene = cd.Model("knee", gravity=(0, 0, -9.81))
+    scene = cd.Scene("knee", gravity=(0, 0, -9.81))
     rod = {"com": (0, 0, -0.5), "inertia": cd.inertia.rod(1.0, 1.0, axis="z")}
     thigh, shin = scene.body("thigh", mass=1.0, **rod), scene.body("shin", mass=1.0, **rod)
     scene.joint("hip", cd.Revolute("y"), scene.ground, thigh)
@@ -84,7 +84,7 @@ def test_what_is_not_stiff_is_not_said_to_be() -> None:
 
 
 def test_samples_take_the_short_method() -> None:
-    scene = cd.Model("driven")
+    scene = cd.Scene("driven")
     wheel = scene.body("wheel", mass=1.0, inertia=(1, 1, 1))
     scene.joint("axle", cd.Revolute("z"), scene.ground, wheel)
     torque = scene.input("torque")

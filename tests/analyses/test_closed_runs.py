@@ -185,7 +185,7 @@ def test_files_and_pickles_keep_the_ledger(bars: cd.CompiledModel, tmp_path: Pat
 
 
 def test_exported_integrators_keep_circuits_closed(tmp_path: Path) -> None:
-    scene = cd.Model("pendulum", gravity=(0, -9.81, 0))
+    scene = cd.Scene("pendulum", gravity=(0, -9.81, 0))
     bob = scene.body("bob", mass=1.0, com=(0, 0, 0), inertia=(0.01, 0.01, 0.01))
     scene.joint("plane", cd.Planar(), scene.ground, bob, q0=(0.6, -0.8, 0.0))
     scene.joint("pin", cd.Revolute("z"), scene.ground, bob.at(-0.6, 0.8, 0))

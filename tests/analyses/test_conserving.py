@@ -20,7 +20,7 @@ Array = np.ndarray
 def top() -> tuple[cd.CompiledModel, Array]:
     """The fast heavy top as a node held at a point, and its start."""
     given, omega = KNOWN["parameters"], np.array(KNOWN["initial_state"]["Omega0_body"])
-    scene = cd.Model("heavy_top_nodes", gravity=tuple(given["g"]))
+    scene = cd.Scene("heavy_top_nodes", gravity=tuple(given["g"]))
     body = scene.body("top", mass=given["m"], com=(0, 0, 0), inertia=tuple(given["J_cog"]))
     point = body.at(*(-x for x in given["X"]))
     scene.joint("free", cd.Free(), scene.ground, body)
@@ -32,7 +32,7 @@ def top() -> tuple[cd.CompiledModel, Array]:
 def rod(pinned: bool = True, inertia: str = "lumped") -> cd.CompiledModel:
     """A rubber beam of 1 m: a pendulum, or free in space."""
     name = f"rod_{pinned}_{inertia}"
-    scene = cd.Model(name, gravity=(0, 0, -9.81 if pinned else 0))
+    scene = cd.Scene(name, gravity=(0, 0, -9.81 if pinned else 0))
     tube = cd.section.tube(0.01, 0.002)
     beam = scene.beam("rod", (0, 0, 0), (1, 0, 0), tube, RUBBER, elements=4, inertia=inertia)
     if pinned:
@@ -42,7 +42,7 @@ def rod(pinned: bool = True, inertia: str = "lumped") -> cd.CompiledModel:
 
 def double_pendulum() -> cd.CompiledModel:
     """Two bodies whose hinges are across each other and miss the centers of mass."""
-    scene = cd.Model("double_pendulum_nodes", gravity=(0, 0, -9.81))
+    scene = cd.Scene("double_pendulum_nodes", gravity=(0, 0, -9.81))
     a = scene.body("a", mass=1.0, com=(0.3, 0.1, -0.2), inertia=(0.1, 0.2, 0.25))
     b = scene.body("b", mass=2.0, com=(0.2, 0, -0.5), inertia=(0.1, 0.15, 0.2))
     scene.joint("upper", cd.Revolute(axis=(0, 1, 0)), scene.ground, a)
@@ -125,7 +125,7 @@ def test_revolute_joints() -> None:
 
 
 def test_springs_between_bodies_keep_all_momenta() -> None:
-    scene = cd.Model("sprung_nodes", gravity=(0, 0, 0))
+    scene = cd.Scene("sprung_nodes", gravity=(0, 0, 0))
     a = scene.body("a", mass=1.0, com=(0.1, 0, 0), inertia=(0.1, 0.2, 0.25))
     b = scene.body("b", mass=2.0, com=(0, 0.1, 0.2), inertia=(0.3, 0.15, 0.2))
     scene.joint("of_a", cd.Free(), scene.ground, a)
@@ -157,7 +157,7 @@ def test_multipliers_are_those_of_the_motion() -> None:
 def test_what_does_not_conserve_is_named() -> None:
     with pytest.raises(cd.ModelError, match="inertia='lumped'"):
         rod(inertia="linked").simulate(0.1, step=1e-3, method=METHOD)
-    damped = cd.Model("damped", gravity=(0, 0, -9.81))
+    damped = cd.Scene("damped", gravity=(0, 0, -9.81))
     body = damped.body("bob", mass=1.0, com=(0, 0, -1), inertia=(0.1, 0.1, 0.1))
     damped.joint("pin", cd.Revolute(axis=(0, 1, 0)), damped.ground, body)
     damped.force("oil", cd.SpringDamper(damped.ground.at(1, 0, 0), body, damping=4.0))

@@ -13,9 +13,9 @@ from mechanisms.chain import chain
 from mechanisms.closed import CLOSED
 
 
-def pushed() -> cd.Model:
+def pushed() -> cd.Scene:
     """A top on a stiff bush that inputs turn: one of time, one that feeds back."""
-    scene = cd.Model("pushed", gravity=(0, 0, -9.81))
+    scene = cd.Scene("pushed", gravity=(0, 0, -9.81))
     rider = scene.body("rider", mass=0.5, com=(0, 0, 0), inertia=(0.01, 0.01, 0.02))
     top = scene.body("top", mass=1.0, com=(0, 0, 0.3), inertia=(0.1, 0.1, 0.02))
     scene.joint("bush", cd.Prismatic("x"), scene.ground, rider)

@@ -15,9 +15,9 @@ from spread import some
 G = 9.81
 
 
-def pendulum() -> cd.Model:
+def pendulum() -> cd.Scene:
     """A rod of 1 kg and 1 m, with a torque."""
-    scene = cd.Model("pendulum", gravity=(0, 0, -G))
+    scene = cd.Scene("pendulum", gravity=(0, 0, -G))
     rod = scene.body("rod", mass=1.0, com=(0, 0, -0.5), inertia=cd.inertia.rod(1.0, 1.0, axis="z"))
     scene.joint("pivot", cd.Revolute("y"), scene.ground, rod, q0=0.3)
     scene.force("motor", cd.JointForce("pivot", scene.input("torque")))
@@ -71,7 +71,7 @@ def test_a_run_starts_there_and_stays(rod: cd.CompiledModel) -> None:
 
 
 def test_springs_in_a_row() -> None:
-    scene = cd.Model("row", gravity=(0, 0, -G))
+    scene = cd.Scene("row", gravity=(0, 0, -G))
     last: Any = scene.ground
     masses, stiffness = (1.0, 2.0, 3.0), (100.0, 200.0, 50.0)
     for k, (m, c) in enumerate(zip(masses, stiffness, strict=True)):
@@ -85,9 +85,9 @@ def test_springs_in_a_row() -> None:
     assert found.iterations <= 2
 
 
-def hanging(n: int, span: float = 0.6) -> cd.Model:
+def hanging(n: int, span: float = 0.6) -> cd.Scene:
     """A chain of n rods, 1 m and 1 kg in all, between two points of equal height."""
-    scene, last = cd.Model("chain", gravity=(0, 0, -G)), None
+    scene, last = cd.Scene("chain", gravity=(0, 0, -G)), None
     length = 1.0 / n
     for k in range(n):
         rod = cd.inertia.rod(1.0 / n, length, axis="x")
@@ -150,7 +150,7 @@ def test_circuits_rest(name: str) -> None:
 
 def governor(speed: float) -> cd.CompiledModel:
     """A point mass on an arm of 0.5 m that a vertical shaft turns."""
-    scene = cd.Model("governor", gravity=(0, 0, -G))
+    scene = cd.Scene("governor", gravity=(0, 0, -G))
     shaft = scene.body("shaft", mass=1.0, inertia=(0.1, 0.1, 0.1))
     arm = scene.body("arm", mass=1.0, com=(0, 0, -0.5))
     scene.joint("spin", cd.Revolute("z"), scene.ground, shaft, u0=speed)
@@ -178,7 +178,7 @@ def test_speeds_that_are_no_steady_motion() -> None:
 
 
 def test_weight_that_does_not_turn_along_is_told() -> None:
-    scene = cd.Model("wheel", gravity=(0, 0, -G))
+    scene = cd.Scene("wheel", gravity=(0, 0, -G))
     wheel = scene.body("wheel", mass=1.0, com=(0, 0, -0.1), inertia=(0.1, 0.1, 0.1))
     scene.joint("axle", cd.Revolute("y"), scene.ground, wheel)
     model = cd.compile(scene)
@@ -190,7 +190,7 @@ def test_weight_that_does_not_turn_along_is_told() -> None:
 
 
 def test_what_nothing_holds_is_named() -> None:
-    scene = cd.Model("trolley", gravity=(0, 0, -G))
+    scene = cd.Scene("trolley", gravity=(0, 0, -G))
     cart = scene.body("cart", mass=1.0)
     bob = scene.body("bob", mass=1.0, com=(0, 0, -1.0))
     scene.joint("rail", cd.Prismatic("x"), scene.ground, cart)
@@ -209,7 +209,7 @@ def test_what_nothing_holds_is_named() -> None:
 
 
 def test_internal_states_come_to_rest() -> None:
-    scene = cd.Model("arm", gravity=(0, 0, -G))
+    scene = cd.Scene("arm", gravity=(0, 0, -G))
     rod = scene.body("rod", mass=1.0, com=(0, 0, -0.5), inertia=(0.1, 0.1, 0.01))
     scene.joint("pivot", cd.Revolute("y"), scene.ground, rod)
     angle, rate = scene.q("pivot"), scene.u("pivot")

@@ -14,7 +14,7 @@ import pytest
 import cardan as cd
 from cardan.runtime.build import toolchain
 from cardan.runtime.trajectory.storage import load
-from cardan.runtime.trajectory.trajectory import Trajectory
+from cardan.runtime.trajectory.trajectory import TrajectoryRecord
 from cardan.schema.integrators import INTEGRATORS
 
 G = 9.81
@@ -25,7 +25,7 @@ START = {"z": 1.0}
 @pytest.fixture(scope="module")
 def ball() -> cd.CompiledModel:
     """A ball that bounces on a floor, against air, and a motor that lags."""
-    scene = cd.Model("ball", gravity=(0, 0, -G))
+    scene = cd.Scene("ball", gravity=(0, 0, -G))
     scene.joint("z", cd.Prismatic("z"), scene.ground, scene.body("ball", mass=2.0))
     scene.force("floor", cd.Stop("z", lower=0.0, restitution=0.7, settle=1e-3))
     scene.force("air", cd.Damping("z", 0.05))
@@ -36,7 +36,7 @@ def ball() -> cd.CompiledModel:
 @pytest.fixture(scope="module")
 def servo() -> cd.CompiledModel:
     """A mass on a rail under a sampled controller."""
-    scene = cd.Model("servo")
+    scene = cd.Scene("servo")
     scene.joint("x", cd.Prismatic("x"), scene.ground, scene.body("block", mass=1.0))
     x, v = scene.q("x"), scene.u("x")
     pid = cd.Controller.pid("x", x, v, target=1.0, kp=8.0, ki=1.0, kd=5.0, sample=0.05)
@@ -222,7 +222,7 @@ def test_a_watch_that_is_not_finite_ends_the_run(ball: cd.CompiledModel) -> None
 
     with pytest.warns(cd.SolveWarning, match="what says when 'root' happens is not finite"):
         motion = ball.simulate(1.0, q=START, events={"root": root})
-    assert isinstance(motion, Trajectory)
+    assert isinstance(motion, TrajectoryRecord)
     assert motion.status == "not_finite"
     assert motion["z"][-1] > 0.5
 
@@ -275,9 +275,9 @@ BOUNDS = {
 
 
 @pytest.fixture(scope="module")
-def turning() -> tuple[cd.CompiledModel, Trajectory]:
+def turning() -> tuple[cd.CompiledModel, TrajectoryRecord]:
     """A rod that hits a stop, with a body that tumbles at its end; and its motion."""
-    scene = cd.Model("turning", gravity=(0, 0, -G))
+    scene = cd.Scene("turning", gravity=(0, 0, -G))
     rod = scene.body("rod", mass=1.0, com=(0, 0, -0.5), inertia=(0.01, 0.02, 0.015))
     scene.joint("hinge", cd.Revolute("y"), scene.ground, rod)
     top = scene.body("top", mass=0.2, inertia=(0.01, 0.02, 0.015))
@@ -291,7 +291,7 @@ TURN: dict[str, Any] = {"q": {"hinge": 1.0}, "u": {"ball": [0.2, 5.0, -0.3]}}
 
 
 @pytest.mark.parametrize("method", BOUNDS)
-def test_by_every_method(method: str, turning: tuple[cd.CompiledModel, Trajectory]) -> None:
+def test_by_every_method(method: str, turning: tuple[cd.CompiledModel, TrajectoryRecord]) -> None:
     model, wanted = turning
     fixed = not INTEGRATORS[method].adaptive
     how: dict[str, Any] = {"step": 1e-3} if fixed else {"rtol": 1e-8, "atol": 1e-9}
@@ -315,7 +315,7 @@ def test_reports_of_models_with_states_and_modes(ball: cd.CompiledModel) -> None
 
 
 def test_a_first_decision_is_no_event() -> None:
-    scene = cd.Model("box", gravity=(0, 0, -G))
+    scene = cd.Scene("box", gravity=(0, 0, -G))
     box = scene.body("box", mass=1.0)
     scene.joint("z", cd.Prismatic("z"), scene.ground, box)
     scene.joint("x", cd.Prismatic("x"), scene.ground, scene.body("block", mass=1.0))
@@ -345,7 +345,7 @@ CHANGED: list[tuple[dict[str, float], str]] = [
 @pytest.fixture(scope="module")
 def bounded() -> cd.CompiledModel:
     """Elements whose numbers have limits."""
-    scene = cd.Model("bounded", gravity=(0, 0, -G))
+    scene = cd.Scene("bounded", gravity=(0, 0, -G))
     scene.joint("z", cd.Prismatic("z"), scene.ground, scene.body("ball", mass=2.0))
     e = scene.parameter("e", 0.3)
     scene.force("end", cd.Stop("z", lower=-1.0, upper=1.0, restitution=e, settle=1e-3))

@@ -16,7 +16,7 @@ AXIS = np.array([0.3, 1.0, 0.2])
 @pytest.fixture(scope="module")
 def model() -> cd.CompiledModel:
     """A crank, a coupler on a ball and a Hooke joint, and a rocker whose bearing is cut."""
-    scene = cd.Model("spatial", gravity=(0, 0, -9.81))
+    scene = cd.Scene("spatial", gravity=(0, 0, -9.81))
     crank, coupler, rocker = (
         scene.body(name, mass=1.0, inertia=(0.1, 0.1, 0.1))
         for name in ("crank", "coupler", "rocker")

@@ -237,7 +237,7 @@ def test_energies_need_no_accelerations() -> None:
 
 def test_a_run_is_data() -> None:
     """Motors that follow a plan: a run of the true robot, held against the nominal one."""
-    scene = cd.Model("driven_arm", gravity=(0, 0, -9.81))
+    scene = cd.Scene("driven_arm", gravity=(0, 0, -9.81))
     inner = scene.ground
     for k in range(2):
         link = scene.body(f"link{k}", mass=1.5, com=(0.02, 0.01, -0.3), inertia=(0.05, 0.05, 0.01))
@@ -258,7 +258,7 @@ def test_a_run_is_data() -> None:
 
 def test_friction_and_a_rotor() -> None:
     """Coefficients of elements, of which the nominal model has none but the rotor."""
-    scene = cd.Model("axle", gravity=(0, 0, -9.81))
+    scene = cd.Scene("axle", gravity=(0, 0, -9.81))
     arm = scene.body("arm", mass=1.0, com=(0, 0, -0.3), inertia=(0.1, 0.1, 0.1))
     scene.joint("hinge", cd.Revolute("y"), scene.ground, arm)
     names = {name: scene.parameter(name, 0.0) for name in ("dry", "wet", "soft")}

@@ -56,7 +56,7 @@ def test_rolling_has_no_positions_and_trees_no_constraints() -> None:
     found = model.residual(0.0, q, u, np.zeros(model.nu), np.zeros(model.nlam), index=3)
     expected = [*model.constraints(q), *model.constraint_rates(q, u)[1:]]
     np.testing.assert_array_equal(found[model.nq + model.nu :], expected)
-    scene = cd.Model("pendulum", gravity=(0, 0, -9.81))
+    scene = cd.Scene("pendulum", gravity=(0, 0, -9.81))
     bob = scene.body("bob", mass=1.0, com=(0, 0, -1.0))
     scene.joint("pivot", cd.Revolute("y"), scene.ground, bob)
     tree = cd.compile(scene)

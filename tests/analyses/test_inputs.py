@@ -13,7 +13,7 @@ import cardan as cd
 @pytest.fixture(scope="module")
 def cart() -> cd.CompiledModel:
     """A mass of 2 kg pushed along x."""
-    scene = cd.Model("cart", gravity=(0, 0, 0))
+    scene = cd.Scene("cart", gravity=(0, 0, 0))
     body = scene.body("body", mass=2.0, com=(0, 0, 0), inertia=(1, 1, 1))
     scene.joint("rail", cd.Prismatic("x"), scene.ground, body)
     push = scene.input("push")
@@ -124,7 +124,7 @@ def test_a_function_with_other_arguments_is_refused() -> None:
     import cardan as cd
     from cardan.errors import ArgumentError
 
-    scene = cd.Model("pushed")
+    scene = cd.Scene("pushed")
     push = scene.input("push")
     block = scene.body("block", mass=1.0)
     scene.joint("track", cd.Prismatic("x"), scene.ground, block)

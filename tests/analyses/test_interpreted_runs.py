@@ -26,7 +26,7 @@ DAMPED = {"Newmark"}
 FREE = {"EnergyMomentum"}
 # derivatives of the right-hand side, which elements do not offer
 DERIVED = {"Radau", "Rosenbrock"}
-SCENES: dict[str, tuple[Callable[[], cd.Model], float, dict[str, Any], set[str]]] = {
+SCENES: dict[str, tuple[Callable[[], cd.Scene], float, dict[str, Any], set[str]]] = {
     "tree": (double_scene, 0.5, {"q": {"elbow": 0.4}}, FREE),
     "loop": (four_bar, 0.3, {"q": {"A": 0.5}, "u": {"A": 8.0}}, FREE | DAMPED),
     "events": (bouncing, 1.0, {}, FREE | DAMPED),
@@ -48,7 +48,7 @@ import numpy as np
 import cardan as cd
 from analyses.conftest import double_scene
 from analyses.interpreted import beam, bouncing, four_bar
-from cardan.runtime import toolchain
+from cardan.runtime.build import toolchain
 
 if "bare" in sys.argv:
     toolchain.ziglang = list

@@ -27,7 +27,7 @@ from spread import some
 
 WAITED = 300  # seconds for a process of its own, on a busy machine
 # scene, work, calls of model functions before Ctrl-C, words of the warning
-WORK: dict[str, tuple[Callable[[], cd.Model], Callable[..., Any], int, str]] = {
+WORK: dict[str, tuple[Callable[[], cd.Scene], Callable[..., Any], int, str]] = {
     "simulate": (double_scene, simulated, 3000, "interrupted at t = "),
     "simulate a beam": (beam, simulated, 2000, "interrupted at t = "),
     "ensemble": (double_scene, many, 20_000, "interrupted"),
@@ -127,7 +127,7 @@ def test_a_stepper_goes_on_after_ctrl_c(bare: Any, monkeypatch: pytest.MonkeyPat
 @pytest.mark.parametrize("error", [ZeroDivisionError("mine"), SystemExit(3), MemoryError()])
 @pytest.mark.parametrize("build", [double_scene, beam])
 def test_what_a_function_raises_comes_through(
-    build: Callable[[], cd.Model], error: BaseException, bare: Any, monkeypatch: pytest.MonkeyPatch
+    build: Callable[[], cd.Scene], error: BaseException, bare: Any, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Errors of any kind cross the C frames, and the model goes on after them."""
     model = cd.compile(build())

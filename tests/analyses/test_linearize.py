@@ -26,9 +26,9 @@ G = 9.81
 Array = np.ndarray
 
 
-def trolley() -> cd.Model:
+def trolley() -> cd.Scene:
     """A cart with a pendulum of a point mass, pushed and seen."""
-    scene = cd.Model("trolley", gravity=(0, 0, -G))
+    scene = cd.Scene("trolley", gravity=(0, 0, -G))
     cart = scene.body("cart", mass=2.0)
     bob = scene.body("bob", mass=1.0, com=(0, 0, -0.5))
     scene.joint("rail", cd.Prismatic("x"), scene.ground, cart)
@@ -127,7 +127,7 @@ def test_python_control_agrees(cart: cd.CompiledModel) -> None:
 
 def test_four_parts_of_second_order() -> None:
     # a mass on a turntable, with springs, dampers and a force that drives around
-    scene = cd.Model("turntable", gravity=(0, 0, 0))
+    scene = cd.Scene("turntable", gravity=(0, 0, 0))
     table = scene.body("table", mass=1.0, inertia=(0.1, 0.1, 0.1))
     slide, mass = scene.body("slide", mass=0, inertia=(0, 0, 0)), scene.body("mass", mass=2.0)
     scene.joint("spin", cd.Revolute("z"), scene.ground, table, motion=3.0 * cd.t)
@@ -239,7 +239,7 @@ def test_trees_against_the_flow(name: str) -> None:
 
 def test_sleeping_top() -> None:
     I1, I3, m, length = 0.5, 0.1, 2.0, 0.4
-    scene = cd.Model("top", gravity=(0, 0, -G))
+    scene = cd.Scene("top", gravity=(0, 0, -G))
     center = I1 - m * length**2
     top = scene.body("top", mass=m, com=(0, 0, length), inertia=(center, center, I3))
     scene.joint("tip", cd.Spherical(), scene.ground, top)
@@ -291,7 +291,7 @@ def test_a_held_joint_stays(double: cd.CompiledModel) -> None:
 
 
 def test_controller_states() -> None:
-    scene = cd.Model("servo", gravity=(0, 0, 0))
+    scene = cd.Scene("servo", gravity=(0, 0, 0))
     wheel = scene.body("wheel", mass=1.0, inertia=(1, 1, 0.5))
     scene.joint("axle", cd.Revolute("z"), scene.ground, wheel)
     target, angle, rate = scene.input("target"), scene.q("axle"), scene.u("axle")

@@ -18,9 +18,9 @@ Array = np.ndarray
 G = 9.81
 
 
-def column() -> cd.Model:
+def column() -> cd.Scene:
     """A bar on a spring and a damper, under a load that keeps its direction."""
-    scene = cd.Model("column", gravity=(0, 0, 0))
+    scene = cd.Scene("column", gravity=(0, 0, 0))
     P, c, k = (scene.parameter(n, v) for n, v in (("P", 0.5), ("c", 0.2), ("k", 2.0)))
     bar = scene.body("bar", mass=1.0, com=(0, 0, 0.5), inertia=(0.1, 0.1, 0.01))
     scene.joint("foot", cd.Revolute("y"), scene.ground, bar)
@@ -57,9 +57,9 @@ def test_flutter_of_negative_damping(bar: cd.CompiledModel) -> None:
     assert change.frequency == pytest.approx(math.sqrt(1.5 / 0.35), rel=1e-10)
 
 
-def ziegler(follower: bool) -> cd.Model:
+def ziegler(follower: bool) -> cd.Scene:
     """Two links of length 1, masses 2 and 1 at their ends, springs of 1 N m, a load at the tip."""
-    scene = cd.Model("ziegler", gravity=(0, 0, 0))
+    scene = cd.Scene("ziegler", gravity=(0, 0, 0))
     P = scene.parameter("P", 0.0)
     first, second = (scene.body(n, mass=m, com=(0, 0, 1)) for n, m in (("a", 2.0), ("b", 1.0)))
     scene.joint("a", cd.Revolute("y"), scene.ground, first)
@@ -92,7 +92,7 @@ def test_flutter_of_ziegler() -> None:
 
 def test_eigenvalues_are_followed_where_they_cross() -> None:
     # two oscillators that know nothing of each other: frequencies cross, shapes do not change
-    scene = cd.Model("two", gravity=(0, 0, 0))
+    scene = cd.Scene("two", gravity=(0, 0, 0))
     k = scene.parameter("k", 1.0)
     for name, stiffness in (("still", 4.0), ("moved", k)):
         body = scene.body(name, mass=1.0)
@@ -108,9 +108,9 @@ def test_eigenvalues_are_followed_where_they_cross() -> None:
 # Campbell diagrams
 
 
-def wheel(I: float, Ip: float, k: float) -> cd.Model:
+def wheel(I: float, Ip: float, k: float) -> cd.Scene:
     """A disk that tilts on springs and spins."""
-    scene = cd.Model("wheel", gravity=(0, 0, 0))
+    scene = cd.Scene("wheel", gravity=(0, 0, 0))
     a, b = (scene.body(name, mass=0, inertia=(0, 0, 0)) for name in ("a", "b"))
     disk = scene.body("disk", mass=1.0, inertia=(I, I, Ip))
     scene.joint("tx", cd.Revolute("x"), scene.ground, a)
@@ -140,9 +140,9 @@ def test_gyroscopic_splitting(Ip: float, way: int) -> None:
     assert "critical speeds" in repr(found)
 
 
-def jeffcott(turning: bool) -> cd.Model:
+def jeffcott(turning: bool) -> cd.Scene:
     """A disk on a shaft that bends, with dampers outside and inside, in fixed or turning axes."""
-    scene = cd.Model("jeffcott", gravity=(0, 0, 0))
+    scene = cd.Scene("jeffcott", gravity=(0, 0, 0))
     bodies = [scene.body(name, mass=0, inertia=(0, 0, 0)) for name in ("a", "b")[: 2 - turning]]
     disk = scene.body("disk", mass=2.0, inertia=(0.1, 0.1, 0.2))
     if turning:
@@ -181,7 +181,7 @@ def test_damping_inside_a_shaft(turning: bool) -> None:
 
 def test_motions_on_the_line_do_not_cross_it() -> None:
     """In axes of the body turns of the whole keep to the line of the spin; nutation crosses it."""
-    scene = cd.Model("gyrostat", gravity=(0, 0, 0))
+    scene = cd.Scene("gyrostat", gravity=(0, 0, 0))
     I1, I2, I3, h = 4.0, 4.2, 3.6, 3.0
     bus = scene.body("bus", mass=1.0, inertia=(I1, I2, I3))
     scene.joint("attitude", cd.Spherical(), scene.ground, bus)
@@ -197,7 +197,7 @@ def test_motions_on_the_line_do_not_cross_it() -> None:
 def test_shaft_of_a_beam() -> None:
     EI, length, m, across, along = 100.0, 1.0, 2.0, 0.02, 0.035
     section = cd.section.general(EA=1e7, GA=1e10, GJ=1e3, EI=EI, rhoA=1e-6, rhoI=1e-12)
-    scene = cd.Model("shaft", gravity=(0, 0, 0))
+    scene = cd.Scene("shaft", gravity=(0, 0, 0))
     hub = scene.body("hub", mass=1, inertia=(1, 1, 1))
     scene.joint("drive", cd.Revolute("z"), scene.ground, hub)
     beam = scene.beam("shaft", hub, (0, 0, length), section, elements=1)
@@ -247,7 +247,7 @@ def test_sensitivities_in_closed_form(bar: cd.CompiledModel) -> None:
 
 
 def test_sensitivity_of_a_motion_that_moves_along() -> None:
-    scene = cd.Model("cone", gravity=(0, 0, -G))
+    scene = cd.Scene("cone", gravity=(0, 0, -G))
     shaft = scene.body("shaft", mass=0.1, inertia=(0.1, 0.1, 0.1))
     bob = scene.body("bob", mass=1.0, com=(0, 0, -0.8))
     scene.joint("turn", cd.Revolute("z"), scene.ground, shaft)
@@ -274,7 +274,7 @@ def test_sensitivity_of_a_motion_that_moves_along() -> None:
 
 
 def test_defective_eigenvalues_are_marked() -> None:
-    scene = cd.Model("free", gravity=(0, 0, 0))
+    scene = cd.Scene("free", gravity=(0, 0, 0))
     body = scene.body("body", mass=2.0)
     scene.joint("rail", cd.Prismatic("x"), scene.ground, body)
     model = cd.compile(scene)
@@ -341,7 +341,7 @@ def test_nonsense_is_refused(bar: cd.CompiledModel, call: Callable[[Any], Any], 
 
 def test_a_locus_keeps_what_it_has() -> None:
     # beyond some speed the governor's arm is thrown out of its stop: no equilibrium
-    scene = cd.Model("magnet", gravity=(0, 0, 0))
+    scene = cd.Scene("magnet", gravity=(0, 0, 0))
     F = scene.parameter("F", 0.0)
     body = scene.body("body", mass=1.0)
     scene.joint("x", cd.Prismatic("x"), scene.ground, body)

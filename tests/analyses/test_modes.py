@@ -21,7 +21,7 @@ G = 9.81
 
 def row(n: int, grounded: bool = True, damping: float = 0.0) -> cd.CompiledModel:
     """n masses of 1 kg in a row of springs of 100 N/m, held at both ends or free."""
-    scene = cd.Model("row", gravity=(0, 0, 0))
+    scene = cd.Scene("row", gravity=(0, 0, 0))
     last: Any = scene.ground
     first = 0 if grounded else 1
     for k in range(n):
@@ -79,7 +79,7 @@ def test_damping_ratios() -> None:
 
 
 def test_prestress() -> None:
-    scene = cd.Model("column", gravity=(0, 0, 0))
+    scene = cd.Scene("column", gravity=(0, 0, 0))
     P = scene.parameter("P", 0.0)
     bar = scene.body("bar", mass=1.0, com=(0, 0, 0.5), inertia=(0.1, 0.1, 0.01))
     scene.joint("base", cd.Revolute("y"), scene.ground, bar)
@@ -96,7 +96,7 @@ def test_prestress() -> None:
 
 def rotor(offset: float = 0.0) -> cd.CompiledModel:
     """A disk on springs that tilts about two axes and spins: gyroscopic splitting."""
-    scene = cd.Model("rotor", gravity=(0, 0, 0))
+    scene = cd.Scene("rotor", gravity=(0, 0, 0))
     one, two = scene.body("one", mass=0.0), scene.body("two", mass=0.0)
     disk = scene.body("disk", mass=1.0, com=(0, 0, offset), inertia=(0.2, 0.2, 0.3))
     scene.joint("x", cd.Revolute("x"), scene.ground, one)
@@ -122,7 +122,7 @@ def test_whirling(spin: float) -> None:
 
 
 def test_jeffcott_rotor_in_ground_axes() -> None:
-    scene = cd.Model("jeffcott", gravity=(0, 0, 0))
+    scene = cd.Scene("jeffcott", gravity=(0, 0, 0))
     slides = [scene.body(name, mass=0.0) for name in ("a", "b")]
     disk = scene.body("disk", mass=2.0, inertia=(0.01, 0.01, 0.02))
     scene.joint("x", cd.Prismatic("x"), scene.ground, slides[0])
@@ -137,7 +137,7 @@ def test_jeffcott_rotor_in_ground_axes() -> None:
 
 def test_a_turning_observer() -> None:
     # a mass on springs that turn with the shaft: (omega -+ W), from equations in turning axes
-    scene = cd.Model("turntable", gravity=(0, 0, 0))
+    scene = cd.Scene("turntable", gravity=(0, 0, 0))
     table, slide = (
         scene.body("table", mass=1.0, inertia=(1e6, 1e6, 1e6)),
         scene.body("slide", mass=0.0),
@@ -261,7 +261,7 @@ def test_a_state_that_accelerates_is_told(double: cd.CompiledModel) -> None:
 
 
 def test_a_part_without_mass_is_told() -> None:
-    scene = cd.Model("massless", gravity=(0, 0, 0))
+    scene = cd.Scene("massless", gravity=(0, 0, 0))
     body = scene.body("body", mass=0.0)
     scene.joint("rail", cd.Prismatic("x"), scene.ground, body)
     scene.force("k", cd.JointForce("rail", -scene.q("rail")))

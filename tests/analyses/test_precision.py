@@ -11,7 +11,7 @@ import pytest
 import cardan as cd
 from cardan.analyses.simulation.precision import runs
 from cardan.analyses.simulation.precision.runs import precision
-from cardan.analyses.simulation.precision.work_precision import Point, Precision
+from cardan.analyses.simulation.precision.work_precision import Point, PrecisionRecord
 from cardan.schema.integrators import INTEGRATORS
 from mechanisms import ZOO
 
@@ -24,11 +24,11 @@ def pendulum() -> cd.CompiledModel:
 
 
 @pytest.fixture(scope="module")
-def found() -> Precision:
+def found() -> PrecisionRecord:
     return precision(pendulum(), 1.0, **START)
 
 
-def test_every_integrator_is_there_or_named(found: Precision) -> None:
+def test_every_integrator_is_there_or_named(found: PrecisionRecord) -> None:
     measured = {point.method for point in found.points}
     assert measured | set(found.left_out) == set(INTEGRATORS)
     assert found.left_out["RKMK4"] == "the same as RK4: no joint here turns by a quaternion"
@@ -37,7 +37,7 @@ def test_every_integrator_is_there_or_named(found: Precision) -> None:
     assert all(point.milliseconds > 0 and point.steps > 0 for point in done)
 
 
-def test_references_agree_and_errors_fall_with_the_tolerance(found: Precision) -> None:
+def test_references_agree_and_errors_fall_with_the_tolerance(found: PrecisionRecord) -> None:
     assert "DOP853 and Radau at rtol 1e-13" in found.reference
     assert found.doubt < 1e-11
     for method in ("DOP853", "RK45", "Radau", "Rosenbrock", "RK4"):
@@ -46,7 +46,7 @@ def test_references_agree_and_errors_fall_with_the_tolerance(found: Precision) -
         assert errors[-1] < 1e-10
 
 
-def test_errors_are_those_of_a_run(found: Precision) -> None:
+def test_errors_are_those_of_a_run(found: PrecisionRecord) -> None:
     point = next(p for p in found.points if p.method == "RK45" and p.value == 1e-4)
     times = np.linspace(0, 1, runs.OUTPUTS)
     model = pendulum()
@@ -56,7 +56,7 @@ def test_errors_are_those_of_a_run(found: Precision) -> None:
     assert point.evaluations == rough.statistics["evaluations"]
 
 
-def test_recommendation_names_the_quickest(found: Precision) -> None:
+def test_recommendation_names_the_quickest(found: PrecisionRecord) -> None:
     for goal in (1e-3, 1e-6, 1e-9):
         first = found.best(goal)[0]
         assert first.error <= goal
@@ -67,7 +67,7 @@ def test_recommendation_names_the_quickest(found: Precision) -> None:
 
 
 def test_a_stiff_motion_is_said_to_be() -> None:
-    scene = cd.Model("stiff", gravity=(0, 0, -9.81))
+    scene = cd.Scene("stiff", gravity=(0, 0, -9.81))
     rod = scene.body("rod", mass=1.0, com=(0, 0, -0.5))
     tip = scene.body("tip", mass=1.0)
     scene.joint("swing", cd.Revolute("y"), scene.ground, rod)

@@ -12,9 +12,9 @@ from laws.circuits import compiled, start
 from mechanisms.closed import four_bar, parallelogram
 
 
-def tilted() -> cd.Model:
+def tilted() -> cd.Scene:
     """A four-bar with one hinge out of the normal of its plane: it has one position, no motion."""
-    flat, scene = four_bar(), cd.Model("tilted", gravity=(0, -9.81, 0))
+    flat, scene = four_bar(), cd.Scene("tilted", gravity=(0, -9.81, 0))
     links = {
         body.name: scene.body(body.name, mass=body.mass, com=body.com, inertia=(1e-3, 1e-3, 1e-3))
         for body in flat.bodies.values()
@@ -29,7 +29,7 @@ def tilted() -> cd.Model:
     return scene
 
 
-def braced() -> cd.Model:
+def braced() -> cd.Scene:
     """Parallelograms with a diagonal: a frame."""
     scene = parallelogram()
     diagonal = scene.body("diagonal", mass=1.0, com=(0.5, 0, 0), inertia=(0, 0.1, 0.1))
@@ -82,7 +82,7 @@ def test_a_rank_change_that_can_be_passed() -> None:
 def test_a_motion_that_ends_says_when_and_where() -> None:
     """A rocker driven beyond its dead end."""
     flat = four_bar()
-    scene = cd.Model("driven", gravity=(0, -9.81, 0))
+    scene = cd.Scene("driven", gravity=(0, -9.81, 0))
     links = {b.name: scene.body(b.name, b.mass, b.com, (1e-4,) * 3) for b in flat.bodies.values()}
     crank, coupler, rocker = links.values()
     pivot = scene.ground.at(0.3, 0, 0)

@@ -10,9 +10,9 @@ import pytest
 import cardan as cd
 
 
-def slider(name: str) -> cd.Model:
+def slider(name: str) -> cd.Scene:
     """A mass of 1 kg on a rail, without gravity."""
-    scene = cd.Model(name, gravity=(0, 0, 0))
+    scene = cd.Scene(name, gravity=(0, 0, 0))
     scene.joint("x", cd.Prismatic("x"), scene.ground, scene.body("block", mass=1.0))
     return scene
 
@@ -31,7 +31,7 @@ def models() -> dict[str, cd.CompiledModel]:
     bounce = slider("bounce")
     bounce.force("weight", cd.JointForce("x", -9.81))
     bounce.force("wall", cd.Stop("x", lower=0.0, restitution=0.5, settle=0.0))
-    moved = cd.Model("moved", gravity=(0, 0, -9.81))
+    moved = cd.Scene("moved", gravity=(0, 0, -9.81))
     rod = moved.body("rod", mass=1.0, com=(0, 0, -0.5))
     angle = moved.input("angle")
     moved.joint("drive", cd.Revolute("y"), moved.ground, rod, motion=angle)

@@ -14,7 +14,7 @@ from mechanisms.closed_spatial import AXES, CORNERS, G, bricard
 def rounded(digits: int) -> cd.CompiledModel:
     """Bricard's mechanism with corners that are off by their last digit."""
     off = np.random.default_rng(2).uniform(-1, 1, CORNERS.shape) * 10.0**-digits
-    corners, scene = CORNERS + off, cd.Model("rounded", gravity=(0, -G, 0))
+    corners, scene = CORNERS + off, cd.Scene("rounded", gravity=(0, -G, 0))
     place = scene.ground
     for k, body in enumerate(bricard().bodies.values()):
         rod = scene.body(

@@ -17,7 +17,7 @@ import pytest
 import cardan as cd
 from analyses.test_events import servo
 from cardan.analyses.simulation import run
-from cardan.runtime.trajectory.trajectory import Trajectory
+from cardan.runtime.trajectory.trajectory import TrajectoryRecord
 from hostile.kinds import records, together
 from hostile.kinds import servo as sampled
 
@@ -51,7 +51,7 @@ model.simulate(**options, progress=stop)
 """
 
 
-def alike(one: Trajectory, other: Trajectory) -> None:
+def alike(one: TrajectoryRecord, other: TrajectoryRecord) -> None:
     """Two motions are the same to the bit."""
     assert one.status == other.status
     for name in ("t", "x", "r", "s", "given"):
@@ -147,7 +147,7 @@ def test_ctrl_c_and_a_cut_file(double: cd.CompiledModel, tmp_path: Path) -> None
 
 
 def test_a_method_that_the_first_steps_ask_for(tmp_path: Path) -> None:
-    scene = cd.Model("stiff", gravity=(0, 0, 0))
+    scene = cd.Scene("stiff", gravity=(0, 0, 0))
     scene.joint("x", cd.Prismatic("x"), scene.ground, scene.body("block", mass=1.0))
     scene.force("spring", cd.TorsionSpring("x", stiffness=100.0))
     scene.force("damper", cd.Damping("x", 1e5))

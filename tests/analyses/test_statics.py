@@ -20,7 +20,7 @@ LENGTH, STIFFNESS = (json.loads(KNOWN.read_text("utf-8"))["parameters"][k] for k
 
 def column(spring: str) -> cd.CompiledModel:
     """A rigid bar on its foot under a dead load P, held by a spring; leaning by ``phi0``."""
-    scene = cd.Model(spring, gravity=(0, 0, 0))
+    scene = cd.Scene(spring, gravity=(0, 0, 0))
     P, k, lean = scene.parameter("P", 0.0), float(STIFFNESS), scene.parameter("phi0", 0.0)
     bar = scene.body("bar", mass=1.0, com=(0, 0, LENGTH / 2), inertia=(0.1, 0.1, 0.01))
     scene.joint("base", cd.Revolute("y"), scene.ground, bar)
@@ -140,7 +140,7 @@ def test_circuit_under_a_held_crank() -> None:
 
 
 def test_a_path_that_cannot_begin() -> None:
-    scene = cd.Model("loose", gravity=(0, 0, -9.81))
+    scene = cd.Scene("loose", gravity=(0, 0, -9.81))
     body = scene.body("body", mass=1.0, inertia=(1, 1, 1))
     scene.joint("rail", cd.Prismatic("z"), scene.ground, body)
     model = cd.compile(scene)

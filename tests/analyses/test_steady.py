@@ -22,9 +22,9 @@ G = 9.81
 # rigid scenes: joint coordinates have an independent derivation
 
 
-def governor() -> cd.Model:
+def governor() -> cd.Scene:
     """An arm on a shaft, hinged beside its axis."""
-    scene = cd.Model("governor", gravity=(0, 0, -G))
+    scene = cd.Scene("governor", gravity=(0, 0, -G))
     shaft = scene.body("shaft", mass=1.0, inertia=(0.1, 0.1, 0.1))
     arm = scene.body("arm", mass=1.0, com=(0, 0, -0.5), inertia=(0.01, 0.012, 0.005))
     scene.joint("spin", cd.Revolute("z"), scene.ground, shaft)
@@ -32,9 +32,9 @@ def governor() -> cd.Model:
     return scene
 
 
-def turntable() -> cd.Model:
+def turntable() -> cd.Scene:
     """A mass on springs and dampers that turn with a table."""
-    scene = cd.Model("turntable", gravity=(0, 0, 0))
+    scene = cd.Scene("turntable", gravity=(0, 0, 0))
     table, slide, mass = (
         scene.body(name, mass=m, inertia=(0.1, 0.1, 0.1))
         for name, m in (("table", 1.0), ("slide", 0.2), ("mass", 1.0))
@@ -48,9 +48,9 @@ def turntable() -> cd.Model:
     return scene
 
 
-def gyroscope() -> cd.Model:
+def gyroscope() -> cd.Scene:
     """A wheel that spins on an arm that precesses: two speeds about two axes."""
-    scene = cd.Model("gyroscope", gravity=(0, 0, -G))
+    scene = cd.Scene("gyroscope", gravity=(0, 0, -G))
     shaft = scene.body("shaft", mass=1.0, inertia=(0.1, 0.1, 0.1))
     arm = scene.body("arm", mass=0.1, com=(0.1, 0, 0), inertia=(0.01, 0.02, 0.015))
     wheel = scene.body("wheel", mass=1.0, com=(0.3, 0, 0), inertia=(0.02, 0.01, 0.01))
@@ -60,9 +60,9 @@ def gyroscope() -> cd.Model:
     return scene
 
 
-def flyball() -> cd.Model:
+def flyball() -> cd.Scene:
     """Watt's governor: two arms and a sleeve, closed circuits that turn."""
-    scene = cd.Model("flyball", gravity=(0, 0, -G))
+    scene = cd.Scene("flyball", gravity=(0, 0, -G))
     shaft, sleeve = (scene.body(n, mass=1.0, inertia=(0.1, 0.1, 0.1)) for n in ("shaft", "sleeve"))
     scene.joint("spin", cd.Revolute("z"), scene.ground, shaft)
     scene.joint("slide", cd.Prismatic("z"), shaft, sleeve, q0=-0.7)
@@ -120,7 +120,7 @@ SECTION = cd.section.general(EA=1e4, GA=1e4, GJ=20, EI=(30, 50), rhoA=1, rhoI=(1
 
 def rotor(elements: int = 2, ends: int = 2) -> cd.CompiledModel:
     """A hub with elastic blades that are swept up a little; weight across and along its axis."""
-    scene = cd.Model("rotor")
+    scene = cd.Scene("rotor")
     across, along = scene.parameter("across", 0.0), scene.parameter("along", 0.0)
     scene.gravity = (0, -across, -along)
     hub = scene.body("hub", mass=1, inertia=(0.1, 0.1, 0.2))
@@ -198,7 +198,7 @@ def test_modes_are_those_of_the_linear_model(
 def test_whirling_of_an_overhung_disk(speed: float) -> None:
     """Forward and backward whirl of a disk on a shaft without mass, seen from the shaft."""
     length, EI, GA, m, across, along = 0.5, 1e3, 1e9, 3.0, 0.025, 0.04
-    scene = cd.Model("overhung", gravity=(0, 0, 0))
+    scene = cd.Scene("overhung", gravity=(0, 0, 0))
     hub = scene.body("hub", mass=1, inertia=(0.1, 0.1, 0.1))
     disk = scene.body("disk", mass=m, inertia=(along, across, across), pose=(length, 0, 0))
     scene.joint("spin", cd.Revolute("x"), scene.ground, hub)
@@ -227,7 +227,7 @@ def test_whirling_of_an_overhung_disk(speed: float) -> None:
 
 @pytest.mark.slow
 def test_nutation_of_a_free_body_with_stiff_booms() -> None:
-    scene = cd.Model("satellite", gravity=(0, 0, 0))
+    scene = cd.Scene("satellite", gravity=(0, 0, 0))
     bus = scene.body("bus", mass=2, inertia=(0.3, 0.35, 0.5))
     scene.joint("f", cd.Free(), scene.ground, bus)
     section = cd.section.general(EA=1e9, GA=1e9, GJ=1e9, EI=1e9, rhoA=0.3, rhoI=1e-3)
@@ -269,7 +269,7 @@ def test_many_elements_go_the_sparse_way() -> None:
 def test_in_a_plane() -> None:
     found = []
     for plane in ("z", None):
-        scene = cd.Model("blade", gravity=(0, 0, 0))
+        scene = cd.Scene("blade", gravity=(0, 0, 0))
         hub = scene.body("hub", mass=1, inertia=(0.1, 0.1, 0.1))
         scene.joint("spin", cd.Revolute("z"), scene.ground, hub)
         section = cd.section.general(EA=1e4, GA=1e4, GJ=20, EI=(400, 50), rhoA=1, rhoI=1e-3)
@@ -293,7 +293,7 @@ def test_weight_across_the_axis_is_told(blades: cd.CompiledModel) -> None:
 
 
 def test_beams_about_two_axes_are_told() -> None:
-    scene = cd.Model("two", gravity=(0, 0, 0))
+    scene = cd.Scene("two", gravity=(0, 0, 0))
     for name, axis, x in (("a", "z", 0.0), ("b", "x", 3.0)):
         hub = scene.body(f"hub_{name}", mass=1, inertia=(0.1, 0.1, 0.1))
         scene.joint(f"spin_{name}", cd.Revolute(axis), scene.ground.at(x, 0, 0), hub)
@@ -307,7 +307,7 @@ def test_beams_about_two_axes_are_told() -> None:
 
 
 def test_beams_without_nodes_of_their_own_stand() -> None:
-    scene = cd.Model("beside", gravity=(0, 0, 0))
+    scene = cd.Scene("beside", gravity=(0, 0, 0))
     hub = scene.body("hub", mass=1, inertia=(0.1, 0.1, 0.1))
     scene.joint("spin", cd.Revolute("z"), scene.ground, hub)
     scene.beam("blade", hub, (1, 0, 0), SECTION, elements=2)

@@ -22,7 +22,7 @@ ANGLE, GRAVITY = 1.0, 9.81
 @pytest.fixture(scope="module")
 def spring() -> cd.CompiledModel:
     """A bob on a spring of natural length 1 m: a pendulum with a rod that is very stiff."""
-    scene = cd.Model("spring_pendulum", gravity=(0, 0, -GRAVITY))
+    scene = cd.Scene("spring_pendulum", gravity=(0, 0, -GRAVITY))
     k = scene.parameter("k", 1e9, unit="N/m")
     hub = scene.body("hub", mass=1e-3, inertia=(1e-3, 1e-3, 1e-3))
     bob = scene.body("bob", mass=1.0)
@@ -93,7 +93,7 @@ def test_auto_sees_vibrations_that_rest(spring: cd.CompiledModel) -> None:
 
 
 def test_nothing_moves() -> None:
-    scene = cd.Model("idle", gravity=(0, 0, 0))
+    scene = cd.Scene("idle", gravity=(0, 0, 0))
     scene.joint("slide", cd.Prismatic("x"), scene.ground, scene.body("cart", mass=1.0))
     model = cd.compile(scene)
     found = model.stiffness(np.zeros(2))
@@ -126,7 +126,7 @@ def test_order_with_circuits(method: str, treatment: str) -> None:
 
 @METHODS
 def test_turning_body(method: str) -> None:
-    scene = cd.Model("body", gravity=(0, 0, 0))
+    scene = cd.Scene("body", gravity=(0, 0, 0))
     brick = scene.body("brick", mass=1.0, inertia=(1.0, 2.0, 3.0))
     scene.joint("base", cd.Free(), scene.ground, brick)
     model = cd.compile(scene)
@@ -143,7 +143,7 @@ def test_turning_body(method: str) -> None:
 @METHODS
 def test_contact_that_is_hard(method: str) -> None:
     # a ball let fall on a plane comes back from where Hunt and Crossley's law lets it
-    scene = cd.Model("ball", gravity=(0, 0, -GRAVITY))
+    scene = cd.Scene("ball", gravity=(0, 0, -GRAVITY))
     ball = scene.body("ball", mass=1.0)
     scene.joint("fall", cd.Prismatic("z"), scene.ground, ball)
     scene.force("floor", cd.Contact(ball, scene.ground, radius=0.1, stiffness=1e8, damping=0.3))
@@ -157,7 +157,7 @@ def test_contact_that_is_hard(method: str) -> None:
 @METHODS
 @pytest.mark.parametrize("rtol", [1e-4, 1e-7, 1e-10])
 def test_events_are_found(method: str, rtol: float) -> None:
-    scene = cd.Model("oscillator", gravity=(0, 0, 0))
+    scene = cd.Scene("oscillator", gravity=(0, 0, 0))
     scene.joint("x", cd.Prismatic("x"), scene.ground, scene.body("cart", mass=1.0))
     scene.force("spring", cd.JointForce("x", -scene.q("x")))
     model = cd.compile(scene)
@@ -169,7 +169,7 @@ def test_events_are_found(method: str, rtol: float) -> None:
 
 @METHODS
 def test_internal_states_and_dry_friction(method: str) -> None:
-    scene = cd.Model("slider", gravity=(0, 0, 0))
+    scene = cd.Scene("slider", gravity=(0, 0, 0))
     scene.joint("x", cd.Prismatic("x"), scene.ground, scene.body("cart", mass=1.0))
     # a motor that follows within 0.1 ms, on a spring; friction holds where it can
     behind = 3 * sp.sin(2 * cd.t) - 4 * scene.q("x")
@@ -187,7 +187,7 @@ def test_internal_states_and_dry_friction(method: str) -> None:
 
 @pytest.mark.parametrize("method", IMPLICIT)
 def test_a_model_without_the_jacobian_says_so(method: str) -> None:
-    scene = cd.Model("one", gravity=(0, 0, -GRAVITY))
+    scene = cd.Scene("one", gravity=(0, 0, -GRAVITY))
     scene.joint("slide", cd.Prismatic("x"), scene.ground, scene.body("cart", mass=1.0))
     functions = ["rhs", "power", "energy"]
     model = cd.compile(scene, functions=functions)

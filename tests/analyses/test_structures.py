@@ -36,7 +36,7 @@ def test_both_formulations_agree(name: str) -> None:
 
 def cantilever(elements: int) -> cd.CompiledModel:
     """A beam of 1 m along x, clamped at its start, with forces and a moment at its end."""
-    scene = cd.Model("cantilever", gravity=(0, 0, 0))
+    scene = cd.Scene("cantilever", gravity=(0, 0, 0))
     F, M, P = (scene.parameter(name, 0.0) for name in "FMP")
     section = cd.section.general(EA=EA, GA=GA, GJ=EI, EI=EI, rhoA=MASS, rhoI=1e-6)
     beam = scene.beam("beam", scene.ground, (1.0, 0, 0), section, elements=elements)
@@ -122,7 +122,7 @@ def test_many_elements_go_the_sparse_way() -> None:
 
 
 def test_a_hinge_that_nothing_holds_is_named() -> None:
-    scene = cd.Model("loose", gravity=(0, 0, -9.81))
+    scene = cd.Scene("loose", gravity=(0, 0, -9.81))
     arm = scene.body("arm", mass=0.1, inertia=(1e-3, 1e-3, 1e-3))
     scene.joint("hinge", cd.Revolute("x"), scene.ground, arm)
     section = cd.section.general(EA=EA, GA=GA, GJ=EI, EI=EI, rhoA=MASS, rhoI=1e-6)

@@ -91,7 +91,7 @@ def test_branches_that_meet_stop_the_sweep() -> None:
 
 def test_several_drivers_go_together() -> None:
     """Deployment: two hinges of an open chain, one turning half as fast as the other."""
-    scene = cd.Model("panels", gravity=(0, 0, 0))
+    scene = cd.Scene("panels", gravity=(0, 0, 0))
     a = scene.body("a", mass=1.0, com=(0.5, 0, 0), inertia=(0.01, 0.1, 0.1))
     b = scene.body("b", mass=1.0, com=(0.5, 0, 0), inertia=(0.01, 0.1, 0.1))
     scene.joint("root", cd.Revolute("z"), scene.ground, a)
@@ -116,9 +116,9 @@ def test_an_input_drives() -> None:
     np.testing.assert_allclose(found["D.udot"], by_crank["D.udot"], rtol=0, atol=1e-9)
 
 
-def input_four_bar() -> cd.Model:
+def input_four_bar() -> cd.Scene:
     """The four-bar with its crank moved by an input."""
-    scene = cd.Model("input", gravity=(0, 0, 0))
+    scene = cd.Scene("input", gravity=(0, 0, 0))
     links = []
     for name in ("crank", "coupler", "rocker"):
         length = FOUR_BAR[name]
@@ -172,9 +172,9 @@ def test_mistakes(bars: cd.CompiledModel) -> None:
             free.singular_positions("root", (0.0, 1.0), hold=given)
 
 
-def two_hinges() -> cd.Model:
+def two_hinges() -> cd.Scene:
     """An open chain of two links."""
-    scene = cd.Model("two_hinges", gravity=(0, 0, 0))
+    scene = cd.Scene("two_hinges", gravity=(0, 0, 0))
     a = scene.body("a", mass=1.0, com=(0.5, 0, 0), inertia=(0.01, 0.1, 0.1))
     b = scene.body("b", mass=1.0, com=(0.5, 0, 0), inertia=(0.01, 0.1, 0.1))
     scene.joint("root", cd.Revolute("z"), scene.ground, a)

@@ -45,7 +45,7 @@ def test_one_constraint_out_of_reach_is_named() -> None:
 
 
 def test_constraints_without_circuits_say_their_unit() -> None:
-    scene = cd.Model("lone")
+    scene = cd.Scene("lone")
     body = scene.body("body", mass=1.0)
     scene.joint("slide", cd.Prismatic("x"), scene.ground, body)
     scene.constraint("far", scene.q("slide") ** 2 + 4.0, unit="m^2")
@@ -132,7 +132,7 @@ def test_a_run_tells_inputs_and_rest_apart() -> None:
 
 
 def test_what_rests_has_no_part_of_its_kinetic_energy() -> None:
-    scene = cd.Model("hangs", gravity=(0, -9.81, 0))
+    scene = cd.Scene("hangs", gravity=(0, -9.81, 0))
     rod = scene.body("rod", mass=1.0, com=(0, -1, 0), inertia=(0.1, 0.1, 0.1))
     scene.joint("pin", cd.Revolute("z"), scene.ground, rod)
     assert "unaccounted for (at rest)" in repr(cd.compile(scene).simulate(1.0))

@@ -65,7 +65,7 @@ def test_a_run_takes_none_of_its_own_and_some_of_a_heavier_robot() -> None:
 
 
 def test_without_the_motor_of_the_model() -> None:
-    scene = cd.Model("wheel", gravity=(0, 0, 0))
+    scene = cd.Scene("wheel", gravity=(0, 0, 0))
     disk = scene.body("disk", mass=1, inertia=(0.1, 0.1, 0.2))
     scene.joint("axle", cd.Revolute("z"), scene.ground, disk)
     scene.force("motor", cd.JointForce("axle", scene.input("torque", default=0.6)))
@@ -109,7 +109,7 @@ def test_circuits_by_chosen_actuators() -> None:
 
 
 def test_names_with_dots_and_a_u_are_found() -> None:
-    scene = cd.Model("leg", gravity=(0, 0, -9.81))
+    scene = cd.Scene("leg", gravity=(0, 0, -9.81))
     thigh = scene.body("thigh", mass=1, com=(0, 0, -0.5))
     foot = scene.body("foot", mass=1, com=(0, 0, -0.1), inertia=(0.1, 0.1, 0.1))
     scene.joint("leg.upper", cd.Revolute("y"), scene.ground, thigh)

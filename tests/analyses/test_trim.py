@@ -22,7 +22,7 @@ COIN = json.loads((REFERENCES / "coin_steady.json").read_text("utf-8"))
 @pytest.fixture(scope="module")
 def coin() -> cd.CompiledModel:
     m, r = COIN["parameters"]["m"], COIN["parameters"]["r"]
-    scene = cd.Model("coin", gravity=(0, 0, -G))
+    scene = cd.Scene("coin", gravity=(0, 0, -G))
     disk = scene.body("disk", mass=m, inertia=(m * r**2 / 4, m * r**2 / 2, m * r**2 / 4))
     scene.joint("rolls", cd.RollingDisk(r), scene.ground, disk)
     return cd.compile(scene)
@@ -85,9 +85,9 @@ def test_a_bicycle_turns_steadily(bicycle: cd.CompiledModel) -> None:
     np.testing.assert_allclose(list(udot.values()), 0, atol=1e-9)
 
 
-def gyroscope() -> cd.Model:
+def gyroscope() -> cd.Scene:
     """A heavy top in Euler angles."""
-    scene = cd.Model("top", gravity=(0, 0, -G))
+    scene = cd.Scene("top", gravity=(0, 0, -G))
     outer, inner = (scene.body(name, mass=0, inertia=(0, 0, 0)) for name in ("outer", "inner"))
     top = scene.body("top", mass=2.0, com=(0, 0, 0.4), inertia=(0.18, 0.18, 0.1))
     scene.joint("precession", cd.Revolute("z"), scene.ground, outer)
@@ -128,7 +128,7 @@ def test_outputs_and_parameters(top: cd.CompiledModel) -> None:
 
 
 def test_conical_pendulum() -> None:
-    scene = cd.Model("cone", gravity=(0, 0, -G))
+    scene = cd.Scene("cone", gravity=(0, 0, -G))
     shaft = scene.body("shaft", mass=0.1, inertia=(0.1, 0.1, 0.1))
     bob = scene.body("bob", mass=1.0, com=(0, 0, -0.8))
     scene.joint("turn", cd.Revolute("z"), scene.ground, shaft)
@@ -139,9 +139,9 @@ def test_conical_pendulum() -> None:
     assert found.stable
 
 
-def governor() -> cd.Model:
+def governor() -> cd.Scene:
     """An arm, a rod and a sleeve on a shaft: a closed circuit that turns."""
-    scene = cd.Model("governor", gravity=(0, 0, -G))
+    scene = cd.Scene("governor", gravity=(0, 0, -G))
     shaft, sleeve = (scene.body(n, mass=1.0, inertia=(0.1, 0.1, 0.1)) for n in ("shaft", "sleeve"))
     arm = scene.body("arm", mass=0.5, com=(0, 0, -0.5), inertia=(0.02, 0.02, 0.001))
     rod = scene.body("rod", mass=0.2, com=(0, 0, -0.25), inertia=(0.02, 0.02, 0.001))
@@ -168,7 +168,7 @@ def test_what_holds_a_circuit() -> None:
 
 
 def test_controllers_come_to_rest() -> None:
-    scene = cd.Model("arm", gravity=(0, 0, -G))
+    scene = cd.Scene("arm", gravity=(0, 0, -G))
     rod = scene.body("rod", mass=1.0, com=(0, 0, -0.5), inertia=(0.1, 0.1, 0.01))
     scene.joint("pivot", cd.Revolute("y"), scene.ground, rod)
     angle, rate = scene.q("pivot"), scene.u("pivot")
@@ -197,7 +197,7 @@ def test_what_cannot_be_had(top: cd.CompiledModel, options: dict[str, Any], said
 
 
 def test_a_force_without_a_lever() -> None:
-    scene = cd.Model("crank", gravity=(0, 0, -G))
+    scene = cd.Scene("crank", gravity=(0, 0, -G))
     bar = scene.body("bar", mass=1.0, com=(0, 0, -1), inertia=(0.1, 0.1, 0.1))
     scene.joint("pin", cd.Revolute("y"), scene.ground, bar)
     scene.force("pull", cd.Force(bar.at(0, 0, -1), (scene.input("F"), 0, 0)))
@@ -208,7 +208,7 @@ def test_a_force_without_a_lever() -> None:
 
 
 def test_weight_that_does_not_turn_along() -> None:
-    scene = cd.Model("wheel", gravity=(0, 0, -G))
+    scene = cd.Scene("wheel", gravity=(0, 0, -G))
     wheel = scene.body("wheel", mass=1.0, com=(0, 0, -0.1), inertia=(0.1, 0.1, 0.1))
     scene.joint("axle", cd.Revolute("y"), scene.ground, wheel)
     model = cd.compile(scene)
@@ -236,7 +236,7 @@ def test_nonsense_is_refused(top: cd.CompiledModel, call: Callable[[Any], Any], 
 
 
 def test_beams_are_sent_elsewhere() -> None:
-    scene = cd.Model("strip", gravity=(0, 0, 0))
+    scene = cd.Scene("strip", gravity=(0, 0, 0))
     section = cd.section.general(EA=1e6, GA=1e6, GJ=80, EI=100, rhoA=1, rhoI=1e-6)
     scene.beam("beam", scene.ground, (1, 0, 0), section, elements=1)
     with pytest.raises(cd.ModelError, match=r"model.equilibrium\(u="):

@@ -124,7 +124,7 @@ def test_error_of_an_input_is_the_users(double: cd.CompiledModel, bare: Any) -> 
 
 def test_breakdown_is_told(bare: Any) -> None:
     """A force that grows without bound in finite time: u' = u^2 ends at t = 1."""
-    scene = cd.Model("burst", gravity=(0, 0, 0))
+    scene = cd.Scene("burst", gravity=(0, 0, 0))
     body = scene.body("body", mass=1.0, com=(0, 0, 0), inertia=(1, 1, 1))
     scene.joint("rail", cd.Prismatic("x"), scene.ground, body, u0=1.0)
     scene.force("push", cd.JointForce("rail", scene.u("rail") ** 2))
@@ -136,7 +136,7 @@ def test_breakdown_is_told(bare: Any) -> None:
 
 
 def test_given_steps_in_a_gimbal_lock_end_alike(bare: Any) -> None:
-    scene = cd.Model("ball", gravity=(0, 0, 0))
+    scene = cd.Scene("ball", gravity=(0, 0, 0))
     ball = scene.body("ball", mass=1.0, com=(0, 0, 0), inertia=(1, 1, 1))
     scene.joint("pivot", cd.Spherical(rotation="XYZ"), scene.ground, ball)
     start: dict[str, Any] = {"q": {"pivot": [0.3, 1.57, -0.5]}, "u": {"pivot": [0.0, 1.0, 0.3]}}
@@ -152,7 +152,7 @@ def test_given_steps_in_a_gimbal_lock_end_alike(bare: Any) -> None:
 
 
 def test_steps_into_a_contact_that_go_too_far_are_shortened(bare: Any) -> None:
-    scene = cd.Model("ball", gravity=(0, 0, -9.81))
+    scene = cd.Scene("ball", gravity=(0, 0, -9.81))
     body = scene.body("body", mass=1.0, inertia=(0.01, 0.02, 0.03))
     scene.joint("base", cd.Free(), scene.ground, body)
     frame = body.at(0.05, 0, 0)

@@ -2,55 +2,12 @@
 
 from __future__ import annotations
 
-# each room may import the rooms before it
+# from the ground up: a room imports the rooms before it, in whatever way
 ORDER = (
-    "version",
-    "errors",
-    "literature",
-    "arrays",
-    "processes",
-    "regular_file",
-    "whole_file",
-    "arguments",
-    "notebooks",
-    "schema",
-    "ir",
-    "spatial",
-    "elements",
-    "scene",
-    "topology",
-    "equations",
-    "passes",
-    "codegen",
-    "runtime",
-    "analyses",
-    "view",
-    "explain",
-    "api",
-    "pipeline",
-    "peers",
-    "cli",
-    "__init__",
-    "__main__",
-)
-
-# the rooms as they shall be, from the ground up; ratchet.json counts the imports against it
-PLANNED = (
-    *(
-        "version",
-        "errors",
-        "literature",
-        "arrays",
-        "notebooks",
-        "kernels",
-        "ir",
-        "passes",
-        "spatial",
-        "schema",
-        "elements",
-    ),
-    *("scene", "topology", "equations", "codegen", "runtime", "view", "analyses"),
-    *("explain", "api", "pipeline", "peers", "cli", "__init__", "__main__"),
+    *("version", "errors", "literature", "arrays", "processes", "regular_file", "whole_file"),
+    *("arguments", "notebooks", "kernels", "ir", "passes", "spatial", "schema", "elements"),
+    *("scene", "topology", "equations", "codegen", "runtime", "view", "analyses", "explain"),
+    *("api", "pipeline", "peers", "cli", "__init__", "__main__"),
 )
 
 # a shipped model runs without the compiler half: these rooms know files and saved Functions only
@@ -66,43 +23,6 @@ RUNNING_MAY_IMPORT = RUNNING | {
     "notebooks",
     "schema",
     "ir",
-}
-
-# public methods whose work lives further down: (module, function) -> module imported inside it
-DOWNWARD: dict[tuple[str, str], frozenset[str]] = {
-    ("cardan.equations.reading.counts", "Counts.__init__"): frozenset(
-        {"cardan.codegen.program.owners", "cardan.passes"}
-    ),
-    ("cardan.equations.finite_elements.record", "Absolute.export"): frozenset(
-        {"cardan.codegen.export.finite_elements", "cardan.analyses.simulation.export_plan"}
-    ),
-    ("cardan.equations.reading.explained", "Explainable.explain"): frozenset({"cardan.explain"}),
-    ("cardan.equations.record", "Equations.export"): frozenset({"cardan.codegen.export.export"}),
-    ("cardan.equations.reading.readable", "Readable.symbolic"): frozenset({"cardan.passes.trig"}),
-    ("cardan.equations.linearized.matrices", "Written.symbolic"): frozenset({"cardan.passes.trig"}),
-    ("cardan.scene.scene", "Model.graph"): frozenset({"cardan.topology.drawing.graph_view"}),
-    ("cardan.analyses.identification.torques", "Torques.plot"): frozenset({"cardan.view.plot"}),
-    **{
-        (f"cardan.analyses.identification.{module}", f"{record}.plot"): frozenset(
-            {"cardan.view.plot"}
-        )
-        for module, record in (("result", "Identification"), ("excitation", "Excitation"))
-    },
-    ("cardan.analyses.simulation.precision.work_precision", "Precision.plot"): frozenset(
-        {"cardan.view.plot"}
-    ),
-    ("cardan.analyses.linear.mode_shapes", "Modes.plot"): frozenset({"cardan.view.plot"}),
-    ("cardan.analyses.linear.campbell", "Campbell.plot"): frozenset({"cardan.view.loci"}),
-    ("cardan.analyses.linear.linear_model", "LinearModel.plot"): frozenset({"cardan.view.loci"}),
-    ("cardan.analyses.linear.root_locus", "Locus.plot"): frozenset({"cardan.view.loci"}),
-    ("cardan.analyses.statics.static_path", "StaticPath.plot"): frozenset({"cardan.view.plot"}),
-    ("cardan.analyses.mechanisms.sweep", "Sweep.plot"): frozenset({"cardan.view.plot"}),
-    ("cardan.analyses.mechanisms.workspace", "Workspace.plot"): frozenset({"cardan.view.plot"}),
-    ("cardan.runtime.trajectory.trajectory", "Trajectory.animate"): frozenset({"cardan.view.page"}),
-    ("cardan.runtime.trajectory.trajectory", "Trajectory.plot"): frozenset({"cardan.view.plot"}),
-    ("cardan.runtime.trajectory.trajectory", "Trajectory.torques"): frozenset(
-        {"cardan.analyses.identification.torques"}
-    ),
 }
 
 # the only files that load SymPy when they are imported; every one is itself imported on demand

@@ -1,13 +1,13 @@
-"""The import table, no cycles, SymPy only where it is asked for."""
+"""Rooms in their order, no cycles, SymPy only where it is asked for."""
 
 from __future__ import annotations
 
 from functools import cache
 from graphlib import TopologicalSorter
 
-from architecture.sources import Import, imports, modules, reached, room
-from architecture.table import DOWNWARD, ORDER, RUNNING, RUNNING_MAY_IMPORT, SYMPY_AT_IMPORT
-from table import each
+from architecture.counts import upward
+from architecture.sources import Import, imports, modules, room
+from architecture.table import ORDER, RUNNING, RUNNING_MAY_IMPORT, SYMPY_AT_IMPORT
 
 
 @cache
@@ -16,35 +16,21 @@ def ours() -> list[Import]:
     return [x for x in imports() if room(x.target) and x.target.startswith("cardan")]
 
 
-def is_downward(found: Import) -> bool:
-    """True where a room reaches a room that stands after it in the table."""
-    source, target = room(found.source), room(found.target)
-    if source in RUNNING and target not in RUNNING_MAY_IMPORT:
-        return True
-    return ORDER.index(target) > ORDER.index(source)
-
-
 def test_every_room_is_in_the_table() -> None:
     assert {room(name) for name in modules()} <= set(ORDER)
 
 
-def test_imports_point_upwards() -> None:
-    wrong = [str(found) for found in ours() if not found.function and is_downward(found)]
+def test_no_import_points_upward() -> None:
+    assert not upward()
+
+
+def test_what_runs_a_shipped_model_knows_no_compiler() -> None:
+    wrong = [
+        str(found)
+        for found in ours()
+        if room(found.source) in RUNNING and room(found.target) not in RUNNING_MAY_IMPORT
+    ]
     assert not wrong, "\n".join(wrong)
-
-
-def test_downward_imports_inside_functions_are_the_listed_ones() -> None:
-    present: dict[tuple[str, str], set[str]] = {}
-    for found in ours():
-        free = room(found.source) in ("__init__", "pipeline", "cli")
-        if found.function and is_downward(found) and not free:
-            present.setdefault((found.source, found.function), set()).add(found.target)
-    assert present == {key: set(targets) for key, targets in DOWNWARD.items()}
-
-
-@each("target", sorted({t for targets in DOWNWARD.values() for t in targets}))
-def test_downward_imports_load_no_sympy(target: str) -> None:
-    assert "sympy" not in {name.split(".")[0] for name in reached(target)}
 
 
 def test_no_cycles() -> None:

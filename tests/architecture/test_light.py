@@ -31,7 +31,7 @@ def test_import_is_light() -> None:
 
 
 def test_a_saved_model_runs_without_sympy_and_compiler_half(tmp_path: Path) -> None:
-    scene = cd.Model("pendulum", gravity=(0, 0, -9.81))
+    scene = cd.Scene("pendulum", gravity=(0, 0, -9.81))
     body = scene.body("bob", mass=1.0, com=(0, 0, -1.0), inertia=(0.1, 0.1, 0.1))
     scene.joint("pivot", cd.Revolute("y"), scene.ground, body)
     cd.derive(scene).export(tmp_path / "pendulum")

@@ -35,7 +35,7 @@ class Case:
 
     name: str
     title: str
-    build: Callable[[], cd.Model]
+    build: Callable[[], cd.Scene]
     functions: tuple[str, ...]
     loops: bool | None = None
     quick: bool = False

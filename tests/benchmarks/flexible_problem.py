@@ -27,9 +27,9 @@ END, STEP, RHO_INF, SAMPLES = 0.5, 1e-3, 0.8, 10
 
 def scene(
     n: int, element: str = "hellinger_reissner", inertia: str = "linked", flat: bool = False
-) -> cd.Model:
+) -> cd.Scene:
     """The beam with n elements, on a ball joint, or on a hinge across its plane."""
-    model = cd.Model("rubber", gravity=(0, 0, -GRAVITY))
+    model = cd.Scene("rubber", gravity=(0, 0, -GRAVITY))
     beam = model.beam(
         "rope", (0, 0, 0), (LENGTH, 0, 0), cd.section.general(**SECTION), elements=n,
         element=element, inertia=inertia,

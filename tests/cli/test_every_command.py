@@ -188,7 +188,7 @@ def test_check_tries_the_numbers(capsys: pytest.CaptureFixture[str]) -> None:
 def test_check_refuses_a_relation_of_speeds_that_is_not_linear(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    scene = cd.Model("bent")
+    scene = cd.Scene("bent")
     body = scene.body("body", mass=1.0)
     scene.joint("slide", cd.Prismatic("x"), scene.ground, body)
     scene.constraint("square", scene.u("slide") ** 2 - 1.0, unit="m^2/s^2")
@@ -199,7 +199,7 @@ def test_check_refuses_a_relation_of_speeds_that_is_not_linear(
 
 @pytest.mark.parametrize("command", ["check", "inspect", "simulate", "bench", "export", "ensemble"])
 def test_scenes_with_states_and_modes(command: str, capsys: pytest.CaptureFixture[str]) -> None:
-    scene = cd.Model("servo")
+    scene = cd.Scene("servo")
     scene.joint("x", cd.Prismatic("x"), scene.ground, scene.body("block", mass=2.0))
     scene.force("end", cd.Stop("x", upper=0.1, restitution=0.5))
     scene.force("motor", cd.Actuator("x", command=3.0, lag=0.1))
@@ -221,7 +221,7 @@ def test_scenes_with_states_and_modes(command: str, capsys: pytest.CaptureFixtur
 
 
 def test_scenes_with_beams_are_exported_as_c(capsys: pytest.CaptureFixture[str]) -> None:
-    scene = cd.Model("mast")
+    scene = cd.Scene("mast")
     pipe, steel = cd.section.tube(outer=0.03, inner=0.025), cd.material(E=2.1e11, nu=0.3, rho=7850)
     scene.beam("mast", scene.ground, (0, 1, 2), pipe, steel, elements=3)
     scene.save("mast.yaml")

@@ -53,7 +53,7 @@ def read(text: str) -> Reader:
     return reader
 
 
-def written(scene: cd.Model) -> str:
+def written(scene: cd.Scene) -> str:
     return page(document(cd.derive(scene)))
 
 
@@ -122,8 +122,8 @@ def test_large_systems_are_folded_or_counted() -> None:
     assert len(text) < 1_000_000
 
 
-def hostile() -> cd.Model:
-    scene = cd.Model(HOSTILE, gravity=(0, 0, -9.81))
+def hostile() -> cd.Scene:
+    scene = cd.Scene(HOSTILE, gravity=(0, 0, -9.81))
     mass = scene.parameter(f"m{HOSTILE}", 1.0, unit="kg")
     body = scene.body(f"b{HOSTILE}", mass=mass, com=(0, 0, -1.0), inertia=(1.0, 1.0, 1.0))
     scene.joint(f"j{HOSTILE}", cd.Revolute("y"), scene.ground, body)

@@ -5,9 +5,9 @@ from __future__ import annotations
 import cardan as cd
 
 
-def arm() -> cd.Model:
+def arm() -> cd.Scene:
     """A free base with two joints, a coupled, a prescribed and a fixed one, a spring, an output."""
-    scene = cd.Model("arm */ of §9", gravity=(0, 0, -9.81))
+    scene = cd.Scene("arm */ of §9", gravity=(0, 0, -9.81))
     m = scene.parameter("m", 2.0, unit="kg")
     base = scene.body("base", mass=5.0, com=(0.1, 0, 0), inertia=(0.3, 0.4, 0.5))
     upper = scene.body("upper", mass=m, com=(0, 0, -0.25), inertia=(0.1, 0.1, 0.02))

@@ -303,7 +303,7 @@ def test_a_link_leads_to_its_directory_and_here_is_refused(
 
 @pytest.mark.parametrize("name", ["numpy", "class", "json"])
 def test_packages_can_be_imported_and_hide_nothing(name: str, tmp_path: Path) -> None:
-    scene = cd.Model(name)
+    scene = cd.Scene(name)
     body = scene.body("body", mass=1.0)
     scene.joint("slide", cd.Prismatic("x"), scene.ground, body)
     folder = cd.derive(scene).export(tmp_path / "out", ["bias"])
@@ -311,7 +311,7 @@ def test_packages_can_be_imported_and_hide_nothing(name: str, tmp_path: Path) ->
 
 
 def test_scenes_with_states_and_events(tmp_path: Path) -> None:
-    scene = cd.Model("stopped", gravity=(0, 0, -9.81))
+    scene = cd.Scene("stopped", gravity=(0, 0, -9.81))
     scene.joint("z", cd.Prismatic("z"), scene.ground, scene.body("b", mass=2.0))
     scene.force("floor", cd.Stop("z", lower=0.0, restitution=0.5))
     scene.force("motor", cd.Actuator("z", 1.0, lag=0.1, start=0.3))
@@ -341,9 +341,9 @@ def happens(text: str, motion: cd.Trajectory) -> None:
     assert numbers(lines, "s") == pytest.approx(motion.s[-1].tolist(), rel=0, abs=1e-8)
 
 
-def machine() -> cd.Model:
+def machine() -> cd.Scene:
     """Stops, sticking, a contact, samples and an end of the run."""
-    scene = cd.Model("machine", gravity=(0, 0, -9.81))
+    scene = cd.Scene("machine", gravity=(0, 0, -9.81))
     ball = scene.body("ball", mass=2.0)
     scene.joint("z", cd.Prismatic("z"), scene.ground, ball, q0=0.6, u0=0.5)
     scene.joint("x", cd.Prismatic("x"), ball, scene.body("slider", mass=0.5), u0=2.0)

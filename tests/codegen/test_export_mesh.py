@@ -25,9 +25,9 @@ QUICK = ("-O0", "-fno-math-errno", "-ffp-contract=off")
 pytestmark = pytest.mark.skipif("gcc" not in compilers(), reason="needs a C compiler")
 
 
-def swing(elements: int = 2) -> cd.Model:
+def swing(elements: int = 2) -> cd.Scene:
     """A rubber bar on a pin with a bob on a hinge, and a spring on the hinge."""
-    scene = cd.Model("swing")
+    scene = cd.Scene("swing")
     rubber = cd.material(E=5e6, nu=0.3, rho=1100)
     section = cd.section.rectangle(0.02, 0.02)
     bar = scene.beam("bar", (0, 0, 0), (0.8, 0, 0), section, rubber, elements=elements)
@@ -43,9 +43,9 @@ def swing(elements: int = 2) -> cd.Model:
     return scene
 
 
-def linkage() -> cd.Model:
+def linkage() -> cd.Scene:
     """The four-bar, a little open where it starts."""
-    scene = cd.Model("linkage", gravity=(0, -9.81, 0))
+    scene = cd.Scene("linkage", gravity=(0, -9.81, 0))
     bars = {"crank": FOUR_BAR["crank"], "coupler": FOUR_BAR["coupler"]}
     bars["rocker"] = FOUR_BAR["rocker"]
     a, b, c = (
@@ -192,7 +192,7 @@ int main(void)
 @pytest.mark.parametrize("closed", [False, pytest.param(True, marks=pytest.mark.slow)])
 def test_a3_starts_in_c_at_other_lengths(closed: bool, builder: Builder, tmp_path: Path) -> None:
     """Exported C moved nodes and joints alike until the joints were closed."""
-    scene = cd.Model("chain")
+    scene = cd.Scene("chain")
     length = scene.parameter("length", 0.5, unit="m")
     inner = scene.ground
     for name, angle in (("A", 0.4), ("B", -1.0), ("C", -1.2))[: 3 if closed else 2]:
@@ -313,7 +313,7 @@ def test_files_are_those_of_the_manifest_and_the_same_again(swinging: Path, tmp_
 
 
 def test_without_integrators_it_tells_the_energy(builder: Builder, tmp_path: Path) -> None:
-    scene = cd.Model("slide")
+    scene = cd.Scene("slide")
     block = scene.body("block", mass=2.0)
     scene.joint("rail", cd.Prismatic("z"), scene.ground, block, q0=0.5, u0=2.0)
     folder = cd.derive(scene, coordinates="absolute").export(tmp_path / "c", ["energy"])
@@ -337,7 +337,7 @@ def test_what_does_not_go_with_elements_is_refused(tmp_path: Path) -> None:
         equations.export(tmp_path / "c", ["enrgy"])
     with pytest.raises(DerivationError, match="poses of nodes are in q"):
         equations.export(tmp_path / "c", [("pose", "bob")])
-    lagging = cd.Model("lagging")
+    lagging = cd.Scene("lagging")
     lagging.joint("x", cd.Prismatic("x"), lagging.ground, lagging.body("b", mass=2.0))
     lagging.force("motor", cd.Actuator("x", 1.0, lag=0.1))
     with pytest.raises(CodegenError, match="internal states"):

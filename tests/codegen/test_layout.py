@@ -10,14 +10,14 @@ import pytest
 
 import cardan as cd
 from cardan.codegen import generate, layout, manifest
-from cardan.equations.record import Equations
+from cardan.equations.record import EquationRecord
 from cardan.errors import CodegenError
 from codegen.models import arm
 
 NAMES = ("mass_matrix", "bias", "gravity", "qdot", "energy", "com")
 
 
-def start(folder: Path) -> Equations:
+def start(folder: Path) -> EquationRecord:
     equations = cd.derive(arm())
     layout.write_model(folder, manifest.base(equations, NAMES))
     return equations

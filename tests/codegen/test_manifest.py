@@ -10,7 +10,7 @@ import pytest
 
 import cardan as cd
 from cardan.codegen import flat_scene, generate, layout, manifest
-from cardan.equations.record import Equations
+from cardan.equations.record import EquationRecord
 from cardan.ir.interpreter import evaluate
 from cardan.ir.serialize import from_dict
 from cardan.schema.fields import dumped
@@ -22,7 +22,7 @@ PAGE = Path(__file__).parents[2] / "docs" / "manifest.schema.json"
 SCHEMA = json.loads(json_schema())
 
 
-def written(folder: Path, equations: Equations, *names: str) -> dict[str, Any]:
+def written(folder: Path, equations: EquationRecord, *names: str) -> dict[str, Any]:
     """The manifest of a model with some functions, read from disk."""
     layout.write_model(folder, manifest.base(equations, names))
     made = [(generate(equations.function(n)), equations.function(n)) for n in names]

@@ -26,9 +26,9 @@ print(model.energy(q, u).total, "sympy" in sys.modules)
 """
 
 
-def crane(elements: int = 6) -> cd.Model:
+def crane(elements: int = 6) -> cd.Scene:
     """A beam on a driven column, with a load whose size is a parameter."""
-    scene = cd.Model("crane", gravity=(0, 0, -9.81))
+    scene = cd.Scene("crane", gravity=(0, 0, -9.81))
     load = scene.parameter("load", 100.0, unit="N")
     stiffness = scene.parameter("EI", 2e4, unit="N*m^2")
     column = scene.body("column", mass=50, inertia=cd.inertia.box(50, 0.2, 0.2, 1))

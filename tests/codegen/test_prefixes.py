@@ -31,9 +31,9 @@ int main(void)
 """
 
 
-def _four_bar(name: str, length: float) -> cd.Model:
+def _four_bar(name: str, length: float) -> cd.Scene:
     """A loop, whose positions are found with pivoting."""
-    scene = cd.Model(name)
+    scene = cd.Scene(name)
     before = scene.ground
     # a parallelogram, which is closed
     for k, angle in enumerate((-1.2, 1.2, np.pi - 1.2)):
@@ -90,7 +90,7 @@ int main(void)
 def test_beams_of_two_prefixes_have_models_of_their_own(tmp_path: Path) -> None:
     """A macro was defined twice, and memory for the first model served for the second."""
     for name, elements in (("one", 1), ("two", 2)):
-        scene = cd.Model(name)
+        scene = cd.Scene(name)
         steel, square = cd.material(E=2e11, nu=0.3, rho=7850), cd.section.rectangle(0.02, 0.02)
         scene.beam("bar", scene.ground, (1, 0, 0), square, steel, elements=elements)
         cd.derive(scene).export(

@@ -54,7 +54,7 @@ START: dict[str, Any] = {"q": {"shoulder": 1.0}, "u": {"elbow": 4.0}}
 TORQUE = ([0.0, 0.1, 0.4], [0.0, 2.0, -1.0])
 
 
-def scene(name: str = "pendulum") -> cd.Model:
+def scene(name: str = "pendulum") -> cd.Scene:
     return cd.load(FILES / "scene_1" / f"{name}.yaml")
 
 
@@ -62,12 +62,12 @@ def model(name: str = "pendulum") -> cd.CompiledModel:
     return cd.compile(scene(name))
 
 
-def start(scene: cd.Model, model: cd.CompiledModel) -> np.ndarray:
+def start(scene: cd.Scene, model: cd.CompiledModel) -> np.ndarray:
     """The state a scene starts in."""
     return model.initial(**{name: scene.settings.get(name) for name in "quz"})
 
 
-def described(scene: cd.Model) -> dict[str, Any]:
+def described(scene: cd.Scene) -> dict[str, Any]:
     """Names and numbers of a scene that no reader may change."""
     members = ("bodies", "joints", "beams", "forces", "inputs", "outputs", "constraints")
     return {
@@ -77,7 +77,7 @@ def described(scene: cd.Model) -> dict[str, Any]:
     }
 
 
-def rates(scene: cd.Model) -> dict[str, list[float]]:
+def rates(scene: cd.Scene) -> dict[str, list[float]]:
     """What a scene says about motion: xdot at its start, or of beams the energy."""
     made = cd.compile(scene)
     x = start(scene, made)

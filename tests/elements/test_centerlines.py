@@ -84,7 +84,7 @@ def test_refusals() -> None:
     ],
 )
 def test_lines_that_do_not_fit(line: Centerline, words: str) -> None:
-    scene = cd.Model("one")
+    scene = cd.Scene("one")
     section = cd.section.general(EA=1, GA=1, GJ=1, EI=1)
     scene.beam("b", (0, 0, 0), (1, 0, 0), section, line=line)
     with pytest.raises(ModelError, match=f"beam 'b': .*{words}"):

@@ -129,7 +129,7 @@ def test_names_and_units(bench: Bench) -> None:
 
 
 def test_a_reversed_kind_is_declared_by_exchanged_ends() -> None:
-    scene = cd.Model("m")
+    scene = cd.Scene("m")
     body = scene.body("b", mass=1)
     with pytest.raises(cd.ModelError, match=r"'j' \(spherical\): .* exchange parent and child"):
         scene.joint("j", cd.Spherical().reversed(), scene.ground, body)

@@ -31,7 +31,7 @@ def test_parallel_axes_of_a_universal_joint() -> None:
 
 @pytest.mark.parametrize("length", [1e-200, 1e200])
 def test_an_axis_of_any_length_is_a_direction(length: float) -> None:
-    scene = cd.Model("pendulum")
+    scene = cd.Scene("pendulum")
     rod = scene.body("rod", mass=1, com=(0, 0, -0.5), inertia=(1, 1, 0.1))
     scene.joint("pivot", cd.Revolute((length, length, 0)), scene.ground, rod)
     model = cd.compile(scene, functions=["forward_dynamics"])
@@ -50,7 +50,7 @@ def test_a_custom_pose_must_coincide_at_zero() -> None:
         cd.Custom([x], position=(x, 1, 0)),
         cd.Custom([x], rotation=[[1, 0, 0], [0, 2, 0], [0, 0, 1]]),
     ):
-        scene = cd.Model("slide")
+        scene = cd.Scene("slide")
         body = scene.body("body", mass=1)
         scene.joint("slide", joint, scene.ground, body)
         with pytest.raises(cd.ModelError, match=r"joint .slide.*do not coincide"):
@@ -59,7 +59,7 @@ def test_a_custom_pose_must_coincide_at_zero() -> None:
 
 def test_a_shaft_that_time_changes_stores_nothing() -> None:
     """The energy ledger of an elastic drive closes with a stiffness that depends on time."""
-    scene = cd.Model("drive", gravity=(0, 0, 0))
+    scene = cd.Scene("drive", gravity=(0, 0, 0))
     arm = scene.body("arm", mass=1, inertia=(1, 1, 1))
     scene.joint("joint", cd.Revolute("z"), scene.ground, arm)
     stiffness = 40 + 20 * sympy.sin(3 * cd.t)

@@ -33,14 +33,14 @@ INSTANCES: dict[str, Section] = {
 
 def numbers(section: Section, **values: float) -> dict[str, float]:
     """Stiffness and inertia of a beam with a section."""
-    scene = cd.Model("one")
+    scene = cd.Scene("one")
     scene.values.update(values)
     material = cd.material(E=E, nu=NU, rho=RHO) if section.shaped else None
     scene.beam("b", (0, 0, 0), (1, 0, 0), section, material)
     return data_of(scene)
 
 
-def data_of(scene: cd.Model) -> dict[str, float]:
+def data_of(scene: cd.Scene) -> dict[str, float]:
     from cardan.ir.function import Function, Output
     from cardan.ir.interpreter import evaluate
 
@@ -162,7 +162,7 @@ def test_general_sections_say_it_themselves() -> None:
 def test_outline_of_numbers_is_that_of_a_round_bar() -> None:
     bar = numbers(INSTANCES["circle"])
     general = cd.section.general(EA=bar["EA"], GA=bar["GA2"], GJ=bar["GJ"], EI=bar["EI2"])
-    scene = cd.Model("one")
+    scene = cd.Scene("one")
     scene.beam("b", (0, 0, 0), (1, 0, 0), general)
     assert build(scene).segments[0].outline == pytest.approx((0.03, 0.03, True))
 
@@ -170,14 +170,14 @@ def test_outline_of_numbers_is_that_of_a_round_bar() -> None:
 def test_numbers_are_parameters_and_parameters_stay() -> None:
     found = numbers(INSTANCES["circle"], **{"b.section.radius": 0.06, "b.material.E": E / 16})
     assert found["EI2"] == pytest.approx(numbers(INSTANCES["circle"])["EI2"])
-    scene = cd.Model("one")
+    scene = cd.Scene("one")
     r = scene.parameter("r", 30, unit="mm")
     scene.beam("b", (0, 0, 0), (1, 0, 0), cd.section.tube(r, 2 * r / 3), cd.material(E, NU))
     assert data_of(scene)["EI2"] == pytest.approx(numbers(INSTANCES["tube"])["EI2"])
 
 
 def test_shear_modulus_instead_of_poissons_ratio() -> None:
-    scene = cd.Model("one")
+    scene = cd.Scene("one")
     scene.beam("b", (0, 0, 0), (1, 0, 0), cd.section.circle(0.03), cd.material(E=E, G=G, rho=RHO))
     found, other = data_of(scene), numbers(INSTANCES["circle"])
     assert found == pytest.approx(other, rel=1e-14)
@@ -210,12 +210,12 @@ def test_nonsense_is_refused(words: str) -> None:
 
 
 def test_nonsense_in_parameters_is_found_when_they_have_values() -> None:
-    scene = cd.Model("one")
+    scene = cd.Scene("one")
     r = scene.parameter("r", 0.01)
     scene.beam("b", (0, 0, 0), (1, 0, 0), cd.section.tube(r, 2 * r), cd.material(E, NU))
     with pytest.raises(ModelError, match="beam 'b': the inner radius"):
         build(scene)
-    scene = cd.Model("two")
+    scene = cd.Scene("two")
     nu = scene.parameter("nu", 0.6)
     scene.beam("b", (0, 0, 0), (1, 0, 0), cd.section.circle(0.01), cd.material(E, nu))
     with pytest.raises(ModelError, match=r"beam 'b': nu is 0\.6"):

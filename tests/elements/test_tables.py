@@ -119,7 +119,7 @@ def test_sympy_is_loaded_by_expressions_only() -> None:
 
 def test_a_table_as_joint_torque_in_c() -> None:
     """A body of inertia 1: the acceleration is the measured torque, outside the points too."""
-    scene, curve = cd.Model("muscle"), cd.table(X, Y)
+    scene, curve = cd.Scene("muscle"), cd.table(X, Y)
     limb = scene.body("limb", mass=1.0, inertia=(1.0, 1.0, 1.0))
     scene.joint("knee", cd.Revolute("y"), scene.ground, limb)
     scene.force("muscle", cd.JointForce("knee", curve(scene.q("knee"))))

@@ -29,7 +29,7 @@ class Classical:
     """
 
     book: str
-    scene: Callable[[], cd.Model]
+    scene: Callable[[], cd.Scene]
     mass_matrix: list[list[Any]]
     bias: list[Any]
     terms: tuple[tuple[int, ...], tuple[int, ...]]
@@ -39,7 +39,7 @@ def S(names: str) -> tuple[Any, ...]:
     return sp.symbols(names)
 
 
-def parameters(scene: cd.Model, unit: str, names: str) -> list[Any]:
+def parameters(scene: cd.Scene, unit: str, names: str) -> list[Any]:
     """Parameters with values that no formula can confuse."""
     number = len(scene.parameters)
     return [
@@ -48,17 +48,17 @@ def parameters(scene: cd.Model, unit: str, names: str) -> list[Any]:
     ]
 
 
-def model(name: str, gravity: str) -> cd.Model:
+def model(name: str, gravity: str) -> cd.Scene:
     """A model whose gravity is the parameter g along -y or -z; "" for none."""
     g = sp.Symbol("g")
     pulls = {"": (0, 0, 0), "y": (0, -g, 0), "z": (0, 0, -g)}
-    scene = cd.Model(name, gravity=pulls[gravity])
+    scene = cd.Scene(name, gravity=pulls[gravity])
     if gravity:
         scene.parameter("g", 9.81, unit="m/s^2")
     return scene
 
 
-def cart() -> cd.Model:
+def cart() -> cd.Scene:
     scene = model("cart", "z")
     M, m = parameters(scene, "kg", "M m")
     (l,) = parameters(scene, "m", "l")
@@ -68,7 +68,7 @@ def cart() -> cd.Model:
     return scene
 
 
-def double() -> cd.Model:
+def double() -> cd.Scene:
     scene = model("double", "z")
     m1, m2 = parameters(scene, "kg", "m1 m2")
     l1, l2 = parameters(scene, "m", "l1 l2")
@@ -79,7 +79,7 @@ def double() -> cd.Model:
     return scene
 
 
-def spherical() -> cd.Model:
+def spherical() -> cd.Scene:
     scene = model("spherical", "z")
     (m,) = parameters(scene, "kg", "m")
     (l,) = parameters(scene, "m", "l")
@@ -89,7 +89,7 @@ def spherical() -> cd.Model:
     return scene
 
 
-def gyroscope() -> cd.Model:
+def gyroscope() -> cd.Scene:
     scene = model("gyroscope", "")
     moments = "A1 A2 A3 B1 B2 B3 C D"
     A1, A2, A3, B1, B2, B3, C, D = parameters(scene, "kg*m^2", moments)
@@ -102,7 +102,7 @@ def gyroscope() -> cd.Model:
     return scene
 
 
-def top() -> cd.Model:
+def top() -> cd.Scene:
     scene = model("top", "z")
     (m,) = parameters(scene, "kg", "m")
     (l,) = parameters(scene, "m", "l")
@@ -118,7 +118,7 @@ def top() -> cd.Model:
     return scene
 
 
-def arm() -> cd.Model:
+def arm() -> cd.Scene:
     scene = model("arm", "y")
     m1, m2, mp = parameters(scene, "kg", "m1 m2 mp")
     l1, l2, lc1, lc2 = parameters(scene, "m", "l1 l2 lc1 lc2")

@@ -95,7 +95,7 @@ ENERGIES = {
 }
 
 
-def rigid(rotation: str) -> cd.Model:
+def rigid(rotation: str) -> cd.Scene:
     """A body with principal moments A, B, C that turns about its center of mass."""
     scene = model("rigid", "")
     A, B, C = parameters(scene, "kg*m^2", "A B C")

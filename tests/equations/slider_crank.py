@@ -16,7 +16,7 @@ import cardan as cd
 from .classical import S, cos, model, parameters, sin
 
 
-def _parts(name: str) -> tuple[cd.Model, Any, Any, tuple[Any, ...]]:
+def _parts(name: str) -> tuple[cd.Scene, Any, Any, tuple[Any, ...]]:
     scene = model(name, "y")
     m1, m2, m3 = parameters(scene, "kg", "m1 m2 m3")
     lengths = {"r": 0.1, "l": 0.3, "s1": 0.03, "e": 0.14}
@@ -29,7 +29,7 @@ def _parts(name: str) -> tuple[cd.Model, Any, Any, tuple[Any, ...]]:
     return scene, crank, slider, (m2, r, l, e, I2)
 
 
-def by_angles() -> cd.Model:
+def by_angles() -> cd.Scene:
     """The angle phi of the rod at the slider, opposite to theta; e: center of mass from there."""
     scene, crank, slider, (m2, r, l, e, I2) = _parts("slider_crank")
     rod = scene.body("rod", mass=m2, com=(-e, 0, 0), inertia=(I2, I2, I2))
@@ -40,7 +40,7 @@ def by_angles() -> cd.Model:
     return scene
 
 
-def by_relative_angle() -> cd.Model:
+def by_relative_angle() -> cd.Scene:
     """The angle beta of the rod at the crank, relative to it; e: center of mass from there."""
     scene, crank, slider, (m2, r, l, e, I2) = _parts("slider_crank")
     rod = scene.body("rod", mass=m2, com=(e, 0, 0), inertia=(I2, I2, I2))

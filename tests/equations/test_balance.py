@@ -29,7 +29,7 @@ def chosen() -> dict[str, Any]:
 class Case:
     """A model at a state that constraints need not allow."""
 
-    def __init__(self, scene: cd.Model) -> None:
+    def __init__(self, scene: cd.Scene) -> None:
         self.model = cd.compile(scene)
         rng = np.random.default_rng(SEED)
         self.q, self.u = self.model.split(self.model.random_state(rng))

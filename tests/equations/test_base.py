@@ -9,9 +9,9 @@ import cardan as cd
 from cardan.ir.interpreter import evaluate
 
 
-def arm() -> cd.Model:
+def arm() -> cd.Scene:
     """Two links in a vertical plane, with full inertias."""
-    scene = cd.Model("arm", gravity=(0, 0, -9.81))
+    scene = cd.Scene("arm", gravity=(0, 0, -9.81))
     inner = scene.ground
     for name in ("upper", "lower"):
         inertia = {"xx": 0.3, "yy": 0.2, "zz": 0.2, "xy": 0.02, "xz": 0.03, "yz": 0.01}
@@ -41,7 +41,7 @@ def test_planar_arm_has_the_combinations_of_the_textbook() -> None:
 
 
 def test_what_has_no_effect_is_not_said_to_act_with_others() -> None:
-    scene = cd.Model("pendulum", gravity=(0, 0, -9.81))
+    scene = cd.Scene("pendulum", gravity=(0, 0, -9.81))
     inertia = cd.inertia.rod(1.0, 1.0, axis="z")
     rod = scene.body("rod", mass=1.0, com=(0, 0, -0.5), inertia=inertia)
     scene.joint("pivot", cd.Revolute("y"), scene.ground, rod)

@@ -12,21 +12,21 @@ from mechanisms.closed import four_bar
 BICYCLE = Path(__file__).parents[2] / "examples" / "bicycle.yaml"
 
 
-def kinds(scene: cd.Model) -> dict[str, tuple[str, bool, bool]]:
+def kinds(scene: cd.Scene) -> dict[str, tuple[str, bool, bool]]:
     """Multiplier -> level, rheonomic, integrable."""
     found = cd.derive(scene).classification()
     return {row.name: (row.level, row.rheonomic, row.integrable) for row in found.rows}
 
 
-def sledge() -> cd.Model:
+def sledge() -> cd.Scene:
     """A body that slides and turns on a plane: u = rates of x, y, angle."""
-    scene = cd.Model("sledge")
+    scene = cd.Scene("sledge")
     body = scene.body("body", mass=1.0, inertia=(0.1, 0.1, 0.1))
     scene.joint("plane", cd.Planar(), scene.ground, body)
     return scene
 
 
-def places(scene: cd.Model) -> tuple[list[sympy.Symbol], list[sympy.Symbol]]:
+def places(scene: cd.Scene) -> tuple[list[sympy.Symbol], list[sympy.Symbol]]:
     """Coordinates and speeds of the sledge."""
     names = [f"plane.{name}" for name in ("x", "y", "angle")]
     return [scene.q(name) for name in names], [scene.u(name) for name in names]
@@ -38,7 +38,7 @@ def test_a_closed_circuit_is_of_positions() -> None:
 
 
 def test_a_rolling_coin_is_nonholonomic() -> None:
-    scene = cd.Model("coin", gravity=(0, 0, -9.81))
+    scene = cd.Scene("coin", gravity=(0, 0, -9.81))
     coin = scene.body("coin", mass=1.0, inertia=(0.0025, 0.005, 0.0025))
     scene.joint("rolling", cd.RollingDisk(0.1), scene.ground, coin)
     slipping = ("velocity", False, False)
@@ -84,7 +84,7 @@ def test_a_skate_on_a_rail_that_keeps_its_heading_is_integrable() -> None:
 
 def test_body_fixed_angular_velocity_is_not_integrable() -> None:
     """No spin about a body axis: rates of quaternions and angular velocity do not commute."""
-    scene = cd.Model("top")
+    scene = cd.Scene("top")
     body = scene.body("body", mass=1.0, inertia=(1, 2, 3))
     scene.joint("ball", cd.Spherical(), scene.ground, body)
     scene.constraint("spin", scene.u("ball.z"))

@@ -23,9 +23,9 @@ SOLVED = {
 }
 
 
-def spherical_four_bar() -> cd.Model:
+def spherical_four_bar() -> cd.Scene:
     """Four revolute joints whose axes meet in the origin."""
-    scene = cd.Model("spherical", gravity=(0, 0, -9.81))
+    scene = cd.Scene("spherical", gravity=(0, 0, -9.81))
     axes = {"A": (0, 0, 1), "B": (0.5, 0, 1), "C": (0.6, 0.9, 1), "D": (0, 1, 1)}
     made = {}
     for name, com in (
@@ -46,11 +46,11 @@ def spherical_four_bar() -> cd.Model:
     return scene
 
 
-def both(scene: cd.Model) -> tuple[cd.CompiledModel, cd.CompiledModel]:
+def both(scene: cd.Scene) -> tuple[cd.CompiledModel, cd.CompiledModel]:
     return cd.compile(scene), cd.compile(scene, constraints="closed_form")
 
 
-def started(name: str, s: float) -> tuple[cd.Model, dict[str, object], dict[str, object]]:
+def started(name: str, s: float) -> tuple[cd.Scene, dict[str, object], dict[str, object]]:
     """A mechanism with initial values on its motion, and a state there."""
     mechanism = CLOSED[name]
     scene, state = mechanism.build(), mechanism.state(s)
@@ -62,7 +62,7 @@ def started(name: str, s: float) -> tuple[cd.Model, dict[str, object], dict[str,
 
 
 @cache
-def bars() -> tuple[cd.Model, dict[str, object], cd.CompiledModel, cd.CompiledModel]:
+def bars() -> tuple[cd.Scene, dict[str, object], cd.CompiledModel, cd.CompiledModel]:
     """The four-bar as it is, coordinates on its motion, with multipliers and in closed form."""
     scene, q, _ = started("four_bar", 0.3)
     return scene, q, *both(scene)
@@ -189,7 +189,7 @@ def test_prescribed_motion_and_forces_on_dependent_joints() -> None:
     np.testing.assert_allclose(solved.power(*own), whole.power(*full), rtol=1e-11)
 
 
-def same(scene: cd.Model, q: dict[str, float], speed: str) -> None:
+def same(scene: cd.Scene, q: dict[str, float], speed: str) -> None:
     """The free speed of a scene in closed form accelerates as with multipliers."""
     whole, solved = both(scene)
     full, rates = whole.split(whole.assemble(q, u={speed: 1.0}).x)
@@ -200,7 +200,7 @@ def same(scene: cd.Model, q: dict[str, float], speed: str) -> None:
 
 
 def test_a_universal_joint_and_a_slide_on_two_branches_are_no_leg() -> None:
-    scene = cd.Model("apart")
+    scene = cd.Scene("apart")
     arm = scene.body("arm", mass=1.0, com=(0.1, 0.2, 0.3), inertia=(0.1, 0.2, 0.3))
     turret = scene.body("turret", mass=2.0, com=(0.1, 0, 0.3), inertia=(0.2, 0.1, 0.3))
     slide = scene.body("slide", mass=2.0, com=(0.1, 0, 0.3), inertia=(0.2, 0.1, 0.3))
@@ -212,7 +212,7 @@ def test_a_universal_joint_and_a_slide_on_two_branches_are_no_leg() -> None:
 
 
 def test_a_joint_that_others_follow_stays_a_coordinate() -> None:
-    scene = cd.Model("geared", gravity=(0, -9.81, 0))
+    scene = cd.Scene("geared", gravity=(0, -9.81, 0))
     made = {}
     for name, length in {"crank": 0.1, "rod": 0.25, "rocker": 0.2, "wheel": 0.1}.items():
         inertia = cd.inertia.rod(length, length, axis="x")

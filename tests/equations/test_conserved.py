@@ -51,8 +51,8 @@ def test_cart_and_gyroscope() -> None:
     assert "momentum of alpha" in gyroscope["angular momentum about z"].also
 
 
-def free(gravity: tuple[float, float, float], inertia: tuple[float, float, float]) -> cd.Model:
-    scene = cd.Model("free", gravity=gravity)
+def free(gravity: tuple[float, float, float], inertia: tuple[float, float, float]) -> cd.Scene:
+    scene = cd.Scene("free", gravity=gravity)
     body = scene.body("body", mass=2.0, com=(0.1, 0.2, 0.3), inertia=inertia)
     scene.joint("free", cd.Free(), scene.ground, body)
     return scene
@@ -71,7 +71,7 @@ def test_free_and_thrown_bodies() -> None:
 
 
 def test_spin_of_a_body_of_revolution() -> None:
-    scene = cd.Model("spinning", gravity=(0, 0, -9.81))
+    scene = cd.Scene("spinning", gravity=(0, 0, -9.81))
     body = scene.body("body", mass=1.0, com=(0, 0, 0.3), inertia=(0.2, 0.2, 0.05))
     scene.joint("tip", cd.Spherical(), scene.ground, body)
     found = cd.derive(scene).conserved()
@@ -80,7 +80,7 @@ def test_spin_of_a_body_of_revolution() -> None:
 
 
 def test_inputs_and_dampers_say_who() -> None:
-    scene = cd.Model("pushed")
+    scene = cd.Scene("pushed")
     cart = scene.body("cart", mass=2.0)
     scene.joint("track", cd.Prismatic("x"), scene.ground, cart)
     scene.force("motor", cd.JointForce("track", scene.input("push")))
@@ -94,7 +94,7 @@ def test_inputs_and_dampers_say_who() -> None:
 
 
 def test_rolling_keeps_energy_but_no_momentum() -> None:
-    scene = cd.Model("coin", gravity=(0, 0, -9.81))
+    scene = cd.Scene("coin", gravity=(0, 0, -9.81))
     coin = scene.body("coin", mass=1.0, inertia=(0.0025, 0.005, 0.0025))
     scene.joint("rolling", cd.RollingDisk(0.1), scene.ground, coin)
     found = cd.derive(scene).conserved()
@@ -122,7 +122,7 @@ def _along(one: Quantity, motion: cd.Trajectory, model: cd.CompiledModel) -> np.
     return np.asarray(evaluate(one.function, given, "numpy")["value"])[:, 0, 0]
 
 
-def _tree() -> cd.Model:
+def _tree() -> cd.Scene:
     """Two bodies on a floating third one."""
     scene = free((0, 0, -9.81), (1.0, 2.0, 2.5))
     inner = scene.bodies["body"]
@@ -133,7 +133,7 @@ def _tree() -> cd.Model:
 
 
 @pytest.mark.parametrize("build", [CLASSICAL["top"].scene, _tree], ids=["top", "tree"])
-def test_constant_along_motions(build: Callable[[], cd.Model]) -> None:
+def test_constant_along_motions(build: Callable[[], cd.Scene]) -> None:
     equations = cd.derive(build())
     model = cd.compile(equations)
     start = model.random_state(np.random.default_rng(2))
@@ -149,7 +149,7 @@ def test_constant_along_motions(build: Callable[[], cd.Model]) -> None:
 
 
 def test_a_small_pendulum_depends_on_its_angle() -> None:
-    scene = cd.Model("watch", gravity=(0, 0, -9.81))
+    scene = cd.Scene("watch", gravity=(0, 0, -9.81))
     scene.joint("pin", cd.Revolute("y"), scene.ground, scene.body("a", 1e-9, com=(0, 0, -1e-4)))
     found = cd.derive(scene).conserved()
     assert found.cyclic == ()
@@ -159,7 +159,7 @@ def test_a_small_pendulum_depends_on_its_angle() -> None:
 def test_a_small_circuit_keeps_its_energy() -> None:
     size, mass = 1e-4, 1e-9
     inertia = (0.1 * mass * size**2,) * 3
-    scene = cd.Model("switch", gravity=(0, 0, -9.81))
+    scene = cd.Scene("switch", gravity=(0, 0, -9.81))
     a, c = (scene.body(n, mass, com=(0, 0, -size / 2), inertia=inertia) for n in "ac")
     b = scene.body("b", mass, com=(size / 2, 0, 0), inertia=inertia)
     scene.joint("A", cd.Revolute("y"), scene.ground, a)
@@ -171,7 +171,7 @@ def test_a_small_circuit_keeps_its_energy() -> None:
 
 
 def test_bodies_hard_to_shift_and_easy_to_turn_keep_no_more_than_others() -> None:
-    scene = cd.Model("dense", gravity=(0, 0, 0))
+    scene = cd.Scene("dense", gravity=(0, 0, 0))
     ball = scene.body("ball", mass=1e3, inertia=(1e-11, 2e-11, 2.5e-11))
     scene.joint("free", cd.Free(), scene.ground, ball)
     found = cd.derive(scene).conserved()
@@ -179,7 +179,7 @@ def test_bodies_hard_to_shift_and_easy_to_turn_keep_no_more_than_others() -> Non
 
 
 def test_a_light_pendulum_on_a_heavy_cart_depends_on_its_angle() -> None:
-    scene = cd.Model("cart", gravity=(0, 0, -9.81))
+    scene = cd.Scene("cart", gravity=(0, 0, -9.81))
     cart = scene.body("cart", mass=1e3)
     bob = scene.body("bob", mass=1e-9, com=(0, 0, -1e-3))
     scene.joint("rail", cd.Prismatic("x"), scene.ground, cart)

@@ -15,9 +15,9 @@ from mechanisms.closed import CLOSED, four_bar
 from spread import some
 
 
-def pendulum_in_coordinates() -> cd.Model:
+def pendulum_in_coordinates() -> cd.Scene:
     """A point mass on two slides, held on a circle by a relation."""
-    scene = cd.Model("relation", gravity=(0, -9.81, 0))
+    scene = cd.Scene("relation", gravity=(0, -9.81, 0))
     slider = scene.body("slider")
     bob = scene.body("bob", mass=2.0)
     scene.joint("x", cd.Prismatic("x"), scene.ground, slider)
@@ -55,7 +55,7 @@ def test_an_input_in_a_relation_brings_its_rates() -> None:
 
 def test_a_rheonomic_relation_does_work() -> None:
     """A bead on a rod that turns as prescribed: what the rod gives is the change of energy."""
-    scene = cd.Model("bead", gravity=(0, 0, 0))
+    scene = cd.Scene("bead", gravity=(0, 0, 0))
     slider, bead = scene.body("slider"), scene.body("bead", mass=0.7)
     scene.joint("x", cd.Prismatic("x"), scene.ground, slider)
     scene.joint("y", cd.Prismatic("y"), slider, bead)
@@ -100,7 +100,7 @@ def test_relations_that_cannot_be() -> None:
 
 
 def test_trees_have_no_multipliers() -> None:
-    scene = cd.Model("tree")
+    scene = cd.Scene("tree")
     scene.joint("j", cd.Revolute("y"), scene.ground, scene.body("b", mass=1.0, com=(0, 0, 1)))
     with pytest.raises(DerivationError, match="nothing binds the speeds"):
         cd.compile(scene, functions=("multipliers",))
@@ -139,7 +139,7 @@ def test_equations_to_read() -> None:
 
 def test_massless_links() -> None:
     """A rod without mass between two sliders: M is singular, the circuit is not."""
-    scene = cd.Model("rod", gravity=(0, -9.81, 0))
+    scene = cd.Scene("rod", gravity=(0, -9.81, 0))
     left = scene.body("left", mass=1.5)
     right = scene.body("right", mass=0.5)
     rod = scene.body("rod")

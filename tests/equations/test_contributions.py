@@ -48,8 +48,8 @@ def test_every_method_is_in_the_zoo() -> None:
     assert {method for one in ZOO.values() for method in one.methods} <= set(FORMALISMS)
 
 
-def carried() -> cd.Model:
-    scene = cd.Model("carried", gravity=(0, 0, -9.81))
+def carried() -> cd.Scene:
+    scene = cd.Scene("carried", gravity=(0, 0, -9.81))
     arm = scene.body("arm", mass=2.0, com=(0, 0, -0.5), inertia=(0.2, 0.2, 0.01))
     tool = scene.body("tool", mass=0.5)
     scene.joint("pivot", cd.Revolute("y"), scene.ground, arm)

@@ -109,7 +109,7 @@ JOINTS = {
 @each("kind", JOINTS)
 def test_joints_that_are_carried(kind: str, function: str) -> None:
     # below two skew axes, so that all velocity products are there
-    scene = cd.Model("carried", gravity=(0, 0, -9.81))
+    scene = cd.Scene("carried", gravity=(0, 0, -9.81))
     inner = scene.ground
     for i, joint in enumerate((cd.Revolute("x"), cd.Revolute("y"), JOINTS[kind])):
         body = scene.body(f"b{i}", mass=1.0, com=(0.1, 0.2, 0.3), inertia=(0.1, 0.2, 0.25))
@@ -172,7 +172,7 @@ def test_chosen_speeds() -> None:
 
 
 def test_pendulum_in_closed_form() -> None:
-    scene = cd.Model("pendulum", gravity=(0, 0, -9.81))
+    scene = cd.Scene("pendulum", gravity=(0, 0, -9.81))
     m, length, d = (scene.parameter(n, v) for n, v in (("m", 2.0), ("length", 0.7), ("d", 0.3)))
     bob = scene.body("bob", mass=m, com=(0, 0, -length))
     scene.joint("hinge", cd.Revolute("y"), scene.ground, bob)

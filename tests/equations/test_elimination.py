@@ -8,12 +8,12 @@ import cardan as cd
 from mechanisms.chain import chain
 
 
-def total(scene: cd.Model, function: str, **options: object) -> int:
+def total(scene: cd.Scene, function: str, **options: object) -> int:
     return cd.derive(scene, **options).operations_of(function).total
 
 
-def top(*inertia: str, gravity: tuple = (0, 0, -9.81), com: tuple = (0, 0, 0.3)) -> cd.Model:
-    scene = cd.Model("top", gravity=gravity)
+def top(*inertia: str, gravity: tuple = (0, 0, -9.81), com: tuple = (0, 0, 0.3)) -> cd.Scene:
+    scene = cd.Scene("top", gravity=gravity)
     symbols = {name: scene.parameter(name, 0.2) for name in sorted(set(inertia))}
     moments = tuple(symbols[name] for name in inertia)
     body = scene.body("top", mass=1.0, com=com, inertia=moments)

@@ -12,9 +12,9 @@ from table import each
 
 def rope(
     n: int, axes: str = "y", odd: int = -1, force: int = -1, branches: bool = False
-) -> cd.Model:
+) -> cd.Scene:
     """Links of different masses; one of another make, one with a force, every one with a tooth."""
-    scene = cd.Model("rope", gravity=(0, 0, -9.81))
+    scene = cd.Scene("rope", gravity=(0, 0, -9.81))
     inner = scene.ground
     for i in range(n):
         inertia = (0.2, 0.21, 0.01) if i != odd else {"xx": 0.2, "yy": 0.2, "zz": 0.1, "xy": 0.03}
@@ -31,9 +31,9 @@ def rope(
     return scene
 
 
-def comb() -> cd.Model:
+def comb() -> cd.Scene:
     """Pendulums side by side on one beam."""
-    scene = cd.Model("comb", gravity=(0, 0, -9.81))
+    scene = cd.Scene("comb", gravity=(0, 0, -9.81))
     beam = scene.body("beam", mass=3.0, inertia=(1, 1, 1))
     scene.joint("base", cd.Free(), scene.ground, beam)
     for i in range(60):
@@ -42,7 +42,7 @@ def comb() -> cd.Model:
     return scene
 
 
-def teeth_last() -> cd.Model:
+def teeth_last() -> cd.Scene:
     """A rope whose teeth are declared after all its links."""
     scene = rope(50, "yz")
     for i in range(50):

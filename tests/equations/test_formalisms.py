@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from cardan.equations.formalisms import FORMALISMS
-from cardan.equations.record import Equations
+from cardan.equations.record import EquationRecord
 from cardan.errors import DerivationError
 from cardan.ir.function import Function
 from cardan.ir.interpreter import evaluate
@@ -28,7 +28,7 @@ PAIRS = [
 
 @cache
 def function(name: str, method: str, quantity: str) -> Function:
-    return Equations(TREES[name].system, method).function(quantity)
+    return EquationRecord(TREES[name].system, method).function(quantity)
 
 
 def values(name: str, method: str, quantity: str, seed: int, **given: list[float]) -> np.ndarray:
@@ -80,7 +80,7 @@ def test_names_of_other_schools_are_translated() -> None:
 
 
 def test_unknown_function_frame_and_joint_are_named() -> None:
-    equations = Equations(TREES["chain"].system, "composite")
+    equations = EquationRecord(TREES["chain"].system, "composite")
     with pytest.raises(DerivationError, match="Did you mean 'mass_matrix'"):
         equations.function("massmatrix")
     with pytest.raises(DerivationError, match="frame 'tipp1' does not exist"):

@@ -19,9 +19,9 @@ EXACT = ("multipliers", "elimination", "null_space")
 L, G = 0.8, 9.81
 
 
-def bob() -> cd.Model:
+def bob() -> cd.Scene:
     """A pendulum as a point in x and z on a circle: two coordinates, one degree of freedom."""
-    scene = cd.Model("bob", gravity=(0, 0, -G))
+    scene = cd.Scene("bob", gravity=(0, 0, -G))
     slider, point = scene.body("slider", mass=0), scene.body("bob", mass=1.3)
     scene.joint("x", cd.Prismatic("x"), scene.ground, slider)
     scene.joint("z", cd.Prismatic("z"), slider, point)
@@ -60,7 +60,7 @@ def test_a_dependent_pendulum_runs(method: str) -> None:
     )
     start = {"x": L * math.sin(0.7), "z": -L * math.cos(0.7)}
     motion = model.simulate(2.0, q=start, rtol=1e-10, atol=1e-12)
-    single = cd.Model("single", gravity=(0, 0, -G))
+    single = cd.Scene("single", gravity=(0, 0, -G))
     rod = single.body("rod", mass=1.3, com=(0, 0, -L))
     single.joint("theta", cd.Revolute("y"), single.ground, rod)
     wanted = cd.compile(single).simulate(2.0, q={"theta": -0.7}, rtol=1e-11, atol=1e-13)
@@ -105,7 +105,7 @@ def test_rolling_disk_in_axes_of_its_contact(method: str) -> None:
 
 def test_velocities_of_frames_are_speeds() -> None:
     """A point's velocity as generalized speed: the mass belongs to it alone."""
-    scene = cd.Model("point", gravity=(0, 0, -G))
+    scene = cd.Scene("point", gravity=(0, 0, -G))
     arm, hand = scene.body("arm", mass=0), scene.body("hand", mass=2.0, com=(0.3, 0, 0))
     scene.joint("shoulder", cd.Revolute("y"), scene.ground, arm)
     scene.joint("elbow", cd.Revolute("y"), arm.at(0.5, 0, 0), hand)

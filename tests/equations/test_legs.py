@@ -74,9 +74,9 @@ CHAINS = {
 }
 
 
-def carried(kind: str, legs: int = 1) -> cd.Model:
+def carried(kind: str, legs: int = 1) -> cd.Scene:
     """A free platform on equal legs."""
-    scene = cd.Model("legs", gravity=(0, 0, -9.81))
+    scene = cd.Scene("legs", gravity=(0, 0, -9.81))
     platform = scene.body("platform", mass=2.0, com=(0.01, 0.02, 0.03), inertia=(0.02, 0.03, 0.04))
     scene.joint("base", cd.Free(), scene.ground, platform, q0=tuple(HOME))
     for k, angle in enumerate((0.0, 2.1)[:legs]):
@@ -196,7 +196,7 @@ def test_a_leg_that_is_stretched_ends_the_run() -> None:
 
 def test_a_platform_on_slides_and_arms() -> None:
     """A Delta robot: three arms with rods on balls, a platform that only slides."""
-    scene = cd.Model("delta", gravity=(0, 0, -9.81))
+    scene = cd.Scene("delta", gravity=(0, 0, -9.81))
     names = ("x", "y", "z")
     body = scene.ground
     for name in names:
@@ -236,4 +236,4 @@ def test_what_closed_form_would_leave_is_told() -> None:
     assert "constraints='closed_form' would leave 7 of 10 coordinates; it does not pass" in told
     assert "would leave" not in str(cd.derive(carried("RUS"), constraints="closed_form"))
     with pytest.raises(TopologyError, match="branch of 'x': it closes no circuit"):
-        cd.derive(cd.Model("empty"), branches={"x": "+"})
+        cd.derive(cd.Scene("empty"), branches={"x": "+"})

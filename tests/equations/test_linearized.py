@@ -18,10 +18,10 @@ BICYCLE = json.loads((ROOT / "tests/references/bicycle_linear.json").read_text()
 SIGNS = np.diag([1.0, -1.0])
 
 
-def trolley() -> cd.Model:
+def trolley() -> cd.Scene:
     """A cart on a spring with a pendulum of a point mass, pushed and seen."""
     g = sp.Symbol("g")
-    scene = cd.Model("trolley", gravity=(0, 0, -g))
+    scene = cd.Scene("trolley", gravity=(0, 0, -g))
     scene.parameter("g", 9.81)
     M, m, ell = (scene.parameter(*pair) for pair in (("M", 2.0), ("m", 1.0), ("l", 0.5)))
     k, c = scene.parameter("k", 3.0), scene.parameter("c", 0.3)
@@ -114,9 +114,9 @@ def test_the_benchmark_bicycle() -> None:
         straight.second_order(["rear_contact.lean"])
 
 
-def two_swings(m: float, l: float, k: float) -> cd.Model:
+def two_swings(m: float, l: float, k: float) -> cd.Scene:
     """Two pendulums side by side with a spring of turns between them."""
-    scene = cd.Model("swings", gravity=(0, 0, -9.81))
+    scene = cd.Scene("swings", gravity=(0, 0, -9.81))
     mass, length, k = scene.parameter("m", m), scene.parameter("l", l), scene.parameter("k", k)
     for name in "ab":
         swing = scene.body(name, mass=mass, com=(0, 0, -length))
@@ -137,14 +137,14 @@ def test_what_couples_is_seen_at_any_size_and_where_it_is_0_by_default(
 
 
 def test_what_a_tiny_reference_takes_is_told() -> None:
-    scene = cd.Model("tiny", gravity=(0, 0, -9.81))
+    scene = cd.Scene("tiny", gravity=(0, 0, -9.81))
     scene.joint("pin", cd.Revolute("y"), scene.ground, scene.body("a", 1e-9, com=(1e-4, 0, 0)))
     assert list(cd.derive(scene).linearize().needed) == ["pin.u"]
     assert cd.derive(scene).linearize(q={"pin": sp.pi / 2}).needed == {}
 
 
 def test_internal_states_stand_in_the_equations_of_second_order() -> None:
-    scene = cd.Model("strut", gravity=(0, 0, 0))
+    scene = cd.Scene("strut", gravity=(0, 0, 0))
     scene.joint("rail", cd.Prismatic("x"), scene.ground, scene.body("cart", mass=2.0))
     ends = scene.ground.at(-2, 0, 0), "cart"
     scene.force("strut", cd.Maxwell(*ends, stiffness=100.0, damping=3.0, length=2.0))

@@ -151,7 +151,7 @@ def test_rolling_bodies_in_motion(name: str) -> None:
 
 
 def test_lengths_at_which_a_reference_of_numbers_stays_open_are_refused() -> None:
-    scene = cd.Model("rectangle", gravity=(0, 0, -9.81))
+    scene = cd.Scene("rectangle", gravity=(0, 0, -9.81))
     length = scene.parameter("l", 1.0)
     left = scene.body("left", mass=1, com=(0, 0, -length / 2))
     beam = scene.body("beam", mass=1, com=(0.5, 0, 0))

@@ -13,9 +13,9 @@ from mechanisms.closed import CLOSED
 TOP = {"m": 1.3, "g": 9.81, "l": 0.2, "I1": 0.08, "I3": 0.02}
 
 
-def top() -> cd.Model:
+def top() -> cd.Scene:
     """A symmetric top on a ball joint, upright at first."""
-    scene = cd.Model("top", gravity=(0, 0, -sp.Symbol("g")))
+    scene = cd.Scene("top", gravity=(0, 0, -sp.Symbol("g")))
     p = {name: scene.parameter(name, value) for name, value in TOP.items()}
     # I1 and I3 belong to the tip
     across = p["I1"] - p["m"] * p["l"] ** 2
@@ -59,7 +59,7 @@ def test_the_two_forms_have_the_same_eigenvalues() -> None:
 
 def test_states_of_a_controller_are_states() -> None:
     m, kp, ki, kd = 2.0, 8.0, 3.0, 5.0
-    scene = cd.Model("analog", gravity=(0, 0, 0))
+    scene = cd.Scene("analog", gravity=(0, 0, 0))
     scene.joint("x", cd.Prismatic("x"), scene.ground, scene.body("block", mass=m))
     wanted = scene.input("wanted")
     place, speed = scene.q("x"), scene.u("x")
@@ -75,9 +75,9 @@ def test_states_of_a_controller_are_states() -> None:
     np.testing.assert_allclose(numbers["C"], [[0, 0, 1], [1, 0, 0], [0, 0, 1]], atol=1e-15)
 
 
-def swing() -> cd.Model:
+def swing() -> cd.Scene:
     """A damped pendulum whose hook goes up and down."""
-    scene = cd.Model("swing", gravity=(0, 0, -9.81))
+    scene = cd.Scene("swing", gravity=(0, 0, -9.81))
     hook, bob = scene.body("hook", mass=1.0), scene.body("bob", mass=1.0, com=(0, 0, -0.5))
     lift = 0.1 * sp.cos(7 * cd.t)
     scene.joint("lift", cd.Prismatic("z"), scene.ground, hook, motion=lift)
@@ -104,7 +104,7 @@ def test_floquet_multipliers_of_a_lifted_pendulum() -> None:
 
 
 def test_a_motion_given_in_time_says_what_it_takes() -> None:
-    scene = cd.Model("arm", gravity=(0, 0, 0))
+    scene = cd.Scene("arm", gravity=(0, 0, 0))
     m, ell = scene.parameter("m", 2.0), scene.parameter("l", 0.5)
     scene.joint("hub", cd.Revolute("z"), scene.ground, scene.body("tip", mass=m, com=(ell, 0, 0)))
     omega = sp.Symbol("omega")

@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from cardan.equations.record import Equations
+from cardan.equations.record import EquationRecord
 from cardan.ir.interpreter import evaluate
 
 from .trees import TREES, Tree, state
@@ -28,7 +28,7 @@ class Exact:
     """Functions of a tree in 40 digits, on a straight path through a state."""
 
     def __init__(self, tree: Tree, seed: int) -> None:
-        self.tree, self.equations = tree, Equations(tree.system, "composite")
+        self.tree, self.equations = tree, EquationRecord(tree.system, "composite")
         values = state(tree.system, seed)
         self.base = {name: [mpmath.mpf(x) for x in xs] for name, xs in values.items()}
         self.base["p"] = [mpmath.mpf(x.numerator) / x.denominator for x in tree.exact]

@@ -25,8 +25,8 @@ from spread import some
 from table import each
 
 
-def chain(n: int, planar: bool = True) -> cd.Model:
-    scene = cd.Model("chain", gravity=(0, 0, -9.81))
+def chain(n: int, planar: bool = True) -> cd.Scene:
+    scene = cd.Scene("chain", gravity=(0, 0, -9.81))
     m, l = scene.parameter("m", 1.0, unit="kg"), scene.parameter("l", 0.5, unit="m")
     place = scene.ground
     for k in range(n):
@@ -209,7 +209,7 @@ def test_latex_of_what_is_too_long_says_the_form() -> None:
 
 
 def test_latex_of_quaternions_shows_the_kinematics() -> None:
-    scene = cd.Model("ball")
+    scene = cd.Scene("ball")
     ball = scene.body("ball", mass=1.0, inertia=(1.0, 2.0, 2.5))
     scene.joint("joint", cd.Spherical(), scene.ground, ball)
     text = latex(cd.derive(scene))
@@ -217,7 +217,7 @@ def test_latex_of_quaternions_shows_the_kinematics() -> None:
     assert r"\begin{aligned}" in text
 
 
-def kane_pendulum() -> tuple[me.KanesMethod, cd.Model]:
+def kane_pendulum() -> tuple[me.KanesMethod, cd.Scene]:
     """A pendulum on a cart in SymPy, and the same scene."""
     M, m, l, g = sp.symbols("M m l g")
     x, th, v, w = me.dynamicsymbols("x theta v w")
@@ -236,7 +236,7 @@ def kane_pendulum() -> tuple[me.KanesMethod, cd.Model]:
     return kane, CLASSICAL["cart"].scene()
 
 
-def kane_arm() -> tuple[me.KanesMethod, cd.Model]:
+def kane_arm() -> tuple[me.KanesMethod, cd.Scene]:
     """A double pendulum with torque on the elbow in SymPy, and the same scene."""
     m1, m2, l1, l2, g, k = sp.symbols("m1 m2 l1 l2 g k")
     a, b, u, v = me.dynamicsymbols("a b u v")

@@ -104,7 +104,7 @@ def test_every_formalism(method: str) -> None:
 
 @pytest.mark.parametrize("mode", [0, 1, -1, 2])
 def test_internal_states_and_modes(mode: int) -> None:
-    scene = cd.Model("arm", gravity=(0, 0, -9.81))
+    scene = cd.Scene("arm", gravity=(0, 0, -9.81))
     wanted = scene.input("wanted", default=0.3)
     upper = scene.body("upper", mass=2.0, com=(0, 0, -0.5), inertia=(0.1, 0.1, 0.1))
     lower = scene.body("lower", mass=1.0, com=(0, 0, -0.4), inertia=(0.1, 0.1, 0.1))
@@ -124,7 +124,7 @@ def test_internal_states_and_modes(mode: int) -> None:
 
 
 def test_compiled() -> None:
-    scene = cd.Model("driven", gravity=(0, 0, -9.81))
+    scene = cd.Scene("driven", gravity=(0, 0, -9.81))
     pull, arm = scene.input("pull"), scene.body("arm", mass=2.0, com=(0, 0, -0.5))
     scene.joint("hinge", cd.Revolute("y"), scene.ground, arm)
     scene.force("push", cd.JointForce("hinge", 3 * cd.t * pull - 0.2 * scene.u("hinge")))

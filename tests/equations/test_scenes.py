@@ -15,9 +15,9 @@ G = 9.81
 BALL = (0.1, 0.1, 0.1)
 
 
-def console(reverse: bool = False) -> cd.Model:
+def console(reverse: bool = False) -> cd.Scene:
     """A horizontal arm of two welded bodies with a weight hanging from its tip."""
-    scene = cd.Model("console", gravity=(0, 0, -G))
+    scene = cd.Scene("console", gravity=(0, 0, -G))
     inner = scene.body("inner", mass=2, com=(0.1, 0, 0), inertia=BALL)
     outer = scene.body("outer", mass=3, com=(0.5, 0, 0), inertia=BALL)
     bob = scene.body("bob", mass=1, com=(0, 0, -1), inertia=BALL)
@@ -55,7 +55,7 @@ def test_force_of_a_prescribed_motion_is_the_rate_of_momentum() -> None:
     """A pendulum of 2 kg and 1 m on a cart of 1 kg that moves as 0.3 sin 2t."""
     import sympy
 
-    scene = cd.Model("crane", gravity=(0, 0, -G))
+    scene = cd.Scene("crane", gravity=(0, 0, -G))
     cart = scene.body("cart", mass=1)
     bob = scene.body("bob", mass=2, com=(0, 0, -1))
     scene.joint("rail", cd.Prismatic("x"), scene.ground, cart, motion=0.3 * sympy.sin(2 * cd.t))
@@ -100,7 +100,7 @@ def test_accelerations_stand_in_outputs_but_not_in_force_laws() -> None:
 
 @each("method", FORMALISMS)
 def test_a_massless_tip_is_named(method: str) -> None:
-    scene = cd.Model("tip")
+    scene = cd.Scene("tip")
     arm = scene.body("arm", mass=1, com=(0.5, 0, 0), inertia=BALL)
     tip = scene.body("tip", mass=0)
     scene.joint("shoulder", cd.Revolute("y"), scene.ground, arm)
@@ -115,7 +115,7 @@ def test_small_matrices_come_out_as_a_textbook_has_them() -> None:
     """A pole of mass m at distance d on a cart: sin² + cos² and what cancels are gone."""
     import sympy
 
-    scene = cd.Model("cart_pole", gravity=(0, 0, -G))
+    scene = cd.Scene("cart_pole", gravity=(0, 0, -G))
     m, d, c, moment = (scene.parameter(n, 1.0) for n in ("m", "d", "c", "moment"))
     cart = scene.body("cart", mass=c)
     pole = scene.body("pole", mass=m, com=(0, 0, d), inertia=(moment, moment, 0))
@@ -140,7 +140,7 @@ def test_motion_as_an_expression_of_an_input(method: str) -> None:
     A. Along n = a x c, in which the pin lets the mass go, it feels no force:
     n . (A x (P + c) + W x (W x (P + c))) + n . n udot = 0 at u = 0.
     """
-    scene = cd.Model("table", gravity=(0, 0, 0))
+    scene = cd.Scene("table", gravity=(0, 0, 0))
     turn = scene.input("turn")
     table, arm = scene.body("table"), scene.body("arm", mass=2, com=(0.3, 0.2, 0.1))
     scene.joint("axle", cd.Revolute("z"), scene.ground, table, motion=2 * turn)
@@ -162,7 +162,7 @@ def test_a_custom_joint_moved_by_an_expression_of_an_input(method: str) -> None:
     import sympy
 
     x = sympy.Symbol("x")
-    scene = cd.Model("slide", gravity=(0, 0, 0))
+    scene = cd.Scene("slide", gravity=(0, 0, 0))
     r = scene.input("r")
     shoe, rider = scene.body("shoe"), scene.body("rider", mass=1)
     scene.joint("rail", cd.Custom([x], position=(x, x**2, 0)), scene.ground, shoe, motion=2 * r)
@@ -173,7 +173,7 @@ def test_a_custom_joint_moved_by_an_expression_of_an_input(method: str) -> None:
 
 
 def test_reaction_of_a_bracket_fixed_to_the_ground_carries_what_acts_on_it() -> None:
-    scene = cd.Model("wall", gravity=(0, 0, -G))
+    scene = cd.Scene("wall", gravity=(0, 0, -G))
     bracket = scene.body("bracket", mass=2, com=(0.1, 0, 0))
     scene.joint("bolt", cd.Fixed(), scene.ground.at(0, 0, 1), bracket)
     scene.force("pull", cd.Force(bracket.at(1, 0, 0), (3, 5, 0)))
@@ -183,7 +183,7 @@ def test_reaction_of_a_bracket_fixed_to_the_ground_carries_what_acts_on_it() -> 
 
 
 def test_a_scene_that_carries_no_mass_prints_and_has_no_center_of_mass() -> None:
-    scene = cd.Model("hollow")
+    scene = cd.Scene("hollow")
     scene.joint("pin", cd.Revolute("z"), scene.ground, scene.body("hand"))
     equations = cd.derive(scene)
     assert "inverse_dynamics" in str(equations)

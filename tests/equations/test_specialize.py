@@ -9,8 +9,8 @@ import cardan as cd
 from cardan.errors import CardanError, ModelError
 
 
-def arm() -> cd.Model:
-    scene = cd.Model("arm", gravity=(0, 0, -9.81))
+def arm() -> cd.Scene:
+    scene = cd.Scene("arm", gravity=(0, 0, -9.81))
     m = scene.parameter("m", 2.0, unit="kg")
     upper = scene.body("upper", mass=m, com=(0.1, 0, -0.4), inertia=(0.2, 0.2, 0.01))
     lower = scene.body("lower", mass=1.5, com=(0, 0.02, -0.3), inertia=(0.1, 0.1, 0.02))
@@ -55,8 +55,8 @@ def test_other_values_and_what_is_built_in() -> None:
         cd.derive(arm(), specialize="lower.mas")
 
 
-def spring() -> cd.Model:
-    scene = cd.Model("spring", gravity=(0, 0, -9.81))
+def spring() -> cd.Scene:
+    scene = cd.Scene("spring", gravity=(0, 0, -9.81))
     k = scene.parameter("k", 2.0)
     bob = scene.body("bob", mass=1.0)
     scene.joint("slide", cd.Prismatic("z"), scene.ground, bob)

@@ -11,8 +11,8 @@ from cardan.ir.interpreter import evaluate
 from cardan.ir.recursion import Recursion
 
 
-def chain(n: int, axes: str = "yx", branches: int = 1) -> cd.Model:
-    scene = cd.Model("chain", gravity=(0, 0, -9.81))
+def chain(n: int, axes: str = "yx", branches: int = 1) -> cd.Scene:
+    scene = cd.Scene("chain", gravity=(0, 0, -9.81))
     for k in range(branches):
         inner = scene.ground
         for i in range(n):
@@ -94,7 +94,7 @@ def test_loops_are_chosen_where_bodies_are_many_and_alike() -> None:
     assert isinstance(few.form("forward_dynamics", loops=True), Recursion)
 
     # axes in general position: every body is another one
-    rng, scene = np.random.default_rng(0), cd.Model("bush", gravity=(0, 0, -9.81))
+    rng, scene = np.random.default_rng(0), cd.Scene("bush", gravity=(0, 0, -9.81))
     inner = scene.ground
     for i in range(65):
         link = scene.body(f"link{i}", mass=1.0, com=tuple(rng.uniform(-1, 1, 3)))

@@ -65,7 +65,7 @@ def test_form_of_the_book() -> None:
 
 
 def test_opposed_axes_give_a_difference_of_angles() -> None:
-    scene = cd.Model("opposed", gravity=(0, 0, -9.81))
+    scene = cd.Scene("opposed", gravity=(0, 0, -9.81))
     l = scene.parameter("l", 1.0, unit="m")
     upper = scene.body("upper", mass=1.0, com=(0, 0, -l))
     lower = scene.body("lower", mass=1.0, com=(0, 0, -l))
@@ -77,7 +77,7 @@ def test_opposed_axes_give_a_difference_of_angles() -> None:
 
 
 def test_numbers_of_a_book() -> None:
-    scene = cd.Model("rod", gravity=(0, 0, -9.81))
+    scene = cd.Scene("rod", gravity=(0, 0, -9.81))
     m, l = scene.parameter("m", 1.0, unit="kg"), scene.parameter("l", 1.0, unit="m")
     rod = scene.body("rod", mass=m, com=(0, 0, -l / 2), inertia=cd.inertia.rod(m, l, axis="z"))
     scene.joint("theta", cd.Revolute("y"), scene.ground, rod)

@@ -128,7 +128,7 @@ def test_slider_crank_with_multipliers() -> None:
 
 def test_rolling_disk() -> None:
     # Neimark and Fufaev, chapter 2: the point of contact runs along the heading as the disk spins
-    scene = cd.Model("coin", gravity=(0, 0, -9.81))
+    scene = cd.Scene("coin", gravity=(0, 0, -9.81))
     r = scene.parameter("r", 0.5, unit="m")
     coin = scene.body("coin", mass=1.0, inertia=(1.0, 2.0, 1.0))
     scene.joint("roll", cd.RollingDisk(r), scene.ground, coin)

@@ -30,14 +30,14 @@ UNITS = {"g": "m/s^2", "lam": "rad"} | {
 }
 
 
-def scene() -> cd.Model:
+def scene() -> cd.Scene:
     """The bicycle of ``examples/bicycle.yaml`` with a symbol for every number; z points up here.
 
     Turning the axes by pi about x changes the signs of y, z and of products with x: what stands in
     the scene as -zB or -IBxz is zB and IBxz of the paper.
     """
     g = sp.Symbol("g")
-    made = cd.Model("whipple", gravity=(0, 0, -g))
+    made = cd.Scene("whipple", gravity=(0, 0, -g))
     p = {name: made.parameter(name, value, unit=UNITS[name]) for name, value in NUMBERS.items()}
     rear = made.body("rear", mass=p["mR"], inertia=(p["IRxx"], p["IRyy"], p["IRxx"]))
     frame = made.body(

@@ -77,7 +77,7 @@ def test_the_table_of_statuses_is_that_of_the_runs() -> None:
 
 def test_the_table_of_modes_is_that_of_the_elements() -> None:
     page = (DOCS / "forces.md").read_text(encoding="utf-8")
-    body = cd.Model("scene").body("ball", mass=1.0)
+    body = cd.Scene("scene").body("ball", mass=1.0)
     elements = (
         cd.Friction("x", coulomb=1.0),
         cd.Stop("x", lower=0.0),

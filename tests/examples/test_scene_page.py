@@ -77,7 +77,7 @@ def test_lists_are_complete() -> None:
 
 
 def test_expressions_are_those_of_python(tmp_path: Path) -> None:
-    scene = cd.Model("words")
+    scene = cd.Scene("words")
     tip, cart = scene.body("tip"), scene.body("cart")
     scene.joint("elbow", cd.Revolute(), "ground", "cart")
     scene.joint("ball", cd.Spherical(), "cart", "tip")

@@ -49,7 +49,7 @@ def short(paths: list[Path]) -> list[Any]:
 
 
 @cache
-def scene_of(example: Path) -> cd.Model:
+def scene_of(example: Path) -> cd.Scene:
     """What an example derives or compiles first; where it has a ``scene``, that one."""
     if example.suffix != ".py":
         return cd.load(example)
@@ -58,7 +58,7 @@ def scene_of(example: Path) -> cd.Model:
     named = re.search(r"^(\w+, )*scene\b.* = ", text, re.MULTILINE)
 
     def until_named(real: Callable[..., Any]) -> Callable[..., Any]:
-        def handed(scene: cd.Model, *rest: Any, **options: Any) -> Any:
+        def handed(scene: cd.Scene, *rest: Any, **options: Any) -> Any:
             if not named or names.get("scene") is scene:
                 found.append(scene)
                 raise _Enough

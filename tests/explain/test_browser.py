@@ -33,9 +33,9 @@ def test_everything_fits_its_box(examples: list[Path], tmp_path: Path) -> None:
     assert {int(name.rpartition(" ")[2]) for name in found} == set(WIDTHS)
 
 
-def scene_of(word: str) -> cd.Model:
+def scene_of(word: str) -> cd.Scene:
     """A pendulum with a motor all of whose names have the word in them."""
-    scene = cd.Model(f"m {word}", gravity=(0, 0, -9.81))
+    scene = cd.Scene(f"m {word}", gravity=(0, 0, -9.81))
     length = scene.parameter(f"l {word}", 1.0, unit="m")
     body = scene.body(f"b {word}", mass=1.0, com=(0, 0, -length), inertia=(0.1, 0.1, 0.1))
     scene.joint(f"j {word}", cd.Revolute("y"), scene.ground, body)

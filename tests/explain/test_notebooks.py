@@ -199,7 +199,7 @@ def test_models_and_tables() -> None:
 
 
 def test_what_is_prescribed_altogether_has_no_matrices() -> None:
-    scene = cd.Model("clock", gravity=(0, 0, -9.81))
+    scene = cd.Scene("clock", gravity=(0, 0, -9.81))
     hand = scene.body("hand", mass=1, com=(0, 0, -1))
     scene.joint("axle", cd.Revolute("y"), scene.ground, hand, motion=cd.t)
     equations = cd.derive(scene)

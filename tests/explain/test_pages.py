@@ -90,10 +90,10 @@ def test_says_where_terms_come_from(tmp_path: Path) -> None:
 
 
 def test_scenes_in_which_nothing_moves_freely(tmp_path: Path) -> None:
-    scene = cd.Model("driven")
+    scene = cd.Scene("driven")
     wheel = scene.body("wheel", mass=1.0, inertia=(1.0, 1.0, 1.0))
     scene.joint("axle", cd.Revolute("x"), scene.ground, wheel, motion=2 * cd.t)
-    for name, made in (("empty", cd.Model("empty")), ("driven", scene)):
+    for name, made in (("empty", cd.Scene("empty")), ("driven", scene)):
         text = cd.derive(made).explain(tmp_path / f"{name}.md").read_text("utf-8")
         assert "Nothing moves freely" in text
 

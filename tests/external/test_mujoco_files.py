@@ -159,7 +159,7 @@ def test_constraints_that_harden(case: str) -> None:
 
 
 def followed(
-    scene: cd.Model, ours: cd.CompiledModel, values: np.ndarray, rates: bool = False
+    scene: cd.Scene, ours: cd.CompiledModel, values: np.ndarray, rates: bool = False
 ) -> np.ndarray:
     """Coordinates, or accelerations, with those of coupled joints, which have no slot of ours."""
     couple = scene.joints["jb"].couple

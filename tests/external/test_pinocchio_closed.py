@@ -10,13 +10,13 @@ import dataclasses
 
 import numpy as np
 import pytest
-from model import test_urdf_loops as loops
 
 import cardan as cd
 from cardan.peers.circuits import circuits
 from cardan.scene.files import mjcf, urdf
 from external.closed import Constrained
 from mechanisms.closed import CLOSED, Closed
+from scene import test_urdf_loops as loops
 from scene.mjcf_texts import linkage
 from spread import some
 

@@ -33,7 +33,7 @@ CALLS: dict[str, tuple[Callable[[cd.CompiledModel], Any], str]] = {
 
 @pytest.fixture(scope="module")
 def pendulum() -> cd.CompiledModel:
-    scene = cd.Model("pendulum")
+    scene = cd.Scene("pendulum")
     rod = scene.body("rod", mass=1, com=(0, 0, -0.5), inertia=(0.1, 0.1, 0.01))
     scene.joint("pivot", cd.Revolute("y"), scene.ground, rod)
     return cd.compile(scene)

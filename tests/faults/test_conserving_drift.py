@@ -19,7 +19,7 @@ MASS, ARM, GRAVITY = 1.5, np.array([0.05, 0.02, 0.3]), 9.81
 @functools.cache
 def top() -> cd.CompiledModel:
     """A top whose frame stands at the pivot and whose center of mass does not."""
-    scene = cd.Model("offset_top", gravity=(0, 0, -GRAVITY))
+    scene = cd.Scene("offset_top", gravity=(0, 0, -GRAVITY))
     body = scene.body("top", mass=MASS, com=tuple(ARM), inertia=(0.02, 0.025, 0.012))
     scene.joint("ball", cd.Spherical(), scene.ground, body)
     return cd.compile(scene, coordinates="absolute")

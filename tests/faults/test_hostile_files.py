@@ -91,7 +91,7 @@ def test_e2_a_changed_digit_in_a_steppers_file_is_found(tmp_path: Path) -> None:
 
 def test_e2_a_stepper_in_absolute_coordinates_is_kept_in_no_file(tmp_path: Path) -> None:
     """It ended in a KeyError."""
-    scene = cd.Model("arm")
+    scene = cd.Scene("arm")
     arm = scene.body("arm", mass=1.0, inertia=(0.1, 0.1, 0.1), com=(0.3, 0, 0))
     scene.joint("hinge", cd.Revolute("y"), scene.ground, arm)
     model = cd.compile(cd.derive(scene, coordinates="absolute"))
@@ -233,8 +233,8 @@ def test_e7_the_cure_fits_what_the_system_says(cache_directory: Path, tmp_path: 
 # manifests
 
 
-def _pendulum() -> cd.Model:
-    scene = cd.Model("pendulum", gravity=(0, 0, -9.81))
+def _pendulum() -> cd.Scene:
+    scene = cd.Scene("pendulum", gravity=(0, 0, -9.81))
     rod = scene.body("rod", mass=1.0, com=(0, 0, -0.5), inertia=(0.1, 0.1, 0.01))
     scene.joint("hinge", cd.Revolute("y"), scene.ground, rod)
     return scene
@@ -319,7 +319,7 @@ def test_e6_absurd_beams_are_refused_with_their_place(beam: str, tmp_path: Path)
 
 def test_e3_damage_does_not_make_an_early_version_of_a_file(tmp_path: Path) -> None:
     """Where the word of the version was damaged too, the hash of an ensemble was not asked for."""
-    scene = cd.Model("one")
+    scene = cd.Scene("one")
     rod = scene.body("rod", mass=1, com=(0, 0, -0.5), inertia=(0.1, 0.1, 0.01))
     scene.joint("pivot", cd.Revolute("y"), scene.ground, rod)
     path = tmp_path / "runs.nc"

@@ -18,9 +18,9 @@ from mechanisms.overconstrained import bennett, bennett_angles
 from table import each
 
 
-def door(last: str) -> cd.Model:
+def door(last: str) -> cd.Scene:
     """A door on two coaxial hinges; ``last`` says which side declares the upper one."""
-    scene = cd.Model(f"door_{last}")
+    scene = cd.Scene(f"door_{last}")
     leaf = scene.body("door", mass=2.0, com=(0.4, 0, 0), inertia=(0.1, 0.1, 0.15))
     scene.joint("h1", cd.Revolute("z"), scene.ground, leaf)
     ends = leaf.at(0, 0, 1), scene.ground.at(0, 0, 1)
@@ -90,10 +90,10 @@ def test_a1_every_build_compares_its_constraints(wrong: str) -> None:
     assert max(found.values()) > 1e-9
 
 
-def windows() -> cd.Model:
+def windows() -> cd.Scene:
     """Two windows of four bars (IFToMM A02), their joints declared as the benchmark does."""
-    scene = cd.Model("a02", gravity=(0, -9.81, 0))
-    rod, cranks = cd.inertia.rod(1.0, 1.0, axis="x"), list[cd.model.Body]()
+    scene = cd.Scene("a02", gravity=(0, -9.81, 0))
+    rod, cranks = cd.inertia.rod(1.0, 1.0, axis="x"), list[cd.scene.Body]()
     for k in range(3):
         crank = scene.body(f"crank{k}", mass=1.0, com=(0.5, 0, 0), inertia=rod)
         scene.joint(f"A{k}", cd.Revolute("z"), scene.ground.at(k, 0, 0), crank)
@@ -195,7 +195,7 @@ def test_what_the_plane_of_a_loop_holds_is_said_to_be_held_by_that() -> None:
 @pytest.mark.parametrize("rate", [0.0, 1e-17, 1e-12])
 def test_a4_rates_of_rounding_explain_no_contradiction(rate: float) -> None:
     """At rest a rate of rounding explained anything: drives against each other passed."""
-    scene = cd.Model("driven_twice", gravity=(0, -9.81, 0))
+    scene = cd.Scene("driven_twice", gravity=(0, -9.81, 0))
     rod = cd.inertia.rod(1.0, 1.0, axis="y")
     left, right = (scene.body(name, mass=1.0, inertia=rod) for name in ("left", "right"))
     bar = scene.body("bar", mass=1.0, inertia=cd.inertia.rod(1.0, 1.0, axis="x"))

@@ -17,8 +17,8 @@ import cardan as cd
 from cardan.cli import main
 
 
-def _pendulum(name: str, length: float) -> cd.Model:
-    scene = cd.Model(name)
+def _pendulum(name: str, length: float) -> cd.Scene:
+    scene = cd.Scene(name)
     rod = scene.body("rod", mass=1, com=(0, 0, -length / 2), inertia=(0.1, 0.1, 0.01))
     scene.joint("pivot", cd.Revolute("y"), scene.ground, rod)
     return scene
@@ -159,7 +159,7 @@ def test_a9_a_warning_names_the_line_of_the_caller(tmp_path: Path) -> None:
             cd.load(file)
         assert [one.filename for one in said] == [__file__]
     with pytest.warns(cd.ModelWarning, match="triangle inequality") as said:
-        cd.Model("a").body("rod", mass=1, inertia=(0.1, 0.1, 0.5))
+        cd.Scene("a").body("rod", mass=1, inertia=(0.1, 0.1, 0.5))
     assert [one.filename for one in said] == [__file__]
 
 
@@ -167,7 +167,7 @@ def test_e9_a_negative_principal_moment_is_refused(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     """Negative principal inertias only warned."""
-    scene = cd.Model("a")
+    scene = cd.Scene("a")
     for inertia in ((1, 1, -0.1), {"xx": 1, "yy": 1, "zz": 1, "xy": 1.5}):
         with pytest.raises(cd.ModelError, match="negative principal moment"):
             scene.body("rod", mass=1, inertia=inertia)
@@ -261,7 +261,7 @@ def test_a15_many_bodies_with_one_doubt_are_one_warning(tmp_path: Path) -> None:
 def test_b4_names_go_to_python_control_without_dots(kind: str) -> None:
     """python-control refused names with dots: no system with such joints came through."""
     control = pytest.importorskip("control")
-    scene = cd.Model("flying.body", gravity=(0, 0, 0))
+    scene = cd.Scene("flying.body", gravity=(0, 0, 0))
     push = scene.input("push")
     body = scene.body("body", mass=1, inertia=(1, 2, 2.5))
     scene.joint("base", getattr(cd, kind)(), scene.ground, body)
@@ -300,7 +300,7 @@ def test_b5_the_page_of_a_start_at_rest_says_that_nothing_moves(
 
 def test_b8_rounding_of_the_largest_moment_is_no_asymmetry() -> None:
     """``R @ diag @ R.T`` was refused for xy -1.9e-19 against yx -3.1e-19 at moments of 4e-3."""
-    scene, rng = cd.Model("a"), np.random.default_rng(1)
+    scene, rng = cd.Scene("a"), np.random.default_rng(1)
     for k in range(200):
         a, b, c = rng.uniform(1, 2, 3) * 10.0 ** rng.uniform(-9, 9)
         R = np.linalg.qr(rng.normal(size=(3, 3)))[0]
@@ -315,7 +315,7 @@ def test_b8_rounding_of_the_largest_moment_is_no_asymmetry() -> None:
 def test_e9_names_that_look_the_same_are_refused() -> None:
     """Two names that differ by a combining accent or a Cyrillic letter stood side by side."""
     for one, other in (("p\u00e9n", "pe\u0301n"), ("pen", "p\u0435n"), ("\u0391rm", "Arm")):
-        scene = cd.Model("a")
+        scene = cd.Scene("a")
         a, b = (scene.body(name, mass=1, inertia=(1, 1, 1)) for name in (one, other))
         scene.joint("j", cd.Revolute("y"), scene.ground, a)
         scene.joint("k", cd.Revolute("y"), a, b)
@@ -323,7 +323,7 @@ def test_e9_names_that_look_the_same_are_refused() -> None:
             cd.derive(scene)
         assert all(f"U+{ord(x):04X}" in str(said.value) for x in one + other if ord(x) > 127)
     # names of one language are fine, and a look-alike that does not exist is told from its like
-    scene = cd.Model("a")
+    scene = cd.Scene("a")
     body = scene.body("\u0440\u0443\u043a\u0430", mass=1, inertia=(1, 1, 1))
     scene.joint("p\u00e9n", cd.Revolute("y"), scene.ground, body)
     model = cd.compile(scene)
@@ -342,7 +342,7 @@ def test_e9_a_text_is_no_expression_where_it_is_said() -> None:
         lambda: scene.body("b", mass=1, inertia=("x", 1, 1)),
         lambda: scene.body("b", mass=1, pose=("x", 0, 0)),
         lambda: scene.joint("k", cd.Revolute("y"), "rod", scene.body("c", mass=1), motion="t"),
-        lambda: cd.Model("b", gravity=("x", 0, 0)),
+        lambda: cd.Scene("b", gravity=("x", 0, 0)),
     ]
     for say in says:
         with pytest.raises(cd.ModelError, match="an expression is wanted, not the text"):

@@ -19,7 +19,7 @@ from full_disk import full_disk
 
 @cache
 def _door(coordinates: str) -> cd.CompiledModel:
-    scene = cd.Model("door", gravity=(0, 0, -9.81))
+    scene = cd.Scene("door", gravity=(0, 0, -9.81))
     leaf = scene.body("leaf", mass=2.0, com=(0.4, 0, 0), inertia=(0.1, 0.1, 0.15))
     scene.joint("hinge", cd.Revolute("y"), scene.ground, leaf)
     scene.output("height", leaf.at(0.8, 0, 0).position()[2])

@@ -15,7 +15,7 @@ from cardan.runtime.calls import samples
 @pytest.mark.slow
 def test_b5_stiff_scenes_have_a_reference_of_implicit_runs() -> None:
     """``report`` of a beam slider-crank: "no reference: RK45 ... takes more than 50 s"."""
-    scene = cd.Model("slider_crank", gravity=(0, 0, 0))
+    scene = cd.Scene("slider_crank", gravity=(0, 0, 0))
     crank = scene.body("crank", mass=0.36, com=(0.075, 0, 0), inertia=(0.002, 0.003, 0.003))
     slider = scene.body("slider", mass=0.08, pose=(0.45, 0, 0))
     # from rest and smooth, so that vibrations nobody resolves stay asleep
@@ -45,7 +45,7 @@ def test_b5_stiff_scenes_have_a_reference_of_implicit_runs() -> None:
 
 def test_b10_torques_keep_all_times_and_identify_takes_them() -> None:
     """``torques`` dropped samples at the ends: ``identify`` refused its 1989 of 2001."""
-    scene = cd.Model("arm")
+    scene = cd.Scene("arm")
     rod = scene.body("rod", mass=1, com=(0, 0, -0.5), inertia=(0.1, 0.1, 0.01))
     scene.joint("pivot", cd.Revolute("y"), scene.ground, rod)
     scene.force("loss", cd.Damping("pivot", 0.3))
@@ -67,7 +67,7 @@ def test_b10_torques_keep_all_times_and_identify_takes_them() -> None:
 
 def test_e8_functions_of_parameters_alone_are_measured_in_room_for_all_calls() -> None:
     """``report`` wrote results of 1024 calls into room for one: the heap was overwritten."""
-    scene = cd.Model("one")
+    scene = cd.Scene("one")
     rod = scene.body("rod", mass=1, com=(0, 0, -0.5), inertia=(0.1, 0.1, 0.01))
     scene.joint("pivot", cd.Revolute("y"), scene.ground, rod)
     model = cd.compile(scene)

@@ -22,9 +22,9 @@ from cardan.runtime.verification.verify import verify
 from mechanisms.pendulums import double_pendulum
 
 
-def straight_parallelogram() -> cd.Model:
+def straight_parallelogram() -> cd.Scene:
     """Sides 1, 2, 1, 2, all on one line in the reference position: a singular one."""
-    scene = cd.Model("straight_parallelogram", gravity=(0, -9.81, 0))
+    scene = cd.Scene("straight_parallelogram", gravity=(0, -9.81, 0))
     ends = {"a": 1.0, "b": 2.0, "c": 1.0}
     a, b, c = (
         scene.body(name, mass=1.0, com=(x / 2, 0, 0), inertia=cd.inertia.rod(1.0, x, axis="x"))
@@ -125,7 +125,7 @@ def test_columns_that_are_compared_with_nothing_are_not_checked() -> None:
 
 def test_slopes_of_a_free_joint_away_from_the_origin() -> None:
     """Its rates were differentiated as those of a node: builds with nodes were refused."""
-    scene = cd.Model("free", gravity=(0, 0, -9.81))
+    scene = cd.Scene("free", gravity=(0, 0, -9.81))
     body = scene.body("body", mass=1.0, inertia=(0.1, 0.2, 0.3))
     scene.joint("joint", cd.Free(), scene.ground.at(1, 2, 3), body)
     model = cd.compile(scene, coordinates="absolute")
@@ -137,7 +137,7 @@ def test_slopes_of_a_free_joint_away_from_the_origin() -> None:
 
 def leaning() -> cd.CompiledModel:
     """A bar of length 1 m on a spring of 10 Nm, upright under a weight P: it falls beyond 10 N."""
-    scene = cd.Model("leaning", gravity=(0, 0, 0))
+    scene = cd.Scene("leaning", gravity=(0, 0, 0))
     bar = scene.body("bar", mass=1.0, inertia=(1, 1, 1))
     scene.joint("h", cd.Revolute("y"), scene.ground, bar)
     P, h = scene.parameter("P", 0.0), scene.q("h")
@@ -175,7 +175,7 @@ def test_a_critical_load_next_to_which_no_search_converges(
 
 def contact(**how: Any) -> cd.Contact:
     """A ball on the ground."""
-    ground = cd.Model("one").ground
+    ground = cd.Scene("one").ground
     return cd.Contact(ground, ground, **{"radius": 0.1, "stiffness": 1e6, **how})
 
 
@@ -219,7 +219,7 @@ def test_a_fault_in_a_law_of_elements_is_no_missing_function(
 def test_forces_of_elements_are_not_called_velocity_products() -> None:
     """On nodes ``bias`` gave h - f, with what forces apply, under the name of h."""
     for coordinates in ("relative", "absolute"):
-        scene = cd.Model("pushed", gravity=(0, 0, -9.81))
+        scene = cd.Scene("pushed", gravity=(0, 0, -9.81))
         block = scene.body("block", mass=1, inertia=(1, 1, 1))
         scene.joint("lift", cd.Prismatic("z"), scene.ground, block)
         scene.force("push", cd.JointForce("lift", 5.0))

@@ -19,7 +19,7 @@ EXAMPLES = Path(__file__).parents[2] / "examples"
 
 def satellite(torque: float = 0.05, **beam: str) -> cd.CompiledModel:
     """A free hub with a motor wheel and an elastic panel."""
-    scene = cd.Model("satellite", gravity=(0, 0, 0))
+    scene = cd.Scene("satellite", gravity=(0, 0, 0))
     hub = scene.body("hub", mass=50.0, inertia=(5, 5, 5))
     scene.joint("free", cd.Free(), scene.ground, hub)
     scene.force("wheel", cd.Rotor(hub, axis="z", inertia=0.1, torque=torque))
@@ -80,7 +80,7 @@ def test_b1_a_node_that_a_chain_of_exchanges_frees_is_held_too() -> None:
 
 def four_bar() -> cd.CompiledModel:
     """A crank, a coupler and a rocker between two points of the ground, under gravity."""
-    scene = cd.Model("four_bar", gravity=(0, -9.81, 0))
+    scene = cd.Scene("four_bar", gravity=(0, -9.81, 0))
     links = []
     for name, length in {"crank": 0.1, "coupler": 0.25, "rocker": 0.2}.items():
         rod = cd.inertia.rod(length, length, axis="x")
@@ -123,7 +123,7 @@ def test_a18_an_rtol_that_atol_makes_void_is_said() -> None:
 
 def pushed(force: object, coordinates: str = "relative", t0: float = 1.0) -> cd.CompiledModel:
     """A mass of 2 kg on a slide, pushed by a force."""
-    scene = cd.Model("pushed", gravity=(0, 0, 0))
+    scene = cd.Scene("pushed", gravity=(0, 0, 0))
     body = scene.body("body", mass=2.0, inertia=(1, 1, 1))
     scene.joint("x", cd.Prismatic("x"), scene.ground, body)
     if force == "input":
@@ -193,7 +193,7 @@ def test_e9_a_pulse_of_a_function_at_rest_is_seen() -> None:
 
 def test_b12_tight_tolerances_on_nodes_take_a_method_of_high_order() -> None:
     """Generalized-alpha was taken whatever rtol: 124,000 steps at 1e-11 for an error of 3e-4."""
-    scene = cd.Model("slider_crank")
+    scene = cd.Scene("slider_crank")
     crank = scene.body("crank", mass=1.0, com=(0.15, 0, 0), inertia=(0.001, 0.01, 0.01))
     rod = scene.body("rod", mass=1.0, com=(0.3, 0, 0), inertia=(0.001, 0.03, 0.03))
     slider = scene.body("slider", mass=1.0, inertia=(0.01, 0.01, 0.01))
@@ -238,7 +238,7 @@ def test_a_contact_has_the_restitution_that_is_asked_for(
     restitution: float, exponent: float
 ) -> None:
     """By 3/2 (1 - e) / v a restitution of 0.5 came out as 0.66."""
-    scene = cd.Model("ball", gravity=(0, 0, 0))
+    scene = cd.Scene("ball", gravity=(0, 0, 0))
     ball = scene.body("ball", mass=1.0, inertia=(1, 1, 1))
     scene.joint("z", cd.Prismatic("z"), scene.ground, ball)
     contact = cd.Contact(
@@ -252,7 +252,7 @@ def test_a_contact_has_the_restitution_that_is_asked_for(
 
 def test_restitution_is_refused_where_it_means_nothing() -> None:
     """Alone, beside damping, and out of its range."""
-    ground = cd.Model("one").ground
+    ground = cd.Scene("one").ground
 
     def contact(**how: float) -> cd.Contact:
         return cd.Contact(ground, ground, radius=0.1, stiffness=1e6, **how)

@@ -21,8 +21,8 @@ def _said(run: object) -> list[str]:
     return [str(one.message) for one in found if issubclass(one.category, cd.ModelWarning)]
 
 
-def _limited(q0: float | None = None) -> cd.Model:
-    scene = cd.Model("limited")
+def _limited(q0: float | None = None) -> cd.Scene:
+    scene = cd.Scene("limited")
     rod = scene.body("rod", mass=1, com=(0, 0, -0.5), inertia=(0.1, 0.1, 0.01))
     scene.joint("elbow", cd.Revolute("y"), scene.ground, rod, q0=q0, limits=(-1, 2))
     return scene
@@ -56,8 +56,8 @@ def test_e9_a_start_outside_the_limits_of_a_file(tmp_path: Path) -> None:
     assert "joint 'slide': q0: the start 3 m is above the upper limit 2 m" in said
 
 
-def _wheel(kind: cd.Revolute | cd.Planar | cd.Universal, inertia: object = (0, 0, 0.2)) -> cd.Model:
-    scene = cd.Model("wheel")
+def _wheel(kind: cd.Revolute | cd.Planar | cd.Universal, inertia: object = (0, 0, 0.2)) -> cd.Scene:
+    scene = cd.Scene("wheel")
     arm = scene.body("arm", mass=1, com=(0.5, 0, 0), inertia=(0, 0.3, 0))
     # the arm's own y is the z of the ground
     quarter = arm.at(rotation=("XYZ", math.pi / 2, 0, 0))
@@ -95,7 +95,7 @@ def test_d_moments_that_a_motion_feels_are_wanted(
 def test_d_a_lone_moment_of_parameters() -> None:
     """Moments given as expressions are judged at their defaults, in the same way."""
     for kind, count in ((cd.Revolute("z"), 0), (cd.Revolute("y"), 1)):
-        scene = cd.Model("one")
+        scene = cd.Scene("one")
         J = scene.parameter("J", 0.2)
         scene.joint("hub", kind, scene.ground, scene.body("rim", mass=2, inertia=(0, 0, J)))
         assert len(_said(lambda scene=scene: cd.derive(scene))) == count  # type: ignore[misc]
@@ -104,8 +104,8 @@ def test_d_a_lone_moment_of_parameters() -> None:
     assert "body 'rim'" in said
 
 
-def _hung(force: cd.SpringDamper | cd.Maxwell, q0: float = 0.0) -> cd.Model:
-    scene = cd.Model("hung")
+def _hung(force: cd.SpringDamper | cd.Maxwell, q0: float = 0.0) -> cd.Scene:
+    scene = cd.Scene("hung")
     inner, mass = scene.body("inner", mass=1), scene.body("mass", mass=1)
     scene.joint("slide", cd.Prismatic("x"), scene.ground, inner, q0=0.5)
     scene.joint("rail", cd.Prismatic("x"), inner.at(-0.3, 0, 0), mass.at(0.2, 0, 0), q0=q0)
@@ -131,9 +131,9 @@ def test_e9_a_spring_that_pushes_where_its_ends_meet() -> None:
         assert not _said(lambda smooth=smooth: cd.derive(_hung(smooth)))  # type: ignore[misc]
 
 
-def _four_bar(two: object, joints: int = 4) -> cd.Model:
+def _four_bar(two: object, joints: int = 4) -> cd.Scene:
     """A planar linkage around a circuit of equal links; the first and a further joint driven."""
-    scene = cd.Model("linkage")
+    scene = cd.Scene("linkage")
     links = [scene.body(f"l{k}", mass=1, com=(0.5, 0, 0)) for k in range(joints - 1)]
     for k, link in enumerate(links):
         before = links[k - 1].at(1, 0, 0) if k else scene.ground
@@ -163,7 +163,7 @@ def test_e9_two_prescribed_joints_in_a_circuit_of_one_freedom() -> None:
 @pytest.mark.parametrize("coordinates", ["relative", "absolute"])
 def test_a_joint_that_closes_a_loop_is_not_taken_for_a_misspelled_one(coordinates: str) -> None:
     """In absolute coordinates it was unknown: "Did you mean 'c'?", a body."""
-    scene = cd.Model("four_bar")
+    scene = cd.Scene("four_bar")
     a, b, c = (scene.body(name, mass=1.0, inertia=(0.1, 0.1, 0.1)) for name in "abc")
     scene.joint("A", cd.Revolute("z"), scene.ground, a)
     scene.joint("B", cd.Revolute("z"), a.at(1, 0, 0), b)
@@ -180,7 +180,7 @@ def test_a_joint_that_closes_a_loop_is_not_taken_for_a_misspelled_one(coordinate
 
 def test_values_are_counted_and_named() -> None:
     """ "1 values, expected 7"."""
-    scene = cd.Model("free")
+    scene = cd.Scene("free")
     scene.joint("base", cd.Free(), scene.ground, scene.body("b", mass=1.0, inertia=(1, 1, 1)))
     model = cd.compile(scene)
     with pytest.raises(cd.ArgumentError, match=r"1 value, expected 7: base\.\w+, .*, base\.pz$"):
@@ -191,7 +191,7 @@ def test_values_are_counted_and_named() -> None:
 
 def test_a_path_that_friction_ends_says_so() -> None:
     """ "the stiffness gives way there (lowest eigenvalue inf J)"."""
-    scene = cd.Model("block", gravity=(0, 0, -9.81))
+    scene = cd.Scene("block", gravity=(0, 0, -9.81))
     body = scene.body("b", mass=2.0, inertia=(1, 1, 1))
     scene.joint("x", cd.Prismatic("x"), scene.ground, body)
     scene.force("dry", cd.Friction("x", coulomb=9.0))

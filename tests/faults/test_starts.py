@@ -14,9 +14,9 @@ from cardan.errors import CardanError
 from spread import some
 
 
-def flying_pair() -> cd.Model:
+def flying_pair() -> cd.Scene:
     """A free body that carries another one on a ball."""
-    scene = cd.Model("flying_pair", gravity=(0, 0, 0))
+    scene = cd.Scene("flying_pair", gravity=(0, 0, 0))
     base = scene.body("b", mass=1.0, inertia=(0.1, 0.1, 0.1))
     other = scene.body("d", mass=1.0, inertia=(0.1, 0.1, 0.1))
     scene.joint("base", cd.Free(), scene.ground, base)
@@ -24,9 +24,9 @@ def flying_pair() -> cd.Model:
     return scene
 
 
-def four_bar(knife: bool = False) -> cd.Model:
+def four_bar(knife: bool = False) -> cd.Scene:
     """A crank A, a coupler on B, a rocker on D; C closes the loop. A skate stands beside."""
-    scene = cd.Model("four_bar", gravity=(0, -9.81, 0))
+    scene = cd.Scene("four_bar", gravity=(0, -9.81, 0))
     crank = scene.body("crank", mass=1.0, com=(0.15, 0, 0), inertia=(0.01, 0.01, 0.01))
     coupler = scene.body("coupler", mass=2.0, com=(0.5, 0, 0), inertia=(0.1, 0.1, 0.1))
     rocker = scene.body("rocker", mass=1.5, com=(0.4, 0, 0), inertia=(0.1, 0.1, 0.1))
@@ -135,9 +135,9 @@ def test_b2_closed_form_beside_a_velocity_constraint() -> None:
         np.testing.assert_allclose(runs[0][name][-1], runs[1][name][-1], atol=1e-8)
 
 
-def folded_array(flexible: bool = True) -> cd.Model:
+def folded_array(flexible: bool = True) -> cd.Scene:
     """A free hub with three panels whose hinges two relations couple: h1 = -2 h0, h2 = 2 h0."""
-    scene = cd.Model("array", gravity=(0, 0, 0))
+    scene = cd.Scene("array", gravity=(0, 0, 0))
     hub = scene.body("hub", mass=400.0, inertia=(120.0, 150.0, 120.0))
     scene.joint("drift", cd.Free(), scene.ground, hub)
     section = cd.section.rectangle(1.0, 0.01)
@@ -207,7 +207,7 @@ def test_a3_relations_are_not_unwound(coordinates: str) -> None:
 
 def test_a3_strained_beams_are_warned_of() -> None:
     """Beams strained by 180 % started without a word."""
-    scene = cd.Model("strut", gravity=(0, 0, 0))
+    scene = cd.Scene("strut", gravity=(0, 0, 0))
     slider = scene.body("slider", mass=1.0, inertia=(1.0, 1.0, 1.0), pose=(1, 0, 0))
     scene.joint("slide", cd.Prismatic("x"), scene.ground.at(1, 0, 0), slider)
     section = cd.section.general(EA=1e5, GA=1e5, GJ=100, EI=100, rhoA=1, rhoI=1e-3)
@@ -229,7 +229,7 @@ def test_initial_is_where_runs_start(coordinates: str) -> None:
 
 def test_a2_named_speeds_of_nodes_inside_a_beam_are_those_of_the_start() -> None:
     """They were replaced by 0 where the joints of the beam's ends were assembled."""
-    scene = cd.Model("clamped", gravity=(0, 0, 0))
+    scene = cd.Scene("clamped", gravity=(0, 0, 0))
     section, rubber = cd.section.rectangle(0.02, 0.01), cd.material(E=1e9, nu=0.3, rho=1000)
     scene.beam("rod", scene.ground, (1, 0, 0), section, rubber, elements=4)
     model = cd.compile(scene)
@@ -242,7 +242,7 @@ def test_a2_named_speeds_of_nodes_inside_a_beam_are_those_of_the_start() -> None
 
 def hub_with_beam() -> cd.CompiledModel:
     """A hub on a hinge, and a beam whose far end nothing but the beam holds."""
-    scene = cd.Model("strip", gravity=(0, 0, -9.81))
+    scene = cd.Scene("strip", gravity=(0, 0, -9.81))
     hub = scene.body("hub", mass=1.0, inertia=(0.1, 0.1, 0.1))
     scene.joint("hinge", cd.Revolute("y"), scene.ground, hub)
     section = cd.section.general(EA=1e6, GA=1e6, GJ=80, EI=100, rhoA=1, rhoI=1e-6)
@@ -265,7 +265,7 @@ def test_a3_a_named_free_end_of_a_beam_is_not_replaced(named: dict[str, float]) 
 @pytest.mark.parametrize("coordinates", ["relative", "absolute"])
 def test_a_start_outside_of_limits_is_told_in_all_coordinates(coordinates: str) -> None:
     """Limits of joints were lost in absolute coordinates, and with them the warning."""
-    scene = cd.Model("arm", gravity=(0, 0, -9.81))
+    scene = cd.Scene("arm", gravity=(0, 0, -9.81))
     arm = scene.body("arm", mass=1.0, com=(0.5, 0, 0), inertia=(0.01, 0.1, 0.1))
     scene.joint("elbow", cd.Revolute("y"), scene.ground, arm, limits=(-1, 1))
     model = cd.compile(scene, coordinates=coordinates)

@@ -72,7 +72,7 @@ def test_a6_the_error_of_a_critical_torque_is_that_of_the_elements() -> None:
 @pytest.mark.parametrize("stiffness", [1e12, 1e16])
 def test_a7_a_soft_part_rests_only_where_it_balances(stiffness: float, coordinates: str) -> None:
     """Beside a stiff spring forces of a soft one were let pass: converged 33 m from rest."""
-    scene = cd.Model("two")
+    scene = cd.Scene("two")
     for name, own in (("stiff", stiffness), ("soft", 0.3)):
         body = scene.body(f"{name}_mass", mass=1.0, inertia=(1, 1, 1))
         scene.joint(name, cd.Prismatic("z"), scene.ground, body)
@@ -163,7 +163,7 @@ def test_a8_a_follower_load_makes_a_column_flutter(elements: int) -> None:
 @pytest.mark.slow
 def test_b3_campbell_of_a_round_shaft_between_bearings() -> None:
     """Twisting and axial motions whirled by rounding, and their crossings could not be found."""
-    scene = cd.Model("rotor", gravity=(0, 0, 0))
+    scene = cd.Scene("rotor", gravity=(0, 0, 0))
     scene.body("shaft", mass=0.1, inertia=(1e-4,) * 3)
     disk = scene.body("disk", mass=5.0, inertia=(0.1, 0.05, 0.05), pose=(0.5, 0, 0))
     end = scene.body("end", mass=0.1, inertia=(1e-4,) * 3, pose=(1, 0, 0))
@@ -191,7 +191,7 @@ def test_b3_campbell_of_a_round_shaft_between_bearings() -> None:
 
 def elastic_arm() -> cd.CompiledModel:
     """A beam on a hub that turns."""
-    scene = cd.Model("arm", gravity=(0, 0, 0))
+    scene = cd.Scene("arm", gravity=(0, 0, 0))
     hub = scene.body("hub", mass=1.0, inertia=(1, 1, 1))
     scene.joint("drive", cd.Revolute("z"), scene.ground, hub)
     section, metal = cd.section.rectangle(0.02, 0.01), cd.material(E=7e10, nu=0.3, rho=2700)
@@ -245,7 +245,7 @@ def test_b7_modes_whose_search_does_not_end(monkeypatch: pytest.MonkeyPatch) -> 
 
 def test_advice_holds_what_can_be_held() -> None:
     """Users were told to hold what cannot be, or what they held already."""
-    scene = cd.Model("loose", gravity=(0, 0, 0))
+    scene = cd.Scene("loose", gravity=(0, 0, 0))
     section = cd.section.general(EA=1e6, GA=1e6, GJ=80, EI=100, rhoA=1, rhoI=1e-6)
     hub = scene.body("hub", mass=1.0, inertia=(1, 1, 1))
     scene.joint("rail", cd.Cylindrical("x"), scene.ground, hub)
@@ -266,15 +266,15 @@ def test_advice_holds_what_can_be_held() -> None:
 
 def test_one_mode_is_one() -> None:
     """'1 modes'."""
-    scene = cd.Model("one", gravity=(0, 0, -9.81))
+    scene = cd.Scene("one", gravity=(0, 0, -9.81))
     bob = scene.body("bob", mass=1.0, com=(0, 0, -1))
     scene.joint("pivot", cd.Revolute("y"), scene.ground, bob)
     assert "'one': 1 mode\n" in repr(cd.compile(scene).modes())
 
 
-def block(joint: str, **given: Any) -> tuple[cd.Model, cd.Body]:
+def block(joint: str, **given: Any) -> tuple[cd.Scene, cd.Body]:
     """2 kg on a straight guide, in a field of gravity."""
-    scene = cd.Model("block", **given)
+    scene = cd.Scene("block", **given)
     body = scene.body("b", mass=2.0, inertia=(1, 1, 1))
     scene.joint(joint, cd.Prismatic(joint), scene.ground, body)
     return scene, body
@@ -334,7 +334,7 @@ def test_a14_friction_holds_a_block_on_a_slope() -> None:
 def test_a14_what_forbids_a_mode_counts_in_units_of_its_kind(mass: float) -> None:
     """One number stood for angles, lengths, forces and speeds: light things were forbidden what
     rounding does, and sliding could end behind where it began."""
-    scene = cd.Model("crane", gravity=(0, 0, -9.81))
+    scene = cd.Scene("crane", gravity=(0, 0, -9.81))
     trolley, hook = (scene.body(name, mass=mass, inertia=(mass,) * 3) for name in ("a", "b"))
     scene.joint("x", cd.Prismatic("x"), scene.ground, trolley)
     scene.joint("h", cd.Revolute("y"), trolley.at(0, 0, -1000.0), hook)
@@ -369,7 +369,7 @@ def test_a14_what_forbids_a_mode_counts_in_units_of_its_kind(mass: float) -> Non
 
 def test_a14_a_latch_catches_what_falls_into_it() -> None:
     """Equilibria did not know of locks."""
-    scene = cd.Model("latch", gravity=(0, 0, -9.81))
+    scene = cd.Scene("latch", gravity=(0, 0, -9.81))
     bar = scene.body("bar", mass=1.0, com=(0, 0, -1.0), inertia=(0.1, 0.1, 0.1))
     scene.joint("h", cd.Revolute("y"), scene.ground, bar)
     scene.force("lock", cd.Lock("h", when=scene.q("h") - 0.5))
@@ -381,7 +381,7 @@ def test_a14_a_latch_catches_what_falls_into_it() -> None:
 
 def test_a14_several_stops_and_springs() -> None:
     """Modes follow each other: a stop below a stop."""
-    scene = cd.Model("two", gravity=(0, 0, -9.81))
+    scene = cd.Scene("two", gravity=(0, 0, -9.81))
     one, two = (scene.body(name, mass=1.0, inertia=(1, 1, 1)) for name in ("one", "two"))
     for name, parent, child, low, k in (
         ("a", scene.ground, one, -0.1, 50),

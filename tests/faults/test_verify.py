@@ -51,7 +51,7 @@ def test_a12_a_model_without_functions_is_not_said_to_be_checked(
 ) -> None:
     """ "At 0 random states: all are checked"."""
     monkeypatch.setenv("CARDAN_CACHE", str(tmp_path / "cache"))
-    scene = cd.Model("bob", gravity=(0, 0, -9.81))
+    scene = cd.Scene("bob", gravity=(0, 0, -9.81))
     bob = scene.body("bob", mass=1.0, com=(0, 0, -0.731))
     scene.joint("pivot", cd.Revolute("y"), scene.ground, bob)
     model = cd.compile(scene)
@@ -131,7 +131,7 @@ PROFILES = {
 @pytest.mark.parametrize("name", PROFILES)
 def test_a12_profiles_with_short_waves_or_cases_are_judged(name: str) -> None:
     """Circles of one radius saw other waves, and other cases, than those next to the state."""
-    scene = cd.Model("cam")
+    scene = cd.Scene("cam")
     body = scene.body("b", mass=1.0, inertia=(0.1, 0.1, 0.1))
     slide = cd.Custom([X], position=(X, 0, PROFILES[name]))
     scene.joint("slide", slide, scene.ground, body)
@@ -142,9 +142,9 @@ def test_a12_profiles_with_short_waves_or_cases_are_judged(name: str) -> None:
     assert found.worst < BOUND / 5
 
 
-def _fast(name: str) -> cd.Model:
+def _fast(name: str) -> cd.Scene:
     """A double pendulum with a wave of 1000 rad/s, or a case that begins, in one place."""
-    scene, moves = cd.Model(name, gravity=(0, 0, -9.81)), {}
+    scene, moves = cd.Scene(name, gravity=(0, 0, -9.81)), {}
     if name == "motion":
         moves = {"motion": sympy.sin(300 * cd.t) / 100}
     one, two = (scene.body(n, mass=1.0, com=(0, 0, -0.5), inertia=(0.1,) * 3) for n in "ab")
@@ -172,9 +172,9 @@ def test_a12_fast_waves_are_no_faults(name: str) -> None:
     assert found.worst < BOUND / 5
 
 
-def linked() -> cd.Model:
+def linked() -> cd.Scene:
     """Two pendulums whose angles a relation of the user's own couples."""
-    scene = cd.Model("linked")
+    scene = cd.Scene("linked")
     upper = scene.body("upper", mass=1.0, com=(0, 0, -0.5), inertia=(0.1, 0.2, 0.1))
     lower = scene.body("lower", mass=2.0, com=(0, 0, -0.3), inertia=(0.1, 0.1, 0.1))
     scene.joint("one", cd.Revolute("y"), scene.ground, upper)
@@ -193,9 +193,9 @@ def test_a12_constraints_of_the_users_own_are_judged() -> None:
     assert found.unchecked == ()
 
 
-def braked() -> cd.Model:
+def braked() -> cd.Scene:
     """A mass on a rail and a pendulum on it, both with friction of what presses their joints."""
-    scene = cd.Model("braked")
+    scene = cd.Scene("braked")
     cart = scene.body("cart", mass=2.0, com=(0.05, 0, 0.1), inertia=(0.1, 0.2, 0.3))
     arm = scene.body("arm", mass=1.0, com=(0.1, 0.02, -0.4), inertia=(0.1, 0.1, 0.02))
     scene.joint("rail", cd.Prismatic("x"), scene.ground, cart)
@@ -253,7 +253,7 @@ def test_a12_columns_of_a_regressor_that_nothing_changes_are_said() -> None:
     names = ("regressor", "energy_regressor", "inertial_parameters", "inverse_dynamics", "power")
 
     def rail(**how: Any) -> cd.CompiledModel:
-        scene = cd.Model("rail")
+        scene = cd.Scene("rail")
         c = scene.parameter("c", 0.3)
         cart = scene.body("cart", mass=2.0, com=(0.05, 0, 0.1), inertia=(0.1, 0.2, 0.3))
         scene.joint("x", cd.Prismatic("x"), scene.ground, cart)
@@ -326,7 +326,7 @@ def test_the_power_of_friction_from_reactions_is_no_matter_of_energies() -> None
 
 def test_a12_what_stays_unjudged_is_said_first_and_warned_of() -> None:
     """ "Not checked" stood between the lines, and compiling said nothing."""
-    scene = cd.Model("own speeds")
+    scene = cd.Scene("own speeds")
     body = scene.body("body", mass=1.0, com=(0, 0, 1))
     scene.joint("hinge", cd.Revolute("y"), scene.ground, body)
     equations = cd.derive(scene, speeds={"w": 2 * scene.u("hinge")})
@@ -344,7 +344,7 @@ def test_a12_what_stays_unjudged_is_said_first_and_warned_of() -> None:
 def test_a_table_on_ball_joints_is_no_fault_of_the_compiler(legs: int) -> None:
     """Rounding that chooses between equal legs was reported as a wrong build: zeros of a structure
     were never shaken, nor were parameters."""
-    scene = cd.Model("table", gravity=(0, 0, -9.81))
+    scene = cd.Scene("table", gravity=(0, 0, -9.81))
     top = scene.body("top", mass=20, com=(0.1, 0.05, 0), inertia=(2, 2, 4), pose=(0, 0, 1))
     for k, (x, y) in enumerate([(1, 1), (1, -1), (-1, -1), (-1, 1)][:legs]):
         scene.joint(f"leg{k}", cd.Spherical(), scene.ground.at(x, y, 1), top.at(x, y, 0))

@@ -25,7 +25,7 @@ KEPT = Path(__file__).with_suffix(".json")
 PAGE = Path(__file__).parents[2] / "docs" / "formalisms.md"
 BEGIN, END = "<!-- counts -->\n", "<!-- end of counts -->\n"
 FUNCTIONS = ("forward_dynamics", "inverse_dynamics", "mass_matrix", "bias")
-CASES: dict[str, Callable[[], cd.Model]] = {
+CASES: dict[str, Callable[[], cd.Scene]] = {
     **{name: member.build for name, member in ZOO.items()},
     **{name: member.build for name, member in CLOSED.items()},
     **{name: partial(build) for name, build in ROLLING.items()},
@@ -34,7 +34,7 @@ CASES: dict[str, Callable[[], cd.Model]] = {
 Row = dict[str, dict[str, int]]
 
 
-def counted(build: Callable[[], cd.Model]) -> Row:
+def counted(build: Callable[[], cd.Scene]) -> Row:
     """The row of one mechanism."""
     row: Row = {}
     for method in FORMALISMS:

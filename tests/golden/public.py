@@ -12,12 +12,13 @@ from typing import Any
 
 import cardan as cd
 from architecture.sources import imports_of, modules
-from cardan.api.verb import verb
+from cardan.api.faces import verb
 from cardan.elements.centerlines.centerline import Centerline
 from cardan.elements.forces.force import ForceElement
 from cardan.elements.joints.joint import Joint
 from cardan.equations.constraints.treatments.treatment import Treatment
 from cardan.scene.shape import Shape
+from golden.verbs import HELD, held
 
 NAME = re.compile(r"[A-Za-z_]\w*")
 # elements and what treats constraints: users make them, the compiler calls their methods
@@ -66,7 +67,9 @@ def _returned(value: Any) -> set[type]:
 
 
 def _named(name: str, function: Any) -> Any:
-    """What a name in an annotation means where the function stands."""
+    """What a name in an annotation means where the function stands; of records, what users have."""
+    if name in HELD:
+        return getattr(import_module(HELD[name][0]), HELD[name][1])
     function = inspect.unwrap(function)
     if name in function.__globals__:
         return function.__globals__[name]
@@ -132,7 +135,8 @@ def signature(function: Any) -> str:
 
 
 def _note(annotation: Any) -> str:
-    return annotation if isinstance(annotation, str) else inspect.formatannotation(annotation)
+    text = annotation if isinstance(annotation, str) else inspect.formatannotation(annotation)
+    return held(text)
 
 
 def _value(default: Any) -> str:
@@ -165,9 +169,9 @@ def lines() -> Iterator[str]:
 def _line(name: str, member: Any) -> str:
     """A method, property or field."""
     if isinstance(member, str):
-        return f"{name}: {member}"
+        return f"{name}: {_note(member)}"
     if isinstance(member, property | cached_property):
-        return f"{name}: property -> {_result(_function(member))}"
+        return f"{name}: property -> {_note(_result(_function(member)))}"
     function = _function(member)
     word = {classmethod: "classmethod ", staticmethod: "staticmethod "}.get(type(member), "")
     return f"{name}: {word}{signature(function)}" if word else f"{name}{signature(function)}"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from cardan.equations.record import Equations
+from cardan.equations.record import EquationRecord
 from cardan.ir.function import Function
 from cardan.ir.stage import stage
 from cardan.passes import PASSES, standard
@@ -24,7 +24,7 @@ class Saving(NamedTuple):
     critical_path: float
 
 
-def savings(equations: Equations, name: str, of: str | None = None) -> list[Saving]:
+def savings(equations: EquationRecord, name: str, of: str | None = None) -> list[Saving]:
     """The rewrites that a function was derived from and the passes it went through.
 
     A rewrite saves what the function would take more without it; a pass, what it takes off what

@@ -36,13 +36,13 @@ COLUMNS = {
     "trig": ("sin", "cos"),
 }
 ACCEPT = "pytest tests/golden/test_counts.py --accept"
-CASES: dict[str, Callable[[], cd.Model]] = {
+CASES: dict[str, Callable[[], cd.Scene]] = {
     **{example.name: partial(scene_of, example) for example in EXAMPLES},
     **{name: standard.build for name, standard in STANDARD.items()},
 }
 
 
-def counted(scene: cd.Model) -> dict[str, dict[str, int]]:
+def counted(scene: cd.Scene) -> dict[str, dict[str, int]]:
     """Function -> column -> number, of the C as it is written."""
     equations = cd.derive(scene)
     found = {}

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from cardan.equations.record import Equations
+from cardan.equations.record import EquationRecord
 from cardan.errors import DerivationError
 from golden.savings_counted import savings
 from laws.cases import derived
@@ -27,7 +27,7 @@ def test_savings_on_the_zoo(pytestconfig: pytest.Config) -> None:
         for method in ("composite", "articulated"):
             if method not in ZOO[member].methods:
                 continue
-            equations = Equations(derived(member).system, method)
+            equations = EquationRecord(derived(member).system, method)
             for name in FUNCTIONS:
                 try:
                     savings_here = savings(equations, name)

@@ -16,26 +16,33 @@ from pathlib import Path
 import pytest
 
 import cardan as cd
-from golden.verbs import STUB, stub, verbs
+from golden.verbs import Verb, modules, path, stub, verbs
 
+MODULES = [importlib.import_module(f"cardan.api.{name}") for name in modules()]
 ACCEPT = "pytest tests/golden/test_verbs.py --accept"
 
 
-def test_the_stub_is_that_of_the_functions(pytestconfig: pytest.Config) -> None:
+@pytest.mark.parametrize("module", modules())
+def test_a_stub_is_that_of_the_functions(module: str, pytestconfig: pytest.Config) -> None:
     if pytestconfig.getoption("--accept"):
-        STUB.write_text(stub(), "utf-8")
-    assert STUB.read_text("utf-8") == stub(), f"it is written by {ACCEPT}"
+        path(module).write_text(stub(module), "utf-8")
+    assert path(module).read_text("utf-8") == stub(module), f"it is written by {ACCEPT}"
 
 
-@pytest.mark.parametrize("name", verbs())
-def test_a_verb_has_the_signature_of_its_function(name: str) -> None:
-    module, _, function = verbs()[name].partition(":")
-    expected = inspect.signature(getattr(importlib.import_module(module), function))
-    shown = inspect.signature(getattr(cd.CompiledModel, name))
+EVERY = [verb for module in modules() for verb in verbs(module)]
+
+
+@pytest.mark.parametrize("verb", EVERY, ids=lambda verb: f"{verb.owner}.{verb.name}")
+def test_a_verb_has_the_signature_of_its_function(verb: Verb) -> None:
+    kind = next(vars(module)[verb.owner] for module in MODULES if verb.owner in vars(module))
+    method = getattr(kind, verb.name)
+    if verb.kind == "attribute":
+        method = method.fget if isinstance(method, property) else method.func
+    shown = inspect.signature(method)
     first, *others = shown.parameters.values()
     assert first.name == "self"
-    assert others == list(expected.parameters.values())[1:]
-    assert shown.return_annotation == expected.return_annotation
+    assert others == list(verb.signature.parameters.values())[1:]
+    assert shown.return_annotation == verb.signature.return_annotation
     assert all(one.kind is not one.VAR_KEYWORD or one.name == "named" for one in others)
 
 
@@ -54,9 +61,11 @@ from cardan.api.compiled_model import CompiledModel
 
 def use(model: CompiledModel) -> None:
     rest = model.with_parameters(m=1.0).equilibrium(inputs={"load": 2.0})
-    model.modes(3, rest).frequencies
+    model.modes(3, rest).plot("modes.png", count=2)
+    model.simulate(1.0).plot(names=["elbow"])
     model.statics(P=(0, 10))
     model.equilibrium(laod={"P": 1.0})
+    model.simulate(1.0).animate("page.html", fsp=30)
 """
 
 
@@ -68,4 +77,5 @@ def test_a_type_checker_sees_a_misspelt_word(tmp_path: Path) -> None:
     where = os.environ | {"MYPYPATH": str(root / "src")}
     done = subprocess.run(command, cwd=root, env=where, capture_output=True, text=True, check=False)
     assert 'Unexpected keyword argument "laod" for "equilibrium"' in done.stdout, done.stdout
-    assert "Found 1 error in 1 file" in done.stdout, done.stdout
+    assert 'Unexpected keyword argument "fsp" for "animate"' in done.stdout, done.stdout
+    assert "Found 2 errors in 1 file" in done.stdout, done.stdout

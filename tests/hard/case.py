@@ -65,7 +65,7 @@ class Case:
     name: str
     hard: str
     oracle: str
-    build: Callable[[], cd.Model]
+    build: Callable[[], cd.Scene]
     t: Any
     start: Mapping[str, Any]
     error: Callable[[cd.CompiledModel, cd.Trajectory], float]
@@ -110,7 +110,7 @@ class Outcome:
 
 
 @cache
-def compiled(build: Callable[[], cd.Model], options: tuple[tuple[str, Any], ...]) -> Any:
+def compiled(build: Callable[[], cd.Scene], options: tuple[tuple[str, Any], ...]) -> Any:
     """The model of a scene, compiled once."""
     return cd.compile(build(), **dict(options))
 

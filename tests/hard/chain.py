@@ -15,7 +15,7 @@ LINKS = 100
 TIMES = np.linspace(0, 1.0, 6)
 
 
-def build() -> cd.Model:
+def build() -> cd.Scene:
     """Rods of 1 m, hinged about y and z in turn, that hang out horizontally."""
     return chain(LINKS)
 

@@ -18,9 +18,9 @@ KNOWN = np.array([row["y"] for row in ROWS])
 GROWTH = np.array([row["separation"] for row in ROWS]) / 1e-10
 
 
-def build() -> cd.Model:
+def build() -> cd.Scene:
     """Point masses of 1 kg on massless rods of 1 m."""
-    scene = cd.Model("chaos", gravity=(0, 0, -9.81))
+    scene = cd.Scene("chaos", gravity=(0, 0, -9.81))
     upper = scene.body("upper", mass=1.0, com=(0, 0, -1.0))
     lower = scene.body("lower", mass=1.0, com=(0, 0, -1.0))
     scene.joint("shoulder", cd.Revolute("y"), scene.ground, upper)

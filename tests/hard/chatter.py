@@ -13,20 +13,20 @@ FALL = np.sqrt(2 * HEIGHT / G)
 REST = FALL * (1 + BOUNCE) / (1 - BOUNCE)
 
 
-def ball(settle: float) -> cd.Model:
+def ball(settle: float) -> cd.Scene:
     """A mass above a floor."""
-    scene = cd.Model("ball", gravity=(0, 0, -G))
+    scene = cd.Scene("ball", gravity=(0, 0, -G))
     scene.joint("height", cd.Prismatic("z"), scene.ground, scene.body("ball", mass=1.0))
     scene.force("floor", cd.Stop("height", lower=0.0, restitution=BOUNCE, settle=settle))
     return scene
 
 
-def bouncing() -> cd.Model:
+def bouncing() -> cd.Scene:
     """It never settles."""
     return ball(0.0)
 
 
-def settling() -> cd.Model:
+def settling() -> cd.Scene:
     """It stays where it is slower than a millimeter a second."""
     return ball(1e-3)
 

@@ -17,10 +17,10 @@ ROWS = KNOWN["reference"]["own"]["rows"]
 TURNS = np.array([row["quat"] for row in ROWS], dtype=float)
 
 
-def build() -> cd.Model:
+def build() -> cd.Scene:
     """The top of Géradin and Cardona on a ball joint."""
     given = KNOWN["parameters"]
-    scene = cd.Model("fast_top", gravity=tuple(given["g"]))
+    scene = cd.Scene("fast_top", gravity=tuple(given["g"]))
     body = scene.body("top", mass=given["m"], com=(0, 0, 0), inertia=tuple(given["J_cog"]))
     scene.joint("pivot", cd.Spherical(), scene.ground, body.at(*(-x for x in given["X"])))
     return scene

@@ -16,7 +16,7 @@ GROUND, CRANK, COUPLER, ROCKER = 1.0, 0.5, 1.0, 0.5 * (1 + 1e-3)
 ANGLE, SPEED, WIDTH = 1.0, 8.0, 0.02
 
 
-def build() -> cd.Model:
+def build() -> cd.Scene:
     """Crank and rocker differ by a thousandth."""
     return four_bar(GROUND, CRANK, COUPLER, ROCKER)
 

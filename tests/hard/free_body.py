@@ -15,9 +15,9 @@ STEP = 2e-3
 SPIN = [0.4, 1.0, 0.02]
 
 
-def build() -> cd.Model:
+def build() -> cd.Scene:
     """Three moments of inertia, no force."""
-    scene = cd.Model("free_body", gravity=(0, 0, 0))
+    scene = cd.Scene("free_body", gravity=(0, 0, 0))
     body = scene.body("body", mass=2.0, com=(0, 0, 0), inertia=(1.0, 2.0, 3.0))
     scene.joint("free", cd.Free(), scene.ground, body)
     return scene

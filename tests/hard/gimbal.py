@@ -25,9 +25,9 @@ def lock(sequence: str) -> float:
     return 0.0 if sequence in PROPER else np.pi / 2
 
 
-def balls(rotations: tuple[str, ...]) -> cd.Model:
+def balls(rotations: tuple[str, ...]) -> cd.Scene:
     """A ball on a ball joint for every kind of coordinates; all spin alike, for ever."""
-    scene = cd.Model("balls", gravity=(0, 0, 0))
+    scene = cd.Scene("balls", gravity=(0, 0, 0))
     for name in rotations:
         ball = scene.body(f"ball_{name}", mass=1.0, com=(0, 0, 0), inertia=(1.0, 1.0, 1.0))
         scene.joint(name, cd.Spherical(rotation=name), scene.ground, ball)
@@ -78,22 +78,22 @@ def at_rest_in_lock(rotations: tuple[str, ...]) -> dict[str, Any]:
     return {"q": q, "u": dict.fromkeys(rotations, SPIN)}
 
 
-def all_sequences() -> cd.Model:
+def all_sequences() -> cd.Scene:
     """The twelve."""
     return balls(SEQUENCES)
 
 
-def quaternion() -> cd.Model:
+def quaternion() -> cd.Scene:
     """One without a lock."""
     return balls(("quaternion",))
 
 
-def proper() -> cd.Model:
+def proper() -> cd.Scene:
     """Six whose lock is at zero."""
     return balls(PROPER)
 
 
-def others() -> cd.Model:
+def others() -> cd.Scene:
     """Six whose lock is at 90 degrees."""
     return balls(OTHERS)
 

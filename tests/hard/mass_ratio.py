@@ -18,9 +18,9 @@ OFF = LIGHT / HEAVY * np.tan(START) / 4
 TIMES = np.linspace(0, 5.0, 26)
 
 
-def build() -> cd.Model:
+def build() -> cd.Scene:
     """Point masses on massless rods of 1 m."""
-    scene = cd.Model("mass_ratio", gravity=(0, 0, -G))
+    scene = cd.Scene("mass_ratio", gravity=(0, 0, -G))
     upper = scene.body("upper", mass=LIGHT, com=(0, 0, -1.0))
     lower = scene.body("lower", mass=HEAVY, com=(0, 0, -1.0))
     scene.joint("shoulder", cd.Revolute("y"), scene.ground, upper)

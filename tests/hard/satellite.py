@@ -16,9 +16,9 @@ START = 0.5
 TIMES = np.linspace(0, 100 * 2 * np.pi / RATE, 101)
 
 
-def build() -> cd.Model:
+def build() -> cd.Scene:
     """3 n^2 e x I e with e the direction to the earth, which turns about y."""
-    scene = cd.Model("satellite", gravity=(0, 0, 0))
+    scene = cd.Scene("satellite", gravity=(0, 0, 0))
     body = scene.body("hull", mass=1.0, com=(0, 0, 0), inertia=INERTIA)
     scene.joint("attitude", cd.Spherical(), scene.ground, body)
     down = sp.Matrix([sp.sin(RATE * cd.t), 0, sp.cos(RATE * cd.t)])

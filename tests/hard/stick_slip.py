@@ -13,9 +13,9 @@ BELT, STATIC, FALL = 0.2, 1.0, 3.0
 SLIP, PERIOD, END_OF_SLIP = 4.295999526464542, 12.00103129578276, -0.5410063538636437
 
 
-def build() -> cd.Model:
+def build() -> cd.Scene:
     """Friction that falls with speed, true sticking."""
-    scene = cd.Model("stick_slip", gravity=(0, 0, 0))
+    scene = cd.Scene("stick_slip", gravity=(0, 0, 0))
     scene.joint("x", cd.Prismatic("x"), scene.ground, scene.body("block", mass=1.0))
     scene.force("spring", cd.TorsionSpring("x", stiffness=1.0))
     law = STATIC / (1 + FALL * sp.Abs(scene.u("x") - BELT))

@@ -13,9 +13,9 @@ STIFFNESS, START = 1e10, 1.0
 TIMES = np.linspace(0, 10.0, 101)
 
 
-def build() -> cd.Model:
+def build() -> cd.Scene:
     """A bob of 1 kg on a spring of 1 m that swings."""
-    scene = cd.Model("stiff_spring", gravity=(0, 0, -G))
+    scene = cd.Scene("stiff_spring", gravity=(0, 0, -G))
     sleeve = scene.body("sleeve", mass=0)
     bob = scene.body("bob", mass=1.0)
     scene.joint("swing", cd.Revolute("y"), scene.ground, sleeve)

@@ -14,9 +14,9 @@ AMPLITUDE, RATE = 1e-6, 1e6
 SHORT = np.linspace(0, 1e-4, 41)
 
 
-def resonator() -> cd.Model:
+def resonator() -> cd.Scene:
     """1e-12 kg on 1 N/m."""
-    scene = cd.Model("resonator", gravity=(0, 0, 0))
+    scene = cd.Scene("resonator", gravity=(0, 0, 0))
     scene.joint("x", cd.Prismatic("x"), scene.ground, scene.body("mass", mass=1e-12))
     scene.force("spring", cd.TorsionSpring("x", stiffness=1.0))
     return scene
@@ -36,9 +36,9 @@ NEAREST = HALF * (1 - ECCENTRICITY)
 FASTEST = np.sqrt(SUN / HALF * (1 + ECCENTRICITY) / (1 - ECCENTRICITY))
 
 
-def comet() -> cd.Model:
+def comet() -> cd.Scene:
     """A point mass in the field of the sun."""
-    scene = cd.Model("comet", gravity=(0, 0, 0))
+    scene = cd.Scene("comet", gravity=(0, 0, 0))
     rider, head = scene.body("rider", mass=0), scene.body("head", mass=2.2e14)
     scene.joint("x", cd.Prismatic("x"), scene.ground, rider)
     scene.joint("y", cd.Prismatic("y"), rider, head)

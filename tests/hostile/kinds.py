@@ -25,7 +25,7 @@ from mechanisms.closed_planar import four_bar
 
 def double() -> cd.CompiledModel:
     """A double pendulum with a torque at the shoulder."""
-    scene = cd.Model("double", gravity=(0, 0, -9.81))
+    scene = cd.Scene("double", gravity=(0, 0, -9.81))
     rod = cd.inertia.rod(1.0, 0.5, axis="z")
     upper = scene.body("upper", mass=1.0, com=(0, 0, -0.25), inertia=rod)
     lower = scene.body("lower", mass=1.0, com=(0, 0, -0.25), inertia=rod)
@@ -37,7 +37,7 @@ def double() -> cd.CompiledModel:
 
 def servo() -> cd.CompiledModel:
     """A mass on a rail between stops under a sampled controller."""
-    scene = cd.Model("servo")
+    scene = cd.Scene("servo")
     scene.joint("x", cd.Prismatic("x"), scene.ground, scene.body("block", mass=1.0))
     x, v = scene.q("x"), scene.u("x")
     pid = cd.Controller.pid("x", x, v, target=1.0, kp=8.0, ki=1.0, kd=5.0, sample=0.05)
@@ -176,7 +176,7 @@ def together(parts: dict[str, Any]) -> bytes:
 
 def shaft() -> cd.CompiledModel:
     """A beam that holds a body: finite elements, in absolute coordinates."""
-    scene = cd.Model("shaft", gravity=(0, 0, -9.81))
+    scene = cd.Scene("shaft", gravity=(0, 0, -9.81))
     end = scene.body("end", mass=1, inertia=(1, 1, 1), pose=(1, 0, 0))
     section = cd.section.general(EA=1e4, GA=1e4, GJ=80, EI=100, rhoA=1.0, rhoI=0.01)
     scene.beam("b", scene.ground, end, section, elements=2)

@@ -28,7 +28,7 @@ Scene = Callable[[], cd.CompiledModel]
 
 def ball() -> cd.CompiledModel:
     """A ball on a pendulum, over a stop, with a shape."""
-    scene = cd.Model("ball", gravity=(0, 0, -9.81))
+    scene = cd.Scene("ball", gravity=(0, 0, -9.81))
     rod = scene.body("rod", mass=1.0, com=(0, 0, -0.5), inertia=(0.1, 0.1, 0.01))
     ball = cd.shape.sphere(0.1)
     inertia = (0.02, 0.02, 0.01)
@@ -41,7 +41,7 @@ def ball() -> cd.CompiledModel:
 
 def blade() -> cd.CompiledModel:
     """A beam on a hinge, in absolute coordinates."""
-    scene = cd.Model("blade", gravity=(0, 0, -9.81))
+    scene = cd.Scene("blade", gravity=(0, 0, -9.81))
     hub = scene.body("hub", mass=2.0, inertia=(0.1, 0.1, 0.15))
     scene.joint("hinge", cd.Revolute("y"), scene.ground, hub)
     section = cd.section.rectangle(0.02, 0.02)

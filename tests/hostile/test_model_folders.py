@@ -132,7 +132,7 @@ COUNTS: dict[str, Callable[[dict[str, Any], dict[str, Any]], object]] = {
 
 @pytest.mark.parametrize("change", COUNTS)
 def test_counts_are_what_kernels_take(change: str, tmp_path: Path) -> None:
-    scene = cd.Model("counted")
+    scene = cd.Scene("counted")
     bodies = [scene.body(name, mass=1, inertia=(1, 1, 1)) for name in ("arm", "hand", "tip")]
     scene.joint("float", cd.Free(), scene.ground, bodies[0])
     for name, ends in (("hinge", bodies[:2]), ("other", bodies[1:])):

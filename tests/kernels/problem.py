@@ -15,7 +15,7 @@ from cardan.analyses.simulation.simulate import simulate
 from cardan.runtime.build import cache, kernels, prebuilt
 from cardan.runtime.calls import abi
 from cardan.runtime.calls.methods import Energy
-from cardan.runtime.trajectory.trajectory import Trajectory
+from cardan.runtime.trajectory.trajectory import TrajectoryRecord
 from cardan.schema.c_functions import ResultRow
 from cardan.schema.integrators import INTEGRATORS
 from cardan.schema.manifest import Manifest
@@ -256,11 +256,11 @@ class Problem(CompiledModel):
         sizes["QUATERNIONS"] = "".join(f"{k}, " for k in self.quaternions)
         return "".join(f"#define {n} {v}\n" for n, v in sizes.items()) + right
 
-    def run(self, t: Any, x0: Any, **options: Any) -> Trajectory:
+    def run(self, t: Any, x0: Any, **options: Any) -> TrajectoryRecord:
         """Simulate from a state."""
         # what is checked is a compiled model
         plain = inspect.unwrap(simulate)
-        motion: Trajectory = plain(self, t, x0=np.asarray(x0, dtype=float), **options)
+        motion: TrajectoryRecord = plain(self, t, x0=np.asarray(x0, dtype=float), **options)
         return motion
 
 

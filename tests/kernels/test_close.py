@@ -14,7 +14,7 @@ import pytest
 from cardan.analyses.simulation.stepper import stepper
 from cardan.errors import SolveWarning
 from cardan.runtime.trajectory.storage import load
-from cardan.runtime.trajectory.trajectory import Trajectory
+from cardan.runtime.trajectory.trajectory import TrajectoryRecord
 from kernels.problem import METHODS, PENDULUM_POSITION, PENDULUM_VELOCITY, Problem, pendulum
 
 FINE: dict[str, dict[str, Any]] = {
@@ -25,7 +25,7 @@ BOTH = pytest.mark.parametrize("options", FINE.values(), ids=FINE)
 START = [1.0, 0, 0, 0]
 
 
-def residuals(motion: Trajectory) -> tuple[float, float]:
+def residuals(motion: TrajectoryRecord) -> tuple[float, float]:
     """Largest residual of length and of its rate."""
     return rest(motion.q, motion.u)
 

@@ -10,7 +10,7 @@ import pytest
 from scipy.special import ellipk
 
 from cardan.errors import ModelError, SolveWarning
-from cardan.runtime.trajectory.trajectory import Trajectory
+from cardan.runtime.trajectory.trajectory import TrajectoryRecord
 from kernels.problem import OSCILLATOR, Problem, pendulum
 
 G, RESTITUTION = 9.81, 0.8
@@ -31,7 +31,7 @@ def bounces(height: float, count: int) -> Any:
     return first + np.concatenate([[0.0], np.cumsum(flights)])
 
 
-def when(motion: Trajectory, name: str = "") -> Any:
+def when(motion: TrajectoryRecord, name: str = "") -> Any:
     """Times of the events of a name, of all without one."""
     return np.array([event.t for event in motion.events if name in ("", event.name)])
 

@@ -20,7 +20,7 @@ PLACES = (0.3, -0.4)
 Array = np.ndarray
 
 
-def scene_of(name: str, cut: str | None = None) -> cd.Model:
+def scene_of(name: str, cut: str | None = None) -> cd.Scene:
     """A mechanism, cut at a joint."""
     scene = EVERY[name].build()
     if cut is not None:

@@ -60,7 +60,7 @@ def compared(now: Mapping[str, Any], later: Mapping[str, Any], u: Any, udot: Any
 # joint coordinates
 
 
-def of_tree(scene: cd.Model, states: int = 2) -> tuple[int, float]:
+def of_tree(scene: cd.Scene, states: int = 2) -> tuple[int, float]:
     """Number of rows of a scene in joint coordinates and the largest error of all levels."""
     # any formalism has the kinematics; this one takes every system
     equations = cd.derive(scene, method="newton_euler", coordinates="relative")
@@ -116,7 +116,7 @@ def _one(equations: Any, name: str, given: Mapping[str, Any]) -> Any:
 # finite-element coordinates
 
 
-def of_elements(scene: cd.Model, states: int = 2) -> tuple[int, float]:
+def of_elements(scene: cd.Scene, states: int = 2) -> tuple[int, float]:
     """The same in absolute coordinates, element by element."""
     model = cd.compile(scene, coordinates="absolute")
     tables, saved = tables_of(model), model._objects.saved()

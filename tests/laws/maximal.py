@@ -83,7 +83,7 @@ class Edge:
 class Maximal:
     """A scene of rigid bodies, joints, gravity, springs and joint forces as one linear system."""
 
-    def __init__(self, scene: cd.Model) -> None:
+    def __init__(self, scene: cd.Scene) -> None:
         self.scene = scene
         self.bodies = list(scene.bodies.values())
         self.edges: dict[str, Edge] = {}

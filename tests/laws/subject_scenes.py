@@ -5,9 +5,9 @@ from __future__ import annotations
 import cardan as cd
 
 
-def arm_scene() -> cd.Model:
+def arm_scene() -> cd.Scene:
     """An open chain with an input, a parameter, an output, a spring and a fixed hand."""
-    s = cd.Model("arm")
+    s = cd.Scene("arm")
     m = s.parameter("m", 1.0)
     torque = s.input("motor", 0.0)
     upper = s.body("upper", mass=m, com=(0, 0, -0.5), inertia=(0.1, 0.1, 0.01))
@@ -21,8 +21,8 @@ def arm_scene() -> cd.Model:
     return s
 
 
-def four_bar_scene() -> cd.Model:
-    s = cd.Model("four_bar", gravity=(0, -9.81, 0))
+def four_bar_scene() -> cd.Scene:
+    s = cd.Scene("four_bar", gravity=(0, -9.81, 0))
     sizes = {"crank": 0.1, "coupler": 0.25, "rocker": 0.2}
     a, b, c = (
         s.body(n, mass=x, com=(x / 2, 0, 0), inertia=cd.inertia.box(x, x, 0.02, 0.01))
@@ -35,8 +35,8 @@ def four_bar_scene() -> cd.Model:
     return s
 
 
-def cantilever_scene() -> cd.Model:
-    s = cd.Model("cantilever", gravity=(0, 0, 0))
+def cantilever_scene() -> cd.Scene:
+    s = cd.Scene("cantilever", gravity=(0, 0, 0))
     load = s.parameter("P", 1.0, unit="N")
     section = cd.section.rectangle(0.1, 0.01)
     beam = s.beam(

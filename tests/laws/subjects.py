@@ -246,7 +246,7 @@ def _joined(kind: Any) -> Callable[..., Any]:
     """A function with the arguments of a kind of joint that derives a scene with it."""
 
     def derived(**given: Any) -> Any:
-        s = cd.Model("joined")
+        s = cd.Scene("joined")
         a = s.body("a", mass=1, inertia=(1, 1, 1))
         b = s.body("b", mass=1, inertia=(1, 1, 1))
         s.joint("hinge", cd.Revolute("x"), s.ground, a)
@@ -259,7 +259,7 @@ def _joined(kind: Any) -> Callable[..., Any]:
 
 def _pushed(kind: Any, beams: bool) -> Callable[..., Any]:
     def derived(**given: Any) -> Any:
-        s = cantilever_scene() if beams else cd.Model("pushed")
+        s = cantilever_scene() if beams else cd.Scene("pushed")
         a = s.body("a", mass=1, inertia=(1, 1, 1))
         b = s.body("b", mass=1, inertia=(1, 1, 1), pose=(0, 0, 2))
         # no body lies at the origin, towards which elements may pull

@@ -124,9 +124,9 @@ def test_explicit_methods_go_too() -> None:
         assert abs(motion[name][-1] - exact[name][-1]) < 1e-7
 
 
-def arm(elements: int) -> cd.Model:
+def arm(elements: int) -> cd.Scene:
     """A rubber arm with a ball at its tip."""
-    scene = cd.Model("arm", gravity=(0, 0, -9.81))
+    scene = cd.Scene("arm", gravity=(0, 0, -9.81))
     rubber = cd.material(E=5e6, nu=0.45, rho=1100)
     section = cd.section.circle(radius=0.01)
     beam = scene.beam(

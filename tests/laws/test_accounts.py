@@ -32,7 +32,7 @@ MISSING = {
 @functools.cache
 def pendulum(coordinates: str, loss: float = 0.0) -> cd.CompiledModel:
     """Two links under gravity."""
-    scene = cd.Model("pendulum")
+    scene = cd.Scene("pendulum")
     place: Any = scene.ground
     for k in range(2):
         link = scene.body(f"link{k}", mass=1.0, com=(0, 0, -1.0), inertia=(0.1, 0.1, 0.1))
@@ -46,7 +46,7 @@ def pendulum(coordinates: str, loss: float = 0.0) -> cd.CompiledModel:
 @functools.cache
 def floating(coordinates: str) -> cd.CompiledModel:
     """Two bodies with a hinge between them, and nothing else."""
-    scene = cd.Model("floating", gravity=(0, 0, 0))
+    scene = cd.Scene("floating", gravity=(0, 0, 0))
     one = scene.body("one", mass=1.0, inertia=(0.1, 0.2, 0.25))
     other = scene.body("other", mass=1.0, com=(0, 0, -1), inertia=(0.1, 0.1, 0.1))
     scene.joint("free", cd.Free(), scene.ground, one)
@@ -121,7 +121,7 @@ def test_momenta_are_not_watched_where_something_acts() -> None:
     assert not pendulum("relative").manifest.get("isolated")
 
     def free(gravity: float, *forces: Any) -> bool:
-        scene = cd.Model("one", gravity=(0, 0, gravity))
+        scene = cd.Scene("one", gravity=(0, 0, gravity))
         body = scene.body("body", mass=1.0, inertia=(0.1, 0.2, 0.25))
         other = scene.body("other", mass=1.0, inertia=(0.1, 0.2, 0.25), pose=(1, 0, 0))
         scene.joint("free", cd.Free(), scene.ground, body)
@@ -160,7 +160,7 @@ def test_a_loop_that_comes_open_says_so(coordinates: str) -> None:
 
 def test_a_start_in_strain_says_so() -> None:
     """What damped vibrations of a strained start carry away is lost without a source."""
-    scene = cd.Model("strained", gravity=(0, 0, 0))
+    scene = cd.Scene("strained", gravity=(0, 0, 0))
     section, steel = cd.section.rectangle(0.01, 0.01), cd.material(E=2e11, nu=0.3, rho=7800)
     scene.beam("beam", scene.ground, (1.0, 0, 0), section, steel, elements=4)
     model = cd.compile(scene)

@@ -28,9 +28,9 @@ from spread import some
 WAYS = tuple(itertools.product(("body", "ground"), ("forth", "back"), ("offsets", "plain")))
 
 
-def machine(name: str, other: str, way: str, place: str) -> cd.Model:
+def machine(name: str, other: str, way: str, place: str) -> cd.Scene:
     """A floating body that a joint binds to the ground or to a pendulum."""
-    scene = cd.Model("machine", gravity=(0.3, 0.5, -9.81))
+    scene = cd.Scene("machine", gravity=(0.3, 0.5, -9.81))
     arm = scene.body("arm", mass=2.0, com=(0.1, 0, -0.3), inertia=INERTIA)
     load = scene.body("load", mass=1.0, com=(0.05, -0.1, 0.2), inertia=INERTIA)
     scene.joint("pivot", cd.Revolute((1, 1, 0)), scene.ground, arm)
@@ -44,7 +44,7 @@ def machine(name: str, other: str, way: str, place: str) -> cd.Model:
     return scene
 
 
-def reversed_machine(name: str) -> cd.Model:
+def reversed_machine(name: str) -> cd.Scene:
     """The same with the joint told by its reversed kind, as readers of files may tell it."""
     scene = machine(name, "body", "forth", "offsets")
     made = scene.joints["tested"]
@@ -53,9 +53,9 @@ def reversed_machine(name: str) -> cd.Model:
     return scene
 
 
-def relations() -> cd.Model:
+def relations() -> cd.Scene:
     """Relations that the user wrote: of coordinates, frames, speeds, time and an input."""
-    scene = cd.Model("relations", gravity=(0, 0, -9.81))
+    scene = cd.Scene("relations", gravity=(0, 0, -9.81))
     arm, tip = (scene.body(n, mass=1.0, com=(0, 0, -0.3), inertia=INERTIA) for n in ("arm", "tip"))
     puck = scene.body("puck", mass=1.0, inertia=INERTIA)
     scene.joint("hip", cd.Revolute("y"), scene.ground, arm)
@@ -90,7 +90,7 @@ def test_joints(name: str, coordinates: str) -> None:
 
 
 @pytest.mark.parametrize("levels", [of_tree, of_elements])
-def test_relations(levels: Callable[[cd.Model], tuple[int, float]]) -> None:
+def test_relations(levels: Callable[[cd.Scene], tuple[int, float]]) -> None:
     count, worst = levels(relations())
     assert count >= 3
     assert worst < ROUNDING
@@ -105,7 +105,7 @@ SCENES = {
 
 @pytest.mark.parametrize("levels", [of_tree, of_elements])
 @pytest.mark.parametrize("name", some(SCENES, 21))
-def test_zoo(name: str, levels: Callable[[cd.Model], tuple[int, float]]) -> None:
+def test_zoo(name: str, levels: Callable[[cd.Scene], tuple[int, float]]) -> None:
     try:
         count, worst = levels(SCENES[name]())
     except CardanError as refused:

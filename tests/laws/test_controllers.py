@@ -10,9 +10,9 @@ import cardan as cd
 FINE = {"rtol": 1e-11, "atol": 1e-12}
 
 
-def slider(name: str, mass: float = 1.0) -> cd.Model:
+def slider(name: str, mass: float = 1.0) -> cd.Scene:
     """A mass on a rail."""
-    scene = cd.Model(name, gravity=(0, 0, 0))
+    scene = cd.Scene(name, gravity=(0, 0, 0))
     scene.joint("x", cd.Prismatic("x"), scene.ground, scene.body("block", mass=mass))
     return scene
 

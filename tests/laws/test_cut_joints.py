@@ -48,9 +48,9 @@ INERTIA = ((0.3, 0.02, -0.01), (0.02, 0.4, 0.03), (-0.01, 0.03, 0.2))
 STEP = 1e-5
 
 
-def machine(kind: Joint, cut: bool, back: bool = False) -> cd.Model:
+def machine(kind: Joint, cut: bool, back: bool = False) -> cd.Scene:
     """A pendulum that carries a body by the joint; cut, the body floats and the joint binds it."""
-    scene = cd.Model("machine", gravity=(0.3, 0.5, -9.81))
+    scene = cd.Scene("machine", gravity=(0.3, 0.5, -9.81))
     arm = scene.body("arm", mass=2.0, com=(0.1, 0, -0.3), inertia=INERTIA)
     load = scene.body("load", mass=1.0, com=(0.05, -0.1, 0.2), inertia=INERTIA)
     scene.joint("pivot", cd.Revolute((1, 1, 0)), scene.ground, arm)
@@ -131,9 +131,9 @@ def test_every_joint_is_tested() -> None:
     assert {kind.kind for kind in INSTANCES.values()} == set(JOINTS) - APART
 
 
-def gears(relation: bool) -> cd.Model:
+def gears(relation: bool) -> cd.Scene:
     """Two unbalanced wheels that mesh, by a gear or by a relation between two hinges."""
-    scene = cd.Model("gears", gravity=(0.5, 0, -9.81))
+    scene = cd.Scene("gears", gravity=(0.5, 0, -9.81))
     one = scene.body("one", mass=1.0, com=(0.1, 0, 0.03), inertia=(0.1, 0.2, 0.1))
     other = scene.body("other", mass=2.0, com=(0.1, 0.1, 0.3), inertia=INERTIA)
     lead = scene.joint("lead", cd.Revolute("y"), scene.ground, one)

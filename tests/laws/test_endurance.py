@@ -24,7 +24,7 @@ import numpy as np
 import cardan as cd
 
 def arm(coordinates="relative", links=2):
-    scene = cd.Model("arm", gravity=(0, 0, -9.81))
+    scene = cd.Scene("arm", gravity=(0, 0, -9.81))
     last = scene.ground
     for k in range(links):
         rod = cd.inertia.rod(1.0, 0.5, axis="z")
@@ -205,7 +205,7 @@ time.time_ns = lambda: int(next(falling)) * 10**9
 
 def test_ten_million_steps() -> None:
     """A pendulum of small swings over 1e7 steps: counted, in time and in phase, memory constant."""
-    scene = cd.Model("pendulum", gravity=(0, 0, -9.81))
+    scene = cd.Scene("pendulum", gravity=(0, 0, -9.81))
     bob = scene.body("bob", mass=1.0, com=(0, 0, -1.0), inertia=(1e-9, 1e-9, 1e-9))
     scene.joint("pivot", cd.Revolute("y"), scene.ground, bob)
     model = cd.compile(scene)

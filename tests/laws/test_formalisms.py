@@ -91,7 +91,7 @@ def test_agreement_with_absolute_coordinates(method: str) -> None:
 
 def held_by(ball: Any, method: str) -> Any:
     """A body that turns in space, and one on a hinge of it."""
-    scene = cd.Model("locked")
+    scene = cd.Scene("locked")
     top = scene.body("top", mass=1.0, com=(0.1, 0.2, 0.3), inertia=(0.1, 0.2, 0.25))
     arm = scene.body("arm", mass=0.5, com=(0, 0.2, 0.1), inertia=(0.01, 0.02, 0.025))
     scene.joint("ball", ball, scene.ground, top)

@@ -15,9 +15,9 @@ EARTH, FLATTENING = 6378137.0, 1.08262668e-3
 TIGHT = {"rtol": 1e-12, "atol": 1e-12}
 
 
-def orbiting() -> cd.Model:
+def orbiting() -> cd.Scene:
     """A body that moves freely about the origin, mu = 1."""
-    scene = cd.Model("orbiting", gravity=(0, 0, 0))
+    scene = cd.Scene("orbiting", gravity=(0, 0, 0))
     body = scene.body("body", mass=2.0, inertia=(0.006, 0.01, 0.008))
     scene.joint("free", cd.Free(), scene.ground, body)
     scene.force("field", cd.CentralGravity(scene.ground, 1.0))
@@ -41,7 +41,7 @@ def test_period_and_apsides_of_kepler() -> None:
 
 def test_two_bodies_attract_each_other() -> None:
     """Their distance is a Kepler orbit of mu = G (m1 + m2); the forces sum to zero."""
-    scene, masses = cd.Model("pair", gravity=(0, 0, 0)), (3.0, 1.0)
+    scene, masses = cd.Scene("pair", gravity=(0, 0, 0)), (3.0, 1.0)
     bodies = [scene.body(f"b{k}", mass=m, inertia=(0.1,) * 3) for k, m in enumerate(masses)]
     for k, body in enumerate(bodies):
         scene.joint(f"free{k}", cd.Free(), scene.ground, body)
@@ -90,7 +90,7 @@ def test_dumbbell_against_two_points() -> None:
     """What second order leaves out of torque and force falls with the square of size / r."""
     missed = []
     for half in (0.1, 0.05, 0.025):
-        scene = cd.Model("dumbbell", gravity=(0, 0, 0))
+        scene = cd.Scene("dumbbell", gravity=(0, 0, 0))
         rod = scene.body("rod", mass=2.0, inertia=(0.0, 2 * half**2, 2 * half**2))
         ends = [scene.body(f"end{k}", mass=1.0) for k in range(2)]
         balls = scene.body("balls")
@@ -118,7 +118,7 @@ def test_gradient_of_a_flattened_planet_against_points() -> None:
     reach, place = np.array([0.02, 0.012, 0.03]), np.array([0.7, -0.5, 0.6])
     planet = {"mu": 2.0, "j2": 0.3, "radius": 0.5, "pole": (0.2, 0.4, 1.0)}
     squares = 2 * reach**2
-    scene = cd.Model("cluster", gravity=(0, 0, 0))
+    scene = cd.Scene("cluster", gravity=(0, 0, 0))
     solid = scene.body("solid", mass=6.0, inertia=tuple(squares.sum() - squares))
     points = scene.body("points")
     six = [scene.body(f"p{k}", mass=1.0) for k in range(6)]
@@ -142,7 +142,7 @@ def test_gradient_of_a_flattened_planet_against_points() -> None:
 def node_rate(j2: float) -> float:
     """Mean rate of the ascending node over the closed form of first order, less 1."""
     radius, lean, turns = 7.2e6, 1.1, 8
-    scene = cd.Model("satellite", gravity=(0, 0, 0))
+    scene = cd.Scene("satellite", gravity=(0, 0, 0))
     scene.joint("free", cd.Free(), scene.ground, scene.body("sat", mass=5.0, inertia=(1, 1, 1)))
     scene.force("earth", cd.CentralGravity(scene.ground, MU))
     scene.force("bulge", cd.J2(scene.ground, MU, j2, EARTH))
@@ -175,7 +175,7 @@ def test_node_of_a_flattened_planet() -> None:
 
 
 def test_all_bodies_but_that_of_the_centre_are_pulled(tmp_path: Path) -> None:
-    scene = cd.Model("three", gravity=(0, 0, 0))
+    scene = cd.Scene("three", gravity=(0, 0, 0))
     bodies = [scene.body(f"b{k}", mass=1.0 + k) for k in range(3)]
     scene.body("massless")
     for k, body in enumerate([*bodies, scene.bodies["massless"]]):
@@ -186,7 +186,7 @@ def test_all_bodies_but_that_of_the_centre_are_pulled(tmp_path: Path) -> None:
     # at x = 1 and 2 m, seen from x = 0.5 and 0 m
     wanted = [3.0 * (2 / 0.25 + 0.5 / 2.25) + 2 + 3.5 / 4, -24 - 2, -1.5 / 2.25 - 3.5 / 4, 0]
     scene.save(tmp_path / "scene.yaml")
-    whole = cd.Model("whole", gravity=(0, 0, 0))
+    whole = cd.Scene("whole", gravity=(0, 0, 0))
     whole.include(scene, "part")
     late = whole.body("late", mass=9.0)
     whole.joint("late", cd.Prismatic("y"), whole.ground, late)
@@ -209,7 +209,7 @@ def test_all_bodies_but_that_of_the_centre_are_pulled(tmp_path: Path) -> None:
     ],
 )
 def test_what_cannot_be_pulled(bodies: Any, message: str) -> None:
-    scene = cd.Model("refused")
+    scene = cd.Scene("refused")
     for name in "ab":
         mass = 0.0 if bodies is None else 1.0
         scene.joint(name, cd.Prismatic("x"), scene.ground, scene.body(name, mass=mass))

@@ -17,8 +17,8 @@ TIGHT = {"rtol": 1e-12, "atol": 1e-13}
 I1, I2, I3, J = 2.0, 2.6, 3.1, 0.4
 
 
-def gyrostat(carrier: tuple[float, float, float], **wheel: Any) -> cd.Model:
-    scene = cd.Model("gyrostat", gravity=(0, 0, 0))
+def gyrostat(carrier: tuple[float, float, float], **wheel: Any) -> cd.Scene:
+    scene = cd.Scene("gyrostat", gravity=(0, 0, 0))
     bus = scene.body("bus", mass=5.0, inertia=carrier)
     scene.joint("attitude", cd.Spherical(), scene.ground, bus)
     scene.force("wheel", cd.Rotor(bus, **wheel))
@@ -29,7 +29,7 @@ def test_three_ways_of_moving_are_one_gyrostat() -> None:
     """A free wheel keeps its momentum, one of constant speed that against the carrier."""
     start, spin, times = [0.3, -0.2, 0.7], 9.0, [0.0, 2.0, 7.0]
 
-    def rates(scene: cd.Model, **more: Any) -> Any:
+    def rates(scene: cd.Scene, **more: Any) -> Any:
         u = {"attitude": start, **more}
         return cd.compile(scene).simulate(times, u=u, **TIGHT).u[:, :3]
 

@@ -101,7 +101,7 @@ def test_every_formalism_has_them(method: str) -> None:
 def test_rates_of_a_free_body_are_eulers() -> None:
     """p of the angular velocity is I omega, its rate I omega x omega."""
     I = np.array([0.2, 0.5, 0.6])
-    scene = cd.Model("box")
+    scene = cd.Scene("box")
     scene.joint("free", cd.Free(), scene.ground, scene.body("box", mass=2.0, inertia=tuple(I)))
     model = cd.compile(scene, functions=["momenta", "momentum_rates"], method="hamilton")
     q, omega, v = [0.5, 0.5, -0.5, 0.5, 1, 2, 3], np.array([0.3, -1.0, 2.0]), np.array([1.0, 0, -2])
@@ -113,7 +113,7 @@ def test_rates_of_a_free_body_are_eulers() -> None:
 
 
 def test_cyclic_momenta_of_a_top_are_constant() -> None:
-    scene = cd.Model("top", gravity=(0, 0, -9.81))
+    scene = cd.Scene("top", gravity=(0, 0, -9.81))
     top = scene.body("top", mass=0.5, com=(0, 0, 0.1), inertia=(3e-3, 3e-3, 1e-3))
     yoke, cradle = scene.body("yoke", mass=0), scene.body("cradle", mass=0)
     scene.joint("precession", cd.Revolute("z"), scene.ground, yoke)
@@ -140,7 +140,7 @@ def test_cyclic_momenta_of_a_top_are_constant() -> None:
 def test_a_driven_hoop_keeps_its_hamiltonian_but_not_its_energy() -> None:
     """A bead on a hoop that turns at a constant rate w: H = p²/2m - T0 + V is constant."""
     w, r, m = 5.0, 0.3, 0.7
-    scene = cd.Model("hoop", gravity=(0, 0, -9.81))
+    scene = cd.Scene("hoop", gravity=(0, 0, -9.81))
     hoop, bead = scene.body("hoop", mass=0), scene.body("bead", mass=m, com=(0, 0, -r))
     scene.joint("drive", cd.Revolute("z"), scene.ground, hoop, motion=w * cd.t)
     scene.joint("angle", cd.Revolute("y"), hoop, bead)
@@ -166,7 +166,7 @@ def test_constraints_are_among_the_rates(name: str) -> None:
     np.testing.assert_allclose(rates, difference, rtol=0, atol=CLOSE * size)
 
 
-def written() -> cd.Model:
+def written() -> cd.Scene:
     """A bead on a sine: (1 + cos(x)²) x'' = sin(x) cos(x) x'² - 9.81 cos(x)."""
     x = dynamicsymbols("x")
     v = x.diff()

@@ -15,9 +15,9 @@ G = 9.81
 FINE = {"rtol": 1e-11, "atol": 1e-12}
 
 
-def slider(name: str, axis: str = "x", gravity: float = 0.0, mass: float = 1.0) -> cd.Model:
+def slider(name: str, axis: str = "x", gravity: float = 0.0, mass: float = 1.0) -> cd.Scene:
     """A mass on a rail."""
-    scene = cd.Model(name, gravity=(0, 0, -gravity))
+    scene = cd.Scene(name, gravity=(0, 0, -gravity))
     scene.joint("x", cd.Prismatic(axis), scene.ground, scene.body("block", mass=mass))
     return scene
 
@@ -58,9 +58,9 @@ def test_a_ball_bounces_until_it_settles() -> None:
     assert np.abs(motion.x[-1]).max() < 1e-12
 
 
-def four_bar(stop: float) -> cd.Model:
+def four_bar(stop: float) -> cd.Scene:
     """A crank-rocker whose rocker meets a stop."""
-    scene = cd.Model("stopped", gravity=(0, 0, -G))
+    scene = cd.Scene("stopped", gravity=(0, 0, -G))
     bars = {}
     for name, length in (("crank", 0.3), ("coupler", 0.9), ("rocker", 0.7)):
         inertia = cd.inertia.rod(length, length, axis="x")
@@ -96,7 +96,7 @@ def test_an_impact_goes_through_a_closed_loop() -> None:
 
 def test_two_stops_hit_at_once_share_the_impulse() -> None:
     """A block that falls flat on two feet: both stay, or both bounce."""
-    scene = cd.Model("feet", gravity=(0, 0, -G))
+    scene = cd.Scene("feet", gravity=(0, 0, -G))
     block = scene.body("block", mass=2.0, inertia=(0.1, 0.2, 0.3))
     scene.joint("leg", cd.Prismatic("z"), scene.ground, block)
     other = scene.body("other", mass=1.0)
@@ -114,7 +114,7 @@ def test_two_stops_hit_at_once_share_the_impulse() -> None:
 
 
 def test_a_lock_keeps_the_momentum_it_does_not_bear() -> None:
-    scene = cd.Model("lock", gravity=(0, 0, 0))
+    scene = cd.Scene("lock", gravity=(0, 0, 0))
     hub = scene.body("hub", mass=2.0, inertia=(1.0, 1.0, 0.5))
     panel = scene.body("panel", mass=1.0, com=(0.5, 0, 0), inertia=(0.1, 0.1, 0.2))
     scene.joint("base", cd.Revolute("z"), scene.ground, hub)
@@ -134,9 +134,9 @@ def test_a_lock_keeps_the_momentum_it_does_not_bear() -> None:
     assert 0 < event.t < 2
 
 
-def inclined(name: str, friction: bool) -> cd.Model:
+def inclined(name: str, friction: bool) -> cd.Scene:
     """A cart on an inclined rail that carries a pendulum."""
-    scene = cd.Model(name, gravity=(0, 0, -G))
+    scene = cd.Scene(name, gravity=(0, 0, -G))
     cart = scene.body("cart", mass=1.0)
     arm = scene.body("arm", mass=2.5, com=(0.4, 0, 0), inertia=(1e-2, 5e-2, 6e-2))
     scene.joint("x", cd.Prismatic((1, 0, 0.3)), scene.ground, cart)
@@ -171,7 +171,7 @@ def test_friction_and_reaction_are_solved_for_together(seed: int) -> None:
 
 def test_a_run_ends_where_friction_has_no_unique_solution() -> None:
     """A heavy rod on a light cart: leaning enough, it wedges the cart."""
-    scene = cd.Model("wedge", gravity=(0, 0, -G))
+    scene = cd.Scene("wedge", gravity=(0, 0, -G))
     cart = scene.body("cart", mass=0.1)
     rod = scene.body("rod", mass=10.0, com=(0, 0, 1.0), inertia=(0.1, 0.1, 0.01))
     scene.joint("x", cd.Prismatic("x"), scene.ground, cart)
@@ -297,9 +297,9 @@ def test_saved_scenes_keep_their_elements(tmp_path: object) -> None:
     assert np.array_equal(one, two)
 
 
-def rough_four_bar(friction: bool) -> cd.Model:
+def rough_four_bar(friction: bool) -> cd.Scene:
     """A crank-rocker with bearings that its own reactions press."""
-    scene = cd.Model("rough" if friction else "smooth", gravity=(0, 0, -G))
+    scene = cd.Scene("rough" if friction else "smooth", gravity=(0, 0, -G))
     bars = {}
     for name, length in (("crank", 0.3), ("coupler", 0.9), ("rocker", 0.7)):
         inertia = cd.inertia.rod(length, length, axis="x")
@@ -381,7 +381,7 @@ def test_no_run_starts_beyond_a_stop() -> None:
 
 
 def test_friction_of_a_bearing_needs_its_radius() -> None:
-    scene = cd.Model("bearing")
+    scene = cd.Scene("bearing")
     scene.joint("hinge", cd.Revolute("y"), scene.ground, scene.body("a", mass=1, com=(1, 0, 0)))
     scene.force("pin", cd.Friction("hinge", mu=0.2))
     with pytest.raises(cd.ModelError, match="give radius="):

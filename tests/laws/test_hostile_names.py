@@ -46,13 +46,13 @@ NAMES = {
 }
 
 
-def scene_of(word: str, first: bool = False) -> cd.Model:
+def scene_of(word: str, first: bool = False) -> cd.Scene:
     """A scene all of whose names have the word in them, behind or before a letter."""
 
     def named(letter: str) -> str:
         return f"{word} {letter}" if first else f"{letter} {word}"
 
-    scene = cd.Model(named("m"), gravity=(0, 0, -9.81))
+    scene = cd.Scene(named("m"), gravity=(0, 0, -9.81))
     k = scene.parameter(named("k"), 3.0)
     push = scene.input(named("r"))
     arm = scene.body(named("b"), mass=1.0, com=(0, 0, -0.5), inertia=(0.1, 0.1, 0.01))

@@ -13,9 +13,9 @@ TIGHT = {"rtol": 1e-11, "atol": 1e-12}
 K, C = 30.0, 6.0
 
 
-def strut(length: float = 0.5) -> cd.Model:
+def strut(length: float = 0.5) -> cd.Scene:
     """A strut between the ground and a carriage."""
-    scene = cd.Model("strut", gravity=(0, 0, 0))
+    scene = cd.Scene("strut", gravity=(0, 0, 0))
     carriage = scene.body("carriage", mass=2.0)
     scene.joint("x", cd.Prismatic("x"), scene.ground.at(length, 0, 0), carriage)
     scene.force("strut", cd.Maxwell(scene.ground, carriage, K, C, length=length))
@@ -48,9 +48,9 @@ def test_free_carriage_on_a_strut() -> None:
     assert motion.work["strut"][-1] < -0.5
 
 
-def arm() -> cd.Model:
+def arm() -> cd.Scene:
     """Two links under gravity, driven in both joints."""
-    scene = cd.Model("arm", gravity=(0, 0, -9.81))
+    scene = cd.Scene("arm", gravity=(0, 0, -9.81))
     upper = scene.body("upper", mass=3.0, com=(0.25, 0, 0), inertia=(0.01, 0.07, 0.07))
     lower = scene.body("lower", mass=1.5, com=(0.2, 0, 0), inertia=(0.005, 0.03, 0.03))
     scene.joint("shoulder", cd.Revolute("y"), scene.ground, upper)
@@ -75,7 +75,7 @@ def error(t: np.ndarray) -> np.ndarray:
     return START * ((b * np.exp(a * t) - a * np.exp(b * t)) / (b - a)).real[:, None]
 
 
-def controlled() -> tuple[cd.Model, cd.Equations]:
+def controlled() -> tuple[cd.Scene, cd.Equations]:
     """The arm with the law of the computed torque as an expression, and the arm alone."""
     alone = cd.derive(arm())
     scene, names = arm(), ("shoulder", "elbow")

@@ -15,9 +15,9 @@ AXES = {"trunk": (0, 0, 1), "left": (1, 0, 0), "right": (1, 2, 2), "hand": (0, 0
 TENSOR = np.array([[0.05, 0.004, -0.003], [0.004, 0.06, 0.002], [-0.003, 0.002, 0.04]])
 
 
-def arm(order: tuple[str, ...] = LINKS, twist: dict[str, Rotation] | None = None) -> cd.Model:
+def arm(order: tuple[str, ...] = LINKS, twist: dict[str, Rotation] | None = None) -> cd.Scene:
     """A branched arm; ``twist`` describes bodies in turned and shifted axes."""
-    scene = cd.Model("arm", gravity=(0.5, 1.0, -9.0))
+    scene = cd.Scene("arm", gravity=(0.5, 1.0, -9.0))
     turned = twist or {}
     bodies, places = {"ground": scene.ground}, {}
     for name in order:
@@ -44,7 +44,7 @@ def by_name(model: cd.CompiledModel, values: dict[str, float]) -> np.ndarray:
     return np.array([values[name] for name in model.coordinates])
 
 
-def accelerations(scene: cd.Model, state: dict[str, dict[str, float]]) -> dict[str, float]:
+def accelerations(scene: cd.Scene, state: dict[str, dict[str, float]]) -> dict[str, float]:
     model = cd.compile(scene, functions=("forward_dynamics",))
     udot = model.forward_dynamics(by_name(model, state["q"]), by_name(model, state["u"]))
     return dict(zip(model.coordinates, udot.tolist(), strict=True))
@@ -73,7 +73,7 @@ def test_axes_of_bodies(state: dict, bodies: tuple[str, ...]) -> None:
 
 def test_units_of_parameters() -> None:
     def bob(length: float, unit: str) -> float:
-        scene = cd.Model("bob", gravity=(0, 0, -9.81))
+        scene = cd.Scene("bob", gravity=(0, 0, -9.81))
         l = scene.parameter("l", length, unit=unit)
         body = scene.body("bob", mass=1.0, com=(0, 0, -l))
         scene.joint("pivot", cd.Revolute("y"), scene.ground, body)

@@ -140,7 +140,7 @@ def test_ball_joint_in_euler_angles(rotation: str) -> None:
     # space-fixed turns are applied in reverse order
     first, second, third = letters if rotation.isupper() else letters[::-1]
     r = turn(*first) * turn(*second) * turn(*third)
-    scene = cd.Model("top", gravity=DOWN)
+    scene = cd.Scene("top", gravity=DOWN)
     com, diagonal = (0.1, -0.2, 0.4), (0.06, 0.05, 0.07)
     body = scene.body("top", mass=1.5, com=com, inertia=diagonal)
     scene.joint("ball", cd.Spherical(rotation=rotation), scene.ground, body)

@@ -18,7 +18,7 @@ TIGHT = {"rtol": 1e-11, "atol": 1e-13}
 def test_puck_on_a_turning_platform() -> None:
     """A straight line seen from the platform: Coriolis and centrifugal force in closed form."""
     turn, start, speed = 1.7, np.array([0.6, 0.0]), np.array([-0.3, 0.4])
-    scene = cd.Model("platform", gravity=(0, 0, 0))
+    scene = cd.Scene("platform", gravity=(0, 0, 0))
     platform, puck = scene.body("platform"), scene.body("puck", mass=0.2, inertia=(1, 1, 1))
     scene.joint("turn", cd.Revolute("z"), scene.ground, platform, motion=turn * cd.t)
     scene.joint("slide", cd.Planar("z"), platform, puck)
@@ -37,7 +37,7 @@ def test_puck_on_a_turning_platform() -> None:
 def test_pendulum_of_foucault(latitude: float) -> None:
     """Its plane turns by -Omega sin(latitude), less Omega^2 / omega^2 and squares of its swing."""
     turn, length, swing, end = 0.01, 1.0, 5e-3, 60.0
-    scene = cd.Model("foucault", gravity=(0, 0, 0))
+    scene = cd.Scene("foucault", gravity=(0, 0, 0))
     earth, bob = scene.body("earth"), scene.body("bob", mass=2.0, com=(0, 0, -length))
     scene.joint("day", cd.Revolute("z"), scene.ground, earth, motion=turn * cd.t)
     # x to the south, y to the east, z up
@@ -61,7 +61,7 @@ def test_pendulum_of_foucault(latitude: float) -> None:
 
 def test_free_body_on_a_ship() -> None:
     """Whatever the six coordinates of the base do, by expressions and an input."""
-    scene = cd.Model("ship", gravity=(0, 0, -9.81))
+    scene = cd.Scene("ship", gravity=(0, 0, -9.81))
     ship, half = scene.body("ship"), sp.Rational(1, 2)
     moves = (half * sp.sin(cd.t / 3), sp.sin(2 * cd.t) / 10, sp.sin(3 * cd.t + 1) / 4)
     places = (2 * cd.t + half * sp.sin(cd.t), sp.cos(cd.t / 2), scene.input("heave"))
@@ -96,7 +96,7 @@ def test_a_joint_is_its_steps(name: str, tmp_path: Path) -> None:
     kind, count = KINDS[name]
     q = [0.3, -0.5, 0.8, 0.2, 0.7, -0.4][:count]
     motion: list[float | None] = [*q[:-1], None]
-    scenes = [cd.Model("moved"), cd.Model("free")]
+    scenes = [cd.Scene("moved"), cd.Scene("free")]
     for scene, given in zip(scenes, (motion, None), strict=True):
         body = scene.body("body", mass=1.0, inertia=(1, 1, 1))
         scene.joint("way", kind, scene.ground.at(0.1, 0, 0), body.at(0, 0.2, 0), motion=given)
@@ -116,7 +116,7 @@ def test_a_joint_is_its_steps(name: str, tmp_path: Path) -> None:
     ],
 )
 def test_bad_motions_leave_nothing(kind: Any, more: dict[str, Any], message: str) -> None:
-    scene = cd.Model("bad")
+    scene = cd.Scene("bad")
     body = scene.body("body", mass=1.0, inertia=(1, 1, 1))
     with pytest.raises(cd.ModelError, match=message):
         scene.joint("way", kind, scene.ground, body, **more)

@@ -138,9 +138,9 @@ def test_starts_of_most_mechanisms_were_compared() -> None:
     assert sum(counts.values()) >= FEWEST
 
 
-def even() -> cd.Model:
+def even() -> cd.Scene:
     """A slider-crank whose crank may stand as far above its line as below."""
-    scene = cd.Model("even", gravity=(0, -9.81, 0))
+    scene = cd.Scene("even", gravity=(0, -9.81, 0))
     crank, rod, slide = (scene.body(n, 1.0, inertia=(0.1,) * 3) for n in ("crank", "rod", "slide"))
     scene.joint("A", cd.Revolute("z"), scene.ground, crank)
     scene.joint("B", cd.Revolute("z"), crank.at(1, 0, 0), rod)

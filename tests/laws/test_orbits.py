@@ -11,9 +11,9 @@ import cardan as cd
 INERTIA = (10.0, 12.0, 5.0)
 
 
-def satellite(size: float = 1.0, radius: float = 7.0) -> cd.Model:
+def satellite(size: float = 1.0, radius: float = 7.0) -> cd.Scene:
     """Attitude alone: a satellite whose centre goes along a circular orbit with n = 1 rad/s."""
-    scene = cd.Model("attitude", gravity=(0, 0, 0))
+    scene = cd.Scene("attitude", gravity=(0, 0, 0))
     place = cd.orbit.circular(scene, "orbit", radius**3, radius, inclination=0.3)
     sat = scene.body("sat", mass=3.0, inertia=tuple(size**2 * x for x in INERTIA))
     scene.joint("attitude", cd.Spherical("ZYX"), place, sat)
@@ -22,7 +22,7 @@ def satellite(size: float = 1.0, radius: float = 7.0) -> cd.Model:
 
 
 def test_place_and_axes() -> None:
-    scene = cd.Model("placed", gravity=(0, 0, 0))
+    scene = cd.Scene("placed", gravity=(0, 0, 0))
     mu, radius, lean, node, phase = 2.0, 1.5, 0.4, 0.7, -0.2
     center = scene.ground.at(1, 2, 3, rotation=("XYZ", 0.1, 0.2, 0.3), name="planet")
     place = cd.orbit.circular(scene, "orbit", mu, radius, lean, node, phase, center=center)
@@ -74,7 +74,7 @@ def test_attitude_alone_is_the_limit_of_the_whole_motion() -> None:
     missed = []
     for size in (0.04, 0.02, 0.01):
         alone = cd.compile(satellite(size)).simulate([0, 3.0], q={"attitude": start}, rtol=1e-12)
-        scene = cd.Model("whole", gravity=(0, 0, 0))
+        scene = cd.Scene("whole", gravity=(0, 0, 0))
         sat = scene.body("sat", mass=3.0, inertia=tuple(size**2 * x for x in INERTIA))
         scene.joint("free", cd.Free("ZYX"), scene.ground, sat)
         scene.force("field", cd.CentralGravity(scene.ground, 343.0))
@@ -102,7 +102,7 @@ def test_attitude_alone_is_the_limit_of_the_whole_motion() -> None:
 
 
 def test_bad_orbits() -> None:
-    scene = cd.Model("bad")
+    scene = cd.Scene("bad")
     with pytest.raises(cd.ModelError, match="orbit 'o': radius is -1"):
         cd.orbit.circular(scene, "o", 1.0, -1.0)
     assert not scene.bodies

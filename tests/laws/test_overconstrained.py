@@ -28,9 +28,9 @@ WAYS = list(itertools.product(("ground first", "door first"), repeat=2))
 GRAVITY = (1.0, -2.0, -9.81)  # with a part across the hinges: the door swings
 
 
-def door(*ways: str) -> cd.Model:
+def door(*ways: str) -> cd.Scene:
     """A door on one coaxial hinge for each way in which one is declared."""
-    scene = cd.Model("door", gravity=GRAVITY)
+    scene = cd.Scene("door", gravity=GRAVITY)
     leaf = scene.body("door", mass=2.0, com=(0.4, 0, 0), inertia=(0.1, 0.1, 0.15))
     for k, way in enumerate(ways):
         ends = scene.ground.at(0, 0, k), leaf.at(0, 0, k)

@@ -24,9 +24,9 @@ def turned(normal: str, x: float, y: float) -> tuple[float, ...]:
     return tuple(found)
 
 
-def swing(normal: str, element: str = "hellinger_reissner") -> cd.Model:
+def swing(normal: str, element: str = "hellinger_reissner") -> cd.Scene:
     """An arm with a blade and a hook on it, a spring, and weight."""
-    scene = cd.Model("swing", gravity=turned(normal, -2.0, -9.81))
+    scene = cd.Scene("swing", gravity=turned(normal, -2.0, -9.81))
     arm = scene.body("arm", mass=2, inertia=(0.1, 0.1, 0.1), com=turned(normal, 0.5, 0.0))
     scene.joint("pivot", cd.Revolute(normal), scene.ground, arm)
     blade = scene.beam(
@@ -49,7 +49,7 @@ def swing(normal: str, element: str = "hellinger_reissner") -> cd.Model:
     return scene
 
 
-def both(scene: cd.Model, normal: str) -> tuple[cd.CompiledModel, cd.CompiledModel]:
+def both(scene: cd.Scene, normal: str) -> tuple[cd.CompiledModel, cd.CompiledModel]:
     """In the plane and in space."""
     made = [cd.derive(scene, coordinates="absolute", plane=p) for p in (normal, None)]
     plane, space = (cd.compile(equations) for equations in made)
@@ -126,7 +126,7 @@ def test_what_leaves_the_plane_is_named() -> None:
 
 
 def test_a_parameter_that_leads_out_of_the_plane_is_seen() -> None:
-    scene = cd.Model("tilted", gravity=(0, 0, -9.81))
+    scene = cd.Scene("tilted", gravity=(0, 0, -9.81))
     side = scene.parameter("side", 0.0, unit="N")
     body = scene.body("body", mass=1, inertia=(1, 1, 1))
     scene.joint("hinge", cd.Revolute("y"), scene.ground, body)

@@ -92,7 +92,7 @@ def test_forces_on_centers_of_mass_are_refused(name: str) -> None:
 
 def test_phi_is_told_about_the_frame_of_the_body() -> None:
     """In the axes and about the origin of the user's frame, wherever its joint is."""
-    scene = cd.Model("offset", gravity=(0, 0, -9.81))
+    scene = cd.Scene("offset", gravity=(0, 0, -9.81))
     c, moments = np.array([0.1, -0.2, 0.3]), {"xx": 0.03, "yy": 0.05, "zz": 0.04, "xy": 0.01}
     link = scene.body("link", mass=2.0, com=tuple(c), inertia=moments)
     turned = link.at(0.4, 0.1, -0.2, rotation=("XYZ", 0.3, -0.5, 0.2))

@@ -26,7 +26,7 @@ MEMBERS = [
 ]
 
 
-def turned(scene: cd.Model, every: int = 1) -> cd.Model:
+def turned(scene: cd.Scene, every: int = 1) -> cd.Scene:
     """The scene with each n-th joint declared the other way round."""
     for key, joint in list(scene.joints.items())[::every]:
         kind = joint.kind if joint.kind.kind == "fixed" else joint.kind.reversed()

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import cardan as cd
-from cardan.equations.record import Equations
+from cardan.equations.record import EquationRecord
 from cardan.errors import DerivationError
 from cardan.ir.interpreter import evaluate
 from cardan.schema.functions import FUNCTIONS
@@ -22,8 +22,8 @@ COUNTED = ("forward_dynamics", "inverse_dynamics", "mass_matrix")
 LEEWAY = 3
 
 
-def told(name: str, method: str, rewrites: tuple[str, ...] | None) -> Equations:
-    return Equations(derived(name).system, method, (), "", rewrites)
+def told(name: str, method: str, rewrites: tuple[str, ...] | None) -> EquationRecord:
+    return EquationRecord(derived(name).system, method, (), "", rewrites)
 
 
 def methods(name: str) -> list[str]:
@@ -81,7 +81,7 @@ def test_a_second_time_changes_nothing(name: str, key: str) -> None:
 
 @pytest.mark.parametrize("angle", [1e-3, 1e-7, 1e-10, 2e-12, 1e-13, 0.0])
 def test_lines_that_are_nearly_parallel(angle: float) -> None:
-    scene = cd.Model("near", gravity=(0, 0, -9.81))
+    scene = cd.Scene("near", gravity=(0, 0, -9.81))
     inner, turn = scene.ground, scene.parameter("turn", angle)
     for i in range(4):
         link = scene.body(f"link{i}", mass=1.0, com=(0.1, 0.2, 0.3), inertia=(0.1, 0.2, 0.25))

@@ -24,7 +24,7 @@ from mechanisms.rolling import ROLLING
 
 SPAN = 0.02  # s
 REST = State()
-SCENES: dict[str, Callable[[], tuple[cd.Model, State]]] = {
+SCENES: dict[str, Callable[[], tuple[cd.Scene, State]]] = {
     **{n: (lambda m=m: (m.build(), m.states[0])) for n, m in ZOO.items()},
     **{n: (lambda m=m: (m.build(), m.state(0.3))) for n, m in (CLOSED | CARRIED).items()},
     **{n: (lambda build=build: (build(), REST)) for n, build in ROLLING.items()},

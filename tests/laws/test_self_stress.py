@@ -22,12 +22,12 @@ from mechanisms.overconstrained import bennett, bennett_angles, five_angles, fiv
 KINDS = ("relative", "absolute", "closed_form")
 PLACE = 0.1  # of the motion that the loops of a mechanism allow
 TOUCHED = 1e-7
-Made = tuple[Callable[[], cd.Model], Mapping[str, Any]]
+Made = tuple[Callable[[], cd.Scene], Mapping[str, Any]]
 
 
-def door(*ways: str) -> cd.Model:
+def door(*ways: str) -> cd.Scene:
     """A leaf on coaxial hinges, declared from the ground or from the leaf."""
-    scene = cd.Model("door", gravity=(1.0, -2.0, -9.81))
+    scene = cd.Scene("door", gravity=(1.0, -2.0, -9.81))
     leaf = scene.body("door", mass=2.0, com=(0.4, 0, 0), inertia=(0.1, 0.1, 0.15))
     for k, way in enumerate(ways):
         ends = scene.ground.at(0, 0, k), leaf.at(0, 0, k)
@@ -35,9 +35,9 @@ def door(*ways: str) -> cd.Model:
     return scene
 
 
-def turned() -> cd.Model:
+def turned() -> cd.Scene:
     """A planar four-bar in an oblique plane, its links placed anywhere along their hinges."""
-    scene = cd.Model("turned", gravity=(0.0, 0.0, -9.81))
+    scene = cd.Scene("turned", gravity=(0.0, 0.0, -9.81))
     lengths, shifts = (1.0, 3.0, 2.5), (0.2, -0.3, 0.5)
     axis = np.array([1.0, 2.0, -2.0]) / 3
     along = np.array([2.0, 1.0, 2.0]) / 3
@@ -71,7 +71,7 @@ def slowly(names: Any) -> list[Any]:
     return [n if n in SHOWN else pytest.param(n, marks=pytest.mark.slow) for n in names]
 
 
-def started(scene: cd.Model, kind: str, q: Mapping[str, Any]) -> tuple[cd.CompiledModel, Any]:
+def started(scene: cd.Scene, kind: str, q: Mapping[str, Any]) -> tuple[cd.CompiledModel, Any]:
     """A model and its coordinates where some joints are."""
     if kind == "closed_form":
         model = cd.compile(cd.derive(scene, constraints="closed_form"))
@@ -84,7 +84,7 @@ def started(scene: cd.Model, kind: str, q: Mapping[str, Any]) -> tuple[cd.Compil
     return model, x[: model.nq]
 
 
-def self_stresses(scene: cd.Model, poses: Mapping[str, Any]) -> tuple[int, dict[str, list[bool]]]:
+def self_stresses(scene: cd.Scene, poses: Mapping[str, Any]) -> tuple[int, dict[str, list[bool]]]:
     """Number of conditions too many, and which components of reactions are determined.
 
     Components that a joint leaves free pass nothing: they are determined.

@@ -9,13 +9,13 @@ from .mechanism import Mechanism, State
 INERTIA = ((0.03, 0.002, -0.001), (0.002, 0.04, 0.003), (-0.001, 0.003, 0.02))
 
 
-def _body(scene: cd.Model, name: str, mass: float = 1.0) -> cd.Body:
+def _body(scene: cd.Scene, name: str, mass: float = 1.0) -> cd.Body:
     return scene.body(name, mass=mass, com=(0.02, 0.05, -0.2), inertia=INERTIA)
 
 
-def backwards() -> cd.Model:
+def backwards() -> cd.Scene:
     """A chain of a ball joint, a Hooke joint, a thread and a table, told from its tip."""
-    scene = cd.Model("backwards", gravity=(0, 0.5, -9.81))
+    scene = cd.Scene("backwards", gravity=(0, 0.5, -9.81))
     ball, hooke, nut, puck = (_body(scene, name) for name in ("ball", "hooke", "nut", "puck"))
     scene.joint("table", cd.Planar((0, 1, 2)), puck.at(0.1, 0, 0.1), nut)
     scene.joint("thread", cd.Screw((1, 2, 2), pitch=0.1), nut.at(0, 0.1, 0), hooke.at(0, 0, -0.2))
@@ -24,9 +24,9 @@ def backwards() -> cd.Model:
     return scene
 
 
-def backwards_guided() -> cd.Model:
+def backwards_guided() -> cd.Scene:
     """A carriage that is the parent of the ground, and bodies that carry what holds them."""
-    scene = cd.Model("backwards_guided", gravity=(0.2, 0, -9.81))
+    scene = cd.Scene("backwards_guided", gravity=(0.2, 0, -9.81))
     names = ("base", "collar", "shaft", "box", "slider")
     base, collar, shaft, box, slider = (_body(scene, name) for name in names)
     scene.joint("float", cd.Free(), base, scene.ground)

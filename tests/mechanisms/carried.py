@@ -37,9 +37,9 @@ EDGE = [
 POST, ARM = np.array([0.3, 0.35, 0.4]), 0.52
 
 
-def cam(plain: bool = False) -> cd.Model:
+def cam(plain: bool = False) -> cd.Scene:
     """A cam with a follower in space; ``plain``: its cross as a universal joint."""
-    scene = cd.Model("cam", gravity=(0.5, 0, -G))
+    scene = cd.Scene("cam", gravity=(0.5, 0, -G))
     disc = scene.body("disc", mass=2.0, com=(0.05, 0.02, 0), inertia=(0.04, 0.05, 0.09))
     rod = cd.inertia.cylinder(0.7, 0.02, ARM)
     arm = scene.body("arm", mass=0.7, com=(0, 0.01, -ARM / 2), inertia=rod)
@@ -80,9 +80,9 @@ def cam_coordinates(s: float) -> Coordinates:
 SPAN, CRANK, LEFT, RIGHT, MESH = 0.3, 0.1, 0.3, 0.28, 2.0
 
 
-def geared() -> cd.Model:
+def geared() -> cd.Scene:
     """A five-bar in the plane whose cranks turn against each other."""
-    scene = cd.Model("geared", gravity=(0, -G, 0))
+    scene = cd.Scene("geared", gravity=(0, -G, 0))
     lengths = {"one": CRANK, "two": LEFT, "three": RIGHT, "four": CRANK}
     one, two, three, four = (
         scene.body(name, mass=3 * size, com=(size / 2, 0.01, 0), inertia=(1e-4, 2e-3, 2e-3))
@@ -112,7 +112,7 @@ def geared_angles(s: float) -> Coordinates:
     }
 
 
-def custom(plain: bool = False) -> cd.Model:
+def custom(plain: bool = False) -> cd.Scene:
     """The four-bar of hinges that the user wrote; ``plain``: of revolute joints."""
     scene = four_bar()
     if not plain:
@@ -131,7 +131,7 @@ CARRIED: dict[str, Closed] = {
     )
 }
 # the same mechanisms of joints that need no coordinates to close
-PLAIN: dict[str, Callable[[], cd.Model]] = {
+PLAIN: dict[str, Callable[[], cd.Scene]] = {
     "cam": partial(cam, plain=True),
     "custom": partial(custom, plain=True),
 }

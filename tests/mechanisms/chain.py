@@ -7,9 +7,9 @@ import cardan as cd
 GRAVITY = (0.0, 0.0, -9.81)
 
 
-def chain(n: int, axes: str = "yz") -> cd.Model:
+def chain(n: int, axes: str = "yz") -> cd.Scene:
     """n thin rods of 1 kg and 1 m along x, hinged about these axes in turn."""
-    scene = cd.Model(f"chain{n}", gravity=GRAVITY)
+    scene = cd.Scene(f"chain{n}", gravity=GRAVITY)
     parent = scene.ground
     for i in range(n):
         rod = scene.body(

@@ -51,7 +51,7 @@ class Closed:
     """
 
     name: str
-    build: Callable[[], cd.Model]
+    build: Callable[[], cd.Scene]
     configuration: Callable[[float], Mapping[str, float | tuple[float, ...]]]
     freedoms: int
     circuits: int

@@ -32,7 +32,7 @@ def heading(a: Point, b: Point) -> float:
     return math.atan2(b[1] - a[1], b[0] - a[0])
 
 
-def _link(scene: cd.Model, name: str, mass: float, length: float) -> cd.model.Body:
+def _link(scene: cd.Scene, name: str, mass: float, length: float) -> cd.scene.Body:
     inertia = cd.inertia.box(mass, length, 0.02, 0.01)
     return scene.body(name, mass=mass, com=(length / 2, 0, 0), inertia=inertia)
 
@@ -44,9 +44,9 @@ FOUR_BAR = {"ground": 0.3, "crank": 0.1, "coupler": 0.25, "rocker": 0.2}
 
 def four_bar(
     ground: float = 0.3, crank: float = 0.1, coupler: float = 0.25, rocker: float = 0.2
-) -> cd.Model:
+) -> cd.Scene:
     """A crank-rocker under gravity along -y; lengths in m, 1 kg per meter of link."""
-    scene = cd.Model("four_bar", gravity=(0, -G, 0))
+    scene = cd.Scene("four_bar", gravity=(0, -G, 0))
     links = {"crank": crank, "coupler": coupler, "rocker": rocker}
     a, b, c = (_link(scene, name, length, length) for name, length in links.items())
     scene.joint("A", cd.Revolute("z"), scene.ground, a)
@@ -66,9 +66,9 @@ def four_bar_angles(theta: float, side: int = 1) -> Angles:
     return {"A": theta, "B": coupler - theta, "D": rocker, "C": rocker - coupler}
 
 
-def slider_crank(crank: float = 0.1, rod: float = 0.3, offset: float = 0.0) -> cd.Model:
+def slider_crank(crank: float = 0.1, rod: float = 0.3, offset: float = 0.0) -> cd.Scene:
     """A slider on the line y = offset, driven by crank and rod; lengths in m."""
-    scene = cd.Model("slider_crank", gravity=(0, -G, 0))
+    scene = cd.Scene("slider_crank", gravity=(0, -G, 0))
     a, b = _link(scene, "crank", 0.3, crank), _link(scene, "rod", 0.5, rod)
     slider = scene.body("slider", mass=0.8, inertia=cd.inertia.box(0.8, 0.04, 0.03, 0.03))
     scene.joint("A", cd.Revolute("z"), scene.ground, a)
@@ -85,12 +85,12 @@ def slider_crank_coordinates(theta: float) -> Angles:
     return {"A": theta, "B": rod - theta, "guide": place, "C": -rod}
 
 
-def parallelogram(windows: int = 2) -> cd.Model:
+def parallelogram(windows: int = 2) -> cd.Scene:
     """N windows of four bars with equal links; singular where all links lie on one line.
 
     Source: IFToMM library of multibody benchmarks, problem A02 (N four-bars).
     """
-    scene = cd.Model(f"parallelogram{windows}", gravity=(0, -G, 0))
+    scene = cd.Scene(f"parallelogram{windows}", gravity=(0, -G, 0))
     rod = cd.inertia.rod(1.0, 1.0, axis="x")
     cranks = []
     for k in range(windows + 1):
@@ -119,13 +119,13 @@ def _andrews() -> dict[str, float]:
     return dict(json.loads(ANDREWS.read_text("utf-8"))["parameters"])
 
 
-def andrews() -> cd.Model:
+def andrews() -> cd.Scene:
     """The squeezing mechanism of Andrews: seven bodies, three circuits, one freedom.
 
     Source: F. Mazzia and C. Magherini, Test Set for IVP Solvers, release 2.4, problem "andrews".
     """
     p = _andrews()
-    scene = cd.Model("andrews", gravity=(0, 0, 0))
+    scene = cd.Scene("andrews", gravity=(0, 0, 0))
     centers = {
         "K1": (p["ra"], 0, 0),
         "K2": (-p["da"], 0, 0),

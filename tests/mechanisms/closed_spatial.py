@@ -30,12 +30,12 @@ CORNERS = np.array([[0, 0, 0], [1, 0, 0], [1, -1, 0], [1, -1, 1], [0, -1, 1], [0
 AXES = "yzxyzx"
 
 
-def bricard() -> cd.Model:
+def bricard() -> cd.Scene:
     """Six perpendicular hinges and five rods: one freedom and one redundant constraint.
 
     Source: IFToMM library of multibody benchmarks, problem A04 (Bricard).
     """
-    scene = cd.Model("bricard", gravity=(0, -G, 0))
+    scene = cd.Scene("bricard", gravity=(0, -G, 0))
     slender, across = 2 * 0.01 / 12, (1 + 0.01) / 12
     place = scene.ground
     for k in range(5):
@@ -65,9 +65,9 @@ TOP = [
 SHORTEST = 0.5
 
 
-def stewart() -> cd.Model:
+def stewart() -> cd.Scene:
     """Six legs carry a platform: universal joint at the base, slide, ball joint at the top."""
-    scene = cd.Model("stewart", gravity=(0, 0, -G))
+    scene = cd.Scene("stewart", gravity=(0, 0, -G))
     platform = scene.body("platform", mass=5.0, com=(0, 0, 0.03), inertia=(0.22, 0.25, 0.4))
     for k in range(6):
         cylinder = scene.body(
@@ -110,9 +110,9 @@ def stewart_coordinates(s: float) -> Coordinates:
 ARM, FOREARM, SHOULDER, WRIST = 0.2, 0.45, 0.15, 0.05
 
 
-def delta() -> cd.Model:
+def delta() -> cd.Scene:
     """Three driven arms hold a platform that stays parallel to the ground."""
-    scene = cd.Model("delta", gravity=(0, 0, -G))
+    scene = cd.Scene("delta", gravity=(0, 0, -G))
     platform = scene.body("platform", mass=0.3, com=(0, 0, -0.01), inertia=(4e-4, 4e-4, 6e-4))
     for k in range(3):
         about = ("XYZ", 0, 0, 2 * math.pi * k / 3)

@@ -16,12 +16,12 @@ import cardan as cd
 STIFF = 1e6
 
 
-def roll_up(elements: int = 10) -> cd.Model:
+def roll_up(elements: int = 10) -> cd.Scene:
     """A cantilever of length 1 and EI = 1, rolled to a circle by an end moment M = 2 pi.
 
     Source: Simo and Vu-Quoc, CMAME 58 (1986), example 7.1.
     """
-    scene = cd.Model("roll_up", gravity=(0, 0, 0))
+    scene = cd.Scene("roll_up", gravity=(0, 0, 0))
     moment = scene.parameter("M", 2 * math.pi, unit="N*m")
     section = cd.section.general(EA=STIFF, GA=STIFF, GJ=1, EI=1, rhoA=1)
     beam = scene.beam("beam", scene.ground, (1, 0, 0), section, elements=elements)
@@ -29,12 +29,12 @@ def roll_up(elements: int = 10) -> cd.Model:
     return scene
 
 
-def bend45(elements: int = 8, torsion: float = 1 / 6) -> cd.Model:
+def bend45(elements: int = 8, torsion: float = 1 / 6) -> cd.Scene:
     """An eighth of a circle of radius 100, clamped, with a force P across its plane at the tip.
 
     Source: Bathe and Bolourchi, IJNME 14 (1979).
     """
-    scene = cd.Model("bend45", gravity=(0, 0, 0))
+    scene = cd.Scene("bend45", gravity=(0, 0, 0))
     force, e, g = scene.parameter("P", 600, unit="N"), 1e7, 5e6
     section = cd.section.general(EA=e, GA=g, GJ=g * torsion, EI=e / 12, rhoA=1)
     radius = 100
@@ -49,12 +49,12 @@ def bend45(elements: int = 8, torsion: float = 1 / 6) -> cd.Model:
 EIGHTHS = (math.pi / 8, math.pi / 4)
 
 
-def elastica(elements: int = 10, stiff: float = STIFF) -> cd.Model:
+def elastica(elements: int = 10, stiff: float = STIFF) -> cd.Scene:
     """A cantilever of length 1 and EI = 1 with a dead force P across its tip.
 
     Source: Mattiasson, IJNME 17 (1981).
     """
-    scene = cd.Model("elastica", gravity=(0, 0, 0))
+    scene = cd.Scene("elastica", gravity=(0, 0, 0))
     force = scene.parameter("P", 10, unit="N")
     section = cd.section.general(EA=stiff, GA=stiff, GJ=1, EI=1, rhoA=1)
     beam = scene.beam("beam", scene.ground, (1, 0, 0), section, elements=elements)
@@ -62,12 +62,12 @@ def elastica(elements: int = 10, stiff: float = STIFF) -> cd.Model:
     return scene
 
 
-def two_loads(elements: int = 16) -> cd.Model:
+def two_loads(elements: int = 16) -> cd.Scene:
     """A cantilever of length 100 with dead forces P1 at 52.03 and P2 at the tip.
 
     Source: Frisch-Fay, Flexible Bars (1962); EA and GA of a section of 0.2 with nu = 0.3.
     """
-    scene = cd.Model("two_loads", gravity=(0, 0, 0))
+    scene = cd.Scene("two_loads", gravity=(0, 0, 0))
     loads = [scene.parameter(name, x, unit="N") for name, x in (("P1", 0.85), ("P2", 1.35))]
     section = cd.section.general(EA=6000, GA=6000 / 2.6, GJ=5000, EI=5000, rhoA=1)
     beam = scene.beam("beam", scene.ground, (100, 0, 0), section, elements=elements)
@@ -78,7 +78,7 @@ def two_loads(elements: int = 16) -> cd.Model:
 
 def column(
     elements: int = 10, imperfection: float = 1e-4, stiff: float = STIFF, shear: float | None = None
-) -> cd.Model:
+) -> cd.Scene:
     """A pinned column of length 1 and EI = 1 under P in units of the load of Euler.
 
     It is bent beforehand by a part of a sine, so that it buckles to one side; or a force F in
@@ -87,7 +87,7 @@ def column(
 
     Source: Timoshenko and Gere, Theory of Elastic Stability (elastica).
     """
-    scene = cd.Model("column", gravity=(0, 0, 0))
+    scene = cd.Scene("column", gravity=(0, 0, 0))
     load, aside = scene.parameter("P", 1.1), scene.parameter("F", 0, unit="N")
     section = cd.section.general(EA=stiff, GA=shear or stiff, GJ=1, EI=1, rhoA=1)
     xs = [k / 40 for k in range(41)]
@@ -106,12 +106,12 @@ def column(
     return scene
 
 
-def right_angle(elements: int = 8) -> cd.Model:
+def right_angle(elements: int = 8) -> cd.Scene:
     """Two arms of 10 with a corner, swung out of their plane by a pulse at the elbow.
 
     Source: Simo and Vu-Quoc, CMAME 66 (1988).
     """
-    scene = cd.Model("right_angle", gravity=(0, 0, 0))
+    scene = cd.Scene("right_angle", gravity=(0, 0, 0))
     section = cd.section.general(EA=1e6, GA=1e6, GJ=1e3, EI=1e3, rhoA=1, rhoI=10)
     inner = scene.beam("inner", scene.ground, (10, 0, 0), section, elements=elements)
     outer = scene.beam("outer", inner.end, (10, 10, 0), section, elements=elements)
@@ -122,12 +122,12 @@ def right_angle(elements: int = 8) -> cd.Model:
     return scene
 
 
-def spaghetti(elements: int = 16) -> cd.Model:
+def spaghetti(elements: int = 16) -> cd.Scene:
     """A free rod of length 10, thrown by a force and a moment at one end while they are ``on``.
 
     Source: Simo and Vu-Quoc, J. Appl. Mech. 53 (1986).
     """
-    scene = cd.Model("spaghetti", gravity=(0, 0, 0))
+    scene = cd.Scene("spaghetti", gravity=(0, 0, 0))
     section = cd.section.general(EA=1e4, GA=1e4, GJ=100, EI=100, rhoA=1, rhoI=10)
     rod = scene.beam("rod", (6, 0, 0), (0, 8, 0), section, elements=elements)
     on = scene.input("on", default=1)
@@ -136,12 +136,12 @@ def spaghetti(elements: int = 16) -> cd.Model:
     return scene
 
 
-def spin_up(elements: int = 10) -> cd.Model:
+def spin_up(elements: int = 10) -> cd.Scene:
     """A blade of length 10 on a hub that is turned up to 6 rad/s within 15 s.
 
     Source: Simo and Vu-Quoc, J. Sound Vib. 119 (1987).
     """
-    scene = cd.Model("spin_up", gravity=(0, 0, 0))
+    scene = cd.Scene("spin_up", gravity=(0, 0, 0))
     t, rise = cd.t, 15
     wave = (rise / (2 * sympy.pi)) ** 2 * (sympy.cos(2 * sympy.pi * t / rise) - 1)
     angle = sympy.Piecewise((6 * (t**2 / 2 + wave) / rise, t < rise), (6 * t - 45, True))
@@ -154,12 +154,12 @@ def spin_up(elements: int = 10) -> cd.Model:
     return scene
 
 
-def rotating_blade(elements: int = 16, stiff: float = STIFF) -> cd.Model:
+def rotating_blade(elements: int = 16, stiff: float = STIFF) -> cd.Scene:
     """A blade of length 1, EI = 1 and rhoA = 1 that turns with the speed Omega.
 
     Source: Wright, Smith, Thresher and Wang, J. Appl. Mech. 49 (1982).
     """
-    scene = cd.Model("rotating_blade", gravity=(0, 0, 0))
+    scene = cd.Scene("rotating_blade", gravity=(0, 0, 0))
     speed = scene.parameter("Omega", 6, unit="rad/s")
     hub = scene.body("hub", mass=1, inertia=(1, 1, 1))
     scene.joint("drive", cd.Revolute("z"), scene.ground, hub, motion=speed * cd.t)
@@ -168,7 +168,7 @@ def rotating_blade(elements: int = 16, stiff: float = STIFF) -> cd.Model:
     return scene
 
 
-def slider_crank(elements: int = 8) -> cd.Model:
+def slider_crank(elements: int = 8) -> cd.Scene:
     """A crank at 150 rad/s, an elastic rod of 0.3 m on it, and a slider.
 
     The rod is a beam with all its inertia, damping none: the modes of the source and its mass of
@@ -176,7 +176,7 @@ def slider_crank(elements: int = 8) -> cd.Model:
 
     Source: Simeon, Math. Modelling of Systems 2 (1996).
     """
-    scene = cd.Model("slider_crank", gravity=(0, 0, 0))
+    scene = cd.Scene("slider_crank", gravity=(0, 0, 0))
     crank = scene.body("crank", mass=0.36, com=(0.075, 0, 0), inertia=(0, 0.002727, 0.002727))
     slider = scene.body("slider", mass=0.075552, pose=(0.45, 0, 0))
     scene.joint("drive", cd.Revolute("z"), scene.ground, crank, motion=150 * cd.t)
@@ -190,13 +190,13 @@ def slider_crank(elements: int = 8) -> cd.Model:
     return scene
 
 
-def pendulum(elements: int = 10) -> cd.Model:
+def pendulum(elements: int = 10) -> cd.Scene:
     """A rubber bar of 1 m that swings from a pin.
 
     Source: T. Maqueda, O. Bauchau, A. Shabana, Effect of the centrifugal forces on the finite
     element eigenvalue solution of a rotating blade, 2008 (kind of problem).
     """
-    scene = cd.Model("pendulum")
+    scene = cd.Scene("pendulum")
     rubber = cd.material(E=5e6, nu=0.3, rho=1100)
     bar = scene.beam(
         "bar", (0, 0, 0), (1, 0, 0), cd.section.rectangle(0.02, 0.02), rubber, elements=elements
@@ -205,12 +205,12 @@ def pendulum(elements: int = 10) -> cd.Model:
     return scene
 
 
-def folding_arm(elements: int = 6) -> cd.Model:
+def folding_arm(elements: int = 6) -> cd.Scene:
     """Two elastic tubes with a bar between them that a spring turns at its hinge.
 
     Source: M. Géradin, A. Cardona, Flexible Multibody Dynamics, 2001 (kind of mechanism).
     """
-    scene = cd.Model("folding_arm", gravity=(0, 0, 0))
+    scene = cd.Scene("folding_arm", gravity=(0, 0, 0))
     carbon = cd.material(E=7e10, nu=0.3, rho=1600)
     tube = cd.section.tube(outer=0.02, inner=0.018)
     inner = scene.beam("inner", scene.ground, (1, 0, 0), tube, carbon, elements=elements)
@@ -221,7 +221,7 @@ def folding_arm(elements: int = 6) -> cd.Model:
     return scene
 
 
-FLEXIBLE: dict[str, Callable[[], cd.Model]] = {
+FLEXIBLE: dict[str, Callable[[], cd.Scene]] = {
     scene.__name__: scene
     for scene in (
         *(roll_up, bend45, elastica, two_loads, column, right_angle, spaghetti),

@@ -9,9 +9,9 @@ import cardan as cd
 from .mechanism import COUPLED, Mechanism, State
 
 
-def two_links(name: str) -> cd.Model:
+def two_links(name: str) -> cd.Scene:
     """A slanted base joint and a second link, to hang forces on."""
-    scene = cd.Model(name, gravity=(0, 0, -9.81))
+    scene = cd.Scene(name, gravity=(0, 0, -9.81))
     first = scene.body("first", mass=1.0, com=(0.2, 0, 0.05), inertia=(0.01, 0.02, 0.025))
     second = scene.body("second", mass=0.6, com=(0, 0.1, -0.2), inertia=(0.01, 0.008, 0.004))
     scene.joint("base", cd.Revolute((0, 3, 4)), scene.ground, first)
@@ -19,9 +19,9 @@ def two_links(name: str) -> cd.Model:
     return scene
 
 
-def gripper() -> cd.Model:
+def gripper() -> cd.Scene:
     """A swinging hand whose second finger mirrors the first and whose thumb follows by a gear."""
-    scene = cd.Model("gripper", gravity=(0, 0, -9.81))
+    scene = cd.Scene("gripper", gravity=(0, 0, -9.81))
     hand = scene.body("hand", mass=1.5, com=(0, 0, -0.2), inertia=(0.02, 0.02, 0.01))
     left = scene.body("left", mass=0.2, com=(0, 0.01, -0.05), inertia=(2e-4, 2e-4, 1e-4))
     right = scene.body("right", mass=0.2, com=(0, -0.01, -0.05), inertia=(2e-4, 2e-4, 1e-4))
@@ -37,9 +37,9 @@ def gripper() -> cd.Model:
     return scene
 
 
-def crane() -> cd.Model:
+def crane() -> cd.Scene:
     """A slewing column on a prescribed path, a boom and a swinging load."""
-    scene = cd.Model("crane", gravity=(0, 0, -9.81))
+    scene = cd.Scene("crane", gravity=(0, 0, -9.81))
     column = scene.body("column", mass=20.0, com=(0.1, 0, 1.0), inertia=(8.0, 8.0, 0.5))
     boom = scene.body("boom", mass=5.0, com=(1.0, 0, 0), inertia=(0.02, 1.7, 1.7))
     load = scene.body("load", mass=8.0, com=(0, 0, -1.0), inertia=(0.1, 0.1, 0.1))
@@ -51,7 +51,7 @@ def crane() -> cd.Model:
     return scene
 
 
-def springs() -> cd.Model:
+def springs() -> cd.Scene:
     """A straight spring to the ground, one between links, one in a joint: all energy is kept."""
     scene = two_links("springs")
     first, second = scene.bodies["first"], scene.bodies["second"]
@@ -63,7 +63,7 @@ def springs() -> cd.Model:
     return scene
 
 
-def drives() -> cd.Model:
+def drives() -> cd.Scene:
     """A rigid geared rotor, one that feels gyroscopic moments, and one on an elastic shaft."""
     scene = two_links("drives")
     tool = scene.body("tool", mass=0.3, com=(0.05, 0, 0), inertia=(0.001, 0.002, 0.002))
@@ -74,7 +74,7 @@ def drives() -> cd.Model:
     return scene
 
 
-def damped() -> cd.Model:
+def damped() -> cd.Scene:
     """Dampers of three kinds, motor friction and a force that depends on place and speed."""
     scene = two_links("damped")
     tip = scene.bodies["second"].at(0, 0.1, -0.4)
@@ -88,7 +88,7 @@ def damped() -> cd.Model:
     return scene
 
 
-def driven() -> cd.Model:
+def driven() -> cd.Scene:
     """A motor law over time and angle, measured data, a turning torque and an input."""
     scene = two_links("driven")
     push = scene.input("push", default=0.7)

@@ -17,9 +17,9 @@ VALLEY = [
 TRACK = [(4, 0, 0), (2, 3, 0.8), (-2, 3, 0.2), (-4, 0, 1.0), (-2, -3, 0.3), (2, -3, 0.5)]
 
 
-def constant_velocity() -> cd.Model:
+def constant_velocity() -> cd.Scene:
     """A driven shaft, a bent one behind a constant-velocity joint, and a flap on that."""
-    scene = cd.Model("constant_velocity", gravity=(0.5, 0, -9.81))
+    scene = cd.Scene("constant_velocity", gravity=(0.5, 0, -9.81))
     shaft = scene.body("shaft", mass=2.0, inertia=(0.02, 0.02, 0.03))
     bent = scene.body("bent", mass=1.5, com=(0.01, 0, -0.25), inertia=(0.04, 0.05, 0.01))
     flap = scene.body("flap", mass=0.3, com=(0.1, 0, -0.1), inertia=(0.002, 0.003, 0.002))
@@ -29,9 +29,9 @@ def constant_velocity() -> cd.Model:
     return scene
 
 
-def point_on_plane() -> cd.Model:
+def point_on_plane() -> cd.Scene:
     """A body hung from a tilted table by one sliding point, with a pendulum on it."""
-    scene = cd.Model("point_on_plane", gravity=(0, 0, -9.81))
+    scene = cd.Scene("point_on_plane", gravity=(0, 0, -9.81))
     hung = scene.body("hung", mass=1.2, com=(0.02, 0.05, -0.3), inertia=(0.03, 0.04, 0.02))
     bob = scene.body("bob", mass=0.4, com=(0, 0, -0.2), inertia=(0.004, 0.004, 0.001))
     slide = cd.PointOnPlane((0.1, -0.05, 1.0))
@@ -40,9 +40,9 @@ def point_on_plane() -> cd.Model:
     return scene
 
 
-def point_on_curve() -> cd.Model:
+def point_on_curve() -> cd.Scene:
     """A lamp on a ring that slides along a bent wire, with a tassel."""
-    scene = cd.Model("point_on_curve", gravity=(0, 0, -9.81))
+    scene = cd.Scene("point_on_curve", gravity=(0, 0, -9.81))
     lamp = scene.body("lamp", mass=0.8, com=(0.01, 0.02, -0.2), inertia=(0.02, 0.03, 0.01))
     tassel = scene.body("tassel", mass=0.1, com=(0, 0, -0.1), inertia=(4e-4, 4e-4, 1e-4))
     scene.joint("wire", cd.PointOnCurve(VALLEY), scene.ground.at(0, 0, 3), lamp)
@@ -50,9 +50,9 @@ def point_on_curve() -> cd.Model:
     return scene
 
 
-def roller_coaster() -> cd.Model:
+def roller_coaster() -> cd.Scene:
     """A car that hangs below a closed track, with a swing."""
-    scene = cd.Model("roller_coaster", gravity=(0, 0, -9.81))
+    scene = cd.Scene("roller_coaster", gravity=(0, 0, -9.81))
     car = scene.body("car", mass=3.0, com=(0, 0.02, -0.2), inertia=(0.2, 0.3, 0.25))
     seat = scene.body("seat", mass=1.0, com=(0.02, 0, -0.1), inertia=(0.02, 0.02, 0.01))
     scene.joint("track", cd.PointOnCurve(TRACK, closed=True), scene.ground, car)
@@ -60,9 +60,9 @@ def roller_coaster() -> cd.Model:
     return scene
 
 
-def distance() -> cd.Model:
+def distance() -> cd.Scene:
     """A box on a light rod, and a pendulum on another rod below it."""
-    scene = cd.Model("distance", gravity=(0, 0.4, -9.81))
+    scene = cd.Scene("distance", gravity=(0, 0.4, -9.81))
     box = scene.body("box", mass=1.0, com=(0.05, 0, -0.1), inertia=(0.02, 0.015, 0.01))
     bob = scene.body("bob", mass=0.5, com=(0, 0.02, -0.05), inertia=(0.002, 0.003, 0.002))
     scene.joint("rod", cd.Distance(0.8, "-z"), scene.ground, box)
@@ -70,9 +70,9 @@ def distance() -> cd.Model:
     return scene
 
 
-def gear() -> cd.Model:
+def gear() -> cd.Scene:
     """Two unbalanced wheels that mesh, and a crown wheel on the second."""
-    scene = cd.Model("gear", gravity=(0, 0, -9.81))
+    scene = cd.Scene("gear", gravity=(0, 0, -9.81))
     small = scene.body("small", mass=1.0, com=(0.05, 0, 0.02), inertia=(0.003, 0.004, 0.003))
     large = scene.body("large", mass=3.0, com=(0.02, 0, 0.1), inertia=(0.02, 0.03, 0.02))
     crown = scene.body("crown", mass=0.5, com=(0, 0.03, 0), inertia=(0.001, 0.001, 0.002))

@@ -9,9 +9,9 @@ import cardan as cd
 from .mechanism import Mechanism, State
 
 
-def cylindrical() -> cd.Model:
+def cylindrical() -> cd.Scene:
     """A collar turning and sliding along a slanted rod, with a pendulum on it."""
-    scene = cd.Model("cylindrical", gravity=(0, 0, -9.81))
+    scene = cd.Scene("cylindrical", gravity=(0, 0, -9.81))
     collar = scene.body("collar", mass=1.5, com=(0.1, 0, 0.05), inertia=(0.02, 0.03, 0.025))
     bob = scene.body("bob", mass=0.7, com=(0, 0, -0.3), inertia=(0.01, 0.01, 0.002))
     scene.joint("rod", cd.Cylindrical((3, 0, 4)), scene.ground, collar)
@@ -19,9 +19,9 @@ def cylindrical() -> cd.Model:
     return scene
 
 
-def screw() -> cd.Model:
+def screw() -> cd.Scene:
     """An unbalanced nut on a vertical screw carrying a hinged arm."""
-    scene = cd.Model("screw", gravity=(0, 1.5, -9.81))
+    scene = cd.Scene("screw", gravity=(0, 1.5, -9.81))
     nut = scene.body("nut", mass=2.0, com=(0.15, 0, 0), inertia=(0.05, 0.04, 0.06))
     arm = scene.body("arm", mass=0.5, com=(0.3, 0, 0), inertia=(0.001, 0.02, 0.02))
     scene.joint("thread", cd.Screw("z", pitch=0.08), scene.ground, nut)
@@ -29,9 +29,9 @@ def screw() -> cd.Model:
     return scene
 
 
-def universal() -> cd.Model:
+def universal() -> cd.Scene:
     """A Hooke joint between a driven shaft and a bent one."""
-    scene = cd.Model("universal", gravity=(0, 0, -9.81))
+    scene = cd.Scene("universal", gravity=(0, 0, -9.81))
     shaft = scene.body("shaft", mass=3.0, inertia=(0.02, 0.02, 0.04))
     cross = scene.body("rotor", mass=2.0, com=(0.02, 0, -0.3), inertia=(0.05, 0.05, 0.01))
     scene.joint("bearing", cd.Revolute("z"), scene.ground, shaft)
@@ -39,9 +39,9 @@ def universal() -> cd.Model:
     return scene
 
 
-def planar() -> cd.Model:
+def planar() -> cd.Scene:
     """A puck sliding on a tilted table with a pendulum standing off it."""
-    scene = cd.Model("planar", gravity=(0.8, 0, -9.81))
+    scene = cd.Scene("planar", gravity=(0.8, 0, -9.81))
     puck = scene.body("puck", mass=1.0, com=(0.05, 0.02, 0), inertia=(0.01, 0.01, 0.02))
     flag = scene.body("flag", mass=0.3, com=(0.1, 0, -0.2), inertia=(0.004, 0.005, 0.002))
     scene.joint("table", cd.Planar("z"), scene.ground, puck)
@@ -49,9 +49,9 @@ def planar() -> cd.Model:
     return scene
 
 
-def parabola() -> cd.Model:
+def parabola() -> cd.Scene:
     """A user's joint: a sledge that slides along z = x²/2 and stays tangent to it."""
-    scene = cd.Model("parabola", gravity=(0, 0, -9.81))
+    scene = cd.Scene("parabola", gravity=(0, 0, -9.81))
     x = sympy.Symbol("x")
     # the tangent direction (1, x) turns the sledge about -y by atan(x)
     root = sympy.sqrt(1 + x**2)

@@ -15,7 +15,7 @@ def arch(elements: int, known: dict[str, float], clamped: bool = False) -> cd.Co
         known: Of the reference: radius R, arc_deg, EI, EA, GA.
         clamped: Whether the left end is; hinged else, as the right one is.
     """
-    scene, R, half = cd.Model("arch", gravity=(0, 0, 0)), known["R"], 0.5 * known["arc_deg"]
+    scene, R, half = cd.Scene("arch", gravity=(0, 0, 0)), known["R"], 0.5 * known["arc_deg"]
     EI, EA, GA = (known[name] for name in ("EI", "EA", "GA"))
     section = cd.section.general(EA=EA, GA=GA, GJ=EI, EI=EI, rhoA=1.0, rhoI=1e-3)
 
@@ -41,7 +41,7 @@ def arch(elements: int, known: dict[str, float], clamped: bool = False) -> cd.Co
 
 def shaft(elements: int, EI: float = 100.0) -> cd.CompiledModel:
     """Greenhill's: clamped at both ends, twisted at one that turns and slides along the axis."""
-    scene = cd.Model("shaft", gravity=(0, 0, 0))
+    scene = cd.Scene("shaft", gravity=(0, 0, 0))
     end = scene.body("end", mass=1, inertia=(1, 1, 1), pose=(1, 0, 0))
     scene.joint("turn", cd.Cylindrical("x"), scene.ground.at(1, 0, 0), end)
     section = cd.section.general(EA=1e7, GA=1e7, GJ=80, EI=EI)
@@ -52,7 +52,7 @@ def shaft(elements: int, EI: float = 100.0) -> cd.CompiledModel:
 
 def follower_column(elements: int, EI: float = 100.0) -> cd.CompiledModel:
     """Beck's: a cantilever pressed by a force P that turns along with its end."""
-    scene = cd.Model("beck", gravity=(0, 0, 0))
+    scene = cd.Scene("beck", gravity=(0, 0, 0))
     section = cd.section.general(EA=1e7, GA=1e7, GJ=80, EI=EI, rhoA=1.0, rhoI=1e-6)
     beam = scene.beam("b", scene.ground, (1, 0, 0), section, elements=elements)
     push = cd.Force(beam.end, (-scene.parameter("P", 0.0), 0, 0), in_=beam.end)

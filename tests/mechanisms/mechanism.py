@@ -42,7 +42,7 @@ class Mechanism:
     """
 
     name: str
-    build: Callable[[], cd.Model]
+    build: Callable[[], cd.Scene]
     states: tuple[State, ...]
     conservative: bool = True
     methods: tuple[str, ...] = METHODS

@@ -23,9 +23,9 @@ B = A * math.sin(BETA) / math.sin(ALPHA)
 BENNETT: Sides = ((A, ALPHA), (B, BETA), (A, ALPHA), (B, BETA))
 
 
-def bennett(gravity: tuple[float, float, float] = (0.0, 0.0, -9.81)) -> cd.Model:
+def bennett(gravity: tuple[float, float, float] = (0.0, 0.0, -9.81)) -> cd.Scene:
     """Four revolutes about skew axes; links 1 to 3 move, link 4 is the ground."""
-    scene = cd.Model("bennett", gravity=gravity)
+    scene = cd.Scene("bennett", gravity=gravity)
     ends = [scene.ground]
     for k, (length, _) in enumerate(BENNETT[:3]):
         ends.append(
@@ -80,9 +80,9 @@ FIVE: dict[str, Sides] = {
 """Length and twist of the links by the linkage. Myard's is its own mirror image: c = -b."""
 
 
-def five_revolutes(name: str, gravity: tuple[float, float, float] = (0.0, 0.0, -9.81)) -> cd.Model:
+def five_revolutes(name: str, gravity: tuple[float, float, float] = (0.0, 0.0, -9.81)) -> cd.Scene:
     """Goldberg's or Myard's linkage of five revolutes; its last link is the ground."""
-    scene = cd.Model(name, gravity=gravity)
+    scene = cd.Scene(name, gravity=gravity)
     *moving, (length, twist) = FIVE[name]
     near = scene.ground.at(0, 0, 0)
     for k, (side, turned) in enumerate(moving):

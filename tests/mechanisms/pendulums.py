@@ -7,9 +7,9 @@ import cardan as cd
 from .mechanism import Mechanism, State
 
 
-def pendulum() -> cd.Model:
+def pendulum() -> cd.Scene:
     """A rod on a hinge, described by two declared parameters."""
-    scene = cd.Model("pendulum", gravity=(0, 0, -9.81))
+    scene = cd.Scene("pendulum", gravity=(0, 0, -9.81))
     m = scene.parameter("m", 1.2, unit="kg")
     length = scene.parameter("l", 800, unit="mm")
     rod = scene.body(
@@ -19,9 +19,9 @@ def pendulum() -> cd.Model:
     return scene
 
 
-def double_pendulum() -> cd.Model:
+def double_pendulum() -> cd.Scene:
     """Two rods of different size in one plane."""
-    scene = cd.Model("double_pendulum", gravity=(0, 0, -9.81))
+    scene = cd.Scene("double_pendulum", gravity=(0, 0, -9.81))
     upper = scene.body(
         "upper", mass=1.0, com=(0, 0, -0.3), inertia=cd.inertia.rod(1.0, 0.6, axis="z")
     )
@@ -33,9 +33,9 @@ def double_pendulum() -> cd.Model:
     return scene
 
 
-def cart_pole() -> cd.Model:
+def cart_pole() -> cd.Scene:
     """A sliding cart with a pole whose hinge and center of mass are off the track."""
-    scene = cd.Model("cart_pole", gravity=(0, 0, -9.81))
+    scene = cd.Scene("cart_pole", gravity=(0, 0, -9.81))
     cart = scene.body("cart", mass=2.0, inertia=(0.1, 0.2, 0.3))
     pole = scene.body("pole", mass=0.5, com=(0, 0.02, -0.4), inertia=(0.03, 0.03, 0.001))
     scene.joint("track", cd.Prismatic("x"), scene.ground, cart)
@@ -43,9 +43,9 @@ def cart_pole() -> cd.Model:
     return scene
 
 
-def spatial_chain() -> cd.Model:
+def spatial_chain() -> cd.Scene:
     """Four bodies with general axes, rotated frames and full inertia tensors."""
-    scene = cd.Model("spatial_chain", gravity=(1.0, -2.0, -9.0))
+    scene = cd.Scene("spatial_chain", gravity=(1.0, -2.0, -9.0))
     axes = ((1, 2, 2), (0, -1, 0), (2, -1, 2), (-0.6, 0.8, 0))
     parent = scene.ground
     for i, axis in enumerate(axes):
@@ -57,9 +57,9 @@ def spatial_chain() -> cd.Model:
     return scene
 
 
-def mass_ratios() -> cd.Model:
+def mass_ratios() -> cd.Scene:
     """A chain of five rods, every one a hundred times heavier or lighter than the one before."""
-    scene = cd.Model("mass_ratios", gravity=(0, 0, -9.81))
+    scene = cd.Scene("mass_ratios", gravity=(0, 0, -9.81))
     parent = scene.ground
     for i, mass in enumerate((1.0, 0.01, 1.0, 0.01, 1.0)):
         inertia = cd.inertia.rod(mass, 0.5, axis="z")

@@ -11,10 +11,10 @@ import cardan as cd
 ROTATIONS = ("quaternion", "ZYX", "mrp", "rodrigues")
 
 
-def random_tree(seed: int) -> cd.Model:
+def random_tree(seed: int) -> cd.Scene:
     """A tree of 3 to 6 bodies; the same one for the same seed everywhere."""
     rng = np.random.default_rng(seed)
-    scene = cd.Model(f"tree_{seed}", gravity=tuple(_numbers(rng, 3, 9.81)))
+    scene = cd.Scene(f"tree_{seed}", gravity=tuple(_numbers(rng, 3, 9.81)))
     bodies: list[Any] = []
     for k in range(int(rng.integers(3, 7))):
         # principal values of some solid fulfil the triangle inequality

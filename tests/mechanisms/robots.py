@@ -54,7 +54,7 @@ class Standard:
     """
 
     title: str
-    build: Callable[[], cd.Model]
+    build: Callable[[], cd.Scene]
     needs: str = ""
 
 
@@ -62,7 +62,7 @@ def _urdf(title: str, file: str, base: str = "fixed") -> Standard:
     return Standard(title, lambda: cd.load(folder() / file, base=base), PACKAGE)
 
 
-def panda() -> cd.Model:
+def panda() -> cd.Scene:
     """The Panda arm with both finger joints made fixed: seven joints are left."""
     path = folder() / "panda_description/urdf/panda.urdf"
     text = path.read_text(encoding="utf-8")
@@ -75,7 +75,7 @@ def panda() -> cd.Model:
         return cd.load(copy)
 
 
-def puma() -> cd.Model:
+def puma() -> cd.Scene:
     """PUMA 560 without motors, from its table of parameters."""
     keys = ("a", "alpha", "d", "mass", "com", "inertia")
     rows = json.loads(PUMA.read_text("utf-8"))["rows"]

@@ -9,18 +9,18 @@ import cardan as cd
 COIN = {"r": 0.1, "m": 1.0, "g": 9.81}
 
 
-def coin() -> cd.Model:
+def coin() -> cd.Scene:
     """A thin uniform disk that rolls on the ground."""
     r, m = COIN["r"], COIN["m"]
-    scene = cd.Model("coin", gravity=(0, 0, -COIN["g"]))
+    scene = cd.Scene("coin", gravity=(0, 0, -COIN["g"]))
     disk = scene.body("disk", mass=m, inertia=(m * r**2 / 4, m * r**2 / 2, m * r**2 / 4))
     scene.joint("rolls", cd.RollingDisk(r), scene.ground, disk)
     return scene
 
 
-def skate() -> cd.Model:
+def skate() -> cd.Scene:
     """A disk that slides along its edge on a slope, and carries a pendulum."""
-    scene = cd.Model("skate", gravity=(1.5, 0.4, -9.5))
+    scene = cd.Scene("skate", gravity=(1.5, 0.4, -9.5))
     disk = scene.body("disk", mass=2.0, com=(0.02, 0, 0.05), inertia=(0.02, 0.03, 0.02))
     bob = scene.body("bob", mass=0.3, com=(0, 0, -0.2), inertia=(0.004, 0.004, 0.001))
     scene.joint("rolls", cd.RollingDisk(0.2, "z", knife_edge=True), scene.ground, disk)
@@ -28,9 +28,9 @@ def skate() -> cd.Model:
     return scene
 
 
-def wheel() -> cd.Model:
+def wheel() -> cd.Scene:
     """A wheel with a round tread on a tilted plane, with a fork on its axle."""
-    scene = cd.Model("wheel", gravity=(0, 0, -9.81))
+    scene = cd.Scene("wheel", gravity=(0, 0, -9.81))
     rim = scene.body("rim", mass=3.0, com=(0, 0.01, 0), inertia=(0.05, 0.09, 0.05))
     fork = scene.body("fork", mass=1.0, com=(0.1, 0, 0.3), inertia=(0.03, 0.03, 0.005))
     scene.joint("rolls", cd.Wheel(0.35, 0.05, (0.1, 0, 1)), scene.ground.at(0.3, 0, 0), rim)
@@ -38,15 +38,15 @@ def wheel() -> cd.Model:
     return scene
 
 
-def tire() -> cd.Model:
+def tire() -> cd.Scene:
     """An unbalanced wheel that may slide sideways on a wall."""
-    scene = cd.Model("tire", gravity=(0, 0, -9.81))
+    scene = cd.Scene("tire", gravity=(0, 0, -9.81))
     rim = scene.body("rim", mass=3.0, com=(0.02, 0.01, 0), inertia=(0.05, 0.09, 0.05))
     scene.joint("rolls", cd.Wheel(0.35, 0.1, "x", lateral_slip=True), scene.ground, rim)
     return scene
 
 
-ROLLING: dict[str, Callable[[], cd.Model]] = {
+ROLLING: dict[str, Callable[[], cd.Scene]] = {
     "coin": coin,
     "skate": skate,
     "wheel": wheel,

@@ -84,19 +84,19 @@ def start(rotation: str) -> tuple[float, ...]:
     return (*matrix[:, 0], *matrix[:, 1])
 
 
-def spherical(rotation: str) -> cd.Model:
+def spherical(rotation: str) -> cd.Scene:
     """A body of general inertia hanging from a ball joint."""
     down, com = hanging(rotation)
-    scene = cd.Model(f"spherical_{rotation}", gravity=tuple(9.81 * down))
+    scene = cd.Scene(f"spherical_{rotation}", gravity=tuple(9.81 * down))
     inertia = {"xx": 0.06, "yy": 0.05, "zz": 0.07, "xy": 0.004, "xz": -0.002, "yz": 0.003}
     top = scene.body("top", mass=1.5, com=tuple(0.4 * com), inertia=inertia)
     scene.joint("ball", cd.Spherical(rotation=rotation), scene.ground, top)
     return scene
 
 
-def free(rotation: str) -> cd.Model:
+def free(rotation: str) -> cd.Scene:
     """A body drifting and slowly turning in space, a small pendulum hinged to it."""
-    scene = cd.Model(f"free_{rotation}", gravity=(0, 0, 0))
+    scene = cd.Scene(f"free_{rotation}", gravity=(0, 0, 0))
     bus = scene.body("bus", mass=5.0, com=(0.1, 0, -0.05), inertia=(0.5, 0.4, 0.6))
     boom = scene.body("boom", mass=0.5, com=(0.3, 0, 0), inertia=(0.001, 0.02, 0.02))
     scene.joint("float", cd.Free(rotation=rotation), scene.ground, bus)

@@ -9,9 +9,9 @@ import cardan as cd
 from .mechanism import Mechanism, State
 
 
-def orbiter() -> cd.Model:
+def orbiter() -> cd.Scene:
     """A hub with a panel on a spring about a flattened planet, which sees their extent."""
-    scene = cd.Model("orbiter", gravity=(0, 0, 0))
+    scene = cd.Scene("orbiter", gravity=(0, 0, 0))
     hub = scene.body("hub", mass=2.0, com=(0.01, 0, 0.02), inertia=(0.05, 0.07, 0.04))
     flat = {"xx": 0.003, "yy": 0.02, "zz": 0.02, "xy": 1e-3}
     panel = scene.body("panel", mass=0.4, com=(0.2, 0, 0), inertia=flat)
@@ -26,9 +26,9 @@ def orbiter() -> cd.Model:
     return scene
 
 
-def binary() -> cd.Model:
+def binary() -> cd.Scene:
     """Two bodies that attract each other, the heavier of which is flattened, and a pendulum."""
-    scene = cd.Model("binary", gravity=(0, 0, 0))
+    scene = cd.Scene("binary", gravity=(0, 0, 0))
     star = scene.body("star", mass=3.0, com=(0.02, 0, 0), inertia=(0.4, 0.4, 0.5))
     moon = scene.body("moon", mass=0.5, com=(0, 0.03, 0), inertia=(0.02, 0.03, 0.025))
     bob = scene.body("bob", mass=0.1, com=(0, 0, -0.2), inertia=(1e-3, 1e-3, 5e-4))
@@ -43,9 +43,9 @@ def binary() -> cd.Model:
     return scene
 
 
-def librating() -> cd.Model:
+def librating() -> cd.Scene:
     """A satellite whose attitude in a circular orbit is what moves: roll x, pitch y, yaw z."""
-    scene = cd.Model("librating", gravity=(0, 0, 0))
+    scene = cd.Scene("librating", gravity=(0, 0, 0))
     rate = scene.parameter("n", 1.0, unit="rad/s")
     place = cd.orbit.circular(scene, "orbit", rate**2 * 7.0**3, 7.0, inclination=0.5)
     sat = scene.body("sat", mass=3.0, inertia=(10, 12, 5))
@@ -54,9 +54,9 @@ def librating() -> cd.Model:
     return scene
 
 
-def gyrostat() -> cd.Model:
+def gyrostat() -> cd.Scene:
     """A free body with wheels of every kind: of constant momentum and speed, free, and driven."""
-    scene = cd.Model("gyrostat", gravity=(0, 0, 0))
+    scene = cd.Scene("gyrostat", gravity=(0, 0, 0))
     bus = scene.body("bus", mass=5.0, com=(0.1, 0, 0.05), inertia=(2.0, 2.5, 3.0))
     scene.joint("free", cd.Free(), scene.ground, bus)
     scene.force("kept", cd.Rotor(bus, axis=(1, 2, -2), momentum=1.5))
@@ -66,13 +66,13 @@ def gyrostat() -> cd.Model:
     return scene
 
 
-def dual_spin() -> cd.Model:
+def dual_spin() -> cd.Scene:
     """A satellite on a frame that spins at nu, with a wheel of momentum hs and a nutation damper.
 
     Its coordinates are the small turns against the frame. The damper is a mass that slides along
     the axis, and is part of the inertia about the mass centre: I1 = 4, I2 = 4.2, I3 = 3.6.
     """
-    scene = cd.Model("dual_spin", gravity=(0, 0, 0))
+    scene = cd.Scene("dual_spin", gravity=(0, 0, 0))
     nu = scene.parameter("nu", 1.2, unit="rad/s")
     hs = scene.parameter("hs", 3.0, unit="N*m*s")
     frame = scene.body("frame")

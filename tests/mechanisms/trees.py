@@ -7,9 +7,9 @@ import cardan as cd
 from .mechanism import Mechanism, State
 
 
-def branched() -> cd.Model:
+def branched() -> cd.Scene:
     """A turning trunk with two arms of two links, one arm ending in a welded tool."""
-    scene = cd.Model("branched", gravity=(0, 0, -9.81))
+    scene = cd.Scene("branched", gravity=(0, 0, -9.81))
     trunk = scene.body("trunk", mass=4.0, com=(0, 0.05, 0.3), inertia=(0.3, 0.3, 0.1))
     scene.joint("waist", cd.Revolute("z"), scene.ground, trunk)
     for side, y in (("left", 0.3), ("right", -0.3)):
@@ -27,9 +27,9 @@ def branched() -> cd.Model:
     return scene
 
 
-def satellite() -> cd.Model:
+def satellite() -> cd.Scene:
     """A free hub with a hinged panel on either side and a sliding mass inside."""
-    scene = cd.Model("satellite", gravity=(0, 0, 0))
+    scene = cd.Scene("satellite", gravity=(0, 0, 0))
     hub = scene.body("hub", mass=10.0, com=(0.01, 0, 0.02), inertia=(1.0, 1.2, 0.9))
     scene.joint("float", cd.Free(), scene.ground, hub)
     for side, y in (("port", 0.5), ("starboard", -0.5)):
@@ -40,9 +40,9 @@ def satellite() -> cd.Model:
     return scene
 
 
-def point_masses() -> cd.Model:
+def point_masses() -> cd.Scene:
     """Point masses on massless gimbal rings: only the whole has inertia."""
-    scene = cd.Model("point_masses", gravity=(0, 0, -9.81))
+    scene = cd.Scene("point_masses", gravity=(0, 0, -9.81))
     ring = scene.body("ring", mass=0)
     stem = scene.body("stem", mass=0.5, com=(0.1, 0, -0.4))
     scene.joint("roll", cd.Revolute("x"), scene.ground, ring)
@@ -53,9 +53,9 @@ def point_masses() -> cd.Model:
     return scene
 
 
-def heavy_tip() -> cd.Model:
+def heavy_tip() -> cd.Scene:
     """A light two-link arm with a load ten thousand times its mass on a ball joint."""
-    scene = cd.Model("heavy_tip", gravity=(0, 0, -9.81))
+    scene = cd.Scene("heavy_tip", gravity=(0, 0, -9.81))
     inertia = cd.inertia.rod(0.001, 0.5, axis="z")
     first = scene.body("first", mass=0.001, com=(0, 0, -0.25), inertia=inertia)
     second = scene.body("second", mass=0.001, com=(0, 0, -0.25), inertia=inertia)

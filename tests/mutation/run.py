@@ -19,7 +19,7 @@ from typing import Any
 import numpy as np
 
 from cardan.errors import CardanError
-from cardan.ir.request import reads
+from cardan.schema.request import reads
 
 from . import elements, rewrites
 from .faults import Fault, harmed, harmed_text, lines, sites

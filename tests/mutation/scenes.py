@@ -87,7 +87,7 @@ def loaded(name: str, folder: Path) -> Loaded:
     return Loaded(name, model, keys, {f: saved[f] for f in wanted}, equations)
 
 
-def _rigid(name: str) -> cd.Model:
+def _rigid(name: str) -> cd.Scene:
     return (ZOO[name] if name in ZOO else CLOSED[name]).build()
 
 

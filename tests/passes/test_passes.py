@@ -8,7 +8,7 @@ import mpmath
 import pytest
 from hypothesis import given, settings
 
-from cardan.equations.record import Equations
+from cardan.equations.record import EquationRecord
 from cardan.ir.function import Function, cost
 from cardan.ir.grammar import check
 from cardan.ir.graph import Graph, SystemNames
@@ -70,7 +70,7 @@ METHODS = {
 @each("method", METHODS)
 def test_functions_of_trees(name: str, method: str) -> None:
     system, p = TREES[name].system, TREES[name].exact
-    f = Equations(system, method).function(METHODS[method])
+    f = EquationRecord(system, method).function(METHODS[method])
     with mpmath.workdps(80):
         exact = [mpmath.mpf(x.numerator) / x.denominator for x in p]
     values = {**state(system, seed=5), "p": exact}
@@ -86,7 +86,7 @@ def test_functions_of_trees(name: str, method: str) -> None:
 
 def test_derivation_and_passes_are_deterministic() -> None:
     def made() -> Function:
-        f = Equations(TREES["branched"].system, "composite").function("forward_dynamics")
+        f = EquationRecord(TREES["branched"].system, "composite").function("forward_dynamics")
         return optimize(f, tuple(PASSES)).function
 
     first, second = made(), made()
@@ -96,12 +96,14 @@ def test_derivation_and_passes_are_deterministic() -> None:
 
 
 def test_standard_passes() -> None:
-    composite = Equations(TREES["chain"].system, "composite").function("forward_dynamics")
+    composite = EquationRecord(TREES["chain"].system, "composite").function("forward_dynamics")
     arm = tree("rprr", range(-1, 3)).system
-    articulated = Equations(arm, "articulated").function("forward_dynamics")
+    articulated = EquationRecord(arm, "articulated").function("forward_dynamics")
     assert standard(articulated) == ("reassociate",)
     assert standard(composite) == ("unroll", "reassociate")
-    seven = Equations(tree("r" * 7, range(-1, 6)).system, "composite").function("forward_dynamics")
+    seven = EquationRecord(tree("r" * 7, range(-1, 6)).system, "composite").function(
+        "forward_dynamics"
+    )
     assert standard(seven) == ("unroll",)
     assert "solve" in composite.operations()
     assert "solve" not in optimize(composite).operations()

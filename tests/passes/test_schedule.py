@@ -41,7 +41,7 @@ def test_fewer_values_wait() -> None:
 
 
 def test_where_it_is_applied() -> None:
-    scene = cd.Model("pendulum", gravity=(0, 0, -9.81))
+    scene = cd.Scene("pendulum", gravity=(0, 0, -9.81))
     bob = scene.body("bob", mass=1.0, com=(0, 0, -1), inertia=(0.1, 0.1, 0.1))
     scene.joint("hinge", cd.Universal("x", "y"), scene.ground, bob)
     equations = cd.derive(scene)

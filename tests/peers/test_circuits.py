@@ -15,7 +15,7 @@ from mechanisms.closed import CLOSED, Closed, four_bar
 FORWARD = "forward_dynamics"
 
 
-def found(scene: cd.Model) -> tuple[cd.CompiledModel, Circuits]:
+def found(scene: cd.Scene) -> tuple[cd.CompiledModel, Circuits]:
     model = cd.compile(scene)
     closed = circuits(model)
     assert isinstance(closed, Circuits), closed

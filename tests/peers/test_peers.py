@@ -84,7 +84,7 @@ def test_speeds_of_others_change_as_their_accelerations_say() -> None:
 
 
 def test_central_inertia_is_what_was_written() -> None:
-    scene = cd.Model("one")
+    scene = cd.Scene("one")
     body = scene.body("body", mass=2.0, com=(0.1, 0.2, 0.3), inertia=(0.3, 0.4, 0.5))
     scene.joint("hinge", cd.Revolute("z"), scene.ground, body)
     com, inertia = central(scene_of(cd.compile(scene)))

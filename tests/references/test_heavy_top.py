@@ -20,7 +20,7 @@ Array = np.ndarray
 def top(tree: bool) -> tuple[cd.CompiledModel, Array]:
     """The model and its start: as a ball joint, or as a free body held at a point."""
     given, omega = KNOWN["parameters"], np.array(KNOWN["initial_state"]["Omega0_body"])
-    scene = cd.Model("heavy_top", gravity=tuple(given["g"]))
+    scene = cd.Scene("heavy_top", gravity=tuple(given["g"]))
     body = scene.body("top", mass=given["m"], com=(0, 0, 0), inertia=tuple(given["J_cog"]))
     point = body.at(*(-x for x in given["X"]))
     if tree:

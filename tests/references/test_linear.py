@@ -93,9 +93,9 @@ def test_speeds_at_which_the_bicycle_is_stable(bicycle: cd.CompiledModel) -> Non
 INERTIAS = ((10.0, 12.0, 5.0), (12.0, 10.0, 5.0), (10.0, 5.0, 12.0), (9.0, 10.0, 2.0))
 
 
-def satellite(kind: str) -> cd.Model:
+def satellite(kind: str) -> cd.Scene:
     """x flies ahead, z points down, y is against the orbit's normal; orbit rate 1."""
-    scene = cd.Model("satellite", gravity=(0, 0, 0))
+    scene = cd.Scene("satellite", gravity=(0, 0, 0))
     orbit = scene.body("orbit", mass=0, inertia=(0, 0, 0))
     inertia = [
         scene.parameter(f"I{axis}", value) for axis, value in zip("xyz", INERTIAS[0], strict=True)
@@ -142,9 +142,9 @@ def test_satellite_in_a_gradient_of_gravity(kind: str) -> None:
 I1, I2, I3, AXIAL = 4.0, 5.0, 3.0, 0.5
 
 
-def gyrostat(damped: bool = False) -> cd.Model:
+def gyrostat(damped: bool = False) -> cd.Scene:
     """A platform with principal moments I1, I2, I3 together with its rotor along z."""
-    scene = cd.Model("gyrostat", gravity=(0, 0, 0))
+    scene = cd.Scene("gyrostat", gravity=(0, 0, 0))
     platform = scene.body("platform", mass=1, inertia=(I1 - 0.3, I2 - 0.3, I3 - AXIAL))
     rotor = scene.body("rotor", mass=1, inertia=(0.3, 0.3, AXIAL))
     scene.joint("attitude", cd.Spherical(), scene.ground, platform)
@@ -202,7 +202,7 @@ def test_a_damper_on_the_platform(spin: float, stable: bool) -> None:
     ("Ia", "It", "m", "length"), some([(0.1, 0.5, 2.0, 0.4), (0.6, 0.5, 1.0, 0.3)], 2)
 )
 def test_sleeping_top(Ia: float, It: float, m: float, length: float) -> None:
-    scene = cd.Model("top", gravity=(0, 0, -G))
+    scene = cd.Scene("top", gravity=(0, 0, -G))
     center = It - m * length**2
     top = scene.body("top", mass=m, com=(0, 0, length), inertia=(center, center, Ia))
     scene.joint("tip", cd.Spherical(), scene.ground, top)
@@ -221,7 +221,7 @@ def test_sleeping_top(Ia: float, It: float, m: float, length: float) -> None:
 
 @pytest.mark.parametrize("r", some([0.1, 0.35], 2))
 def test_upright_coin(r: float) -> None:
-    scene = cd.Model("coin", gravity=(0, 0, -G))
+    scene = cd.Scene("coin", gravity=(0, 0, -G))
     disk = scene.body("disk", mass=2.0, inertia=(r**2 / 2, r**2, r**2 / 2))
     scene.joint("rolls", cd.RollingDisk(r), scene.ground, disk)
     model = cd.compile(scene)

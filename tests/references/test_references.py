@@ -18,9 +18,9 @@ def reference(name: str) -> dict[str, Any]:
     return json.loads((HERE / f"{name}.json").read_text(encoding="utf-8"))
 
 
-def double_pendulum() -> cd.Model:
+def double_pendulum() -> cd.Scene:
     """Point masses of 1 kg on massless rods of 1 m."""
-    scene = cd.Model("double_pendulum_A", gravity=(0, 0, -9.81))
+    scene = cd.Scene("double_pendulum_A", gravity=(0, 0, -9.81))
     upper = scene.body("upper", mass=1.0, com=(0, 0, -1.0))
     lower = scene.body("lower", mass=1.0, com=(0, 0, -1.0))
     scene.joint("shoulder", cd.Revolute("y"), scene.ground, upper)
@@ -48,7 +48,7 @@ def test_double_pendulum(method: str) -> None:
 
 def test_pendulum() -> None:
     known = reference("iftomm_A01_pendulum")
-    scene = cd.Model("iftomm_A01", gravity=(0, -9.81, 0))
+    scene = cd.Scene("iftomm_A01", gravity=(0, -9.81, 0))
     bob = scene.body("bob", mass=1.0, com=(-1.0, 0, 0))
     scene.joint("pivot", cd.Revolute("z"), scene.ground, bob)
     model = cd.compile(scene)
@@ -62,7 +62,7 @@ def test_pendulum() -> None:
 
 def test_pendulum_energy_at_ordinary_tolerances() -> None:
     known = reference("iftomm_A01_pendulum")
-    scene = cd.Model("iftomm_A01", gravity=(0, -9.81, 0))
+    scene = cd.Scene("iftomm_A01", gravity=(0, -9.81, 0))
     bob = scene.body("bob", mass=1.0, com=(-1.0, 0, 0))
     scene.joint("pivot", cd.Revolute("z"), scene.ground, bob)
     model = cd.compile(scene)
@@ -71,8 +71,8 @@ def test_pendulum_energy_at_ordinary_tolerances() -> None:
     assert np.abs(total - total[0]).max() < known["published_drift"]
 
 
-def rigid_body(rotation: str) -> cd.Model:
-    scene = cd.Model("torque_free", gravity=(0, 0, 0))
+def rigid_body(rotation: str) -> cd.Scene:
+    scene = cd.Scene("torque_free", gravity=(0, 0, 0))
     body = scene.body("body", mass=1.0, inertia=(1.0, 2.0, 3.0))
     scene.joint("ball", cd.Spherical(rotation=rotation), scene.ground, body)
     return scene

@@ -26,7 +26,7 @@ def coin(treatment: str) -> cd.CompiledModel:
     """A thin disk on the ground plane."""
     known = reference("coin_steady")["parameters"]
     m, r = known["m"], known["r"]
-    scene = cd.Model("coin", gravity=(0, 0, -known["g"]))
+    scene = cd.Scene("coin", gravity=(0, 0, -known["g"]))
     disk = scene.body("disk", mass=m, inertia=(m * r**2 / 4, m * r**2 / 2, m * r**2 / 4))
     scene.joint("rolling", cd.RollingDisk(r), scene.ground, disk)
     return cd.compile(cd.derive(scene, constraints=treatment))

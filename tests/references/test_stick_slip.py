@@ -19,7 +19,7 @@ END_OF_SLIP = -0.5410063538636437
 
 
 def test_limit_cycle() -> None:
-    scene = cd.Model("stick_slip", gravity=(0, 0, 0))
+    scene = cd.Scene("stick_slip", gravity=(0, 0, 0))
     scene.joint("x", cd.Prismatic("x"), scene.ground, scene.body("block", mass=1.0))
     scene.force("spring", cd.TorsionSpring("x", stiffness=1.0))
     law = STATIC / (1 + FALL * sp.Abs(scene.u("x") - BELT))

@@ -20,7 +20,7 @@ MASSES = {"upper": 2.0, "lower": 1.5, "tool": 0.5}
 
 @pytest.fixture(scope="module")
 def equations():
-    scene = cd.Model("arm", gravity=tuple(GRAVITY))
+    scene = cd.Scene("arm", gravity=tuple(GRAVITY))
     bodies = {
         name: scene.body(name, mass=mass, com=(0.1, 0.02, -0.2), inertia=(0.02, 0.03, 0.01))
         for name, mass in MASSES.items()
@@ -129,7 +129,7 @@ def test_exported_model_runs_alone(equations, tmp_path, state, arm):
 
 def test_names_with_one_spelling_in_c_keep_their_frames(tmp_path):
     """A saved model finds by name what the writer told apart by numbers."""
-    scene = cd.Model("twins")
+    scene = cd.Scene("twins")
     b = scene.body("b", mass=1, com=(1, 0, 0))
     scene.joint("j", cd.Revolute("z"), scene.ground, b)
     places = {"a b": 1.0, "a_b": 2.0}
@@ -143,7 +143,7 @@ def test_names_with_one_spelling_in_c_keep_their_frames(tmp_path):
 
 def test_a_pickle_holds_what_was_not_used_yet():
     """All that takes no frame or joint, as far as it exists: a massless tip has no udot."""
-    scene = cd.Model("fresh")
+    scene = cd.Scene("fresh")
     b = scene.body("b", mass=1, com=(1, 0, 0))
     scene.joint("j", cd.Revolute("y"), scene.ground, b)
     model = pickle.loads(pickle.dumps(cd.compile(scene)))
@@ -157,7 +157,7 @@ def test_a_pickle_holds_what_was_not_used_yet():
 
 def test_verification_moves_the_inputs(tmp_path, cache_directory, monkeypatch):
     """A derivation that loses the acceleration of an input is found when it is built."""
-    scene = cd.Model("shaker", gravity=(0, 0, 0))
+    scene = cd.Scene("shaker", gravity=(0, 0, 0))
     turn = scene.input("turn")
     table, arm = scene.body("table"), scene.body("arm", mass=2, com=(0.3, 0.2, 0.1))
     scene.joint("axle", cd.Revolute("z"), scene.ground, table, motion=2 * turn)

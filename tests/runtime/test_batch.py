@@ -26,7 +26,7 @@ FUNCTIONS = ("forward_dynamics", "rhs", "pose", "energy")
 
 @pytest.fixture(scope="module")
 def equations():
-    scene = cd.Model("pair", gravity=(0, 0, -9.81))
+    scene = cd.Scene("pair", gravity=(0, 0, -9.81))
     upper = scene.body("upper", mass=2.0, com=(0.1, 0, -0.2), inertia=(0.02, 0.03, 0.01))
     lower = scene.body("lower", mass=1.0, com=(0, 0.02, -0.3), inertia=(0.01, 0.02, 0.01))
     scene.joint("shoulder", cd.Universal("x", "y"), scene.ground, upper)

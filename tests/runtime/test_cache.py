@@ -23,7 +23,7 @@ from cardan.runtime.build import cache, cache_folder, cpu_levels, object_file, t
 
 pytestmark = pytest.mark.usefixtures("cache_directory")
 BUILD = (
-    "import sys, pathlib; from cardan.runtime import cache; "
+    "import sys, pathlib; from cardan.runtime.build import cache; "
     "print(cache.build([pathlib.Path(sys.argv[1])]).path)"
 )
 
@@ -301,8 +301,8 @@ def test_no_space_left_wherever_something_is_written(source, cache_directory, po
 
 
 SMALL = (
-    "import resource, signal, sys, pathlib; from cardan.runtime import cache; cache.compiler(); "
-    "signal.signal(signal.SIGXFSZ, signal.SIG_IGN); "
+    "import resource, signal, sys, pathlib; from cardan.runtime.build import cache; "
+    "cache.compiler(); signal.signal(signal.SIGXFSZ, signal.SIG_IGN); "
     "resource.setrlimit(resource.RLIMIT_FSIZE, (2000, 2000)); "
     "cache.build([pathlib.Path(sys.argv[1])])"
 )

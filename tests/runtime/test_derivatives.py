@@ -199,7 +199,7 @@ def test_frame_jacobians_in_both_axes(name: str) -> None:
 
 @pytest.mark.parametrize("wrt", [None, 3, ()])
 def test_wrt_must_name_something(wrt: object) -> None:
-    scene = cd.Model("slider")
+    scene = cd.Scene("slider")
     scene.joint("slide", cd.Prismatic("x"), scene.ground, scene.body("block", mass=1.0))
     model = cd.compile(scene)
     with pytest.raises(CardanError, match=r"wrt(=.*: give text| is a block such as 'q')"):

@@ -9,8 +9,8 @@ import sympy
 import cardan as cd
 
 
-def geared() -> cd.Model:
-    scene = cd.Model("geared", gravity=(0, 0, -9.81))
+def geared() -> cd.Scene:
+    scene = cd.Scene("geared", gravity=(0, 0, -9.81))
     inertia = (0.1, 0.1, 0.1)
     base = scene.body("base", mass=3, inertia=inertia)
     slide = scene.body("slide", mass=1, inertia=inertia)

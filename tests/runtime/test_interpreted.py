@@ -100,7 +100,7 @@ def test_it_is_said_once(bare):
 
 def bare_model() -> Path:
     """The directory of a pendulum, two of whose functions are written."""
-    scene = cd.Model("bob", gravity=(0, 0, -9.81))
+    scene = cd.Scene("bob", gravity=(0, 0, -9.81))
     scene.joint("j", cd.Revolute("y"), scene.ground, scene.body("b", mass=1.0, com=(0, 0, -1.0)))
     equations = cd.derive(scene)
     model = cd.compile(equations)
@@ -120,7 +120,7 @@ def test_expressions_that_were_not_saved(model, bare):
 @pytest.mark.filterwarnings("ignore::cardan.errors.BuildWarning")
 def test_singular_states_of_a_batch_become_nan(bare):
     """Only they, with a warning; one alone is an error; as compiled."""
-    scene = cd.Model("hanging", gravity=(0, 0, -9.81))
+    scene = cd.Scene("hanging", gravity=(0, 0, -9.81))
     ring, bob = scene.body("ring", mass=0), scene.body("bob", mass=1.0, com=(0, 0, -1.0))
     scene.joint("turn", cd.Revolute("z"), scene.ground, ring)
     scene.joint("lift", cd.Revolute("y"), ring, bob)

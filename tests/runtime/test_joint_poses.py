@@ -62,7 +62,7 @@ class Cam(Joint):
 
 
 def cam(wrong: float) -> cd.CompiledModel:
-    scene = cd.Model("cam")
+    scene = cd.Scene("cam")
     body = scene.body("follower", mass=1.0, com=(0.2, 0.1, 0), inertia=(0.1, 0.2, 0.3))
     scene.joint("lifts", Cam(wrong), scene.ground, body)
     return cd.compile(scene)
@@ -83,7 +83,7 @@ def test_a_new_joint_whose_motion_is_wrong_is_found(function):
 
 
 def test_joints_that_move_alike_share_a_pose():
-    scene = cd.Model("chain")
+    scene = cd.Scene("chain")
     parent = scene.ground
     for k in range(6):
         body = scene.body(f"link{k}", mass=1.0, com=(0, 0, 0.5))

@@ -144,7 +144,7 @@ def test_first_run_compiles_no_kernel(tmp_path: Path) -> None:
     if prebuilt.current() is None:
         pytest.skip("cardan was installed without kernels of these sources")
     code = (
-        "from cardan.runtime import toolchain, cache\n"
+        "from cardan.runtime.build import toolchain, cache\n"
         "whole = toolchain.compile_shared\n"
         "def told(by, sources, *more):\n"
         "    print(*sources, sep='\\n')\n"

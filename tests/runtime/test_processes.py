@@ -53,7 +53,7 @@ COMPILE = """
 import os, subprocess, sys
 
 import cardan as cd
-from cardan.runtime import cache
+from cardan.runtime.build import cache
 
 real, swept = cache.compile_shared, []
 
@@ -73,7 +73,7 @@ print(motion.success, len(swept), sum(swept))
 SWEEP = """
 import sys
 from pathlib import Path
-from cardan.runtime import cache
+from cardan.runtime.build import cache
 cache.sweep(Path(sys.argv[1]))
 """
 

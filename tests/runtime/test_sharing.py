@@ -31,7 +31,7 @@ START = {"q": {"elbow": 0.4}}
 @pytest.fixture
 def double() -> cd.CompiledModel:
     """A double pendulum, nothing of it compiled yet."""
-    scene = cd.Model("shared", gravity=(0, 0, -9.81))
+    scene = cd.Scene("shared", gravity=(0, 0, -9.81))
     rod = cd.inertia.rod(1.0, 0.5, axis="z")
     upper = scene.body("upper", mass=1.0, com=(0, 0, -0.25), inertia=rod)
     lower = scene.body("lower", mass=1.0, com=(0, 0, -0.25), inertia=rod)
@@ -156,7 +156,7 @@ TOGETHER = """\
 import sys
 import cardan as cd
 
-scene = cd.Model("together", gravity=(0, 0, -9.81))
+scene = cd.Scene("together", gravity=(0, 0, -9.81))
 rod = scene.body("rod", mass=1.0, com=(0, 0, -0.5), inertia=(0.1, 0.1, 0.01))
 scene.joint("pivot", cd.Revolute("y"), scene.ground, rod)
 print("ready", flush=True)
@@ -203,8 +203,8 @@ def test_processes_compile_one_model_at_once(killed, cache_directory):
     assert again.stdout.split() == ["ready", told[-1]]
 
 
-def pendulum() -> cd.Model:
-    scene = cd.Model("full", gravity=(0, 0, -9.81))
+def pendulum() -> cd.Scene:
+    scene = cd.Scene("full", gravity=(0, 0, -9.81))
     rod = scene.body("rod", mass=1.0, com=(0, 0, -0.5), inertia=(0.1, 0.1, 0.01))
     scene.joint("pivot", cd.Revolute("y"), scene.ground, rod)
     return scene
@@ -305,7 +305,7 @@ def test_ctrl_c_stops_a_long_loop_in_c(double, what):
 
 
 def test_threads_that_load_elements_do_not_wait_for_each_other() -> None:
-    scene = cd.Model("hung", gravity=(0, 0, -9.81))
+    scene = cd.Scene("hung", gravity=(0, 0, -9.81))
     rod = scene.body("rod", mass=1.0, com=(0, 0, -0.25), inertia=(0.1, 0.1, 0.1))
     scene.joint("pin", cd.Revolute("y"), scene.ground, rod)
     model = cd.compile(scene, coordinates="absolute")

@@ -16,7 +16,7 @@ from cardan.runtime.trajectory.storage import load
 
 def build() -> cd.CompiledModel:
     """Pendulum with damping, on it a ball joint."""
-    scene = cd.Model("swing", gravity=(0, 0, -9.81))
+    scene = cd.Scene("swing", gravity=(0, 0, -9.81))
     rod = scene.body("rod", mass=1.0, com=(0, 0, -0.5), inertia=(0.1, 0.1, 0.01))
     bob = scene.body("bob", mass=0.5, com=(0, 0, -0.2), inertia=(0.02, 0.02, 0.01))
     scene.joint("pivot", cd.Revolute("y"), scene.ground, rod)
@@ -123,7 +123,7 @@ def test_files_that_are_no_runs(motion: cd.Trajectory, tmp_path: Path) -> None:
         load(tmp_path / "half.nc")
     with pytest.raises(cd.ModelError, match="does not exist"):
         motion.save(tmp_path / "missing" / "run.nc")
-    scene = cd.Model("other")
+    scene = cd.Scene("other")
     body = scene.body("b", mass=1, com=(0, 0, -1), inertia=(1, 1, 1))
     scene.joint("hinge", cd.Revolute("y"), scene.ground, body)
     with pytest.raises(cd.ModelError, match="another model"):

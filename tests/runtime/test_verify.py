@@ -139,7 +139,7 @@ def test_rotors_of_drives_are_judged() -> None:
 
 
 def test_terms_that_cancel_are_no_fault() -> None:
-    scene = cd.Model("ball", gravity=(0, 0, 0))
+    scene = cd.Scene("ball", gravity=(0, 0, 0))
     ball = scene.body("ball", mass=1, inertia=(1, 1, 1))
     scene.joint("pivot", cd.Spherical(), scene.ground, ball)
     model = cd.compile(scene)
@@ -149,7 +149,7 @@ def test_terms_that_cancel_are_no_fault() -> None:
 
 
 def test_a_singular_mass_matrix_is_announced_by_name() -> None:
-    scene = cd.Model("table")
+    scene = cd.Scene("table")
     table = scene.body("table")
     arm = scene.body("arm", mass=1.0, com=(0.1, 0, 0), inertia=(0.1, 0.2, 0.3))
     scene.joint("base", cd.Spherical(), scene.ground, table)
@@ -160,7 +160,7 @@ def test_a_singular_mass_matrix_is_announced_by_name() -> None:
 
 
 def test_only_what_was_asked_for_is_verified() -> None:
-    scene = cd.Model("asked")
+    scene = cd.Scene("asked")
     body = scene.body("body", mass=1.0, com=(0, 0, 1))
     scene.joint("hinge", cd.Revolute("y"), scene.ground, body)
     cd.compile(scene).prepare("rhs", "bias")
@@ -171,7 +171,7 @@ def test_only_what_was_asked_for_is_verified() -> None:
 
 def test_constraints_that_act_in_some_modes_alone():
     # friction holds a joint while it sticks; nothing binds the states that are drawn
-    scene = cd.Model("slider")
+    scene = cd.Scene("slider")
     block = scene.body("block", mass=1.0)
     scene.joint("slide", cd.Prismatic("x"), scene.ground, block)
     scene.force("rub", cd.Friction("slide", 0.3))

@@ -36,7 +36,7 @@ OF_CIRCUITS = (
 SOLVED = ("mass_matrix", "bias", "gravity", "inverse_dynamics", "forward_dynamics", "dependents")
 
 
-def checked(scene: cd.Model, *functions: str, constraints: Any = "auto") -> cd.CompiledModel:
+def checked(scene: cd.Scene, *functions: str, constraints: Any = "auto") -> cd.CompiledModel:
     """A model whose functions are built, and so judged."""
     model = cd.compile(cd.derive(scene, constraints=constraints))
     model.prepare(*functions)
@@ -114,7 +114,7 @@ def test_treatments_that_give_way_are_named():
 
 
 def test_relations_of_the_user_are_judged():
-    scene = cd.Model("linked")
+    scene = cd.Scene("linked")
     for name in ("one", "other"):
         body = scene.body(name, mass=1.0, com=(0.1, 0, 0), inertia=(0.1, 0.1, 0.1))
         scene.joint(f"hinge_{name}", cd.Revolute("z"), scene.ground, body)
@@ -220,7 +220,7 @@ def test_wrong_code_is_found(tmp_path):
 
 
 def test_bodies_without_mass_are_no_obstacle():
-    scene = cd.Model("light", gravity=(0, -9.81, 0))
+    scene = cd.Scene("light", gravity=(0, -9.81, 0))
     crank, rocker = scene.body("crank"), scene.body("rocker")
     coupler = scene.body("coupler", mass=0.3, com=(0.1, 0, 0), inertia=(1e-3, 2e-3, 2e-3))
     scene.joint("A", cd.Revolute("z"), scene.ground, crank)

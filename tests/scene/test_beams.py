@@ -24,9 +24,9 @@ STEEL = {"E": 2.1e11, "nu": 0.3, "rho": 7850}
 SECTION = cd.section.circle(0.01)
 
 
-def frame() -> cd.Model:
+def frame() -> cd.Scene:
     """Every way to say something about a beam."""
-    scene = cd.Model("frame")
+    scene = cd.Scene("frame")
     l, r = scene.parameter("l", 2.0, unit="m"), scene.parameter("r", 10, unit="mm")
     k = scene.parameter("k", 5)
     steel = cd.material(**STEEL, damping=1e-4, expansion=1.2e-5)
@@ -72,7 +72,7 @@ def test_published_problems_come_back(name: str, tmp_path: Path) -> None:
 
 
 def test_included_beams_come_back(tmp_path: Path) -> None:
-    scene = cd.Model("two")
+    scene = cd.Scene("two")
     scene.include(frame(), "left", at=scene.ground.at(1, 0, 0))
     assert_same(scene, again(scene, tmp_path))
 
@@ -106,7 +106,7 @@ simulate: {time: 2, u: {boom.end.u.x: 0.5}}
 """
 
 
-def read(text: str, folder: Path) -> cd.Model:
+def read(text: str, folder: Path) -> cd.Scene:
     path = folder / "crane.yaml"
     path.write_text(text, encoding="utf-8")
     return cd.load(path)
@@ -114,7 +114,7 @@ def read(text: str, folder: Path) -> cd.Model:
 
 def test_scene_file(tmp_path: Path) -> None:
     found = read(FILE, tmp_path)
-    made = cd.Model("crane", gravity=(0, 0, -9.81))
+    made = cd.Scene("crane", gravity=(0, 0, -9.81))
     reach = made.parameter("reach", 3, unit="m")
     load = made.body("load", mass=20)
     tube = cd.section.tube(outer=0.05, inner=0.04)
@@ -153,13 +153,13 @@ def test_mistakes_are_found_with_line_and_column(right: str, tmp_path: Path) -> 
         build(read(FILE.replace(right, wrong), tmp_path))
 
 
-def beam(**changes: Any) -> Callable[[cd.Model], Any]:
+def beam(**changes: Any) -> Callable[[cd.Scene], Any]:
     given = {"start": (0, 0, 0), "end": (1, 0, 0), "section": SECTION, **changes}
     given.setdefault("material", cd.material(**STEEL))
     return lambda scene: scene.beam("b", **given)
 
 
-WRONG: dict[str, Callable[[cd.Model], Any]] = {
+WRONG: dict[str, Callable[[cd.Scene], Any]] = {
     "elements is 0;": beam(elements=0),
     "elements is 2.5;": beam(elements=2.5),
     "elements; a beam has at most 100000": beam(elements=10**400),
@@ -186,7 +186,7 @@ WRONG: dict[str, Callable[[cd.Model], Any]] = {
     "prestrain has no 'curvature'": beam(prestrain={"curvature": 1}),
     "temperature is nan": beam(temperature=math.nan),
     "temperature= acts through the expansion": beam(temperature=5),
-    "belongs to model 'other'": beam(start=cd.Model("other").ground),
+    "belongs to model 'other'": beam(start=cd.Scene("other").ground),
     "at: a number is wanted, not 'mid'": lambda s: beam()(s).at("mid"),
     "is called 'b.end'": lambda s: beam()(s).at(1, name="tip"),
     "'b.end': the name is taken": lambda s: (s.body("b.end"), beam()(s)),
@@ -201,7 +201,7 @@ WRONG: dict[str, Callable[[cd.Model], Any]] = {
     r"force\[0\] is 'a'": lambda s: cd.LineLoad("b", force=("a", 0, 0)),
     r"Body\('o'\) is no beam: give": lambda s: cd.LineLoad(s.body("o"), force=(0, 0, 1)),
     "beam 'b' belongs to model 'other', not to 'm'": lambda s: s.force(
-        "load", cd.LineLoad(beam()(cd.Model("other")), force=(0, 0, 1))
+        "load", cd.LineLoad(beam()(cd.Scene("other")), force=(0, 0, 1))
     ),
     "None is no beam": lambda s: cd.LineLoad(None, force=(0, 0, 1)),
     "follower is True or False, not 1": lambda s: cd.LineLoad("b", force=(0, 0, 1), follower=1),
@@ -211,11 +211,11 @@ WRONG: dict[str, Callable[[cd.Model], Any]] = {
 @each("words", WRONG)
 def test_refusals(words: str) -> None:
     with pytest.raises(ModelError, match=words):
-        WRONG[words](cd.Model("m"))
+        WRONG[words](cd.Scene("m"))
 
 
 def test_an_end_that_is_clamped_is_the_frame_it_is_clamped_to() -> None:
-    scene = cd.Model("m")
+    scene = cd.Scene("m")
     body = scene.body("body", mass=1)
     place = body.at(1, 0, 0)
     made = beam(start=place, end=body)(scene)

@@ -71,7 +71,7 @@ def test_both_conventions_describe_one_robot() -> None:
 
 
 def test_symbols() -> None:
-    scene = cd.Model("arm")
+    scene = cd.Scene("arm")
     l, alpha = scene.parameter("l", 0.5, unit="m"), scene.parameter("alpha", 0.3, unit="rad")
     from cardan.scene.dh import add_dh
 

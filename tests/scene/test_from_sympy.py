@@ -11,7 +11,7 @@ import pytest
 import sympy as sm
 from sympy.physics import mechanics as me
 from tests.mechanisms import ZOO
-from tests.model import mechanics
+from tests.scene import mechanics
 from tests.spread import some
 
 import cardan as cd

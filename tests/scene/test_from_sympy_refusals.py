@@ -19,7 +19,7 @@ T = me.dynamicsymbols._t
 Q, U = me.dynamicsymbols("q u")
 
 
-def written(**changed: Any) -> cd.Model:
+def written(**changed: Any) -> cd.Scene:
     """A pendulum as (q, u, M, f), with parts of it replaced; the symbols m, g and q have values."""
     m, g = sm.symbols("m g")
     parts = {"q": [Q], "u": [U], "M": sm.Matrix([[m]]), "f": [-m * g * sm.sin(Q)]} | changed
@@ -122,7 +122,7 @@ def test_what_needs_bodies_says_so(tmp_path: Path) -> None:
     with pytest.raises(cd.ModelError, match="scene files have no words"):
         scene.save(tmp_path / "scene.yaml")
     with pytest.raises(cd.ModelError, match="cannot be a part"):
-        cd.Model("whole").include(scene, "part")
+        cd.Scene("whole").include(scene, "part")
 
 
 def test_analyses_take_written_equations() -> None:

@@ -9,13 +9,13 @@ import sympy
 from cardan.elements.forces import Force, JointForce, SpringDamper
 from cardan.elements.joints import Custom, Prismatic, Revolute
 from cardan.errors import ModelError
-from cardan.scene import Model, t
+from cardan.scene import SceneRecord, t
 from cardan.topology import build
 from topology.numbers_of import body_poses, frame_pose, values
 
 
 def arm():
-    scene = Model("arm")
+    scene = SceneRecord("arm")
     m = scene.parameter("m", 2.0, unit="kg")
     k = scene.parameter("k", 5.0)
     drive = scene.input("drive")
@@ -30,7 +30,7 @@ def arm():
 
 
 def test_two_arms_on_a_torso():
-    scene = Model("robot")
+    scene = SceneRecord("robot")
     torso = scene.body("torso", mass=10.0)
     scene.joint("waist", Revolute("z"), scene.ground, torso)
     left = scene.include(arm(), "left", at=torso.at(0, 0.3, 1))
@@ -70,11 +70,11 @@ def test_two_arms_on_a_torso():
 
 def test_own_symbols_of_a_custom_joint_keep_their_names():
     s = sympy.Symbol("s")
-    part = Model("part")
+    part = SceneRecord("part")
     k = part.parameter("k", 2.0)
     body = part.body("b", mass=1.0)
     part.joint("curve", Custom([s], position=(s, k * s**2, 0)), part.ground, body)
-    scene = Model("whole")
+    scene = SceneRecord("whole")
     scene.parameter("s", 9.0, unit="kg")
     scene.include(part, "left")
     system = build(scene)
@@ -82,9 +82,9 @@ def test_own_symbols_of_a_custom_joint_keep_their_names():
 
 
 def test_nested_and_repeated():
-    inner = Model("inner")
+    inner = SceneRecord("inner")
     inner.include(arm(), "a_")
-    scene = Model("outer")
+    scene = SceneRecord("outer")
     scene.include(inner, "b")
     assert list(scene.bodies) == ["b.ground", "b.a_ground", "b.a_upper", "b.a_lower"]
     assert build(scene).nq == 2
@@ -95,18 +95,18 @@ def test_nested_and_repeated():
 def test_the_original_is_as_it_was():
     original = arm()
     before = build(original)
-    Model("m").include(original, "x")
+    SceneRecord("m").include(original, "x")
     assert build(original).graph.nodes == before.graph.nodes
 
 
 def test_frames_named_by_text_are_those_of_the_part():
-    part = Model("part")
+    part = SceneRecord("part")
     body = part.body("arm", mass=1.0)
     part.joint("j", Prismatic("z"), "ground", "arm")
     body.at(1, 0, 0, name="tip")
     part.force("push", Force("tip", (0, 0, 7)))
     part.force("spring", SpringDamper("ground", "arm", 10.0))
-    whole = Model("whole")
+    whole = SceneRecord("whole")
     arm_of_whole = whole.body("arm", mass=3.0)
     arm_of_whole.at(1, 0, 0, name="tip")
     whole.joint("j", Prismatic("z"), "ground", "arm")
@@ -118,11 +118,11 @@ def test_frames_named_by_text_are_those_of_the_part():
 
 
 def test_nothing_is_replaced_by_a_part():
-    part = Model("part")
+    part = SceneRecord("part")
     part.joint("j", Prismatic("z"), "ground", part.body("arm", mass=1.0))
     part.output("height", part.q("j"))
     for taken in ("joint", "output"):
-        whole = Model("whole")
+        whole = SceneRecord("whole")
         box = whole.body("box", mass=1.0)
         if taken == "joint":
             whole.joint("left.j", Prismatic("x"), "ground", box)
@@ -139,7 +139,7 @@ def test_a_model_is_no_part_of_itself():
 
 
 def test_a_clash_halfway_leaves_the_outer_model_as_it_was() -> None:
-    outer, inner = Model("outer"), Model("inner")
+    outer, inner = SceneRecord("outer"), SceneRecord("inner")
     first, second = inner.body("first", mass=1.0), inner.body("second", mass=1.0)
     inner.joint("hinge", Revolute("y"), inner.ground, first)
     inner.joint("slide", Prismatic("x"), first, second)

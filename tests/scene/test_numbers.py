@@ -17,8 +17,8 @@ THIRDS = (1 / 3, Fraction(1, 3), sympy.Rational(1, 3), np.float64(1 / 3))
 WHOLE = (2, np.int64(2), sympy.Integer(2), Fraction(2), sympy.Float(2.0), np.array(2.0))
 
 
-def pendulum(mass: object) -> cd.Model:
-    scene = cd.Model("pendulum")
+def pendulum(mass: object) -> cd.Scene:
+    scene = cd.Scene("pendulum")
     bob = scene.body("bob", mass=mass, com=(0, 0, 1))
     scene.joint("pin", cd.Revolute("x"), scene.ground, bob)
     return scene

@@ -24,11 +24,11 @@ from table import each
 EXAMPLES = Path(__file__).parents[2] / "examples"
 
 
-def scene(text: str) -> cd.Model:
+def scene(text: str) -> cd.Scene:
     return from_text("cardan: 1\n" + text, name="scene.yaml")
 
 
-def assert_same(one: cd.Model, other: cd.Model) -> None:
+def assert_same(one: cd.Scene, other: cd.Scene) -> None:
     if one.beams:
         first, second = (
             (repr(system), system.graph.nodes) for system in (build(one), build(other))
@@ -38,8 +38,8 @@ def assert_same(one: cd.Model, other: cd.Model) -> None:
     assert fingerprint(cd.derive(one)) == fingerprint(cd.derive(other))
 
 
-def double_pendulum() -> cd.Model:
-    made = cd.Model("double_pendulum", gravity=(0, 0, -9.81))
+def double_pendulum() -> cd.Scene:
+    made = cd.Scene("double_pendulum", gravity=(0, 0, -9.81))
     m = made.parameter("m", 1.0, unit="kg")
     l = made.parameter("l", 500, unit="mm")
     rod = {"mass": m, "com": (0, 0, -l / 2), "inertia": cd.inertia.rod(m, l, axis="z")}
@@ -121,7 +121,7 @@ def test_every_joint_takes_its_own_keys(kind: str) -> None:
     lead = "lead: {type: revolute, parent: ground, child: b}"
     bodies = "{a: {mass: 1, inertia: [1, 1, 1]}, b: {mass: 1}}"
     found = scene(f"bodies: {bodies}\njoints: {{{lead}, j: {text}}}")
-    made = cd.Model("scene")
+    made = cd.Scene("scene")
     body, other = made.body("a", mass=1, inertia=(1, 1, 1)), made.body("b", mass=1)
     made.joint("lead", cd.Revolute(), made.ground, other)
     x = sympy.Symbol("x")
@@ -177,7 +177,7 @@ def test_every_force_takes_its_own_keys(kind: str) -> None:
         )
         + f"forces: {{f: {text}}}\n"
     )
-    made = cd.Model("scene")
+    made = cd.Scene("scene")
     places = {"ground": made.ground, "a": made.body("a", mass=1, inertia=(1, 1, 1))}
     made.joint("j", cd.Revolute(), made.ground, places["a"])
     if kind == "line_load":
@@ -268,7 +268,7 @@ def test_parts_from_scenes_and_robots(tmp_path: Path) -> None:
     )
     text = path.read_text().replace("{cart: {mass: 1}}", "{cart: {mass: 1}, box: {mass: 1}}")
     path.write_text(text)
-    made = cd.Model("pair")
+    made = cd.Scene("pair")
     cart, box = made.body("cart", mass=1), made.body("box", mass=1)
     part = cd.load(EXAMPLES / "double_pendulum.yaml", parameters={"m": 3})
     left = made.include(part, "left", at=cart.at(0, 1, 0))

@@ -26,7 +26,7 @@ from mechanisms.closed import CLOSED, Closed, four_bar
 from spread import some
 
 
-def again(scene: cd.Model, folder: Path) -> cd.Model:
+def again(scene: cd.Scene, folder: Path) -> cd.Scene:
     """The model as its file says it; saving that gives the same file."""
     first, second = folder / "first.yaml", folder / "second.yaml"
     scene.save(first)
@@ -36,7 +36,7 @@ def again(scene: cd.Model, folder: Path) -> cd.Model:
     return loaded
 
 
-def assert_same(one: cd.Model, other: cd.Model) -> None:
+def assert_same(one: cd.Scene, other: cd.Scene) -> None:
     """Equal graphs, names, parameters and placeholders: the same C, byte by byte."""
     assert fingerprint(cd.derive(one)) == fingerprint(cd.derive(other))
 
@@ -80,9 +80,9 @@ def test_robots(name: str, tmp_path: Path) -> None:
     assert_same(scene, again(scene, tmp_path))
 
 
-def everything(folder: Path) -> cd.Model:
+def everything(folder: Path) -> cd.Scene:
     """What the zoo has not: units, poses, limits, odd names, shapes, overridden numbers."""
-    scene = cd.Model("every thing: [odd]", gravity=(0, 0, -9.81))
+    scene = cd.Scene("every thing: [odd]", gravity=(0, 0, -9.81))
     m = scene.parameter("m", 250, unit="g")
     d = scene.parameter("left.d", 0.3)
     k = scene.parameter("my spring", 3.0, unit="N/mm")
@@ -128,11 +128,11 @@ def test_everything(tmp_path: Path) -> None:
 
 
 def test_included_models_are_written_out(tmp_path: Path) -> None:
-    scene = cd.Model("pair")
+    scene = cd.Scene("pair")
     cart = scene.body("cart", mass=1.0)
     scene.joint("track", cd.Prismatic("x"), scene.ground, cart)
     scene.include(ZOO["pendulum"].build(), "left", at=cart.at(0, 1, 0))
-    placed = cd.Model("placed")
+    placed = cd.Scene("placed")
     placed.body("rod", mass=1.0, pose=(0, 0, 1))
     placed.joint("hinge", cd.Revolute("x"), "ground", "rod", at=(0, 0, 2))
     scene.include(placed, "right_", at=cart)
@@ -161,7 +161,7 @@ def test_a_robot_can_be_edited(tmp_path: Path) -> None:
 # expressions
 
 NAMES = ("m", "l", "k2", "left.m", "two words")
-SCENE = cd.Model("names")
+SCENE = cd.Scene("names")
 SYMBOLS = {name: SCENE.parameter(name, 1.0) for name in NAMES}
 NUMBERS = st.one_of(
     st.integers(-50, 50).map(sympy.Integer),

@@ -54,7 +54,7 @@ def loop(inside: str = "", kind: str = "revolute", more: str = "", axis: str = "
 PIN = loop('<origin xyz="0.2 0 0"/>')
 
 
-def compiled(scene: cd.Model) -> cd.CompiledModel:
+def compiled(scene: cd.Scene) -> cd.CompiledModel:
     return cd.compile(scene, functions=("forward_dynamics", "constraints", "constraint_rates"))
 
 

@@ -12,21 +12,21 @@ from cardan.topology.tree import spanning_tree
 from mechanisms.closed import four_bar
 
 
-def cuts(scene: cd.Model) -> dict[str, str]:
+def cuts(scene: cd.Scene) -> dict[str, str]:
     """Cut joint -> reason."""
     return {closing.joint.name: closing.reason for closing in spanning_tree(scene)[1]}
 
 
-def spring(scene: cd.Model) -> None:
+def spring(scene: cd.Scene) -> None:
     scene.force("spring", cd.TorsionSpring("C", stiffness=3.0))
 
 
-def dial(scene: cd.Model) -> None:
+def dial(scene: cd.Scene) -> None:
     disk = scene.body("disk", mass=1.0, inertia=(1, 1, 1))
     scene.joint("dial", cd.Revolute("z"), scene.ground, disk, couple=("C", 2.0))
 
 
-def law(scene: cd.Model) -> None:
+def law(scene: cd.Scene) -> None:
     scene.force("brake", cd.JointForce("A", -0.2 * scene.u("C")))
 
 
@@ -35,7 +35,7 @@ def test_without_reason_the_deepest_is_cut() -> None:
 
 
 @pytest.mark.parametrize("use", [spring, dial, law])
-def test_a_joint_whose_coordinate_is_wanted_is_not_cut(use: Callable[[cd.Model], None]) -> None:
+def test_a_joint_whose_coordinate_is_wanted_is_not_cut(use: Callable[[cd.Scene], None]) -> None:
     scene = four_bar()
     use(scene)
     assert "C" not in cuts(scene)
@@ -43,7 +43,7 @@ def test_a_joint_whose_coordinate_is_wanted_is_not_cut(use: Callable[[cd.Model],
 
 
 @pytest.mark.parametrize("use", [spring, dial, law])
-def test_cut_it_keeps_its_coordinate(use: Callable[[cd.Model], None]) -> None:
+def test_cut_it_keeps_its_coordinate(use: Callable[[cd.Scene], None]) -> None:
     whole, cut = four_bar(), four_bar()
     cut.joints["C"] = dataclasses.replace(cut.joints["C"], cut=True)
     found = []

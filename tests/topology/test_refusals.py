@@ -8,12 +8,12 @@ import sympy
 from cardan.elements.forces import JointForce
 from cardan.elements.joints import Fixed, Revolute
 from cardan.errors import ModelError, TopologyError
-from cardan.scene import Model, inertia
+from cardan.scene import SceneRecord, inertia
 from cardan.topology import build
 
 
 def pendulum():
-    scene = Model("double_pendulum")
+    scene = SceneRecord("double_pendulum")
     m = scene.parameter("m", 1.0, unit="kg")
     l = scene.parameter("l", 500, unit="mm")
     rod = inertia.rod(m, l, axis="z")
@@ -25,7 +25,7 @@ def pendulum():
 
 
 def test_a_circuit_knows_the_joints_of_its_loop():
-    scene = Model("m")
+    scene = SceneRecord("m")
     bodies = [scene.body(f"b{k}", mass=1.0) for k in range(4)]
     scene.joint("stem", Revolute("y"), scene.ground, bodies[0])
     scene.joint("left", Revolute("y"), bodies[0], bodies[1])
@@ -39,7 +39,7 @@ def test_a_circuit_knows_the_joints_of_its_loop():
 
 
 def test_loose_bodies():
-    scene = Model("m")
+    scene = SceneRecord("m")
     a, b = scene.body("a", mass=1.0), scene.body("b", mass=1.0)
     scene.joint("j", Revolute("y"), a, b)
     with pytest.raises(TopologyError, match=r"bodies 'a', 'b' to the ground.*Free"):
@@ -55,14 +55,14 @@ def test_unknown_symbol_and_wrong_units():
     scene.output("x", sympy.Symbol("mm") * 2)
     with pytest.raises(ModelError, match="mm"):
         build(scene)
-    scene = Model("m")
+    scene = SceneRecord("m")
     length = scene.parameter("length", 1.0, unit="m")
     mass = scene.parameter("mass", 1.0, unit="kg")
     body = scene.body("b", mass=length)
     scene.joint("j", Revolute("y"), scene.ground, body)
     with pytest.raises(ModelError, match=r"'b.mass'.*measured in m, but kg"):
         build(scene)
-    other = Model("n")
+    other = SceneRecord("n")
     other.parameter("length", 1.0, unit="m")
     other.parameter("mass", 1.0, unit="kg")
     body = other.body("b", mass=1.0, com=(length + mass, 0, 0))
@@ -72,13 +72,13 @@ def test_unknown_symbol_and_wrong_units():
 
 
 def test_masses_given_as_expressions_are_checked_at_their_defaults():
-    scene = Model("m")
+    scene = SceneRecord("m")
     m = scene.parameter("m", -1.0)
     body = scene.body("b", mass=2 * m)
     scene.joint("j", Revolute("y"), scene.ground, body)
     with pytest.raises(ModelError, match="body 'b': mass is -2"):
         build(scene)
-    scene = Model("m")
+    scene = SceneRecord("m")
     moment = scene.parameter("moment", 1.0)
     body = scene.body("flat", mass=1.0, inertia=(moment, moment, 3 * moment))
     scene.joint("j", Revolute("y"), scene.ground, body)
@@ -87,7 +87,7 @@ def test_masses_given_as_expressions_are_checked_at_their_defaults():
 
 
 def test_what_a_body_is_depends_on_parameters_only():
-    scene = Model("m")
+    scene = SceneRecord("m")
     body = scene.body("b", mass=2 + sympy.Symbol("t"))
     scene.joint("j", Revolute("y"), scene.ground, body)
     with pytest.raises(ModelError, match=r"'b.mass' may depend on parameters only; it has 't'"):
@@ -147,7 +147,7 @@ def test_a_matrix_is_no_output():
 
 
 def test_expressions_nested_beyond_reading_are_refused() -> None:
-    scene = Model("deep")
+    scene = SceneRecord("deep")
     body = scene.body("body", mass=1.0)
     scene.joint("hinge", Revolute("y"), scene.ground, body)
     law = scene.q("hinge")

@@ -17,7 +17,7 @@ GENERAL = cd.section.general(EA=1e4, GA=1e4, GJ=1, EI=1, rhoA=1, rhoI=1e-3)
 
 @pytest.fixture(scope="module")
 def motion() -> cd.Trajectory:
-    scene = cd.Model("swing")
+    scene = cd.Scene("swing")
     block = cd.shape.box(0.2, 0.2, 0.2)
     load = scene.body("load", mass=0.1, inertia=(1e-3, 1e-3, 1e-3), shape=block)
     beam = scene.beam("rope", (0, 0, 0), (1, 0, 0), GENERAL, elements=4)
@@ -65,7 +65,7 @@ def test_nodes_are_drawn_with_their_beams(motion: cd.Trajectory) -> None:
 
 
 def test_bodies_in_absolute_coordinates_are_drawn_by_their_frames() -> None:
-    scene = cd.Model("pendulum")
+    scene = cd.Scene("pendulum")
     rod = scene.body("rod", mass=1, com=(0, 0, -0.5), inertia=(0.1, 0.1, 0.01))
     rod.at(0, 0, -1, name="tip")
     scene.joint("pivot", cd.Revolute("y"), scene.ground, rod)

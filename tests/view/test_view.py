@@ -17,7 +17,7 @@ NASTY = "</script><img src=x onerror=alert(1)>"
 
 @pytest.fixture(scope="module")
 def motion() -> cd.Trajectory:
-    scene = cd.Model(NASTY)
+    scene = cd.Scene(NASTY)
     block = cd.shape.box(0.2, 0.3, 1.0, position=(0, 0, -0.5))
     upper = scene.body("upper<b>", mass=1, com=(0, 0, -0.5), inertia=(1, 1, 0.1), shape=block)
     lower = scene.body("lower", mass=1, com=(0, 0, -0.4), inertia=(1, 1, 0.1))
@@ -61,7 +61,7 @@ def test_bodies_are_drawn_by_shape_or_as_links(motion: cd.Trajectory) -> None:
 
 
 def test_output_times_without_dense_output_can_be_shown(tmp_path: Path) -> None:
-    scene = cd.Model("pendulum")
+    scene = cd.Scene("pendulum")
     rod = scene.body("rod", mass=1, com=(0, 0, -0.5), inertia=(0.1, 0.1, 0.01))
     scene.joint("pivot", cd.Revolute("y"), scene.ground, rod)
     times = np.linspace(0, 1, 11)
@@ -108,7 +108,7 @@ def test_titles_are_text_only(motion: cd.Trajectory, tmp_path: Path) -> None:
 
 
 def test_nothing_is_drawn_to_a_free_body_and_far_masses_hang_on_ribs() -> None:
-    scene = cd.Model("loose")
+    scene = cd.Scene("loose")
     upper = scene.body("upper", mass=1, com=(0.4, 0, -0.5), inertia=(1, 1, 1))
     lower = scene.body("lower", mass=1, com=(0, 0, -0.5), inertia=(1, 1, 1))
     crate = scene.body("crate", mass=1, com=(0, 0, 0), inertia=(1, 1, 1))

@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import final
 
 from ..runtime.models.loaded_model import LoadedModel
-from .verb import verb
+from .faces import verb
 
 
 @final

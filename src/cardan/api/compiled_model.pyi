@@ -6,26 +6,15 @@ from typing import Any, final
 
 from numpy.typing import ArrayLike
 
-from ..analyses.ensembles.result import Ensemble
 from ..analyses.ensembles.sampling import Plan
 from ..analyses.identification.base_parameters import Base
-from ..analyses.identification.excitation import Excitation
-from ..analyses.identification.result import Identification
-from ..analyses.identification.torques import Torques
-from ..analyses.linear.campbell import Campbell
 from ..analyses.linear.first_order import Choice
-from ..analyses.linear.linear_model import LinearModel
-from ..analyses.linear.mode_shapes import Modes
-from ..analyses.linear.root_locus import Locus
 from ..analyses.linear.sensitivity import Sensitivity
-from ..analyses.linear.steady_motion import SteadyMotion
 from ..analyses.mechanisms.actuation import Actuation
 from ..analyses.mechanisms.assembly import Assembly
 from ..analyses.mechanisms.minimal_coordinates import Partition
 from ..analyses.mechanisms.redundancy import Redundancy
 from ..analyses.mechanisms.singular_positions import Singular
-from ..analyses.mechanisms.sweep import Sweep
-from ..analyses.mechanisms.workspace import Workspace
 from ..analyses.simulation.alpha_methods import Alpha, GeneralizedAlpha
 from ..analyses.simulation.precision.report import Report
 from ..analyses.simulation.precision.runs import Show
@@ -33,13 +22,26 @@ from ..analyses.simulation.precision.stiffness import Stiffness
 from ..analyses.simulation.settings import Values
 from ..analyses.simulation.stepper import Stepper
 from ..analyses.statics.equilibrium import Equilibrium
-from ..analyses.statics.static_path import StaticPath
 from ..arguments import Count, Hold, Seed
 from ..arrays import Array
 from ..runtime.calls.evaluation import State
 from ..runtime.models.finite_elements.beams import BeamStress
 from ..runtime.models.loaded_model import LoadedModel
-from ..runtime.trajectory.trajectory import Trajectory
+from .results import (
+    Campbell,
+    Ensemble,
+    Excitation,
+    Identification,
+    LinearModel,
+    Locus,
+    Modes,
+    StaticPath,
+    SteadyMotion,
+    Sweep,
+    Torques,
+    Workspace,
+)
+from .trajectory import Trajectory
 
 @final
 class CompiledModel(LoadedModel):
@@ -58,7 +60,6 @@ class CompiledModel(LoadedModel):
         SolveError: a number given is not finite; or, for one state, the result is not. In a batch
             the states that fail hold NaN or infinity and a SolveWarning names the first.
     """
-
     def simulate(
         self,
         t: float | ArrayLike | None = None,
@@ -125,7 +126,6 @@ class CompiledModel(LoadedModel):
             ArgumentError: wrong shapes. FunctionError: yours failed; ``motion`` is what was computed.
             SolveError: a number that is not finite; with ``check``, an early end.
         """
-
     def stepper(
         self,
         *,
@@ -153,7 +153,6 @@ class CompiledModel(LoadedModel):
         Raises:
             ModelError, ArgumentError, SolveError: as for ``simulate``.
         """
-
     def resume(
         self,
         path: str | Path,
@@ -169,7 +168,6 @@ class CompiledModel(LoadedModel):
         Raises:
             ModelError: no checkpoint of this model, or of other events.
         """
-
     def step(
         self,
         x: ArrayLike,
@@ -198,7 +196,6 @@ class CompiledModel(LoadedModel):
         Raises:
             ModelError, ArgumentError, SolveError: as :func:`stepper` and :meth:`Stepper.step`.
         """
-
     def ensemble(
         self,
         t: float | ArrayLike | None = None,
@@ -264,7 +261,6 @@ class CompiledModel(LoadedModel):
                 the checkpoint; a run that failed, with ``check``.
             BuildError: a client whose machine builds other bits.
         """
-
     def initial(
         self,
         q: Values | None = None,
@@ -284,7 +280,6 @@ class CompiledModel(LoadedModel):
             ArgumentError: the wrong number of values.
             SolveError: a value that is not finite, or a quaternion whose length is not 1.
         """
-
     def report(
         self,
         t: float | ArrayLike | None = None,
@@ -312,7 +307,6 @@ class CompiledModel(LoadedModel):
         Raises:
             ModelError: an unknown method or name. SolveError: no reference can be computed.
         """
-
     def assemble(
         self,
         targets: Mapping[str, Any] | None = None,
@@ -353,7 +347,6 @@ class CompiledModel(LoadedModel):
             SolveWarning: two positions are equally near to the start; or Ctrl-C ended the searches
                 once one had met the targets.
         """
-
     def sweep(
         self,
         driver: str | Mapping[str, ArrayLike],
@@ -388,7 +381,6 @@ class CompiledModel(LoadedModel):
             ArgumentError: values of a wrong shape. SolveError: values that are not finite; with
                 ``check``, a mechanism that cannot follow.
         """
-
     def singular_positions(
         self,
         coordinate: str,
@@ -417,7 +409,6 @@ class CompiledModel(LoadedModel):
             ModelError: unknown names, more than one freedom, no position at the start of the range.
             ArgumentError: no range, a step that is not positive.
         """
-
     def workspace(
         self,
         frame: str,
@@ -446,7 +437,6 @@ class CompiledModel(LoadedModel):
             ModelError: unknown names, or a mechanism that cannot be assembled.
             ArgumentError: no range, no samples.
         """
-
     def redundancy(
         self,
         q: Mapping[str, ArrayLike] | ArrayLike | None = None,
@@ -463,7 +453,6 @@ class CompiledModel(LoadedModel):
         Raises:
             ModelError: an unknown name.
         """
-
     def actuation(
         self,
         q: State,
@@ -492,7 +481,6 @@ class CompiledModel(LoadedModel):
 
         Source: Roberson and Schwertassek, Dynamics of Multibody Systems, chapter 8.
         """
-
     def hybrid_dynamics(
         self,
         q: State,
@@ -518,7 +506,6 @@ class CompiledModel(LoadedModel):
 
         Source: R. Featherstone, Rigid Body Dynamics Algorithms, section 9.1.
         """
-
     def partition(
         self,
         q: ArrayLike,
@@ -538,7 +525,6 @@ class CompiledModel(LoadedModel):
         Raises:
             ArgumentError: a wrong shape. SolveError: circuits are open at this position.
         """
-
     def reduced_rhs(
         self,
         t: float,
@@ -552,7 +538,6 @@ class CompiledModel(LoadedModel):
             y: Of ``partition.reduce(x)``.
             partition: Chosen anew between steps where it becomes bad.
         """
-
     def residual(
         self,
         t: ArrayLike,
@@ -580,7 +565,6 @@ class CompiledModel(LoadedModel):
         Raises:
             ArgumentError: another index.
         """
-
     def equilibrium(
         self,
         *,
@@ -614,7 +598,6 @@ class CompiledModel(LoadedModel):
             ModelError: unknown names, circuits that cannot be assembled.
             SolveError: with ``check``, no equilibrium was found.
         """
-
     def statics(
         self,
         swept: Mapping[str, Any] | None = None,
@@ -648,7 +631,6 @@ class CompiledModel(LoadedModel):
             ModelError: unknown names, nothing swept. ArgumentError: values of a wrong shape.
             SolveError: no equilibrium at the start; with ``check``, none further on.
         """
-
     def trim(
         self,
         wanted: Mapping[str, float] | None = None,
@@ -680,7 +662,6 @@ class CompiledModel(LoadedModel):
             ModelError: unknown names, circuits that cannot be assembled, beams.
             SolveError: with ``check``, there is none, or free values are left over.
         """
-
     def linearize(
         self,
         x: ArrayLike | Equilibrium | None = None,
@@ -715,7 +696,6 @@ class CompiledModel(LoadedModel):
             ModelError: unknown names, circuits that cannot be assembled.
             SolveError: accelerations are not determined there.
         """
-
     def modes(
         self,
         count: Count | None = None,
@@ -741,7 +721,6 @@ class CompiledModel(LoadedModel):
             ModelError: unknown names, a count that is none.
             SolveError: the mass matrix is singular on what constraints allow.
         """
-
     def root_locus(
         self,
         swept: Mapping[str, Any] | None = None,
@@ -780,7 +759,6 @@ class CompiledModel(LoadedModel):
             ModelError: unknown names, nothing that changes. ArgumentError: values of a wrong shape.
             SolveError: no equilibrium or steady motion at the start; with ``check``, further on.
         """
-
     def campbell(
         self,
         swept: Mapping[str, Any] | None = None,
@@ -812,7 +790,6 @@ class CompiledModel(LoadedModel):
         Raises:
             As ``root_locus``.
         """
-
     def sensitivity(
         self,
         parameters: Iterable[str] | str,
@@ -829,7 +806,6 @@ class CompiledModel(LoadedModel):
             ModelError: unknown names, or something that is no such motion.
             SolveError: there is no such motion beside it.
         """
-
     def stiffness(
         self,
         x: ArrayLike,
@@ -847,7 +823,6 @@ class CompiledModel(LoadedModel):
         Raises:
             SolveError: there, or close to it, the model has no accelerations.
         """
-
     def beam(
         self,
         name: str,
@@ -862,7 +837,6 @@ class CompiledModel(LoadedModel):
         Raises:
             ModelError: there is no such beam. ArgumentError: q has another shape.
         """
-
     def torques(
         self,
         motion: Any,
@@ -894,7 +868,6 @@ class CompiledModel(LoadedModel):
             ArgumentError: names or shapes that do not fit.
             SolveError: the constraints do not allow the motion, or the actuators cannot make it.
         """
-
     def base_parameters(
         self,
         rows: ArrayLike | None = None,
@@ -913,7 +886,6 @@ class CompiledModel(LoadedModel):
         Raises:
             SolveError: a system with circuits and no rows; a rank that is not certain.
         """
-
     def excitation(
         self,
         period: float = 10.0,
@@ -948,7 +920,6 @@ class CompiledModel(LoadedModel):
             ArgumentError: limits or words that do not exist.
             SolveError: joints that are not moved one by one: circuits, a free base, ball joints.
         """
-
     def identify(
         self,
         data: Any,
@@ -983,7 +954,6 @@ class CompiledModel(LoadedModel):
             ArgumentError: data that do not fit the model; unknown words.
             SolveError: the data do not tell all base parameters.
         """
-
     def _doubt(
         self,
         joint: str,

@@ -37,8 +37,7 @@ from ..errors import (
 from .options import scene as scene_options
 
 if TYPE_CHECKING:
-    from ..equations.finite_elements.record import Absolute
-    from ..equations.record import Equations
+    from ..api.equations import Equations, FiniteElementEquations
 
 
 LEVELS = ("error", "warning", "note")
@@ -78,7 +77,7 @@ def run(options: argparse.Namespace) -> int:
 
 def complaints(options: argparse.Namespace) -> list[Complaint]:
     """What there is to say about a scene, the worst first."""
-    from ..equations.finite_elements.record import Absolute
+    from ..api.equations import FiniteElementEquations
     from ..pipeline import derive
 
     with warnings.catch_warnings(record=True) as said:
@@ -90,7 +89,7 @@ def complaints(options: argparse.Namespace) -> list[Complaint]:
     notes = equations.system.notes
     found = [*_doubts(said, notes), *(Complaint("warning", note) for note in notes)]
     snaps = [Complaint("note", str(snap)) for snap in equations.system.snaps]
-    if isinstance(equations, Absolute):
+    if isinstance(equations, FiniteElementEquations):
         return found + _started(equations) + snaps
     try:
         # constraints that cannot be derived are no matter of massless bodies: nothing runs
@@ -116,7 +115,7 @@ def _doubts(said: Iterable[warnings.WarningMessage], notes: Iterable[str]) -> li
     return [*(Complaint("error", text) for text in wrong), *rest]
 
 
-def _started(equations: Absolute) -> list[Complaint]:
+def _started(equations: FiniteElementEquations) -> list[Complaint]:
     """Whether a scene in absolute coordinates moves from where it is built."""
     from ..pipeline import compile
     from ..runtime.models.initial import start_of

@@ -36,7 +36,7 @@ from .options import scene as scene_options
 from .options import sweep as sweep_options
 
 if TYPE_CHECKING:
-    from ..analyses.ensembles import Ensemble
+    from ..api.results import Ensemble
 
 
 def arguments(parser: argparse.ArgumentParser) -> None:

@@ -11,7 +11,7 @@ from ..errors import DerivationError, ModelError
 from .options import scene as scene_options
 
 if TYPE_CHECKING:
-    from ..equations.record import Equations
+    from ..api.equations import Equations
 
 # what formulas have no use for
 NUMBERS = ("hold", "set", "want", "free", "vary", "coordinate", "campbell", "sensitivity", "plot")
@@ -59,7 +59,7 @@ def wanted(options: argparse.Namespace) -> bool:
 
 def show(options: argparse.Namespace) -> int:
     """Load, derive, linearize, print."""
-    from ..equations.finite_elements.record import Absolute
+    from ..api.equations import FiniteElementEquations
     from ..pipeline import derive
     from .terminal import progress
 
@@ -67,7 +67,7 @@ def show(options: argparse.Namespace) -> int:
     with progress() as show:
         show("deriving")
         equations = derive(scene)
-        if isinstance(equations, Absolute):
+        if isinstance(equations, FiniteElementEquations):
             raise ModelError(
                 "--symbolic: there are no formulas of a scene with beams; leave it out"
             )

@@ -39,9 +39,8 @@ from .options.equilibrium import finite
 
 if TYPE_CHECKING:
     from ..analyses.identification.base_parameters import Base
-    from ..analyses.identification.excitation import Excitation
-    from ..analyses.identification.result import Identification
     from ..api.compiled_model import CompiledModel
+    from ..api.results import Excitation, Identification
 
 
 def arguments(parser: argparse.ArgumentParser) -> None:
@@ -138,7 +137,7 @@ def _estimated(model: CompiledModel, options: argparse.Namespace) -> Identificat
 def numbers(found: Base | Excitation | Identification) -> dict[str, Any]:
     """What was found, for JSON."""
     from ..analyses.identification.base_parameters import Base
-    from ..analyses.identification.excitation import Excitation
+    from ..api.results import Excitation
 
     if isinstance(found, Base):
         return {

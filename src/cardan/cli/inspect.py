@@ -33,8 +33,8 @@ from .terminal import console
 if TYPE_CHECKING:
     from rich.console import Console
 
+    from ..api.scene import Scene
     from ..explain.content import Block, Document, Math, Table, Text, Written
-    from ..scene import Model
 
 
 # rows of a table and characters of a formula on a screen
@@ -53,7 +53,7 @@ def arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Load, derive, show."""
-    from ..equations.finite_elements.record import Absolute
+    from ..api.equations import FiniteElementEquations
     from ..explain import checked, document, explain, facts
     from ..pipeline import derive
     from .terminal import progress
@@ -65,7 +65,7 @@ def run(options: argparse.Namespace) -> int:
         show("deriving")
         equations = derive(scene, method=options.method)
         if options.json:
-            meshed = isinstance(equations, Absolute)
+            meshed = isinstance(equations, FiniteElementEquations)
             told = _meshed(equations) if meshed else facts(equations)
             print(json.dumps(told, indent=1))
         if options.output is not None:
@@ -89,7 +89,7 @@ def _meshed(equations: Any) -> dict[str, object]:
     }
 
 
-def display(scene: Model, overview: str, found: Document, out: Console) -> None:
+def display(scene: Scene, overview: str, found: Document, out: Console) -> None:
     """A document on a screen."""
     from ..explain.content import Figure
 

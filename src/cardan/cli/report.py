@@ -36,8 +36,8 @@ from .options import run as run_options
 from .options import scene as scene_options
 
 if TYPE_CHECKING:
-    from ..analyses.simulation.precision.work_precision import Precision
-    from ..scene import Model
+    from ..api.results import Precision
+    from ..api.scene import Scene
 
 
 def arguments(parser: argparse.ArgumentParser) -> None:
@@ -59,6 +59,7 @@ def arguments(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     """Load, compile, measure, report."""
     from ..analyses.simulation.precision.runs import precision
+    from ..api.faces import face
     from ..pipeline import compile
     from .terminal import console, progress
 
@@ -68,24 +69,26 @@ def run(options: argparse.Namespace) -> int:
     with progress() as show:
         show("deriving and compiling")
         model = compile(scene)
-        made = precision(model, end, options.methods, options.patience, show, **found)
-    written = [write(made, options.output)] if options.output is not None else []
+        curves: Precision = face(
+            precision(model, end, options.methods, options.patience, show, **found)
+        )
+    written = [write(curves, options.output)] if options.output is not None else []
     if options.json:
-        print(json.dumps(summary(made) | {"files": written}, indent=1, allow_nan=False))
+        print(json.dumps(summary(curves) | {"files": written}, indent=1, allow_nan=False))
     else:
         out = console()
-        out.print(made.table())
-        for name, why in made.left_out.items():
+        out.print(curves.table())
+        for name, why in curves.left_out.items():
             out.print(f"{name}: {why}", soft_wrap=True)
-        out.print(made.recommendation, soft_wrap=True)
-        for line in made.undetermined:
+        out.print(curves.recommendation, soft_wrap=True)
+        for line in curves.undetermined:
             out.print(line, soft_wrap=True)
         for path in written:
             out.print(f"wrote {path}", soft_wrap=True)
-    return INTERRUPTED if made.interrupted else 0
+    return INTERRUPTED if curves.interrupted else 0
 
 
-def _real(options: argparse.Namespace) -> Model:
+def _real(options: argparse.Namespace) -> Scene:
     """The scene.
 
     Raises:
@@ -99,19 +102,19 @@ def _real(options: argparse.Namespace) -> Model:
             raise ModelError(str(doubt)) from None
 
 
-def write(made: Precision, path: Path) -> str:
+def write(curves: Precision, path: Path) -> str:
     """The page or picture asked for."""
     if path.suffix.lower() in (".html", ".htm"):
         from ..view.page import publish
         from .report_page import page
 
-        publish(path, page(made))
+        publish(path, page(curves))
     else:
-        made.plot(path)
+        curves.plot(path)
     return str(path)
 
 
-def summary(made: Precision) -> dict[str, Any]:
+def summary(curves: Precision) -> dict[str, Any]:
     """What was measured, in numbers; an error is null where a run did not reach its end."""
     points = [
         {
@@ -123,16 +126,16 @@ def summary(made: Precision) -> dict[str, Any]:
             "steps": point.steps,
             "evaluations": point.evaluations,
         }
-        for point in made.points
+        for point in curves.points
     ]
     return {
-        "model": made.model,
-        "time": list(made.span),
+        "model": curves.model,
+        "time": list(curves.span),
         "points": points,
-        "reference": made.reference,
-        "doubt": made.doubt,
-        "left_out": made.left_out,
-        "recommendation": made.recommendation.splitlines(),
-        "undetermined": list(made.undetermined),
-        "interrupted": made.interrupted,
+        "reference": curves.reference,
+        "doubt": curves.doubt,
+        "left_out": curves.left_out,
+        "recommendation": curves.recommendation.splitlines(),
+        "undetermined": list(curves.undetermined),
+        "interrupted": curves.interrupted,
     }

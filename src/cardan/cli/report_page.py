@@ -5,7 +5,7 @@ from __future__ import annotations
 import io
 from html import escape
 
-from ..analyses.simulation.precision.work_precision import Precision
+from ..api.results import Precision
 
 STYLE = """
 body { font: 15px/1.5 system-ui, sans-serif; color: #1c2733; background: #fff;

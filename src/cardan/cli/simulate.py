@@ -41,7 +41,7 @@ from .options import scene as scene_options
 
 if TYPE_CHECKING:
     from ..api.compiled_model import CompiledModel
-    from ..runtime.trajectory.trajectory import Trajectory
+    from ..api.trajectory import Trajectory
 
 ROWS = 60  # of the table of coordinates
 

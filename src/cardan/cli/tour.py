@@ -11,6 +11,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ..api.faces import face
+from ..api.scene import Scene
 from ..codegen import generate
 from ..peers.comparison import BATCH, drawn
 from ..peers.contest import contest, relative
@@ -22,7 +24,7 @@ from ..scene.summary import notes_of
 
 if TYPE_CHECKING:
     from ..api.compiled_model import CompiledModel
-    from ..runtime.trajectory.trajectory import Trajectory
+    from ..api.trajectory import Trajectory
 
 STATES = 20
 TIME = 10.0
@@ -95,7 +97,7 @@ def take(
     """
     show("deriving")
     start = perf_counter()
-    scene = load(path, packages=packages)
+    scene: Scene = face(load(path, packages=packages))
     equations = derive(scene)
     text = generate(equations.function("forward_dynamics"), model=equations.system.name)
     derived = perf_counter() - start

@@ -7,8 +7,8 @@ from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from ..equations.finite_elements.record import Absolute
-from ..equations.record import Equations
+from ..equations.finite_elements.record import FiniteElementRecord
+from ..equations.record import EquationRecord
 from ..version import VERSION
 from .finite_elements import model_folder
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from ..topology.system import System
 
 
-def fingerprint(equations: Equations | Absolute, loops: bool | None = None) -> str:
+def fingerprint(equations: EquationRecord | FiniteElementRecord, loops: bool | None = None) -> str:
     """Hash of everything the C of a system depends on; ``loops`` as in :func:`compile`."""
     system: System = equations.system
     digest = hashlib.sha256()
@@ -36,9 +36,9 @@ def fingerprint(equations: Equations | Absolute, loops: bool | None = None) -> s
     return digest.hexdigest()
 
 
-def _choices(equations: Equations | Absolute) -> tuple[Any, ...]:
+def _choices(equations: EquationRecord | FiniteElementRecord) -> tuple[Any, ...]:
     """How equations were derived, besides the system."""
-    if isinstance(equations, Absolute):
+    if isinstance(equations, FiniteElementRecord):
         planes = [kind.plane for kind in equations.places.kinds]
         return "absolute", planes, model_folder.numbers(equations)
     return equations.method, equations.rewrites, equations.chosen, equations.treatment

@@ -15,7 +15,7 @@ from ..equations.constraints.constraints import Row, left_out
 from ..equations.functions import blocks
 from ..equations.functions.dynamics import Dynamics
 from ..equations.kinematics.kinematics import Kinematics
-from ..equations.record import Equations
+from ..equations.record import EquationRecord
 from ..ir.function import Function
 from ..schema import mechanism
 from ..schema.entries import (
@@ -55,7 +55,7 @@ class Base:
     saved: Callable[[], tuple[Function, ...]] = field(repr=False, compare=False)
 
 
-def base(equations: Equations, functions: Sequence[str] = ()) -> Base:
+def base(equations: EquationRecord, functions: Sequence[str] = ()) -> Base:
     """What the manifest says before any function is written.
 
     Args:
@@ -227,7 +227,7 @@ def _ticks(system: System) -> list[TickRow]:
     ]
 
 
-def _saved(equations: Equations) -> tuple[Function, ...]:
+def _saved(equations: EquationRecord) -> tuple[Function, ...]:
     """What a check of the model needs besides its compiled functions."""
     system = equations.system
     found = [flat_scene.scene(system), *flat_scene.scene_poses(system)]
@@ -243,7 +243,7 @@ def _saved(equations: Equations) -> tuple[Function, ...]:
     return tuple(found)
 
 
-def _scene(equations: Equations) -> Tree:
+def _scene(equations: EquationRecord) -> Tree:
     """The structure of the tree; its numbers are in the saved Function ``scene``."""
     system = equations.system
     unknown = ["the speeds are chosen by the user"] if equations.chosen else []
@@ -309,7 +309,7 @@ def _coordinates(system: System) -> list[CoordinateRow]:
     ]
 
 
-def _speeds(equations: Equations) -> list[SpeedRow]:
+def _speeds(equations: EquationRecord) -> list[SpeedRow]:
     block = equations.blocks["u"]
     if equations.chosen:
         rows = zip(block.entries, block.units, strict=True)
@@ -330,7 +330,7 @@ def limits_of(joint: Joint) -> dict[str, float]:
     return {name: value for name, value in limits if value is not None and isfinite(value)}
 
 
-def _joint(equations: Equations, number: int) -> mechanism.JointRow:
+def _joint(equations: EquationRecord, number: int) -> mechanism.JointRow:
     system = equations.system
     joint, element = system.joints[number], system.joints[number].element
     quaternion = element.quaternion
@@ -375,7 +375,7 @@ def _solved(system: System, joint: Joint) -> mechanism.LoopSolution | None:
     )
 
 
-def _cut(equations: Equations, cut: Cut) -> mechanism.CutRow:
+def _cut(equations: EquationRecord, cut: Cut) -> mechanism.CutRow:
     system = equations.system
     return mechanism.CutRow(
         name=cut.name,

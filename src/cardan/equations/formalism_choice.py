@@ -10,7 +10,7 @@ from ..topology.system import Named, System
 from .constraints.treatments import Treatment
 from .formalisms import FORMALISMS, OTHER_NAMES
 from .reading.counts import Counts
-from .record import Equations
+from .record import EquationRecord
 from .rewrites import check_names
 
 # operations by which eliminating a joint within its bodies exceeds writing its rows of M, measured
@@ -28,7 +28,7 @@ def chosen_by(
     chosen: tuple[Named, ...],
     rewrites: Sequence[str] | None,
     treatment: Treatment,
-) -> Equations:
+) -> EquationRecord:
     """Equations of a system by the formalism asked for, or by the one that takes least.
 
     Raises:
@@ -41,7 +41,7 @@ def chosen_by(
             "method= and speeds="
         )
     names = None if rewrites is None else check_names(rewrites)
-    plain = Equations(system, method, chosen, "", names, treatment=treatment)
+    plain = EquationRecord(system, method, chosen, "", names, treatment=treatment)
     if method != "auto":
         return plain
     best, reason = predicted(system)

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from ..arguments import checked
@@ -13,10 +12,10 @@ from ..errors import DerivationError, counted
 from ..ir.collector import collector_paused
 from ..ir.function import Block, Function
 from ..ir.recursion import Recursion
-from ..ir.request import Request
 from ..ir.stage import stage
 from ..schema.blocks import ABI_ORDER
 from ..schema.functions import FUNCTIONS
+from ..schema.request import Request
 from ..topology.system import Named, System
 from .constraints.classification import Classification, classification
 from .constraints.constraints import Row, rows
@@ -46,10 +45,10 @@ COUNTED = ("mass_matrix", "bias", "forward_dynamics", "inverse_dynamics")
 
 
 @dataclass(frozen=True, repr=False)
-class Equations(Readable, Linearizable, Explained):
+class EquationRecord(Readable, Linearizable, Explained):
     """Equations of motion M udot + h = f + tau, qdot = N(q) u + n(t, q).
 
-    Made by :func:`cardan.derive`. Nothing is derived before it is asked for.
+    Nothing is derived before it is asked for.
 
     Attributes:
         system: The system graph they belong to.
@@ -318,16 +317,16 @@ class Equations(Readable, Linearizable, Explained):
         return {name: (own.total, before[name].total) for name, own in self.operations.items()}
 
     @property
-    def fresh(self) -> Equations:
+    def fresh(self) -> EquationRecord:
         """The same with nothing derived."""
         return replace(self, _systems={}, _told={}, _counts={}, _made={}, _read={})
 
-    def told(self, rewrites: tuple[str, ...]) -> Equations:
+    def told(self, rewrites: tuple[str, ...]) -> EquationRecord:
         """The same equations by these rewrites only."""
         return replace(self.fresh, rewrites=rewrites)
 
     @cached_property
-    def as_described(self) -> Equations:
+    def as_described(self) -> EquationRecord:
         """The same without rewrites: in the frames and numbers of the user, for reading."""
         return self if self.rewrites == () else self.told(())
 
@@ -357,40 +356,6 @@ class Equations(Readable, Linearizable, Explained):
         bodies = counted(len(self.system.bodies), "body", "bodies")
         coordinates = counted(len(self.coordinates), "coordinate")
         return f"Equations('{self.system.name}', {self.method}: {bodies}, {coordinates})"
-
-    @checked
-    def export(
-        self,
-        directory: str | Path,
-        functions: Sequence[Any] | None = None,
-        language: str = "cython",
-        integrators: Sequence[str] = (),
-        reproducible: bool = False,
-        loops: bool | None = None,
-        prefix: str = "",
-    ) -> Path:
-        """Write C, a package for NumPy and an example that need no cardan.
-
-        Args:
-            directory: A new or empty one, or an earlier export, which is replaced.
-            functions: Names, or pairs such as ``("pose", "hand")``.
-            language: ``"cython"``, or ``"c"`` without the package.
-            integrators: By their files, such as ``"dop853"`` or ``"radau"``: to simulate from C.
-            reproducible: Equal bits from every compiler.
-            loops: As :func:`cardan.compile` takes it.
-            prefix: Before all names, such as ``"arm_"``: several exports in one program then.
-
-        Returns:
-            The directory.
-
-        Raises:
-            CodegenError, DerivationError: see :func:`cardan.codegen.export.export.export`.
-        """
-        from ..codegen.export.export import export
-
-        return export(
-            self, directory, functions, language, integrators, reproducible, loops, prefix
-        )
 
     def __str__(self) -> str:
         return overview(self)

@@ -16,14 +16,14 @@ from .content import Document
 from .facts import facts
 
 if TYPE_CHECKING:
-    from ..equations.finite_elements.record import Absolute
-    from ..equations.record import Equations
+    from ..equations.finite_elements.record import FiniteElementRecord
+    from ..equations.record import EquationRecord
 
 __all__ = ["Document", "document", "explain", "facts"]
 
 
 def explain(
-    equations: Equations | Absolute,
+    equations: EquationRecord | FiniteElementRecord,
     path: str | Path,
     progress: Callable[[str], object] | None = None,
 ) -> Path:
@@ -65,7 +65,7 @@ def checked(path: Path) -> str:
 
 
 def document(
-    equations: Equations | Absolute, progress: Callable[[str], object] | None = None
+    equations: EquationRecord | FiniteElementRecord, progress: Callable[[str], object] | None = None
 ) -> Document:
     """What a page says, before it is written."""
     from . import sheets

@@ -10,12 +10,12 @@ from . import content as d
 from .formulas import HELD
 
 if TYPE_CHECKING:
-    from ..equations.finite_elements.record import Absolute, BlockKind
+    from ..equations.finite_elements.record import BlockKind, FiniteElementRecord
 
 NAMED = 12
 
 
-def sections(scene: Absolute) -> Iterator[d.Section]:
+def sections(scene: FiniteElementRecord) -> Iterator[d.Section]:
     """What there is to say beyond graph, parameters and frames."""
     yield _places(scene)
     yield _elements(scene)
@@ -23,7 +23,7 @@ def sections(scene: Absolute) -> Iterator[d.Section]:
     yield _operations(scene)
 
 
-def _places(scene: Absolute) -> d.Section:
+def _places(scene: FiniteElementRecord) -> d.Section:
     """Where coordinates and speeds live."""
     places, rows = scene.places, []
     for n, kind in enumerate(places.kinds):
@@ -42,7 +42,7 @@ def _entries(kind: BlockKind) -> str:
     return ", ".join(f"{name or 'its own'} [{unit or '1'}]" for name, unit in units)
 
 
-def _elements(scene: Absolute) -> d.Section:
+def _elements(scene: FiniteElementRecord) -> d.Section:
     rows, held = [], []
     for group in scene.groups:
         kind = group.kind
@@ -74,7 +74,7 @@ SUM = d.Written(
 )
 
 
-def _energy(scene: Absolute) -> d.Section:
+def _energy(scene: FiniteElementRecord) -> d.Section:
     """Energy is conserved where nothing has power and nothing reads the time."""
     timed = [
         group.kind.name
@@ -96,7 +96,7 @@ def _reads_time(function: Function) -> bool:
     return any(function.graph.nodes[i][:2] == ("var", "t") for i in function.live())
 
 
-def _operations(scene: Absolute) -> d.Section:
+def _operations(scene: FiniteElementRecord) -> d.Section:
     rows: list[d.Cells] = []
     for group in scene.groups:
         kind = group.kind

@@ -15,13 +15,13 @@ from ..schema.fields import dumped
 from ..schema.mechanism import FrameRow
 
 if TYPE_CHECKING:
-    from ..equations.record import Equations
+    from ..equations.record import EquationRecord
     from ..topology.system import System
 
 Numbers: TypeAlias = NDArray[np.float64]
 
 
-def facts(equations: Equations) -> dict[str, Any]:
+def facts(equations: EquationRecord) -> dict[str, Any]:
     """The manifest without functions, with counts and sources."""
     stated = manifest.base(equations, ()).data
     left_out = ("abi", "available", "functions", "scene", "sha256", "shapes")

@@ -14,7 +14,7 @@ from ..runtime.trajectory.summary import headline, rows
 from . import content as d
 
 if TYPE_CHECKING:
-    from ..runtime.trajectory.trajectory import Trajectory
+    from ..runtime.trajectory.trajectory import TrajectoryRecord
 
 # of tones that can be seen on light and on dark pages
 COLORS = ("#2a7fd4", "#e07b20", "#2e9e4f", "#d0453e", "#9467bd", "#a0705f", "#d06bb0", "#8a8f98")
@@ -25,7 +25,7 @@ LINE, LETTER, LONGEST = 15, 7, 40
 BINS = 320
 
 
-def document(motion: Trajectory) -> d.Document:
+def document(motion: TrajectoryRecord) -> d.Document:
     """Coordinates over time, a panel for each unit; then the summary."""
     table = d.Table(("", ""), tuple(rows(motion)))
     blocks = (*_panels(motion), d.Folded("how it went", (table,)))
@@ -33,7 +33,7 @@ def document(motion: Trajectory) -> d.Document:
     return d.Document(motion.manifest.name, lead, (d.Section("", blocks),))
 
 
-def _panels(motion: Trajectory) -> Iterator[d.Block]:
+def _panels(motion: TrajectoryRecord) -> Iterator[d.Block]:
     if len(motion) < 2:
         return
     t, q = motion.t, motion.q

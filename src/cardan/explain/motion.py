@@ -14,7 +14,7 @@ from .tables import unit
 if TYPE_CHECKING:
     from ..equations.functions.base_parameters import BaseParameters
     from ..equations.reading.conserved import Quantity
-    from ..equations.record import Equations
+    from ..equations.record import EquationRecord
 
 # speeds of systems whose integrals are looked for, bodies of those whose base parameters are listed
 LARGEST = 60
@@ -22,7 +22,7 @@ LARGEST = 60
 WRITTEN, LONGEST = 250, 20_000
 
 
-def conserved(equations: Equations) -> Iterator[d.Section]:
+def conserved(equations: EquationRecord) -> Iterator[d.Section]:
     """Momenta and energy that stay constant."""
     if not 0 < len(equations.speeds) <= LARGEST:
         return
@@ -78,7 +78,7 @@ def _letter(name: str) -> Notation:
     return Notation("p", name.removeprefix("momentum of "))
 
 
-def base_parameters(equations: Equations) -> Iterator[d.Section]:
+def base_parameters(equations: EquationRecord) -> Iterator[d.Section]:
     """Combinations of masses and inertias that determine the motion."""
     if len(equations.system.bodies) > LARGEST:
         return

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from functools import singledispatch
 
+from ..equations.finite_elements.record import FiniteElementRecord
 from ..equations.functions.base_parameters import BaseParameters
-from ..equations.reading.explained import Explainable
-from ..runtime.trajectory.trajectory import Trajectory
-from ..scene.scene import Model
+from ..equations.record import EquationRecord
+from ..runtime.trajectory.trajectory import TrajectoryRecord
+from ..scene.scene import SceneRecord
 from ..topology.drawing.labeled_matrix import Labelled
 from . import content as d
 from . import histories, motion, scene, sheets
@@ -25,9 +26,10 @@ def document(result: object) -> d.Document:
     raise TypeError(f"notebooks show {type(result).__name__} as text")
 
 
-document.register(Explainable, sheets.cell)
-document.register(Model, scene.document)
-document.register(Trajectory, histories.document)
+document.register(EquationRecord, sheets.cell)
+document.register(FiniteElementRecord, sheets.cell)
+document.register(SceneRecord, scene.document)
+document.register(TrajectoryRecord, histories.document)
 
 
 @document.register

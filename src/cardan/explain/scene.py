@@ -6,15 +6,16 @@ from typing import TYPE_CHECKING
 
 from ..scene.summary import beam_rows, body_rows, force_rows, notes_of, summary
 from ..topology.drawing import drawing
+from ..topology.drawing.graph_view import view
 from . import content as d
 from .graph import drawn
 from .tables import unit
 
 if TYPE_CHECKING:
-    from ..scene.scene import Model
+    from ..scene.scene import SceneRecord
 
 
-def document(model: Model) -> d.Document:
+def document(model: SceneRecord) -> d.Document:
     """Everything that is said about a scene on one screen, with its graph drawn."""
     counts, gravity = summary(model).splitlines()[:2]
     lead = [d.Paragraph((line,)) for line in (counts, gravity)]
@@ -33,7 +34,7 @@ def document(model: Model) -> d.Document:
     if declared:
         table = d.Table(("", "name", "unit", "default"), declared)
         blocks.append(d.Folded("Parameters", (table,)))
-    graph = model.graph
+    graph = view(model)
     arcs = drawing.arcs(graph.branches, graph.closing, graph.beams)
     section = d.Section("", (*blocks, drawn(graph.bodies, arcs)))
     return d.Document(model.name, tuple(lead), (section,))

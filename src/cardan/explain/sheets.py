@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING
 
-from ..equations.finite_elements.record import Absolute
+from ..equations.finite_elements.record import FiniteElementRecord
 from ..equations.reading.loop_report import circuits_told
 from ..equations.reading.notation import Notation, notation, symbols
 from . import content as d
@@ -14,14 +14,14 @@ from .formulas import NOTEBOOK, Formulas
 from .graph import figure
 
 if TYPE_CHECKING:
-    from ..equations.record import Equations
+    from ..equations.record import EquationRecord
 
 Told = Callable[[str], object]
 
 
-def document(equations: Equations | Absolute, progress: Told) -> d.Document:
+def document(equations: EquationRecord | FiniteElementRecord, progress: Told) -> d.Document:
     """The page of equations in whatever coordinates."""
-    if isinstance(equations, Absolute):
+    if isinstance(equations, FiniteElementRecord):
         names = {p: notation(p) for p in (*equations.parameters, *equations.inputs)}
         return _page(equations, tuple(_absolute(equations, progress)), names)
     formulas = Formulas(equations)
@@ -29,11 +29,11 @@ def document(equations: Equations | Absolute, progress: Told) -> d.Document:
     return _page(equations, sections, dict(symbols(equations)) | formulas.symbols)
 
 
-def cell(equations: Equations | Absolute) -> d.Document:
+def cell(equations: EquationRecord | FiniteElementRecord) -> d.Document:
     """What of a page a notebook shows: what is quickly derived, tables folded."""
     formulas: list[d.Section] = []
     names: dict[str, Notation] = {}
-    if isinstance(equations, Absolute):
+    if isinstance(equations, FiniteElementRecord):
         tables_of = [*tables.parameters(equations.system), *elements.sections(equations)]
     else:
         own = Formulas(equations, NOTEBOOK)
@@ -46,7 +46,9 @@ def cell(equations: Equations | Absolute) -> d.Document:
 
 
 def _page(
-    equations: Equations | Absolute, sections: tuple[d.Section, ...], names: dict[str, Notation]
+    equations: EquationRecord | FiniteElementRecord,
+    sections: tuple[d.Section, ...],
+    names: dict[str, Notation],
 ) -> d.Document:
     system = equations.system
     lead = [d.Paragraph((_lead(equations),))]
@@ -54,10 +56,10 @@ def _page(
     return d.Document(system.name, tuple(lead), sections, names)
 
 
-def _lead(equations: Equations | Absolute) -> str:
+def _lead(equations: EquationRecord | FiniteElementRecord) -> str:
     system = equations.system
     bodies = sum(len(body.parts) for body in system.bodies)
-    if isinstance(equations, Absolute):
+    if isinstance(equations, FiniteElementRecord):
         how, nq, nu = "in absolute coordinates", equations.places.nq, equations.places.nu
     else:
         method = equations.method.replace("_", "-")
@@ -74,7 +76,7 @@ def _many(count: int, one: str, several: str = "") -> str:
     return f"{count} {one if count == 1 else several or one + 's'}"
 
 
-def _relative(equations: Equations, formulas: Formulas, progress: Told) -> Iterator[d.Section]:
+def _relative(equations: EquationRecord, formulas: Formulas, progress: Told) -> Iterator[d.Section]:
     progress("drawing the graph")
     yield _graph(equations, _circuits(equations))
     yield from tables.coordinates(equations)
@@ -91,7 +93,7 @@ def _relative(equations: Equations, formulas: Formulas, progress: Told) -> Itera
     yield _sources(equations)
 
 
-def _absolute(equations: Absolute, progress: Told) -> Iterator[d.Section]:
+def _absolute(equations: FiniteElementRecord, progress: Told) -> Iterator[d.Section]:
     progress("drawing the graph")
     yield _graph(equations)
     yield from tables.parameters(equations.system)
@@ -101,11 +103,13 @@ def _absolute(equations: Absolute, progress: Told) -> Iterator[d.Section]:
     yield _sources(equations)
 
 
-def _graph(equations: Equations | Absolute, circuits: tuple[d.Block, ...] = ()) -> d.Section:
+def _graph(
+    equations: EquationRecord | FiniteElementRecord, circuits: tuple[d.Block, ...] = ()
+) -> d.Section:
     return d.Section("Bodies and joints", (figure(equations.system), *circuits))
 
 
-def _circuits(equations: Equations) -> tuple[d.Block, ...]:
+def _circuits(equations: EquationRecord) -> tuple[d.Block, ...]:
     lines = tuple((_sentence(" ".join(line.split())),) for line in circuits_told(equations))
     return (d.Listing(lines),) if lines else ()
 
@@ -116,5 +120,5 @@ def _sentence(line: str) -> str:
     return (line[0].upper() + line[1:] if word.isalpha() else line) + "."
 
 
-def _sources(equations: Equations | Absolute) -> d.Section:
+def _sources(equations: EquationRecord | FiniteElementRecord) -> d.Section:
     return d.Section("Sources", (d.Listing(tuple((source,) for source in equations.sources)),))

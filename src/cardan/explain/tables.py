@@ -13,13 +13,13 @@ from . import content as d
 from .facts import poses
 
 if TYPE_CHECKING:
-    from ..equations.record import Equations
+    from ..equations.record import EquationRecord
     from ..topology.system import System
 
 UNTURNED = np.eye(3)
 
 
-def coordinates(equations: Equations) -> Iterator[d.Section]:
+def coordinates(equations: EquationRecord) -> Iterator[d.Section]:
     """Coordinates and speeds with the symbols that formulas use for them."""
     system = equations.system
     found = blocks.coordinates(system)
@@ -97,7 +97,7 @@ def frames(system: System) -> Iterator[d.Section]:
     yield d.Section("Frames", (d.Paragraph(said, quiet=True), table))
 
 
-def operations(equations: Equations) -> Iterator[d.Section]:
+def operations(equations: EquationRecord) -> Iterator[d.Section]:
     """How many operations functions take, and on whose account."""
     counts = equations.operations
     names = tuple(counts)

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from ..api.faces import face
 from ..pipeline import compile
 from ..scene import load
 
@@ -30,7 +31,7 @@ def agreement(path: Path) -> float | None:
         return None
     import pinocchio
 
-    model = compile(load(path, snap=False, mimic="free"), functions=("forward_dynamics",))
+    model = compile(face(load(path, snap=False, mimic="free")), functions=("forward_dynamics",))
     damping = {name: 0.0 for name in model.parameters if name.endswith(".damping")}
     model = model.with_parameters(damping) if damping else model
     peer = pinocchio.buildModelFromUrdf(str(path))

@@ -8,9 +8,9 @@ from . import inertia, shape
 from .body import Body
 from .files import load
 from .frame import Frame
-from .scene import Model
+from .scene import SceneRecord
 
-__all__ = ["Body", "Frame", "Model", "inertia", "load", "shape", "t"]
+__all__ = ["Body", "Frame", "SceneRecord", "inertia", "load", "shape", "t"]
 
 
 def __getattr__(name: str) -> Any:

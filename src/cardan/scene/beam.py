@@ -22,7 +22,7 @@ from .body import Body
 from .frame import Place
 
 if TYPE_CHECKING:
-    from .scene import Model
+    from .scene import SceneRecord
 
 
 # what is let go at an end -> the joint that lets it
@@ -75,7 +75,7 @@ class Beam:
         stops: Where nodes were asked for by :meth:`at`: name -> place in 0 ... 1.
     """
 
-    model: Model = field(repr=False)
+    model: SceneRecord = field(repr=False)
     name: str
     ends: tuple[End, End]
     section: Section
@@ -152,6 +152,6 @@ class Beam:
         return f"Beam({self.name!r}, {self.section.kind}, {self.elements} elements)"
 
 
-def node(model: Model, name: str) -> Body:
+def node(model: SceneRecord, name: str) -> Body:
     """A node of beams: a body without mass, whose place follows from its beam."""
     return Body(model, name, 0, (0, 0, 0), (0,) * 6)

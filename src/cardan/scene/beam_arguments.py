@@ -17,7 +17,7 @@ from .body import Body
 from .frame import Frame
 
 if TYPE_CHECKING:
-    from .scene import Model
+    from .scene import SceneRecord
 
 # of one beam, as bodies of one scene
 MOST_ELEMENTS = 100_000
@@ -31,7 +31,7 @@ STRAINS = ("twist", "curvature2", "curvature3", "stretch", "shear2", "shear3")
 
 
 def add_beam(
-    model: Model,
+    model: SceneRecord,
     name: str,
     ends: Sequence[tuple[Any, Any]],
     made_of: tuple[Any, Any],
@@ -98,7 +98,7 @@ def add_nodes(beam: Beam) -> None:
     model.beams[beam.name] = beam
 
 
-def end_of(model: Model, who: str, role: str, given: Any, released: Any) -> End:
+def end_of(model: SceneRecord, who: str, role: str, given: Any, released: Any) -> End:
     """An end as written: a frame, a body, a name, or three numbers for a free end.
 
     Raises:

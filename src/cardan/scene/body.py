@@ -11,7 +11,7 @@ from .frame import Frame, Located, rows_of, triple
 from .shape import Shape
 
 if TYPE_CHECKING:
-    from .scene import Model
+    from .scene import SceneRecord
 
 INERTIA_ENTRIES = ("xx", "xy", "xz", "yy", "yz", "zz")
 
@@ -31,7 +31,7 @@ class Body(Located):
         base: Body in whose axes ``pose`` is given, None for the ground.
     """
 
-    model: Model = field(repr=False)
+    model: SceneRecord = field(repr=False)
     name: str
     mass: Any
     com: tuple[Any, Any, Any]

@@ -27,7 +27,7 @@ from ..spatial.numbers import cosine_sine
 from .checks import is_number
 from .files.angles import snap as quarter
 from .frame import Frame
-from .scene import Model
+from .scene import SceneRecord
 
 CONVENTIONS = ("standard", "modified")
 KINDS = {"revolute": Revolute, "prismatic": Prismatic}
@@ -73,7 +73,7 @@ def from_dh(
     convention: str = "standard",
     name: str = "robot",
     gravity: Sequence[Any] = (0, 0, -9.81),
-) -> Model:
+) -> SceneRecord:
     """A serial robot from its Denavit-Hartenberg table.
 
     Args:
@@ -91,13 +91,13 @@ def from_dh(
     Raises:
         ModelError: an unknown key, convention or type, or a value that cannot be what it says.
     """
-    scene = Model(name, gravity=gravity)
+    scene = SceneRecord(name, gravity=gravity)
     add_dh(scene, rows, convention)
     return scene
 
 
 def add_dh(
-    scene: Model,
+    scene: SceneRecord,
     rows: Iterable[Mapping[str, Any] | Sequence[Any]],
     convention: str = "standard",
     parent: Any = None,
@@ -164,7 +164,7 @@ def _row(k: int, given: Mapping[str, Any] | Sequence[Any]) -> Row:
     return row
 
 
-def _snapped(scene: Model, joint: str, row: Row) -> Row:
+def _snapped(scene: SceneRecord, joint: str, row: Row) -> Row:
     """The row with quarter turns in place of their roundings, which are listed."""
     exact: dict[str, Any] = {}
     for key in ("alpha", "theta"):
@@ -175,7 +175,7 @@ def _snapped(scene: Model, joint: str, row: Row) -> Row:
     return replace(row, **exact)
 
 
-def _add(scene: Model, joint: str, link: str, row: Row, convention: str, inner: Any) -> Any:
+def _add(scene: SceneRecord, joint: str, link: str, row: Row, convention: str, inner: Any) -> Any:
     """One joint and its link; returns the link."""
     body = scene.body(link, mass=row.mass, com=row.com, inertia=row.inertia)
     kind, (c, s) = KINDS[row.type]("z"), _cosine_sine(row.alpha)

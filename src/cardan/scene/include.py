@@ -22,7 +22,7 @@ from .masses import pulled
 from .parameters import Output
 
 if TYPE_CHECKING:
-    from .scene import Model
+    from .scene import SceneRecord
 
 
 @dataclass(frozen=True)
@@ -42,7 +42,7 @@ class Included:
     symbols: Mapping[str, Any]
 
 
-def include(model: Model, other: Model, prefix: str, at: Place) -> Included:
+def include(model: SceneRecord, other: SceneRecord, prefix: str, at: Place) -> Included:
     """The work of :meth:`Model.include`: all of it is done, or nothing."""
     kept = {name: shallow(x) for name, x in vars(model).items() if isinstance(x, (dict, list))}
     try:
@@ -52,7 +52,7 @@ def include(model: Model, other: Model, prefix: str, at: Place) -> Included:
         raise
 
 
-def _include(model: Model, other: Model, prefix: str, at: Place) -> Included:
+def _include(model: SceneRecord, other: SceneRecord, prefix: str, at: Place) -> Included:
     if other is model:
         raise ModelError(f"include '{prefix}': a model cannot be a part of itself; make another")
     for joint in other.joints.values():
@@ -102,8 +102,8 @@ def _include(model: Model, other: Model, prefix: str, at: Place) -> Included:
 class _Copy:
     """One inclusion: old objects and names to new ones."""
 
-    model: Model
-    other: Model
+    model: SceneRecord
+    other: SceneRecord
     prefix: str
     bodies: dict[str, Body] = field(default_factory=dict)
     frames: dict[str, Frame] = field(default_factory=dict)

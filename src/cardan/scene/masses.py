@@ -10,10 +10,10 @@ from .checks import is_number
 
 if TYPE_CHECKING:
     from .connections import Force
-    from .scene import Model
+    from .scene import SceneRecord
 
 
-def pulled(model: Model, force: Force) -> tuple[Body, ...]:
+def pulled(model: SceneRecord, force: Force) -> tuple[Body, ...]:
     """The bodies whose mass a force element acts on.
 
     Raises:
@@ -36,7 +36,7 @@ def pulled(model: Model, force: Force) -> tuple[Body, ...]:
     return found
 
 
-def _named(model: Model, who: str, given: Any, ends: set[Body]) -> Body:
+def _named(model: SceneRecord, who: str, given: Any, ends: set[Body]) -> Body:
     """One body that the user named."""
     body = model.place(who, given, "body")
     if not isinstance(body, Body):

@@ -16,7 +16,7 @@ from ..errors import ModelError, shown
 from .frame import Frame, Located, Place
 
 if TYPE_CHECKING:
-    from .scene import Model
+    from .scene import SceneRecord
 
 # x forward, y against the normal, z down, in axes of the radius, of the way forward and the normal
 LOCAL = ((0, 0, -1), (1, 0, 0), (0, -1, 0))
@@ -24,7 +24,7 @@ LOCAL = ((0, 0, -1), (1, 0, 0), (0, -1, 0))
 
 @checked
 def circular(
-    scene: Model,
+    scene: SceneRecord,
     name: str,
     mu: Any,
     radius: Any,

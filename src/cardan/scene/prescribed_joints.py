@@ -14,7 +14,7 @@ from .frame import Place
 
 if TYPE_CHECKING:
     from .connections import Joint
-    from .scene import Model
+    from .scene import SceneRecord
 
 
 def several(motion: Any) -> bool:
@@ -23,7 +23,7 @@ def several(motion: Any) -> bool:
 
 
 def chain(
-    scene: Model,
+    scene: SceneRecord,
     name: str,
     kind: JointElement,
     ends: tuple[Place | str, Place | str],
@@ -72,7 +72,7 @@ def chain(
 
 
 def _made(
-    scene: Model,
+    scene: SceneRecord,
     name: str,
     steps: Sequence[Step],
     ends: tuple[Place | str, Place | str],

@@ -38,10 +38,9 @@ if TYPE_CHECKING:
     from ..elements.centerlines import Centerline
     from ..elements.material import Material
     from ..elements.sections import Section
-    from ..topology.drawing.graph_view import GraphView
 
 
-class Model(Vocabulary):
+class SceneRecord(Vocabulary):
     """A scene: bodies, joints, beams, forces, parameters, inputs and outputs.
 
     Args:
@@ -92,7 +91,7 @@ class Model(Vocabulary):
 
     def __repr__(self) -> str:
         bodies = counted(len(self.bodies), "body", "bodies")
-        return f"Model({self.name!r}, {bodies}, {counted(len(self.joints), 'joint')})"
+        return f"Scene({self.name!r}, {bodies}, {counted(len(self.joints), 'joint')})"
 
     # bodies and frames
 
@@ -357,7 +356,7 @@ class Model(Vocabulary):
         )
 
     @checked
-    def include(self, other: Model, prefix: str, at: Place | str | None = None) -> Included:
+    def include(self, other: SceneRecord, prefix: str, at: Place | str | None = None) -> Included:
         """Add a copy of another model as a subsystem; its ground becomes a body of this one.
 
         Args:
@@ -390,10 +389,3 @@ class Model(Vocabulary):
         from .files.yaml.writer import save
 
         save(self, Path(path))
-
-    @property
-    def graph(self) -> GraphView:
-        """The graph of bodies and joints: incidence, path and circuit matrices, drawings."""
-        from ..topology.drawing.graph_view import view
-
-        return view(self)

@@ -10,13 +10,13 @@ from ..elements.forces.stop import Stop
 from .connections import Joint
 
 if TYPE_CHECKING:
-    from .scene import Model
+    from .scene import SceneRecord
 
 MOST_ROWS = 30
 WIDEST = 28
 
 
-def notes_of(model: Model) -> list[str]:
+def notes_of(model: SceneRecord) -> list[str]:
     """What a user should know: notes of files, and what joints are said to have without effect."""
     held, rubbing = (
         {f.element.joint for f in model.forces.values() if isinstance(f.element, kind)}
@@ -35,7 +35,7 @@ def notes_of(model: Model) -> list[str]:
     return [*model.notes, *told]
 
 
-def summary(model: Model) -> str:
+def summary(model: SceneRecord) -> str:
     """Bodies with their joints, forces, declared names and notes."""
     counts = ", ".join(
         f"{len(items)} {what}{'s' if len(items) != 1 else ''}"
@@ -63,7 +63,7 @@ def summary(model: Model) -> str:
     return "\n".join(lines)
 
 
-def body_rows(model: Model) -> list[list[str]]:
+def body_rows(model: SceneRecord) -> list[list[str]]:
     """Bodies with their joints, below their titles."""
     inboard = {joint.child.body: joint for joint in model.joints.values()}
     rows = [["body", "mass [kg]", "joint", "kind", "parent", ""]]
@@ -78,7 +78,7 @@ def body_rows(model: Model) -> list[list[str]]:
     return rows
 
 
-def beam_rows(model: Model) -> list[list[str]]:
+def beam_rows(model: SceneRecord) -> list[list[str]]:
     """Beams, below their titles."""
     rows = [["beam", "section", "line", "from", "to", "elements"]]
     for beam in model.beams.values():
@@ -95,7 +95,7 @@ def _remark(joint: Joint) -> str:
     return ""
 
 
-def force_rows(model: Model) -> list[str]:
+def force_rows(model: SceneRecord) -> list[str]:
     """Forces by their kinds."""
     kinds: dict[str, list[str]] = {}
     for force in model.forces.values():

@@ -15,7 +15,7 @@ from ..scene.checks import is_number
 from ..scene.connections import Joint as UserJoint
 from ..scene.frame import Frame as UserFrame
 from ..scene.frame import Place
-from ..scene.scene import Model
+from ..scene.scene import SceneRecord
 from . import prescribed_motion
 from .beams.beams import Beams
 from .beams.nodal_scene import BeamNodes
@@ -40,7 +40,7 @@ class Assembly:
     """
 
     def __init__(
-        self, model: Model, convert: Converter, rotors: Mapping[str, str], nodes: BeamNodes
+        self, model: SceneRecord, convert: Converter, rotors: Mapping[str, str], nodes: BeamNodes
     ) -> None:
         self.model = model
         self.graph = convert.graph

@@ -13,7 +13,7 @@ from ..ir.graph import ZERO, Graph
 from ..scene import checks
 from ..scene.masses import pulled
 from ..scene.origins import located
-from ..scene.scene import Model
+from ..scene.scene import SceneRecord
 from . import internal_states, prescribed_motion, scene_warnings
 from .assembly import Assembly
 from .beams.nodal_scene import with_beams
@@ -34,7 +34,7 @@ MOVING = (("var", "q"), ("var", "u"))
 
 
 def build(
-    model: Model,
+    model: SceneRecord,
     specialize: bool | Sequence[str] | Mapping[str, float] = False,
     branches: Mapping[str, str] | None = None,
     independent: Collection[str] | None = None,
@@ -73,7 +73,7 @@ def build(
 
 
 def _build(
-    model: Model,
+    model: SceneRecord,
     built_in: BuiltIn | None,
     branches: Mapping[str, str] | None,
     independent: Collection[str],
@@ -198,7 +198,7 @@ def _circuits(
     return (cuts if branches is None else rest), solved
 
 
-def _atoms(scene: Model, assembly: Assembly) -> dict[str, Atom]:
+def _atoms(scene: SceneRecord, assembly: Assembly) -> dict[str, Atom]:
     """The placeholders of expressions, by number of frame or joint.
 
     Raises:
@@ -234,7 +234,7 @@ def _atoms(scene: Model, assembly: Assembly) -> dict[str, Atom]:
 
 
 def _forces(
-    model: Model, assembly: Assembly, name: str, slots: tuple[int, int, int]
+    model: SceneRecord, assembly: Assembly, name: str, slots: tuple[int, int, int]
 ) -> tuple[Force, ...]:
     """A force element; once for every body where it acts by mass."""
     force, user = _force(model, assembly, name, slots), model.forces[name]
@@ -250,7 +250,7 @@ def _forces(
     )
 
 
-def _force(model: Model, assembly: Assembly, name: str, slots: tuple[int, int, int]) -> Force:
+def _force(model: SceneRecord, assembly: Assembly, name: str, slots: tuple[int, int, int]) -> Force:
     """A force element with its data, frames and joints found; its first slots in z, s and e."""
     convert, element = assembly.convert, model.forces[name].element
     joints = _joints(assembly, name, element)
@@ -283,7 +283,7 @@ def _joints(assembly: Assembly, force: str, element: ForceElement) -> dict[str, 
     return found
 
 
-def _constraint(scene: Model, convert: Converter, name: str) -> Named:
+def _constraint(scene: SceneRecord, convert: Converter, name: str) -> Named:
     entry = scene.constraints[name]
     with convert.graph.made_by(name, "constraint"):
         node = convert.scalar(entry.expression, f"constraint.{name}", entry.unit)
@@ -300,7 +300,7 @@ def _constraint(scene: Model, convert: Converter, name: str) -> Named:
     return Named(name, node, entry.unit)
 
 
-def _output(scene: Model, convert: Converter, name: str) -> Named:
+def _output(scene: SceneRecord, convert: Converter, name: str) -> Named:
     entry = scene.outputs[name]
     with convert.graph.made_by(name, "output"):
         node = convert.scalar(entry.expression, f"output.{name}", entry.unit)

@@ -18,7 +18,7 @@ from ..ir.rewrite import rebuild
 from ..scene import dimensions
 from ..scene.checks import is_number
 from ..scene.frame import rows_of
-from ..scene.scene import Model
+from ..scene.scene import SceneRecord
 from ..spatial.numbers import check_axes, check_orthonormal, quarter_turns, roll_pitch_yaw
 from .structural_parameters import BuiltIn
 from .system import Nodes, Parameter
@@ -47,7 +47,7 @@ class Converter:
         fixing: Numbers, not expressions, are part of the form where this is set.
     """
 
-    def __init__(self, model: Model, graph: Graph, built_in: BuiltIn | None = None) -> None:
+    def __init__(self, model: SceneRecord, graph: Graph, built_in: BuiltIn | None = None) -> None:
         self.graph = graph
         self.built_in = built_in
         self.parameters: list[Parameter] = []

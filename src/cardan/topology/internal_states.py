@@ -6,12 +6,12 @@ from collections.abc import Iterable, Sequence
 
 from ..elements.internal_states import Event, Internal, Mode
 from ..errors import ModelError, near
-from ..scene.scene import Model
+from ..scene.scene import SceneRecord
 from .conversion import Converter
 from .system import Joint
 
 
-def numbered(model: Model, convert: Converter) -> dict[str, tuple[int, int, int]]:
+def numbered(model: SceneRecord, convert: Converter) -> dict[str, tuple[int, int, int]]:
     """First slots in z, s and e of every force element; its states become symbols.
 
     Raises:
@@ -32,7 +32,7 @@ def numbered(model: Model, convert: Converter) -> dict[str, tuple[int, int, int]
     return found
 
 
-def check_state(name: str, model: Model, convert: Converter) -> None:
+def check_state(name: str, model: SceneRecord, convert: Converter) -> None:
     """Whether an element keeps a state of this name.
 
     Raises:

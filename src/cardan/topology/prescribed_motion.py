@@ -11,14 +11,14 @@ from ..errors import ModelError, near
 from ..ir.derivative import forward
 from ..ir.graph import ONE, Graph
 from ..scene.connections import Joint as UserJoint
-from ..scene.scene import Model
+from ..scene.scene import SceneRecord
 from .conversion import Converter
 from .system import Coupling, Input, Joint, Named, Prescribed, System
 
 replaced = dataclasses.replace
 
 
-def declare_inputs(model: Model, convert: Converter) -> tuple[Input, ...]:
+def declare_inputs(model: SceneRecord, convert: Converter) -> tuple[Input, ...]:
     """Slots of the inputs; one in a motion or constraint takes value, rate and acceleration."""
     prescribing: set[str] = set()
     # constraints are differentiated, like prescribed motions
@@ -82,7 +82,7 @@ def define_coordinates(
 
 
 def prescribed(
-    model: Model,
+    model: SceneRecord,
     joints: Sequence[Joint],
     numbers: Mapping[str, int],
     convert: Converter,
@@ -190,7 +190,9 @@ def check_couplings(joints: Sequence[Joint]) -> None:
             leader = follower.coupling
 
 
-def named_speeds(model: Model, system: System, speeds: Mapping[str, Any]) -> tuple[Named, ...]:
+def named_speeds(
+    model: SceneRecord, system: System, speeds: Mapping[str, Any]
+) -> tuple[Named, ...]:
     """Chosen speeds as expressions in the graph of the system.
 
     Args:

@@ -10,7 +10,7 @@ from ..errors import ModelError
 from ..scene.body import Body
 from ..scene.connections import Joint
 from ..scene.frame import Place
-from ..scene.scene import Model
+from ..scene.scene import SceneRecord
 from .beams.beams import Beams
 from .conversion import IDENTITY, Converter
 from .placement import HERE, Placement, turned
@@ -26,7 +26,7 @@ class Reference:
     computed in a model that uses neither ``pose=`` nor ``at=`` nor beams.
     """
 
-    def __init__(self, convert: Converter, model: Model, beams: Beams) -> None:
+    def __init__(self, convert: Converter, model: SceneRecord, beams: Beams) -> None:
         self.convert = convert
         self.beams = beams
         self.active = (

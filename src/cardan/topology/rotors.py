@@ -15,7 +15,7 @@ from ..scene.body import Body
 from ..scene.connections import Couple, Force, Joint
 from ..scene.frame import Place
 from ..scene.parameters import Declared
-from ..scene.scene import Model
+from ..scene.scene import SceneRecord
 
 
 @dataclass(frozen=True)
@@ -31,7 +31,7 @@ class Rotors:
     same: dict[str, str] = field(default_factory=dict)
 
 
-def with_rotors(model: Model) -> tuple[Model, Rotors]:
+def with_rotors(model: SceneRecord) -> tuple[SceneRecord, Rotors]:
     """The model with the rotors of its elements as bodies ``<element>.rotor``.
 
     Returns:
@@ -54,7 +54,7 @@ def with_rotors(model: Model) -> tuple[Model, Rotors]:
     return extended, rotors
 
 
-def with_carried(model: Model, bodies: Sequence[Body]) -> tuple[Body, ...]:
+def with_carried(model: SceneRecord, bodies: Sequence[Body]) -> tuple[Body, ...]:
     """Bodies and the rotors that they carry.
 
     Args:
@@ -67,7 +67,7 @@ def with_carried(model: Model, bodies: Sequence[Body]) -> tuple[Body, ...]:
 
 
 def _add(
-    model: Model, force: Force, rotor: RotorBody, parent: Place | None, rotors: Rotors
+    model: SceneRecord, force: Force, rotor: RotorBody, parent: Place | None, rotors: Rotors
 ) -> None:
     """The rotor, and the joint that carries it; ``parent`` where it is on no joint."""
     who, own = f"force '{force.name}' ({force.element.kind})", f"{force.name}.rotor"
@@ -94,7 +94,7 @@ def _add(
             rotors.same[f"{own}.inertia.{key}"] = f"{force.name}.inertia"
 
 
-def _axis_of(model: Model, who: str, name: str) -> Any:
+def _axis_of(model: SceneRecord, who: str, name: str) -> Any:
     """Axis of the joint whose parent carries a rotor."""
     joint = model.joints[name]
     axis = getattr(joint.kind, "axis", None)
@@ -106,7 +106,7 @@ def _axis_of(model: Model, who: str, name: str) -> Any:
     return axis
 
 
-def _turning(model: Model, name: str, speed: Any) -> Any:
+def _turning(model: SceneRecord, name: str, speed: Any) -> Any:
     """Angle of a rotor at constant speed; a number is a parameter of that name."""
     from sympy import Symbol
 

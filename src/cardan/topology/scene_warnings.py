@@ -9,7 +9,7 @@ from ..elements.forces.force import constant
 from ..errors import ModelWarning, warn
 from ..ir.matrix import Matrix
 from ..scene.origins import place_of
-from ..scene.scene import Model
+from ..scene.scene import SceneRecord
 from .conversion import Converter
 from .loops.circuits import HERE, Numbers, Pose, circuit
 from .system import Cut, Force, Frame, Joint
@@ -17,14 +17,14 @@ from .system import Cut, Force, Frame, Joint
 MEET = 1e-9  # of the free length of a spring: its ends are at one point
 
 
-def tell(text: str, model: Model, category: type[ModelWarning] = ModelWarning) -> None:
+def tell(text: str, model: SceneRecord, category: type[ModelWarning] = ModelWarning) -> None:
     """Warn, with the place in its file of what the text names first."""
     place = place_of(text, model.origins)
     warn(f"{place}: {text}" if place else text, category)
 
 
 def check_meeting(
-    model: Model,
+    model: SceneRecord,
     forces: Sequence[Force],
     frames: Sequence[Frame],
     joints: Sequence[Joint],
@@ -82,7 +82,7 @@ def _push(force: Force, numbers: Numbers) -> float:
     return abs(stiffness * length)
 
 
-def check_prescribed(model: Model, joints: Sequence[Joint], cuts: Sequence[Cut]) -> None:
+def check_prescribed(model: SceneRecord, joints: Sequence[Joint], cuts: Sequence[Cut]) -> None:
     """Warn of circuits in which more joints are prescribed than the circuit has freedoms.
 
     Their number is that of the joints less the closing conditions that are independent on the

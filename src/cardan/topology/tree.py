@@ -13,7 +13,7 @@ from heapq import heappop, heappush
 from ..errors import TopologyError
 from ..scene.body import Body
 from ..scene.connections import Joint
-from ..scene.scene import Model
+from ..scene.scene import SceneRecord
 
 
 @dataclass(frozen=True)
@@ -47,7 +47,7 @@ class Closing:
     carried: bool = False
 
 
-def spanning_tree(model: Model) -> tuple[list[Branch], list[Closing]]:
+def spanning_tree(model: SceneRecord) -> tuple[list[Branch], list[Closing]]:
     """The tree from the ground, and the joints that close its circuits.
 
     Joints are taken in the order of declaration. Where there are circuits, those of most freedoms
@@ -69,7 +69,7 @@ def spanning_tree(model: Model) -> tuple[list[Branch], list[Closing]]:
     return branches, [_closing(branches, joint, kept) for joint in closing]
 
 
-def keep(model: Model) -> dict[str, str]:
+def keep(model: SceneRecord) -> dict[str, str]:
     """Joints whose coordinates are wanted, and so are cut last: name -> why."""
     found: dict[str, str] = {}
     for joint in model.joints.values():
@@ -89,7 +89,7 @@ def keep(model: Model) -> dict[str, str]:
     return found
 
 
-def _grow(model: Model, joints: Collection[Joint]) -> tuple[list[Branch], list[Joint]]:
+def _grow(model: SceneRecord, joints: Collection[Joint]) -> tuple[list[Branch], list[Joint]]:
     """A tree of the joints in their order, and those of them that close circuits."""
     joints = list(joints)
     at: dict[Body, list[int]] = {body: [] for body in model.bodies.values()}
@@ -127,7 +127,9 @@ def freedoms(joint: Joint, kept: Container[str]) -> int:
     return -1 if joint.name in kept else len(joint.kind.speeds)
 
 
-def _fewest_freedoms(model: Model, asked: Collection[str], kept: Container[str]) -> list[Joint]:
+def _fewest_freedoms(
+    model: SceneRecord, asked: Collection[str], kept: Container[str]
+) -> list[Joint]:
     """The joints of the tree of fewest speeds; among those, of the shallowest, declared first."""
     joints = list(model.joints.values())
     at: dict[Body, list[int]] = {}
@@ -156,7 +158,7 @@ def _fewest_freedoms(model: Model, asked: Collection[str], kept: Container[str])
     return [joints[k] for k in sorted(taken)]
 
 
-def _reached(model: Model, branches: list[Branch], joint: Joint) -> bool:
+def _reached(model: SceneRecord, branches: list[Branch], joint: Joint) -> bool:
     """Whether both bodies of a joint hang on the ground without it.
 
     Raises:
@@ -197,7 +199,7 @@ def _closing(branches: list[Branch], joint: Joint, kept: Mapping[str, str]) -> C
     return Closing(joint, ring, freest)
 
 
-def rooted_tree(model: Model) -> tuple[list[Branch], list[Closing]]:
+def rooted_tree(model: SceneRecord) -> tuple[list[Branch], list[Closing]]:
     """The spanning tree of a model in which all bodies hang on the ground.
 
     Raises:

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from ..runtime.trajectory.frame_history import inverse
-from ..runtime.trajectory.trajectory import Trajectory
+from ..runtime.trajectory.trajectory import TrajectoryRecord
 from ..schema.mechanism import ShapeRow
 from .scene import SOLIDS, THICK, link, solid
 
@@ -17,7 +17,7 @@ MOST_POINTS, MOST_NUMBERS = 60, 3_000_000
 THIN = 1 / 400
 
 
-def tubes(motion: Trajectory) -> list[dict[str, Any]]:
+def tubes(motion: TrajectoryRecord) -> list[dict[str, Any]]:
     """Beams as tubes: name, radius, and the points of the line in every picture (nt, 3 n)."""
     rows = {row.name: row for row in motion.manifest.beams}
     if not rows:
@@ -36,7 +36,7 @@ def tubes(motion: Trajectory) -> list[dict[str, Any]]:
     return found
 
 
-def drawing(motion: Trajectory) -> dict[str, Any]:
+def drawing(motion: TrajectoryRecord) -> dict[str, Any]:
     """Everything the page needs to know, as :func:`.scene.drawing` says it, and ``beams``."""
     manifest, lines = motion.manifest, tubes(motion)
     nodes = {end for row in manifest.beams for end in (row.start, row.end)}

@@ -11,9 +11,10 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from ..arguments import checked
 from ..errors import ModelError
 from ..runtime.trajectory import frame_history
-from ..runtime.trajectory.trajectory import Trajectory
+from ..runtime.trajectory.trajectory import TrajectoryRecord
 from ..whole_file import folder, written
 from . import meshed, scene
 
@@ -23,12 +24,20 @@ SCRIPT = Path(__file__).with_name("page.js")
 MARK = re.compile("__(TITLE|SCRIPT|DATA)__")
 
 
-def write_page(
-    motion: Trajectory, path: Path, *, fps: float = 60.0, title: str | None = None
+@checked
+def animate(
+    motion: TrajectoryRecord, path: str | Path, *, fps: float = 60.0, title: str | None = None
 ) -> Path:
-    """Write the page; see :meth:`cardan.runtime.trajectory.trajectory.Trajectory.animate`.
+    """Write one self-contained page that plays the motion in any browser.
 
-    The file appears complete or not at all.
+    Args:
+        motion: The motion.
+        path: HTML file. It appears complete or not at all.
+        fps: Pictures per second of motion; long motions get fewer.
+        title: Headline, the name of the model by default.
+
+    Returns:
+        The file.
 
     Raises:
         ModelError: a motion without poses, or the file cannot be written.
@@ -52,10 +61,10 @@ def write_page(
     parts = {"TITLE": headline, "SCRIPT": SCRIPT.read_text(encoding="utf-8"), "DATA": text}
     # in one sweep: what is filled in is never searched for marks
     page = MARK.sub(lambda mark: parts[mark[1]], TEMPLATE.read_text(encoding="utf-8"))
-    return publish(path, page)
+    return publish(Path(path), page)
 
 
-def _resampled(motion: Trajectory, fps: float) -> Trajectory:
+def _resampled(motion: TrajectoryRecord, fps: float) -> TrajectoryRecord:
     """The motion at equal times, where it knows what lies between its rows."""
     last = len(motion) - 1
     span = float(motion.t[-1] - motion.t[0])
@@ -70,7 +79,7 @@ def _resampled(motion: Trajectory, fps: float) -> Trajectory:
     return _some(motion, np.unique(np.searchsorted(sign * motion.t, sign * times).clip(0, last)))
 
 
-def _some(motion: Trajectory, rows: NDArray[np.intp]) -> Trajectory:
+def _some(motion: TrajectoryRecord, rows: NDArray[np.intp]) -> TrajectoryRecord:
     """The motion at some of its rows, with what is stored of them."""
     poses = {k: v[rows] for k, v in motion.stored.items() if k.startswith("pose ")}
     parts = {name: getattr(motion, name)[rows] for name in ("t", "x", "r", "given")}

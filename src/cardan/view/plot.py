@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Iterable
 from os import PathLike
 from pathlib import Path
 from typing import Any
@@ -10,8 +10,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..arguments import checked
 from ..errors import ModelError, listed, near, shown
-from ..runtime.trajectory.trajectory import Trajectory
+from ..runtime.trajectory.trajectory import TrajectoryRecord
 from ..whole_file import folder, replaced
 
 POINTS = 1500
@@ -21,11 +22,22 @@ Curve = NDArray[np.float64]
 Panels = list[tuple[str, dict[str, Curve]]]
 
 
-def plot(motion: Trajectory, path: Any, names: Any) -> Any:
-    """Draw histories; see :meth:`cardan.runtime.trajectory.trajectory.Trajectory.plot`.
+@checked
+def plot(
+    motion: TrajectoryRecord,
+    path: str | Path | None = None,
+    names: Iterable[str] | None = None,
+) -> Any:
+    """Histories over time as a Matplotlib figure, written to ``path`` if given.
 
-    Returns:
-        The Matplotlib figure.
+    Args:
+        motion: The motion.
+        path: Picture file; the ending says the format.
+        names: What to draw, such as ``["elbow", "elbow.u"]``; all coordinates, all speeds and the
+            energies by default.
+
+    Raises:
+        ModelError: unknown names, no picture file. ModuleNotFoundError: no Matplotlib.
     """
     chosen = None if names is None else asked(names)
     motion = _smooth(motion)
@@ -157,7 +169,7 @@ def done(figure: Any, title: str, path: Any) -> Any:
     return figure
 
 
-def _smooth(motion: Trajectory) -> Trajectory:
+def _smooth(motion: TrajectoryRecord) -> TrajectoryRecord:
     """The motion with points between its rows, where it knows them: curves, not polygons."""
     if motion.dense is None or len(motion.t) >= POINTS:
         return motion
@@ -166,7 +178,7 @@ def _smooth(motion: Trajectory) -> Trajectory:
     return motion.resample(times if motion.t[-1] >= motion.t[0] else times[::-1])
 
 
-def _everything(motion: Trajectory) -> Panels:
+def _everything(motion: TrajectoryRecord) -> Panels:
     """Coordinates by unit, speeds by unit, energies."""
     panels: Panels = []
     for letter, values in (("q", motion.q), ("u", motion.u)):
@@ -180,7 +192,7 @@ def _everything(motion: Trajectory) -> Panels:
     return panels
 
 
-def _chosen(motion: Trajectory, names: list[str]) -> Panels:
+def _chosen(motion: TrajectoryRecord, names: list[str]) -> Panels:
     """One panel for every name asked for; a block of several entries shares one."""
     return [(name, _columns(name, np.asarray(motion[name]))) for name in names]
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from ..arrays import Array
 from ..runtime.trajectory.frame_history import inverse
-from ..runtime.trajectory.trajectory import Trajectory
+from ..runtime.trajectory.trajectory import TrajectoryRecord
 from ..schema.manifest import Manifest
 from ..schema.mechanism import BodyRow, ShapeRow
 
@@ -18,7 +18,7 @@ LOOSE = ("free", "planar")  # joints that hold nothing together: no link leads t
 SOLIDS = ("box", "cylinder", "sphere", "capsule")
 
 
-def drawing(motion: Trajectory) -> dict[str, Any]:
+def drawing(motion: TrajectoryRecord) -> dict[str, Any]:
     """Everything the page needs to know about the bodies, ready for JSON.
 
     Returns:
@@ -46,7 +46,7 @@ def _bodies(manifest: Manifest) -> list[tuple[int, BodyRow]]:
     return [(k, body) for k, body in enumerate(manifest.bodies) if body.parts]
 
 
-def _poses(motion: Trajectory, body: str) -> list[list[float]]:
+def _poses(motion: TrajectoryRecord, body: str) -> list[list[float]]:
     """Pose of the rigid body (nt, 12): rotation row by row, then position."""
     frame = next(r.name for r in motion.manifest.frames if r.body == body)
     pose = motion.pose(frame) @ inverse(motion.placed(frame))
@@ -55,7 +55,7 @@ def _poses(motion: Trajectory, body: str) -> list[list[float]]:
     return rows
 
 
-def _links(motion: Trajectory) -> dict[str, list[tuple[Array, Array]]]:
+def _links(motion: TrajectoryRecord) -> dict[str, list[tuple[Array, Array]]]:
     """Straight links in body axes: from the inboard joint to every outboard one, or to the tip."""
     manifest = motion.manifest
     bodies = _bodies(manifest)
@@ -76,7 +76,7 @@ def _links(motion: Trajectory) -> dict[str, list[tuple[Array, Array]]]:
     return links
 
 
-def _com(motion: Trajectory, k: int) -> Array:
+def _com(motion: TrajectoryRecord, k: int) -> Array:
     mass = float(np.ravel(motion.scene["mass"])[k])
     moment = np.reshape(motion.scene["first_moment"], (-1, 3))[k]
     return np.asarray(moment / mass if mass else np.zeros(3))
@@ -89,7 +89,7 @@ def link(a: Array, b: Array, radius: float) -> dict[str, Any]:
 
 
 def _center(
-    motion: Trajectory, k: int, links: list[tuple[Array, Array]], radius: float
+    motion: TrajectoryRecord, k: int, links: list[tuple[Array, Array]], radius: float
 ) -> list[dict[str, Any]]:
     """A ball where the mass is, on a thin rod if that is beside the links."""
     com = _com(motion, k)
@@ -117,7 +117,7 @@ def short(x: Array) -> list[float]:
     return values
 
 
-def _shapes(motion: Trajectory, body: str) -> list[dict[str, Any]]:
+def _shapes(motion: TrajectoryRecord, body: str) -> list[dict[str, Any]]:
     """The user's shapes on a body, in its axes; meshes are left to the links."""
     bodies = {row.name: row.body for row in motion.manifest.frames}
     solids = []

@@ -15,7 +15,7 @@ END = 2e-3
 @pytest.fixture(scope="module")
 def crank() -> cd.CompiledModel:
     """A crank that is driven, a rod that bends, a slider."""
-    scene = cd.Model("crank", gravity=(0, 0, -9.81))
+    scene = cd.Scene("crank", gravity=(0, 0, -9.81))
     speed = scene.parameter("speed", 20.0)
     arm = scene.body("arm", mass=0.5, com=(0.075, 0, 0), inertia=(1e-3, 1e-3, 1e-3))
     scene.joint("drive", cd.Revolute("y"), scene.ground, arm, motion=speed * cd.t)

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import cardan as cd
-from cardan.analyses.ensembles import Ensemble
+from cardan.analyses.ensembles import EnsembleRecord
 from cardan.analyses.ensembles.lane_runner import width_of
 from cardan.runtime.calls.lanes import width
 from runtime import pendulum
@@ -19,7 +19,7 @@ pytestmark = pytest.mark.optimized
 TORQUE = (np.array([0.0, 0.4, 0.9, 2.0]), np.array([0.0, 1.0, -1.0, 0.5]))
 
 
-def same(one: Ensemble, other: Ensemble) -> None:
+def same(one: EnsembleRecord, other: EnsembleRecord) -> None:
     """Everything but the time it took."""
     np.testing.assert_array_equal(one.final, other.final)
     np.testing.assert_array_equal(one.numbers, other.numbers)
@@ -30,7 +30,7 @@ def same(one: Ensemble, other: Ensemble) -> None:
         np.testing.assert_array_equal(value, other.results[name])
 
 
-def lanes(model: cd.CompiledModel, t: Any, **options: Any) -> Ensemble:
+def lanes(model: cd.CompiledModel, t: Any, **options: Any) -> EnsembleRecord:
     """In lanes, however few runs there are."""
     model.prepare("rhs", batch=True)
     job = model.ensemble(t, **options, lanes=1).job

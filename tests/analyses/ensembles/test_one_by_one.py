@@ -18,7 +18,7 @@ pytestmark = pytest.mark.optimized
 @pytest.fixture(scope="module")
 def fourbar() -> cd.CompiledModel:
     """A crank and a rocker, closed by a cut joint."""
-    scene = cd.Model("fourbar", gravity=(0, 0, -9.81))
+    scene = cd.Scene("fourbar", gravity=(0, 0, -9.81))
     lengths = {"crank": 0.2, "coupler": 0.6, "rocker": 0.5}
     for name, length in lengths.items():
         rod = cd.inertia.rod(1.0, length, axis="z")
@@ -90,7 +90,7 @@ def test_without_a_compiler(double: cd.CompiledModel, monkeypatch: pytest.Monkey
 
 
 def test_auto_looks_at_the_first_run() -> None:
-    scene = cd.Model("stiff", gravity=(0, 0, -9.81))
+    scene = cd.Scene("stiff", gravity=(0, 0, -9.81))
     bob = scene.body("bob", mass=1.0, com=(0, 0, 0), inertia=(1, 1, 1))
     scene.joint("slide", cd.Prismatic("z"), scene.ground, bob)
     scene.force("damper", cd.Damping("slide", 1e5))

@@ -112,7 +112,7 @@ import resource
 from pathlib import Path
 import numpy as np
 import cardan as cd
-scene = cd.Model("rod", gravity=(0, 0, -9.81))
+scene = cd.Scene("rod", gravity=(0, 0, -9.81))
 rod = scene.body("rod", mass=1, com=(0, 0, -0.5), inertia=(0.1, 0.1, 0.01))
 scene.joint("pivot", cd.Revolute("y"), scene.ground, rod)
 model = cd.compile(scene)

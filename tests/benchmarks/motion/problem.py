@@ -67,7 +67,7 @@ class Problem:
     name: str
     title: str
     text: str
-    build: Callable[[], cd.Model]
+    build: Callable[[], cd.Scene]
     start: Mapping[str, float]
     end: float
     places: Callable[[cd.CompiledModel, Array], Array]
@@ -131,7 +131,7 @@ def tip(count: int, length: float) -> Callable[[Any, Array], Array]:
     return place
 
 
-def points(name: str, count: int, length: float) -> cd.Model:
+def points(name: str, count: int, length: float) -> cd.Scene:
     """Point masses of 1 kg at the ends of equal rods without mass, hanging along -z.
 
     Args:
@@ -139,7 +139,7 @@ def points(name: str, count: int, length: float) -> cd.Model:
         count: Masses.
         length: Of all rods together [m].
     """
-    scene = cd.Model(name, gravity=(0, 0, -9.81))
+    scene = cd.Scene(name, gravity=(0, 0, -9.81))
     rod, parent = length / count, scene.ground
     for k in range(count):
         body = scene.body(f"link{k}", mass=1.0, com=(0, 0, -rod))

@@ -10,7 +10,7 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from cardan.equations.finite_elements.lowering import lowered
-from cardan.equations.finite_elements.record import Absolute
+from cardan.equations.finite_elements.record import FiniteElementRecord
 from cardan.equations.functions.blocks import defaults
 from cardan.ir.interpreter import evaluate
 from equations.finite_elements.reference import Reference
@@ -30,7 +30,7 @@ class Both:
     """
 
     relative: Any
-    absolute: Absolute
+    absolute: FiniteElementRecord
 
     def call(self, function: str, of: str | None = None, **given: Any) -> dict[str, Any]:
         """A function of the relative formulation at one state."""

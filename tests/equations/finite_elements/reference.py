@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from cardan.equations.finite_elements.record import Absolute, Group
+from cardan.equations.finite_elements.record import FiniteElementRecord, Group
 from cardan.equations.functions.blocks import defaults
 from cardan.ir.interpreter import evaluate
 
@@ -30,7 +30,7 @@ class Reference:
         t, r, z, s: Time, inputs, internal states and modes; by default 0 and the defaults.
     """
 
-    scene: Absolute
+    scene: FiniteElementRecord
     q: Array
     u: Array
     t: float = 0.0

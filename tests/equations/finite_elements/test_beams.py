@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import cardan as cd
-from cardan.equations.finite_elements.record import GROUND, Absolute
+from cardan.equations.finite_elements.record import GROUND, FiniteElementRecord
 from cardan.equations.functions.blocks import coordinates, defaults
 from cardan.ir.function import Function, Output
 from cardan.ir.interpreter import evaluate
@@ -17,7 +17,7 @@ TUBE = cd.section.tube(0.02, 0.015)
 LENGTH, LOAD = 2.0, 10.0
 
 
-def at_rest(scene: Absolute) -> Reference:
+def at_rest(scene: FiniteElementRecord) -> Reference:
     """A scene in its reference configuration."""
     system = scene.system
     start = np.concatenate(
@@ -34,25 +34,25 @@ def at_rest(scene: Absolute) -> Reference:
     return Reference(scene, np.concatenate([q, scene.reference]), np.zeros(scene.places.nu))
 
 
-def cantilever(elements: int = 8, force: float = 0.0, **more: object) -> cd.Model:
+def cantilever(elements: int = 8, force: float = 0.0, **more: object) -> cd.Scene:
     """A beam along x, clamped to the ground, with a force upward at its end."""
-    scene = cd.Model("cantilever", gravity=(0, 0, 0))
+    scene = cd.Scene("cantilever", gravity=(0, 0, 0))
     beam = scene.beam("rod", (0, 0, 0), (LENGTH, 0, 0), TUBE, STEEL, elements=elements, **more)
     scene.joint("wall", cd.Fixed(), scene.ground, beam.start)
     scene.force("tip", cd.Force(beam.end, (0, 0, force)))
     return scene
 
 
-def clamped(elements: int = 8, force: float = 0.0, **more: object) -> cd.Model:
+def clamped(elements: int = 8, force: float = 0.0, **more: object) -> cd.Scene:
     """The same without a joint."""
-    scene = cd.Model("clamped", gravity=(0, 0, 0))
+    scene = cd.Scene("clamped", gravity=(0, 0, 0))
     beam = scene.beam("rod", scene.ground, (LENGTH, 0, 0), TUBE, STEEL, elements=elements, **more)
     scene.force("tip", cd.Force(beam.end, (0, 0, force)))
     return scene
 
 
 def test_beams_make_equations_absolute() -> None:
-    assert isinstance(cd.derive(clamped()), Absolute)
+    assert isinstance(cd.derive(clamped()), FiniteElementRecord)
     with pytest.raises(cd.DerivationError, match="coordinates='absolute'"):
         cd.derive(clamped(), coordinates="relative")
 
@@ -152,7 +152,7 @@ def test_beams_that_carry_their_loads() -> None:
 
 def test_a_beam_on_a_hinged_arm() -> None:
     """Ends on bodies, released ends, joints to nodes: everything finds its place."""
-    model = cd.Model("arm", gravity=(0, 0, -9.81))
+    model = cd.Scene("arm", gravity=(0, 0, -9.81))
     hub = model.body("hub", mass=1.0, inertia=(0.1, 0.1, 0.1))
     model.joint("drive", cd.Revolute("z"), model.ground, hub)
     beam = model.beam("blade", hub.at(0.3, 0, 0), (2, 0, 0), TUBE, STEEL, elements=4)
@@ -163,7 +163,7 @@ def test_a_beam_on_a_hinged_arm() -> None:
     model.joint("hook", cd.Spherical(), beam.end, load)
     model.constraint("rail", stay.end.position()[2])
     scene = cd.derive(model)
-    assert isinstance(scene, Absolute)
+    assert isinstance(scene, FiniteElementRecord)
     members = [m for g in scene.groups if g.kind.name.startswith("helling") for m in g.members]
     assert sorted(members) == [*(f"blade.{k}" for k in (1, 2, 3, 4)), "stay.1", "stay.2", "stay.3"]
     reference = at_rest(scene)
@@ -177,7 +177,7 @@ def test_a_beam_on_a_hinged_arm() -> None:
 
 
 def test_damping_and_loads_have_elements_and_powers() -> None:
-    model = cd.Model("loaded")
+    model = cd.Scene("loaded")
     soft = cd.material(E=2.1e11, nu=0.3, rho=7850, damping=1e-3, expansion=1e-5)
     model.beam("rod", (0, 0, 0), (LENGTH, 0, 0), TUBE, soft, 3, temperature=20)
     model.beam("other", (0, 1, 0), (LENGTH, 1, 0), TUBE, STEEL, 2, inertia="lumped")
@@ -205,7 +205,7 @@ def test_damping_and_loads_have_elements_and_powers() -> None:
 
 def test_an_end_is_let_go_of_the_node_of_another_beam() -> None:
     """The axes of the joint are those of its own beam; nothing is strained at the start."""
-    model = cd.Model("branch", gravity=(0, 0, 0))
+    model = cd.Scene("branch", gravity=(0, 0, 0))
     beam = model.beam("stem", (0, 0, 0), (2, 0, 0), TUBE, STEEL, 2)
     model.beam("twig", beam.at(0.5), (1, 1, 1), TUBE, STEEL, 2, release_start=("rx", "ry", "rz"))
     model.beam("thorn", beam.at(0.5), (0, 1, 0), TUBE, STEEL, 2, release_start=("ry",))

@@ -17,9 +17,9 @@ INERTIA = ((0.3, 0.02, -0.01), (0.02, 0.4, 0.03), (-0.01, 0.03, 0.2))
 t = sp.Symbol("t")
 
 
-def arm(name: str, **more: object) -> cd.Model:
+def arm(name: str, **more: object) -> cd.Scene:
     """Two links with a slider on the second."""
-    scene = cd.Model(name, gravity=(0.4, -0.2, -9.81))
+    scene = cd.Scene(name, gravity=(0.4, -0.2, -9.81))
     upper = scene.body("upper", mass=2.0, com=(0.02, 0, -0.3), inertia=INERTIA)
     lower = scene.body("lower", mass=1.0, com=(0, 0.01, -0.2), inertia=INERTIA)
     puck = scene.body("puck", mass=0.5, com=(0.03, 0, 0), inertia=INERTIA)
@@ -29,7 +29,7 @@ def arm(name: str, **more: object) -> cd.Model:
     return scene
 
 
-def prescribed() -> cd.Model:
+def prescribed() -> cd.Scene:
     """A driven joint with a spring, a damper and a motor on it."""
     scene = arm("prescribed", motion=0.3 * sp.sin(2 * t) + 0.1)
     scene.force("spring", cd.TorsionSpring("shoulder", stiffness=4.0, rest=0.2))
@@ -39,7 +39,7 @@ def prescribed() -> cd.Model:
     return scene
 
 
-def followed() -> cd.Model:
+def followed() -> cd.Scene:
     """A joint that follows a prescribed one, with friction, and one that follows a free one."""
     scene = arm("followed")
     wheel = scene.body("wheel", mass=1.0, com=(0.05, 0, 0.1), inertia=INERTIA)
@@ -51,7 +51,7 @@ def followed() -> cd.Model:
     return scene
 
 
-def by_input() -> cd.Model:
+def by_input() -> cd.Scene:
     """An input prescribes a joint, another one pushes."""
     scene = arm("by_input")
     length, push = scene.input("length", 0.1, unit="m"), scene.input("push", 2.5, unit="N")
@@ -60,7 +60,7 @@ def by_input() -> cd.Model:
     return scene
 
 
-def related() -> cd.Model:
+def related() -> cd.Scene:
     """A relation of coordinates, one of frames that moves with time, one of speeds."""
     scene = arm("related")
     other = scene.body("other", mass=0.7, com=(0.1, 0, 0), inertia=INERTIA)
@@ -72,14 +72,14 @@ def related() -> cd.Model:
     return scene
 
 
-def belted() -> cd.Model:
+def belted() -> cd.Scene:
     """A relation between coordinates: its force goes through the joints."""
     scene = arm("belted")
     scene.constraint("belt", scene.q("slide") - 0.2 * scene.q("elbow") ** 2)
     return scene
 
 
-def measured() -> cd.Model:
+def measured() -> cd.Scene:
     """Feedback with a state, forces by expressions, outputs with accelerations and constants."""
     scene = arm("measured")
     gain = scene.parameter("gain", 4.0)
@@ -99,7 +99,7 @@ def measured() -> cd.Model:
     return scene
 
 
-SCENES: dict[str, Callable[[], cd.Model]] = {
+SCENES: dict[str, Callable[[], cd.Scene]] = {
     scene.__name__: scene for scene in (prescribed, followed, by_input, belted, related, measured)
 }
 # forces of relations act on the bodies here, not along the joints

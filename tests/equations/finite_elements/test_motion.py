@@ -20,7 +20,7 @@ TIMES = 10
 NAMES = ("free_ZYX", "backwards", "gear", "drives", "universal", "point_on_curve", "prescribed")
 
 
-def trees() -> dict[str, tuple[Callable[[], cd.Model], State]]:
+def trees() -> dict[str, tuple[Callable[[], cd.Scene], State]]:
     """Of the zoo, and a wheel that rolls straight on."""
     found = {name: (ZOO[name].build, ZOO[name].states[0]) for name in NAMES if name in ZOO}
     rolling = State({"rolls": (0, 0, 0, 0.1, 0)}, {"rolls": (0.6, 0, 0.1, 0, 2.0)})

@@ -6,14 +6,14 @@ import numpy as np
 import pytest
 
 import cardan as cd
-from cardan.equations.finite_elements.record import Absolute
+from cardan.equations.finite_elements.record import FiniteElementRecord
 from cardan.ir.interpreter import evaluate
 from equations.finite_elements.reference import Reference
 from laws.cases import values
 from mechanisms import ZOO
 
 
-def scene(name: str) -> Absolute:
+def scene(name: str) -> FiniteElementRecord:
     return cd.derive(ZOO[name].build(), coordinates="absolute")
 
 
@@ -29,7 +29,7 @@ def test_joints_keep_their_names_and_nodes_have_those_of_bodies() -> None:
 
 
 def test_a_node_gives_way_to_a_joint_of_its_name() -> None:
-    model = cd.Model("same")
+    model = cd.Scene("same")
     arm = model.body("arm", mass=1.0, inertia=(1, 1, 1))
     model.joint("arm", cd.Revolute("z"), model.ground, arm)
     found = cd.derive(model, coordinates="absolute")
@@ -44,7 +44,7 @@ def test_a_free_joint_is_its_node() -> None:
 
 
 def test_like_elements_are_derived_once() -> None:
-    model = cd.Model("chain", gravity=(0, 0, -9.81))
+    model = cd.Scene("chain", gravity=(0, 0, -9.81))
     last = model.ground
     for k in range(12):
         link = model.body(f"link{k}", mass=1.0 + k, com=(0, 0, -0.1), inertia=(1, 2, 2 + k / 20))
@@ -99,7 +99,7 @@ def test_options_of_joint_coordinates_are_refused() -> None:
 
 
 def test_events_are_refused_with_the_cure() -> None:
-    model = cd.Model("stop", gravity=(0, 0, -9.81))
+    model = cd.Scene("stop", gravity=(0, 0, -9.81))
     arm = model.body("arm", mass=1.0, com=(1, 0, 0), inertia=(1, 1, 1))
     model.joint("hinge", cd.Revolute("y"), model.ground, arm)
     model.force("end", cd.Stop("hinge", upper=1.0, restitution=0.5))
@@ -108,7 +108,7 @@ def test_events_are_refused_with_the_cure() -> None:
 
 
 def test_rows_of_positions_come_first() -> None:
-    model = cd.Model("two")
+    model = cd.Scene("two")
     for name in ("left", "right"):
         disk = model.body(name, mass=1.0, inertia=(1, 2, 1))
         model.joint(f"{name}.rolls", cd.RollingDisk(0.3), model.ground, disk)

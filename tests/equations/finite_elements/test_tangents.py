@@ -22,7 +22,7 @@ from spread import some
 Array = np.ndarray
 STEP = 1e-6
 SEED = 13
-CHOSEN: dict[str, Callable[[], cd.Model]] = {
+CHOSEN: dict[str, Callable[[], cd.Scene]] = {
     **{
         name: ZOO[name].build
         for name in ("backwards", "backwards_guided", "drives", "springs", "free_mrp", "free_dcm")

@@ -12,7 +12,7 @@ LENGTH, LOAD, PULL, E = 2.0, 0.1, 0.03, 2.1e11
 
 def bracket(**more: object) -> cd.CompiledModel:
     """A beam along x with a node in the middle, loaded there and at its end."""
-    scene = cd.Model("bracket", gravity=(0, 0, 0))
+    scene = cd.Scene("bracket", gravity=(0, 0, 0))
     F, P, M = (scene.parameter(name, 0.0) for name in "FPM")
     section, steel = cd.section.rectangle(0.02, 0.03), cd.material(E=E, nu=0.3, rho=7850)
     beam = scene.beam("rod", scene.ground, (LENGTH, 0, 0), section, steel, elements=4, **more)
@@ -69,7 +69,7 @@ def test_what_is_missing_is_named(model: cd.CompiledModel) -> None:
         model.beam("rdo", model.initial()[: model.nq])
     with pytest.raises(cd.ArgumentError, match=r"q has shape \(3,\)"):
         model.beam("rod", np.zeros(3))
-    scene = cd.Model("plain")
+    scene = cd.Scene("plain")
     section = cd.section.general(EA=1e6, GA=1e6, GJ=1, EI=1, rhoA=1)
     scene.beam("rod", scene.ground, (1, 0, 0), section, elements=1)
     model = cd.compile(scene)

@@ -22,9 +22,9 @@ from cardan.runtime.verification import verify
 pytestmark = pytest.mark.usefixtures("cache_directory")
 
 
-def bar(elements: int = LANE_THRESHOLD + 2) -> cd.Model:
+def bar(elements: int = LANE_THRESHOLD + 2) -> cd.Scene:
     """A bar of enough elements to go side by side."""
-    scene = cd.Model("bar")
+    scene = cd.Scene("bar")
     rubber = cd.material(E=5e6, nu=0.45, rho=1100)
     square = cd.section.rectangle(0.02, 0.02)
     scene.beam("bar", scene.ground, (1, 0, 0), square, rubber, elements=elements)

@@ -14,32 +14,32 @@ pytestmark = pytest.mark.usefixtures("cache_directory")
 GENERAL = {"EA": 1e4, "GA": 1e4, "GJ": 10.0, "EI": 10.0}
 
 
-def point() -> cd.Model:
+def point() -> cd.Scene:
     """A point mass on a ball joint: nothing resists its turn about the line between them."""
-    scene = cd.Model("point")
+    scene = cd.Scene("point")
     bob = scene.body("bob", mass=1.0, com=(0, 0, -1))
     scene.joint("ball", cd.Spherical(), scene.ground, bob)
     return scene
 
 
-def free_point() -> cd.Model:
-    scene = cd.Model("free_point")
+def free_point() -> cd.Scene:
+    scene = cd.Scene("free_point")
     scene.joint("float", cd.Free(), scene.ground, scene.body("bob", mass=1.0))
     return scene
 
 
-def arm() -> cd.Model:
+def arm() -> cd.Scene:
     """An arm without mass, beside one that has some."""
-    scene = cd.Model("arm")
+    scene = cd.Scene("arm")
     heavy = scene.body("heavy", mass=2.0, inertia=(1, 1, 1))
     scene.joint("one", cd.Revolute("y"), scene.ground, heavy)
     scene.joint("two", cd.Revolute("y"), heavy, scene.body("light", mass=0.0))
     return scene
 
 
-def beam(**inertia: float) -> Callable[[], cd.Model]:
-    def build() -> cd.Model:
-        scene = cd.Model("beam")
+def beam(**inertia: float) -> Callable[[], cd.Scene]:
+    def build() -> cd.Scene:
+        scene = cd.Scene("beam")
         section = cd.section.general(**GENERAL, **inertia)
         scene.beam("rod", scene.ground, (1, 0, 0), section, elements=3)
         return scene
@@ -56,9 +56,9 @@ SINGULAR = {
 }
 
 
-def doubled() -> cd.Model:
+def doubled() -> cd.Scene:
     """Two ball joints between the same points of two bodies, one of them light: rows too many."""
-    scene = cd.Model("doubled", gravity=(-9.81, 0, 0))
+    scene = cd.Scene("doubled", gravity=(-9.81, 0, 0))
     near = scene.body("near", mass=1.0, com=(0, 0, -1), inertia=(1, 1, 1))
     far = scene.body("far", mass=1e-6, com=(0, 0, -1), inertia=(1e-9, 1e-9, 1e-9))
     scene.joint("hang", cd.Revolute("y"), scene.ground, near)

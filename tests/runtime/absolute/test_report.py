@@ -9,9 +9,9 @@ import pytest
 import cardan as cd
 
 
-def bracket(load: float = 10.0) -> cd.Model:
+def bracket(load: float = 10.0) -> cd.Scene:
     """A beam of three elements on a turning column."""
-    scene = cd.Model("bracket", gravity=(0, 0, -9.81))
+    scene = cd.Scene("bracket", gravity=(0, 0, -9.81))
     column = scene.body("column", mass=5.0, inertia=cd.inertia.box(5.0, 0.1, 0.1, 1.0))
     scene.joint("slew", cd.Revolute("z"), scene.ground, column)
     section = cd.section.general(EA=4e6, GA=2e6, GJ=2e3, EI=2e3, rhoA=2.0, rhoI=1e-4)

@@ -40,7 +40,7 @@ def test_speeds_go_over_from_one_end_of_a_beam_to_the_other() -> None:
 
 
 def test_bodies_on_the_ends_of_beams_go_along_and_carry_the_next() -> None:
-    scene = cd.Model("boom", gravity=(0, 0, -9.81))
+    scene = cd.Scene("boom", gravity=(0, 0, -9.81))
     section = cd.section.general(EA=1e5, GA=1e5, GJ=100, EI=100, rhoA=1, rhoI=1e-3)
     hub, bob = (scene.body(name, mass=1, inertia=(0.1, 0.1, 0.1)) for name in ("hub", "bob"))
     scene.joint("root", cd.Revolute("y"), scene.ground, hub, q0=0.3, u0=2.0)

@@ -34,12 +34,12 @@ from .executors import Block, Client, Threads, interruptible
 from .job import Job, histories_of
 from .lane_runner import suits, width_of
 from .reductions import reductions
-from .result import Ensemble
+from .result import EnsembleRecord
 from .sampling import Plan
 from .single_runs import motion
 from .variations import varied
 
-__all__ = ["Ensemble", "ensemble"]
+__all__ = ["EnsembleRecord", "ensemble"]
 
 POINTS = 201  # output times of reductions where the user gave none
 LARGEST = 1024  # runs of a block
@@ -79,7 +79,7 @@ def ensemble(
     checkpoint: str | Path | None = None,
     check: bool = False,
     progress: bool | Callable[[float], None] | None = None,
-) -> Ensemble:
+) -> EnsembleRecord:
     """Many runs that differ by their start, parameters or inputs.
 
     Args:
@@ -227,7 +227,7 @@ def _told(reduction: Any) -> str:
 
 def _computed(
     job: Job, hands: Threads | Client, checkpoint: Path | None, progress: Any
-) -> tuple[Ensemble, dict[int, str]]:
+) -> tuple[EnsembleRecord, dict[int, str]]:
     """All blocks, those of the checkpoint first; what finished runs in lanes miss."""
     gathered, left = Gathered(job), blocks(job)
     clock = time.perf_counter()
@@ -246,11 +246,11 @@ def _computed(
     missed = unaccounted(job, gathered.x, gathered.numbers, gathered.finished)
     gathered.tell(missed)
     kept = f"{file.runs} runs are kept in {file.path}, {AGAIN}" if file else CURE
-    found = Ensemble.of(gathered, time.perf_counter() - clock, repr(hands), restored, kept)
+    found = EnsembleRecord.of(gathered, time.perf_counter() - clock, repr(hands), restored, kept)
     return found, missed
 
 
-def _judged(result: Ensemble, missed: Mapping[int, str], check: bool) -> Ensemble:
+def _judged(result: EnsembleRecord, missed: Mapping[int, str], check: bool) -> EnsembleRecord:
     """The result; with warnings of runs that did not reach their end, or cannot account for it.
 
     Args:

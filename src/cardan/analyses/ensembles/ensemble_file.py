@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ... import arguments
 from ...errors import ModelError
 from ...runtime import formats
 from ...runtime.formats.contents import Contents, Variable, letters
@@ -19,14 +20,14 @@ from .lane_runner import NUMBERS
 from .reductions import Bins
 
 if TYPE_CHECKING:
-    from .result import Asked, Ensemble
+    from .result import Asked, EnsembleRecord
 
 FEWER = "Keep reductions instead of states"
 # what a name in a file may have beside letters of ASCII and digits
 OTHER = re.compile(r"[^A-Za-z0-9_.]")
 
 
-def variables(ensemble: Ensemble) -> dict[str, Variable]:
+def variables(ensemble: EnsembleRecord) -> dict[str, Variable]:
     """Name -> array. The attribute ``kind`` says what it is, ``name`` what it is called here."""
     asked, found = ensemble.asked, dict[str, Variable]()
 
@@ -68,8 +69,15 @@ def _safe(name: str, taken: Mapping[str, Any]) -> str:
     return found
 
 
-def to_xarray(ensemble: Ensemble) -> Any:
-    """As :meth:`Ensemble.to_xarray`."""
+def to_xarray(ensemble: EnsembleRecord) -> Any:
+    """Data set with the dimensions run, entry, time; names have _ for blanks.
+
+    Entries of states are labeled by name, ``status`` is text; the attribute ``name`` of a variable
+    is its name here.
+
+    Raises:
+        ModuleNotFoundError: xarray is missing.
+    """
     try:
         import xarray
     except ModuleNotFoundError as error:
@@ -86,8 +94,19 @@ def to_xarray(ensemble: Ensemble) -> Any:
     return xarray.Dataset(parts, coordinates, {"model": ensemble.asked.model})
 
 
-def save(ensemble: Ensemble, path: Path) -> Path:
-    """As :meth:`Ensemble.save`; a file with its name is replaced in one step."""
+@arguments.checked
+def save(ensemble: EnsembleRecord, path: str | Path) -> Path:
+    """Write everything but the model; :func:`cardan.load_ensemble` reads it.
+
+    The ending says the format: .nc (netCDF), .npz (NumPy archive) or .csv (a table with a row for
+    every run, which is not read again). The file appears complete or not at all.
+
+    Returns:
+        Its path.
+
+    Raises:
+        ModelError: a variable too large for the format, or a file that cannot be written.
+    """
     found = variables(ensemble)
     found["entry"] = letters(ensemble.asked.entries, "entry")
     found["status"] = letters(ensemble.status, "run", "status")
@@ -96,10 +115,10 @@ def save(ensemble: Ensemble, path: Path) -> Path:
         "messages": json.dumps({str(k): text for k, text in ensemble.messages.items()}),
         "ensemble": json.dumps(_told(ensemble)),
     }
-    return formats.save(path, ENSEMBLE, Contents(found, notes), FEWER)
+    return formats.save(Path(path), ENSEMBLE, Contents(found, notes), FEWER)
 
 
-def _told(ensemble: Ensemble) -> dict[str, Any]:
+def _told(ensemble: EnsembleRecord) -> dict[str, Any]:
     """What the ensemble says about itself."""
     asked = ensemble.asked
     return {
@@ -122,7 +141,7 @@ def _told(ensemble: Ensemble) -> dict[str, Any]:
     }
 
 
-def load(path: str | Path) -> Ensemble:
+def load(path: str | Path) -> EnsembleRecord:
     """Read an ensemble that :meth:`.Ensemble.save` wrote.
 
     Everything in the file is checked before it is used: nothing in it is ever executed. A file
@@ -137,7 +156,7 @@ def load(path: str | Path) -> Ensemble:
     Raises:
         ModelError: not an ensemble of cardan, a damaged one, or a newer format.
     """
-    from .result import Ensemble
+    from .result import EnsembleRecord
 
     path = Path(path)
     held = formats.load(path, ENSEMBLE, ("title", *NOTES))
@@ -150,7 +169,7 @@ def load(path: str | Path) -> Ensemble:
             "ensemble again"
         ) from None
     told = read.told
-    return Ensemble(
+    return EnsembleRecord(
         asked=asked,
         final=read.final,
         results=read.results,

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from ...arrays import Array
 from ...runtime.models.loaded_model import LoadedModel
 from ...runtime.trajectory.solver_info import EVENT, FINISHED
-from ...runtime.trajectory.trajectory import Trajectory
+from ...runtime.trajectory.trajectory import TrajectoryRecord
 from ..simulation.events import Happenings
 from ..simulation.settings import Settings
 from ..simulation.signals import Signals
@@ -55,7 +55,7 @@ class Job:
             return Crew(*asked, self.over, self.width)
         return Single(*asked, self.over)
 
-    def motion(self, k: int, times: Array | None) -> Trajectory:
+    def motion(self, k: int, times: Array | None) -> TrajectoryRecord:
         """One run as a trajectory, at times or dense."""
         over = replace(self.over, times=times)
         return motion(self.model, self.how, self.given, self.may, over, self.varied.part(k, k + 1))[

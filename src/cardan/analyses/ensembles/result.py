@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -15,7 +14,7 @@ from ...arguments import checked
 from ...arrays import Array, Booleans
 from ...errors import ArgumentError, ModelError, counted, near
 from ...runtime.trajectory.solver_info import EVENT, FINISHED
-from ...runtime.trajectory.trajectory import Trajectory
+from ...runtime.trajectory.trajectory import TrajectoryRecord
 from .collection import UNFINISHED, Gathered
 from .job import Job, entries
 from .lane_runner import NUMBERS
@@ -81,7 +80,7 @@ class Asked:
 
 
 @dataclass(frozen=True, eq=False)
-class Ensemble:
+class EnsembleRecord:
     """Many runs of one model. ``print(ensemble)`` tells how they went.
 
     Attributes:
@@ -115,7 +114,7 @@ class Ensemble:
     @classmethod
     def of(
         cls, gathered: Gathered, seconds: float, hands: str, restored: int, kept: str
-    ) -> Ensemble:
+    ) -> EnsembleRecord:
         """The result of what was gathered."""
         g = gathered
         messages = dict(sorted(g.messages.items()))
@@ -230,21 +229,6 @@ class Ensemble:
         return {name: self.numbers[:, k] for k, name in enumerate(NUMBERS)}
 
     @checked
-    def run(self, i: int, times: Sequence[float] | None = None) -> Trajectory:
-        """One run again, with everything between its steps: the same bits, as a motion.
-
-        Args:
-            i: Its number; negative ones count from the end.
-            times: Output times instead [s].
-
-        Raises:
-            ArgumentError: there is no such run. ModelError: the ensemble comes from a file.
-        """
-        if not -len(self) <= i < len(self):
-            raise ArgumentError(f"run({i}): there are runs 0 to {len(self) - 1}")
-        return self.job.motion(i % len(self), None if times is None else np.asarray(times, float))
-
-    @checked
     def message(self, i: int) -> str:
         """What happened to a run, as a sentence.
 
@@ -252,38 +236,10 @@ class Ensemble:
             ModelError: the ensemble comes from a file, which has no sentence about that run.
         """
         known = self.messages.get(i % len(self))
-        return known or str(self.run(i).message)
-
-    def to_xarray(self) -> Any:
-        """Data set with the dimensions run, entry, time; names have _ for blanks.
-
-        Entries of states are labeled by name, ``status`` is text; the attribute ``name`` of a
-        variable is its name here.
-
-        Raises:
-            ModuleNotFoundError: xarray is missing.
-        """
-        from .ensemble_file import to_xarray
-
-        return to_xarray(self)
-
-    @checked
-    def save(self, path: str | Path) -> Path:
-        """Write everything but the model; :func:`cardan.load_ensemble` reads it.
-
-        The ending says the format: .nc (netCDF), .npz (NumPy archive) or .csv (a table with a row
-        for every run, which is not read again). The file appears complete or not at all.
-        Returns its path.
-
-        Raises:
-            ModelError: a variable too large for the format, or a file that cannot be written.
-        """
-        from .ensemble_file import save
-
-        return save(self, Path(path))
+        return known or str(run(self, i).message)
 
 
-def _summary(ensemble: Ensemble) -> str:
+def _summary(ensemble: EnsembleRecord) -> str:
     """How the runs went."""
     asked = ensemble.asked
     counts = Counter(dict(enumerate(np.bincount(ensemble.codes).tolist())))
@@ -314,9 +270,27 @@ def _summary(ensemble: Ensemble) -> str:
     return "\n".join(lines)
 
 
-def _speed(ensemble: Ensemble) -> str:
+def _speed(ensemble: EnsembleRecord) -> str:
     """What it took; runs that a checkpoint had took nothing."""
     computed = ensemble.done - ensemble.restored
     rate = f", {computed / max(ensemble.seconds, 1e-9):.3g} runs per second" if computed else ""
     before = f", {ensemble.restored} runs from the checkpoint" if ensemble.restored else ""
     return f"{ensemble.seconds:.3g} s{rate}{before}"
+
+
+@checked
+def run(ensemble: EnsembleRecord, i: int, times: Sequence[float] | None = None) -> TrajectoryRecord:
+    """One run again, with everything between its steps: the same bits, as a motion.
+
+    Args:
+        i: Its number; negative ones count from the end.
+        times: Output times instead [s].
+
+    Raises:
+        ArgumentError: there is no such run. ModelError: the ensemble comes from a file.
+    """
+    if not -len(ensemble) <= i < len(ensemble):
+        raise ArgumentError(f"run({i}): there are runs 0 to {len(ensemble) - 1}")
+    return ensemble.job.motion(
+        i % len(ensemble), None if times is None else np.asarray(times, float)
+    )

@@ -9,7 +9,7 @@ from ...errors import CardanError, FunctionError
 from ...runtime.calls.parameters import Parameters
 from ...runtime.models.constraint_projection import Closing
 from ...runtime.models.loaded_model import LoadedModel
-from ...runtime.trajectory.trajectory import Trajectory
+from ...runtime.trajectory.trajectory import TrajectoryRecord
 from ..simulation.events import Happenings
 from ..simulation.method_choice import Case
 from ..simulation.run import Runner
@@ -32,7 +32,7 @@ def motion(
     over: Span,
     part: Varied,
     case: Case | None = None,
-) -> tuple[Trajectory, Runner]:
+) -> tuple[TrajectoryRecord, Runner]:
     """The only run of a part, and what made it.
 
     Raises:
@@ -107,7 +107,7 @@ class Single:
             self._keep(ends, k, made, runner)
         return ends
 
-    def _keep(self, ends: Ends, k: int, made: Trajectory, runner: Runner) -> None:
+    def _keep(self, ends: Ends, k: int, made: TrajectoryRecord, runner: Runner) -> None:
         """What became of one run."""
         nx, reached = self.model.nx, len(made)
         ends.x[k] = runner.views["y"][:nx]

@@ -17,7 +17,7 @@ from ...errors import ArgumentError, near
 from ...runtime import formats
 from ...runtime.calls.calling import numbers
 from ...runtime.trajectory.storage import load
-from ...runtime.trajectory.trajectory import Trajectory
+from ...runtime.trajectory.trajectory import TrajectoryRecord
 from ...whole_file import written
 from . import smoothing
 
@@ -133,14 +133,14 @@ def measured(
             raise ArgumentError("data='' names no file; give the path of a table or of a run")
         path = Path(data)
         data = load(path, model) if path.suffix in formats.readable() else read(path)
-    blocks = _of_run(data) if isinstance(data, Trajectory) else _of_table(model, data)
+    blocks = _of_run(data) if isinstance(data, TrajectoryRecord) else _of_table(model, data)
     found = {"tau": np.zeros((len(blocks["t"]), model.nu)), **blocks}
     found.setdefault("r", np.tile(model._layout.start("r"), (len(found["t"]), 1)))
     _check(model, found)
     return _complete(model, found, cutoff, period, harmonics, ends)
 
 
-def _of_run(run: Trajectory) -> dict[str, Array]:
+def _of_run(run: TrajectoryRecord) -> dict[str, Array]:
     """A run: its forces are those of the model's own elements, at its inputs."""
     keep = np.concatenate([[True], np.diff(run.t) > 0])
     return {"t": run.t[keep], "q": run.q[keep], "u": run.u[keep], "r": run.r[keep]}

@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, final
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -38,9 +38,8 @@ STEP = 1e-6  # of the free numbers, for derivatives
 FLAT = 1e-4  # relative change of the measure below which the search ends
 
 
-@final
 @dataclass(frozen=True, repr=False, eq=False)
-class Excitation:
+class ExcitationRecord:
     """A periodic motion of all joints.
 
     Attributes:
@@ -101,16 +100,6 @@ class Excitation:
         blocks = self.motion(rate, periods)
         return write(Path(path), named_columns(self.model, blocks["t"], blocks))
 
-    @checked
-    def plot(self, path: str | Path | None = None) -> Any:
-        """Positions and speeds over a period as a Matplotlib figure, written to ``path``."""
-        from ...view.plot import plot_over
-
-        t = np.linspace(0, self.period, 400)
-        q, u, udot = self.at(t)
-        curves = {"q": q, "u": u, "udot": udot}
-        return plot_over(f"excitation of {self.model.name}", "t [s]", t, curves, path)
-
     def __repr__(self) -> str:
         t = np.linspace(0, self.period, 4000)
         q, u, udot = self.at(t)
@@ -142,7 +131,7 @@ def excitation(
     steps: int = 30,
     seed: Seed = 0,
     progress: bool | Callable[[float], None] | None = None,
-) -> Excitation:
+) -> ExcitationRecord:
     """A periodic motion within limits at which the base regressor is well conditioned.
 
     Args:
@@ -182,7 +171,7 @@ def excitation(
         found = search.improved(start, steps, show)
     before, after = (search.condition(x) for x in (start, found))
     series = feasible(found, period, harmonics, limits)
-    return Excitation(model, series, limits, search.base, before, after)
+    return ExcitationRecord(model, series, limits, search.base, before, after)
 
 
 def _refuse(model: LoadedModel) -> None:
@@ -338,3 +327,14 @@ def _scaled(matrix: Array) -> Array:
     """With columns of length 1."""
     sizes = np.sqrt(np.einsum("...ii->...i", matrix))
     return np.asarray(matrix / (sizes[..., :, None] * sizes[..., None, :]))
+
+
+@checked
+def plot(excitation: ExcitationRecord, path: str | Path | None = None) -> Any:
+    """Positions and speeds over a period as a Matplotlib figure, written to ``path``."""
+    from ...view.plot import plot_over
+
+    t = np.linspace(0, excitation.period, 400)
+    q, u, udot = excitation.at(t)
+    curves = {"q": q, "u": u, "udot": udot}
+    return plot_over(f"excitation of {excitation.model.name}", "t [s]", t, curves, path)

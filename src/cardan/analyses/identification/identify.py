@@ -22,7 +22,7 @@ from .base_parameters import WANTED, Base, base_parameters, circuits, needed
 from .data import Data, columns, measured
 from .estimate import fitted
 from .regression_rows import Rows, of_energy, of_forces
-from .result import Identification
+from .result import IdentificationRecord
 
 if TYPE_CHECKING:
     from ...runtime.models.loaded_model import LoadedModel
@@ -47,7 +47,7 @@ def identify(
     actuators: Sequence[str] | None = None,
     base: Base | None = None,
     stretch: Count = 10,
-) -> Identification:
+) -> IdentificationRecord:
     """Base parameters of a model from data, by weighted least squares.
 
     Args:
@@ -88,7 +88,7 @@ def identify(
     else:
         known = None if sigma is None else sigma[chosen]
     fit = fitted(base.regressor(rows.A), rows.b, rows.spread, known, base.names)
-    return Identification(
+    return IdentificationRecord(
         model,
         base,
         fit.x,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, final
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -24,9 +24,8 @@ WELL = 0.1
 CONSISTENT = 1e-9
 
 
-@final
 @dataclass(frozen=True, repr=False, eq=False)
-class Identification:
+class IdentificationRecord:
     """Estimates of base parameters with their covariance.
 
     Attributes:
@@ -137,18 +136,6 @@ class Identification:
         rest = (self.residuals**2).sum(axis=0)
         return np.asarray(1 - rest / np.where(total > 0, total, 1.0))
 
-    @checked
-    def plot(self, path: str | Path | None = None) -> Any:
-        """Measured and estimated histories as a Matplotlib figure, written to ``path`` if given."""
-        from ...view.plot import plot_over
-
-        curves = {}
-        for k, name in enumerate(self.channels):
-            pair = [self.measured[:, k], self.measured[:, k] - self.residuals[:, k]]
-            curves[name] = np.column_stack(pair)
-        title = f"{self.nominal.name}: measured [0] and estimated [1]"
-        return plot_over(title, "t [s]", self.t, curves, path)
-
     def __repr__(self) -> str:
         head = (
             f"'{self.nominal.name}': {len(self.base)} base parameters from {self.residuals.size} "
@@ -189,3 +176,19 @@ def _consistent(phi: dict[str, Any], body: str) -> bool:
     whole[3, 3] = phi[f"{body}.mass"]
     values = np.linalg.eigvalsh(whole)
     return bool(values[0] >= -CONSISTENT * max(abs(values[-1]), 1e-300))
+
+
+@checked
+def plot(identification: IdentificationRecord, path: str | Path | None = None) -> Any:
+    """Measured and estimated histories as a Matplotlib figure, written to ``path`` if given."""
+    from ...view.plot import plot_over
+
+    curves = {}
+    for k, name in enumerate(identification.channels):
+        pair = [
+            identification.measured[:, k],
+            identification.measured[:, k] - identification.residuals[:, k],
+        ]
+        curves[name] = np.column_stack(pair)
+    title = f"{identification.nominal.name}: measured [0] and estimated [1]"
+    return plot_over(title, "t [s]", identification.t, curves, path)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, final
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -13,7 +13,7 @@ from ...arguments import Count, checked
 from ...arrays import Array
 from ...errors import ArgumentError, counted, near
 from ...ir.names import of_rate
-from ...runtime.trajectory.trajectory import Trajectory
+from ...runtime.trajectory.trajectory import TrajectoryRecord
 from ..mechanisms.actuation import actuation, named_speeds
 from .base_parameters import circuits
 from .data import Data, columns, measured, named_columns, write
@@ -24,9 +24,8 @@ if TYPE_CHECKING:
 UNITS = {"rad/s": "N m", "m/s": "N"}
 
 
-@final
 @dataclass(frozen=True, repr=False, eq=False)
-class Torques:
+class TorquesRecord:
     """Forces of actuators along a motion: M udot + h = f + tau + Gᵀ lam.
 
     ``torques["elbow"]`` is the history (nt,) of one.
@@ -104,14 +103,6 @@ class Torques:
         """Write the table as comma-separated values. Returns the path."""
         return write(Path(path), self.table())
 
-    @checked
-    def plot(self, path: str | Path | None = None) -> Any:
-        """Forces and powers as a Matplotlib figure, written to ``path`` if given."""
-        from ...view.plot import plot_over
-
-        curves = {"force [N m, N]": self.forces, "power [W]": self.power}
-        return plot_over(f"forces of {self.model.name}", "t [s]", self.t, curves, path)
-
     def __repr__(self) -> str:
         first, last = (self.t[0], self.t[-1]) if len(self.t) else (0.0, 0.0)
         span = f"{counted(len(self.t), 'sample')}, {first:g} ... {last:g} s"
@@ -140,7 +131,7 @@ def torques(
     cutoff: float | None = None,
     period: float | None = None,
     harmonics: Count = 5,
-) -> Torques:
+) -> TorquesRecord:
     """Forces that make a motion, beside those that the model's own elements supply.
 
     Args:
@@ -178,7 +169,7 @@ def torques(
     else:
         forces, unique = model.inverse_dynamics(data.q, data.u, data.udot, **given), True
     units = [UNITS.get(row.unit, "") for row in model.manifest.speeds]
-    return Torques(
+    return TorquesRecord(
         model,
         data.t,
         data.q,
@@ -196,7 +187,7 @@ def _motion(
 ) -> Data:
     """The samples, with accelerations by the equations of motion where a run has its model."""
     smooth: dict[str, Any] = {"cutoff": cutoff, "period": period, "harmonics": harmonics}
-    if isinstance(motion, Trajectory):
+    if isinstance(motion, TrajectoryRecord):
         if motion.model is None or cutoff is not None or period is not None:
             return measured(model, motion, ends=True, **smooth)
         rest: dict[str, Any] = {"t": motion.t, "r": motion.r if motion.r.shape[1] else None}
@@ -215,3 +206,30 @@ def _values(given: Any, t: Array, coordinate: bool) -> Any:
     if coordinate and callable(given):
         return np.asarray(given(t), dtype=float)
     return given
+
+
+@checked
+def torques_of_run(
+    motion: TrajectoryRecord,
+    *,
+    actuators: Sequence[str] | None = None,
+    norm: Any = "minimum",
+    inputs: Mapping[str, float] | None = None,
+    cutoff: float | None = None,
+    period: float | None = None,
+    harmonics: Count = 5,
+) -> TorquesRecord:
+    """Forces that actuators add to make this motion, as :meth:`CompiledModel.torques` has them."""
+    return torques(
+        motion._model("torques"), motion, actuators=actuators, norm=norm, inputs=inputs,
+        cutoff=cutoff, period=period, harmonics=harmonics,
+    )  # fmt: skip
+
+
+@checked
+def plot(torques: TorquesRecord, path: str | Path | None = None) -> Any:
+    """Forces and powers as a Matplotlib figure, written to ``path`` if given."""
+    from ...view.plot import plot_over
+
+    curves = {"force [N m, N]": torques.forces, "power [W]": torques.power}
+    return plot_over(f"forces of {torques.model.name}", "t [s]", torques.t, curves, path)

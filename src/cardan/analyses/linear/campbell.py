@@ -16,7 +16,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
-from typing import Any, final
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -26,7 +26,7 @@ from ...arguments import Count, Hold, checked
 from ...arrays import Array
 from ...errors import ModelError, SolveWarning, shown, warn
 from .family import Member, family
-from .root_locus import END, Locus, locus
+from .root_locus import END, LocusRecord, locus
 
 Complex = NDArray[np.complex128]
 OSCILLATES = 1e-6  # of the largest modulus: imaginary parts of what does
@@ -35,9 +35,8 @@ ROUND = 0.1  # whirl of motions that go round
 SHOWN = 8
 
 
-@final
 @dataclass(frozen=True, repr=False, eq=False)
-class Campbell:
+class CampbellRecord:
     """Frequencies of a rotor over its speed.
 
     Attributes:
@@ -49,7 +48,7 @@ class Campbell:
         whirl: As seen from there (n, k): from -1, backward, over 0, along a line, to 1, forward.
     """
 
-    locus: Locus
+    locus: LocusRecord
     speed: Array
     label: str
     turning: bool
@@ -133,30 +132,6 @@ class Campbell:
             lines.append(f"  {change.kind} {word} at {change.values[self.label]:.9g}")
         return "\n".join(lines)
 
-    @checked
-    def plot(self, path: str | Path | None = None, orders: Sequence[int] = (1,)) -> Any:
-        """The diagram as a Matplotlib figure, written to ``path`` if given.
-
-        Args:
-            path: Picture file, or None.
-            orders: Multiples of the speed that are drawn, with the critical speeds.
-
-        Raises:
-            ModelError: a path that is no picture file.
-            ModuleNotFoundError: Matplotlib is not installed (extra ``plot``).
-        """
-        from ...view.loci import plot_campbell
-
-        growing = (
-            self.values.real
-            > np.array([m.spectrum.size for m in self.locus.members])[:, None] * OSCILLATES
-        )
-        critical = {int(order): self.critical(order) for order in orders}
-        return plot_campbell(
-            self.locus.name, self.label, self.speed, self.frequencies, self.whirl, growing,
-            critical, path,
-        )  # fmt: skip
-
 
 @checked
 def campbell(
@@ -175,7 +150,7 @@ def campbell(
     t: float = 0.0,
     check: bool = False,
     **named: Any,
-) -> Campbell:
+) -> CampbellRecord:
     """Frequencies of a rotor over its speed: ``model.campbell(spin=(0, 300))``.
 
     Args:
@@ -202,7 +177,7 @@ def campbell(
     return _record(found, label, along)
 
 
-def _record(found: Locus, label: str, turning: bool) -> Campbell:
+def _record(found: LocusRecord, label: str, turning: bool) -> CampbellRecord:
     """Frequencies and whirl of all motions that oscillate somewhere."""
     size = np.array([member.spectrum.size for member in found.members])[:, None]
     upper = (found.eigenvalues.imag > OSCILLATES * size).sum(axis=0) * 2 > len(found)
@@ -210,20 +185,24 @@ def _record(found: Locus, label: str, turning: bool) -> Campbell:
     order = np.nanmean(found.eigenvalues.imag[:, columns], axis=0).argsort()
     columns = columns[order]
     shape = len(found), len(columns)
-    bare = Campbell(found, found[label], label, turning, np.zeros(shape), np.zeros(shape), columns)
+    bare = CampbellRecord(
+        found, found[label], label, turning, np.zeros(shape), np.zeros(shape), columns
+    )
     seen = [
         [_seen(bare, member, _place(member, value), found[label][i]) for value in row]
         for i, (member, row) in enumerate(zip(found.members, bare.values, strict=True))
     ]
     table = np.array(seen).reshape(*shape, 2)
-    return Campbell(found, found[label], label, turning, table[..., 0], table[..., 1], columns)
+    return CampbellRecord(
+        found, found[label], label, turning, table[..., 0], table[..., 1], columns
+    )
 
 
 def _place(member: Member, value: complex) -> int:
     return int(np.abs(member.values - value).argmin())
 
 
-def _seen(diagram: Campbell, member: Member, place: int, speed: float) -> tuple[float, float]:
+def _seen(diagram: CampbellRecord, member: Member, place: int, speed: float) -> tuple[float, float]:
     """Frequency from the ground [rad/s], NaN where it does not oscillate, and whirl of a motion."""
     value = member.values[place]
     if abs(value.imag) <= OSCILLATES * member.spectrum.size:
@@ -274,3 +253,30 @@ def _rest(member: Member) -> dict[str, Any]:
     """Time and inputs, as functions of a model take them."""
     values = np.array(list(member.state.inputs.values()))
     return {"t": member.state.t, **({"r": values} if len(values) else {})}
+
+
+@checked
+def plot(
+    campbell: CampbellRecord, path: str | Path | None = None, orders: Sequence[int] = (1,)
+) -> Any:
+    """The diagram as a Matplotlib figure, written to ``path`` if given.
+
+    Args:
+        path: Picture file, or None.
+        orders: Multiples of the speed that are drawn, with the critical speeds.
+
+    Raises:
+        ModelError: a path that is no picture file.
+        ModuleNotFoundError: Matplotlib is not installed (extra ``plot``).
+    """
+    from ...view.loci import plot_campbell
+
+    growing = (
+        campbell.values.real
+        > np.array([m.spectrum.size for m in campbell.locus.members])[:, None] * OSCILLATES
+    )
+    critical = {int(order): campbell.critical(order) for order in orders}
+    return plot_campbell(
+        campbell.locus.name, campbell.label, campbell.speed, campbell.frequencies, campbell.whirl,
+        growing, critical, path,
+    )  # fmt: skip

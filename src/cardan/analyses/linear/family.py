@@ -20,7 +20,7 @@ from ..statics.equilibrium import equilibrium
 from ..statics.load_path import TIME, column
 from ..systems.dynamic_system import Contract, contract_of
 from .first_order import Choice
-from .linear_model import LinearModel
+from .linear_model import LinearModelRecord
 from .linearize import linearize
 from .spectrum import Spectrum, spectrum
 from .trim import trim
@@ -45,7 +45,7 @@ class Member:
 
     s: float
     state: Any
-    linear: LinearModel
+    linear: LinearModelRecord
     spectrum: Spectrum
     shapes: Complex = field(repr=False)
 
@@ -142,7 +142,7 @@ class Family:
                 if name in known:
                     given[place] = {**(given.get(place) or {}), name: value}
 
-    def _closed(self, linear: LinearModel) -> Spectrum:
+    def _closed(self, linear: LinearModelRecord) -> Spectrum:
         """Eigenvalues of the chosen coordinates alone."""
         found = linear.second_order(self.coordinates)
         n = len(found.coordinates)
@@ -151,7 +151,7 @@ class Family:
         rate = max(float(np.abs(np.linalg.eigvals(A)).max(initial=0.0)), 1e-300)
         return spectrum(A, np.concatenate([np.ones(n), np.full(n, rate)]))
 
-    def _shapes(self, linear: LinearModel, own: Spectrum) -> Complex:
+    def _shapes(self, linear: LinearModelRecord, own: Spectrum) -> Complex:
         """Motions of all speeds, which do not depend on what is independent, of length 1."""
         right = own.right
         if self.coordinates is None:

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
-from typing import Any, NamedTuple, final
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -28,9 +28,8 @@ CLOSED = 1e-9  # of what accelerates coordinates: parts that others have in it
 SINGULAR = 1e13  # condition of the mobility of coordinates that depend on each other
 
 
-@final
 @dataclass(frozen=True, repr=False, eq=False)
-class LinearModel:
+class LinearModelRecord:
     """x' = A x + B r, y = C x + D r: distances from a motion.
 
     Attributes:
@@ -242,55 +241,6 @@ class LinearModel:
         inner = np.linalg.solve(s * np.eye(len(self.A)) - self.A, self.B.astype(np.complex128))
         return np.asarray(self.C @ inner + self.D)
 
-    @checked
-    def plot(
-        self,
-        path: str | Path | None = None,
-        omega: ArrayLike | None = None,
-        inputs: Iterable[str] | None = None,
-        outputs: Iterable[str] | None = None,
-    ) -> Any:
-        """Sizes and phases of the frequency response (Bode) as a Matplotlib figure.
-
-        Args:
-            path: Picture file, or None.
-            omega: Angular frequencies (n,) [rad/s]; a decade around the eigenvalues if left out.
-            inputs, outputs: Of which; all if left out.
-
-        Raises:
-            ModelError: unknown names, nothing to draw, or a path that is no picture file.
-            ModuleNotFoundError: Matplotlib is not installed (extra ``plot``).
-        """
-        from ...view.loci import plot_response
-
-        chosen = [
-            list(known) if names is None else listed(word, names, known[0] if known else "tip")
-            for word, names, known in (
-                ("inputs", inputs, self.inputs),
-                ("outputs", outputs, self.outputs),
-            )
-        ]
-        both = (("inputs", self.inputs), ("outputs", self.outputs))
-        for names, (word, known) in zip(chosen, both, strict=True):
-            missing = next((name for name in names if name not in known), None)
-            if missing is not None or not names:
-                name = missing or ""
-                raise ModelError(
-                    f"plot: {word}: no such {word.removesuffix('s')}: '{name}'.{near(name, known)}"
-                )
-        over = self._around() if omega is None else np.asarray(omega, dtype=np.float64)
-        if over.ndim != 1 or not len(over):
-            raise ArgumentError(
-                f"plot: omega has the shape {over.shape}; give a row of angular frequencies [rad/s]"
-            )
-        response = self.frequency_response(over)
-        curves = {
-            f"{y} by {r}": response[:, self.outputs.index(y), self.inputs.index(r)]
-            for y in chosen[1]
-            for r in chosen[0]
-        }
-        return plot_response(self.name, over, curves, path)
-
     def _around(self) -> Array:
         """Angular frequencies a decade around what moves (n,)."""
         sizes = np.abs(self.eigenvalues)
@@ -373,3 +323,53 @@ def _plain(names: tuple[str, ...]) -> dict[str, str]:
 def _listed(names: tuple[str, ...]) -> str:
     more = ", ..." if len(names) > SHOWN else ""
     return (", ".join(names[:SHOWN]) or "none") + more
+
+
+@checked
+def plot(
+    linear_model: LinearModelRecord,
+    path: str | Path | None = None,
+    omega: ArrayLike | None = None,
+    inputs: Iterable[str] | None = None,
+    outputs: Iterable[str] | None = None,
+) -> Any:
+    """Sizes and phases of the frequency response (Bode) as a Matplotlib figure.
+
+    Args:
+        path: Picture file, or None.
+        omega: Angular frequencies (n,) [rad/s]; a decade around the eigenvalues if left out.
+        inputs, outputs: Of which; all if left out.
+
+    Raises:
+        ModelError: unknown names, nothing to draw, or a path that is no picture file.
+        ModuleNotFoundError: Matplotlib is not installed (extra ``plot``).
+    """
+    from ...view.loci import plot_response
+
+    chosen = [
+        list(known) if names is None else listed(word, names, known[0] if known else "tip")
+        for word, names, known in (
+            ("inputs", inputs, linear_model.inputs),
+            ("outputs", outputs, linear_model.outputs),
+        )
+    ]
+    both = (("inputs", linear_model.inputs), ("outputs", linear_model.outputs))
+    for names, (word, known) in zip(chosen, both, strict=True):
+        missing = next((name for name in names if name not in known), None)
+        if missing is not None or not names:
+            name = missing or ""
+            raise ModelError(
+                f"plot: {word}: no such {word.removesuffix('s')}: '{name}'.{near(name, known)}"
+            )
+    over = linear_model._around() if omega is None else np.asarray(omega, dtype=np.float64)
+    if over.ndim != 1 or not len(over):
+        raise ArgumentError(
+            f"plot: omega has the shape {over.shape}; give a row of angular frequencies [rad/s]"
+        )
+    response = linear_model.frequency_response(over)
+    curves = {
+        f"{y} by {r}": response[:, linear_model.outputs.index(y), linear_model.inputs.index(r)]
+        for y in chosen[1]
+        for r in chosen[0]
+    }
+    return plot_response(linear_model.name, over, curves, path)

@@ -22,8 +22,8 @@ from ..statics.equilibrium import Equilibrium, equilibrium
 from ..statics.static_problem import Problem
 from ..systems.dynamic_system import Contract, Moment, contract_of, dense
 from .first_order import Choice, FirstOrder, first_order, pushed
-from .linear_model import LinearModel
-from .steady_motion import SteadyMotion
+from .linear_model import LinearModelRecord
+from .steady_motion import SteadyMotionRecord
 
 
 @checked
@@ -40,7 +40,7 @@ def linearize(
     t: float = 0.0,
     parameters: Mapping[str, float] | None = None,
     choice: Choice | None = None,
-) -> LinearModel:
+) -> LinearModelRecord:
     """x' = A x + B r, y = C x + D r about a state, constraints eliminated.
 
     Args:
@@ -72,7 +72,7 @@ def linearize(
     nz = len(system.internals)
     increments = tuple(system.increments[k] for k in found.e)
     states = (*increments, *(system.speeds[k] for k in found.v), *system.internals)
-    return LinearModel(
+    return LinearModelRecord(
         name=system.name,
         A=found.A,
         B=B,
@@ -123,7 +123,7 @@ def stance(model: Any, x: Any, q: Any, u: Any, z: Any, r: Any, t: float, paramet
     if isinstance(x, Equilibrium):
         held, tau = Problem(contract_of(x.model)).held(x.point, x.load)
         return Stance(x.model, x.point.at, held, tau, None)
-    if isinstance(x, SteadyMotion):
+    if isinstance(x, SteadyMotionRecord):
         return Stance(x.model, x.at, [], x.tau, x.choice)
     if parameters:
         model = model.with_parameters(dict(parameters))
@@ -210,3 +210,8 @@ def _mass(system: Contract, at: Moment, found: FirstOrder) -> Array:
     n = len(found.e)
     moving = found.speeds[:, n : n + len(found.v)]
     return np.asarray(moving.T @ dense(system.tangents(at).M @ moving))
+
+
+def about(steady: SteadyMotionRecord) -> LinearModelRecord:
+    """The linear model about it."""
+    return linearize(steady.model, steady)

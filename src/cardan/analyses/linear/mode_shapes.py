@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, final
+from typing import Any
 
 import numpy as np
 
@@ -13,7 +13,7 @@ from ...arguments import Count, checked
 from ...arrays import Array, Booleans, Complex
 from ...errors import ArgumentError, ModelError, near
 from ...runtime.trajectory.solver_info import FINISHED, Conduct
-from ...runtime.trajectory.trajectory import Trajectory
+from ...runtime.trajectory.trajectory import TrajectoryRecord
 from ..statics.static_path import SHOWN
 from ..systems.dynamic_system import Moment, contract_of
 
@@ -25,9 +25,8 @@ AXES = ("about x", "about y", "about z", "x", "y", "z")
 TOLD = 0.15  # entries below this part of the largest are not printed
 
 
-@final
 @dataclass(frozen=True, repr=False, eq=False)
-class Modes:
+class ModesRecord:
     """Modes about a state, from the lowest frequency.
 
     Attributes:
@@ -102,61 +101,6 @@ class Modes:
         J = self.model.frame_jacobian(frame, self.at.q, t=self.at.t, r=self.at.r)
         return J @ self.shapes[:, self._number(k)]
 
-    @checked
-    def motion(self, k: int, amplitude: float | None = None, periods: float = 2.0) -> Trajectory:
-        """A mode as a motion, as large as is good to see, or by an amplitude.
-
-        Args:
-            k: Number of the mode, from 0.
-            amplitude: Factor of the shape.
-            periods: How often it is played; what does not oscillate takes a second.
-        """
-        if not 0 < periods <= MOST_PERIODS:
-            raise ArgumentError(
-                f"motion: periods={periods:g}: give a number above 0 and up to {MOST_PERIODS}"
-            )
-        if amplitude is not None and not math.isfinite(amplitude):
-            raise ArgumentError(f"motion: amplitude={amplitude:g}: give a finite number")
-        shape, system = self.shapes[:, self._number(k)], contract_of(self.model)
-        largest = float(np.abs(shape / system.columns).max(initial=0.0))
-        factor = FULL / max(largest, 1e-300) if amplitude is None else float(amplitude)
-        rate = float(self.angular[k])
-        phase = 2 * np.pi * periods * np.linspace(0, 1, int(PICTURES * periods) + 1)
-        t = phase / (rate or 2 * np.pi)
-        turning = factor * np.exp(1j * phase)[:, None] * shape
-        q = np.array([system.integrate(self.at.q, step) for step in np.real(turning)])
-        u = np.real(1j * rate * turning)
-        x = np.concatenate([q, u, np.tile(self.at.z, (len(t), 1))], axis=1)
-        r = np.broadcast_to(self.at.r, (len(t), len(self.at.r)))
-        words = f"mode {k} at {self.frequencies[k]:.6g} Hz"
-        counts = dict.fromkeys(("steps", "rejections", "evaluations", "milliseconds"), 0.0)
-        conduct = Conduct(words, "played, not integrated", {}, (), FINISHED, words, counts)
-        manifest = self.model.manifest
-        return Trajectory(t, x, r, np.zeros((len(t), 0)), None, manifest, conduct, self.model)
-
-    @checked
-    def animate(self, k: int, path: str | Path, **options: Any) -> Path:
-        """A page that plays a mode in any browser; see :meth:`motion` for the options."""
-        title = f"{self.model.name}, mode {k}: {self.frequencies[self._number(k)]:.6g} Hz"
-        return self.motion(k, **options).animate(path, title=title)
-
-    @checked
-    def plot(self, path: str | Path | None = None, count: Count = 6) -> Any:
-        """Shapes of the first modes over the numbers of their entries as a Matplotlib figure.
-
-        Raises:
-            ModelError: a path that is no picture file.
-            ModuleNotFoundError: Matplotlib is not installed (extra ``plot``).
-        """
-        from ...view.plot import plot_over
-
-        over = np.arange(len(self.increments), dtype=np.float64)
-        curves = {
-            f"{self.frequencies[k]:.5g} Hz": np.real(self.shapes[:, k])
-            for k in range(min(count, len(self)))
-        }
-        return plot_over(f"modes of {self.model.name}", "entry", over, curves, path)
-
     def _number(self, k: int) -> int:
         if not isinstance(k, int | np.integer) or not -len(self) <= k < len(self):
             known = [str(n) for n in range(len(self))]
@@ -187,3 +131,72 @@ class Modes:
             value = shape[i] if np.isrealobj(shape) else size[i]
             words.append(f"{self.increments[i]} {value:.3g}{turned}")
         return ", ".join(words)
+
+
+@checked
+def plot(modes: ModesRecord, path: str | Path | None = None, count: Count = 6) -> Any:
+    """Shapes of the first modes over the numbers of their entries as a Matplotlib figure.
+
+    Raises:
+        ModelError: a path that is no picture file.
+        ModuleNotFoundError: Matplotlib is not installed (extra ``plot``).
+    """
+    from ...view.plot import plot_over
+
+    over = np.arange(len(modes.increments), dtype=np.float64)
+    curves = {
+        f"{modes.frequencies[k]:.5g} Hz": np.real(modes.shapes[:, k])
+        for k in range(min(count, len(modes)))
+    }
+    return plot_over(f"modes of {modes.model.name}", "entry", over, curves, path)
+
+
+@checked
+def motion(
+    modes: ModesRecord, k: int, amplitude: float | None = None, periods: float = 2.0
+) -> TrajectoryRecord:
+    """A mode as a motion, as large as is good to see, or by an amplitude.
+
+    Args:
+        k: Number of the mode, from 0.
+        amplitude: Factor of the shape.
+        periods: How often it is played; what does not oscillate takes a second.
+    """
+    if not 0 < periods <= MOST_PERIODS:
+        raise ArgumentError(
+            f"motion: periods={periods:g}: give a number above 0 and up to {MOST_PERIODS}"
+        )
+    if amplitude is not None and not math.isfinite(amplitude):
+        raise ArgumentError(f"motion: amplitude={amplitude:g}: give a finite number")
+    shape, system = modes.shapes[:, modes._number(k)], contract_of(modes.model)
+    largest = float(np.abs(shape / system.columns).max(initial=0.0))
+    factor = FULL / max(largest, 1e-300) if amplitude is None else float(amplitude)
+    rate = float(modes.angular[k])
+    phase = 2 * np.pi * periods * np.linspace(0, 1, int(PICTURES * periods) + 1)
+    t = phase / (rate or 2 * np.pi)
+    turning = factor * np.exp(1j * phase)[:, None] * shape
+    q = np.array([system.integrate(modes.at.q, step) for step in np.real(turning)])
+    u = np.real(1j * rate * turning)
+    x = np.concatenate([q, u, np.tile(modes.at.z, (len(t), 1))], axis=1)
+    r = np.broadcast_to(modes.at.r, (len(t), len(modes.at.r)))
+    words = f"mode {k} at {modes.frequencies[k]:.6g} Hz"
+    counts = dict.fromkeys(("steps", "rejections", "evaluations", "milliseconds"), 0.0)
+    conduct = Conduct(words, "played, not integrated", {}, (), FINISHED, words, counts)
+    manifest = modes.model.manifest
+    return TrajectoryRecord(t, x, r, np.zeros((len(t), 0)), None, manifest, conduct, modes.model)
+
+
+@checked
+def animate(
+    modes: ModesRecord,
+    k: int,
+    path: str | Path,
+    *,
+    amplitude: float | None = None,
+    periods: float = 2.0,
+) -> Path:
+    """A page that plays a mode in any browser; see :meth:`motion` for amplitude and periods."""
+    from ...view.page import animate
+
+    title = f"{modes.model.name}, mode {k}: {modes.frequencies[modes._number(k)]:.6g} Hz"
+    return animate(motion(modes, k, amplitude, periods), path, title=title)

@@ -38,7 +38,7 @@ from ..systems.saddle_point import (
 )
 from .first_order import FULL, Choice, first_order
 from .linearize import stance
-from .mode_shapes import Modes
+from .mode_shapes import ModesRecord
 
 Complex = NDArray[np.complex128]
 RESTS = 1e-6  # accelerations below this are none [rad/s^2, or sizes/s^2]
@@ -61,7 +61,7 @@ def modes(
     t: float = 0.0,
     parameters: Mapping[str, float] | None = None,
     damped: bool = True,
-) -> Modes:
+) -> ModesRecord:
     """Modes about an equilibrium or a steady motion, from the lowest frequency.
 
     Args:
@@ -85,7 +85,9 @@ def modes(
     still = not np.any(at.u)
     values, shapes = _found(system, at, held, tau, choice, count, damped, still)
     momentum = _momentum(model, at)
-    return Modes(model, at, values, shapes, system.increments, system.owners, momentum, system.size)
+    return ModesRecord(
+        model, at, values, shapes, system.increments, system.owners, momentum, system.size
+    )
 
 
 def _momentum(model: Any, at: Moment) -> Array:

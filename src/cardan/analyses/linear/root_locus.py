@@ -15,7 +15,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
 from pathlib import Path
-from typing import Any, final
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -32,9 +32,8 @@ SHOWN = 6
 END = "reached the end"
 
 
-@final
 @dataclass(frozen=True, repr=False, eq=False)
-class Locus:
+class LocusRecord:
     """Eigenvalues over what changes; ``locus["P"]`` is what changes (n,).
 
     Attributes:
@@ -91,28 +90,6 @@ class Locus:
             lines.append(f"  {change.kind} {word} at {said}{tail}")
         return "\n".join(lines)
 
-    @checked
-    def plot(self, path: str | Path | None = None) -> Any:
-        """Loci in the complex plane, and real and imaginary parts over the first that changes.
-
-        Args:
-            path: Picture file, or None.
-
-        Returns:
-            The Matplotlib figure.
-
-        Raises:
-            ModelError: a path that is no picture file.
-            ModuleNotFoundError: Matplotlib is not installed (extra ``plot``).
-        """
-        from ...view.loci import plot_locus
-
-        label, over = next(iter(self.values.items()))
-        kept = self.eigenvalues[:, self.moving]
-        return plot_locus(
-            self.name, label, over, kept, [c.values[label] for c in self.changes], path
-        )
-
 
 @checked
 def root_locus(
@@ -131,7 +108,7 @@ def root_locus(
     t: float = 0.0,
     check: bool = False,
     **named: Any,
-) -> Locus:
+) -> LocusRecord:
     """Eigenvalues as something changes: ``model.root_locus(P=(0, 10))``.
 
     Args:
@@ -162,7 +139,7 @@ def root_locus(
     return found
 
 
-def locus(members: Family, check: bool = False) -> Locus:
+def locus(members: Family, check: bool = False) -> LocusRecord:
     """The locus of a family.
 
     Raises:
@@ -187,7 +164,7 @@ def locus(members: Family, check: bool = False) -> Locus:
             raise SolveError(message) from failed
     values = {n: np.array([members.told(row.s)[n] for row in rows]) for n in members.columns}
     eigenvalues = np.array([row.values[order] for row, order in zip(rows, orders, strict=True)])
-    return Locus(members.model.name, values, eigenvalues, rows, changes, message, members)
+    return LocusRecord(members.model.name, values, eigenvalues, rows, changes, message, members)
 
 
 def _on(
@@ -205,3 +182,24 @@ def _on(
 def _number(value: complex) -> str:
     real = 0.0 if abs(value.real) < 1e-12 * abs(value) else value.real
     return f"{real:.5g}" + (f" +- {value.imag:.5g} i" if value.imag > 0 else "")
+
+
+@checked
+def plot(locus: LocusRecord, path: str | Path | None = None) -> Any:
+    """Loci in the complex plane, and real and imaginary parts over the first that changes.
+
+    Args:
+        path: Picture file, or None.
+
+    Returns:
+        The Matplotlib figure.
+
+    Raises:
+        ModelError: a path that is no picture file.
+        ModuleNotFoundError: Matplotlib is not installed (extra ``plot``).
+    """
+    from ...view.loci import plot_locus
+
+    label, over = next(iter(locus.values.items()))
+    kept = locus.eigenvalues[:, locus.moving]
+    return plot_locus(locus.name, label, over, kept, [c.values[label] for c in locus.changes], path)

@@ -24,7 +24,7 @@ from ...arrays import Array, Complex
 from ...errors import ModelError, listed, near
 from ..statics.equilibrium import Equilibrium, equilibrium
 from .family import Family, Member
-from .steady_motion import SteadyMotion
+from .steady_motion import SteadyMotionRecord
 
 STEP = 0.02  # of a parameter, the longest; of 1 where it is 0
 LEVELS = 3
@@ -76,7 +76,7 @@ class Sensitivity:
 def sensitivity(
     model: Any,
     parameters: Iterable[str] | str,
-    about: Equilibrium | SteadyMotion | None = None,
+    about: Equilibrium | SteadyMotionRecord | None = None,
 ) -> Sensitivity:
     """Derivatives of eigenvalues by parameters, the motion moving along with them.
 
@@ -112,7 +112,7 @@ def sensitivity(
 def _beside(state: Any, names: list[str]) -> Family:
     """The motions beside one, as parameters change."""
     kinds = dict.fromkeys(names, "parameters")
-    if isinstance(state, SteadyMotion):
+    if isinstance(state, SteadyMotionRecord):
         return Family(state.model, {}, kinds, state.asked)
     if isinstance(state, Equilibrium):
         load = state.load

@@ -4,21 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from functools import cached_property
-from typing import Any, final
+from typing import Any
 
 from ...arrays import Array
 from ..systems.dynamic_system import Moment, NamedState
 from .first_order import Choice
-from .linear_model import LinearModel
 
 SHOWN = 24
 ROUNDED = 1e-12  # values below this are printed as none
 
 
-@final
 @dataclass(frozen=True, repr=False, eq=False)
-class SteadyMotion(NamedState):
+class SteadyMotionRecord(NamedState):
     """A steady motion with wanted values, or a rest: ``found["steer"]`` is a value by name.
 
     A run starts there, ``found.model.simulate(10, x0=found, inputs=found.inputs)``; so do
@@ -60,18 +57,6 @@ class SteadyMotion(NamedState):
         model = self.model
         names = (*model.coordinates, *model.speeds, *model.internals)
         return {**dict(zip(names, self.x.tolist(), strict=True)), **self.free}
-
-    @cached_property
-    def linear(self) -> LinearModel:
-        """The linear model about it."""
-        from .linearize import linearize
-
-        return linearize(self.model, self)
-
-    @property
-    def stable(self) -> bool:
-        """Whether no small motion about it grows exponentially."""
-        return self.linear.stable
 
     def __repr__(self) -> str:
         lines = [f"'{self.model.name}': {self.message}"]

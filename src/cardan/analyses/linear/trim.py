@@ -25,7 +25,7 @@ from ...errors import ModelError, SolveError, SolveWarning, counted, warn
 from ..statics.equilibrium import equilibrium
 from ..systems.dynamic_system import contract_of
 from ..systems.joint_system import Relative
-from .steady_motion import SteadyMotion
+from .steady_motion import SteadyMotionRecord
 from .trim_arguments import asked
 from .trim_problem import Guess, Trimming
 
@@ -50,7 +50,7 @@ def trim(
     parameters: Mapping[str, float] | None = None,
     t: float = 0.0,
     check: bool = False,
-) -> SteadyMotion:
+) -> SteadyMotionRecord:
     """A steady motion, or a rest, with wanted values, and what it takes.
 
     Args:
@@ -214,13 +214,13 @@ def _said(problem: Trimming, guess: Guess, met: bool, moving: str) -> str:
 
 def _record(
     problem: Trimming, guess: Guess, spent: int, message: str, wanted: Mapping[str, float]
-) -> SteadyMotion:
+) -> SteadyMotionRecord:
     """What was found, as users see it."""
     moving = bool(np.abs(guess.at.u).max(initial=0.0) > 0)
     kind = f"{'steady motion' if moving else 'rest'}, after {counted(spent, 'iteration')}"
     loose = problem.loose(guess, _open(problem, guess), OWN) if not message else ()
     at = guess.at
-    return SteadyMotion(
+    return SteadyMotionRecord(
         model=problem.model(guess),
         x=np.concatenate([at.q, at.u, at.z]),
         free=problem.values(guess),

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from pathlib import Path
-from typing import Any, final
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -28,9 +28,8 @@ from .targets import kept
 FASTEST = 1e100  # of a driver: its square is a number too
 
 
-@final
 @dataclass(frozen=True, repr=False, eq=False)
-class Sweep:
+class SweepRecord:
     """Positions, speeds and accelerations of a driven mechanism.
 
     ``sweep["D"]``, ``sweep["D.u"]`` and ``sweep["D.udot"]`` are histories (n,) by name.
@@ -105,20 +104,6 @@ class Sweep:
             )
         return "\n".join(lines)
 
-    @checked
-    def plot(self, path: str | Path | None = None, names: Sequence[str] | None = None) -> Any:
-        """Histories over the driver as a Matplotlib figure, written to ``path`` if given.
-
-        Raises:
-            ModelError: unknown names, or a path that is no picture file.
-            ModuleNotFoundError: Matplotlib is not installed (extra ``plot``).
-        """
-        from ...view.plot import asked, plot_over
-
-        names = asked(names) if names is not None else [*self.model.coordinates]
-        curves = {name: self[name] for name in names}
-        return plot_over(self.model.name, next(iter(self.drivers)), self.values, curves, path)
-
 
 @checked
 def sweep(
@@ -134,7 +119,7 @@ def sweep(
     t: float = 0.0,
     r: State | None = None,
     check: bool = False,
-) -> Sweep:
+) -> SweepRecord:
     """Drive a mechanism through given values and keep its branch.
 
     Args:
@@ -169,7 +154,7 @@ def sweep(
     begin = assemble(model, first | held, start=start, branch=branch, t=t, r=at.r)
     drive.check(at, begin.q)
     rows, message = _follow(drive, begin.q, table)
-    found = Sweep(
+    found = SweepRecord(
         model,
         {name: column[: len(rows)] for name, column in drivers.items()},
         *_motion(drive, rows, table, rate, acceleration),
@@ -246,3 +231,20 @@ def _slopes(table: Array) -> Array:
     changes = np.gradient(table, axis=0)
     first = changes[:, :1]
     return np.divide(changes, first, out=np.zeros_like(changes), where=first != 0)
+
+
+@checked
+def plot(
+    sweep: SweepRecord, path: str | Path | None = None, names: Sequence[str] | None = None
+) -> Any:
+    """Histories over the driver as a Matplotlib figure, written to ``path`` if given.
+
+    Raises:
+        ModelError: unknown names, or a path that is no picture file.
+        ModuleNotFoundError: Matplotlib is not installed (extra ``plot``).
+    """
+    from ...view.plot import asked, plot_over
+
+    names = asked(names) if names is not None else [*sweep.model.coordinates]
+    curves = {name: sweep[name] for name in names}
+    return plot_over(sweep.model.name, next(iter(sweep.drivers)), sweep.values, curves, path)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, final
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -26,9 +26,8 @@ SAMPLES = 1000
 AGAIN = 3
 
 
-@final
 @dataclass(frozen=True, repr=False, eq=False)
-class Workspace:
+class WorkspaceRecord:
     """Places reached by the origin of a frame.
 
     Attributes:
@@ -62,18 +61,6 @@ class Workspace:
             lines += [f"  {axis} from {low:.6g} to {high:.6g} m" for axis, low, high in ends]
         return "\n".join(lines)
 
-    @checked
-    def plot(self, path: str | Path | None = None) -> Any:
-        """The places from three sides as a Matplotlib figure, written to ``path`` if given.
-
-        Raises:
-            ModuleNotFoundError: Matplotlib is not installed (extra ``plot``).
-        """
-        from ...view.plot import plot_points
-
-        title = f"'{self.frame}' of {self.name}"
-        return plot_points(title, self.points, path)
-
 
 @checked
 def workspace(
@@ -87,7 +74,7 @@ def workspace(
     seed: Seed = 0,
     t: float = 0.0,
     r: State | None = None,
-) -> Workspace:
+) -> WorkspaceRecord:
     """Places that the origin of a frame reaches: samples of coordinates, each assembled.
 
     Args:
@@ -127,7 +114,7 @@ def workspace(
                 break
     q = np.array(kept).reshape(-1, model.nq)
     points = model.pose(frame, q, t=t, r=m.r)[:, :3, 3] if len(q) else np.zeros((0, 3))
-    return Workspace(model.name, frame, points, q, samples)
+    return WorkspaceRecord(model.name, frame, points, q, samples)
 
 
 def _range(model: LoadedModel, name: str, ends: Any) -> tuple[float, float]:
@@ -143,3 +130,16 @@ def _nearest(kept: list[Array], places: list[int], values: Mapping[str, float]) 
     """The position with sampled coordinates next to new ones."""
     table = np.array(kept)[:, places]
     return kept[int(np.argmin(np.linalg.norm(table - [*values.values()], axis=1)))]
+
+
+@checked
+def plot(workspace: WorkspaceRecord, path: str | Path | None = None) -> Any:
+    """The places from three sides as a Matplotlib figure, written to ``path`` if given.
+
+    Raises:
+        ModuleNotFoundError: Matplotlib is not installed (extra ``plot``).
+    """
+    from ...view.plot import plot_points
+
+    title = f"'{workspace.frame}' of {workspace.name}"
+    return plot_points(title, workspace.points, path)

@@ -26,7 +26,7 @@ from numpy.typing import ArrayLike, NDArray
 from ...arrays import Array
 from ...runtime.models.constraint_projection import CLOSED, size_of
 from ...runtime.trajectory.energy_balance import impacts
-from ...runtime.trajectory.trajectory import Trajectory
+from ...runtime.trajectory.trajectory import TrajectoryRecord
 from .settings import Settings
 
 EXCESS = 100.0  # times what the tolerance is worth
@@ -79,7 +79,7 @@ class Account:
         return f"{told}, where {self.whole:.2g} {unit} was exchanged"
 
 
-def accounts(motion: Trajectory, how: Settings, slack: float = 0.0) -> list[Account]:
+def accounts(motion: TrajectoryRecord, how: Settings, slack: float = 0.0) -> list[Account]:
     """Every quantity of a run that can be accounted for.
 
     Args:
@@ -100,7 +100,7 @@ def accounts(motion: Trajectory, how: Settings, slack: float = 0.0) -> list[Acco
     return _energy(motion, rows, rtol, periods) + _momentum(motion, rows, rtol, periods) + closures
 
 
-def excess(motion: Trajectory, how: Settings, slack: float = 0.0) -> str:
+def excess(motion: TrajectoryRecord, how: Settings, slack: float = 0.0) -> str:
     """What a run misses beyond its tolerance, as a sentence; "" where it keeps to it."""
     some = [account for account in accounts(motion, how, slack) if account.excessive]
     if not some:
@@ -146,7 +146,7 @@ def _some(count: int, most: int) -> NDArray[np.intp]:
     return (np.arange(most) * (count - 1)) // (most - 1)
 
 
-def _periods(motion: Trajectory) -> float:
+def _periods(motion: TrajectoryRecord) -> float:
     """N: duration over the fastest period resolved."""
     found = motion.statistics["steps"] / PERIOD
     if motion.dense is not None and found > 1:
@@ -159,13 +159,13 @@ def _periods(motion: Trajectory) -> float:
     return max(1.0, found)
 
 
-def _rounded(motion: Trajectory, size: float) -> float:
+def _rounded(motion: TrajectoryRecord, size: float) -> float:
     """What rounding may add up to."""
     return ROUNDING * size * max(10.0, motion.statistics["steps"])
 
 
 def _energy(
-    motion: Trajectory, rows: NDArray[np.intp], rtol: float, periods: float
+    motion: TrajectoryRecord, rows: NDArray[np.intp], rtol: float, periods: float
 ) -> list[Account]:
     """The energy of a run."""
     model = motion.model
@@ -187,7 +187,7 @@ def _energy(
 
 
 def _momentum(
-    motion: Trajectory, rows: NDArray[np.intp], rtol: float, periods: float
+    motion: TrajectoryRecord, rows: NDArray[np.intp], rtol: float, periods: float
 ) -> list[Account]:
     """Both momenta of a run, where nothing acts from outside."""
     model = motion.model
@@ -215,7 +215,7 @@ def _momentum(
     return found
 
 
-def isolated(motion: Trajectory) -> bool:
+def isolated(motion: TrajectoryRecord) -> bool:
     """Whether nothing acts on the scene from outside, gravity included."""
     if not motion.manifest.isolated or motion.model is None:
         return False
@@ -225,7 +225,7 @@ def isolated(motion: Trajectory) -> bool:
     return not any(free[name] if name in free else fixed.get(name, 0.0) for name in names)
 
 
-def _closure(motion: Trajectory, rtol: float, atol: float, slack: float) -> list[Account]:
+def _closure(motion: TrajectoryRecord, rtol: float, atol: float, slack: float) -> list[Account]:
     """How far circuits came open."""
     model, ledger = motion.model, motion.ledger
     if model is None or ledger is None:

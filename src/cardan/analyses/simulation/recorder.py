@@ -13,7 +13,7 @@ from ...errors import SolveError
 from ...runtime.trajectory.dense_output import Dense
 from ...runtime.trajectory.event_log import Happened
 from ...runtime.trajectory.solver_info import Conduct
-from ...runtime.trajectory.trajectory import Trajectory
+from ...runtime.trajectory.trajectory import TrajectoryRecord
 from .method_choice import JACOBIAN, remark
 from .run import Runner
 from .settings import Start
@@ -75,7 +75,7 @@ class Kept:
 
     def motion(
         self, over: Span, begin: Start, told: tuple[str, str], milliseconds: float
-    ) -> Trajectory:
+    ) -> TrajectoryRecord:
         """The motion so far.
 
         Args:
@@ -143,7 +143,7 @@ class Kept:
 
     def _trajectory(
         self, table: Array, spreads: Array | None, conduct: Conduct, happened: Happened
-    ) -> Trajectory:
+    ) -> TrajectoryRecord:
         runner, model = self.runner, self.runner.model
         n, end = runner.n, 1 + runner.n + model.nr
         t, y, r = table[:, 0].copy(), table[:, 1 : 1 + n], table[:, 1 + n : end].copy()
@@ -152,7 +152,7 @@ class Kept:
         if spreads is not None and len(t) > 1:
             quaternions = tuple(model.manifest.quaternions)
             dense = Dense(t, y, spreads[1:], quaternions, runner.settings.method.charted)
-        return Trajectory(
+        return TrajectoryRecord(
             t=t,
             x=y[:, : model.nx].copy(),
             r=r,

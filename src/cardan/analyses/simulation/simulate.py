@@ -15,7 +15,7 @@ from ...errors import FunctionError, ModelError, SolveError, SolveWarning, warn
 from ...runtime.calls.interpreted import CURE
 from ...runtime.models.constraint_projection import Closing
 from ...runtime.models.loaded_model import LoadedModel
-from ...runtime.trajectory.trajectory import Trajectory
+from ...runtime.trajectory.trajectory import TrajectoryRecord
 from ...schema.functions import OF_ELEMENTS
 from ...schema.integrators import INTEGRATORS
 from ...schema.manifest import Manifest
@@ -62,7 +62,7 @@ def simulate(
     every: float = 10.0,
     check: bool = False,
     progress: bool | Callable[[float], None] | None = None,
-) -> Trajectory:
+) -> TrajectoryRecord:
     """Integrate the equations of motion.
 
     Args:
@@ -123,7 +123,7 @@ def simulate(
     return _told(motion, check)
 
 
-def _told(motion: Trajectory, check: bool) -> Trajectory:
+def _told(motion: TrajectoryRecord, check: bool) -> TrajectoryRecord:
     """The motion, with warnings of an early end and of what it cannot account for."""
     said = [] if motion.success else [motion.message]
     said += [motion.conduct.warning] if motion.conduct.warning else []
@@ -144,7 +144,7 @@ def _settled(
     case: Case | None,
     progress: bool | Callable[[float], None] | None,
     file: RunFile | None,
-) -> Trajectory:
+) -> TrajectoryRecord:
     """The motion by the method asked for, or by that which its first steps ask for."""
     first = chosen(how, case)
     if file is not None and file.method not in ("", first.method.name):
@@ -234,7 +234,7 @@ def driven(
     progress: bool | Callable[[float], None] | None,
     case: Case | None = None,
     file: RunFile | None = None,
-) -> Trajectory:
+) -> TrajectoryRecord:
     """Drive the run to its end and collect what came out.
 
     Raises:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, final
+from typing import Any
 
 import numpy as np
 
@@ -27,9 +27,8 @@ SAID = {
 }
 
 
-@final
 @dataclass(frozen=True, repr=False, eq=False)
-class StaticPath:
+class StaticPathRecord:
     """Equilibria under loads that change; ``path["elbow"]`` is a history (n,) by name.
 
     ``path[k]`` is the equilibrium of row k; ``model.simulate(10, x0=path[-1])`` starts there.
@@ -60,7 +59,7 @@ class StaticPath:
         crossed: Sequence[Crossing],
         status: str,
         failure: str,
-    ) -> StaticPath:
+    ) -> StaticPathRecord:
         """The record of a path that was followed."""
         s = np.array([place for place, _ in rows])
         values = {name: np.array([way.values(place)[name] for place in s]) for name in way.swept}
@@ -211,17 +210,22 @@ class StaticPath:
             lines.append(f"  {SAID[crossing.of]} between {span}")
         return "\n".join(lines)
 
-    @checked
-    def plot(self, path: str | Path | None = None, names: Sequence[str] | None = None) -> Any:
-        """Histories over the first swept value as a Matplotlib figure, written to ``path``.
 
-        Raises:
-            ModelError: unknown names, or a path that is no picture file.
-            ModuleNotFoundError: Matplotlib is not installed (extra ``plot``).
-        """
-        from ...view.plot import asked, plot_over
+@checked
+def plot(
+    static_path: StaticPathRecord,
+    path: str | Path | None = None,
+    names: Sequence[str] | None = None,
+) -> Any:
+    """Histories over the first swept value as a Matplotlib figure, written to ``path``.
 
-        chosen = asked(names) if names is not None else [*self.rows[0].model.coordinates]
-        label = next(iter(self.values))
-        curves = {name: self[name] for name in chosen}
-        return plot_over(self.rows[0].model.name, label, self.values[label], curves, path)
+    Raises:
+        ModelError: unknown names, or a path that is no picture file.
+        ModuleNotFoundError: Matplotlib is not installed (extra ``plot``).
+    """
+    from ...view.plot import asked, plot_over
+
+    chosen = asked(names) if names is not None else [*static_path.rows[0].model.coordinates]
+    label = next(iter(static_path.values))
+    curves = {name: static_path[name] for name in chosen}
+    return plot_over(static_path.rows[0].model.name, label, static_path.values[label], curves, path)

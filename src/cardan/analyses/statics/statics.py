@@ -28,7 +28,7 @@ from .load_path import TIME, Loading, loading
 from .newton import Search, rest
 from .rest_stability import holdable, stand, words
 from .settling import held, settled
-from .static_path import StaticPath
+from .static_path import StaticPathRecord
 from .static_problem import Problem
 
 STEPS = 10
@@ -50,7 +50,7 @@ def statics(
     t: float = 0.0,
     check: bool = False,
     **named: Any,
-) -> StaticPath:
+) -> StaticPathRecord:
     """Equilibria under loads that change: ``model.statics(P=(0, 10))``.
 
     Args:
@@ -91,7 +91,7 @@ def statics(
         status = "interrupted"
         failure = f"interrupted behind {_said(way, rows[-1][0])}; what was computed is kept"
     changed = _changed(system, way, crossed)
-    found = StaticPath.of(way, rows, crossed, status, failure)
+    found = StaticPathRecord.of(way, rows, crossed, status, failure)
     if failure and check:
         raise SolveError(failure)
     for said in filter(None, (changed, failure)):

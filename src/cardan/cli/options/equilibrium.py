@@ -13,7 +13,7 @@ from . import scene as scene_options
 if TYPE_CHECKING:
     from ...analyses.statics.equilibrium import Equilibrium
     from ...api.compiled_model import CompiledModel
-    from ...scene import Model
+    from ...api.scene import Scene
 
 
 def arguments(parser: argparse.ArgumentParser) -> argparse._ArgumentGroup:
@@ -30,7 +30,7 @@ def arguments(parser: argparse.ArgumentParser) -> argparse._ArgumentGroup:
     return group
 
 
-def model(options: argparse.Namespace) -> tuple[Model, CompiledModel]:
+def model(options: argparse.Namespace) -> tuple[Scene, CompiledModel]:
     """The scene and its compiled model."""
     from ...pipeline import compile
     from ..terminal import progress
@@ -41,7 +41,7 @@ def model(options: argparse.Namespace) -> tuple[Model, CompiledModel]:
         return scene, compile(scene)
 
 
-def loads(scene: Model, found: CompiledModel, options: argparse.Namespace) -> dict[str, Any]:
+def loads(scene: Scene, found: CompiledModel, options: argparse.Namespace) -> dict[str, Any]:
     """Start and loads as equilibria take them."""
     values = dict(options.set)
     inputs = {name: value for name, value in values.items() if name in found.inputs}
@@ -58,7 +58,7 @@ def trim_arguments(group: argparse._ArgumentGroup) -> None:
                        help="input, parameter, JOINT.force or SPEED that may change")  # fmt: skip
 
 
-def trim_values(scene: Model, model: CompiledModel, options: argparse.Namespace) -> dict[str, Any]:
+def trim_values(scene: Scene, model: CompiledModel, options: argparse.Namespace) -> dict[str, Any]:
     """What ``model.trim`` takes, of commands that look for a wanted motion.
 
     Raises:

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from ...scene import Model
+    from ...api.scene import Scene
 
 DEFAULTS: dict[str, Any] = {"t": 10.0}
 
@@ -116,7 +116,7 @@ def named(text: str) -> tuple[str, float | list[float]]:
     return name, values[0] if len(values) == 1 else values
 
 
-def settings(scene: Model, options: argparse.Namespace) -> dict[str, Any]:
+def settings(scene: Scene, options: argparse.Namespace) -> dict[str, Any]:
     """Arguments of the run: the defaults, then what the file says, then what was typed."""
     words = ("method", "rtol", "atol", "step")
     typed = {"t": options.time} | {word: getattr(options, word) for word in words}
@@ -124,7 +124,7 @@ def settings(scene: Model, options: argparse.Namespace) -> dict[str, Any]:
     return found | _blocks(found, options)
 
 
-def begin(scene: Model, options: argparse.Namespace) -> dict[str, Any]:
+def begin(scene: Scene, options: argparse.Namespace) -> dict[str, Any]:
     """End and start of the run, whatever method takes it: t, q, u, and z where the file says so."""
     found = {k: value for k, value in scene.settings.items() if k in ("t", "q", "u", "z")}
     found["t"] = options.time or found.get("t", DEFAULTS["t"])

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from ...scene import Model
+    from ...api.scene import Scene
 
 
 # formalisms; these words are no reason to load the compiler
@@ -39,20 +39,23 @@ def method(group: argparse._ArgumentGroup) -> None:
     group.add_argument("--method", metavar="METHOD", default="auto", help=", ".join(METHODS))
 
 
-def load(options: argparse.Namespace) -> Model:
+def load(options: argparse.Namespace) -> Scene:
     """The scene."""
+    from ...api.faces import face
     from ...scene import load
 
-    return load(
+    record = load(
         options.file,
         base=options.base,
         mimic=options.mimic,
         snap=not options.no_snap,
         packages=options.packages,
     )
+    scene: Scene = face(record)
+    return scene
 
 
-def read(options: argparse.Namespace) -> Model:
+def read(options: argparse.Namespace) -> Scene:
     """The scene; its notes go to standard error."""
     from ...scene.summary import notes_of
 

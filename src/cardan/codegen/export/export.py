@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from ...equations.record import Equations
+from ...equations.record import EquationRecord
 from ...errors import CodegenError, DerivationError, near, shown
 from ...schema.c_functions import FunctionRow
 from ...schema.manifest import Manifest
@@ -121,7 +121,7 @@ def _texts(data: Manifest, wanted: Wanted, content: Content) -> dict[str, str]:
 
 
 def export(
-    equations: Equations,
+    equations: EquationRecord,
     directory: str | Path,
     functions: Sequence[Any] | None = None,
     language: str = "cython",
@@ -176,7 +176,7 @@ def export(
 
 
 def _asked(
-    equations: Equations, functions: Sequence[Any] | None, integrators: tuple[str, ...]
+    equations: EquationRecord, functions: Sequence[Any] | None, integrators: tuple[str, ...]
 ) -> list[tuple[str, str | None]]:
     """Names of the functions to write, and to what they belong.
 
@@ -208,7 +208,7 @@ def _ordered(entries: Mapping[str, FunctionRow]) -> dict[str, Exported]:
     return {name: Exported.of(entries[name]) for name in ordered}
 
 
-def _closed(equations: Equations) -> dict[str, list[float]]:
+def _closed(equations: EquationRecord) -> dict[str, list[float]]:
     """Coordinates at which all circuits close, next to the initial ones, where there are any."""
     found = equations.feasibility() if equations.system.closed else None
     if found is None or not found.closes:

@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
-from ...equations.finite_elements.record import Absolute
+from ...equations.finite_elements.record import FiniteElementRecord
 from ...equations.functions import blocks
 from ...errors import CodegenError, DerivationError, near
 from ...schema.integrators import Integrator
@@ -37,7 +37,7 @@ METHODS = tuple(name for name, m in companions.INTEGRATORS.items() if _called(m)
 
 
 def export(
-    absolute: Absolute,
+    absolute: FiniteElementRecord,
     directory: str | Path,
     plan: Callable[[Path], Planned],
     functions: Sequence[Any] | None = None,
@@ -103,7 +103,7 @@ def export(
     return written(wanted, fill)
 
 
-def _check(absolute: Absolute, wanted: Wanted) -> None:
+def _check(absolute: FiniteElementRecord, wanted: Wanted) -> None:
     """Refuse what elements in tables do not go with.
 
     Raises:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
-from ...equations.finite_elements.record import Absolute
+from ...equations.finite_elements.record import FiniteElementRecord
 from ...schema.c_functions import FunctionRow
 from ...schema.planned import Planned
 from ..header import Exported
@@ -72,7 +72,10 @@ def exported(names: Sequence[str], shown: str) -> dict[str, Exported]:
 
 
 def declared(
-    absolute: Absolute, entries: Mapping[str, FunctionRow], planned: Planned, names: Sequence[str]
+    absolute: FiniteElementRecord,
+    entries: Mapping[str, FunctionRow],
+    planned: Planned,
+    names: Sequence[str],
 ) -> list[str]:
     """Lines of ``functions.h``: sizes, the model as a record, the list of its functions.
 

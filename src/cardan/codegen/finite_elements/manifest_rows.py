@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from ...equations.finite_elements.record import Absolute, BlockKind
+from ...equations.finite_elements.record import BlockKind, FiniteElementRecord
 from ...schema.entries import CoordinateRow, SpeedRow
 from ...schema.finite_elements import Plane
 from ...schema.mechanism import JointRow
@@ -21,7 +21,7 @@ Pattern = dict[str, Any]
 
 
 def rows(
-    absolute: Absolute,
+    absolute: FiniteElementRecord,
 ) -> tuple[Sequence[CoordinateRow], Sequence[SpeedRow], Sequence[JointRow]]:
     """Rows of the coordinates, of the speeds and of the joints, which are all places.
 
@@ -46,7 +46,9 @@ def plane_of(kind: BlockKind) -> Plane | None:
     return Plane(spread=kind.plane.spread.tolist(), home=kind.plane.home.tolist())
 
 
-def _runs(absolute: Absolute) -> Iterator[tuple[Run[CoordinateRow], Run[SpeedRow], Run[JointRow]]]:
+def _runs(
+    absolute: FiniteElementRecord,
+) -> Iterator[tuple[Run[CoordinateRow], Run[SpeedRow], Run[JointRow]]]:
     """Of every segment the rows of the nodes inside of it."""
     places, known, before = absolute.places, dict[str, int](), 0
     for segment, line in zip(absolute.system.segments, absolute.lines, strict=True):
@@ -73,7 +75,7 @@ def _runs(absolute: Absolute) -> Iterator[tuple[Run[CoordinateRow], Run[SpeedRow
         )
 
 
-def _starts(absolute: Absolute, kind: BlockKind) -> Iterator[tuple[Any, int]]:
+def _starts(absolute: FiniteElementRecord, kind: BlockKind) -> Iterator[tuple[Any, int]]:
     yield absolute.places.q, kind.nq
     yield absolute.places.u, kind.nu
 
@@ -92,7 +94,9 @@ def _speeds(kind: BlockKind, stem: tuple[str, int]) -> Iterator[Pattern]:
         yield {"name": name, "unit": unit, "joint": {TEXT: [*stem, ""]}}
 
 
-def _entries(absolute: Absolute, named: int) -> tuple[list[CoordinateRow], list[SpeedRow]]:
+def _entries(
+    absolute: FiniteElementRecord, named: int
+) -> tuple[list[CoordinateRow], list[SpeedRow]]:
     """Rows of the coordinates and of the speeds of the first places."""
     places, system = absolute.places, absolute.system
     starts: dict[str, Sequence[float]] = {
@@ -124,7 +128,7 @@ def _start(kind: BlockKind, joint: Joint | None, name: str) -> list[float] | Non
     return list(kind.plane.first(given) if name == "q0" else kind.plane.spread.T @ given)
 
 
-def _joints(absolute: Absolute, named: int) -> list[JointRow]:
+def _joints(absolute: FiniteElementRecord, named: int) -> list[JointRow]:
     """Rows of the first places, which histories and initial values know by name."""
     places = absolute.places
     known = {joint.name: joint for joint in absolute.system.joints}

@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from ...equations.finite_elements.record import GROUND, Absolute, BlockKind, Group, Kind
+from ...equations.finite_elements.record import GROUND, BlockKind, FiniteElementRecord, Group, Kind
 from ...ir.function import Function
 from ...schema.entries import MultiplierRow, OutputRow
 from ...schema.finite_elements import ElementKind, FiniteElements, GroupRow, PlaceKind
@@ -27,7 +27,7 @@ from .manifest_rows import plane_of, rows
 FILE = "mesh.npz"
 
 
-def base(absolute: Absolute, functions: Sequence[str]) -> Base:
+def base(absolute: FiniteElementRecord, functions: Sequence[str]) -> Base:
     """What the manifest says before any function is written.
 
     Args:
@@ -69,14 +69,14 @@ def base(absolute: Absolute, functions: Sequence[str]) -> Base:
     return Base(data, lambda: saved(absolute))
 
 
-def saved(absolute: Absolute) -> tuple[Function, ...]:
+def saved(absolute: FiniteElementRecord) -> tuple[Function, ...]:
     """Functions of the parameters that the runtime evaluates as they are."""
     jumps = flat_scene.time_jumps(absolute.system)
     some = (jumps,) if jumps is not None else ()
     return (*commons(absolute), absolute.frames.poses, absolute.states, *some)
 
 
-def commons(absolute: Absolute) -> tuple[Function, ...]:
+def commons(absolute: FiniteElementRecord) -> tuple[Function, ...]:
     """What gives the data of elements by the parameters, of the groups that have such data."""
     return tuple(
         replace(group.common, name=common_name(k, group))
@@ -90,13 +90,13 @@ def common_name(k: int, group: Group) -> str:
     return f"data_{k}__{group.kind.name}" if group.common is not None else ""
 
 
-def functions(absolute: Absolute) -> tuple[Function, ...]:
+def functions(absolute: FiniteElementRecord) -> tuple[Function, ...]:
     """What is written as C: the functions of all kinds of elements and places."""
     kinds: Sequence[Kind | BlockKind] = (*absolute.kinds, *absolute.places.kinds)
     return tuple({f.name: f for kind in kinds for f in kind.functions.values()}.values())
 
 
-def numbers(absolute: Absolute) -> bytes:
+def numbers(absolute: FiniteElementRecord) -> bytes:
     """The tables as a file of NumPy; the same bytes for the same tables."""
     tables: dict[str, Any] = {"kind": absolute.places.kind}
     tables |= {f"line_{k}": line for k, line in enumerate(absolute.lines)}
@@ -117,7 +117,7 @@ def numbers(absolute: Absolute) -> bytes:
     return room.getvalue()
 
 
-def write(folder: Path, absolute: Absolute, available: Sequence[str]) -> None:
+def write(folder: Path, absolute: FiniteElementRecord, available: Sequence[str]) -> None:
     """Write a model: manifest, tables, and the C of every kind of element.
 
     Args:
@@ -177,7 +177,7 @@ def _group(k: int, group: Group) -> GroupRow:
     return GroupRow(kind=group.kind.name, common=common_name(k, group), members=list(group.members))
 
 
-def _reference(absolute: Absolute) -> list[float]:
+def _reference(absolute: FiniteElementRecord) -> list[float]:
     """Coordinates of the joints in the reference configuration, as ``states`` takes them."""
     found: list[float] = []
     for joint in absolute.system.joints:
@@ -187,14 +187,14 @@ def _reference(absolute: Absolute) -> list[float]:
     return [float(x) for x in found]
 
 
-def _beam_nodes(absolute: Absolute) -> list[int]:
+def _beam_nodes(absolute: FiniteElementRecord) -> list[int]:
     """Places of nodes that only beams hold."""
     implicit = {joint.name for joint in absolute.system.joints if joint.implicit}
     named = len(absolute.places) - len(absolute.inner)
     return [k for k in range(named) if absolute.places.names[k] in implicit]
 
 
-def _quaternions(absolute: Absolute) -> list[int]:
+def _quaternions(absolute: FiniteElementRecord) -> list[int]:
     """First entry of every unit quaternion in q."""
     places = absolute.places
     at = np.array([-1 if k.quaternion is None else k.quaternion for k in places.kinds])
@@ -202,7 +202,7 @@ def _quaternions(absolute: Absolute) -> list[int]:
     return [int(start) for start in (places.q[:-1] + own)[own >= 0]]
 
 
-def _multipliers(absolute: Absolute) -> list[MultiplierRow]:
+def _multipliers(absolute: FiniteElementRecord) -> list[MultiplierRow]:
     """Rows of the multipliers, those of positions first."""
     made = [
         MultiplierRow(
@@ -218,7 +218,7 @@ def _multipliers(absolute: Absolute) -> list[MultiplierRow]:
     return sorted(made, key=lambda row: row.level != "position")
 
 
-def _beams(absolute: Absolute) -> Iterator[BeamRow]:
+def _beams(absolute: FiniteElementRecord) -> Iterator[BeamRow]:
     """Rows of the segments: ends, first of the q of the nodes between, their number, length."""
     system, places = absolute.system, absolute.places
     # the nodes inside of beams are the last places, in the order of the segments
@@ -238,7 +238,7 @@ def _beams(absolute: Absolute) -> Iterator[BeamRow]:
         at += size * inner
 
 
-def _frame(absolute: Absolute, k: int) -> FrameRow:
+def _frame(absolute: FiniteElementRecord, k: int) -> FrameRow:
     system, places = absolute.system, absolute.places
     frame, place = system.frames[k], int(absolute.frames.place[k])
     body = system.bodies[frame.body] if frame.body >= 0 else None

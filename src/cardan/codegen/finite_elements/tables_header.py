@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from ...equations.finite_elements.record import Absolute, Group
+from ...equations.finite_elements.record import FiniteElementRecord, Group
 from ...schema.c_functions import FunctionRow
 from ...schema.planned import Fields, Planned
 from ...schema.records import FORMS
@@ -20,7 +20,9 @@ from .model_folder import common_name
 RECORDS = {"load": "cardan_sparse_load", "run": "cardan_sparse_run"}
 
 
-def functions(absolute: Absolute, entries: Mapping[str, FunctionRow]) -> list[dict[str, Value]]:
+def functions(
+    absolute: FiniteElementRecord, entries: Mapping[str, FunctionRow]
+) -> list[dict[str, Value]]:
     """The functions of the elements of all groups, as ``cardan_element_function``.
 
     Args:
@@ -43,7 +45,7 @@ def _called(entry: FunctionRow) -> dict[str, Value]:
     return {"function": Name(symbol), "prepare": Name(f"prepare_{symbol}")}
 
 
-def rooms(absolute: Absolute, entries: Mapping[str, FunctionRow]) -> tuple[int, int]:
+def rooms(absolute: FiniteElementRecord, entries: Mapping[str, FunctionRow]) -> tuple[int, int]:
     """Numbers that the data of a group take with what finds them, and those that are prepared."""
     data, prepared = 0, 0
     for k, group in enumerate(absolute.groups):
@@ -58,7 +60,9 @@ def rooms(absolute: Absolute, entries: Mapping[str, FunctionRow]) -> tuple[int, 
     return data, prepared
 
 
-def tables(absolute: Absolute, entries: Mapping[str, FunctionRow], planned: Planned) -> str:
+def tables(
+    absolute: FiniteElementRecord, entries: Mapping[str, FunctionRow], planned: Planned
+) -> str:
     """The file.
 
     Args:

@@ -10,11 +10,11 @@ from pprint import pformat
 from typing import Any
 
 from ...errors import counted
-from ...ir.request import reads
 from ...schema.blocks import ARGUMENTS, ORDER
 from ...schema.c_functions import FunctionRow, ResultRow
 from ...schema.manifest import BLOCKS as BLOCK_KEYS
 from ...schema.manifest import Manifest
+from ...schema.request import reads
 from ..program.naming import mangle
 from ..sources import source
 

@@ -12,8 +12,8 @@ from dataclasses import dataclass
 from ...errors import CodegenError
 from ...ir.graph import Graph, Node
 from ...ir.ops import LEAVES, OPERATORS
+from ...ir.owners import Owner
 from .naming import ValueNames
-from .owners import Owner
 from .values import Values
 
 # the widest expression, with its name: a line of 100 columns and most of a second one

@@ -9,9 +9,9 @@ from functools import lru_cache
 from typing import NamedTuple
 
 from ...ir.graph import SystemNames
+from ...ir.owners import SHARED
 from . import angles, parts
 from .naming import comment, mangle
-from .owners import SHARED
 from .plan import Plan, make_plan
 from .program import (
     Angles,

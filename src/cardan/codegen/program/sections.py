@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from heapq import heapify, heappop, heappush
 
+from ...ir.owners import SHARED
 from . import angles
-from .owners import SHARED
 from .plan import Plan
 
 Sections = list[tuple[str, list[int]]]

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from ...ir.function import Function
+from ...ir.owners import Owners
 from .naming import Names, ValueNames, comment, mangle
-from .owners import Owners
 from .program import Declare, Place
 
 

@@ -23,7 +23,7 @@ from .constraints import POSITION, rows
 from .feasibility import search, value
 
 if TYPE_CHECKING:
-    from ..record import Equations
+    from ..record import EquationRecord
 
 STATES = 3
 STEP = 1e-5  # of differences
@@ -70,7 +70,7 @@ class Classification:
         return "\n".join(str(row) for row in self.rows) or "no constraints"
 
 
-def classification(equations: Equations, seed: int = 1) -> Classification:
+def classification(equations: EquationRecord, seed: int = 1) -> Classification:
     """Look at all constraints.
 
     Args:
@@ -94,7 +94,7 @@ def classification(equations: Equations, seed: int = 1) -> Classification:
     return Classification(tuple(found))
 
 
-def _integrable(equations: Equations, held: int, fast: list[int], seed: int) -> set[int]:
+def _integrable(equations: EquationRecord, held: int, fast: list[int], seed: int) -> set[int]:
     """Rows of velocities that together are closed on the motions they allow."""
     samples = [_Sample(equations, q) for q in _places(equations, held, seed)]
     left = set(fast)
@@ -108,7 +108,7 @@ def _integrable(equations: Equations, held: int, fast: list[int], seed: int) -> 
     return left
 
 
-def _places(equations: Equations, held: int, seed: int) -> list[Array]:
+def _places(equations: EquationRecord, held: int, seed: int) -> list[Array]:
     """Random positions (nq,) at which circuits are closed."""
     system = equations.system
     start = np.array([default for _, _, default in blocks.coordinates(system)])
@@ -126,7 +126,7 @@ def _places(equations: Equations, held: int, seed: int) -> list[Array]:
 class _Sample:
     """Rows and their exterior derivatives at one position."""
 
-    def __init__(self, equations: Equations, q: Array) -> None:
+    def __init__(self, equations: EquationRecord, q: Array) -> None:
         self.given, self.q = blocks.defaults(equations.system), q
         self.jacobian = equations.function("constraint_jacobian")
         self.rates = equations.function("qdot")

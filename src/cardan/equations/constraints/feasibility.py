@@ -17,7 +17,7 @@ from ...ir.interpreter import evaluate
 from ..functions import blocks
 
 if TYPE_CHECKING:
-    from ..record import Equations
+    from ..record import EquationRecord
 
 STARTS, STEPS = 12, 60
 LONGEST = 0.5  # of a step [rad, m]
@@ -60,7 +60,7 @@ class Feasibility:
         )
 
 
-def feasibility(equations: Equations, seed: int = 1) -> Feasibility:
+def feasibility(equations: EquationRecord, seed: int = 1) -> Feasibility:
     """Try to close all circuits at the default parameters.
 
     Args:
@@ -117,7 +117,7 @@ def value(function: Function, values: dict[str, Any], count: int) -> Array:
 
 
 def _gaps(
-    equations: Equations, functions: dict[str, Function], given: dict[str, Any], q: Array
+    equations: EquationRecord, functions: dict[str, Function], given: dict[str, Any], q: Array
 ) -> Feasibility:
     """What is left open at one place; conditions that follow from others are looked at too."""
     values, gaps = {**given, "q": q}, dict[str, tuple[float, str]]()
@@ -133,7 +133,7 @@ def _gaps(
     return Feasibility(q[0].copy(), gaps, written)
 
 
-def _owner(equations: Equations, entry: str) -> str:
+def _owner(equations: EquationRecord, entry: str) -> str:
     """The cut joint or relation that a residual belongs to."""
     cuts = [cut.name for cut in equations.system.cuts]
     return next((name for name in cuts if entry.startswith(f"{name}.")), entry)

@@ -20,12 +20,12 @@ from .nodal_scene import NODE, Key, Scene
 from .parts import Piece, pieces
 from .planar_kinds import flattened
 from .planarity import check, planes
-from .record import GROUND, Absolute, BlockKind, Frames, Group, Kind, Places, unique
+from .record import GROUND, BlockKind, FiniteElementRecord, Frames, Group, Kind, Places, unique
 from .segments import beamed
 from .states import states
 
 
-def lowered(system: System, plane: str | None = None) -> Absolute:
+def lowered(system: System, plane: str | None = None) -> FiniteElementRecord:
     """A system in absolute coordinates.
 
     Args:
@@ -48,7 +48,7 @@ def lowered(system: System, plane: str | None = None) -> Absolute:
     return _lowered(scene, None)
 
 
-def _lowered(scene: Scene, normal: int | None) -> Absolute:
+def _lowered(scene: Scene, normal: int | None) -> FiniteElementRecord:
     """A scene in space, or in the plane across an axis of the ground."""
     system = scene.system
     bodies, lines = (None, ()) if normal is None else planes(scene, normal)
@@ -78,7 +78,7 @@ def _lowered(scene: Scene, normal: int | None) -> Absolute:
     }
     if normal is not None:
         check(scene, (*groups, *beams.groups), space | beams.space, normal)
-    return Absolute(
+    return FiniteElementRecord(
         system=system,
         places=Places(names, kinds, every),
         groups=(*groups, *beams.groups),

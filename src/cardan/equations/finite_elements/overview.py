@@ -8,12 +8,12 @@ from typing import TYPE_CHECKING
 from ...errors import counted
 
 if TYPE_CHECKING:
-    from .record import Absolute
+    from .record import FiniteElementRecord
 
 SHOWN = 10
 
 
-def overview(scene: Absolute) -> str:
+def overview(scene: FiniteElementRecord) -> str:
     """Sizes, names, and for every kind of element its members, rows and operations."""
     system, places = scene.system, scene.places
     lines = [

@@ -14,8 +14,7 @@ import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
-from pathlib import Path
-from typing import Any, NoReturn, TypeAlias
+from typing import NoReturn, TypeAlias
 
 import numpy as np
 
@@ -25,8 +24,7 @@ from ...ir.function import Function
 from ...spatial.plane import Plane
 from ...topology.system import System
 from ..reading.counts import Counts
-from ..reading.explained import Explainable
-from ..record import Equations
+from ..record import EquationRecord
 from .overview import overview
 
 Numbers: TypeAlias = Array
@@ -227,7 +225,7 @@ class Frames:
 
 
 @dataclass(frozen=True)
-class Absolute(Explainable):
+class FiniteElementRecord:
     """Equations of motion in absolute coordinates, element by element.
 
     Made by :func:`cardan.derive` with ``coordinates="absolute"``. The whole system is
@@ -350,12 +348,12 @@ class Absolute(Explainable):
 
     def __repr__(self) -> str:
         counted = f"{len(self.places)} places, {self.places.nq} coordinates"
-        return f"Absolute('{self.system.name}': {counted})"
+        return f"FiniteElementEquations('{self.system.name}': {counted})"
 
     def __getattr__(self, name: str) -> NoReturn:
         # what joint coordinates offer is named with the call that gives it
-        if name.startswith("_") or not hasattr(Equations, name):
-            raise AttributeError(f"'Absolute' object has no attribute '{name}'")
+        if name.startswith("_") or not hasattr(EquationRecord, name):
+            raise AttributeError(f"'FiniteElementEquations' object has no attribute '{name}'")
         cure = f" Joint coordinates have it: derive(scene, coordinates='relative').{name}"
         if self.system.segments:
             cure = ""  # beams have no others
@@ -363,22 +361,6 @@ class Absolute(Explainable):
             f"equations of '{self.system.name}' in absolute coordinates have no '{name}': their "
             f"elements have functions, see .kinds.{cure}"
         )
-
-    def export(
-        self,
-        directory: str | Path,
-        functions: Sequence[Any] | None = None,
-        language: str = "c",
-        integrators: Sequence[str] = (),
-        reproducible: bool = False,
-        prefix: str = "",
-    ) -> Path:
-        """Write C that needs no cardan, as :func:`cardan.codegen.export.export.export` does."""
-        from ...analyses.simulation.export_plan import planned
-        from ...codegen.export.finite_elements import export
-
-        how = (language, integrators, reproducible, prefix)
-        return export(self, directory, planned, functions, *how)
 
     @property
     def sources(self) -> tuple[str, ...]:

@@ -19,7 +19,7 @@ from ...ir.stage import stage
 from ...notebooks import html
 
 if TYPE_CHECKING:
-    from ..record import Equations
+    from ..record import EquationRecord
 
 # differences of sums of terms of size one that cancel
 ROUNDING = 1e-10
@@ -55,7 +55,7 @@ class BaseParameters:
     _repr_html_ = html
 
 
-def base_parameters(equations: Equations) -> BaseParameters:
+def base_parameters(equations: EquationRecord) -> BaseParameters:
     """The base parameters of inverse dynamics, in the frames of the user's joints."""
     from sympy import expand
 

@@ -18,10 +18,10 @@ from ...ir.derivative import directional
 from ...ir.function import Output
 from ...ir.graph import ZERO
 from ...ir.matrix import Matrix
-from ...ir.request import Request
 from ...ir.rewrite import rebuild
 from ...ir.solve import solve
 from ...schema.functions import DIFFERENTIABLE, FUNCTIONS
+from ...schema.request import Request
 from ..constraints.reaction_friction import pressed
 from ..constraints.treatments import Bound
 from ..constraints.treatments.treatment import by_multipliers

@@ -18,7 +18,7 @@ from .context import Context, settled
 from .dynamics import Dynamics
 
 if TYPE_CHECKING:
-    from ..record import Equations
+    from ..record import EquationRecord
 
 # equations of constraint that follow from others
 DEPENDENT = 1e-9
@@ -45,7 +45,7 @@ class States:
         }
 
 
-def context_of(equations: Equations) -> Context:
+def context_of(equations: EquationRecord) -> Context:
     """Fresh expressions of the equations, by the formalism that takes every system."""
     method = "kane" if equations.chosen else "composite"
     names = {b.name: b.entries for b in equations.blocks.values()}
@@ -55,7 +55,7 @@ def context_of(equations: Equations) -> Context:
 
 
 def function_of(
-    equations: Equations, c: Context, named: dict[str, Matrix], friction: bool = True
+    equations: EquationRecord, c: Context, named: dict[str, Matrix], friction: bool = True
 ) -> Function:
     """Matrices as one function of all blocks."""
     results = tuple(Output(n, (m.rows, m.columns), m.nodes) for n, m in named.items())
@@ -64,7 +64,7 @@ def function_of(
 
 
 def drawn(
-    equations: Equations, count: int, rng: np.random.Generator, given: dict[str, Array]
+    equations: EquationRecord, count: int, rng: np.random.Generator, given: dict[str, Array]
 ) -> States:
     """States with coordinates anywhere, speeds that the constraints allow, and accelerations.
 
@@ -94,7 +94,9 @@ def drawn(
     return states
 
 
-def _closed(plain: Equations, values: dict[str, Any], count: int) -> tuple[dict[str, Any], int]:
+def _closed(
+    plain: EquationRecord, values: dict[str, Any], count: int
+) -> tuple[dict[str, Any], int]:
     """The states moved onto the constraints; those that do not get there are left out."""
     functions = {n: plain.function(n) for n in ("constraints", "constraint_jacobian", "integrate")}
     with np.errstate(all="ignore"):
@@ -108,7 +110,7 @@ def _closed(plain: Equations, values: dict[str, Any], count: int) -> tuple[dict[
     return chosen, int(kept.sum())
 
 
-def _consistent(equations: Equations, c: Context, states: States) -> None:
+def _consistent(equations: EquationRecord, c: Context, states: States) -> None:
     """Speeds that the constraints allow, then accelerations under the model's own forces."""
     d, closed = c.d, equations.system.closed
     named = {"M": d.mass_matrix, "drive": d.forces() - d.bias()}

@@ -19,7 +19,7 @@ from ..functions.random_states import States, drawn, function_of
 from . import energies
 
 if TYPE_CHECKING:
-    from ..record import Equations
+    from ..record import EquationRecord
 
 # rounding of rates, relative to their terms
 ZERO_RATE = 1e-8
@@ -38,7 +38,7 @@ class Candidate:
     value: Scalar
 
 
-def candidates(equations: Equations, c: Context) -> tuple[list[Candidate], Candidate]:
+def candidates(equations: EquationRecord, c: Context) -> tuple[list[Candidate], Candidate]:
     """Momenta, in the order in which they are preferred, and the energy."""
     k, g = c.k, c.k.graph
     kinetic, potential = outputs.energy(c.d)
@@ -66,7 +66,7 @@ def candidates(equations: Equations, c: Context) -> tuple[list[Candidate], Candi
     return found, Candidate("energy", "J", kinetic + potential)
 
 
-def watched(equations: Equations, c: Context, every: list[Candidate]) -> Function:
+def watched(equations: EquationRecord, c: Context, every: list[Candidate]) -> Function:
     """Values and rates of all candidates, udot given."""
     g, k = c.k.graph, c.k
     nodes = [one.value.node for one in every]
@@ -96,7 +96,7 @@ class Seen:
 
 
 def drawn_at(
-    equations: Equations, count: int, rng: np.random.Generator, given: dict[str, Array]
+    equations: EquationRecord, count: int, rng: np.random.Generator, given: dict[str, Array]
 ) -> States:
     """States at times of their own."""
     return drawn(equations, count, rng, given | {"t": rng.normal(size=(count, 1))})

@@ -18,7 +18,7 @@ from ...errors import DerivationError, SolveError
 from .reference_input import Placeholder
 
 if TYPE_CHECKING:
-    from ..record import Equations
+    from ..record import EquationRecord
     from .record import Linearized
 
 # of changes of speeds by independent ones: beyond, others must be chosen
@@ -139,13 +139,13 @@ def _record(
 
 
 def along(
-    equations: Equations,
+    equations: EquationRecord,
     motion: Any,
     inputs: Iterable[str] | None,
     outputs: Iterable[str] | None,
     independent: Iterable[str] | None,
 ) -> LinearizedAlong:
-    """See :meth:`cardan.equations.linearized.linear.Linearizable.linearize_along`."""
+    """Linear models along a motion; see :meth:`cardan.api.equations.Equations.linearize_along`."""
     from .linear import linearized
 
     _refuse_others(equations, motion)
@@ -178,7 +178,7 @@ def along(
     return _record(found, motion.t, own, _dense(motion, numbers) or _spline(motion.t, own["A"]))
 
 
-def _refuse_others(equations: Equations, motion: Any) -> None:
+def _refuse_others(equations: EquationRecord, motion: Any) -> None:
     """The motion must be one of this system, in one mode."""
     shape = (len(equations.coordinates), len(equations.speeds))
     if (motion.q.shape[1], motion.u.shape[1]) != shape:

@@ -16,15 +16,13 @@ from .reduced import reduced
 from .reference import Reference
 
 if TYPE_CHECKING:
-    from ...runtime.trajectory.trajectory import Trajectory
-    from ..record import Equations
-    from .along import LinearizedAlong
+    from ..record import EquationRecord
 
 ROUTES = {"from_start": from_start.whole, "differentiated": differentiated.whole}
 
 
 def linearized(
-    equations: Equations,
+    equations: EquationRecord,
     motion: Mapping[str, Any],
     values: Mapping[str, float] | None,
     inputs: Iterable[str] | None,
@@ -32,7 +30,7 @@ def linearized(
     independent: Iterable[str] | None,
     route: str,
 ) -> Linearized:
-    """See :meth:`cardan.equations.record.Equations.linearize`."""
+    """See :meth:`cardan.equations.linearized.linear.Linearizable.linearize`."""
     if route not in ROUTES:
         raise DerivationError(f"linearize: there is no route '{route}'.{near(route, ROUTES)}")
     with collector_paused():
@@ -103,31 +101,5 @@ class Linearizable:
         named = {"q": q or {}, "u": u or {}, "z": z or {}, "r": r or {}, "s": s or {}}
         motion = {**named, "udot": udot or {}, "t": t}
         return linearized(
-            cast("Equations", self), motion, values, inputs, outputs, independent, route
+            cast("EquationRecord", self), motion, values, inputs, outputs, independent, route
         )
-
-    @checked
-    def linearize_along(
-        self,
-        motion: Trajectory,
-        *,
-        inputs: Iterable[str] | None = None,
-        outputs: Iterable[str] | None = None,
-        independent: Iterable[str] | None = None,
-    ) -> LinearizedAlong:
-        """Linear models along a simulated motion of this system: A(t), B(t), C(t), D(t).
-
-        Args:
-            motion: A :class:`cardan.Trajectory`, in one mode all along.
-            inputs, outputs, independent: As for :meth:`linearize`; what is independent stays so.
-
-        Returns:
-            Arrays along ``motion.t``; transition matrix and Floquet multipliers.
-
-        Raises:
-            DerivationError: a motion of another system, one whose modes change, or one along which
-                the independent coordinates become dependent.
-        """
-        from .along import along
-
-        return along(cast("Equations", self), motion, inputs, outputs, independent)

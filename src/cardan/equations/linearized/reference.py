@@ -40,7 +40,7 @@ from .reference_input import (
 )
 
 if TYPE_CHECKING:
-    from ..record import Equations
+    from ..record import EquationRecord
 
 CLOSED = 1e-9
 TRIED = 0.37  # [s], where expressions in t are looked at
@@ -61,7 +61,7 @@ class Reference:
 
     def __init__(
         self,
-        equations: Equations,
+        equations: EquationRecord,
         q: Mapping[str, Any],
         u: Mapping[str, Any],
         udot: Mapping[str, Any] | str,

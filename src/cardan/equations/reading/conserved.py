@@ -46,7 +46,7 @@ from ..kinematics.momenta import (
 )
 
 if TYPE_CHECKING:
-    from ..record import Equations
+    from ..record import EquationRecord
 
 # rounding of combinations, relative to their terms
 DEPENDENT = 1e-7
@@ -149,7 +149,7 @@ class Conserved:
         return "\n".join(lines)
 
 
-def conserved(equations: Equations, seed: int = 3) -> Conserved:
+def conserved(equations: EquationRecord, seed: int = 3) -> Conserved:
     """Find the conserved quantities of a system at its default parameters and inputs.
 
     Args:
@@ -160,7 +160,7 @@ def conserved(equations: Equations, seed: int = 3) -> Conserved:
         return _found(equations, np.random.default_rng(seed))
 
 
-def _found(equations: Equations, rng: np.random.Generator) -> Conserved:
+def _found(equations: EquationRecord, rng: np.random.Generator) -> Conserved:
     system, c = equations.system, context_of(equations)
     momenta, energy = candidates(equations, c)
     every = [*momenta, energy]
@@ -264,7 +264,7 @@ def _null_rows(matrix: Array) -> list[Array]:
 
 
 def _elsewhere(
-    equations: Equations, watched: Function, rng: np.random.Generator, count: int
+    equations: EquationRecord, watched: Function, rng: np.random.Generator, count: int
 ) -> dict[str, Seen]:
     """The candidates at other inputs, and at other parameters."""
     given, found = blocks.defaults(equations.system), {}
@@ -287,7 +287,9 @@ def _when(weights: Array, others: dict[str, Seen]) -> str:
     return " and ".join(conditions)
 
 
-def _value(equations: Equations, c: Context, every: list[Candidate], weights: Array) -> Function:
+def _value(
+    equations: EquationRecord, c: Context, every: list[Candidate], weights: Array
+) -> Function:
     """A combination of candidates as a function."""
     total = Scalar(c.k.graph, ZERO)
     for one, weight in zip(every, weights, strict=True):
@@ -297,7 +299,7 @@ def _value(equations: Equations, c: Context, every: list[Candidate], weights: Ar
 
 
 def _cyclic(
-    equations: Equations, c: Context, states: States, rng: np.random.Generator
+    equations: EquationRecord, c: Context, states: States, rng: np.random.Generator
 ) -> tuple[str, ...]:
     """Coordinates that can be changed without a change of M, h, f, G, gamma or qdot."""
     system, d = equations.system, c.d
@@ -326,7 +328,7 @@ def _same(a: Array, b: Array, weights: Array | float) -> bool:
     return bool(np.abs(a - b).max(initial=0.0) < ZERO_RATE * size)
 
 
-def _powers(equations: Equations, c: Context, states: States) -> dict[str, str]:
+def _powers(equations: EquationRecord, c: Context, states: States) -> dict[str, str]:
     """What each source of power does in the states that were drawn."""
     (output,) = power(c)
     values = Matrix(c.k.graph, len(output.nodes), 1, output.nodes)

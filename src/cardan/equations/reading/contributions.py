@@ -25,7 +25,7 @@ from ..functions.dynamics import Dynamics
 from ..kinematics.kinematics import Kinematics
 
 if TYPE_CHECKING:
-    from ..record import Equations
+    from ..record import EquationRecord
 
 NOTHING: Nodes = (ZERO,) * 9
 LETTERS = {"mass_matrix": "M", "bias": "h", "applied": "f"}
@@ -66,7 +66,7 @@ class Contribution:
             ) from problem
 
 
-def contributions(equations: Equations, name: str) -> tuple[Contribution, ...]:
+def contributions(equations: EquationRecord, name: str) -> tuple[Contribution, ...]:
     """Everything that a matrix of the equations is the sum of.
 
     Args:
@@ -92,14 +92,14 @@ def contributions(equations: Equations, name: str) -> tuple[Contribution, ...]:
     return tuple(one for one in found if any(one.function.roots))
 
 
-def _function(equations: Equations, name: str, k: Kinematics, part: Matrix) -> Function:
+def _function(equations: EquationRecord, name: str, k: Kinematics, part: Matrix) -> Function:
     rows = part.columns if name == "mass_matrix" else 1
     shape = (rows, rows) if name == "mass_matrix" else (part.rows,)
     output = Output(LETTERS[name], shape, part.nodes)
     return Function(LETTERS[name], k.graph, tuple(equations.blocks.values()), (output,))
 
 
-def _parts(equations: Equations, name: str) -> Iterator[tuple[str, str, Kinematics, Matrix]]:
+def _parts(equations: EquationRecord, name: str) -> Iterator[tuple[str, str, Kinematics, Matrix]]:
     """Owner, cause, and the part as expressions of a system in which nothing else has mass."""
     system = equations.system
     if name == "applied":
@@ -120,7 +120,7 @@ def _parts(equations: Equations, name: str) -> Iterator[tuple[str, str, Kinemati
         yield force.name, ROTOR, d.k, d.mass_matrix if name == "mass_matrix" else d.bias()
 
 
-def _alone(equations: Equations, system: System) -> Dynamics:
+def _alone(equations: EquationRecord, system: System) -> Dynamics:
     return Dynamics(Kinematics(system, equations.chosen), "kane")
 
 

@@ -10,7 +10,7 @@ from ...ir.function import Function, count
 from .loop_report import circuits_told
 
 if TYPE_CHECKING:
-    from ..record import Equations
+    from ..record import EquationRecord
 
 
 # cycles per operation where nothing waits, and per unit of the critical path
@@ -30,7 +30,7 @@ class Counts(dict[str, int]):
 
     def __init__(self, function: Function, rewrites: tuple[str, ...] = ()) -> None:
         # the program and the sections of the C that is written from it
-        from ...codegen.program.owners import Owners
+        from ...ir.owners import Owners
         from ...passes import optimize
 
         staged = optimize(function)
@@ -60,7 +60,7 @@ class Counts(dict[str, int]):
         return hypot(SIDE_BY_SIDE * self.total, IN_TURN * self.critical_path)
 
 
-def overview(equations: Equations) -> str:
+def overview(equations: EquationRecord) -> str:
     """Formalism, sizes, names and counts on one screen."""
     s = equations.system
     lines = [

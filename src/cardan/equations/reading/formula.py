@@ -11,7 +11,7 @@ from .notation import Notation, symbols
 if TYPE_CHECKING:
     import sympy
 
-    from ..record import Equations
+    from ..record import EquationRecord
 
 GENERAL = r"M(q)\,\dot u + h(q, u) = f + \tau"
 BOUND = GENERAL + r" + G(q)^T \lambda, \quad G(q)\,\dot u = \gamma(q, u)"
@@ -28,7 +28,7 @@ PARTS = (
 LONGEST, SIMPLIFIED = 600, 2_200
 
 
-def latex(equations: Equations) -> str:
+def latex(equations: EquationRecord) -> str:
     """M udot + h = f + tau and, where u is not the rate of q, qdot = N u, without dollar signs.
 
     Systems with constraints show the general form, then what is short of it.
@@ -50,7 +50,7 @@ def _aligned(lines: list[tuple[str, str]]) -> str:
     return rf"\begin{{aligned}}{rows}\end{{aligned}}"
 
 
-def _parts(equations: Equations) -> list[tuple[str, str]]:
+def _parts(equations: EquationRecord) -> list[tuple[str, str]]:
     """M, h, g, G and gamma, one line each; what is long or zero is left out."""
     found = []
     for sign, name in PARTS:
@@ -65,7 +65,7 @@ def _parts(equations: Equations) -> list[tuple[str, str]]:
     return found
 
 
-def _lines(equations: Equations) -> list[tuple[str, str]]:
+def _lines(equations: EquationRecord) -> list[tuple[str, str]]:
     import sympy
 
     rate = equations.blocks["udot"].entries
@@ -80,12 +80,12 @@ def _lines(equations: Equations) -> list[tuple[str, str]]:
     return lines
 
 
-def rates_are_speeds(equations: Equations, kinematics: sympy.Matrix) -> bool:
+def rates_are_speeds(equations: EquationRecord, kinematics: sympy.Matrix) -> bool:
     """Whether qdot = u says nothing that needs to be written."""
     return [str(entry) for entry in kinematics] == list(equations.speeds)
 
 
-def of_matrix(equations: Equations, matrix: sympy.Matrix) -> str:
+def of_matrix(equations: EquationRecord, matrix: sympy.Matrix) -> str:
     """A matrix of these equations in LaTeX."""
     import sympy
 

@@ -10,13 +10,13 @@ from ...topology.system import Closure, Cut, System
 from ..constraints.constraints import left_out
 
 if TYPE_CHECKING:
-    from ..record import Equations
+    from ..record import EquationRecord
 
 GROUPS = {"planar": "in a plane", "spherical": "about a point"}
 MOST = 12
 
 
-def circuits_told(equations: Equations) -> list[str]:
+def circuits_told(equations: EquationRecord) -> list[str]:
     """One line for every circuit, and one on how the constraints are treated."""
     system = equations.system
     lines = [_solved(system, closure) for closure in system.closures[:MOST]]

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 from ...ir.names import of_rate
 
 if TYPE_CHECKING:
-    from ..record import Equations
+    from ..record import EquationRecord
 
 _GREEK = """
     alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi pi rho sigma tau
@@ -96,7 +96,7 @@ def notation(name: str, dots: int = 0) -> Notation:
     return Notation(name, "", dots)
 
 
-def symbols(equations: Equations) -> Mapping[str, Notation]:
+def symbols(equations: EquationRecord) -> Mapping[str, Notation]:
     """Notation by name of symbol, for coordinates, speeds, inputs and parameters.
 
     A speed that is the rate of a coordinate is that coordinate with a dot, any other one a u.
@@ -124,7 +124,7 @@ def _distinct(found: Mapping[str, Notation]) -> Mapping[str, Notation]:
     return {n: s if first[s] == n else Notation(n) for n, s in found.items()}
 
 
-def _rates(equations: Equations) -> dict[str, str]:
+def _rates(equations: EquationRecord) -> dict[str, str]:
     """Speed -> the coordinate whose rate it is."""
     if equations.chosen:
         return {}

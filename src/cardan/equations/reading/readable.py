@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     import sympy
 
     from ..constraints.kinematic_coefficients import Following
-    from ..record import Equations
+    from ..record import EquationRecord
 
 
 class Readable(ABC):
@@ -148,7 +148,7 @@ class Readable(ABC):
         definitions, matrix = self._read[key]
         return list(definitions), matrix.copy()
 
-    def _repr_latex_(self: Equations) -> str:  # type: ignore[misc]
+    def _repr_latex_(self: EquationRecord) -> str:  # type: ignore[misc]
         """M udot + h = f + tau in notebooks; the general form where the entries are too long."""
         from .formula import latex
 

@@ -9,10 +9,10 @@ from typing import final
 import numpy as np
 
 from ...arrays import Array
-from ...ir.request import reads
 from ...schema.blocks import ARGUMENTS, SLOT
 from ...schema.manifest import Manifest
 from ...schema.mechanism import JointRow
+from ...schema.request import reads
 from ...schema.rows import column
 from .calling import Argument
 

@@ -14,9 +14,9 @@ import numpy as np
 from ...arguments import checked
 from ...arrays import Array
 from ...errors import ArgumentError, ModelError, near, shown
-from ...ir.request import Request
 from ...schema.blocks import DIRECTIONS
 from ...schema.functions import DIFFERENTIABLE, FUNCTIONS
+from ...schema.request import Request
 from ..calls.evaluation import Values, into
 from ..calls.functions import Functions
 from .wrenches import generalized, read_wrenches

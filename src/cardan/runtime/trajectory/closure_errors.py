@@ -12,7 +12,7 @@ from ...arrays import Array
 from ...schema.entries import MultiplierRow
 
 if TYPE_CHECKING:
-    from .trajectory import Trajectory
+    from .trajectory import TrajectoryRecord
 
 
 @dataclass(frozen=True)
@@ -145,7 +145,7 @@ class Drift(np.ndarray[Any, np.dtype[np.float64]]):
         return {} if self.constraints is None else self.constraints.velocity
 
 
-def residuals_of(motion: Trajectory) -> dict[str, Array]:
+def residuals_of(motion: TrajectoryRecord) -> dict[str, Array]:
     """Residual (nt,) of every constraint of positions by multiplier."""
     rows = [row for row in motion.manifest.multipliers if row.level == "position"]
     if rows and "constraints" not in motion.stored:
@@ -156,7 +156,7 @@ def residuals_of(motion: Trajectory) -> dict[str, Array]:
     return {row.name: motion.stored["constraints"][:, k] for k, row in enumerate(rows)}
 
 
-def multipliers_of(motion: Trajectory) -> dict[str, Array]:
+def multipliers_of(motion: TrajectoryRecord) -> dict[str, Array]:
     """History (nt,) of every multiplier [N, N m].
 
     Those that the method found along with the motion, else those of the accelerations at its

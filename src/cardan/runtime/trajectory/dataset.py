@@ -8,14 +8,14 @@ from ...errors import CardanError
 from ...schema.rows import column
 
 if TYPE_CHECKING:
-    from .trajectory import Trajectory
+    from .trajectory import TrajectoryRecord
 
 
-def to_xarray(motion: Trajectory) -> Any:
-    """Data set with dimensions time, coordinate, speed, input, source.
+def to_xarray(motion: TrajectoryRecord) -> Any:
+    """An ``xarray.Dataset`` with named coordinates, speeds, inputs and energies.
 
     Raises:
-        ModuleNotFoundError: xarray is missing.
+        ModuleNotFoundError: xarray is not installed (extra ``data``).
     """
     try:
         import xarray

@@ -11,7 +11,7 @@ from ...errors import ModelError
 from ...schema.manifest import Manifest
 
 if TYPE_CHECKING:
-    from .trajectory import Trajectory
+    from .trajectory import TrajectoryRecord
 
 
 def names(manifest: Manifest) -> list[str]:
@@ -26,7 +26,7 @@ def _solved(manifest: Manifest) -> list[str]:
     return [name for block in ("q", "u") for row in rows for name in row.names(block)]
 
 
-def history(motion: Trajectory, name: str) -> Array:
+def history(motion: TrajectoryRecord, name: str) -> Array:
     """Coordinate or speed (nt,) of a coupled or prescribed joint.
 
     Raises:
@@ -46,7 +46,7 @@ def history(motion: Trajectory, name: str) -> Array:
     return ratio * motion[coupling.leader + (".u" if rate else "")] + offset
 
 
-def _from_circuit(motion: Trajectory, name: str) -> Array:
+def _from_circuit(motion: TrajectoryRecord, name: str) -> Array:
     """A coordinate or speed of a joint of a circuit in closed form, angles without jumps."""
     if motion.model is None:
         raise ModelError(
@@ -61,7 +61,7 @@ def _from_circuit(motion: Trajectory, name: str) -> Array:
     return column
 
 
-def _prescribed(motion: Trajectory, number: int, rate: bool) -> Array:
+def _prescribed(motion: TrajectoryRecord, number: int, rate: bool) -> Array:
     """What the motion of a joint is prescribed to be, at the times of the run."""
     model = motion.model
     if model is None:

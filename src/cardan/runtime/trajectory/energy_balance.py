@@ -11,7 +11,7 @@ from ...arrays import Array
 from .interpolation import inputs_at
 
 if TYPE_CHECKING:
-    from .trajectory import Trajectory
+    from .trajectory import TrajectoryRecord
 
 # of what a source has given, by which it may go up and yet be said to take energy only
 LEVEL = 1e-9
@@ -49,7 +49,7 @@ class Balance:
         return ", ".join(words)
 
 
-def balance(motion: Trajectory) -> Balance:
+def balance(motion: TrajectoryRecord) -> Balance:
     """The balance of a run.
 
     Raises:
@@ -72,7 +72,7 @@ def balance(motion: Trajectory) -> Balance:
     return Balance(float(total[0]), float(total[-1]), given, taken, dissipated, lost, worst)
 
 
-def losses(motion: Trajectory) -> Array:
+def losses(motion: TrajectoryRecord) -> Array:
     """Change of the energy in everything that happened (count,) [J]; empty where not known."""
     if "losses" in motion.stored:
         return motion.stored["losses"]
@@ -98,7 +98,7 @@ def losses(motion: Trajectory) -> Array:
     return found
 
 
-def impacts(motion: Trajectory) -> dict[str, Array]:
+def impacts(motion: TrajectoryRecord) -> dict[str, Array]:
     """Energy that jumps have given since the start (nt,), negative, by element [J]."""
     changes, known = losses(motion), motion.happened
     found: dict[str, Array] = {}

@@ -18,7 +18,7 @@ from .joint_poses import POSES, joints_of
 
 if TYPE_CHECKING:
     from ..models.loaded_model import LoadedModel
-    from .trajectory import Trajectory
+    from .trajectory import TrajectoryRecord
 
 
 def numbers(model: LoadedModel) -> Mapping[str, Array]:
@@ -29,7 +29,7 @@ def numbers(model: LoadedModel) -> Mapping[str, Array]:
     return found
 
 
-def pose(motion: Trajectory, frame: str) -> Array:
+def pose(motion: TrajectoryRecord, frame: str) -> Array:
     """Poses (nt, 4, 4) of a frame of a run without its model.
 
     They follow from the stored ones of another frame of its body, else from the coordinates.
@@ -80,7 +80,7 @@ def inverse(pose: Array) -> Array:
     return back
 
 
-def told(motion: Trajectory) -> bool:
+def told(motion: TrajectoryRecord) -> bool:
     """Whether a run without its model tells poses by its coordinates alone."""
     manifest = motion.manifest
     if manifest.absolute:
@@ -95,7 +95,7 @@ def told(motion: Trajectory) -> bool:
     return not scene.empty and "position" in motion.scene and known and not given
 
 
-def placed(motion: Trajectory, frame: str) -> Array:
+def placed(motion: TrajectoryRecord, frame: str) -> Array:
     """Transform (4, 4) from the axes of a frame to those of the rigid body that carries it.
 
     Raises:
@@ -112,7 +112,7 @@ def placed(motion: Trajectory, frame: str) -> Array:
     return place
 
 
-def line(motion: Trajectory, beam: str) -> Array:
+def line(motion: TrajectoryRecord, beam: str) -> Array:
     """Positions (nt, nodes, 3) of the nodes of a beam from its start to its end.
 
     Raises:

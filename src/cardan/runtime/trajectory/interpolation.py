@@ -11,10 +11,10 @@ from ...errors import ArgumentError, ModelError
 from ..models.constraint_projection import project
 
 if TYPE_CHECKING:
-    from .trajectory import Trajectory
+    from .trajectory import TrajectoryRecord
 
 
-def states_at(motion: Trajectory, times: Array) -> Array:
+def states_at(motion: TrajectoryRecord, times: Array) -> Array:
     """States and energies of the sources (m, nx + sources) at times (m,).
 
     Raises:
@@ -29,7 +29,7 @@ def states_at(motion: Trajectory, times: Array) -> Array:
         ) from None
 
 
-def _states_at(motion: Trajectory, times: Array) -> Array:
+def _states_at(motion: TrajectoryRecord, times: Array) -> Array:
     if motion.dense is None:
         return _kept(motion, times)
     low, high = sorted((float(motion.t[0]), float(motion.t[-1])))
@@ -46,7 +46,7 @@ def _states_at(motion: Trajectory, times: Array) -> Array:
     return values
 
 
-def _kept(motion: Trajectory, times: Array) -> Array:
+def _kept(motion: TrajectoryRecord, times: Array) -> Array:
     """Rows (m, nx + sources) of a run that kept nothing between its output times.
 
     Raises:
@@ -65,7 +65,7 @@ def _kept(motion: Trajectory, times: Array) -> Array:
     return np.concatenate([motion.x[rows], motion.given[rows]], axis=1)
 
 
-def inputs_at(motion: Trajectory, times: Array) -> Array:
+def inputs_at(motion: TrajectoryRecord, times: Array) -> Array:
     """Inputs (m, nr) at times (m,)."""
     if motion.inputs_at is not None:
         return motion.inputs_at(times)

@@ -19,7 +19,7 @@ from .dense_output import Dense
 from .event_log import Happened
 from .input_history import Pieces, Recorded
 from .solver_info import Conduct
-from .trajectory import Trajectory
+from .trajectory import TrajectoryRecord
 
 ARRAYS = ("t", "x", "r", "given")
 RECORDS: dict[str, type[Any]] = {
@@ -28,7 +28,7 @@ RECORDS: dict[str, type[Any]] = {
 RECORD = ""  # the key of the name of a record
 
 
-def parts(motion: Trajectory) -> tuple[dict[str, Any], str]:
+def parts(motion: TrajectoryRecord) -> tuple[dict[str, Any], str]:
     """The fields of a motion, and their hash; its model takes along what draws the motion."""
     model = motion.model
     drawn = model is not None and "pose" in model.manifest.available
@@ -94,13 +94,13 @@ def _sorted(values: Mapping[str, Any]) -> list[Any]:
     return [values[name] for name in sorted(values)]
 
 
-def reduced(motion: Trajectory) -> tuple[object, ...]:
+def reduced(motion: TrajectoryRecord) -> tuple[object, ...]:
     """What ``__reduce__`` of a motion returns."""
-    return _unpickled_motion, (PICKLE.version, VERSION, *parts(motion))
+    return unpickled, (PICKLE.version, VERSION, *parts(motion))
 
 
-def _unpickled_motion(version: int, writer: str, values: dict[str, Any], stated: str) -> Trajectory:
-    """The motion of a pickle, which names this function as one of ``cardan`` itself.
+def unpickled(version: int, writer: str, values: dict[str, Any], stated: str) -> TrajectoryRecord:
+    """The motion of a pickle.
 
     Raises:
         ModelError: it is of another version, was damaged or changed.
@@ -110,11 +110,7 @@ def _unpickled_motion(version: int, writer: str, values: dict[str, Any], stated:
     return restore(values, stated)
 
 
-# pickles find it wherever it stands
-_unpickled_motion.__module__ = "cardan"
-
-
-def restore(values: dict[str, Any], stated: str) -> Trajectory:
+def restore(values: dict[str, Any], stated: str) -> TrajectoryRecord:
     """The motion of a pickle.
 
     Raises:
@@ -122,7 +118,9 @@ def restore(values: dict[str, Any], stated: str) -> Trajectory:
     """
     try:
         values = read(values)
-        whole = digest(values) == stated and set(values) == {f.name for f in fields(Trajectory)}
+        whole = digest(values) == stated and set(values) == {
+            f.name for f in fields(TrajectoryRecord)
+        }
     except ModelError:
         raise
     except (KeyError, TypeError, ValueError, AttributeError) as error:
@@ -130,7 +128,7 @@ def restore(values: dict[str, Any], stated: str) -> Trajectory:
     if not whole:
         raise _damaged("its content is not what it was made of")
     _check(values)
-    return Trajectory(**values)
+    return TrajectoryRecord(**values)
 
 
 def _check(values: Mapping[str, Any]) -> None:

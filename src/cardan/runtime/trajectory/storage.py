@@ -30,7 +30,7 @@ from .dense_output import Dense
 from .event_log import Happened
 from .input_history import Pieces, Recorded
 from .solver_info import Conduct
-from .trajectory import Trajectory
+from .trajectory import TrajectoryRecord
 
 if TYPE_CHECKING:
     from ..models.loaded_model import LoadedModel
@@ -43,18 +43,25 @@ COLUMNS = "largest before projection, when, largest after it, when"
 FEWER = "Simulate with an array of output times to keep fewer of them"
 
 
-def save(motion: Trajectory, path: Path) -> Path:
-    """Write a run; a file with its name is replaced in one step.
+@checked
+def save(motion: TrajectoryRecord, path: str | Path) -> Path:
+    """Write everything but the model; :func:`cardan.load_motion` reads it.
+
+    The ending says the format: .nc (netCDF), .npz (NumPy archive) or .csv (a table of what
+    changes over time, which is not read again). The file appears complete or not at all.
+
+    Returns:
+        Its path.
 
     Raises:
         ModelError: a variable too large for the format, the ending of another format, or a file
             that cannot be written.
     """
     made = Contents(_variables(motion), _notes(motion))
-    return formats.save(path, RUN, made, FEWER)
+    return formats.save(Path(path), RUN, made, FEWER)
 
 
-def _variables(motion: Trajectory) -> dict[str, Variable]:
+def _variables(motion: TrajectoryRecord) -> dict[str, Variable]:
     """Everything that is numbers."""
     manifest = motion.manifest
 
@@ -87,7 +94,7 @@ def _variables(motion: Trajectory) -> dict[str, Variable]:
     return {**found, **_signals(motion.inputs_at), **_computed(motion)}
 
 
-def _computed(motion: Trajectory) -> dict[str, Variable]:
+def _computed(motion: TrajectoryRecord) -> dict[str, Variable]:
     """What follows from the states by the model."""
     found = {}
     available = set(motion.manifest.available)
@@ -119,7 +126,7 @@ def _signals(recorded: Recorded | None) -> dict[str, Variable]:
     return found
 
 
-def _bodies(motion: Trajectory) -> list[str]:
+def _bodies(motion: TrajectoryRecord) -> list[str]:
     """Frames whose motion goes into the file: one of every body that moves."""
     bodies = [body.parts[0] for body in motion.manifest.bodies if body.parts]
     if motion.model is None:
@@ -134,7 +141,7 @@ def _list(names: Any) -> str:
     return json.dumps([name or "" for name in names], ensure_ascii=True)
 
 
-def _notes(motion: Trajectory) -> dict[str, str]:
+def _notes(motion: TrajectoryRecord) -> dict[str, str]:
     """What the run says about itself."""
     kept = {
         key: value
@@ -163,7 +170,7 @@ def _notes(motion: Trajectory) -> dict[str, str]:
 
 
 @checked
-def load(path: str | Path, model: LoadedModel | None = None) -> Trajectory:
+def load(path: str | Path, model: LoadedModel | None = None) -> TrajectoryRecord:
     """Read a run that :meth:`.Trajectory.save` wrote.
 
     Everything in the file is checked before it is used: nothing in it is ever executed.
@@ -194,7 +201,9 @@ def load(path: str | Path, model: LoadedModel | None = None) -> Trajectory:
     return made
 
 
-def _made(notes: dict[str, Any], values: dict[str, Array], model: LoadedModel | None) -> Trajectory:
+def _made(
+    notes: dict[str, Any], values: dict[str, Array], model: LoadedModel | None
+) -> TrajectoryRecord:
     """The run of a file whose parts fit each other."""
     manifest = notes["manifest"] if model is None else model.manifest
     t, s, given = values["time"], values["s"], values["work"]
@@ -206,7 +215,7 @@ def _made(notes: dict[str, Any], values: dict[str, Array], model: LoadedModel | 
             quaternions = tuple(notes["manifest"].quaternions)
             dense = Dense(t, rows, values[name], quaternions, charted=charted > 0)
     multipliers = notes["manifest"].multipliers
-    return Trajectory(
+    return TrajectoryRecord(
         t=t,
         x=states,
         r=values["r"],

@@ -14,7 +14,7 @@ from ...errors import CardanError, counted
 from .event_log import Event, told
 
 if TYPE_CHECKING:
-    from .trajectory import Trajectory
+    from .trajectory import TrajectoryRecord
 
 LISTED = 12
 AT_REST = 1e-9  # kinetic energy below this part of the others is that of rounding
@@ -22,18 +22,18 @@ WIDTH = 80  # of a line behind its word
 Rows = list[tuple[str, str]]
 
 
-def summary(motion: Trajectory) -> str:
+def summary(motion: TrajectoryRecord) -> str:
     """What was run, how, from where, and how well energy was kept."""
     return "\n".join([headline(motion), *(f"  {word:<9} {text}" for word, text in rows(motion))])
 
 
-def headline(motion: Trajectory) -> str:
+def headline(motion: TrajectoryRecord) -> str:
     """What was run, and how it ended."""
     span = f"{motion.t[0]:g} s to {motion.t[-1]:g} s" if len(motion) else "no time"
     return f"motion of '{motion.manifest.name}', {span}: {motion.message}"
 
 
-def rows(motion: Trajectory) -> Rows:
+def rows(motion: TrajectoryRecord) -> Rows:
     """How it went: a word and what there is to say, in lines of which later ones have no word."""
     conduct, count = motion.conduct, motion.conduct.statistics
     lines = [("method", f"{conduct.method}, {conduct.settings}")]
@@ -92,13 +92,13 @@ def _factors(count: Mapping[str, float]) -> str:
     return f", {jacobians:.0f} Jacobians, {made:.0f} factorizations" if made else ""
 
 
-def _own(motion: Trajectory) -> str:
+def _own(motion: TrajectoryRecord) -> str:
     """How many states elements keep, where they do."""
     counts = ((motion.z.shape[1], "internal state"), (motion.s.shape[1], "mode"))
     return "".join(f", {counted(count, what)}" for count, what in counts if count)
 
 
-def _events(motion: Trajectory) -> Rows:
+def _events(motion: TrajectoryRecord) -> Rows:
     """What happened how often and when first, a few lines at most."""
     if all(row["kind"] == "tick" for row in motion.happened.rows):
         return []
@@ -114,7 +114,7 @@ def _events(motion: Trajectory) -> Rows:
     return _labelled("events", shown)
 
 
-def _samples(motion: Trajectory) -> Rows:
+def _samples(motion: TrajectoryRecord) -> Rows:
     """How often controllers sampled."""
     counts = Counter(event.name for event in motion.ticks)
     told = [f"{name} {count} times" for name, count in counts.items()]
@@ -123,7 +123,7 @@ def _samples(motion: Trajectory) -> Rows:
     return [("samples", text)] if told else []
 
 
-def _energy(motion: Trajectory) -> Rows:
+def _energy(motion: TrajectoryRecord) -> Rows:
     # a mode that is played keeps no ledger
     if not len(motion) or not motion.conduct.statistics["steps"]:
         return []
@@ -144,7 +144,7 @@ def _energy(motion: Trajectory) -> Rows:
     return lines
 
 
-def _constraints(motion: Trajectory) -> Rows:
+def _constraints(motion: TrajectoryRecord) -> Rows:
     """The worst residuals of a system with circuits, and where they were."""
     lines: list[str] = []
     if motion.ledger is None and len(motion):
@@ -157,7 +157,7 @@ def _constraints(motion: Trajectory) -> Rows:
     return _labelled("closed", lines)
 
 
-def _open(motion: Trajectory) -> Rows:
+def _open(motion: TrajectoryRecord) -> Rows:
     """The worst residual of a system whose constraints give way, as penalties do."""
     try:
         worst = {name: float(np.abs(r).max()) for name, r in motion.constraints.items()}

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from pathlib import Path
-from typing import TYPE_CHECKING, Any, final
+from typing import TYPE_CHECKING, Any, Self
 
 import numpy as np
 
@@ -27,17 +26,12 @@ from .interpolation import inputs_at, states_at
 from .solver_info import EVENT, FINISHED, Conduct
 
 if TYPE_CHECKING:
-    from ..models.finite_elements.beams import BeamStress
     from ..models.loaded_model import LoadedModel
 
 
-@final
 @dataclass(frozen=True, repr=False, eq=False)
-class Trajectory:
-    """Motion of a model over time.
-
-    ``motion["elbow"]`` is the history of a coordinate, ``motion["elbow.u"]`` of a speed,
-    ``motion["base"]`` of all coordinates of a joint; outputs and inputs by their names.
+class TrajectoryRecord:
+    """Motion of a model over time, with histories by name.
 
     Attributes:
         t: Times (nt,) [s].
@@ -228,7 +222,7 @@ class Trajectory:
         return values[0] if times.ndim == 0 else values
 
     @checked
-    def resample(self, times: Times) -> Trajectory:
+    def resample(self, times: Times) -> Self:
         """The same motion at other times, from the dense output.
 
         Raises:
@@ -306,13 +300,6 @@ class Trajectory:
         """Positions (nt, nodes, 3) [m] of the nodes of a beam, from its start to its end."""
         return line(self, beam)
 
-    @checked
-    def beam(self, name: str) -> BeamStress:
-        """Forces, moments and strains (nt, 2 n, 3) along a beam, in axes of the section."""
-        from ..models.finite_elements.beams import beam
-
-        return beam(self._model(f"what beam '{name}' carries"), name, self.q)
-
     @cached_property
     def scene(self) -> Mapping[str, Array]:
         """Numbers of the scene at the parameters of the run, constant in body axes.
@@ -329,68 +316,8 @@ class Trajectory:
         return placed(self, frame)
 
     @checked
-    def torques(self, **options: Any) -> Any:
-        """Forces that actuators add to make this motion: :meth:`CompiledModel.torques`."""
-        from ...analyses.identification.torques import torques
-
-        return torques(self._model("torques"), self, **options)
-
-    @checked
     def reaction(self, joint: str) -> Array:
         """Wrench (nt, 6) of parent on child at the child joint frame, in its axes; moment first."""
         model = self._model(f"the reaction of '{joint}'")
         reaction: Array = model.reaction(joint, self.q, self.u, t=self.t, r=self._r, **self._own)
         return reaction
-
-    # ways out
-
-    def to_xarray(self) -> Any:
-        """An ``xarray.Dataset`` with named coordinates, speeds, inputs and energies.
-
-        Raises:
-            ModuleNotFoundError: xarray is not installed (extra ``data``).
-        """
-        from .dataset import to_xarray
-
-        return to_xarray(self)
-
-    @checked
-    def save(self, path: str | Path) -> Path:
-        """Write everything but the model; :func:`cardan.load_motion` reads it.
-
-        The ending says the format: .nc (netCDF), .npz (NumPy archive) or .csv (a table of what
-        changes over time, which is not read again). The file appears complete or not at all.
-        Returns its path.
-        """
-        from .storage import save
-
-        return save(self, Path(path))
-
-    @checked
-    def plot(self, path: str | Path | None = None, names: Iterable[str] | None = None) -> Any:
-        """Histories over time as a Matplotlib figure, written to ``path`` if given.
-
-        Args:
-            path: Picture file; the ending says the format.
-            names: What to draw, such as ``["elbow", "elbow.u"]``; all coordinates, all speeds and
-                the energies by default.
-
-        Raises:
-            ModelError: unknown names, no picture file. ModuleNotFoundError: no Matplotlib.
-        """
-        from ...view.plot import plot
-
-        return plot(self, path, names)
-
-    @checked
-    def animate(self, path: str | Path, *, fps: float = 60.0, title: str | None = None) -> Path:
-        """Write one self-contained page that plays the motion in any browser. Returns its path.
-
-        Args:
-            path: HTML file.
-            fps: Pictures per second of motion; long motions get fewer.
-            title: Headline, the name of the model by default.
-        """
-        from ...view.page import write_page
-
-        return write_page(self, Path(path), fps=fps, title=title)

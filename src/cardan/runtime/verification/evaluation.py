@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ...errors import SolveWarning
-from ...ir.request import reads
+from ...schema.request import reads
 from ..calls.objects import Key
 from .closed_states import RANK
 from .differences import slope

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from ...ir.request import Request
+from ...schema.request import Request
 from .differences import missing, ways, worst_of
 from .evaluation import ELSEWHERE, Asked
 from .joint_motion import Array, times

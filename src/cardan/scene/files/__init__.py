@@ -9,7 +9,7 @@ from warnings import catch_warnings, simplefilter
 from ...arguments import checked
 from ...errors import ModelError, warn
 from ..origins import gathered
-from ..scene import Model
+from ..scene import SceneRecord
 from . import mjcf, urdf, yaml
 from .document import content, parse
 from .options import Options
@@ -18,7 +18,7 @@ from .options import Options
 ROOTS = {"robot": urdf.of_root, "mujoco": mjcf.of_root}
 
 
-def _xml(path: Path, options: Options) -> Model:
+def _xml(path: Path, options: Options) -> SceneRecord:
     """The model of a URDF or MJCF file."""
     root = parse(content(path), path.name)
     reader = ROOTS.get(root.tag)
@@ -47,7 +47,7 @@ def load(
     snap: bool = True,
     packages: str | Path | Sequence[str | Path] = (),
     parameters: Mapping[str, float] | None = None,
-) -> Model:
+) -> SceneRecord:
     """Read a scene from a file.
 
     Args:
@@ -81,7 +81,7 @@ def load(
     return model
 
 
-def _read(file: Path, options: Options) -> Model:
+def _read(file: Path, options: Options) -> SceneRecord:
     """The model of a file of any known sort."""
     reader = READERS.get(file.suffix.lower())
     if reader is None:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from ...errors import ModelError
 
 if TYPE_CHECKING:
-    from ..scene import Model
+    from ..scene import SceneRecord
 
 MOST_FILES = 1000
 
@@ -48,7 +48,7 @@ class Options:
     packages: tuple[Path, ...] = ()
     parents: tuple[Path, ...] = ()
     budget: Budget = field(default_factory=Budget)
-    load: Callable[[Path, Options], Model] | None = None
+    load: Callable[[Path, Options], SceneRecord] | None = None
 
     def __post_init__(self) -> None:
         if self.base not in ("fixed", "free"):

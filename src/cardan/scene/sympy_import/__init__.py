@@ -13,7 +13,7 @@ from ...arguments import checked
 from ...errors import ModelError, shown
 
 if TYPE_CHECKING:
-    from ..scene import Model
+    from ..scene import SceneRecord
 
 __all__ = ["from_sympy"]
 
@@ -26,7 +26,7 @@ def from_sympy(
     inputs: Mapping[Any, float] | None = None,
     potential: Any = None,
     name: str = "equations",
-) -> Model:
+) -> SceneRecord:
     """A model of equations of motion that were derived with SymPy.
 
     Args:

@@ -19,7 +19,7 @@ from ...ir.graph import ONE, ZERO, Graph
 from ...ir.matrix import Matrix
 from ...ir.rewrite import rebuild
 from ...ir.solve import solve
-from ..scene import Model
+from ..scene import SceneRecord
 from .constraints import Bound, bound_of, plain
 from .leaves import leaves
 from .names import Words, scalars, words
@@ -40,7 +40,7 @@ def made(
     inputs: Mapping[Any, float],
     potential: Any,
     name: str,
-) -> Model:
+) -> SceneRecord:
     """As :func:`cardan.from_sympy`."""
     source = source_of(equations)
     shown = {key: sympy.sympify(e, strict=True) for key, e in outputs.items()}
@@ -72,9 +72,9 @@ def _model(
     inputs: Mapping[Any, float],
     potential: Any,
     name: str,
-) -> Model:
+) -> SceneRecord:
     """The scene: parameters, inputs, the block of coordinates, constraints and outputs."""
-    scene = Model(name, gravity=(0, 0, 0))
+    scene = SceneRecord(name, gravity=(0, 0, 0))
     for parameter, value in told.parameters.items():
         scene.parameter(parameter, value)
     _declare_inputs(scene, told, bound, inputs)
@@ -111,7 +111,9 @@ def _model(
     return scene
 
 
-def _declare_inputs(scene: Model, told: Words, bound: Bound, given: Mapping[Any, float]) -> None:
+def _declare_inputs(
+    scene: SceneRecord, told: Words, bound: Bound, given: Mapping[Any, float]
+) -> None:
     """All inputs but those that the constraints of others bring along."""
     named = {told.names.get(key, str(key)): float(value) for key, value in given.items()}
     brought = {x.name for x in bound.following.values()}

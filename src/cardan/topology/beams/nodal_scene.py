@@ -18,7 +18,7 @@ from ...errors import TopologyError
 from ...scene.beam import Beam
 from ...scene.body import Body
 from ...scene.connections import Joint
-from ...scene.scene import Model
+from ...scene.scene import SceneRecord
 
 
 @dataclass(frozen=True)
@@ -52,7 +52,7 @@ class BeamNodes:
             )
 
 
-def with_beams(model: Model) -> tuple[Model, BeamNodes]:
+def with_beams(model: SceneRecord) -> tuple[SceneRecord, BeamNodes]:
     """The model with the nodes of its beams as bodies.
 
     Returns:
@@ -91,7 +91,7 @@ def _homes(beam: Beam) -> set[Body]:
 class _Growth:
     """Takes joints in an order in which every place follows from those before."""
 
-    def __init__(self, model: Model, nodes: BeamNodes) -> None:
+    def __init__(self, model: SceneRecord, nodes: BeamNodes) -> None:
         self.model = model
         self.nodes = nodes
         self.joints = [joint for joint in model.joints.values() if not joint.cut]

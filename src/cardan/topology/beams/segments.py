@@ -14,7 +14,7 @@ from ...ir.arithmetic import Scalar
 from ...ir.graph import ZERO
 from ...scene.beam import Beam
 from ...scene.beam_arguments import STRAINS
-from ...scene.scene import Model
+from ...scene.scene import SceneRecord
 from ..assembly import Assembly
 from ..conversion import ORIGIN, Converter
 from ..system import Nodes
@@ -27,7 +27,7 @@ PAIRS = ("shear", "GA", "EI", "rhoI")
 LOADS = ("dead_force", "dead_moment", "follower_force", "follower_moment")
 
 
-def segments(scene: Model, assembly: Assembly) -> tuple[Segment, ...]:
+def segments(scene: SceneRecord, assembly: Assembly) -> tuple[Segment, ...]:
     """The segments of all beams, in the order of the beams, each from start to end.
 
     Raises:
@@ -159,7 +159,7 @@ def _checked(made: Sequence[Made], convert: Converter) -> list[tuple[float, floa
     return outlines
 
 
-def _loads(scene: Model, convert: Converter) -> dict[str, Data]:
+def _loads(scene: SceneRecord, convert: Converter) -> dict[str, Data]:
     """Sums of what acts along every beam, per length."""
     sums: dict[str, dict[str, Nodes]] = {name: dict.fromkeys(LOADS, ORIGIN) for name in scene.beams}
     for name, force in scene.forces.items():

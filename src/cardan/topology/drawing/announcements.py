@@ -11,7 +11,7 @@ import numpy as np
 from ...arrays import Array
 from ...errors import ImpossibleWarning
 from ...scene.checks import is_number, lone_moment, mass, unphysical
-from ...scene.scene import Model
+from ...scene.scene import SceneRecord
 from ...scene.summary import notes_of
 from ..assembly import Assembly
 from ..conversion import Converter
@@ -24,7 +24,7 @@ ALONG = 1e-9  # of an axis across another one: it is along it
 
 
 def announce(
-    system: System, model: Model, convert: Converter, placing: Collection[str] = ()
+    system: System, model: SceneRecord, convert: Converter, placing: Collection[str] = ()
 ) -> System:
     """The system with notes: what does not act, what is unused, massless tips.
 
@@ -106,7 +106,7 @@ def check_masses(written: Iterable[tuple[str, Nodes]], convert: Converter) -> di
     return found
 
 
-def check_lone_moments(model: Model, assembly: Assembly, told: Mapping[str, Moments]) -> None:
+def check_lone_moments(model: SceneRecord, assembly: Assembly, told: Mapping[str, Moments]) -> None:
     """Warn of bodies with one moment of inertia alone that turn about other axes as well.
 
     Args:

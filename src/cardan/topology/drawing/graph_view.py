@@ -14,7 +14,7 @@ from itertools import pairwise
 from ...scene.beam import Beam
 from ...scene.body import Body
 from ...scene.connections import Joint
-from ...scene.scene import Model
+from ...scene.scene import SceneRecord
 from ..beams.nodal_scene import with_beams
 from ..tree import Branch, loop, spanning_tree
 from . import drawing
@@ -149,7 +149,7 @@ class GraphView:
         return self.svg()
 
 
-def view(model: Model) -> GraphView:
+def view(model: SceneRecord) -> GraphView:
     """The graph of a model; bodies that nothing joins to the ground are left out of the tree."""
     scene, _ = with_beams(model)
     branches, closing = spanning_tree(scene)

@@ -6,12 +6,14 @@ from collections.abc import Mapping
 from typing import Any
 
 from ...scene.checks import is_number
-from ...scene.scene import Model
+from ...scene.scene import SceneRecord
 from ...scene.shape import Shape
 from ...spatial.numbers import Rows, of_sequence
 
 
-def pictures(model: Model, frames: Mapping[Any, int]) -> tuple[tuple[int, dict[str, object]], ...]:
+def pictures(
+    model: SceneRecord, frames: Mapping[Any, int]
+) -> tuple[tuple[int, dict[str, object]], ...]:
     """Number of a body's frame and its shape; expressions at the defaults of the parameters.
 
     Args:
@@ -25,7 +27,7 @@ def pictures(model: Model, frames: Mapping[Any, int]) -> tuple[tuple[int, dict[s
     )
 
 
-def _record(shape: Shape, model: Model) -> dict[str, object]:
+def _record(shape: Shape, model: SceneRecord) -> dict[str, object]:
     """``kind``, its measures, ``position`` (3), ``rotation`` (3, 3) or None, ``color``."""
     made: dict[str, object] = {"kind": shape.kind}
     for key, size in shape.size:
@@ -36,14 +38,14 @@ def _record(shape: Shape, model: Model) -> dict[str, object]:
     return made
 
 
-def _number(value: Any, model: Model) -> float:
+def _number(value: Any, model: SceneRecord) -> float:
     if is_number(value):
         return float(value)
     defaults = {p.name: p.value for p in model.parameters.values()}
     return float(value.subs({s: defaults.get(s.name, 0.0) for s in value.free_symbols}))
 
 
-def _rotation(value: Any, model: Model) -> Rows:
+def _rotation(value: Any, model: SceneRecord) -> Rows:
     if hasattr(value, "as_matrix"):
         value = value.as_matrix()
     value = value.tolist() if hasattr(value, "tolist") else value

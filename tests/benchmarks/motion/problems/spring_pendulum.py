@@ -12,9 +12,9 @@ from benchmarks.motion.problem import Array, Loads, Problem
 STIFFNESS, ANGLE, GRAVITY = 1e9, 1.0, 9.81
 
 
-def spring_pendulum() -> cd.Model:
+def spring_pendulum() -> cd.Scene:
     """A bob of 1 kg on a spring of 1 m and 1e9 N/m, hinged at the ground."""
-    scene = cd.Model("spring_pendulum", gravity=(0, 0, -GRAVITY))
+    scene = cd.Scene("spring_pendulum", gravity=(0, 0, -GRAVITY))
     k = scene.parameter("k", STIFFNESS, unit="N/m")
     hub = scene.body("hub", mass=1e-3, inertia=(1e-3, 1e-3, 1e-3))
     bob = scene.body("bob", mass=1.0)

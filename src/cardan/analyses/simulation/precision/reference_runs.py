@@ -9,9 +9,9 @@ import numpy as np
 
 from ....arrays import Array
 from ....errors import CodegenError, DerivationError, ModelError, SolveError
-from ....runtime.trajectory.trajectory import Trajectory
+from ....runtime.trajectory.trajectory import TrajectoryRecord
 
-Run = Callable[..., Trajectory]
+Run = Callable[..., TrajectoryRecord]
 
 FIRST, SECOND = 1e-13, 1e-12  # tolerances of methods of high order
 # methods of order 2 for stiff scenes, whose error in fixed steps h is c h^2 + O(h^3)

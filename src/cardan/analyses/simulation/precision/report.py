@@ -17,7 +17,7 @@ from ....runtime.calls import abi
 from ....runtime.calls.measuring import Row
 from ....runtime.models.loaded_model import LoadedModel
 from .runs import Show, precision
-from .work_precision import Precision
+from .work_precision import PrecisionRecord
 
 if TYPE_CHECKING:
     from rich.table import Table
@@ -43,7 +43,7 @@ class Report:
     compiler: str
     way: str
     note: str = ""
-    methods: Precision | None = None
+    methods: PrecisionRecord | None = None
 
     def __repr__(self) -> str:
         methods = f", {counted(len(self.methods.points), 'run')}" if self.methods else ""

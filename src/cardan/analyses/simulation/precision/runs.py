@@ -15,14 +15,14 @@ from ....arguments import checked
 from ....arrays import Array
 from ....errors import CodegenError, DerivationError, ModelError, SolveWarning, near
 from ....runtime.models.loaded_model import LoadedModel
-from ....runtime.trajectory.trajectory import Trajectory
+from ....runtime.trajectory.trajectory import TrajectoryRecord
 from ....schema.integrators import INTEGRATORS, Integrator
 from ...mechanisms.redundancy import undetermined
 from ..method_choice import JACOBIAN
 from ..simulate import simulate
 from ..times import span
 from .reference_runs import OutOfTime, reference
-from .work_precision import Point, Precision
+from .work_precision import Point, PrecisionRecord
 
 Show = Callable[[str, float], None]
 
@@ -50,7 +50,7 @@ def precision(
     z: Any = None,
     inputs: Mapping[str, Any] | None = None,
     events: Mapping[str, Any] | None = None,
-) -> Precision:
+) -> PrecisionRecord:
     """Run every integrator that applies at tolerances from rough to fine.
 
     Args:
@@ -98,7 +98,9 @@ def precision(
         stopped = True
     ends = (over.start, over.end)
     loose = undetermined(model, bench.start, over.start)
-    return Precision(model.name, ends, tuple(points), words, bench.doubt, left_out, stopped, loose)
+    return PrecisionRecord(
+        model.name, ends, tuple(points), words, bench.doubt, left_out, stopped, loose
+    )
 
 
 def twin(model: LoadedModel, method: Integrator) -> str:
@@ -135,7 +137,7 @@ class Bench:
         # the reference may take longer than what it judges
         allowed = LONGER * self._patience
 
-        def run(spent: float = 0.0, rtol: float = 0.0, **how: Any) -> Trajectory:
+        def run(spent: float = 0.0, rtol: float = 0.0, **how: Any) -> TrajectoryRecord:
             if rtol:
                 how |= {"rtol": rtol, "atol": RATIO * rtol}
             motion = self._run(allowed - spent, SOON, **how)
@@ -197,7 +199,7 @@ class Bench:
             found.get("limited", 0) / looked if looked else 0.0,
         )
 
-    def _run(self, allowed: float, soon: float = 1.0, **how: Any) -> Trajectory:
+    def _run(self, allowed: float, soon: float = 1.0, **how: Any) -> TrajectoryRecord:
         """One run.
 
         Args:
@@ -223,7 +225,7 @@ class Bench:
             warnings.simplefilter("ignore", SolveWarning)
             return simulate(self._model, self._times, progress=watch, **how, **self._start)
 
-    def _error(self, motion: Trajectory) -> float:
+    def _error(self, motion: TrajectoryRecord) -> float:
         """Largest error of a coordinate."""
         return self._distance(motion.q, self._known)
 

@@ -49,7 +49,7 @@ class Point:
 
 
 @dataclass(frozen=True)
-class Precision:
+class PrecisionRecord:
     """Speed against error of every integrator that applies.
 
     Attributes:
@@ -152,25 +152,26 @@ class Precision:
             before = point.method
         return table
 
-    def plot(self, path: str | Path | None = None) -> Any:
-        """Draw time over error, a line per method.
 
-        Args:
-            path: Picture file, or None.
+def plot(precision: PrecisionRecord, path: str | Path | None = None) -> Any:
+    """Draw time over error, a line per method.
 
-        Returns:
-            The Matplotlib figure.
+    Args:
+        path: Picture file, or None.
 
-        Raises:
-            ModuleNotFoundError: Matplotlib is not installed.
-        """
-        from ....view.plot import plot_lines
+    Returns:
+        The Matplotlib figure.
 
-        lines = {}
-        for method in dict.fromkeys(point.method for point in self.points):
-            own = [p for p in self.points if p.method == method and 0 < p.error < float("inf")]
-            lines[method] = ([p.error for p in own], [p.milliseconds for p in own])
-        title = f"{self.model}: {self.span[0]:g} s to {self.span[1]:g} s"
-        if self.still:
-            title += "\nnothing moves from this start: there is no error to draw"
-        return plot_lines(title, "largest error of a coordinate", "time [ms]", lines, path)
+    Raises:
+        ModuleNotFoundError: Matplotlib is not installed.
+    """
+    from ....view.plot import plot_lines
+
+    lines = {}
+    for method in dict.fromkeys(point.method for point in precision.points):
+        own = [p for p in precision.points if p.method == method and 0 < p.error < float("inf")]
+        lines[method] = ([p.error for p in own], [p.milliseconds for p in own])
+    title = f"{precision.model}: {precision.span[0]:g} s to {precision.span[1]:g} s"
+    if precision.still:
+        title += "\nnothing moves from this start: there is no error to draw"
+    return plot_lines(title, "largest error of a coordinate", "time [ms]", lines, path)

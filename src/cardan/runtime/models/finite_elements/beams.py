@@ -16,6 +16,7 @@ from .elements import Elements
 from .elements import State as ElementState
 
 if TYPE_CHECKING:
+    from ...trajectory.trajectory import TrajectoryRecord
     from ..loaded_model import LoadedModel
 
 FORM = "stress"
@@ -157,3 +158,9 @@ def _along(elements: Elements, members: list[tuple[int, int]], q: Array) -> Arra
             own = numbers == number
             found[k, own] = tables[number][rows[own]]
     return found
+
+
+@checked
+def beam_of_run(motion: TrajectoryRecord, name: str) -> BeamStress:
+    """Forces, moments and strains (nt, 2 n, 3) along a beam, in axes of the section."""
+    return beam(motion._model(f"what beam '{name}' carries"), name, motion.q)

@@ -6,14 +6,14 @@ from collections.abc import Mapping
 
 from ....elements.forces.joint_force import JointForce
 from ....errors import ModelError, near
-from ...scene import Model
+from ...scene import SceneRecord
 from ..document import Element
 from .ignored import Unread
 from .joints import Hinge
 
 
 def add(
-    scene: Model, element: Element, name: str, hinges: Mapping[str, Hinge], unread: Unread
+    scene: SceneRecord, element: Element, name: str, hinges: Mapping[str, Hinge], unread: Unread
 ) -> None:
     """A <motor> on a joint with one coordinate becomes an input times its gear.
 

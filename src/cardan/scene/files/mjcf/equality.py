@@ -12,7 +12,7 @@ from ....errors import ModelError, near
 from ....spatial.numbers import UPRIGHT, of_quaternion
 from ...body import Body
 from ...frame import Place
-from ...scene import Model
+from ...scene import SceneRecord
 from ..document import Element
 from ..pose import HERE, Pose, written
 from .compiler import chosen
@@ -48,7 +48,7 @@ class Law:
             return None
         return self.leader, c1, self.refs[0] + c0 - c1 * self.refs[1]
 
-    def expression(self, scene: Model) -> Any:
+    def expression(self, scene: SceneRecord) -> Any:
         """What vanishes, in coordinates of the model."""
         y = scene.q(self.follower) - self.refs[0]
         if self.leader is None:
@@ -95,7 +95,7 @@ class Parts:
         sites: By name of the file: body and pose on it.
     """
 
-    scene: Model
+    scene: SceneRecord
     bodies: dict[str, Body]
     drawn: dict[Body, Pose]
     sites: dict[str, tuple[Body, Pose]]

@@ -20,7 +20,7 @@ from ....errors import ModelError
 from ....spatial.numbers import UPRIGHT, Vector, about, to_quaternion, turned, unit
 from ...body import Body
 from ...frame import Place
-from ...scene import Model
+from ...scene import SceneRecord
 from ..document import Element
 from ..pose import HERE, Pose, written
 from .compiler import Compiler, chosen
@@ -115,7 +115,7 @@ class Chain:
         ignored: Joint -> attribute that does not act on its kind.
     """
 
-    scene: Model
+    scene: SceneRecord
     compiler: Compiler
     couples: dict[str, tuple[Any, ...]]
     place: Callable[[str], str]

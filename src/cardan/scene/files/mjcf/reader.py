@@ -9,7 +9,7 @@ from typing import Any
 from ....errors import ModelError
 from ...body import Body
 from ...frame import triple
-from ...scene import Model
+from ...scene import SceneRecord
 from ...shape import Shape
 from ..document import Element
 from ..options import Options
@@ -37,7 +37,7 @@ class Reader:
         self.defaults = Defaults(file, self.unread)
         for raw in root.findall("default"):
             self.defaults.read(raw)
-        self.scene = Model(root.get("model") or Path(file).stem or "mujoco", self._gravity())
+        self.scene = SceneRecord(root.get("model") or Path(file).stem or "mujoco", self._gravity())
         self.scene.of_robot = True
         found = list(self.document.bodies(self.compiler))
         hinges = [self._hinges(body) for body in found]

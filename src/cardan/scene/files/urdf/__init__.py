@@ -10,13 +10,13 @@ from pathlib import Path
 from typing import Any
 
 from ....errors import ModelError
-from ...scene import Model
+from ...scene import SceneRecord
 from ..document import parse
 from ..options import Options
 from .reader import Reader
 
 
-def of_root(root: Any, options: Options, file: str, folder: Path | None) -> Model:
+def of_root(root: Any, options: Options, file: str, folder: Path | None) -> SceneRecord:
     """The model of a parsed document, see :func:`from_text`."""
     if root.tag != "robot":
         raise ModelError(f"file '{file}': the root is <{root.tag}>, not <robot>")
@@ -28,7 +28,7 @@ def from_text(
     options: Options | None = None,
     name: str = "text",
     folder: Path | None = None,
-) -> Model:
+) -> SceneRecord:
     """The model of a URDF document.
 
     Args:

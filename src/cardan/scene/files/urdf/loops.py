@@ -27,7 +27,7 @@ from ....errors import ModelError, near
 from ....spatial.numbers import of_sequence
 from ...body import Body
 from ...frame import Place
-from ...scene import Model
+from ...scene import SceneRecord
 from ..document import Element
 from ..pose import HERE, Pose, written
 from .graph import Edge, known_link
@@ -40,7 +40,7 @@ PASSED_OVER = ("limit", "dynamics", "mimic")
 
 
 def close(
-    scene: Model,
+    scene: SceneRecord,
     root: Any,
     file: str,
     bodies: Mapping[str, Body],

@@ -13,7 +13,7 @@ from ....elements.joints.free import Free
 from ....elements.joints.joint import Joint as JointElement
 from ....errors import ModelWarning, warn
 from ...body import Body
-from ...scene import Model
+from ...scene import SceneRecord
 from ..angles import turned
 from ..document import Element
 from ..meshes import Meshes, shapes
@@ -34,11 +34,11 @@ class Reader:
     freed: list[str] = field(default_factory=list)
     orphans: list[str] = field(default_factory=list)
 
-    def model(self) -> Model:
+    def model(self) -> SceneRecord:
         """The model; to be asked once."""
         links, edges = links_of(self.root, self.file), edges_of(self.root, self.file)
         base = base_of(links, edges, self.file)
-        self.scene = Model(self.root.get("name") or "robot")
+        self.scene = SceneRecord(self.root.get("name") or "robot")
         self.scene.of_robot = True
         self.meshes = Meshes(self.options.packages, self.folder)
         self.bodies = {name: self._body(name, link) for name, link in links.items()}

@@ -8,7 +8,7 @@ from typing import Any
 
 from ....errors import ModelError
 from ...parameters import Placeholder
-from ...scene import Model
+from ...scene import SceneRecord
 from ...terms import COMPONENTS
 from ..expression import AGAINST, FUNCTIONS
 
@@ -26,7 +26,7 @@ class Words:
         tables: Name -> measured function, as far as written.
     """
 
-    def __init__(self, model: Model) -> None:
+    def __init__(self, model: SceneRecord) -> None:
         self.model = model
         self.local: tuple[str, ...] = ()
         self.tables: dict[str, Any] = {}

@@ -7,10 +7,10 @@ from dataclasses import fields
 from typing import Any
 
 from ...frame import Frame
-from ...scene import Model
+from ...scene import SceneRecord
 
 
-def written_apart(model: Model) -> dict[Frame, None]:
+def written_apart(model: SceneRecord) -> dict[Frame, None]:
     """Frames for the section ``frames``; every other one is written where it is used.
 
     These are the named ones, those used more than once, those whose motion an expression has, and
@@ -30,7 +30,7 @@ def written_apart(model: Model) -> dict[Frame, None]:
     return {frame: None for frame in model.frames.values() if frame in apart}
 
 
-def _uses(model: Model) -> list[Frame]:
+def _uses(model: SceneRecord) -> list[Frame]:
     """Frames in the order in which a reader meets them."""
     places: list[Any] = [end.place for beam in model.beams.values() for end in beam.ends]
     places += [side for joint in model.joints.values() for side in (joint.parent, joint.child)]

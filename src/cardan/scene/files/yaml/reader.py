@@ -13,7 +13,7 @@ from ....errors import ModelError, near
 from ....version import SCENE
 from ...dh import add_dh
 from ...frame import Frame, triple
-from ...scene import Model
+from ...scene import SceneRecord
 from ..document import content
 from ..meshes import Meshes
 from ..options import Options
@@ -26,7 +26,7 @@ from .values import Values
 MOST_BODIES = 100_000
 
 
-def read(path: Path, options: Options) -> Model:
+def read(path: Path, options: Options) -> SceneRecord:
     """The model of a scene file, see :func:`cardan.load`."""
     if options.base != "fixed" or options.mimic != "couple":
         raise ModelError(
@@ -47,7 +47,7 @@ def read(path: Path, options: Options) -> Model:
 
 def from_text(
     text: str, options: Options | None = None, name: str = "text", folder: Path | None = None
-) -> Model:
+) -> SceneRecord:
     """The model of a scene.
 
     Args:
@@ -71,7 +71,7 @@ class _Reader:
         given = self._sections(self._today(root))
         title = given["name"].text() if "name" in given else Path(root.file).stem
         with given.get("name", root).placed():
-            self.model = Model(title)
+            self.model = SceneRecord(title)
         self.meshes = Meshes(options.packages, folder)
         self.values = Values(self.model, self.meshes, options.snap)
         self.waiting: list[tuple[str, Item]] = []

@@ -7,7 +7,7 @@ from enum import Enum
 from typing import Any
 
 from ....errors import ModelError
-from ...scene import Model
+from ...scene import SceneRecord
 from ...terms import COMPONENTS
 
 
@@ -28,7 +28,7 @@ class Names(Mapping[str, Any]):
 
     def __init__(
         self,
-        model: Model,
+        model: SceneRecord,
         scope: Scope,
         tables: Mapping[str, Any],
         local: Sequence[str],

@@ -11,7 +11,7 @@ from ....errors import ModelError, near
 from ....spatial.numbers import check_axes, check_orthonormal
 from ...body import INERTIA_ENTRIES
 from ...frame import Place
-from ...scene import Model
+from ...scene import SceneRecord
 from ..angles import snap
 from ..expression import parse
 from ..meshes import Meshes
@@ -31,7 +31,7 @@ class Values:
         frames: Frames made inside a value, by the node: an alias means the same frame.
     """
 
-    def __init__(self, model: Model, meshes: Meshes, snap: bool) -> None:
+    def __init__(self, model: SceneRecord, meshes: Meshes, snap: bool) -> None:
         self.model = model
         self.meshes = meshes
         self.snap = snap

@@ -19,7 +19,7 @@ from ...checks import is_number
 from ...connections import Couple, Joint
 from ...frame import Frame, Place, rows_of
 from ...parameters import Constraint, Declared, Output
-from ...scene import Model
+from ...scene import SceneRecord
 from ...shape import Shape
 from ..angles import snapped
 from . import keys
@@ -30,7 +30,7 @@ from .layout import Number, dumped
 LIMITS = ("lower", "upper", "speed", "effort")
 
 
-def save(model: Model, path: Path) -> None:
+def save(model: SceneRecord, path: Path) -> None:
     """Write a model as a scene file, whole or not at all.
 
     Raises:
@@ -42,7 +42,7 @@ def save(model: Model, path: Path) -> None:
     written(path, text)
 
 
-def to_text(model: Model, folder: Path | None = None) -> str:
+def to_text(model: SceneRecord, folder: Path | None = None) -> str:
     """The scene file of a model.
 
     Args:
@@ -64,7 +64,7 @@ def to_text(model: Model, folder: Path | None = None) -> str:
 class _Writer:
     """One writing."""
 
-    def __init__(self, model: Model, folder: Path | None) -> None:
+    def __init__(self, model: SceneRecord, folder: Path | None) -> None:
         self.model = model
         self.folder = None if folder is None else folder.resolve()
         self.words = Words(model)

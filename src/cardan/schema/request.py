@@ -10,7 +10,7 @@ import json
 import re
 from dataclasses import dataclass
 
-from ..schema.functions import FUNCTIONS
+from .functions import FUNCTIONS
 
 _NAME = r'"(?:[^"\\]|\\.)*"|[\w.]+'
 _LINE = re.compile(rf"\s*(\w+)\s*(?:\(\s*({_NAME})\s*\))?\s*:((?:\s*(?:{_NAME}))*)\s*")

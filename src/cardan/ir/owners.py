@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from ...ir.graph import Graph, Origin
+from .graph import Graph, Origin
 
 SHARED = "shared"
 

@@ -1,0 +1,76 @@
+"""Equations as users hold them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+from typing import Any, final
+
+from ..arguments import checked
+from ..equations.finite_elements.record import FiniteElementRecord
+from ..equations.linearized.along import LinearizedAlong, along
+from ..equations.record import EquationRecord
+from ..notebooks import html
+from .faces import verb
+from .trajectory import Trajectory
+
+
+@final
+class Equations(EquationRecord):
+    """Equations of motion M udot + h = f + tau, qdot = N(q) u + n(t, q).
+
+    Made by :func:`cardan.derive`. Nothing is derived before it is asked for.
+    """
+
+    explain = verb("cardan.explain:explain")
+    export = verb("cardan.codegen.export.export:export")
+    _repr_html_ = html
+
+    @checked
+    def linearize_along(
+        self,
+        motion: Trajectory,
+        *,
+        inputs: Iterable[str] | None = None,
+        outputs: Iterable[str] | None = None,
+        independent: Iterable[str] | None = None,
+    ) -> LinearizedAlong:
+        """Linear models along a simulated motion of this system: A(t), B(t), C(t), D(t).
+
+        Args:
+            motion: In one mode all along.
+            inputs, outputs, independent: As for :meth:`linearize`; what is independent stays so.
+
+        Returns:
+            Arrays along ``motion.t``; transition matrix and Floquet multipliers.
+
+        Raises:
+            DerivationError: a motion of another system, one whose modes change, or one along which
+                the independent coordinates become dependent.
+        """
+        return along(self, motion, inputs, outputs, independent)
+
+
+@final
+class FiniteElementEquations(FiniteElementRecord):
+    """Equations in finite-element coordinates: blocks, kinds of elements, tables of members."""
+
+    explain = verb("cardan.explain:explain")
+    _repr_html_ = html
+
+    @checked
+    def export(
+        self,
+        directory: str | Path,
+        functions: Sequence[Any] | None = None,
+        language: str = "c",
+        integrators: Sequence[str] = (),
+        reproducible: bool = False,
+        prefix: str = "",
+    ) -> Path:
+        """Write C that needs no cardan, as :meth:`Equations.export` does."""
+        from ..analyses.simulation.export_plan import planned
+        from ..codegen.export.finite_elements import export
+
+        how = (language, integrators, reproducible, prefix)
+        return export(self, directory, planned, functions, *how)

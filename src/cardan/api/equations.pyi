@@ -1,0 +1,104 @@
+"""Written from the functions of its verbs: pytest tests/golden/test_verbs.py --accept"""
+
+from collections.abc import Callable, Iterable, Sequence
+from pathlib import Path
+from typing import Any, final
+
+from ..equations.finite_elements.record import FiniteElementRecord
+from ..equations.linearized.along import LinearizedAlong
+from ..equations.record import EquationRecord
+from .trajectory import Trajectory
+
+@final
+class Equations(EquationRecord):
+    """Equations of motion M udot + h = f + tau, qdot = N(q) u + n(t, q).
+
+    Made by :func:`cardan.derive`. Nothing is derived before it is asked for.
+    """
+    def explain(
+        self,
+        path: str | Path,
+        progress: Callable[[str], object] | None = None,
+    ) -> Path:
+        """Write equations as a page.
+
+        Args:
+            path: Its ending says how: ``.html``, ``.tex`` or ``.md``.
+            progress: Told what is under way.
+
+        Returns:
+            The file.
+
+        Raises:
+            DerivationError: another ending.
+        """
+    def export(
+        self,
+        directory: str | Path,
+        functions: Sequence[Any] | None = None,
+        language: str = "cython",
+        integrators: Sequence[str] = (),
+        reproducible: bool = False,
+        loops: bool | None = None,
+        prefix: str = "",
+    ) -> Path:
+        """Write C that needs nothing but a C compiler, and what makes it easy to use.
+
+        Args:
+            directory: A new or empty one, or an earlier export of cardan, which is replaced.
+            functions: Names such as ``"mass_matrix"``, or pairs such as ``("pose", "hand")``; by
+                default the dynamics and the energy, of a closed system also what closes it, of one
+                with events what happens.
+            language: ``"cython"`` adds a package for NumPy, ``"c"`` leaves it at C.
+            integrators: By their files, such as ``"dop853"``, ``"rk4"`` or ``"radau"``: their C comes
+                along, and ``example.c`` simulates.
+            reproducible: The flags written down forbid contraction: equal bits from every compiler.
+            loops: As :func:`cardan.compile` takes it.
+            prefix: Put before the names of all functions and data, such as ``"arm_"``: exports with
+                different prefixes can be linked into one program. With ``language="c"``.
+
+        Returns:
+            The directory. It appears whole or not at all.
+
+        Raises:
+            CodegenError: the directory holds other things; an unknown language or integrator.
+            DerivationError: an unknown function.
+        """
+    def linearize_along(self, motion: Trajectory, *, inputs: Iterable[str] | None=None, outputs: Iterable[str] | None=None, independent: Iterable[str] | None=None) -> LinearizedAlong:
+        """Linear models along a simulated motion of this system: A(t), B(t), C(t), D(t).
+
+        Args:
+            motion: In one mode all along.
+            inputs, outputs, independent: As for :meth:`linearize`; what is independent stays so.
+
+        Returns:
+            Arrays along ``motion.t``; transition matrix and Floquet multipliers.
+
+        Raises:
+            DerivationError: a motion of another system, one whose modes change, or one along which
+                the independent coordinates become dependent.
+        """
+
+@final
+class FiniteElementEquations(FiniteElementRecord):
+    """Equations in finite-element coordinates: blocks, kinds of elements, tables of members.
+    """
+    def explain(
+        self,
+        path: str | Path,
+        progress: Callable[[str], object] | None = None,
+    ) -> Path:
+        """Write equations as a page.
+
+        Args:
+            path: Its ending says how: ``.html``, ``.tex`` or ``.md``.
+            progress: Told what is under way.
+
+        Returns:
+            The file.
+
+        Raises:
+            DerivationError: another ending.
+        """
+    def export(self, directory: str | Path, functions: Sequence[Any] | None=None, language: str='c', integrators: Sequence[str]=(), reproducible: bool=False, prefix: str='') -> Path:
+        """Write C that needs no cardan, as :meth:`Equations.export` does."""

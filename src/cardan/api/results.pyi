@@ -1,0 +1,284 @@
+"""Written from the functions of its verbs: pytest tests/golden/test_verbs.py --accept"""
+
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+from typing import Any, final
+
+from numpy.typing import ArrayLike
+
+from ..analyses.ensembles.result import EnsembleRecord
+from ..analyses.identification.excitation import ExcitationRecord
+from ..analyses.identification.result import IdentificationRecord
+from ..analyses.identification.torques import TorquesRecord
+from ..analyses.linear.campbell import CampbellRecord
+from ..analyses.linear.linear_model import LinearModelRecord
+from ..analyses.linear.mode_shapes import ModesRecord
+from ..analyses.linear.root_locus import LocusRecord
+from ..analyses.linear.steady_motion import SteadyMotionRecord
+from ..analyses.mechanisms.sweep import SweepRecord
+from ..analyses.mechanisms.workspace import WorkspaceRecord
+from ..analyses.simulation.precision.work_precision import PrecisionRecord
+from ..analyses.statics.static_path import StaticPathRecord
+from ..arguments import Count
+from .trajectory import Trajectory
+
+@final
+class Ensemble(EnsembleRecord):
+    """What came out of an ensemble.
+    """
+    def run(
+        self,
+        i: int,
+        times: Sequence[float] | None = None,
+    ) -> Trajectory:
+        """One run again, with everything between its steps: the same bits, as a motion.
+
+        Args:
+            i: Its number; negative ones count from the end.
+            times: Output times instead [s].
+
+        Raises:
+            ArgumentError: there is no such run. ModelError: the ensemble comes from a file.
+        """
+    def to_xarray(
+        self,
+    ) -> Any:
+        """Data set with the dimensions run, entry, time; names have _ for blanks.
+
+        Entries of states are labeled by name, ``status`` is text; the attribute ``name`` of a variable
+        is its name here.
+
+        Raises:
+            ModuleNotFoundError: xarray is missing.
+        """
+    def save(
+        self,
+        path: str | Path,
+    ) -> Path:
+        """Write everything but the model; :func:`cardan.load_ensemble` reads it.
+
+        The ending says the format: .nc (netCDF), .npz (NumPy archive) or .csv (a table with a row for
+        every run, which is not read again). The file appears complete or not at all.
+
+        Returns:
+            Its path.
+
+        Raises:
+            ModelError: a variable too large for the format, or a file that cannot be written.
+        """
+
+@final
+class Excitation(ExcitationRecord):
+    """A motion that excites base parameters.
+    """
+    def plot(
+        self,
+        path: str | Path | None = None,
+    ) -> Any:
+        """Positions and speeds over a period as a Matplotlib figure, written to ``path``.
+        """
+
+@final
+class Identification(IdentificationRecord):
+    """Estimates of base parameters, and the model with them.
+    """
+    def plot(
+        self,
+        path: str | Path | None = None,
+    ) -> Any:
+        """Measured and estimated histories as a Matplotlib figure, written to ``path`` if given.
+        """
+
+@final
+class Torques(TorquesRecord):
+    """Forces of actuators along a motion.
+    """
+    def plot(
+        self,
+        path: str | Path | None = None,
+    ) -> Any:
+        """Forces and powers as a Matplotlib figure, written to ``path`` if given.
+        """
+
+@final
+class Campbell(CampbellRecord):
+    """Frequencies of a rotor over its speed.
+    """
+    def plot(
+        self,
+        path: str | Path | None = None,
+        orders: Sequence[int] = (1,),
+    ) -> Any:
+        """The diagram as a Matplotlib figure, written to ``path`` if given.
+
+        Args:
+            path: Picture file, or None.
+            orders: Multiples of the speed that are drawn, with the critical speeds.
+
+        Raises:
+            ModelError: a path that is no picture file.
+            ModuleNotFoundError: Matplotlib is not installed (extra ``plot``).
+        """
+
+@final
+class LinearModel(LinearModelRecord):
+    """x' = A x + B r, y = C x + D r, with names.
+    """
+    def plot(
+        self,
+        path: str | Path | None = None,
+        omega: ArrayLike | None = None,
+        inputs: Iterable[str] | None = None,
+        outputs: Iterable[str] | None = None,
+    ) -> Any:
+        """Sizes and phases of the frequency response (Bode) as a Matplotlib figure.
+
+        Args:
+            path: Picture file, or None.
+            omega: Angular frequencies (n,) [rad/s]; a decade around the eigenvalues if left out.
+            inputs, outputs: Of which; all if left out.
+
+        Raises:
+            ModelError: unknown names, nothing to draw, or a path that is no picture file.
+            ModuleNotFoundError: Matplotlib is not installed (extra ``plot``).
+        """
+
+@final
+class Modes(ModesRecord):
+    """Modes of vibration.
+    """
+    def motion(
+        self,
+        k: int,
+        amplitude: float | None = None,
+        periods: float = 2.0,
+    ) -> Trajectory:
+        """A mode as a motion, as large as is good to see, or by an amplitude.
+
+        Args:
+            k: Number of the mode, from 0.
+            amplitude: Factor of the shape.
+            periods: How often it is played; what does not oscillate takes a second.
+        """
+    def animate(
+        self,
+        k: int,
+        path: str | Path,
+        *,
+        amplitude: float | None = None,
+        periods: float = 2.0,
+    ) -> Path:
+        """A page that plays a mode in any browser; see :meth:`motion` for amplitude and periods.
+        """
+    def plot(
+        self,
+        path: str | Path | None = None,
+        count: Count = 6,
+    ) -> Any:
+        """Shapes of the first modes over the numbers of their entries as a Matplotlib figure.
+
+        Raises:
+            ModelError: a path that is no picture file.
+            ModuleNotFoundError: Matplotlib is not installed (extra ``plot``).
+        """
+
+@final
+class Locus(LocusRecord):
+    """Eigenvalues of a family of linear models.
+    """
+    def plot(
+        self,
+        path: str | Path | None = None,
+    ) -> Any:
+        """Loci in the complex plane, and real and imaginary parts over the first that changes.
+
+        Args:
+            path: Picture file, or None.
+
+        Returns:
+            The Matplotlib figure.
+
+        Raises:
+            ModelError: a path that is no picture file.
+            ModuleNotFoundError: Matplotlib is not installed (extra ``plot``).
+        """
+
+@final
+class SteadyMotion(SteadyMotionRecord):
+    """A steady motion with requested values, or a rest.
+    """
+    @property
+    def linear(
+        self,
+    ) -> LinearModel:
+        """The linear model about it.
+        """
+    @property
+    def stable(self) -> bool:
+        """Whether no small motion about it grows exponentially."""
+
+@final
+class Sweep(SweepRecord):
+    """Positions of a mechanism over values of its drivers.
+    """
+    def plot(
+        self,
+        path: str | Path | None = None,
+        names: Sequence[str] | None = None,
+    ) -> Any:
+        """Histories over the driver as a Matplotlib figure, written to ``path`` if given.
+
+        Raises:
+            ModelError: unknown names, or a path that is no picture file.
+            ModuleNotFoundError: Matplotlib is not installed (extra ``plot``).
+        """
+
+@final
+class Workspace(WorkspaceRecord):
+    """Positions that a frame reaches.
+    """
+    def plot(
+        self,
+        path: str | Path | None = None,
+    ) -> Any:
+        """The places from three sides as a Matplotlib figure, written to ``path`` if given.
+
+        Raises:
+            ModuleNotFoundError: Matplotlib is not installed (extra ``plot``).
+        """
+
+@final
+class Precision(PrecisionRecord):
+    """Speed against error of every integrator on a motion.
+    """
+    def plot(
+        self,
+        path: str | Path | None = None,
+    ) -> Any:
+        """Draw time over error, a line per method.
+
+        Args:
+            path: Picture file, or None.
+
+        Returns:
+            The Matplotlib figure.
+
+        Raises:
+            ModuleNotFoundError: Matplotlib is not installed.
+        """
+
+@final
+class StaticPath(StaticPathRecord):
+    """Equilibria of a load path.
+    """
+    def plot(
+        self,
+        path: str | Path | None = None,
+        names: Sequence[str] | None = None,
+    ) -> Any:
+        """Histories over the first swept value as a Matplotlib figure, written to ``path``.
+
+        Raises:
+            ModelError: unknown names, or a path that is no picture file.
+            ModuleNotFoundError: Matplotlib is not installed (extra ``plot``).
+        """
