@@ -21,6 +21,7 @@ from golden.functions import literal
 BUILT_IN = {"None", "bool", "complex", "dict", "float", "int", "list", "object", "str", "tuple"}
 NAME = re.compile(r"(?<![.\w])[A-Za-z_]\w*")
 TEXT = re.compile(r"\"[^\"]*\"|'[^']*'")
+WIDTH = 100  # of a line, to a linter
 HEAD = '''\
 """Written from the functions of its verbs: pytest tests/golden/test_verbs.py --accept"""
 
@@ -175,7 +176,10 @@ def _imports(module: str) -> Iterator[str]:
         places = {_relative(name) if name in ours else name: name for name in group}
         # parents before siblings
         for place in sorted(places, key=lambda one: (not one.startswith(".."), one)):
-            yield f"from {place} import {', '.join(sorted(found[places[place]]))}"
+            names = sorted(found[places[place]])
+            line = f"from {place} import {', '.join(names)}"
+            rows = "".join(f"    {name},\n" for name in names)
+            yield line if len(line) <= WIDTH else f"from {place} import (\n{rows})"
         if group and group is not ours:
             yield ""
 
