@@ -14,7 +14,8 @@ PEERS := cmeel-boost cmeel-eigen pin example-robot-data casadi mujoco exudyn sci
 # of each of the eight kinds of input
 CASES ?= 13000
 BIN := $(VENV)/bin
-INSTALL := $(BIN)/python -m pip install --quiet --disable-pip-version-check
+# bytecode is written when it is first needed
+INSTALL := $(BIN)/python -m pip install --quiet --disable-pip-version-check --no-compile
 SOURCES := pyproject.toml setup.py $(wildcard src/cardan/runtime/calls/*.pyx) $(wildcard src/cardan/kernels/*.[ch])
 
 .PHONY: help demo test tests slow bench hard lint types external fuzz clean

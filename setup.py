@@ -1,5 +1,7 @@
 """Build the extension ``cardan.runtime.calls._abi`` and the kernels; the rest is in pyproject.toml.
 
+It is the build backend as well, that of setuptools: it asks for a compiler where there is none.
+
 A wheel holds the kernels for every level of processors like this one; an editable installation
 those of this processor, beside their sources, where a build that is there of the same sources
 stays. Without a compiler or Python.h cardan installs all the same: the C of a model is then called
@@ -11,10 +13,13 @@ from __future__ import annotations
 
 import importlib.util
 import os
+import platform
 import sys
+from collections.abc import Mapping
 from pathlib import Path
 
-from setuptools import Distribution, Extension, setup
+from setuptools import Distribution, Extension, build_meta, setup
+from setuptools.build_meta import *  # noqa: F403
 from setuptools.command.build_ext import build_ext
 
 HERE = Path(__file__).resolve().parent
@@ -85,4 +90,21 @@ class Compiled(Distribution):
         return COMPILER is not None
 
 
-setup(ext_modules=extensions(), cmdclass={"build_ext": Build}, distclass=Compiled)
+def _missing() -> list[str]:
+    """The package that compiles where nothing else does."""
+    there_is = platform.machine().lower() in ("x86_64", "amd64", "aarch64", "arm64")
+    return ["ziglang"] if COMPILER is None and there_is else []
+
+
+def get_requires_for_build_wheel(settings: Mapping[str, object] | None = None) -> list[str]:
+    """What a wheel is built with."""
+    return [*build_meta.get_requires_for_build_wheel(settings), *_missing()]
+
+
+def get_requires_for_build_editable(settings: Mapping[str, object] | None = None) -> list[str]:
+    """What an editable installation is built with."""
+    return [*build_meta.get_requires_for_build_editable(settings), *_missing()]
+
+
+if __name__ == "__main__":
+    setup(ext_modules=extensions(), cmdclass={"build_ext": Build}, distclass=Compiled)
