@@ -276,12 +276,17 @@ KINDS: dict[str, Kind] = {
     "Mapping[str, tuple[float, float]]": Kind(_ranges, "pairs by name, such as {'A': (0, 1)}"),
     "np.random.Generator": Kind(_generator, "a generator of NumPy, such as default_rng(1)"),
     "Callable[[float], None]": Kind(_callable, "a function"),
+    "Callable[[str], object]": Kind(_callable, "a function"),
 }  # fmt: skip
 # Any, and other names of types that are no classes: their functions know what they are
 _UNCHECKED = frozenset({"Any", "Array", "Key", "Hold", "Place", "JointElement", "Provide", "Show"})
 
 # class that functions take -> the one of it that users have
-OF_USERS = {"LoadedModel": "CompiledModel"}
+OF_USERS = {
+    "LoadedModel": "CompiledModel",
+    "EquationRecord": "Equations",
+    "FiniteElementRecord": "FiniteElementEquations",
+}
 
 
 def _of_class(name: str) -> Kind | None:
@@ -292,7 +297,7 @@ def _of_class(name: str) -> Kind | None:
     def read(value: Any) -> Any:
         return value if any(one.__name__ == name for one in type(value).__mro__) else UNFIT
 
-    title = OF_USERS.get(name, name)
+    title = OF_USERS.get(name, name.removesuffix("Record"))
     return Kind(read, f"{'an' if title[0] in 'AEIO' else 'a'} {title}")
 
 

@@ -18,16 +18,18 @@ from .codegen.finite_elements import model_folder
 from .equations.constraints.assembly_branches import with_branches
 from .equations.constraints.treatments import Treatment, treatment
 from .equations.finite_elements.lowering import lowered
+from .equations.finite_elements.record import FiniteElementRecord
 from .equations.formalism_choice import check_chooses, chosen_by
+from .equations.record import EquationRecord
 from .errors import BuildError, CodegenError, DerivationError, SolveWarning, near, warn
 from .runtime.build import cache_folder as cache
-from .runtime.verification.flat_scene import unjudged
+from .runtime.verification.closed_states import unjudged
 from .schema.functions import OF_ELEMENTS, STANDARD
 
 if TYPE_CHECKING:
-    from .api.scene import Scene
     from .ir.function import Function
     from .ir.recursion import Recursion
+    from .scene.scene import SceneRecord
     from .topology.system import Named, System
 
 COORDINATES = ("auto", "relative", "absolute")
@@ -36,7 +38,7 @@ PLANES = ("auto", "x", "y", "z")
 
 @overload
 def derive(
-    scene: Scene,
+    scene: SceneRecord,
     coordinates: Literal["auto", "relative"] = "auto",
     method: str = "auto",
     speeds: Mapping[str, Any] | None = None,
@@ -50,7 +52,7 @@ def derive(
 
 @overload
 def derive(
-    scene: Scene,
+    scene: SceneRecord,
     coordinates: Literal["absolute"],
     *,
     specialize: bool | Sequence[str] | Mapping[str, float] = False,
@@ -60,7 +62,7 @@ def derive(
 
 @checked
 def derive(
-    scene: Scene,
+    scene: SceneRecord,
     coordinates: str = "auto",
     method: str = "auto",
     speeds: Mapping[str, Any] | None = None,
@@ -134,7 +136,7 @@ def derive(
 
 
 def _relative(
-    scene: Scene,
+    scene: SceneRecord,
     system: System,
     method: str,
     speeds: Mapping[str, Any] | None,
@@ -179,7 +181,7 @@ def _absolute(system: System, given: Sequence[str], plane: str | None) -> Finite
 
 @checked
 def compile(
-    scene: Scene | Equations | FiniteElementEquations,
+    scene: SceneRecord | EquationRecord | FiniteElementRecord,
     functions: Sequence[str] = STANDARD,
     directory: str | Path | None = None,
     *,
@@ -224,7 +226,7 @@ def compile(
         independent=independent,
         plane=plane,
     )
-    if isinstance(equations, FiniteElementEquations):
+    if isinstance(equations, FiniteElementRecord):
         return _of_elements(equations, directory, threads)
     functions = _asked(equations, functions)
     base = manifest.base(equations, functions)
@@ -284,7 +286,7 @@ def _say_what_is_not_checked(model: CompiledModel) -> None:
         )
 
 
-def _asked(equations: Equations, functions: Sequence[str]) -> tuple[str, ...]:
+def _asked(equations: EquationRecord, functions: Sequence[str]) -> tuple[str, ...]:
     """The functions asked for; of the usual ones those that the system has.
 
     Raises:
@@ -300,7 +302,7 @@ def _asked(equations: Equations, functions: Sequence[str]) -> tuple[str, ...]:
     return tuple(functions)
 
 
-def _say_what_stays_open(equations: Equations, folder: Path) -> None:
+def _say_what_stays_open(equations: EquationRecord, folder: Path) -> None:
     """Warn of circuits that cannot close, when their code is written for the first time."""
     if not equations.system.closed or (folder / "manifest.json").exists():
         return
@@ -311,7 +313,7 @@ def _say_what_stays_open(equations: Equations, folder: Path) -> None:
 
 
 def _of_elements(
-    equations: FiniteElementEquations, directory: str | Path | None, threads: int | None
+    equations: FiniteElementRecord, directory: str | Path | None, threads: int | None
 ) -> CompiledModel:
     """The model of equations in absolute coordinates: C of its kinds of elements, and tables."""
     folder = Path(directory) if directory is not None else _workspace(equations, None)
@@ -323,16 +325,16 @@ def _of_elements(
 
 
 def _derived(
-    scene: Scene | Equations | FiniteElementEquations, **options: Any
-) -> Equations | FiniteElementEquations:
+    scene: SceneRecord | EquationRecord | FiniteElementRecord, **options: Any
+) -> EquationRecord | FiniteElementRecord:
     """The equations of a scene by the options that are given.
 
     Raises:
         DerivationError: options for equations that are derived already.
     """
     given = {name: x for name, x in options.items() if x is not None}
-    if not isinstance(scene, (Equations, FiniteElementEquations)):
-        found: Equations | FiniteElementEquations = derive(scene, **given)
+    if not isinstance(scene, (EquationRecord, FiniteElementRecord)):
+        found: EquationRecord | FiniteElementRecord = derive(scene, **given)
         return found
     if given:
         raise DerivationError(
@@ -341,7 +343,7 @@ def _derived(
     return scene
 
 
-def _workspace(equations: Equations | FiniteElementEquations, loops: bool | None) -> Path:
+def _workspace(equations: EquationRecord | FiniteElementRecord, loops: bool | None) -> Path:
     """Folder of the cache for the C of these equations."""
     return cache.directory() / "models" / fingerprint(equations, loops)[:32]
 

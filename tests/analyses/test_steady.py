@@ -13,7 +13,7 @@ from scipy.optimize import linear_sum_assignment
 
 import cardan as cd
 from cardan.analyses.statics.static_problem import Point, Problem
-from cardan.analyses.systems.dynamic_system import contract_of
+from cardan.analyses.systems import contract_of
 
 Array = NDArray[np.float64]
 G = 9.81

@@ -14,7 +14,7 @@ import pytest
 import cardan as cd
 from cardan.analyses.statics.settling import _forbidden
 from cardan.analyses.statics.static_problem import Point, Problem
-from cardan.analyses.systems.dynamic_system import contract_of
+from cardan.analyses.systems import contract_of
 from mechanisms.loaded import arch, follower_column, shaft
 from spread import some
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from cardan.ir.names import of_rate
+from cardan.schema.blocks import of_rate
 
 
 @pytest.mark.parametrize(

@@ -13,7 +13,7 @@ import pytest
 
 from cardan.analyses.simulation.stepper import stepper
 from cardan.errors import SolveWarning
-from cardan.runtime.trajectory.storage import load
+from cardan.runtime.trajectory.storage import load, save
 from cardan.runtime.trajectory.trajectory import TrajectoryRecord
 from kernels.problem import METHODS, PENDULUM_POSITION, PENDULUM_VELOCITY, Problem, pendulum
 
@@ -185,7 +185,7 @@ def test_the_ledger_travels_with_the_motion(tmp_path: Path) -> None:
     words = str(ledger.position["rod.length"])
     assert f"position of 'rod.length' to {words}" in repr(alone)
     assert "velocity of 'rod.length' to " in repr(alone)
-    back = load(alone.save(tmp_path / "run.nc"))
+    back = load(save(alone, tmp_path / "run.nc"))
     again = pickle.loads(pickle.dumps(alone))
     for other in (back, again):
         assert other.ledger == motion.ledger

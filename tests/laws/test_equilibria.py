@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 
 import cardan as cd
-from cardan.analyses.systems.dynamic_system import contract_of, dense
+from cardan.analyses.systems import contract_of
+from cardan.analyses.systems.dynamic_system import dense
 from mechanisms import ZOO
 from mechanisms.closed import CLOSED
 from spread import some

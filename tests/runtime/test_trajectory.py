@@ -11,7 +11,7 @@ import pytest
 from scipy.io import netcdf_file
 
 import cardan as cd
-from cardan.runtime.trajectory.storage import load
+from cardan import load_motion as load
 
 
 def build() -> cd.CompiledModel:

@@ -6,16 +6,17 @@ import numpy as np
 import pytest
 import sympy
 
+from cardan.api.scene import Scene
 from cardan.elements.forces import Force, JointForce, SpringDamper
 from cardan.elements.joints import Custom, Prismatic, Revolute
 from cardan.errors import ModelError
-from cardan.scene import SceneRecord, t
+from cardan.scene import t
 from cardan.topology import build
 from topology.numbers_of import body_poses, frame_pose, values
 
 
 def arm():
-    scene = SceneRecord("arm")
+    scene = Scene("arm")
     m = scene.parameter("m", 2.0, unit="kg")
     k = scene.parameter("k", 5.0)
     drive = scene.input("drive")
@@ -30,7 +31,7 @@ def arm():
 
 
 def test_two_arms_on_a_torso():
-    scene = SceneRecord("robot")
+    scene = Scene("robot")
     torso = scene.body("torso", mass=10.0)
     scene.joint("waist", Revolute("z"), scene.ground, torso)
     left = scene.include(arm(), "left", at=torso.at(0, 0.3, 1))
@@ -70,11 +71,11 @@ def test_two_arms_on_a_torso():
 
 def test_own_symbols_of_a_custom_joint_keep_their_names():
     s = sympy.Symbol("s")
-    part = SceneRecord("part")
+    part = Scene("part")
     k = part.parameter("k", 2.0)
     body = part.body("b", mass=1.0)
     part.joint("curve", Custom([s], position=(s, k * s**2, 0)), part.ground, body)
-    scene = SceneRecord("whole")
+    scene = Scene("whole")
     scene.parameter("s", 9.0, unit="kg")
     scene.include(part, "left")
     system = build(scene)
@@ -82,9 +83,9 @@ def test_own_symbols_of_a_custom_joint_keep_their_names():
 
 
 def test_nested_and_repeated():
-    inner = SceneRecord("inner")
+    inner = Scene("inner")
     inner.include(arm(), "a_")
-    scene = SceneRecord("outer")
+    scene = Scene("outer")
     scene.include(inner, "b")
     assert list(scene.bodies) == ["b.ground", "b.a_ground", "b.a_upper", "b.a_lower"]
     assert build(scene).nq == 2
@@ -95,18 +96,18 @@ def test_nested_and_repeated():
 def test_the_original_is_as_it_was():
     original = arm()
     before = build(original)
-    SceneRecord("m").include(original, "x")
+    Scene("m").include(original, "x")
     assert build(original).graph.nodes == before.graph.nodes
 
 
 def test_frames_named_by_text_are_those_of_the_part():
-    part = SceneRecord("part")
+    part = Scene("part")
     body = part.body("arm", mass=1.0)
     part.joint("j", Prismatic("z"), "ground", "arm")
     body.at(1, 0, 0, name="tip")
     part.force("push", Force("tip", (0, 0, 7)))
     part.force("spring", SpringDamper("ground", "arm", 10.0))
-    whole = SceneRecord("whole")
+    whole = Scene("whole")
     arm_of_whole = whole.body("arm", mass=3.0)
     arm_of_whole.at(1, 0, 0, name="tip")
     whole.joint("j", Prismatic("z"), "ground", "arm")
@@ -118,11 +119,11 @@ def test_frames_named_by_text_are_those_of_the_part():
 
 
 def test_nothing_is_replaced_by_a_part():
-    part = SceneRecord("part")
+    part = Scene("part")
     part.joint("j", Prismatic("z"), "ground", part.body("arm", mass=1.0))
     part.output("height", part.q("j"))
     for taken in ("joint", "output"):
-        whole = SceneRecord("whole")
+        whole = Scene("whole")
         box = whole.body("box", mass=1.0)
         if taken == "joint":
             whole.joint("left.j", Prismatic("x"), "ground", box)
@@ -139,7 +140,7 @@ def test_a_model_is_no_part_of_itself():
 
 
 def test_a_clash_halfway_leaves_the_outer_model_as_it_was() -> None:
-    outer, inner = SceneRecord("outer"), SceneRecord("inner")
+    outer, inner = Scene("outer"), Scene("inner")
     first, second = inner.body("first", mass=1.0), inner.body("second", mass=1.0)
     inner.joint("hinge", Revolute("y"), inner.ground, first)
     inner.joint("slide", Prismatic("x"), first, second)

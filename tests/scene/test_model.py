@@ -8,16 +8,17 @@ import numpy as np
 import pytest
 import sympy
 
+from cardan.api.scene import Scene
 from cardan.elements.forces import JointForce
 from cardan.elements.joints import Revolute, Spherical
 from cardan.errors import ModelError
-from cardan.scene import SceneRecord, inertia, shape, t
+from cardan.scene import inertia, shape, t
 from cardan.scene.units import unit
 from table import each
 
 
 def scene_with_arm():
-    scene = SceneRecord("robot")
+    scene = Scene("robot")
     upper = scene.body("upper", mass=1.0)
     scene.body("forearm", mass=1.0)
     scene.joint("shoulder", Revolute("y"), scene.ground, upper)
@@ -25,7 +26,7 @@ def scene_with_arm():
 
 
 def test_parameters_and_time_are_plain_symbols():
-    scene = SceneRecord("m")
+    scene = Scene("m")
     m = scene.parameter("m", 500, unit="g")
     assert m == sympy.Symbol("m")
     assert t == sympy.Symbol("t")
@@ -86,7 +87,7 @@ def test_wrong_statements(act, words):
 
 
 def test_same_name_for_parameter_and_input():
-    scene = SceneRecord("m")
+    scene = Scene("m")
     scene.parameter("a", 1.0)
     with pytest.raises(ModelError, match="taken"):
         scene.input("a")
@@ -105,14 +106,14 @@ def test_frames_of_other_models():
 
 
 def test_triangle_inequality_is_a_warning_with_the_name():
-    scene = SceneRecord("m")
+    scene = Scene("m")
     with pytest.warns(UserWarning, match="body 'bad': its inertia violates"):
         scene.body("bad", mass=1.0, inertia=(1.0, 0.1, 0.1))
 
 
 @pytest.mark.filterwarnings("error")
 def test_inertias_of_real_solids_pass():
-    scene = SceneRecord("m")
+    scene = Scene("m")
     rng = np.random.default_rng(5)
     scene.body("rod", mass=1.0, inertia=inertia.rod(1.0, 2.0))
     for k in range(50):
@@ -126,7 +127,7 @@ def test_inertias_of_real_solids_pass():
 
 
 def test_inertia_forms_agree():
-    scene = SceneRecord("m")
+    scene = Scene("m")
     full = [[1.0, 0.1, 0.2], [0.1, 1.2, 0.3], [0.2, 0.3, 1.4]]
     a = scene.body("a", inertia=full)
     b = scene.body("b", inertia=np.array(full))
@@ -222,7 +223,7 @@ def test_summary_fits_on_a_screen():
 def test_shapes_become_plain_numbers():
     from cardan.topology import build
 
-    scene = SceneRecord("m")
+    scene = Scene("m")
     l = scene.parameter("l", 2.0)
     rod = shape.cylinder(0.1, l, axis="y", position=(0, l / 2, 0), color=(1, 0, 0))
     tool = shape.mesh("tool.stl", rotation=("XYZ", math.pi / 2, 0, 0))
@@ -245,13 +246,13 @@ def test_shapes_become_plain_numbers():
     ],
 )
 def test_what_a_joint_cannot_be_told(options, message):
-    scene = SceneRecord("m")
+    scene = Scene("m")
     with pytest.raises(ModelError, match=message):
         scene.joint("j", Revolute("z"), scene.ground, scene.body("b", mass=1.0), **options)
 
 
 def test_numpy_numbers_are_numbers():
-    scene = SceneRecord("m")
+    scene = Scene("m")
     body = scene.body("b", mass=np.float32(2), com=np.array([0, 0, 1]))
     joint = scene.joint("j", Revolute("z"), scene.ground, body, q0=np.float32(0.5), u0=np.int64(2))
     assert (joint.q0, joint.u0) == ((0.5,), (2.0,))
@@ -259,7 +260,7 @@ def test_numpy_numbers_are_numbers():
 
 def test_a_unit_is_text():
     with pytest.raises(ModelError, match="unit 5: a unit is text"):
-        SceneRecord("m").parameter("p", 1.0, unit=5)
+        Scene("m").parameter("p", 1.0, unit=5)
 
 
 @pytest.mark.parametrize(
@@ -274,14 +275,14 @@ def test_a_unit_is_text():
 )
 def test_shapes_of_what_a_body_has(options, message):
     with pytest.raises(ModelError, match=message):
-        SceneRecord("m").body("b", mass=1.0, **options)
+        Scene("m").body("b", mass=1.0, **options)
 
 
 @pytest.mark.parametrize("rotation", [5, ("XYZ", 1, 2), "XYZ", [(1, 0, 0), (0, 1, 0)]])
 def test_shapes_of_rotations(rotation):
     from cardan.topology import build
 
-    scene = SceneRecord("m")
+    scene = Scene("m")
     scene.joint("j", Revolute("z"), scene.ground.at(rotation=rotation), scene.body("b", mass=1.0))
     with pytest.raises(ModelError, match="a rotation is 3x3, a SciPy Rotation or like"):
         build(scene)
@@ -289,4 +290,4 @@ def test_shapes_of_rotations(rotation):
 
 def test_inertia_as_rows_that_are_arrays():
     rows = [np.array(row) for row in ([1.0, 0.1, 0], [0.1, 1.0, 0], [0, 0, 1.5])]
-    assert SceneRecord("m").body("b", mass=1.0, inertia=rows).inertia == (1.0, 0.1, 0, 1.0, 0, 1.5)
+    assert Scene("m").body("b", mass=1.0, inertia=rows).inertia == (1.0, 0.1, 0, 1.0, 0, 1.5)

@@ -11,8 +11,8 @@ import sympy
 from hypothesis import given
 from hypothesis import strategies as st
 
+from cardan.api.scene import Scene
 from cardan.errors import CardanError, ModelError, TopologyError
-from cardan.scene import SceneRecord
 from cardan.scene.files.expression import FUNCTIONS, MOTION, parse
 from cardan.scene.files.yaml import from_text, keys
 from cardan.topology import build
@@ -100,7 +100,7 @@ def test_the_seeds_are_scenes() -> None:
 
 # expressions
 
-SCENE = SceneRecord("fuzz")
+SCENE = Scene("fuzz")
 NAMES = {name: SCENE.parameter(name, 1.0) for name in ("m", "l")}
 SIGNS = "+ - * / ^ ( ) ( ) ( ) , . < > == ** 0 1 2 1e3 .5 1e299 1000 wrt in ' ; \u2212 ² lambda"
 TOKENS = st.sampled_from(

@@ -11,6 +11,7 @@ from scipy.spatial.transform import Rotation
 import cardan as cd
 from cardan.codegen.fingerprint import fingerprint
 from cardan.scene.files.urdf import from_text
+from cardan.scene.files.yaml.writer import save
 from mechanisms.closed import four_bar
 from mechanisms.closed_planar import four_bar_angles
 from table import each
@@ -108,7 +109,7 @@ def test_frames_coincide_in_the_reference_configuration(kind: str) -> None:
 
 def test_a_loop_comes_back_from_a_scene_file(tmp_path: Path) -> None:
     scene = from_text(robot(PIN))
-    scene.save(tmp_path / "loop.yaml")
+    save(scene, tmp_path / "loop.yaml")
     assert "cut: true" in (tmp_path / "loop.yaml").read_text(encoding="utf-8")
     again = cd.load(tmp_path / "loop.yaml")
     assert again.joints["C"].cut

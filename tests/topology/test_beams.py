@@ -10,8 +10,8 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 import cardan as cd
+from cardan.api.scene import Scene
 from cardan.errors import ModelError, TopologyError
-from cardan.scene import SceneRecord
 from cardan.topology import System, build
 from cardan.topology.beams.beams import quaternion
 from mechanisms.flexible import FLEXIBLE
@@ -55,7 +55,7 @@ def names(system: System) -> list[tuple[str, str]]:
 
 
 def test_a_cantilever_has_one_node() -> None:
-    scene = SceneRecord("m")
+    scene = Scene("m")
     scene.beam("b", scene.ground, (2, 0, 0), GENERAL, elements=4)
     system = build(scene)
     assert names(system) == [("b.end", "free")]
@@ -77,7 +77,7 @@ def test_ends_of_published_problems_lie_where_they_are_joined(name: str) -> None
 
 
 def test_named_nodes_cut_a_beam_into_segments() -> None:
-    scene = SceneRecord("m")
+    scene = Scene("m")
     beam = scene.beam("b", (0, 0, 0), (3, 0, 0), GENERAL, elements=6)
     late, early = beam.at(0.5), beam.at(0.25, name="quarter")
     assert beam.at(0.5) is late
@@ -107,7 +107,7 @@ def test_named_nodes_cut_a_beam_into_segments() -> None:
     ],
 )
 def test_section_axes(end: Any, up: Any, axes: Any) -> None:
-    scene = SceneRecord("m")
+    scene = Scene("m")
     scene.beam("b", (0, 0, 0), end, GENERAL, up=up)
     system = build(scene)
     np.testing.assert_allclose(system.segments[0].line.rotations[3].T, axes, atol=1e-15)
@@ -124,7 +124,7 @@ def test_quaternions_of_rotations() -> None:
 
 
 def test_sections_of_a_curve_are_not_twisted() -> None:
-    scene = SceneRecord("m")
+    scene = Scene("m")
     t = np.linspace(0, 6, 40)
     points = np.stack([np.cos(t), np.sin(t), 0.3 * t], axis=1)
     scene.beam("b", points[0], points[-1], GENERAL, elements=300, line=cd.spline(points))
@@ -137,7 +137,7 @@ def test_sections_of_a_curve_are_not_twisted() -> None:
 
 
 def test_a_body_welded_to_a_node_is_a_part_of_it() -> None:
-    scene = SceneRecord("m")
+    scene = Scene("m")
     beam = scene.beam("b", scene.ground, (2, 0, 0), GENERAL)
     scene.joint("weld", cd.Fixed(), beam.end, scene.body("tip", mass=3))
     (body,) = build(scene).bodies
@@ -145,7 +145,7 @@ def test_a_body_welded_to_a_node_is_a_part_of_it() -> None:
 
 
 def test_a_beam_between_bodies_that_joints_place() -> None:
-    scene = SceneRecord("m")
+    scene = Scene("m")
     crank = scene.body("crank", mass=1)
     slider = scene.body("slider", mass=1, pose=(3, 0, 0))
     scene.joint("drive", cd.Revolute("y"), scene.ground, crank)
@@ -163,7 +163,7 @@ def test_a_beam_between_bodies_that_joints_place() -> None:
 
 
 def test_released_ends_have_coordinates(tmp_path: Path) -> None:
-    scene = SceneRecord("m")
+    scene = Scene("m")
     beam = scene.beam("b", scene.ground, (1, 0, 0), GENERAL, release_start=("ry",))
     scene.force("soft", cd.TorsionSpring("b.start", stiffness=10))
     scene.output("angle", scene.q("b.start") + 2 * scene.u("b.start"))
@@ -179,7 +179,7 @@ def test_released_ends_have_coordinates(tmp_path: Path) -> None:
 
 
 def test_joints_at_nodes_have_the_axes_of_the_parent() -> None:
-    scene = SceneRecord("m")
+    scene = Scene("m")
     beam = scene.beam("b", (1, 0, 0), (1, 2, 0), GENERAL)
     scene.joint("pin", cd.Revolute("z"), scene.ground, beam.start)
     roller = scene.body("roller", mass=1)
@@ -194,7 +194,7 @@ def test_joints_at_nodes_have_the_axes_of_the_parent() -> None:
 
 
 def test_a_body_with_a_pose_meets_a_node_where_that_is() -> None:
-    scene = SceneRecord("m")
+    scene = Scene("m")
     beam = scene.beam("b", scene.ground, (1, 0, 0), GENERAL)
     tip = scene.body("tip", mass=1, pose=((1.5, 0, 0.2), ("XYZ", 0.1, 0.2, 0.3)))
     scene.joint("hinge", cd.Revolute("y"), beam.end, tip)
@@ -207,7 +207,7 @@ def test_a_body_with_a_pose_meets_a_node_where_that_is() -> None:
 
 
 def test_a_corner_is_two_beams() -> None:
-    scene = SceneRecord("m")
+    scene = Scene("m")
     first = scene.beam("first", scene.ground, (10, 0, 0), GENERAL, elements=3)
     second = scene.beam("second", first.end, (10, 10, 0), GENERAL, elements=5)
     third = scene.beam("third", first.at(0.5).at(0, 1, 0), second.at(0.4), GENERAL)
@@ -220,7 +220,7 @@ def test_a_corner_is_two_beams() -> None:
 
 def test_order_of_declaration_does_not_matter() -> None:
     """Beams between bodies that hang on nodes of beams declared later."""
-    scene = SceneRecord("m")
+    scene = Scene("m")
     tip = scene.body("tip", mass=1)
     scene.beam("late", tip.at(0, 0, 1), (5, 5, 5), GENERAL)
     base = scene.beam("base", scene.ground, (2, 0, 0), GENERAL)
@@ -231,7 +231,7 @@ def test_order_of_declaration_does_not_matter() -> None:
 
 
 def test_circuits_through_nodes_close() -> None:
-    scene = SceneRecord("m")
+    scene = Scene("m")
     beam = scene.beam("b", (0, 0, 0), (2, 0, 0), GENERAL)
     crank = scene.body("crank", mass=1)
     scene.joint("A", cd.Revolute("y"), scene.ground, crank)
@@ -243,7 +243,7 @@ def test_circuits_through_nodes_close() -> None:
 
 
 def test_bodies_that_only_beams_hold() -> None:
-    scene = SceneRecord("m")
+    scene = Scene("m")
     disk = scene.body("disk", mass=1, pose=((1, 0, 1), ("XYZ", 0, 0.5, 0)))
     scene.beam("mast", scene.ground, disk, GENERAL)
     scene.beam("arm", disk.at(0.1, 0, 0), (3, 0, 1), GENERAL)
@@ -257,7 +257,7 @@ def test_bodies_that_only_beams_hold() -> None:
 
 
 def test_a_beam_may_fly() -> None:
-    scene = SceneRecord("m")
+    scene = Scene("m")
     scene.beam("b", (6, 0, 0), (0, 8, 0), GENERAL)
     system = build(scene)
     assert names(system) == [("b.start", "free"), ("b.end", "free")]
@@ -272,12 +272,12 @@ def test_a_beam_may_fly() -> None:
 
 
 def test_included_beams_move_with_their_ground() -> None:
-    part = SceneRecord("part")
+    part = Scene("part")
     l = part.parameter("l", 2.0)
     beam = part.beam("b", part.ground, (l, 0, 0), GENERAL, up=(0, 1, 0), elements=2)
     part.beam("c", beam.at(0.5).at(0, 0, 1), (0, 0, 3), GENERAL, line=cd.arc(through=(0, 0, 2)))
     part.force("w", cd.LineLoad(beam, force=(0, 0, -1)))
-    scene = SceneRecord("m")
+    scene = Scene("m")
     for k, prefix in enumerate(("left", "right")):
         scene.include(part, prefix, at=scene.ground.at(0, k, 0, rotation=("XYZ", 0, 0, 0.5 * k)))
     system = build(scene)
@@ -294,7 +294,7 @@ def test_included_beams_move_with_their_ground() -> None:
 
 
 def test_what_says_where_beams_are_is_built_in() -> None:
-    scene = SceneRecord("m")
+    scene = Scene("m")
     l, m = scene.parameter("l", 2.0), scene.parameter("m", 1.0)
     crank = scene.body("crank", mass=m * l)
     scene.joint("drive", cd.Revolute("y"), scene.ground, crank)
@@ -310,7 +310,7 @@ def test_what_says_where_beams_are_is_built_in() -> None:
 
 
 def test_loads_and_strains() -> None:
-    scene = SceneRecord("m")
+    scene = Scene("m")
     steel = cd.material(E=2e11, nu=0.3, rho=7800, damping=1e-4, expansion=1.2e-5)
     rise = scene.parameter("rise", 50.0, unit="K")
     beam = scene.beam(
@@ -331,7 +331,7 @@ def test_loads_and_strains() -> None:
 
 
 def test_the_graph_draws_beams() -> None:
-    scene = SceneRecord("m")
+    scene = Scene("m")
     beam = scene.beam("<b>", scene.ground, (1, 0, 0), GENERAL)
     beam.at(0.5, name="mid")
     scene.joint("pin", cd.Revolute("z"), scene.ground, beam.end)
@@ -346,7 +346,7 @@ def test_the_graph_draws_beams() -> None:
 
 def test_size_of_the_graph_does_not_depend_on_the_number_of_elements() -> None:
     def made(elements: int) -> System:
-        scene = SceneRecord("m")
+        scene = Scene("m")
         scene.beam("b", scene.ground, (1, 0, 0), GENERAL, elements=elements)
         return build(scene)
 
@@ -386,7 +386,7 @@ WRONG: dict[str, Any] = {
 
 @pytest.mark.parametrize("words", WRONG)
 def test_refusals(words: str) -> None:
-    scene = SceneRecord("m")
+    scene = Scene("m")
     WRONG[words](scene)
     assert scene._repr_html_()
     with pytest.raises((ModelError, TopologyError), match=words):
@@ -394,7 +394,7 @@ def test_refusals(words: str) -> None:
 
 
 def test_relative_coordinates_are_refused() -> None:
-    scene = SceneRecord("m")
+    scene = Scene("m")
     scene.beam("b", scene.ground, (1, 0, 0), GENERAL)
     with pytest.raises(cd.DerivationError, match=r"beam 'b'.*coordinates='absolute'"):
         cd.derive(scene, coordinates="relative")

@@ -10,16 +10,17 @@ import pytest
 import sympy
 from scipy.spatial.transform import Rotation
 
+from cardan.api.scene import Scene
 from cardan.elements.forces import Damping, Force, JointForce
 from cardan.elements.joints import Fixed, Free, Prismatic, Revolute, Spherical
 from cardan.errors import ModelError
-from cardan.scene import SceneRecord, inertia
+from cardan.scene import inertia
 from cardan.topology import build, named_speeds
 from topology.numbers_of import body_mass, body_poses, frame_pose, values
 
 
 def pendulum():
-    scene = SceneRecord("double_pendulum")
+    scene = Scene("double_pendulum")
     m = scene.parameter("m", 1.0, unit="kg")
     l = scene.parameter("l", 500, unit="mm")
     rod = inertia.rod(m, l, axis="z")
@@ -58,7 +59,7 @@ def test_double_pendulum():
 
 
 def test_regular_numbering_keeps_declaration_order_where_it_can():
-    scene = SceneRecord("m")
+    scene = Scene("m")
     a, b, c = (scene.body(name, mass=1.0) for name in "abc")
     scene.joint("j_c", Revolute("y"), b, c)
     scene.joint("j_b", Revolute("y"), a, b)
@@ -68,7 +69,7 @@ def test_regular_numbering_keeps_declaration_order_where_it_can():
 
 
 def test_a_negative_unit_axis_and_zeros_are_structural_and_other_numbers_are_not():
-    scene = SceneRecord("m")
+    scene = Scene("m")
     body = scene.body("b", mass=1.0, com=(1.0, 0, 0))
     scene.joint("j", Revolute((0, 0.6, -0.8)), scene.ground, body)
     system = build(scene)
@@ -92,7 +93,7 @@ def rotations():
 @pytest.mark.filterwarnings("ignore:Gimbal lock")
 @pytest.mark.parametrize("r", rotations())
 def test_rotations_given_as_matrix_scipy_or_sequence(r):
-    scene = SceneRecord("m")
+    scene = Scene("m")
     body = scene.body("b", mass=1.0)
     upper, lower = r.as_euler("ZYX"), r.as_euler("xyz")
     body.at(rotation=r.as_matrix(), name="matrix")
@@ -107,7 +108,7 @@ def test_rotations_given_as_matrix_scipy_or_sequence(r):
 
 
 def test_quarter_turns_are_structural():
-    scene = SceneRecord("m")
+    scene = Scene("m")
     body = scene.body("b", mass=1.0)
     body.at(rotation=("xyz", np.pi / 2, -np.pi, 1.5 * np.pi), name="f")
     scene.joint("j", Revolute("y"), scene.ground, body)
@@ -128,7 +129,7 @@ def test_quarter_turns_are_structural():
     ],
 )
 def test_what_is_no_rotation(rotation, words):
-    scene = SceneRecord("m")
+    scene = Scene("m")
     body = scene.body("b", mass=1.0)
     scene.joint("j", Revolute("y"), scene.ground.at(rotation=rotation), body)
     with pytest.raises(ModelError, match=words):
@@ -140,7 +141,7 @@ def test_child_frame_moves_the_axes_of_the_body():
     rng = np.random.default_rng(11)
     r, place, com = Rotation.random(random_state=rng), rng.normal(size=3), rng.normal(size=3)
     tensor = np.diag([0.5, 0.6, 0.7])
-    scene = SceneRecord("m")
+    scene = Scene("m")
     body = scene.body("b", mass=2.0, com=com, inertia=tensor)
     scene.joint("j", Revolute("y"), scene.ground, body.at(*place, rotation=r))
     mass, first, moment = body_mass(build(scene), 0)
@@ -154,7 +155,7 @@ def test_child_frame_moves_the_axes_of_the_body():
 
 def test_fixed_joints_merge_bodies_and_keep_parts_and_frames():
     r = Rotation.from_euler("xyz", [0.3, -0.2, 0.5])
-    scene = SceneRecord("m")
+    scene = Scene("m")
     a = scene.body("a", mass=1.0, com=(0.1, 0, 0), inertia=(0.1, 0.1, 0.1))
     b = scene.body("b", mass=2.0, com=(0, 0.2, 0), inertia=(0.2, 0.3, 0.4))
     c = scene.body("c", mass=3.0)
@@ -189,7 +190,7 @@ def test_fixed_joints_merge_bodies_and_keep_parts_and_frames():
 
 
 def test_bodies_fixed_to_the_ground_are_its_parts():
-    scene = SceneRecord("m")
+    scene = Scene("m")
     base = scene.body("base", mass=5.0)
     arm = scene.body("arm", mass=1.0)
     scene.joint("bolt", Fixed(), scene.ground.at(0, 0, 1.5), base)
@@ -201,7 +202,7 @@ def test_bodies_fixed_to_the_ground_are_its_parts():
 
 
 def test_slots_of_joints_with_several_coordinates():
-    scene = SceneRecord("m")
+    scene = Scene("m")
     a, b, c = (scene.body(name, mass=1.0, inertia=(1, 1, 1)) for name in "abc")
     scene.joint("free", Free(), scene.ground, a)
     scene.joint("ball", Spherical(), a, b)
@@ -275,7 +276,7 @@ print(build(scene).nq, scene.graph.mass_pattern.shape, "sympy" in sys.modules)
 
 
 def test_symbols_of_joints_whose_names_begin_alike():
-    scene = SceneRecord("m")
+    scene = Scene("m")
     a, b = scene.body("a", mass=1.0), scene.body("b", mass=1.0)
     scene.joint("z", Free(), scene.ground, a)
     scene.joint("z.w", Revolute("y"), a, b)
@@ -307,7 +308,7 @@ def test_made_names_give_way_to_those_of_the_user():
 
 
 def test_plain_lengths_fit_beside_parameters_with_units() -> None:
-    scene = SceneRecord("cylinder")
+    scene = Scene("cylinder")
     m = scene.parameter("m", 2.0, unit="kg")
     body = scene.body("body", mass=m, inertia=inertia.cylinder(m, 0.3, 0.5))
     scene.joint("hinge", Revolute("y"), scene.ground, body)

@@ -7,8 +7,8 @@ import xml.etree.ElementTree as ElementTree
 import numpy as np
 import pytest
 
+from cardan.api.scene import Scene
 from cardan.elements.joints import Fixed, Revolute
-from cardan.scene import SceneRecord
 from cardan.topology import build
 from table import each
 
@@ -16,7 +16,7 @@ from table import each
 def random_scene(seed, bodies=12, closing=0):
     """A random tree with some circuits; half of the arcs point to the ground where fixed."""
     rng = np.random.default_rng(seed)
-    scene = SceneRecord(f"random {seed}")
+    scene = Scene(f"random {seed}")
     made = [scene.ground]
     for k in range(bodies):
         made.append(scene.body(f"b{k}", mass=1.0))
@@ -68,7 +68,7 @@ def test_mass_pattern_is_that_of_ancestors(seed):
 
 
 def test_coupled_joints_fill_the_blocks_of_their_leader():
-    scene = SceneRecord("hand")
+    scene = Scene("hand")
     palm = scene.body("palm", mass=1.0)
     left, right = scene.body("left", mass=1.0), scene.body("right", mass=1.0)
     scene.joint("wrist", Revolute("z"), scene.ground, palm)
@@ -78,7 +78,7 @@ def test_coupled_joints_fill_the_blocks_of_their_leader():
 
 
 def hostile():
-    scene = SceneRecord('a "model" <&>')
+    scene = Scene('a "model" <&>')
     body = scene.body('evil"]; <script>&', mass=1.0)
     scene.joint('j"\\', Revolute("y"), scene.ground, body)
     return scene

@@ -8,16 +8,17 @@ import numpy as np
 import pytest
 import sympy
 
+from cardan.api.scene import Scene
 from cardan.elements.forces import Drive, Force
 from cardan.elements.joints import Prismatic, Revolute, Spherical
 from cardan.errors import ModelError
-from cardan.scene import SceneRecord, t
+from cardan.scene import t
 from cardan.topology import build
 from topology.numbers_of import body_mass, body_poses, values
 
 
 def arm(**options):
-    scene = SceneRecord("arm")
+    scene = Scene("arm")
     a, b = scene.body("a", mass=1.0), scene.body("b", mass=1.0)
     scene.joint("base", Revolute("z"), scene.ground, a)
     scene.joint("elbow", Revolute("y"), a.at(1, 0, 0), b, **options)
@@ -86,7 +87,7 @@ def test_coupled_joint():
 
 
 def test_what_follows_a_prescribed_joint_is_prescribed():
-    scene = SceneRecord("m")
+    scene = Scene("m")
     a, b, c = (scene.body(name, mass=1.0) for name in "abc")
     scene.joint("one", Revolute("z"), scene.ground, a, motion=t**2)
     scene.joint("two", Revolute("z"), a, b, couple=("one", 2.0, 0.5))
@@ -135,7 +136,7 @@ def test_gyroscopic_drive_adds_a_coupled_rotor_in_the_parent():
 
 
 def test_elastic_drive_has_a_coordinate_of_its_own():
-    scene = SceneRecord("m")
+    scene = Scene("m")
     a = scene.body("a", mass=1.0)
     scene.joint("j", Revolute((0, 3, 4)), scene.ground, a)
     scene.force("motor", Drive("j", inertia=2.0, ratio=50.0, stiffness=1e3))
@@ -148,7 +149,7 @@ def test_elastic_drive_has_a_coordinate_of_its_own():
 
 
 def test_an_input_with_the_name_of_a_rate():
-    scene = arm(motion=SceneRecord("other").input("x"))
+    scene = arm(motion=Scene("other").input("x"))
     scene.input("x")
     scene.input("x.rate")
     with pytest.raises(ModelError, match=r"input 'x.rate': input 'x' prescribes a motion"):

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
+from cardan.api.scene import Scene
 from cardan.elements.joints import Distance, Free, Revolute
 from cardan.errors import ModelError
-from cardan.scene import SceneRecord
 from cardan.topology import build
 from topology.numbers_of import body_poses, frame_pose, values
 
@@ -20,7 +20,7 @@ def three_bodies():
 
 
 def test_bodies_stand_where_pose_says():
-    scene = SceneRecord("m")
+    scene = Scene("m")
     inner = scene.ground
     for k, (position, rotation) in enumerate(three_bodies()):
         body = scene.body(f"b{k}", mass=1.0, pose=(position, rotation))
@@ -41,7 +41,7 @@ def test_bodies_stand_where_pose_says():
 
 
 def test_a_child_without_pose_has_its_origin_at_the_joint():
-    scene = SceneRecord("m")
+    scene = Scene("m")
     a = scene.body("a", mass=1.0)
     b = scene.body("b", mass=1.0)
     scene.joint("j", Revolute("y"), scene.ground, a, at=(1, 0, 0))
@@ -53,7 +53,7 @@ def test_a_child_without_pose_has_its_origin_at_the_joint():
 
 
 def test_a_floating_body_starts_at_its_pose():
-    scene = SceneRecord("m")
+    scene = Scene("m")
     pose = np.eye(4)
     pose[:3, 3] = [0, 0, 3]
     top = scene.body("top", mass=1.0, pose=pose)
@@ -62,12 +62,12 @@ def test_a_floating_body_starts_at_its_pose():
 
 
 def test_frames_and_pose_that_disagree():
-    scene = SceneRecord("m")
+    scene = Scene("m")
     a = scene.body("a", mass=1.0, pose=(0, 0, 1))
     scene.joint("j", Revolute("y"), scene.ground.at(0, 0, 0.5), a)
     with pytest.raises(ModelError, match=r"'j'.*'a' 0.5 away"):
         build(scene)
-    scene = SceneRecord("m")
+    scene = Scene("m")
     a = scene.body("a", mass=1.0, pose=(0, 0, 1))
     scene.joint("j", Revolute("y"), scene.ground.at(0, 0, 0.5), a.at(0, 0, -0.5))
     np.testing.assert_allclose(frame_pose(build(scene), "a")[:3, 3], [0, 0, 1])
@@ -76,7 +76,7 @@ def test_frames_and_pose_that_disagree():
 @pytest.mark.parametrize("back", [False, True])
 def test_poses_through_joints_of_either_direction(back):
     """Three bodies, one placed by the joint's place, one by its pose, one by frames."""
-    scene = SceneRecord("m")
+    scene = Scene("m")
     a, b, c = (scene.body(n, mass=1.0, pose=(1, 2, 3) if n == "b" else None) for n in "abc")
     ends = [(scene.ground, a), (a, b), (b.at(0, 0, 1), c.at(0.5, 0, 0))]
     for name, pair, at in zip("ijk", ends, ((1, 0, 0), (1, 1, 1), None), strict=True):
@@ -94,7 +94,7 @@ def test_poses_through_joints_of_either_direction(back):
 @pytest.mark.parametrize("back", [False, True])
 def test_frames_that_stay_apart_at_zero(back):
     """A rod of 2 m down from the joint's place; where the pose says otherwise, it is an error."""
-    scene = SceneRecord("m")
+    scene = Scene("m")
     a = scene.body("a", mass=1.0)
     b = scene.body("b", mass=1.0)
     rod = Distance(2.0, "-z")
@@ -106,14 +106,14 @@ def test_frames_that_stay_apart_at_zero(back):
     for name, place in zip("ab", places, strict=True):
         q = [1, 0, 0, 0, 0, 0, 0]
         np.testing.assert_allclose(frame_pose(system, name, q)[:3, 3], place, atol=1e-15)
-    scene = SceneRecord("m")
+    scene = Scene("m")
     a = scene.body("a", mass=1.0, pose=(0, 0, 1))
     ends = (a.at(0, 0, 0), scene.ground) if back else (scene.ground.at(0, 0, 0), a)
     scene.joint("j", rod, *ends)
     with pytest.raises(ModelError, match=r"'j'.*'a' [13] away"):
         build(scene)
     # between bodies the frame on the parent follows
-    scene = SceneRecord("m")
+    scene = Scene("m")
     a = scene.body("a", mass=1.0, pose=(0.3, 0, 1))
     scene.joint("j", rod, *((a, scene.ground) if back else (scene.ground, a)))
     q = [1, 0, 0, 0, 0, 0]
@@ -121,7 +121,7 @@ def test_frames_that_stay_apart_at_zero(back):
 
 
 def test_at_needs_bodies():
-    scene = SceneRecord("m")
+    scene = Scene("m")
     a = scene.body("a", mass=1.0)
     with pytest.raises(ModelError, match="at= needs bodies"):
         scene.joint("j", Revolute("y"), scene.ground, a.at(1, 0, 0), at=(0, 0, 0))

@@ -5,15 +5,16 @@ from __future__ import annotations
 import pytest
 import sympy
 
+from cardan.api.scene import Scene
 from cardan.elements.forces import JointForce
 from cardan.elements.joints import Fixed, Revolute
 from cardan.errors import ModelError, TopologyError
-from cardan.scene import SceneRecord, inertia
+from cardan.scene import inertia
 from cardan.topology import build
 
 
 def pendulum():
-    scene = SceneRecord("double_pendulum")
+    scene = Scene("double_pendulum")
     m = scene.parameter("m", 1.0, unit="kg")
     l = scene.parameter("l", 500, unit="mm")
     rod = inertia.rod(m, l, axis="z")
@@ -25,7 +26,7 @@ def pendulum():
 
 
 def test_a_circuit_knows_the_joints_of_its_loop():
-    scene = SceneRecord("m")
+    scene = Scene("m")
     bodies = [scene.body(f"b{k}", mass=1.0) for k in range(4)]
     scene.joint("stem", Revolute("y"), scene.ground, bodies[0])
     scene.joint("left", Revolute("y"), bodies[0], bodies[1])
@@ -39,7 +40,7 @@ def test_a_circuit_knows_the_joints_of_its_loop():
 
 
 def test_loose_bodies():
-    scene = SceneRecord("m")
+    scene = Scene("m")
     a, b = scene.body("a", mass=1.0), scene.body("b", mass=1.0)
     scene.joint("j", Revolute("y"), a, b)
     with pytest.raises(TopologyError, match=r"bodies 'a', 'b' to the ground.*Free"):
@@ -55,14 +56,14 @@ def test_unknown_symbol_and_wrong_units():
     scene.output("x", sympy.Symbol("mm") * 2)
     with pytest.raises(ModelError, match="mm"):
         build(scene)
-    scene = SceneRecord("m")
+    scene = Scene("m")
     length = scene.parameter("length", 1.0, unit="m")
     mass = scene.parameter("mass", 1.0, unit="kg")
     body = scene.body("b", mass=length)
     scene.joint("j", Revolute("y"), scene.ground, body)
     with pytest.raises(ModelError, match=r"'b.mass'.*measured in m, but kg"):
         build(scene)
-    other = SceneRecord("n")
+    other = Scene("n")
     other.parameter("length", 1.0, unit="m")
     other.parameter("mass", 1.0, unit="kg")
     body = other.body("b", mass=1.0, com=(length + mass, 0, 0))
@@ -72,13 +73,13 @@ def test_unknown_symbol_and_wrong_units():
 
 
 def test_masses_given_as_expressions_are_checked_at_their_defaults():
-    scene = SceneRecord("m")
+    scene = Scene("m")
     m = scene.parameter("m", -1.0)
     body = scene.body("b", mass=2 * m)
     scene.joint("j", Revolute("y"), scene.ground, body)
     with pytest.raises(ModelError, match="body 'b': mass is -2"):
         build(scene)
-    scene = SceneRecord("m")
+    scene = Scene("m")
     moment = scene.parameter("moment", 1.0)
     body = scene.body("flat", mass=1.0, inertia=(moment, moment, 3 * moment))
     scene.joint("j", Revolute("y"), scene.ground, body)
@@ -87,7 +88,7 @@ def test_masses_given_as_expressions_are_checked_at_their_defaults():
 
 
 def test_what_a_body_is_depends_on_parameters_only():
-    scene = SceneRecord("m")
+    scene = Scene("m")
     body = scene.body("b", mass=2 + sympy.Symbol("t"))
     scene.joint("j", Revolute("y"), scene.ground, body)
     with pytest.raises(ModelError, match=r"'b.mass' may depend on parameters only; it has 't'"):
@@ -147,7 +148,7 @@ def test_a_matrix_is_no_output():
 
 
 def test_expressions_nested_beyond_reading_are_refused() -> None:
-    scene = SceneRecord("deep")
+    scene = Scene("deep")
     body = scene.body("body", mass=1.0)
     scene.joint("hinge", Revolute("y"), scene.ground, body)
     law = scene.q("hinge")

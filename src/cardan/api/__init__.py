@@ -1,1 +1,30 @@
-"""What users hold: data of the rooms below, with every analysis as a method."""
+"""What users hold: records with verbs."""
+
+from .faces import FACES
+
+FACES |= {
+    "cardan.scene.scene:SceneRecord": "cardan.api.scene:Scene",
+    "cardan.equations.record:EquationRecord": "cardan.api.equations:Equations",
+    "cardan.equations.finite_elements.record:FiniteElementRecord": (
+        "cardan.api.equations:FiniteElementEquations"
+    ),
+    "cardan.runtime.trajectory.trajectory:TrajectoryRecord": "cardan.api.trajectory:Trajectory",
+    **{
+        f"cardan.analyses.{module}:{name}Record": f"cardan.api.results:{name}"
+        for module, name in (
+            ("ensembles.result", "Ensemble"),
+            ("identification.excitation", "Excitation"),
+            ("identification.result", "Identification"),
+            ("identification.torques", "Torques"),
+            ("linear.campbell", "Campbell"),
+            ("linear.linear_model", "LinearModel"),
+            ("linear.mode_shapes", "Modes"),
+            ("linear.root_locus", "Locus"),
+            ("linear.steady_motion", "SteadyMotion"),
+            ("mechanisms.sweep", "Sweep"),
+            ("mechanisms.workspace", "Workspace"),
+            ("simulation.precision.work_precision", "Precision"),
+            ("statics.static_path", "StaticPath"),
+        )
+    },
+}

@@ -73,6 +73,12 @@ class CompiledModel(LoadedModel):
     excitation = verb("cardan.analyses.identification.excitation:excitation")
     identify = verb("cardan.analyses.identification.identify:identify")
 
+    # builds
+
+    verify = verb("cardan.runtime.verification.verify:verify_model")
+    _verify_built = verb("cardan.runtime.verification.verify:verify_built")
+    _verify_elements = verb("cardan.runtime.verification.verify:verify_elements")
+
     _doubt = verb("cardan.analyses.mechanisms.redundancy:doubt")
 
     def __reduce__(self) -> tuple[object, ...]:

@@ -25,8 +25,11 @@ from ..analyses.statics.equilibrium import Equilibrium
 from ..arguments import Count, Hold, Seed
 from ..arrays import Array
 from ..runtime.calls.evaluation import State
+from ..runtime.calls.objects import Key
 from ..runtime.models.finite_elements.beams import BeamStress
+from ..runtime.models.finite_elements.elements import Elements
 from ..runtime.models.loaded_model import LoadedModel
+from ..runtime.verification.verify import Verification
 from .results import (
     Campbell,
     Ensemble,
@@ -953,6 +956,39 @@ class CompiledModel(LoadedModel):
         Raises:
             ArgumentError: data that do not fit the model; unknown words.
             SolveError: the data do not tell all base parameters.
+        """
+    def verify(
+        self,
+        states: Count = 3,
+        seed: Seed = 1,
+    ) -> Verification:
+        """Compare the C with an independent NumPy Newton-Euler; see :mod:`.verify`.
+
+        Raises:
+            BuildError: they differ.
+        """
+    def _verify_built(
+        self,
+        fresh: Iterable[Key],
+    ) -> None:
+        """Check functions that were compiled just now.
+
+        Raises:
+            BuildError: a function is wrong.
+        """
+    def _verify_elements(
+        self,
+        elements: Elements,
+        fresh: Iterable[str],
+    ) -> None:
+        """Check functions of elements that were compiled just now.
+
+        Args:
+            model, elements: Whose.
+            fresh: Names of the functions.
+
+        Raises:
+            BuildError: one is wrong.
         """
     def _doubt(
         self,

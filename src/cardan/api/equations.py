@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from functools import partial
 from pathlib import Path
 from typing import Any, final
 
@@ -11,6 +12,7 @@ from ..equations.finite_elements.record import FiniteElementRecord
 from ..equations.linearized.along import LinearizedAlong, along
 from ..equations.record import EquationRecord
 from ..notebooks import html
+from .compiled_model import CompiledModel
 from .faces import verb
 from .trajectory import Trajectory
 
@@ -73,4 +75,5 @@ class FiniteElementEquations(FiniteElementRecord):
         from ..codegen.export.finite_elements import export
 
         how = (language, integrators, reproducible, prefix)
-        return export(self, directory, planned, functions, *how)
+        plan = partial(planned, CompiledModel)
+        return export(self, directory, plan, functions, *how)

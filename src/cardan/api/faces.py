@@ -12,33 +12,8 @@ from typing import Any, ParamSpec, TypeVar, cast
 P = ParamSpec("P")
 R = TypeVar("R")
 
-# record -> the class of this room that adds its verbs
-FACES = {
-    "cardan.scene.scene:SceneRecord": "cardan.api.scene:Scene",
-    "cardan.equations.record:EquationRecord": "cardan.api.equations:Equations",
-    "cardan.equations.finite_elements.record:FiniteElementRecord": (
-        "cardan.api.equations:FiniteElementEquations"
-    ),
-    "cardan.runtime.trajectory.trajectory:TrajectoryRecord": "cardan.api.trajectory:Trajectory",
-    **{
-        f"cardan.analyses.{module}:{name}Record": f"cardan.api.results:{name}"
-        for module, name in (
-            ("ensembles.result", "Ensemble"),
-            ("identification.excitation", "Excitation"),
-            ("identification.result", "Identification"),
-            ("identification.torques", "Torques"),
-            ("linear.campbell", "Campbell"),
-            ("linear.linear_model", "LinearModel"),
-            ("linear.mode_shapes", "Modes"),
-            ("linear.root_locus", "Locus"),
-            ("linear.steady_motion", "SteadyMotion"),
-            ("mechanisms.sweep", "Sweep"),
-            ("mechanisms.workspace", "Workspace"),
-            ("simulation.precision.work_precision", "Precision"),
-            ("statics.static_path", "StaticPath"),
-        )
-    },
-}
+# record -> the class of this room that adds its verbs; ``api`` fills it
+FACES: dict[str, str] = {}
 
 
 def face(result: object) -> Any:

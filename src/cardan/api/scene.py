@@ -5,11 +5,13 @@ from __future__ import annotations
 from typing import final
 
 from ..scene.scene import SceneRecord
-from .faces import attribute
+from .faces import attribute, verb
 
 
 @final
 class Scene(SceneRecord):
     """A scene: bodies, joints, beams, forces, parameters, inputs and outputs."""
 
+    save = verb("cardan.scene.files.yaml.writer:save")
+    __str__ = verb("cardan.scene.summary:summary")
     graph = attribute("cardan.topology.drawing.graph_view:view")

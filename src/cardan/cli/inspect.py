@@ -54,12 +54,12 @@ def arguments(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     """Load, derive, show."""
     from ..api.equations import FiniteElementEquations
-    from ..explain import checked, document, explain, facts
+    from ..explain import document, ending_of, explain, facts
     from ..pipeline import derive
     from .terminal import progress
 
     if options.output is not None:
-        checked(options.output)
+        ending_of(options.output)
     scene = scene_options.read(options)
     with progress() as show:
         show("deriving")

@@ -10,6 +10,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from ..arguments import checked
 from ..errors import DerivationError
 from ..view.page import publish
 from .content import Document
@@ -22,6 +23,7 @@ if TYPE_CHECKING:
 __all__ = ["Document", "document", "explain", "facts"]
 
 
+@checked
 def explain(
     equations: EquationRecord | FiniteElementRecord,
     path: str | Path,
@@ -41,7 +43,7 @@ def explain(
         DerivationError: another ending.
     """
     path = Path(path)
-    ending = checked(path)
+    ending = ending_of(path)
     from .writers import WRITERS
 
     made = document(equations, progress)
@@ -50,7 +52,7 @@ def explain(
     return path
 
 
-def checked(path: Path) -> str:
+def ending_of(path: Path) -> str:
     """The ending of a page.
 
     Raises:

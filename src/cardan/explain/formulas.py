@@ -11,7 +11,7 @@ from ..equations.reading.formula import LONGEST, SIMPLIFIED, rates_are_speeds
 from ..equations.reading.notation import GREEK, Notation, notation
 from ..errors import DerivationError
 from ..ir.function import length
-from ..ir.names import of_rate
+from ..schema.blocks import of_rate
 from . import content as d
 
 if TYPE_CHECKING:

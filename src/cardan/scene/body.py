@@ -7,7 +7,8 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from ..errors import ModelError, shown
-from .frame import Frame, Located, rows_of, triple
+from .checks import triple
+from .frame import Frame, Located, rows_of
 from .shape import Shape
 
 if TYPE_CHECKING:

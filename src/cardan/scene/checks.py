@@ -216,3 +216,18 @@ def unphysical(inertia: Sequence[float]) -> str:
         "its inertia violates the triangle inequality (no body has principal moments of which one "
         "exceeds the sum of the others); check the entries and their unit"
     )
+
+
+def triple(value: Any, what: str) -> tuple[Any, Any, Any]:
+    """Three entries of a vector as written.
+
+    Raises:
+        ModelError: there are not three.
+    """
+    try:
+        entries = tuple(value)
+    except TypeError:
+        entries = ()
+    if len(entries) != 3:
+        raise ModelError(f"{what}: three entries are wanted, not {shown(value)}")
+    return tuple(quantity(what, entry) for entry in entries)

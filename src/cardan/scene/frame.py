@@ -7,8 +7,6 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Union
 
 from ..arguments import checked
-from ..errors import ModelError, shown
-from .checks import quantity
 
 if TYPE_CHECKING:
     from .body import Body
@@ -92,18 +90,3 @@ def rows_of(value: Any) -> list[Any]:
     if hasattr(value, "tolist"):
         value = value.tolist()
     return list(value) if isinstance(value, Sequence) and not isinstance(value, str) else []
-
-
-def triple(value: Any, what: str) -> tuple[Any, Any, Any]:
-    """Three entries of a vector as written.
-
-    Raises:
-        ModelError: there are not three.
-    """
-    try:
-        entries = tuple(value)
-    except TypeError:
-        entries = ()
-    if len(entries) != 3:
-        raise ModelError(f"{what}: three entries are wanted, not {shown(value)}")
-    return tuple(quantity(what, entry) for entry in entries)

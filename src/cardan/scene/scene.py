@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Iterable, Mapping, Sequence
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from ..arguments import checked
@@ -16,6 +15,7 @@ from . import checks
 from .beam import Beam
 from .beam_arguments import ELEMENT, INERTIA, add_beam
 from .body import Body, placed, shapes_of, tensor
+from .checks import triple
 from .connections import (
     Force,
     Joint,
@@ -26,12 +26,11 @@ from .connections import (
     element_of,
     limits_of,
 )
-from .frame import Frame, Located, Place, triple
+from .frame import Frame, Located, Place
 from .include import Included, include
 from .parameters import Constraint, Declared, Output, Placeholder
 from .prescribed_joints import chain, several
 from .shape import Shape
-from .summary import summary
 from .terms import Vocabulary
 
 if TYPE_CHECKING:
@@ -83,9 +82,6 @@ class SceneRecord(Vocabulary):
         self.values: dict[str, float] = {}
         self.settings: dict[str, Any] = {}
         self.origins: dict[tuple[str, str], str] = {}
-
-    def __str__(self) -> str:
-        return summary(self)
 
     _repr_html_ = html
 
@@ -373,19 +369,3 @@ class SceneRecord(Vocabulary):
         """
         place = self.ground if at is None else self.place(f"include '{prefix}'", at)
         return include(self, other, checks.name("prefix", prefix), place)
-
-    @checked
-    def save(self, path: str | Path) -> None:
-        """Write the model as a scene file, which :func:`cardan.load` reads; whole or not at all.
-
-        Included models are written out; numbers keep all their digits.
-
-        Args:
-            path: A ``.yaml`` file.
-
-        Raises:
-            ModelError: an expression no file can say, or a file that cannot be written.
-        """
-        from .files.yaml.writer import save
-
-        save(self, Path(path))

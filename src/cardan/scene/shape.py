@@ -8,7 +8,7 @@ from typing import Any
 
 from ..arguments import checked
 from ..errors import ModelError
-from .frame import triple
+from .checks import triple
 
 
 @dataclass(frozen=True)

@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+import re
 from typing import NamedTuple
+
+# the last part "u", or the one before the last: names of joints may have dots and such parts too
+_SPEED = re.compile(r"\.u(?=$|\.[^.]*$)")
 
 
 class Block(NamedTuple):
@@ -84,3 +88,11 @@ ABI_ORDER = tuple(block for block in ORDER if block not in ("w", "zdot"))
 # those that functions are differentiated by; of one number there is no axis of columns
 DIRECTIONS = ("t", "q", "u", "z", "r", "p", "udot", "tau")
 SLOT = {name: k for k, name in enumerate(ORDER)}
+
+
+def of_rate(speed: str) -> str:
+    """What ``elbow.u`` and ``ball.u.x`` are rates of by name: ``elbow``, ``ball.x``.
+
+    Names of another form stay as they are.
+    """
+    return _SPEED.sub("", speed, count=1)

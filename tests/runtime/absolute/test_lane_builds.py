@@ -17,7 +17,6 @@ from cardan.runtime.build.toolchain import compile_shared
 from cardan.runtime.models.finite_elements.elements import State
 from cardan.runtime.models.finite_elements.mesh import Mesh
 from cardan.runtime.models.finite_elements.table_loading import LANE_THRESHOLD
-from cardan.runtime.verification import verify
 
 pytestmark = pytest.mark.usefixtures("cache_directory")
 
@@ -82,7 +81,7 @@ def test_elements_are_made_again_after_the_cache_was_removed(
         shutil.rmtree(cache_directory)
 
     with monkeypatch.context() as patched:
-        patched.setattr(verify, "verify_elements", removed)
+        patched.setattr(cd.CompiledModel, "_verify_elements", removed)
         with pytest.raises(BuildError, match="do the same again"):
             model.initial()
     assert np.isfinite(model.initial()).all()

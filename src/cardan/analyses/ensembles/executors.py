@@ -134,7 +134,7 @@ class Client:
         """
         rest = {f.name: getattr(job, f.name) for f in fields(job) if f.name != "model"}
         # source and manifest travel, never a binary; once to every worker
-        model: object = parts(job.model)
+        model: object = type(job.model), parts(job.model)
         options = {"pure": False} if self.is_dask else {}
         if self.is_dask:
             model = self.client.scatter([model], broadcast=True, hash=False)[0]
@@ -186,7 +186,7 @@ _MODELS: dict[Any, LoadedModel] = {}
 MOST_MODELS = 4
 
 
-def _model(parts: tuple[Any, ...]) -> LoadedModel:
+def _model(kind: type[LoadedModel], parts: tuple[Any, ...]) -> LoadedModel:
     """A model that was sent, opened once per process."""
     _, values, reproducible, stated = parts
     key = stated, tuple(values), reproducible
@@ -194,22 +194,24 @@ def _model(parts: tuple[Any, ...]) -> LoadedModel:
     if model is None:
         while len(_MODELS) >= MOST_MODELS:
             _MODELS.pop(next(iter(_MODELS)), None)
-        _MODELS[key] = model = restore(LoadedModel, *parts)
+        _MODELS[key] = model = restore(kind, *parts)
     return model
 
 
-def remote(parts: tuple[Any, ...], rest: dict[str, Any], first: int, last: int) -> Piece:
+def remote(
+    sent: tuple[type[LoadedModel], tuple[Any, ...]], rest: dict[str, Any], first: int, last: int
+) -> Piece:
     """A block on another process.
 
     Args:
-        parts: What a pickle of the model is made of.
+        sent: The class of the model, and what a pickle of it is made of.
         rest: The other fields of a job of these runs alone.
         first, last: Their numbers.
 
     Raises:
         BuildError: this machine builds other bits.
     """
-    model = _model(parts)
+    model = _model(*sent)
     job = Job(model=model, **rest)
     key = build_key(model)
     if key != job.build:

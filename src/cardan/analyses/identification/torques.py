@@ -12,8 +12,8 @@ import numpy as np
 from ...arguments import Count, checked
 from ...arrays import Array
 from ...errors import ArgumentError, counted, near
-from ...ir.names import of_rate
 from ...runtime.trajectory.trajectory import TrajectoryRecord
+from ...schema.blocks import of_rate
 from ..mechanisms.actuation import actuation, named_speeds
 from .base_parameters import circuits
 from .data import Data, columns, measured, named_columns, write

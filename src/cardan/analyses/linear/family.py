@@ -18,7 +18,8 @@ from ...arrays import Array
 from ...errors import ArgumentError, ModelError, listed, near, shown
 from ..statics.equilibrium import equilibrium
 from ..statics.load_path import TIME, column
-from ..systems.dynamic_system import Contract, contract_of
+from ..systems import contract_of
+from ..systems.dynamic_system import Contract
 from .first_order import Choice
 from .linear_model import LinearModelRecord
 from .linearize import linearize

@@ -20,7 +20,8 @@ from ...errors import ModelError, listed, near
 from ...runtime.calls.evaluation import State
 from ..statics.equilibrium import Equilibrium, equilibrium
 from ..statics.static_problem import Problem
-from ..systems.dynamic_system import Contract, Moment, contract_of, dense
+from ..systems import contract_of
+from ..systems.dynamic_system import Contract, Moment, dense
 from .first_order import Choice, FirstOrder, first_order, pushed
 from .linear_model import LinearModelRecord
 from .steady_motion import SteadyMotionRecord

@@ -15,7 +15,8 @@ from ...errors import ArgumentError, ModelError, near
 from ...runtime.trajectory.solver_info import FINISHED, Conduct
 from ...runtime.trajectory.trajectory import TrajectoryRecord
 from ..statics.static_path import SHOWN
-from ..systems.dynamic_system import Moment, contract_of
+from ..systems import contract_of
+from ..systems.dynamic_system import Moment
 
 FULL = 0.25  # of a shape that is played: of the size of the mechanism, or radians
 ROUNDED = 1e-13  # damping ratios below this are none

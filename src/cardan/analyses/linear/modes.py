@@ -25,7 +25,8 @@ from ...errors import ModelError, SolveError, SolveWarning, warn
 from ...runtime.calls.evaluation import State
 from ..statics.equilibrium import Equilibrium
 from ..statics.static_problem import scaled
-from ..systems.dynamic_system import Contract, Moment, contract_of
+from ..systems import contract_of
+from ..systems.dynamic_system import Contract, Moment
 from ..systems.saddle_point import (
     Factor,
     Singular,

@@ -23,7 +23,7 @@ from ...arguments import checked
 from ...arrays import Array
 from ...errors import ModelError, SolveError, SolveWarning, counted, warn
 from ..statics.equilibrium import equilibrium
-from ..systems.dynamic_system import contract_of
+from ..systems import contract_of
 from ..systems.joint_system import Relative
 from .steady_motion import SteadyMotionRecord
 from .trim_arguments import asked

@@ -17,7 +17,8 @@ from ...runtime.models.loaded_model import LoadedModel
 from ...runtime.verification.joint_motion import times
 from ..statics.force_balance import elastic
 from ..statics.static_problem import scaled
-from ..systems.dynamic_system import Moment, contract_of
+from ..systems import contract_of
+from ..systems.dynamic_system import Moment
 
 RANK = 1e-9  # singular values below this part of the largest count as zero
 LIGHT = 1e-14  # inertia along a motion, relative to the largest, that is none

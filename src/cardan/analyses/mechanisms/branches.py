@@ -12,7 +12,11 @@ import numpy as np
 from ...arrays import Array
 from ...errors import ArgumentError, ModelError, near, shown
 from ...runtime.models.loaded_model import LoadedModel
+from .mechanism import Mechanism
+from .position_solver import PositionSolver
+from .redundancy import rank_of
 
+BESIDE = 1e-3  # of the size, and radians: beside a start that may be singular
 SIGNS = {"+": (0.0, math.inf), "-": (-math.inf, 0.0)}
 
 
@@ -90,4 +94,28 @@ def refuse(wanted: Sequence[Branch], found: Sequence[Array]) -> NoReturn:
     raise ModelError(
         f"no assembled position has {said}. {many} found, with {listed}. Ask for one of these "
         "branches, or for more starts="
+    )
+
+
+def refuse_singular(m: Mechanism, q: Array) -> None:
+    """Refuse a start at which branches meet, unless all speeds say which one is meant.
+
+    Raises:
+        ModelError: constraints are fewer here than at a position beside it.
+    """
+    U, s = m.decomposition(q)
+    rank = rank_of(s)
+    if rank == len(U):
+        return
+    aside = np.random.default_rng(0).uniform(-BESIDE, BESIDE, m.nu)
+    beside = PositionSolver(m).search(m.advance(q, aside)).q
+    usual = rank_of(np.linalg.svd(m.jacobian(beside), compute_uv=False))
+    if usual <= rank:
+        return
+    # what is lost here, and not what is redundant everywhere
+    weakest = int(np.abs(U[:, rank:]).max(axis=1).argmax())
+    raise ModelError(
+        f"the start is a singular position: {rank} of {usual} independent constraints hold there, "
+        f"branches of the motion meet at joint '{m.closing.rows[weakest].joint}'. Give all "
+        "speeds, u=: they say which branch is meant; or start beside it"
     )

@@ -22,13 +22,14 @@ from ...schema.planned import Planned
 from .starts.start import initial
 
 
-def planned(folder: Path) -> Planned:
+def planned(kind: type[LoadedModel], folder: Path) -> Planned:
     """Plan the matrices of a model in absolute coordinates.
 
     Args:
-        folder: Of the model.
+        kind: Its class.
+        folder: Its folder.
     """
-    model = LoadedModel(folder)
+    model = kind(folder)
     tables, size = table_loading.tables_of(model), size_of(model)
     return Planned(
         mesh_fields(tables, model.manifest.functions),
@@ -50,7 +51,7 @@ def _start(folder: Path, model: LoadedModel) -> Array:
     if closed or Carrier(model, free).links:
         # equal bits on every machine; a start that cannot be assembled is told when it is asked for
         with suppress(ModelError):
-            start = initial(LoadedModel(folder, reproducible=True))
+            start = initial(type(model)(folder, reproducible=True))
     return start
 
 

@@ -13,7 +13,8 @@ from ...arguments import Hold, checked
 from ...arrays import Array
 from ...errors import ModelError, SolveError, SolveWarning, counted, shown, warn
 from ...runtime.calls.calling import numbers
-from ..systems.dynamic_system import Contract, NamedState, contract_of
+from ..systems import contract_of
+from ..systems.dynamic_system import Contract, NamedState
 from .force_balance import TOLD, balance
 from .newton import Search, rest
 from .rest_stability import Standing, holdable, stand, words

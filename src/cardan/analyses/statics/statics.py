@@ -20,7 +20,8 @@ from ...arguments import Count, Hold, checked
 from ...arrays import Array
 from ...errors import ModelError, SolveError, SolveWarning, warn
 from ...runtime.trajectory.solver_info import FINISHED
-from ..systems.dynamic_system import Contract, contract_of
+from ..systems import contract_of
+from ..systems.dynamic_system import Contract
 from .continuation_step import Crossing, Place, Step, ahead, first
 from .critical_load import limit_load
 from .equilibrium import DIRECT, WAYS, Equilibrium, missed, read, record

@@ -1,1 +1,24 @@
 """DynamicSystem, which every analysis works on, and its two implementations."""
+
+from __future__ import annotations
+
+from ...errors import ModelError
+from ...runtime.models.loaded_model import LoadedModel
+from .dynamic_system import Contract
+
+
+def contract_of(model: object) -> Contract:
+    """The dynamic system of a compiled model.
+
+    Raises:
+        ModelError: it lacks what analyses need.
+    """
+    if not isinstance(model, LoadedModel):
+        raise ModelError(f"{model!r} is no compiled model: cd.compile(scene) makes one")
+    if model.manifest.absolute:
+        from .finite_element_system import Absolute
+
+        return Absolute(model)
+    from .joint_system import Relative
+
+    return Relative(model)

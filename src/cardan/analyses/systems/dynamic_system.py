@@ -330,22 +330,3 @@ class Contract(Protocol):
 
     def uniform(self, at: Moment) -> bool:
         """Whether matrices are constant in a steady motion, not only what follows from them."""
-
-
-def contract_of(model: Any) -> Contract:
-    """The contract of a compiled model.
-
-    Raises:
-        ModelError: it lacks what analyses need.
-    """
-    from ...runtime.models.loaded_model import LoadedModel
-
-    if not isinstance(model, LoadedModel):
-        raise ModelError(f"{model!r} is no compiled model: cd.compile(scene) makes one")
-    if model.manifest.absolute:
-        from .finite_element_system import Absolute
-
-        return Absolute(model)
-    from .joint_system import Relative
-
-    return Relative(model)

@@ -14,7 +14,6 @@ from scipy.sparse import csr_array
 
 from ...arrays import Array
 from ...errors import ModelError
-from ...ir.names import of_rate
 from ...runtime.models.finite_elements.carried_nodes import leading
 from ...runtime.models.finite_elements.elements import Elements, State
 from ...runtime.models.finite_elements.frames import rotation, rotation_vectors
@@ -22,6 +21,7 @@ from ...runtime.models.finite_elements.tables import Tables
 from ...runtime.models.initial import start_of
 from ...runtime.models.loaded_model import LoadedModel
 from ...runtime.verification.rotations import unit
+from ...schema.blocks import of_rate
 from ..mechanisms.consistent_rates import read
 from ..simulation.settings import blocks, start
 from ..simulation.starts.finite_element_start import meshed_start, start_of_search

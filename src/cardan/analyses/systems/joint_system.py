@@ -12,9 +12,9 @@ from numpy.typing import ArrayLike
 
 from ...arrays import Array
 from ...errors import ModelError
-from ...ir.names import of_rate
 from ...runtime.models.loaded_model import LoadedModel
 from ...runtime.verification.rotations import unit
+from ...schema.blocks import of_rate
 from ..mechanisms.assemble import assemble
 from ..mechanisms.consistent_rates import speeds
 from ..mechanisms.mechanism import Mechanism

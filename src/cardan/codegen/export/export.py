@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from ...arguments import checked
 from ...equations.record import EquationRecord
 from ...errors import CodegenError, DerivationError, near, shown
 from ...schema.c_functions import FunctionRow
@@ -120,6 +121,7 @@ def _texts(data: Manifest, wanted: Wanted, content: Content) -> dict[str, str]:
     return files | (cython.files(data, flags) if package else {})
 
 
+@checked
 def export(
     equations: EquationRecord,
     directory: str | Path,

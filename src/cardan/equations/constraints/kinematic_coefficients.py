@@ -18,9 +18,9 @@ from ...elements.joints.joint import entries
 from ...ir.function import Block, live
 from ...ir.graph import ONE, ZERO, Graph
 from ...ir.matrix import Matrix
-from ...ir.names import of_rate
 from ...ir.ops import LEAVES
 from ...ir.rewrite import rebuild
+from ...schema.blocks import of_rate
 from .dyads import alive
 
 if TYPE_CHECKING:

@@ -10,7 +10,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from ...ir.names import of_rate
+from ...schema.blocks import of_rate
 
 if TYPE_CHECKING:
     from ..record import EquationRecord

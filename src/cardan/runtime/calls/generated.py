@@ -12,7 +12,6 @@ from .objects import Key
 
 if TYPE_CHECKING:
     from ..models.loaded_model import LoadedModel
-    from .measuring import Row
 
 
 class Source(ABC):
@@ -25,10 +24,6 @@ class Source(ABC):
     @abstractmethod
     def mesh(self, model: LoadedModel) -> int:
         """Address of the tables of elements in C, 0 where functions know the whole model."""
-
-    @abstractmethod
-    def measured(self, model: LoadedModel, seed: int, judged: bool) -> list[Row]:
-        """Rows of a report: at random states, with errors where these can be judged."""
 
 
 @final
@@ -49,9 +44,7 @@ class Generated(Source):
                 ways = objects.batches[code.symbol]
                 loaded[name, of] = assemble(name, of, code, arguments, p, ways)
             if fresh:
-                from ..verification.verify import verify_built
-
-                verify_built(model, fresh)
+                model._verify_built(fresh)
             for key, symbol in fresh.items():
                 found: LoadedFunction = loaded[key]
                 loaded[key] = replace(found, code=objects.keep(symbol))
@@ -64,9 +57,3 @@ class Generated(Source):
     def mesh(self, model: LoadedModel) -> int:
         """None."""
         return 0
-
-    def measured(self, model: LoadedModel, seed: int, judged: bool) -> list[Row]:
-        """The dynamics and every other function that was written."""
-        from .function_costs import functions
-
-        return functions(model, seed, judged)

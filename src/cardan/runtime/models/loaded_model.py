@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+from abc import abstractmethod
 from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Self
@@ -10,7 +11,7 @@ from typing import TYPE_CHECKING, Any, Self
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ...arguments import Count, Seed, checked, kinds_of, read
+from ...arguments import Seed, checked, kinds_of, read
 from ...arrays import Array
 from ...errors import ArgumentError, ModelError, counted, shown
 from ...schema.functions import FUNCTIONS, STANDARD
@@ -26,7 +27,7 @@ from .description import Described
 from .random_states import random_state
 
 if TYPE_CHECKING:
-    from ..verification.verify import Verification
+    from .finite_elements.elements import Elements
 
 
 class _Calls(dict[Key, Any]):
@@ -251,15 +252,12 @@ class LoadedModel(Described):
         """States x (*shape, nx) inside limits and domains; speeds within +-1."""
         return random_state(self.manifest, np.random.default_rng(rng), shape)
 
-    # checks
+    # who verifies builds stands above: the class that users hold
 
-    @checked
-    def verify(self, states: Count = 3, seed: Seed = 1) -> Verification:
-        """Compare the C with an independent NumPy Newton-Euler; see :mod:`.verify`.
+    @abstractmethod
+    def _verify_built(self, fresh: Iterable[Key]) -> None:
+        """Check functions that were just built: (name, of)."""
 
-        Raises:
-            BuildError: they differ.
-        """
-        from ..verification.verify import verify
-
-        return verify(self, states=states, seed=seed)
+    @abstractmethod
+    def _verify_elements(self, elements: Elements, fresh: Iterable[str]) -> None:
+        """Check functions of elements that were just built, by their C names."""

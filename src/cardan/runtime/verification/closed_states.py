@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from ..models.constraint_projection import size_of
 from ..models.initial import start_of
-from .flat_scene import motion_of
+from .flat_scene import motion_of, unknown
 from .joint_motion import Array, times
 from .loop_constraints import STEP, Circuits, circuits_of, conditions, jacobian, kept, rates_of
 
@@ -247,3 +247,10 @@ def _regular(G: Array) -> Array:
     largest = values[:, :1]
     kept = np.where(values > RANK * largest, values, np.inf)
     return np.asarray(kept.min(axis=-1) / largest[:, 0])
+
+
+def unjudged(model: LoadedModel) -> str:
+    """Why nothing but its own expressions speaks for a model; "" where something does."""
+    if model.manifest.absolute or model.manifest.scene.samples:
+        return ""
+    return unknown(model) or (unbound(model) if bound(model) else "")

@@ -38,15 +38,6 @@ def unknown(model: LoadedModel) -> str:
     return "not checked: " + "; ".join(reasons[:3]) if reasons else ""
 
 
-def unjudged(model: LoadedModel) -> str:
-    """Why nothing but its own expressions speaks for a model; "" where something does."""
-    if model.manifest.absolute or model.manifest.scene.samples:
-        return ""
-    from .closed_states import bound, unbound
-
-    return unknown(model) or (unbound(model) if bound(model) else "")
-
-
 def _joint(model: LoadedModel, function: str, kind: str, rotation: str | None) -> JointData:
     """A joint by the saved Function of its pose, as it was written."""
     p = model.parameters.vector

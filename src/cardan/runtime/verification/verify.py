@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, cast
 
 import numpy as np
 
+from ...arguments import Count, Seed, checked
 from ...arrays import Array
 from ...errors import BuildError, SolveWarning, warn
 from ..calls.objects import Key
@@ -246,6 +247,16 @@ def _approved(model: LoadedModel, result: Verification) -> Verification:
             "Until then try another method= or compiler (CC)"
         )
     return result
+
+
+@checked
+def verify_model(model: LoadedModel, states: Count = 3, seed: Seed = 1) -> Verification:
+    """Compare the C with an independent NumPy Newton-Euler; see :mod:`.verify`.
+
+    Raises:
+        BuildError: they differ.
+    """
+    return verify(model, states, seed)
 
 
 def verify_built(model: LoadedModel, fresh: Iterable[Key]) -> None:

@@ -13,8 +13,9 @@ from numpy.typing import ArrayLike
 from ....arguments import checked
 from ....errors import CompilerMissing, counted
 from ....runtime.build import cache
-from ....runtime.calls import abi
+from ....runtime.calls import abi, function_costs
 from ....runtime.calls.measuring import Row
+from ....runtime.models.finite_elements import element_costs
 from ....runtime.models.loaded_model import LoadedModel
 from .runs import Show, precision
 from .work_precision import PrecisionRecord
@@ -104,7 +105,8 @@ def report(
     notes = [] if judged else ["errors need mpmath: pip install mpmath"]
     if model.manifest.absolute:
         notes.append("of elements, <kind>__<function>: one element")
-    rows = model._source.measured(model, SEED, judged)
+    costs = element_costs.rows if model.manifest.absolute else function_costs.functions
+    rows = costs(model, SEED, judged)
     functions = Report(model.name, tuple(rows), _compiler(), abi.NAME, "; ".join(notes))
     Console().print(functions.table())
     if t is None:

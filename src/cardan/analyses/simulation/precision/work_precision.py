@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from ....arguments import checked
 from ....schema.integrators import INTEGRATORS
 
 if TYPE_CHECKING:
@@ -153,6 +154,7 @@ class PrecisionRecord:
         return table
 
 
+@checked
 def plot(precision: PrecisionRecord, path: str | Path | None = None) -> Any:
     """Draw time over error, a line per method.
 

@@ -19,7 +19,7 @@ from ....runtime.models.finite_elements import table_loading
 from ....runtime.models.finite_elements.assembled import Assembled
 from ....runtime.models.initial import entries
 from ....runtime.models.loaded_model import LoadedModel
-from ...mechanisms.branch_crossing import refuse_singular
+from ...mechanisms.branches import refuse_singular
 from ...mechanisms.consistent_rates import speeds
 from ...mechanisms.nearest_position import NEARLY, assembled
 from ...mechanisms.nodal_mechanism import NodalMechanism

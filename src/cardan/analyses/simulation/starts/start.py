@@ -15,7 +15,7 @@ from ....runtime.models.initial import entries, followers
 from ....runtime.models.loaded_model import LoadedModel
 from ....schema.manifest import Manifest
 from ...mechanisms.assembly_diagnosis import turned_round
-from ...mechanisms.branch_crossing import refuse_singular
+from ...mechanisms.branches import refuse_singular
 from ...mechanisms.consistent_rates import speeds
 from ...mechanisms.mechanism import Mechanism
 from ...mechanisms.nearest_position import NEARLY, assembled

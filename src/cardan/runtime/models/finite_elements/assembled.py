@@ -23,7 +23,6 @@ from .mesh import NEEDED
 from .table_loading import load
 
 if TYPE_CHECKING:
-    from ...calls.measuring import Row
     from ..loaded_model import LoadedModel
 
 
@@ -57,12 +56,6 @@ class Assembled(Source):
         mesh = self.results(model).mesh
         mesh.connect("balance", "balance_tangent", "gamma")
         return ctypes.addressof(mesh.record)
-
-    def measured(self, model: LoadedModel, seed: int, judged: bool) -> list[Row]:
-        """Functions of the whole mesh, then its elements kind by kind."""
-        from .element_costs import rows
-
-        return rows(model, self.results(model), seed, judged)
 
     def _function(self, model: LoadedModel, name: str, of: str | None) -> LoadedFunction:
         model._check_of(name, of)

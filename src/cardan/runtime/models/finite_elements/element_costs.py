@@ -14,6 +14,7 @@ from ...calls import loaded_function, measuring
 from ...calls.lanes import unpacked
 from ...calls.measuring import Row
 from ..initial import start_of
+from .assembled import Assembled
 from .elements import State
 from .mesh import NEEDED
 
@@ -34,8 +35,11 @@ JUDGED = 3
 MOVED = 1e-2
 
 
-def rows(model: LoadedModel, results: Results, seed: int, judged: bool) -> list[Row]:
+def rows(model: LoadedModel, seed: int, judged: bool) -> list[Row]:
     """Functions of the whole mesh, then elements kind by kind; errors are those of elements."""
+    source = model._source
+    assert isinstance(source, Assembled)
+    results = source.results(model)
     rng, tables = np.random.default_rng(seed), results.tables
     start, _ = start_of(model, {}, {})
     q, u, _ = model.parts_of(start)

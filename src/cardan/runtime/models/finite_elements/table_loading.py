@@ -240,10 +240,8 @@ def load(model: LoadedModel) -> Mesh:
 
     def judge(elements: Elements, fresh: Sequence[str]) -> None:
         """Functions of elements that pass their check are found by other processes."""
-        from ...verification.verify import verify_elements
-
         try:
-            verify_elements(model, elements, fresh)
+            model._verify_elements(elements, fresh)
             for symbol in fresh:
                 objects.keep(symbol)
         except BaseException:

@@ -8,7 +8,7 @@ from typing import Any
 
 from ....errors import ModelError
 from ...body import Body
-from ...frame import triple
+from ...checks import triple
 from ...scene import SceneRecord
 from ...shape import Shape
 from ..document import Element

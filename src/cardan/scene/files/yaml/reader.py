@@ -11,8 +11,9 @@ from ....elements.forces import FORCES
 from ....elements.joints import JOINTS
 from ....errors import ModelError, near
 from ....version import SCENE
+from ...checks import triple
 from ...dh import add_dh
-from ...frame import Frame, triple
+from ...frame import Frame
 from ...scene import SceneRecord
 from ..document import content
 from ..meshes import Meshes

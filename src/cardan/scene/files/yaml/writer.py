@@ -8,6 +8,7 @@ from dataclasses import fields
 from pathlib import Path
 from typing import Any
 
+from ....arguments import checked
 from ....elements.validation import AXES
 from ....errors import ModelError
 from ....version import SCENE
@@ -30,12 +31,20 @@ from .layout import Number, dumped
 LIMITS = ("lower", "upper", "speed", "effort")
 
 
-def save(model: SceneRecord, path: Path) -> None:
-    """Write a model as a scene file, whole or not at all.
+@checked
+def save(model: SceneRecord, path: str | Path) -> None:
+    """Write the scene as a file that :func:`cardan.load` reads; whole or not at all.
+
+    Included scenes are written out; numbers keep all their digits.
+
+    Args:
+        model: The scene.
+        path: A ``.yaml`` file.
 
     Raises:
-        ModelError: the model has what no file can say, or the file cannot be written.
+        ModelError: an expression no file can say, or a file that cannot be written.
     """
+    path = Path(path)
     if path.suffix.lower() not in (".yaml", ".yml"):
         raise ModelError(f"file '{path.name}': scenes are saved as .yaml, not '{path.suffix}'")
     text = to_text(model, path.parent)
