@@ -285,6 +285,7 @@ _UNCHECKED = frozenset({"Any", "Array", "Key", "Hold", "Place", "JointElement", 
 OF_USERS = {
     "LoadedModel": "CompiledModel",
     "EquationRecord": "Equations",
+    "Explained": "Equations",
     "FiniteElementRecord": "FiniteElementEquations",
 }
 

@@ -16,6 +16,7 @@ from .codegen import CFile, generate, layout, manifest
 from .codegen.fingerprint import fingerprint
 from .codegen.finite_elements import model_folder
 from .equations.constraints.assembly_branches import with_branches
+from .equations.constraints.feasibility import feasibility
 from .equations.constraints.treatments import Treatment, treatment
 from .equations.finite_elements.lowering import lowered
 from .equations.finite_elements.record import FiniteElementRecord
@@ -306,7 +307,7 @@ def _say_what_stays_open(equations: EquationRecord, folder: Path) -> None:
     """Warn of circuits that cannot close, when their code is written for the first time."""
     if not equations.system.closed or (folder / "manifest.json").exists():
         return
-    found = equations.feasibility()
+    found = feasibility(equations)
     if not found.closes:
         name = equations.system.name
         warn(f"model '{name}', at its parameters: {found}", SolveWarning)

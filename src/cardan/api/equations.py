@@ -5,12 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from functools import partial
 from pathlib import Path
-from typing import Any, final
+from typing import Any, NoReturn, final
 
 from ..arguments import checked
 from ..equations.finite_elements.record import FiniteElementRecord
 from ..equations.linearized.along import LinearizedAlong, along
-from ..equations.record import EquationRecord
+from ..equations.linearized.linear import Linearizable
+from ..equations.reading.explained import Explained
+from ..errors import DerivationError
 from ..notebooks import html
 from .compiled_model import CompiledModel
 from .faces import verb
@@ -18,12 +20,16 @@ from .trajectory import Trajectory
 
 
 @final
-class Equations(EquationRecord):
+class Equations(Explained, Linearizable):
     """Equations of motion M udot + h = f + tau, qdot = N(q) u + n(t, q).
 
     Made by :func:`cardan.derive`. Nothing is derived before it is asked for.
     """
 
+    feasibility = verb("cardan.equations.constraints.feasibility:feasibility")
+    classification = verb("cardan.equations.constraints.classification:classification")
+    base_parameters = verb("cardan.equations.functions.base_parameters:base_parameters")
+    to_sympy = verb("cardan.equations.reading.mechanics:mechanics")
     explain = verb("cardan.explain:explain")
     export = verb("cardan.codegen.export.export:export")
     _repr_html_ = html
@@ -77,3 +83,15 @@ class FiniteElementEquations(FiniteElementRecord):
         how = (language, integrators, reproducible, prefix)
         plan = partial(planned, CompiledModel)
         return export(self, directory, plan, functions, *how)
+
+    def __getattr__(self, name: str) -> NoReturn:
+        # what joint coordinates offer is named with the call that gives it
+        if name.startswith("_") or not hasattr(Equations, name):
+            raise AttributeError(f"'FiniteElementEquations' object has no attribute '{name}'")
+        cure = f" Joint coordinates have it: derive(scene, coordinates='relative').{name}"
+        if self.system.segments:
+            cure = ""  # beams have no others
+        raise DerivationError(
+            f"equations of '{self.system.name}' in absolute coordinates have no '{name}': their "
+            f"elements have functions, see .kinds.{cure}"
+        )

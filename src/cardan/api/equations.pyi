@@ -2,19 +2,55 @@
 
 from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
-from typing import Any, final
+from typing import Any, NoReturn, final
 
+from ..equations.constraints.classification import Classification
+from ..equations.constraints.feasibility import Feasibility
 from ..equations.finite_elements.record import FiniteElementRecord
+from ..equations.functions.base_parameters import BaseParameters
 from ..equations.linearized.along import LinearizedAlong
-from ..equations.record import EquationRecord
+from ..equations.linearized.linear import Linearizable
+from ..equations.reading.explained import Explained
+from ..equations.reading.mechanics import Mechanics
 from .trajectory import Trajectory
 
 @final
-class Equations(EquationRecord):
+class Equations(Explained, Linearizable):
     """Equations of motion M udot + h = f + tau, qdot = N(q) u + n(t, q).
 
     Made by :func:`cardan.derive`. Nothing is derived before it is asked for.
     """
+    def feasibility(
+        self,
+        seed: int = 1,
+    ) -> Feasibility:
+        """Try to close all circuits at the default parameters.
+
+        Args:
+            seed: Of the starts beside the initial values.
+        """
+    def classification(
+        self,
+        seed: int = 1,
+    ) -> Classification:
+        """Look at all constraints.
+
+        Args:
+            seed: Of the positions at which integrability is measured.
+        """
+    def base_parameters(
+        self,
+    ) -> BaseParameters:
+        """The base parameters of inverse dynamics, in the frames of the user's joints.
+        """
+    def to_sympy(
+        self,
+    ) -> Mechanics:
+        """The equations with functions of time for q, u and r.
+
+        Raises:
+            DerivationError: they are too long to be written out.
+        """
     def explain(
         self,
         path: str | Path,

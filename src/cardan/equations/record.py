@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Self
 
 from ..arguments import checked
 from ..errors import DerivationError, counted
@@ -17,35 +17,31 @@ from ..schema.blocks import ABI_ORDER
 from ..schema.functions import FUNCTIONS
 from ..schema.request import Request
 from ..topology.system import Named, System
-from .constraints.classification import Classification, classification
 from .constraints.constraints import Row, rows
-from .constraints.feasibility import Feasibility, feasibility
 from .constraints.kinematic_coefficients import Following
 from .constraints.reaction_friction import pressed
 from .constraints.treatments import Multipliers, Treatment
 from .formalisms import FORMALISMS
 from .formalisms.formalism import Formalism
 from .functions import blocks
-from .functions.base_parameters import BaseParameters, base_parameters
 from .functions.context import Context, settled
 from .functions.dynamics import Dynamics
 from .functions.recipes import RECIPES, about, blocks_of, c_name, check, is_rewritable, missing
 from .kinematics.kinematics import Kinematics
-from .linearized.linear import Linearizable
 from .reading.counts import Counts, overview
-from .reading.explained import Explained
-from .reading.readable import Readable
 from .recursion.looped import FOLDED, LOOPED, by_bodies, repeats
 from .rewrites import Told, candidates
 
 if TYPE_CHECKING:
-    from .reading.mechanics import Mechanics
+    import sympy
+
+    pass
 
 COUNTED = ("mass_matrix", "bias", "forward_dynamics", "inverse_dynamics")
 
 
 @dataclass(frozen=True, repr=False)
-class EquationRecord(Readable, Linearizable, Explained):
+class EquationRecord:
     """Equations of motion M udot + h = f + tau, qdot = N(q) u + n(t, q).
 
     Nothing is derived before it is asked for.
@@ -77,6 +73,17 @@ class EquationRecord(Readable, Linearizable, Explained):
     def blocks(self) -> dict[str, Block]:
         """Input blocks by letter."""
         return blocks.blocks(self.system, tuple(s.name for s in self.chosen))
+
+    @cached_property
+    def symbols(self) -> dict[tuple[str, int], sympy.Symbol]:
+        """SymPy symbol of every entry of every block."""
+        import sympy
+
+        return {
+            (b.name, i): sympy.Symbol(entry)
+            for b in self.blocks.values()
+            for i, entry in enumerate(b.entries)
+        }
 
     @property
     def formalism(self) -> Formalism:
@@ -317,40 +324,18 @@ class EquationRecord(Readable, Linearizable, Explained):
         return {name: (own.total, before[name].total) for name, own in self.operations.items()}
 
     @property
-    def fresh(self) -> EquationRecord:
+    def fresh(self) -> Self:
         """The same with nothing derived."""
         return replace(self, _systems={}, _told={}, _counts={}, _made={}, _read={})
 
-    def told(self, rewrites: tuple[str, ...]) -> EquationRecord:
+    def told(self, rewrites: tuple[str, ...]) -> Self:
         """The same equations by these rewrites only."""
         return replace(self.fresh, rewrites=rewrites)
 
     @cached_property
-    def as_described(self) -> EquationRecord:
+    def as_described(self) -> Self:
         """The same without rewrites: in the frames and numbers of the user, for reading."""
         return self if self.rewrites == () else self.told(())
-
-    def feasibility(self) -> Feasibility:
-        """Whether the circuits can close at the default parameters, found without code."""
-        return feasibility(self)
-
-    def classification(self) -> Classification:
-        """Level, dependence on time, and integrability of every constraint."""
-        return classification(self)
-
-    def base_parameters(self) -> BaseParameters:
-        """What of masses and inertias the motion depends on, and what not at all."""
-        return base_parameters(self)
-
-    def to_sympy(self) -> Mechanics:
-        """The equations with ``dynamicsymbols``, as ``sympy.physics.mechanics`` has them.
-
-        Raises:
-            DerivationError: they are too long to write out; :meth:`symbolic` is not.
-        """
-        from .reading.mechanics import mechanics
-
-        return mechanics(self)
 
     def __repr__(self) -> str:
         bodies = counted(len(self.system.bodies), "body", "bodies")

@@ -18,14 +18,14 @@ from .facts import facts
 
 if TYPE_CHECKING:
     from ..equations.finite_elements.record import FiniteElementRecord
-    from ..equations.record import EquationRecord
+    from ..equations.reading.explained import Explained
 
 __all__ = ["Document", "document", "explain", "facts"]
 
 
 @checked
 def explain(
-    equations: EquationRecord | FiniteElementRecord,
+    equations: Explained | FiniteElementRecord,
     path: str | Path,
     progress: Callable[[str], object] | None = None,
 ) -> Path:
@@ -67,7 +67,7 @@ def ending_of(path: Path) -> str:
 
 
 def document(
-    equations: EquationRecord | FiniteElementRecord, progress: Callable[[str], object] | None = None
+    equations: Explained | FiniteElementRecord, progress: Callable[[str], object] | None = None
 ) -> Document:
     """What a page says, before it is written."""
     from . import sheets

@@ -15,7 +15,7 @@ from ..schema.blocks import of_rate
 from . import content as d
 
 if TYPE_CHECKING:
-    from ..equations.record import EquationRecord
+    from ..equations.reading.explained import Explained
 
 
 @dataclass(frozen=True)
@@ -75,7 +75,7 @@ LAMBDA = d.Written("<mi>λ</mi>", r"\lambda", "lam")
 class Formulas:
     """Formulas of equations; ``symbols`` collects how named intermediates are set."""
 
-    def __init__(self, equations: EquationRecord, limits: Limits = PAGE) -> None:
+    def __init__(self, equations: Explained, limits: Limits = PAGE) -> None:
         self.equations = equations
         self.limits = limits
         self.symbols: dict[str, Notation] = {}

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from ..equations.functions.base_parameters import base_parameters as combinations_of
 from ..equations.reading.notation import Notation
 from ..errors import DerivationError
 from ..ir.function import length
@@ -14,7 +15,7 @@ from .tables import unit
 if TYPE_CHECKING:
     from ..equations.functions.base_parameters import BaseParameters
     from ..equations.reading.conserved import Quantity
-    from ..equations.record import EquationRecord
+    from ..equations.reading.explained import Explained
 
 # speeds of systems whose integrals are looked for, bodies of those whose base parameters are listed
 LARGEST = 60
@@ -22,7 +23,7 @@ LARGEST = 60
 WRITTEN, LONGEST = 250, 20_000
 
 
-def conserved(equations: EquationRecord) -> Iterator[d.Section]:
+def conserved(equations: Explained) -> Iterator[d.Section]:
     """Momenta and energy that stay constant."""
     if not 0 < len(equations.speeds) <= LARGEST:
         return
@@ -78,12 +79,12 @@ def _letter(name: str) -> Notation:
     return Notation("p", name.removeprefix("momentum of "))
 
 
-def base_parameters(equations: EquationRecord) -> Iterator[d.Section]:
+def base_parameters(equations: Explained) -> Iterator[d.Section]:
     """Combinations of masses and inertias that determine the motion."""
     if len(equations.system.bodies) > LARGEST:
         return
     try:
-        found = equations.base_parameters()
+        found = combinations_of(equations)
     except DerivationError:
         return
     if found.combinations:

@@ -14,12 +14,12 @@ from .formulas import NOTEBOOK, Formulas
 from .graph import figure
 
 if TYPE_CHECKING:
-    from ..equations.record import EquationRecord
+    from ..equations.reading.explained import Explained
 
 Told = Callable[[str], object]
 
 
-def document(equations: EquationRecord | FiniteElementRecord, progress: Told) -> d.Document:
+def document(equations: Explained | FiniteElementRecord, progress: Told) -> d.Document:
     """The page of equations in whatever coordinates."""
     if isinstance(equations, FiniteElementRecord):
         names = {p: notation(p) for p in (*equations.parameters, *equations.inputs)}
@@ -29,7 +29,7 @@ def document(equations: EquationRecord | FiniteElementRecord, progress: Told) ->
     return _page(equations, sections, dict(symbols(equations)) | formulas.symbols)
 
 
-def cell(equations: EquationRecord | FiniteElementRecord) -> d.Document:
+def cell(equations: Explained | FiniteElementRecord) -> d.Document:
     """What of a page a notebook shows: what is quickly derived, tables folded."""
     formulas: list[d.Section] = []
     names: dict[str, Notation] = {}
@@ -46,7 +46,7 @@ def cell(equations: EquationRecord | FiniteElementRecord) -> d.Document:
 
 
 def _page(
-    equations: EquationRecord | FiniteElementRecord,
+    equations: Explained | FiniteElementRecord,
     sections: tuple[d.Section, ...],
     names: dict[str, Notation],
 ) -> d.Document:
@@ -56,7 +56,7 @@ def _page(
     return d.Document(system.name, tuple(lead), sections, names)
 
 
-def _lead(equations: EquationRecord | FiniteElementRecord) -> str:
+def _lead(equations: Explained | FiniteElementRecord) -> str:
     system = equations.system
     bodies = sum(len(body.parts) for body in system.bodies)
     if isinstance(equations, FiniteElementRecord):
@@ -76,7 +76,7 @@ def _many(count: int, one: str, several: str = "") -> str:
     return f"{count} {one if count == 1 else several or one + 's'}"
 
 
-def _relative(equations: EquationRecord, formulas: Formulas, progress: Told) -> Iterator[d.Section]:
+def _relative(equations: Explained, formulas: Formulas, progress: Told) -> Iterator[d.Section]:
     progress("drawing the graph")
     yield _graph(equations, _circuits(equations))
     yield from tables.coordinates(equations)
@@ -104,12 +104,12 @@ def _absolute(equations: FiniteElementRecord, progress: Told) -> Iterator[d.Sect
 
 
 def _graph(
-    equations: EquationRecord | FiniteElementRecord, circuits: tuple[d.Block, ...] = ()
+    equations: Explained | FiniteElementRecord, circuits: tuple[d.Block, ...] = ()
 ) -> d.Section:
     return d.Section("Bodies and joints", (figure(equations.system), *circuits))
 
 
-def _circuits(equations: EquationRecord) -> tuple[d.Block, ...]:
+def _circuits(equations: Explained) -> tuple[d.Block, ...]:
     lines = tuple((_sentence(" ".join(line.split())),) for line in circuits_told(equations))
     return (d.Listing(lines),) if lines else ()
 
@@ -120,5 +120,5 @@ def _sentence(line: str) -> str:
     return (line[0].upper() + line[1:] if word.isalpha() else line) + "."
 
 
-def _sources(equations: EquationRecord | FiniteElementRecord) -> d.Section:
+def _sources(equations: Explained | FiniteElementRecord) -> d.Section:
     return d.Section("Sources", (d.Listing(tuple((source,) for source in equations.sources)),))

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from ...arguments import checked
+from ...equations.constraints.feasibility import feasibility
 from ...equations.record import EquationRecord
 from ...errors import CodegenError, DerivationError, near, shown
 from ...schema.c_functions import FunctionRow
@@ -212,7 +213,7 @@ def _ordered(entries: Mapping[str, FunctionRow]) -> dict[str, Exported]:
 
 def _closed(equations: EquationRecord) -> dict[str, list[float]]:
     """Coordinates at which all circuits close, next to the initial ones, where there are any."""
-    found = equations.feasibility() if equations.system.closed else None
+    found = feasibility(equations) if equations.system.closed else None
     if found is None or not found.closes:
         return {}
     # as many digits as are the same on every machine; a run closes the rest

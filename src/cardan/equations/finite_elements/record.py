@@ -14,7 +14,7 @@ import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import NoReturn, TypeAlias
+from typing import TypeAlias
 
 import numpy as np
 
@@ -24,7 +24,6 @@ from ...ir.function import Function
 from ...spatial.plane import Plane
 from ...topology.system import System
 from ..reading.counts import Counts
-from ..record import EquationRecord
 from .overview import overview
 
 Numbers: TypeAlias = Array
@@ -349,18 +348,6 @@ class FiniteElementRecord:
     def __repr__(self) -> str:
         counted = f"{len(self.places)} places, {self.places.nq} coordinates"
         return f"FiniteElementEquations('{self.system.name}': {counted})"
-
-    def __getattr__(self, name: str) -> NoReturn:
-        # what joint coordinates offer is named with the call that gives it
-        if name.startswith("_") or not hasattr(EquationRecord, name):
-            raise AttributeError(f"'FiniteElementEquations' object has no attribute '{name}'")
-        cure = f" Joint coordinates have it: derive(scene, coordinates='relative').{name}"
-        if self.system.segments:
-            cure = ""  # beams have no others
-        raise DerivationError(
-            f"equations of '{self.system.name}' in absolute coordinates have no '{name}': their "
-            f"elements have functions, see .kinds.{cure}"
-        )
 
     @property
     def sources(self) -> tuple[str, ...]:

@@ -4,19 +4,17 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping
-from typing import TYPE_CHECKING, Any, cast
+from typing import Any
 
 from ...arguments import checked
 from ...errors import DerivationError, near
 from ...ir.collector import collector_paused
+from ..record import EquationRecord
 from . import differentiated, from_start
 from .first_order import plant
 from .record import Linearized
 from .reduced import reduced
 from .reference import Reference
-
-if TYPE_CHECKING:
-    from ..record import EquationRecord
 
 ROUTES = {"from_start": from_start.whole, "differentiated": differentiated.whole}
 
@@ -51,7 +49,7 @@ def linearized(
     return Linearized(name, states, made.inputs, made.outputs, route, at, whole, small, made, again)
 
 
-class Linearizable:
+class Linearizable(EquationRecord):
     """Equations that can be linearized."""
 
     @checked
@@ -100,6 +98,4 @@ class Linearizable:
             raise DerivationError(f"linearize: t={t:g}: give a finite time [s]")
         named = {"q": q or {}, "u": u or {}, "z": z or {}, "r": r or {}, "s": s or {}}
         motion = {**named, "udot": udot or {}, "t": t}
-        return linearized(
-            cast("EquationRecord", self), motion, values, inputs, outputs, independent, route
-        )
+        return linearized(self, motion, values, inputs, outputs, independent, route)

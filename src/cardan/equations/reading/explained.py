@@ -2,17 +2,13 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, cast
-
 from ...arguments import checked
 from .conserved import Conserved, conserved
 from .contributions import Contribution, contributions
-
-if TYPE_CHECKING:
-    from ..record import EquationRecord
+from .readable import Readable
 
 
-class Explained:
+class Explained(Readable):
     """Equations of joint coordinates, which are sums over bodies and forces."""
 
     @checked
@@ -29,8 +25,8 @@ class Explained:
         Raises:
             DerivationError: another name.
         """
-        return contributions(cast("EquationRecord", self), name)
+        return contributions(self, name)
 
     def conserved(self) -> Conserved:
         """Momenta and energy that stay constant, and who takes energy where it does not."""
-        return conserved(cast("EquationRecord", self))
+        return conserved(self)

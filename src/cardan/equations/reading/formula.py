@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     import sympy
 
     from ..record import EquationRecord
+    from .readable import Readable
 
 GENERAL = r"M(q)\,\dot u + h(q, u) = f + \tau"
 BOUND = GENERAL + r" + G(q)^T \lambda, \quad G(q)\,\dot u = \gamma(q, u)"
@@ -28,7 +29,7 @@ PARTS = (
 LONGEST, SIMPLIFIED = 600, 2_200
 
 
-def latex(equations: EquationRecord) -> str:
+def latex(equations: Readable) -> str:
     """M udot + h = f + tau and, where u is not the rate of q, qdot = N u, without dollar signs.
 
     Systems with constraints show the general form, then what is short of it.
@@ -50,7 +51,7 @@ def _aligned(lines: list[tuple[str, str]]) -> str:
     return rf"\begin{{aligned}}{rows}\end{{aligned}}"
 
 
-def _parts(equations: EquationRecord) -> list[tuple[str, str]]:
+def _parts(equations: Readable) -> list[tuple[str, str]]:
     """M, h, g, G and gamma, one line each; what is long or zero is left out."""
     found = []
     for sign, name in PARTS:
@@ -65,7 +66,7 @@ def _parts(equations: EquationRecord) -> list[tuple[str, str]]:
     return found
 
 
-def _lines(equations: EquationRecord) -> list[tuple[str, str]]:
+def _lines(equations: Readable) -> list[tuple[str, str]]:
     import sympy
 
     rate = equations.blocks["udot"].entries
@@ -80,7 +81,7 @@ def _lines(equations: EquationRecord) -> list[tuple[str, str]]:
     return lines
 
 
-def rates_are_speeds(equations: EquationRecord, kinematics: sympy.Matrix) -> bool:
+def rates_are_speeds(equations: Readable, kinematics: sympy.Matrix) -> bool:
     """Whether qdot = u says nothing that needs to be written."""
     return [str(entry) for entry in kinematics] == list(equations.speeds)
 

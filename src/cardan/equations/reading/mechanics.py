@@ -13,7 +13,7 @@ from sympy.physics.mechanics import dynamicsymbols
 from ..constraints.constraints import POSITION
 
 if TYPE_CHECKING:
-    from ..record import EquationRecord
+    from .readable import Readable
 
 
 @dataclass(frozen=True)
@@ -64,7 +64,7 @@ class Mechanics:
         return self.kinematics.col_join(self.mass_matrix.LUsolve(self.forcing))
 
 
-def mechanics(equations: EquationRecord) -> Mechanics:
+def mechanics(equations: Readable) -> Mechanics:
     """The equations with functions of time for q, u and r.
 
     Raises:
@@ -102,7 +102,7 @@ def mechanics(equations: EquationRecord) -> Mechanics:
 
 
 def _constraints(
-    equations: EquationRecord, written: Callable[[Any], Any]
+    equations: Readable, written: Callable[[Any], Any]
 ) -> tuple[dict[str, Any], dict[str, Any]]:
     """What binds the system, by name: at position level, and at velocity level alone."""
     rows = equations.constraint_rows
@@ -115,7 +115,7 @@ def _constraints(
     return found, dict(zip(others, rates[len(held) :], strict=True))
 
 
-def _functions(equations: EquationRecord) -> dict[tuple[str, int], Any]:
+def _functions(equations: Readable) -> dict[tuple[str, int], Any]:
     """Entry of q, u and r -> a function of time; its name has no dots and is taken once."""
     taken = set(equations.parameters)
     made: dict[tuple[str, int], Any] = {}

@@ -2,59 +2,18 @@
 
 from __future__ import annotations
 
-from abc import ABC, abstractmethod
-from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from ...arguments import checked
 from ...errors import DerivationError
-from ...ir.function import Block, Function
+from ..record import EquationRecord
 
 if TYPE_CHECKING:
     import sympy
 
-    from ..constraints.kinematic_coefficients import Following
-    from ..record import EquationRecord
 
-
-class Readable(ABC):
+class Readable(EquationRecord):
     """The forms for people of equations that can be derived."""
-
-    _read: dict[str, Any]
-
-    @property
-    @abstractmethod
-    def blocks(self) -> dict[str, Block]:
-        """Input blocks by letter."""
-
-    @abstractmethod
-    def function(self, name: str, of: str | None = None) -> Function:
-        """One function as expressions."""
-
-    @property
-    @abstractmethod
-    def follows(self) -> bool:
-        """Whether circuits determine coordinates that :meth:`named` has names for."""
-
-    @abstractmethod
-    def named_function(self, name: str) -> tuple[Function, Following]:
-        """A function with what closed circuits determine under names."""
-
-    @property
-    @abstractmethod
-    def as_described(self) -> Readable:
-        """The same in the frames and numbers of the user."""
-
-    @cached_property
-    def symbols(self) -> dict[tuple[str, int], sympy.Symbol]:
-        """SymPy symbol of every entry of every block."""
-        import sympy
-
-        return {
-            (b.name, i): sympy.Symbol(entry)
-            for b in self.blocks.values()
-            for i, entry in enumerate(b.entries)
-        }
 
     @checked
     def written(self, name: str) -> sympy.Matrix:
@@ -148,7 +107,7 @@ class Readable(ABC):
         definitions, matrix = self._read[key]
         return list(definitions), matrix.copy()
 
-    def _repr_latex_(self: EquationRecord) -> str:  # type: ignore[misc]
+    def _repr_latex_(self) -> str:
         """M udot + h = f + tau in notebooks; the general form where the entries are too long."""
         from .formula import latex
 
