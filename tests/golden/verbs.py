@@ -197,7 +197,7 @@ def _named(module: str) -> Iterator[Import]:
         if isinstance(node, ast.ClassDef):
             parts += [*node.bases, *node.decorator_list]
         for one in ast.walk(node):
-            if isinstance(one, ast.FunctionDef):
+            if isinstance(one, ast.FunctionDef) and one.name[0] != "_":
                 parts += [one.args, *([one.returns] if one.returns else [])]
         words |= {x.id for part in parts for x in ast.walk(part) if isinstance(x, ast.Name)}
     return (one for one in imports_of(f"cardan.api.{module}") if one.name in words)

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
-from typing import Any, NoReturn, final
+from typing import Any, final
 
 from ..equations.constraints.classification import Classification
 from ..equations.constraints.feasibility import Feasibility
