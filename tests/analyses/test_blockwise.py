@@ -10,7 +10,7 @@ from scipy.sparse import block_array, csr_array, diags_array
 
 from cardan.analyses.systems import sparse_saddle_point
 from cardan.analyses.systems.saddle_point import Dense, Singular, Sparse, near, near_quadratic
-from cardan.analyses.systems.sparse_saddle_point import Blockwise
+from cardan.analyses.systems.sparse_saddle_point import SparseSaddle
 from cardan.errors import CardanError
 from cardan.runtime.sparse.block_solver import BlockSolver, solver
 from cardan.runtime.sparse.plan import Plan
@@ -21,7 +21,7 @@ from table import each
 Array = NDArray[np.float64]
 
 
-def parts(structure: Structure, mixed: bool = False) -> tuple[Blockwise, Array, Array]:
+def parts(structure: Structure, mixed: bool = False) -> tuple[SparseSaddle, Array, Array]:
     """The solver, K and G; rows of different elements mixed, where wanted."""
     made = structure.plan()
     a = structure.matrix(made)
@@ -33,7 +33,7 @@ def parts(structure: Structure, mixed: bool = False) -> tuple[Blockwise, Array, 
         np.random.default_rng(1).permutation(len(elements)) if mixed else np.arange(len(elements))
     )
     places = matrix.first[: np.count_nonzero(~matrix.multiplier) + 1]
-    by = Blockwise(places, matrix.massless[: len(places) - 1], elements[order])
+    by = SparseSaddle(places, matrix.massless[: len(places) - 1], elements[order])
     return by, a[np.ix_(speeds, speeds)], a[np.ix_(~speeds, speeds)][order]
 
 
@@ -102,13 +102,13 @@ def test_contradictions_move_nothing() -> None:
 
 
 def test_an_unknown_in_no_equation_is_refused() -> None:
-    by = Blockwise(np.array([0, 6, 12]), np.zeros(2, bool), np.zeros(0, int))
+    by = SparseSaddle(np.array([0, 6, 12]), np.zeros(2, bool), np.zeros(0, int))
     K = csr_array(diags_array(np.r_[np.ones(6), np.zeros(6)]))
     with pytest.raises(Singular):
         by(K, csr_array((0, 12)))
 
 
-def problem() -> tuple[Blockwise, Array, Array, Array, Array]:
+def problem() -> tuple[SparseSaddle, Array, Array, Array, Array]:
     """A frame with joints: K, M, G, and its eigenvalues among the motions that G allows."""
     by, K, G = parts(Structure(12, line(12), [(0, -1, 1), (4, 9, 2)], mass=0))
     rng = np.random.default_rng(5)
@@ -163,7 +163,7 @@ def test_mechanisms(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
             elements[rows] = count
             count += 1
     starts = np.asarray(reference.scene.places.u)
-    by = Blockwise(starts, np.diff(starts) != 6, elements)
+    by = SparseSaddle(starts, np.diff(starts) != 6, elements)
     found = by(csr_array(M), csr_array(G))(np.concatenate([-bias, gamma]))
     udot, lam, condition = reference.solved()
     assert np.abs(found[: len(M)] - udot).max() <= 1e2 * condition * np.abs(udot).max()

@@ -11,8 +11,8 @@ import pytest
 from scipy.sparse import csr_array
 
 import cardan as cd
-from cardan.analyses.systems.dynamic_system import Contract, Moment, Tangents
-from cardan.analyses.systems.joint_system import Relative
+from cardan.analyses.systems.dynamic_system import DynamicSystem, Moment, Tangents
+from cardan.analyses.systems.joint_system import JointSystem
 from cardan.analyses.systems.saddle_point import Dense, Sparse
 from mechanisms.closed import CLOSED
 
@@ -171,7 +171,7 @@ class Sparsely:
     """A contract whose matrices are sparse."""
 
     def __init__(self, model: cd.CompiledModel) -> None:
-        self.inner, self.saddle = Relative(model), Sparse()
+        self.inner, self.saddle = JointSystem(model), Sparse()
 
     def __getattr__(self, name: str) -> Any:
         return getattr(self.inner, name)
@@ -186,11 +186,11 @@ def sparse(monkeypatch: pytest.MonkeyPatch) -> None:
     from cardan.analyses.linear import linearize, modes
     from cardan.analyses.statics import equilibrium, statics
 
-    def contract(model: Any) -> Contract:
+    def contract(model: Any) -> DynamicSystem:
         return Sparsely(model)  # type: ignore[return-value]
 
     for module in (equilibrium, linearize, modes, statics):
-        monkeypatch.setattr(module, "contract_of", contract)
+        monkeypatch.setattr(module, "dynamic_system_of", contract)
 
 
 @pytest.mark.usefixtures("sparse")
@@ -218,7 +218,7 @@ def test_sparse_equilibria_and_paths() -> None:
     held = model.equilibrium(hold={"A": 0.5})
     assert held.stable is None or held.converged
     found = model.equilibrium()
-    reference = Relative(dense)
+    reference = JointSystem(dense)
     assert isinstance(reference.saddle, Dense)
     np.testing.assert_allclose(dense.forward_dynamics(found.q, found.u), 0, atol=1e-8)
     path = model.statics(hold={"A": (0.5, 1.0)})

@@ -13,7 +13,7 @@ from scipy.optimize import linear_sum_assignment
 
 import cardan as cd
 from cardan.analyses.statics.static_problem import Point, Problem
-from cardan.analyses.systems import contract_of
+from cardan.analyses.systems import dynamic_system_of
 
 Array = NDArray[np.float64]
 G = 9.81
@@ -155,7 +155,7 @@ def test_a_steady_motion_stays_steady(blades: cd.CompiledModel) -> None:
 
 
 def test_stiffness_is_that_of_speeds_that_follow(blades: cd.CompiledModel) -> None:
-    system = contract_of(blades)
+    system = dynamic_system_of(blades)
     problem = Problem(system)
     found = blades.equilibrium(u={"spin": 6.0}, hold={"spin": 0.0})
     K, G_ = problem.tangent(found.point, found.load)

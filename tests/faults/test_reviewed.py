@@ -154,13 +154,13 @@ def test_a_critical_load_next_to_which_no_search_converges(
         path = leaning().statics(P=(0, 20.0))
     (sure,) = path.critical()
     assert sure == {"P": pytest.approx(10.0, rel=1e-9)}
-    search = critical_load.rest
+    search = critical_load.equilibrium_search
 
     def lost(problem: Any, point: Any, load: Any, ways: Any) -> Any:
         found = search(problem, point, load, ways)
         return replace(found, converged=not gap[0] < load.parameters["P"] < gap[1])
 
-    monkeypatch.setattr(critical_load, "rest", lost)
+    monkeypatch.setattr(critical_load, "equilibrium_search", lost)
     monkeypatch.setattr(critical_load, "balance", lambda *a: SimpleNamespace(holds=False))
     with pytest.warns(cd.SolveWarning, match=r"known to lie within P = .* only"):
         (found,) = path.critical()

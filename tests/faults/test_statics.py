@@ -14,7 +14,7 @@ import pytest
 import cardan as cd
 from cardan.analyses.statics.settling import _forbidden
 from cardan.analyses.statics.static_problem import Point, Problem
-from cardan.analyses.systems import contract_of
+from cardan.analyses.systems import dynamic_system_of
 from mechanisms.loaded import arch, follower_column, shaft
 from spread import some
 
@@ -342,9 +342,9 @@ def test_a14_what_forbids_a_mode_counts_in_units_of_its_kind(mass: float) -> Non
     scene.force("catch", cd.Stop("h", lower=0.0))
     scene.force("rub", cd.Friction("x", coulomb=1e-3 * mass))
     model = cd.compile(scene)
-    system = contract_of(model)
+    system = dynamic_system_of(model)
     assert system.sign_units == ("m", "N", "rad", "N*m", "m/s", "N")
-    none = system.given_inputs(None)
+    none = system.input_vector(None)
     moment = system.start(0.0, {"x": 1.0, "h": 1.0}, none, {}, system.changed({}))
     moment = replace(
         moment, s=np.where([row["name"] == "rub" for row in model.manifest["s"]], 1.0, moment.s)

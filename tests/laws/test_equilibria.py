@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import cardan as cd
-from cardan.analyses.systems import contract_of
+from cardan.analyses.systems import dynamic_system_of
 from cardan.analyses.systems.dynamic_system import dense
 from mechanisms import ZOO
 from mechanisms.closed import CLOSED
@@ -35,7 +35,7 @@ def unbalanced(row: cd.Equilibrium) -> np.ndarray:
 
 def allowed(row: cd.Equilibrium) -> np.ndarray:
     """1e-8 of the loads, and the rounding of the forces that meet in a row (nu,)."""
-    system, at = contract_of(row.model), row.point.at
+    system, at = dynamic_system_of(row.model), row.point.at
     tangents = system.tangents(at)
     K, G = np.abs(dense(tangents.K)), dense(tangents.G)
     sizes = system.sizes(at) * system.columns

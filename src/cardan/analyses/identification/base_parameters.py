@@ -94,15 +94,17 @@ class Base:
 
     def _all(self, word: str, values: ArrayLike) -> Array:
         """Numbers (..., n) for all parameters."""
-        found, count = np.asarray(values, dtype=float), len(self.parameters)
-        if found.shape[-1:] != (count,):
-            raise ArgumentError(f"{word}: shape {found.shape}, expected (..., {count})")
-        return found
+        array, count = np.asarray(values, dtype=float), len(self.parameters)
+        if array.shape[-1:] != (count,):
+            raise ArgumentError(f"{word}: shape {array.shape}, expected (..., {count})")
+        return array
 
     def __repr__(self) -> str:
         lines = [f"'{self.name}': {len(self)} base parameters of {len(self.parameters)}"]
-        told = self.expressions.items()
-        lines += [f"  {name}" if name == text else f"  {name} = {text}" for name, text in told]
+        expressions = self.expressions.items()
+        lines += [
+            f"  {name}" if name == text else f"  {name} = {text}" for name, text in expressions
+        ]
         lines.append("without effect: " + (", ".join(self.without_effect) or "none"))
         return "\n".join(lines)
 
@@ -126,16 +128,16 @@ def base_parameters(
     names = tuple(model.inertial_parameters())
     if rows is None:
         rows = _random_rows(model, len(names), seed)
-    given = np.asarray(rows, dtype=float)
-    if given.shape[-1:] != (len(names),):
+    array = np.asarray(rows, dtype=float)
+    if array.shape[-1:] != (len(names),):
         raise ArgumentError(
-            f"base_parameters: rows have shape {given.shape}, expected (..., {len(names)}), as "
+            f"base_parameters: rows have shape {array.shape}, expected (..., {len(names)}), as "
             "model.regressor gives them"
         )
-    flat = given.reshape(-1, len(names))
+    flat = array.reshape(-1, len(names))
     if not np.isfinite(flat).all():
         raise ArgumentError("base_parameters: rows hold numbers that are not finite")
-    return _found(model.name, names, flat, rank)
+    return _independent_columns(model.name, names, flat, rank)
 
 
 def _random_rows(model: LoadedModel, count: int, seed: int) -> Array:
@@ -152,13 +154,13 @@ def _random_rows(model: LoadedModel, count: int, seed: int) -> Array:
     return model.regressor(q, u, udot, t=rng.uniform(0, 1, number))
 
 
-def needed(model: LoadedModel, who: str, wanted: Sequence[str]) -> None:
+def needed(model: LoadedModel, who: str, functions: Sequence[str]) -> None:
     """Whether the model has what it takes.
 
     Raises:
         ModelError: it does not.
     """
-    for name in wanted:
+    for name in functions:
         if name not in model.manifest.available:
             raise ModelError(
                 f"{who}: model '{model.name}' has no function '{name}'. Compile it in relative "
@@ -171,14 +173,14 @@ def circuits(model: LoadedModel) -> bool:
     return any(not row.switched for row in model.manifest.multipliers)
 
 
-def _found(name: str, names: tuple[str, ...], rows: Array, rank: float) -> Base:
+def _independent_columns(name: str, names: tuple[str, ...], rows: Array, rank: float) -> Base:
     # a triangle has the same relations between its columns as the rows
-    own = triangle(rows)
-    sizes = np.linalg.norm(own, axis=0)
+    factor = triangle(rows)
+    sizes = np.linalg.norm(factor, axis=0)
     effect = sizes > rank * sizes.max(initial=0.0)
-    scaled = own / np.where(effect, sizes, 1.0)
-    directions = np.zeros((len(own), 0))
-    chosen, kept, dropped = list[int](), 1.0, 0.0
+    scaled = factor / np.where(effect, sizes, 1.0)
+    directions = np.zeros((len(factor), 0))
+    chosen, smallest_kept, dropped = list[int](), 1.0, 0.0
     for k in _turns(names):
         if not effect[k]:
             continue
@@ -187,14 +189,19 @@ def _found(name: str, names: tuple[str, ...], rows: Array, rank: float) -> Base:
             column = column - directions @ (directions.T @ column)
         left = float(np.linalg.norm(column))
         if left > rank:
-            kept, directions = min(kept, left), np.column_stack([directions, column / left])
+            smallest_kept, directions = (
+                min(smallest_kept, left),
+                np.column_stack([directions, column / left]),
+            )
             chosen.append(k)
         else:
             dropped = max(dropped, left)
     chosen.sort()
     matrix = _combined(scaled, chosen, effect, sizes)
     without = tuple(n for n, has in zip(names, effect, strict=True) if not has)
-    return Base(name, names, np.array(chosen, dtype=np.intp), matrix, without, kept, dropped)
+    return Base(
+        name, names, np.array(chosen, dtype=np.intp), matrix, without, smallest_kept, dropped
+    )
 
 
 def _turns(names: tuple[str, ...]) -> list[int]:
@@ -214,11 +221,11 @@ def _combined(scaled: Array, chosen: list[int], effect: NDArray[np.bool_], sizes
     matrix = np.zeros((len(chosen), scaled.shape[1]))
     if not chosen:
         return matrix
-    found = np.linalg.lstsq(scaled[:, chosen], scaled[:, effect], rcond=None)[0]
-    found[np.abs(found) < ROUNDED] = 0.0
-    matrix[:, effect] = found * sizes[effect] / sizes[chosen][:, None]
+    coefficients = np.linalg.lstsq(scaled[:, chosen], scaled[:, effect], rcond=None)[0]
+    coefficients[np.abs(coefficients) < ROUNDED] = 0.0
+    matrix[:, effect] = coefficients * sizes[effect] / sizes[chosen][:, None]
     # numbers that parameters are exactly, such as 1 and lengths that are read
-    whole = np.rint(matrix)
-    near = np.abs(matrix - whole) < ROUNDED * np.maximum(1.0, np.abs(whole))
-    matrix[near] = whole[near]
+    rounded = np.rint(matrix)
+    near = np.abs(matrix - rounded) < ROUNDED * np.maximum(1.0, np.abs(rounded))
+    matrix[near] = rounded[near]
     return matrix

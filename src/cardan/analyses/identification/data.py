@@ -134,16 +134,23 @@ def measured(
         path = Path(data)
         data = load(path, model) if path.suffix in formats.readable() else read(path)
     blocks = _of_run(data) if isinstance(data, TrajectoryRecord) else _of_table(model, data)
-    found = {"tau": np.zeros((len(blocks["t"]), model.nu)), **blocks}
-    found.setdefault("r", np.tile(model._layout.start("r"), (len(found["t"]), 1)))
-    _check(model, found)
-    return _complete(model, found, cutoff, period, harmonics, ends)
+    blocks_with_defaults = {"tau": np.zeros((len(blocks["t"]), model.nu)), **blocks}
+    blocks_with_defaults.setdefault(
+        "r", np.tile(model._layout.start("r"), (len(blocks_with_defaults["t"]), 1))
+    )
+    _check(model, blocks_with_defaults)
+    return _complete(model, blocks_with_defaults, cutoff, period, harmonics, ends)
 
 
 def _of_run(run: TrajectoryRecord) -> dict[str, Array]:
     """A run: its forces are those of the model's own elements, at its inputs."""
-    keep = np.concatenate([[True], np.diff(run.t) > 0])
-    return {"t": run.t[keep], "q": run.q[keep], "u": run.u[keep], "r": run.r[keep]}
+    increasing = np.concatenate([[True], np.diff(run.t) > 0])
+    return {
+        "t": run.t[increasing],
+        "q": run.q[increasing],
+        "u": run.u[increasing],
+        "r": run.r[increasing],
+    }
 
 
 def _of_table(model: LoadedModel, data: Any) -> dict[str, Array]:
@@ -153,38 +160,38 @@ def _of_table(model: LoadedModel, data: Any) -> dict[str, Array]:
             "data: a Trajectory, a file, or a mapping with 't', 'q' and 'tau' is wanted, not "
             f"{type(data).__name__}"
         )
-    given = {str(key): numbers(f"data: '{key}'", data[key]) for key in data.keys()}  # noqa: SIM118
-    if "t" not in given or given["t"].ndim != 1:
-        raise ArgumentError(f"data: times 't' (nt,) are missing.{near('t', given)}")
+    samples = {str(key): numbers(f"data: '{key}'", data[key]) for key in data.keys()}  # noqa: SIM118
+    if "t" not in samples or samples["t"].ndim != 1:
+        raise ArgumentError(f"data: times 't' (nt,) are missing.{near('t', samples)}")
     named = columns(model)
-    known = ["t", *BLOCKS, *(name for block in BLOCKS for name in named[block])]
-    for key in given:
-        if key not in known:
-            raise ArgumentError(f"data: '{key}' is no column of this model.{near(key, known)}")
-        if key not in BLOCKS and given[key].shape != given["t"].shape:
+    names = ["t", *BLOCKS, *(name for block in BLOCKS for name in named[block])]
+    for key in samples:
+        if key not in names:
+            raise ArgumentError(f"data: '{key}' is no column of this model.{near(key, names)}")
+        if key not in BLOCKS and samples[key].shape != samples["t"].shape:
             raise ArgumentError(
-                f"data: '{key}' has shape {given[key].shape}, t has {given['t'].shape}"
+                f"data: '{key}' has shape {samples[key].shape}, t has {samples['t'].shape}"
             )
-    found = {"t": given["t"]}
+    blocks = {"t": samples["t"]}
     for block in BLOCKS:
-        if block in given:
-            found[block] = given[block]
+        if block in samples:
+            blocks[block] = samples[block]
             continue
-        have = [name for name in named[block] if name in given]
+        have = [name for name in named[block] if name in samples]
         # passive joints bear no force of an actuator, so that their column may be missing
         if have and (len(have) == len(named[block]) or block == "tau"):
-            nothing = np.zeros(len(given["t"]))
-            found[block] = np.column_stack([given.get(name, nothing) for name in named[block]])
+            nothing = np.zeros(len(samples["t"]))
+            blocks[block] = np.column_stack([samples.get(name, nothing) for name in named[block]])
         elif have or block == "q":
-            missing = next(name for name in named[block] if name not in given)
-            raise ArgumentError(f"data: column '{missing}' is missing.{near(missing, given)}")
-    return found
+            missing = next(name for name in named[block] if name not in samples)
+            raise ArgumentError(f"data: column '{missing}' is missing.{near(missing, samples)}")
+    return blocks
 
 
-def _check(model: LoadedModel, found: Mapping[str, Array]) -> None:
-    count = len(found["t"])
+def _check(model: LoadedModel, blocks: Mapping[str, Array]) -> None:
+    count = len(blocks["t"])
     sizes = {"q": model.nq, "u": model.nu, "udot": model.nu, "tau": model.nu, "r": model.nr}
-    for block, value in found.items():
+    for block, value in blocks.items():
         if block != "t" and value.shape != (count, sizes[block]):
             raise ArgumentError(
                 f"data: {block} has shape {value.shape}, expected ({count}, {sizes[block]}): a row "
@@ -192,35 +199,35 @@ def _check(model: LoadedModel, found: Mapping[str, Array]) -> None:
             )
         if not np.isfinite(value).all():
             raise ArgumentError(f"data: {block} holds numbers that are not finite")
-    if np.any(np.diff(found["t"]) <= 0):
+    if np.any(np.diff(blocks["t"]) <= 0):
         raise ArgumentError("data: times do not increase")
 
 
 def _complete(
     model: LoadedModel,
-    found: dict[str, Array],
+    blocks: dict[str, Array],
     cutoff: float | None,
     period: float | None,
     harmonics: int,
     ends: bool,
 ) -> Data:
-    t, plain = found["t"], is_plain(model)
+    t, plain = blocks["t"], is_plain(model)
     if period is not None:
         if not plain:
             raise ArgumentError(
                 f"period=: model '{model.name}' has coordinates that are no angles or lengths, "
                 "and no Fourier series; give cutoff= or measured speeds"
             )
-        q, u, udot = smoothing.series(t, found["q"], period, harmonics)
-        return Data(t, q, u, udot, found["tau"], found["r"])
-    whole = "u" in found and "udot" in found
-    if cutoff is not None and not whole:
-        word = "u" if "u" in found else "q"
-        found[word] = smoothing.lowpass(t, found[word], cutoff)
-    u = found["u"] if "u" in found else speeds(model, t, found["q"], found["r"])
-    udot = found["udot"] if "udot" in found else smoothing.derivative(t, u)
-    made = Data(t, found["q"], u, udot, found["tau"], found["r"])
-    if whole or (ends and cutoff is None):
+        q, u, udot = smoothing.series(t, blocks["q"], period, harmonics)
+        return Data(t, q, u, udot, blocks["tau"], blocks["r"])
+    complete = "u" in blocks and "udot" in blocks
+    if cutoff is not None and not complete:
+        word = "u" if "u" in blocks else "q"
+        blocks[word] = smoothing.lowpass(t, blocks[word], cutoff)
+    u = blocks["u"] if "u" in blocks else speeds(model, t, blocks["q"], blocks["r"])
+    udot = blocks["udot"] if "udot" in blocks else smoothing.derivative(t, u)
+    made = Data(t, blocks["q"], u, udot, blocks["tau"], blocks["r"])
+    if complete or (ends and cutoff is None):
         return made
     cut = ENDS if cutoff is None else max(ENDS, int(1 / (cutoff * smoothing.step_of(t, "cutoff="))))
     return made.only(slice(cut, -cut))
@@ -240,9 +247,9 @@ def speeds(model: LoadedModel, t: Array, q: Array, r: Array) -> Array:
     rates = smoothing.derivative(t, q)
     if is_plain(model):
         return rates
-    rest: dict[str, Any] = {"t": t, "r": r if r.shape[1] else None}
-    still = model.qdot(q, np.zeros((len(t), model.nu)), **rest)
-    ways = [model.qdot(q, np.eye(model.nu)[k], **rest) - still for k in range(model.nu)]
+    arguments: dict[str, Any] = {"t": t, "r": r if r.shape[1] else None}
+    still = model.qdot(q, np.zeros((len(t), model.nu)), **arguments)
+    ways = [model.qdot(q, np.eye(model.nu)[k], **arguments) - still for k in range(model.nu)]
     matrix = np.stack(ways, axis=-1)
     return np.asarray((np.linalg.pinv(matrix) @ (rates - still)[..., None])[..., 0])
 

@@ -41,7 +41,7 @@ class Fit:
     chi: float
 
 
-def fitted(A: Array, b: Array, spread: Array, noise: Array | None, names: tuple[str, ...]) -> Fit:
+def fitted(A: Array, b: Array, scale: Array, noise: Array | None, names: tuple[str, ...]) -> Fit:
     """Least squares of rows weighted by their noise.
 
     Args:
@@ -60,18 +60,18 @@ def fitted(A: Array, b: Array, spread: Array, noise: Array | None, names: tuple[
     least = np.maximum(least, np.finfo(float).tiny)
     sigma = np.ones(channels) if noise is None else noise
     for _ in range(PASSES if noise is None else 1):
-        weights = 1 / (spread * sigma)
+        weights = 1 / (scale * sigma)
         rows = (A * weights[..., None]).reshape(-1, count)
         x, inverse, condition = _solved(rows, (b * weights).ravel(), names)
         residuals = b - (A.reshape(-1, count) @ x).reshape(b.shape)
         if noise is None:
             # what every channel has taken of the degrees of freedom
             taken = ((rows @ inverse) ** 2).sum(axis=1).reshape(b.shape).sum(axis=0)
-            squares = ((residuals / spread) ** 2).sum(axis=0)
+            squares = ((residuals / scale) ** 2).sum(axis=0)
             sigma = np.maximum(np.sqrt(squares / np.maximum(len(b) - taken, 1.0)), least)
             sigma = np.maximum(sigma, EXACT * sigma.max())
     # the weights of the last pass against the noise that came out of it
-    chi = float(((residuals / (spread * sigma)) ** 2).sum() / (b.size - count))
+    chi = float(((residuals / (scale * sigma)) ** 2).sum() / (b.size - count))
     return Fit(x, inverse @ inverse.T, sigma, residuals, condition, chi)
 
 
@@ -86,8 +86,8 @@ def _solved(rows: Array, right: Array, names: tuple[str, ...]) -> tuple[Array, A
     """
     sizes = np.linalg.norm(rows, axis=0)
     scaled = rows / np.where(sizes > 0, sizes, 1.0)
-    own = triangle(scaled)
-    _, values, ways = np.linalg.svd(own)
+    factor = triangle(scaled)
+    _, values, ways = np.linalg.svd(factor)
     condition = float(values[0] / max(values[-1], np.finfo(float).tiny))
     if condition > SINGULAR or np.any(sizes == 0):
         worst = np.abs(ways[-1])
@@ -98,7 +98,7 @@ def _solved(rows: Array, right: Array, names: tuple[str, ...]) -> tuple[Array, A
             f"the data do not tell {listed} (condition {condition:.1e}): move more joints, "
             "farther and faster; model.excitation() finds such a motion"
         )
-    back = np.linalg.inv(own)
+    back = np.linalg.inv(factor)
     y = np.zeros(rows.shape[1])
     for _ in range(2):
         y = y + back @ (back.T @ (scaled.T @ (right - scaled @ y)))

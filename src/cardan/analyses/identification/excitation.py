@@ -80,13 +80,13 @@ class ExcitationRecord:
         Args:
             rate: Samples per second [Hz]. periods: How many.
         """
-        wanted = rate * self.period * periods
-        if not 1 <= wanted <= MOST_SAMPLES:
+        samples = rate * self.period * periods
+        if not 1 <= samples <= MOST_SAMPLES:
             raise ArgumentError(
-                f"motion: rate={rate:g} Hz over {periods} times {self.period:g} s are {wanted:.3g} "
-                f"samples; give a rate and periods of 1 to {MOST_SAMPLES}"
+                f"motion: rate={rate:g} Hz over {periods} times {self.period:g} s are "
+                f"{samples:.3g} samples; give a rate and periods of 1 to {MOST_SAMPLES}"
             )
-        count = round(wanted)
+        count = round(samples)
         t = np.arange(count) / rate
         return dict(zip(("t", "q", "u", "udot"), (t, *self.at(t)), strict=True))
 
@@ -168,9 +168,9 @@ def excitation(
     values = search.measures(by_chance)
     start = by_chance[int(np.argmin(values))]
     with showing(progress, "excitation") as show:
-        found = search.improved(start, steps, show)
-    before, after = (search.condition(x) for x in (start, found))
-    series = feasible(found, period, harmonics, limits)
+        improved = search.improved(start, steps, show)
+    before, after = (search.condition(x) for x in (start, improved))
+    series = feasible(improved, period, harmonics, limits)
     return ExcitationRecord(model, series, limits, search.base, before, after)
 
 
@@ -201,10 +201,10 @@ def _limits(model: LoadedModel, position: Any, speed: Any, acceleration: Any) ->
         ArgumentError: unknown names, empty ranges, a sliding joint without any.
     """
     units = [row.unit for row in model.manifest.coordinates]
-    own = [model.limits.get(name, {}) for name in model.coordinates]
+    limits = [model.limits.get(name, {}) for name in model.coordinates]
     # None becomes NaN
-    lower = np.array([x.get("lower") for x in own], dtype=float)
-    upper = np.array([x.get("upper") for x in own], dtype=float)
+    lower = np.array([x.get("lower") for x in limits], dtype=float)
+    upper = np.array([x.get("upper") for x in limits], dtype=float)
     for name, (low, high) in position.items():
         (k,) = named_speeds(model, [name])
         lower[k], upper[k] = low, high
@@ -221,7 +221,7 @@ def _limits(model: LoadedModel, position: Any, speed: Any, acceleration: Any) ->
     if np.any(lower >= upper):
         k = int(np.argmax(lower >= upper))
         raise ArgumentError(f"excitation: limits of '{model.coordinates[k]}' leave no room")
-    speeds = [limit.get("speed") or FAST for limit in own]
+    speeds = [limit.get("speed") or FAST for limit in limits]
     return Limits(
         lower,
         upper,
@@ -230,16 +230,16 @@ def _limits(model: LoadedModel, position: Any, speed: Any, acceleration: Any) ->
     )
 
 
-def _most(model: LoadedModel, word: str, given: Any, usual: list[float]) -> Array:
-    found = np.array(usual, dtype=float)
-    if isinstance(given, Mapping):
-        for name, value in given.items():
-            found[named_speeds(model, [name])] = value
-    elif given is not None:
-        found[:] = given
-    if not np.all(found > 0):
+def _most(model: LoadedModel, word: str, named: Any, usual: list[float]) -> Array:
+    largest = np.array(usual, dtype=float)
+    if isinstance(named, Mapping):
+        for name, value in named.items():
+            largest[named_speeds(model, [name])] = value
+    elif named is not None:
+        largest[:] = named
+    if not np.all(largest > 0):
         raise ArgumentError(f"excitation: {word}= wants positive numbers")
-    return found
+    return largest
 
 
 @dataclass(frozen=True)
@@ -264,8 +264,8 @@ class _Search:
 
     @property
     def _efforts(self) -> Array:
-        own = (self.model.limits.get(name, {}) for name in self.model.coordinates)
-        return np.array([limit.get("effort") or 1.0 for limit in own])
+        limits = (self.model.limits.get(name, {}) for name in self.model.coordinates)
+        return np.array([limit.get("effort") or 1.0 for limit in limits])
 
     def measures(self, numbers: Array) -> Array:
         """What is to be made small (...)."""
@@ -307,19 +307,19 @@ class _Search:
             return start
         done = [0]
 
-        def told(_: Any) -> None:
+        def report_progress(_: Any) -> None:
             done[0] += 1
             show(min(1.0, done[0] / steps))
 
-        found = minimize(
+        minimum = minimize(
             self.slope,
             start.ravel(),
             jac=True,
             method="L-BFGS-B",
-            callback=told,
+            callback=report_progress,
             options={"maxiter": steps, "ftol": FLAT},
         )
-        better = found.x.reshape(start.shape)
+        better = minimum.x.reshape(start.shape)
         return better if self.measures(better) < self.measures(start) else start
 
 

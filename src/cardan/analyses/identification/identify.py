@@ -75,19 +75,19 @@ def identify(
     energies = ("energy_regressor", "energy", "power") if form == "energy" else ()
     needed(model, "identify", (*energies, *WANTED))
     chosen = named_speeds(model, actuators)
-    seen = measured(model, data, cutoff=cutoff, period=period, harmonics=harmonics)
+    samples = measured(model, data, cutoff=cutoff, period=period, harmonics=harmonics)
     sigma = _noise(model, noise)
-    rows = _rows(model, seen, form, cutoff, chosen, stretch, sigma)
+    rows = _rows(model, samples, form, cutoff, chosen, stretch, sigma)
     _acting(model, rows)
     if base is None:
         bound = circuits(model)
         base = base_parameters(model, rows.A, rank=RANK) if bound else base_parameters(model)
     if form == "energy":
         # weights hold the noise of the joints already
-        known = None if sigma is None else np.ones(1)
+        deviations = None if sigma is None else np.ones(1)
     else:
-        known = None if sigma is None else sigma[chosen]
-    fit = fitted(base.regressor(rows.A), rows.b, rows.spread, known, base.names)
+        deviations = None if sigma is None else sigma[chosen]
+    fit = fitted(base.regressor(rows.A), rows.b, rows.spread, deviations, base.names)
     return IdentificationRecord(
         model,
         base,
@@ -106,7 +106,7 @@ def identify(
 
 def _rows(
     model: LoadedModel,
-    seen: Data,
+    samples: Data,
     form: str,
     cutoff: float | None,
     chosen: list[int],
@@ -114,8 +114,8 @@ def _rows(
     sigma: Array | None,
 ) -> Rows:
     if form == "energy":
-        return of_energy(model, seen, stretch, np.ones(model.nu) if sigma is None else sigma)
-    return of_forces(model, seen, cutoff, chosen)
+        return of_energy(model, samples, stretch, np.ones(model.nu) if sigma is None else sigma)
+    return of_forces(model, samples, cutoff, chosen)
 
 
 def _acting(model: LoadedModel, rows: Rows) -> None:
@@ -143,17 +143,17 @@ def _noise(model: LoadedModel, noise: Any) -> Array | None:
     if noise is None:
         return None
     if isinstance(noise, Mapping):
-        found = np.zeros(model.nu)
+        deviations = np.zeros(model.nu)
         for name, value in noise.items():
-            found[named_speeds(model, [name])] = value
+            deviations[named_speeds(model, [name])] = value
     else:
-        given = numbers("noise", noise)
-        if given.shape not in ((), (1,), (model.nu,)):
+        values = numbers("noise", noise)
+        if values.shape not in ((), (1,), (model.nu,)):
             raise ArgumentError(
-                f"noise has shape {given.shape}, expected () or ({model.nu},): a number for every "
+                f"noise has shape {values.shape}, expected () or ({model.nu},): a number for every "
                 "speed, or one for all"
             )
-        found = np.broadcast_to(given, (model.nu,)).copy()
-    if not np.all(found > 0):
+        deviations = np.broadcast_to(values, (model.nu,)).copy()
+    if not np.all(deviations > 0):
         raise ArgumentError("noise: a positive number for every speed is wanted, or one for all")
-    return found
+    return deviations

@@ -24,7 +24,7 @@ RANK = 1e-9
 STATES = 3
 
 
-def nearest(model: LoadedModel, base: Base, wanted: Array, weights: Array) -> dict[str, float]:
+def nearest(model: LoadedModel, base: Base, estimates: Array, weights: Array) -> dict[str, float]:
     """Values of parameters with the wanted base parameters, as far as they can have them.
 
     Newton's method with the least change of parameters relative to their sizes; where fewer
@@ -35,22 +35,22 @@ def nearest(model: LoadedModel, base: Base, wanted: Array, weights: Array) -> di
         wanted: Their values (nb,).
         weights: A matrix whose square is the inverse of their covariance (nb, nb).
     """
-    names, own = list(model.parameters), model.parameters.vector.copy()
+    names, nominal = list(model.parameters), model.parameters.vector.copy()
     free = _inertial(model)
     sizes = _sizes(model)[free]
-    p, best, least = own.copy(), own.copy(), np.inf
+    p, best, least = nominal.copy(), nominal.copy(), np.inf
     for _ in range(STEPS):
-        left = weights @ (wanted - base.matrix @ _phi(model, p))
+        left = weights @ (estimates - base.matrix @ _phi(model, p))
         size = float(np.linalg.norm(left))
         if size < least:
             best, least = p.copy(), size
         jacobian = weights @ base.matrix @ _slope(model, p, free) * sizes
-        change = (p[free] - own[free]) / sizes
+        change = (p[free] - nominal[free]) / sizes
         step = np.linalg.pinv(jacobian, rcond=RANK) @ (left + jacobian @ change) - change
         p[free] += sizes * step
         if np.linalg.norm(step) <= MET * max(1.0, float(np.linalg.norm(change))):
             break
-    left = weights @ (wanted - base.matrix @ _phi(model, p))
+    left = weights @ (estimates - base.matrix @ _phi(model, p))
     best = p if float(np.linalg.norm(left)) <= least else best
     return {names[k]: float(best[k]) for k in np.flatnonzero(free)}
 
@@ -91,10 +91,10 @@ def _inertial(model: LoadedModel) -> Booleans:
     udot = rng.uniform(-1, 1, u.shape)
     function = model._function("regressor")
     places = [a.name for a in function.caller.arguments]
-    given = {"t": np.full(STATES, 0.3), "q": q, "u": u, "udot": udot}
-    before = model.regressor(q, u, udot, t=given["t"])
+    states = {"t": np.full(STATES, 0.3), "q": q, "u": u, "udot": udot}
+    before = model.regressor(q, u, udot, t=states["t"])
     for k in np.flatnonzero(acts):
         w = function.prepared(changed[k])
-        after = function.caller(None, *(given.get(name) for name in places), w=w)
+        after = function.caller(None, *(states.get(name) for name in places), w=w)
         acts[k] = np.array_equal(before, after)
     return np.asarray(acts)

@@ -47,7 +47,7 @@ class Rows:
     spread: Array
 
 
-def given(model: LoadedModel, data: Data) -> dict[str, Any]:
+def time_and_inputs(model: LoadedModel, data: Data) -> dict[str, Any]:
     """Time and inputs of samples for functions of the model."""
     return {"t": data.t, "r": data.r if model.nr else None}
 
@@ -58,12 +58,12 @@ def of_forces(model: LoadedModel, data: Data, cutoff: float | None, actuators: l
     Args:
         actuators: Speeds along which forces were measured.
     """
-    rest = given(model, data)
+    arguments = time_and_inputs(model, data)
     phi = np.array(list(model.inertial_parameters().values()))
-    A = model.regressor(data.q, data.u, data.udot, **rest)
+    A = model.regressor(data.q, data.u, data.udot, **arguments)
     # what does not depend on phi: other forces of the model
-    known = model.inverse_dynamics(data.q, data.u, data.udot, **rest) - A @ phi
-    b = data.tau - known
+    without_parameters = model.inverse_dynamics(data.q, data.u, data.udot, **arguments) - A @ phi
+    b = data.tau - without_parameters
     names = tuple(model.speeds[k] for k in actuators)
     if circuits(model):
         back = _through_circuits(model, data, actuators)
@@ -87,7 +87,7 @@ def _through_circuits(model: LoadedModel, data: Data, actuators: list[int]) -> A
     Raises:
         SolveError: more or fewer actuators than freedoms, or they have no hold of one.
     """
-    G = model.constraint_jacobian(data.q, **given(model, data))
+    G = model.constraint_jacobian(data.q, **time_and_inputs(model, data))
     _, values, right = np.linalg.svd(G)
     ranks = np.sum(values > RANK * values.max(axis=-1, keepdims=True, initial=1e-300), axis=-1)
     rank = int(ranks.max(initial=0))
@@ -100,10 +100,10 @@ def _through_circuits(model: LoadedModel, data: Data, actuators: list[int]) -> A
             "speeds are to tell: name as many actuators= as freedoms, those that were measured"
         )
     Z = np.swapaxes(right[:, rank:], -1, -2)
-    hold = np.swapaxes(Z[:, actuators], -1, -2)
-    if np.linalg.svd(hold, compute_uv=False).min(initial=1.0) < HOLD:
+    actuation = np.swapaxes(Z[:, actuators], -1, -2)
+    if np.linalg.svd(actuation, compute_uv=False).min(initial=1.0) < HOLD:
         raise SolveError(f"model '{model.name}': these actuators lose hold of the motion")
-    return np.asarray(np.linalg.solve(hold, np.swapaxes(Z, -1, -2)))
+    return np.asarray(np.linalg.solve(actuation, np.swapaxes(Z, -1, -2)))
 
 
 def of_energy(model: LoadedModel, data: Data, stretch: int, noise: Array) -> Rows:
@@ -113,7 +113,7 @@ def of_energy(model: LoadedModel, data: Data, stretch: int, noise: Array) -> Row
         stretch: Steps of a row, an even number.
         noise: Of the forces along every speed, for the weights of the rows (nu,).
     """
-    rest = given(model, data)
+    arguments = time_and_inputs(model, data)
     step = smoothing.step_of(data.t, "form='energy'")
     count = (len(data.t) - 1) // stretch
     if stretch < 2 or stretch % 2 or count < 1:
@@ -121,11 +121,11 @@ def of_energy(model: LoadedModel, data: Data, stretch: int, noise: Array) -> Row
             f"stretch={stretch}: an even number of steps, of which the data have {len(data.t) - 1}"
         )
     phi = np.array(list(model.inertial_parameters().values()))
-    E = model.energy_regressor(data.q, data.u, **rest)
+    E = model.energy_regressor(data.q, data.u, **arguments)
     stored, power = E[:, 0] + E[:, 1], E[:, 2]
     # what does not depend on phi: other forces of the model and their potentials
-    rates = model.power(data.q, data.u, **rest).sum(axis=-1) - power @ phi
-    left = model.energy(data.q, data.u, **rest).total - stored @ phi
+    rates = model.power(data.q, data.u, **arguments).sum(axis=-1) - power @ phi
+    left = model.energy(data.q, data.u, **arguments).total - stored @ phi
     supplied = (data.tau * data.u).sum(axis=-1) + rates
     starts = stretch * np.arange(count)
     # Simpson's rule over each stretch
@@ -135,6 +135,6 @@ def of_energy(model: LoadedModel, data: Data, stretch: int, noise: Array) -> Row
     places = starts[:, None] + np.arange(stretch + 1)
     A = stored[starts + stretch] - stored[starts] - np.einsum("w,kwn->kn", weights, power[places])
     b = supplied[places] @ weights - (left[starts + stretch] - left[starts])
-    spread = np.sqrt(((data.u * noise) ** 2).sum(axis=-1)[places] @ weights**2)
+    scale = np.sqrt(((data.u * noise) ** 2).sum(axis=-1)[places] @ weights**2)
     t = data.t[starts + stretch // 2]
-    return Rows(("energy",), t, A[:, None], b[:, None], spread[:, None])
+    return Rows(("energy",), t, A[:, None], b[:, None], scale[:, None])

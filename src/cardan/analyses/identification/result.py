@@ -116,8 +116,8 @@ class IdentificationRecord:
     @property
     def missed(self) -> float:
         """How far the identified model is from the estimates: root mean square of deviations."""
-        found = self.base.of(list(self.model.inertial_parameters().values()))
-        return float(np.sqrt(np.mean(((found - self.estimates) / self.deviations) ** 2)))
+        identified = self.base.of(list(self.model.inertial_parameters().values()))
+        return float(np.sqrt(np.mean(((identified - self.estimates) / self.deviations) ** 2)))
 
     @cached_property
     def implausible(self) -> tuple[str, ...]:
@@ -133,8 +133,8 @@ class IdentificationRecord:
         Negative where more is left over than there was, as of joints that nothing drives.
         """
         total = (self.measured**2).sum(axis=0)
-        rest = (self.residuals**2).sum(axis=0)
-        return np.asarray(1 - rest / np.where(total > 0, total, 1.0))
+        unexplained = (self.residuals**2).sum(axis=0)
+        return np.asarray(1 - unexplained / np.where(total > 0, total, 1.0))
 
     def __repr__(self) -> str:
         head = (
@@ -146,12 +146,14 @@ class IdentificationRecord:
         lines = [head, f"  {'':{width}}  {'estimate':>11} {'+-':>9} {'%':>7} {'nominal':>11}"]
         columns = (self.estimates, self.deviations, self.relative, self.expected)
         rows = zip(self.names, *columns, strict=True)
-        for name, value, deviation, part, own in rows:
+        for name, value, deviation, part, nominal in rows:
             percent = f"{100 * part:7.1f}" if part < 10 else "      -"
-            lines.append(f"  {name:{width}}  {value:11.5g} {deviation:9.2g} {percent} {own:11.5g}")
+            lines.append(
+                f"  {name:{width}}  {value:11.5g} {deviation:9.2g} {percent} {nominal:11.5g}"
+            )
         parts = zip(self.channels, self.noise, self.explained, strict=True)
-        told = [f"{name} {sigma:.3g}{_explained(part)}" for name, sigma, part in parts]
-        lines.append("noise: " + ", ".join(told))
+        noise = [f"{name} {sigma:.3g}{_explained(part)}" for name, sigma, part in parts]
+        lines.append("noise: " + ", ".join(noise))
         poor = int(np.sum(~self.well))
         lines.append(f"{len(self.base) - poor} known to {WELL:.0%} of themselves, {poor} worse")
         return "\n".join(lines)
@@ -171,10 +173,10 @@ def _consistent(phi: dict[str, Any], body: str) -> bool:
     second = np.array([[0, -xy, -xz], [-xy, 0, -yz], [-xz, -yz, 0]])
     second += np.diag([(yy + zz - xx) / 2, (xx + zz - yy) / 2, (xx + yy - zz) / 2])
     moment = np.array([phi[f"{body}.moment_{axis}"] for axis in "xyz"])
-    whole = np.zeros((4, 4))
-    whole[:3, :3], whole[:3, 3], whole[3, :3] = second, moment, moment
-    whole[3, 3] = phi[f"{body}.mass"]
-    values = np.linalg.eigvalsh(whole)
+    pseudo_inertia = np.zeros((4, 4))
+    pseudo_inertia[:3, :3], pseudo_inertia[:3, 3], pseudo_inertia[3, :3] = second, moment, moment
+    pseudo_inertia[3, 3] = phi[f"{body}.mass"]
+    values = np.linalg.eigvalsh(pseudo_inertia)
     return bool(values[0] >= -CONSISTENT * max(abs(values[-1]), 1e-300))
 
 

@@ -92,7 +92,7 @@ def series(t: Array, values: Array, period: float, harmonics: int) -> tuple[Arra
     angles = 2 * np.pi / period * np.arange(1, harmonics + 1)
     sine, cosine = np.sin(np.outer(t, angles)), np.cos(np.outer(t, angles))
     terms = np.column_stack([np.ones_like(t), sine, cosine])
-    found = np.linalg.lstsq(terms, values, rcond=None)[0]
+    coefficients = np.linalg.lstsq(terms, values, rcond=None)[0]
     rates = np.column_stack([0 * t, cosine * angles, -sine * angles])
     accelerations = np.column_stack([0 * t, -sine * angles**2, -cosine * angles**2])
-    return terms @ found, rates @ found, accelerations @ found
+    return terms @ coefficients, rates @ coefficients, accelerations @ coefficients

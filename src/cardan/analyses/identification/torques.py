@@ -51,10 +51,10 @@ class TorquesRecord:
     unique: bool
 
     def _place(self, name: str) -> int:
-        known = [*self.actuators, *(of_rate(a) for a in self.actuators)]
-        if name not in known:
-            raise ArgumentError(f"'{name}' is no actuator here.{near(name, known)}")
-        return known.index(name) % len(self.actuators)
+        names = [*self.actuators, *(of_rate(a) for a in self.actuators)]
+        if name not in names:
+            raise ArgumentError(f"'{name}' is no actuator here.{near(name, names)}")
+        return names.index(name) % len(self.actuators)
 
     def __getitem__(self, name: str) -> Array:
         """Force of one actuator (nt,) [N m], [N].
@@ -67,9 +67,9 @@ class TorquesRecord:
     @property
     def tau(self) -> Array:
         """Generalized forces (nt, nu) as ``forward_dynamics(tau=)`` takes them."""
-        found = np.zeros_like(self.u)
-        found[:, named_speeds(self.model, self.actuators)] = self.forces
-        return found
+        tau = np.zeros_like(self.u)
+        tau[:, named_speeds(self.model, self.actuators)] = self.forces
+        return tau
 
     @property
     def power(self) -> Array:
@@ -159,15 +159,21 @@ def torques(
         if name not in model.inputs:
             raise ArgumentError(f"torques: there is no input '{name}'.{near(name, model.inputs)}")
         r[:, model.inputs.index(name)] = value
-    given: dict[str, Any] = {"t": data.t, "r": r if model.nr else None}
+    arguments: dict[str, Any] = {"t": data.t, "r": r if model.nr else None}
     chosen = named_speeds(model, actuators)
     if circuits(model) or len(chosen) < model.nu:
-        made = actuation(
-            model, data.q, data.u, data.udot, [model.speeds[k] for k in chosen], norm=norm, **given
+        shares = actuation(
+            model,
+            data.q,
+            data.u,
+            data.udot,
+            [model.speeds[k] for k in chosen],
+            norm=norm,
+            **arguments,
         )
-        forces, unique = made.forces, bool(np.all(made.unique))
+        forces, unique = shares.forces, bool(np.all(shares.unique))
     else:
-        forces, unique = model.inverse_dynamics(data.q, data.u, data.udot, **given), True
+        forces, unique = model.inverse_dynamics(data.q, data.u, data.udot, **arguments), True
     units = [UNITS.get(row.unit, "") for row in model.manifest.speeds]
     return TorquesRecord(
         model,
@@ -190,22 +196,24 @@ def _motion(
     if isinstance(motion, TrajectoryRecord):
         if motion.model is None or cutoff is not None or period is not None:
             return measured(model, motion, ends=True, **smooth)
-        rest: dict[str, Any] = {"t": motion.t, "r": motion.r if motion.r.shape[1] else None}
-        udot = motion.model.forward_dynamics(motion.q, motion.u, z=motion.z, s=motion.s, **rest)
+        arguments: dict[str, Any] = {"t": motion.t, "r": motion.r if motion.r.shape[1] else None}
+        udot = motion.model.forward_dynamics(
+            motion.q, motion.u, z=motion.z, s=motion.s, **arguments
+        )
         nothing = np.zeros_like(motion.u)
         return Data(motion.t, motion.q, motion.u, udot, nothing, motion.r)
     if hasattr(motion, "keys") and "t" in motion:
         t = np.asarray(motion["t"], dtype=float)
-        known = {*columns(model)["q"]}
-        motion = {key: _values(motion[key], t, key in known) for key in motion.keys()}  # noqa: SIM118
+        coordinates = {*columns(model)["q"]}
+        motion = {key: _values(motion[key], t, key in coordinates) for key in motion.keys()}  # noqa: SIM118
     return measured(model, motion, ends=True, **smooth)
 
 
-def _values(given: Any, t: Array, coordinate: bool) -> Any:
+def _values(samples: Any, t: Array, coordinate: bool) -> Any:
     """Samples of a coordinate that may be a spline or table."""
-    if coordinate and callable(given):
-        return np.asarray(given(t), dtype=float)
-    return given
+    if coordinate and callable(samples):
+        return np.asarray(samples(t), dtype=float)
+    return samples
 
 
 @checked

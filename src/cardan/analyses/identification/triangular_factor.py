@@ -25,7 +25,7 @@ def triangle(rows: Array) -> Array:
     except np.linalg.LinAlgError:
         pass
     # fewer rows than columns leave zeros below
-    found = np.zeros((rows.shape[1], rows.shape[1]))
-    own = np.linalg.qr(rows, mode="r")
-    found[: len(own)] = own
-    return found
+    R = np.zeros((rows.shape[1], rows.shape[1]))
+    factor = np.linalg.qr(rows, mode="r")
+    R[: len(factor)] = factor
+    return R

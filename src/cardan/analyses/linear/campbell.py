@@ -78,19 +78,19 @@ class CampbellRecord:
         """
         if not isinstance(order, int | np.integer) or order < 1:
             raise ModelError(f"critical({shown(order)}): a multiple of the speed, 1, 2, ...")
-        found = list[float]()
+        speeds = list[float]()
         off = self.frequencies - order * np.abs(self.speed)[:, None]
         # a motion that keeps to the line, as turns of the whole do in axes at rest, is no crossing
-        apart = np.abs(off) > SYNCHRONOUS * order * np.abs(self.speed).max()
+        nonzero = np.abs(off) > SYNCHRONOUS * order * np.abs(self.speed).max()
         for k in range(off.shape[1]):
             for i in np.flatnonzero(
-                (off[:-1, k] * off[1:, k] <= 0) & (apart[:-1, k] | apart[1:, k])
+                (off[:-1, k] * off[1:, k] <= 0) & (nonzero[:-1, k] | nonzero[1:, k])
             ):
                 # both at the end and at the next begin it is one
                 if off[i, k] == 0 and (i > 0 or self.speed[i] == 0):
                     continue
-                found.append(self._between(int(i), k, int(order)))
-        return sorted(found)
+                speeds.append(self._between(int(i), k, int(order)))
+        return sorted(speeds)
 
     def _between(self, i: int, k: int, order: int) -> float:
         """A critical speed between two rows."""
@@ -103,7 +103,9 @@ class CampbellRecord:
             value = (1 - share) * self.values[i, k] + share * self.values[i + 1, k]
             member = members.at(s, self.locus.members[i])
             speed = members.told(s)[self.label]
-            return _seen(self, member, _place(member, value), speed)[0] - order * abs(speed)
+            return _frequency_and_whirl(self, member, _place(member, value), speed)[
+                0
+            ] - order * abs(speed)
 
         s = brentq(off, low, high, xtol=1e-14, rtol=1e-14)
         return members.told(float(s))[self.label]
@@ -166,43 +168,43 @@ def campbell(
     Raises:
         As ``root_locus``.
     """
-    given = {"q": q, "u": u, "hold": hold, "wanted": wanted, "free": free, "inputs": inputs,
+    arguments = {"q": q, "u": u, "hold": hold, "wanted": wanted, "free": free, "inputs": inputs,
              "parameters": parameters, "t": t}  # fmt: skip
-    members = family(model, {**(swept or {}), **named}, given, count)
-    found = locus(members, check)
-    if found.message != END:
-        warn(found.message, SolveWarning)
+    members = family(model, {**(swept or {}), **named}, arguments, count)
+    loci = locus(members, check)
+    if loci.message != END:
+        warn(loci.message, SolveWarning)
     label = next(iter(members.columns))
     along = model.manifest.absolute if turning is None else bool(turning)
-    return _record(found, label, along)
+    return _record(loci, label, along)
 
 
-def _record(found: LocusRecord, label: str, turning: bool) -> CampbellRecord:
+def _record(loci: LocusRecord, label: str, rotating: bool) -> CampbellRecord:
     """Frequencies and whirl of all motions that oscillate somewhere."""
-    size = np.array([member.spectrum.size for member in found.members])[:, None]
-    upper = (found.eigenvalues.imag > OSCILLATES * size).sum(axis=0) * 2 > len(found)
-    columns = np.flatnonzero(upper & found.moving)
-    order = np.nanmean(found.eigenvalues.imag[:, columns], axis=0).argsort()
+    size = np.array([member.spectrum.size for member in loci.members])[:, None]
+    upper = (loci.eigenvalues.imag > OSCILLATES * size).sum(axis=0) * 2 > len(loci)
+    columns = np.flatnonzero(upper & loci.moving)
+    order = np.nanmean(loci.eigenvalues.imag[:, columns], axis=0).argsort()
     columns = columns[order]
-    shape = len(found), len(columns)
+    shape = len(loci), len(columns)
     bare = CampbellRecord(
-        found, found[label], label, turning, np.zeros(shape), np.zeros(shape), columns
+        loci, loci[label], label, rotating, np.zeros(shape), np.zeros(shape), columns
     )
-    seen = [
-        [_seen(bare, member, _place(member, value), found[label][i]) for value in row]
-        for i, (member, row) in enumerate(zip(found.members, bare.values, strict=True))
+    whirling = [
+        [_frequency_and_whirl(bare, member, _place(member, value), loci[label][i]) for value in row]
+        for i, (member, row) in enumerate(zip(loci.members, bare.values, strict=True))
     ]
-    table = np.array(seen).reshape(*shape, 2)
-    return CampbellRecord(
-        found, found[label], label, turning, table[..., 0], table[..., 1], columns
-    )
+    table = np.array(whirling).reshape(*shape, 2)
+    return CampbellRecord(loci, loci[label], label, rotating, table[..., 0], table[..., 1], columns)
 
 
 def _place(member: Member, value: complex) -> int:
     return int(np.abs(member.values - value).argmin())
 
 
-def _seen(diagram: CampbellRecord, member: Member, place: int, speed: float) -> tuple[float, float]:
+def _frequency_and_whirl(
+    diagram: CampbellRecord, member: Member, place: int, speed: float
+) -> tuple[float, float]:
     """Frequency from the ground [rad/s], NaN where it does not oscillate, and whirl of a motion."""
     value = member.values[place]
     if abs(value.imag) <= OSCILLATES * member.spectrum.size:
@@ -211,23 +213,23 @@ def _seen(diagram: CampbellRecord, member: Member, place: int, speed: float) -> 
     way = _whirl(member, shape if value.imag > 0 else shape.conj(), *diagram.rotor)
     if not diagram.turning or abs(way) < ROUND:
         return abs(value.imag), way
-    seen = abs(value.imag) * np.sign(way) + abs(speed)
-    return abs(seen), float(abs(way) * np.sign(seen))
+    frequency = abs(value.imag) * np.sign(way) + abs(speed)
+    return abs(frequency), float(abs(way) * np.sign(frequency))
 
 
 def _rotor(member: Member) -> tuple[Array, tuple[str, ...]]:
     """Direction (3,) about which the fastest body turns, and those that turn like it."""
-    state, turning = member.state, dict[str, Array]()
-    known = "frame_jacobian" not in state.model.manifest.absent
-    for body in state.model.bodies if known else ():
-        J = state.model.frame_jacobian(body, state.q, **_rest(member))
-        turning[body] = J[:3] @ state.u
-    speeds = {body: float(np.linalg.norm(omega)) for body, omega in turning.items()}
+    state, angular_velocities = member.state, dict[str, Array]()
+    has_jacobian = "frame_jacobian" not in state.model.manifest.absent
+    for body in state.model.bodies if has_jacobian else ():
+        J = state.model.frame_jacobian(body, state.q, **_time_and_inputs(member))
+        angular_velocities[body] = J[:3] @ state.u
+    speeds = {body: float(np.linalg.norm(omega)) for body, omega in angular_velocities.items()}
     fastest = max(speeds, key=lambda body: speeds[body], default="")
     if not speeds.get(fastest):
-        return np.array([0.0, 0.0, 1.0]), tuple(turning)
+        return np.array([0.0, 0.0, 1.0]), tuple(angular_velocities)
     spinning = tuple(body for body, speed in speeds.items() if speed > 0.5 * speeds[fastest])
-    return turning[fastest] / speeds[fastest], spinning
+    return angular_velocities[fastest] / speeds[fastest], spinning
 
 
 def _whirl(member: Member, shape: Complex, axis: Array, bodies: tuple[str, ...]) -> float:
@@ -238,7 +240,7 @@ def _whirl(member: Member, shape: Complex, axis: Array, bodies: tuple[str, ...])
     forward, backward, along = 0.0, 0.0, 0.0
     model = member.state.model
     for body in bodies:
-        twist = model.frame_jacobian(body, member.state.q, **_rest(member)) @ moved
+        twist = model.frame_jacobian(body, member.state.q, **_time_and_inputs(member)) @ moved
         for part in (twist[:3], twist[3:]):
             x, y = first @ part, second @ part
             forward += abs(x + 1j * y) ** 2
@@ -249,7 +251,7 @@ def _whirl(member: Member, shape: Complex, axis: Array, bodies: tuple[str, ...])
     return float((forward - backward) / total) if total > 0 else 0.0
 
 
-def _rest(member: Member) -> dict[str, Any]:
+def _time_and_inputs(member: Member) -> dict[str, Any]:
     """Time and inputs, as functions of a model take them."""
     values = np.array(list(member.state.inputs.values()))
     return {"t": member.state.t, **({"r": values} if len(values) else {})}
@@ -271,12 +273,12 @@ def plot(
     """
     from ...view.loci import plot_campbell
 
-    growing = (
+    unstable = (
         campbell.values.real
         > np.array([m.spectrum.size for m in campbell.locus.members])[:, None] * OSCILLATES
     )
     critical = {int(order): campbell.critical(order) for order in orders}
     return plot_campbell(
         campbell.locus.name, campbell.label, campbell.speed, campbell.frequencies, campbell.whirl,
-        growing, critical, path,
+        unstable, critical, path,
     )  # fmt: skip

@@ -18,8 +18,8 @@ from ...arrays import Array
 from ...errors import ArgumentError, ModelError, listed, near, shown
 from ..statics.equilibrium import equilibrium
 from ..statics.load_path import TIME, column
-from ..systems import contract_of
-from ..systems.dynamic_system import Contract
+from ..systems import dynamic_system_of
+from ..systems.dynamic_system import DynamicSystem
 from .first_order import Choice
 from .linear_model import LinearModelRecord
 from .linearize import linearize
@@ -85,9 +85,9 @@ class Family:
     coordinates: tuple[str, ...] | None = None
 
     @cached_property
-    def system(self) -> Contract:
+    def system(self) -> DynamicSystem:
         """The contract of the model."""
-        return contract_of(self.model)
+        return dynamic_system_of(self.model)
 
     @property
     def stations(self) -> Array:
@@ -99,7 +99,7 @@ class Family:
         places = self.stations
         return {name: float(np.interp(s, places, column)) for name, column in self.columns.items()}
 
-    def at(self, s: float, beside: Member | None = None, choice: Choice | None = None) -> Member:
+    def at(self, s: float, neighbor: Member | None = None, choice: Choice | None = None) -> Member:
         """The member at a place.
 
         Args:
@@ -110,54 +110,56 @@ class Family:
         Raises:
             SolveError: no equilibrium or steady motion there.
         """
-        return self.member(s, self.told(s), beside, choice)
+        return self.member(s, self.told(s), neighbor, choice)
 
     def member(
-        self, s: float, values: Mapping[str, float], beside: Member | None = None,
+        self, s: float, values: Mapping[str, float], neighbor: Member | None = None,
         choice: Choice | None = None,
     ) -> Member:  # fmt: skip
         """The member with given values of what changes."""
-        given = {name: dict(v) if isinstance(v, Mapping) else v for name, v in self.given.items()}
-        if beside is not None:
-            self._begun(given, beside)
+        arguments = {
+            name: dict(v) if isinstance(v, Mapping) else v for name, v in self.given.items()
+        }
+        if neighbor is not None:
+            self._begun(arguments, neighbor)
         for name, value in values.items():
             place = self.kinds[name]
             if place == TIME:
-                given[TIME] = value
+                arguments[TIME] = value
             else:
-                given[place] = {**(given.get(place) or {}), name: value}
-        find: Any = trim if "wanted" in given else equilibrium
-        state = find(self.model, **given, check=True)
+                arguments[place] = {**(arguments.get(place) or {}), name: value}
+        find: Any = trim if "wanted" in arguments else equilibrium
+        state = find(self.model, **arguments, check=True)
         linear = linearize(state.model, state, choice=choice)
-        own = linear.spectrum if self.coordinates is None else self._closed(linear)
-        return Member(s, state, linear, own, self._shapes(linear, own))
+        spectrum = linear.spectrum if self.coordinates is None else self._closed(linear)
+        return Member(s, state, linear, spectrum, self._shapes(linear, spectrum))
 
-    def _begun(self, given: dict[str, Any], beside: Member) -> None:
+    def _begun(self, arguments: dict[str, Any], neighbor: Member) -> None:
         """Begin where another member is."""
-        state = beside.state
-        given["q"] = state.q
+        state = neighbor.state
+        arguments["q"] = state.q
         free = getattr(state, "free", {})
         for name, value in free.items():
-            for place, known in (("inputs", self.model.inputs), ("u", self.model.speeds),
+            for place, names in (("inputs", self.model.inputs), ("u", self.model.speeds),
                                  ("parameters", self.model.parameters)):  # fmt: skip
-                if name in known:
-                    given[place] = {**(given.get(place) or {}), name: value}
+                if name in names:
+                    arguments[place] = {**(arguments.get(place) or {}), name: value}
 
     def _closed(self, linear: LinearModelRecord) -> Spectrum:
         """Eigenvalues of the chosen coordinates alone."""
-        found = linear.second_order(self.coordinates)
-        n = len(found.coordinates)
-        inner = np.linalg.solve(found.M, np.hstack([-found.K, -found.damping]))
+        second = linear.second_order(self.coordinates)
+        n = len(second.coordinates)
+        inner = np.linalg.solve(second.M, np.hstack([-second.K, -second.damping]))
         A = np.vstack([np.eye(n, 2 * n, n), inner])
         rate = max(float(np.abs(np.linalg.eigvals(A)).max(initial=0.0)), 1e-300)
         return spectrum(A, np.concatenate([np.ones(n), np.full(n, rate)]))
 
-    def _shapes(self, linear: LinearModelRecord, own: Spectrum) -> Complex:
+    def _shapes(self, linear: LinearModelRecord, spectrum: Spectrum) -> Complex:
         """Motions of all speeds, which do not depend on what is independent, of length 1."""
-        right = own.right
+        right = spectrum.right
         if self.coordinates is None:
             columns = self.system.columns[:, None]
-            rate = max(own.size, 1e-300)
+            rate = max(spectrum.size, 1e-300)
             moved = linear.increments @ right / columns
             parts = (moved, linear.speeds @ right / columns / rate, right[len(right) - linear.z :])
             right = np.concatenate(parts)
@@ -209,12 +211,16 @@ def family(
         )
     if not (count is None or (isinstance(count, int) and count > 1)):
         raise ModelError(f"count={shown(count)}: a number of members, at least 2")
-    found = {name: column(name, values, count or COUNT) for name, values in columns.items()}
-    if len({len(column) for column in found.values()}) > 1:
-        said = ", ".join(f"'{name}' has {len(column)}" for name, column in found.items())
+    columns_of_values = {
+        name: column(name, values, count or COUNT) for name, values in columns.items()
+    }
+    if len({len(column) for column in columns_of_values.values()}) > 1:
+        said = ", ".join(
+            f"'{name}' has {len(column)}" for name, column in columns_of_values.items()
+        )
         raise ArgumentError(f"all that changes goes together: {said} values")
     chosen = None if coordinates is None else tuple(listed("coordinates", coordinates, "steer"))
-    return Family(model, found, kinds, stays, chosen)
+    return Family(model, columns_of_values, kinds, stays, chosen)
 
 
 def _single(model: Any, name: str) -> bool:
@@ -235,8 +241,8 @@ def _kind(model: Any, name: str) -> str:
         return TIME
     if name in model.speeds or f"{name}.u" in model.speeds:
         return "u"
-    known = (*model.inputs, *model.speeds, *model.parameters)
+    names = (*model.inputs, *model.speeds, *model.parameters)
     raise ModelError(
         f"there is no parameter, input or speed '{name}' to change; coordinates are moved by "
-        f"hold={{'...': (0, 1)}}.{near(name, known)}"
+        f"hold={{'...': (0, 1)}}.{near(name, names)}"
     )

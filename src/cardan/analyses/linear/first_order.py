@@ -22,7 +22,7 @@ from scipy.linalg import qr
 
 from ...arrays import Array, Integers
 from ...errors import ModelError, SolveError
-from ..systems.dynamic_system import Contract, Moment, Tangents, dense
+from ..systems.dynamic_system import DynamicSystem, Moment, Tangents, dense
 from ..systems.saddle_point import Dense, Singular, split
 
 # places of the independent increments and speeds
@@ -57,9 +57,9 @@ class FirstOrder:
 
 
 def first_order(
-    system: Contract,
+    system: DynamicSystem,
     at: Moment,
-    held: Sequence[int] = (),
+    locked: Sequence[int] = (),
     tau: Array | None = None,
     choice: Choice | None = None,
 ) -> FirstOrder:
@@ -82,64 +82,66 @@ def first_order(
             f"full, and more than {FULL} speeds are too many. model.modes() and "
             "model.equilibrium() take sparse ones; or let beams have fewer elements"
         )
-    found = system.tangents(at)
-    G, R = (dense(x) / system.rows[:, None] * columns for x in (found.G, found.R))
-    hold = np.eye(nu)[list(held)]
+    tangents = system.tangents(at)
+    G, R = (dense(x) / system.rows[:, None] * columns for x in (tangents.G, tangents.R))
+    lock_rows = np.eye(nu)[list(locked)]
     weights = np.where(system.leading, LEADING, 1.0)
-    kept, wanted = (None, None) if choice is None else choice
-    allowed, e = chosen(np.concatenate([G[system.positions], hold]), weights, kept)
-    moving, v = chosen(np.concatenate([G, hold]), weights, wanted)
+    independent_e, independent_v = (None, None) if choice is None else choice
+    allowed, e = chosen(np.concatenate([G[system.positions], lock_rows]), weights, independent_e)
+    moving, v = chosen(np.concatenate([G, lock_rows]), weights, independent_v)
     # speeds that keep R e + G v = 0 where increments change, with the independent ones as they are
-    kept = np.concatenate([G, hold, np.eye(nu)[v]])
-    gap = np.concatenate([R @ allowed, np.zeros((len(kept) - len(G), len(e)))])
-    follow = -np.linalg.lstsq(kept, gap)[0]
-    rest = np.zeros((nu, nz))
-    increments = np.concatenate([allowed, np.zeros((nu, len(v))), rest], axis=1)
-    speeds = np.concatenate([follow, moving, rest], axis=1)
+    independent_e = np.concatenate([G, lock_rows, np.eye(nu)[v]])
+    gap = np.concatenate([R @ allowed, np.zeros((len(independent_e) - len(G), len(e)))])
+    follow = -np.linalg.lstsq(independent_e, gap)[0]
+    remaining = np.zeros((nu, nz))
+    increments = np.concatenate([allowed, np.zeros((nu, len(v))), remaining], axis=1)
+    speeds = np.concatenate([follow, moving, remaining], axis=1)
     unit = np.concatenate([columns[e], columns[v], np.ones(nz)])
     increments, speeds = (x * columns[:, None] / unit for x in (increments, speeds))
     states = np.eye(nz, len(unit), len(unit) - nz)
-    own = system.rates(at, tau)
-    rates = own.along @ increments + own.by_u @ speeds + own.by_z @ states
-    by_r = own.by_r
-    if len(held):
-        answer = pushed(system, at, held, found)
-        rates, by_r = (_kept(answer, held, x) for x in (rates, by_r))
+    internal = system.rates(at, tau)
+    rates = internal.along @ increments + internal.by_u @ speeds + internal.by_z @ states
+    by_r = internal.by_r
+    if len(locked):
+        answer = unit_force_accelerations(system, at, locked, tangents)
+        rates, by_r = (_with_lock_forces(answer, locked, x) for x in (rates, by_r))
     E, W = system.observer(at)
-    turned = E @ increments + speeds
-    A = np.concatenate([turned[e], (rates[:nu] - W @ speeds)[v], rates[nu:]])
+    kinematic = E @ increments + speeds
+    A = np.concatenate([kinematic[e], (rates[:nu] - W @ speeds)[v], rates[nu:]])
     B = np.concatenate([np.zeros((len(e), by_r.shape[1])), by_r[:nu][v], by_r[nu:]])
     return FirstOrder(A, B, e, v, increments, speeds)
 
 
-def eigenvalues(system: Contract, at: Moment, held: Sequence[int], tau: Array) -> Any:
+def eigenvalues(system: DynamicSystem, at: Moment, locked: Sequence[int], tau: Array) -> Any:
     """How small motions grow (n,) [1/s]; None where accelerations are not determined."""
     try:
-        return np.linalg.eigvals(first_order(system, at, held, tau).A)
+        return np.linalg.eigvals(first_order(system, at, locked, tau).A)
     except (SolveError, Singular, np.linalg.LinAlgError):
         return None
 
 
-def pushed(
-    system: Contract, at: Moment, places: Sequence[int], tangents: Tangents | None = None
+def unit_force_accelerations(
+    system: DynamicSystem, at: Moment, places: Sequence[int], tangents: Tangents | None = None
 ) -> Array:
     """Accelerations (nu, k) that unit forces along speeds make, constraints kept."""
-    columns, found = system.columns, tangents or system.tangents(at)
-    M = dense(found.M) * columns * columns[:, None]
-    G = dense(found.G) / system.rows[:, None] * columns
+    columns, tangent = system.columns, tangents or system.tangents(at)
+    M = dense(tangent.M) * columns * columns[:, None]
+    G = dense(tangent.G) / system.rows[:, None] * columns
     push = np.eye(len(columns))[list(places)] * columns
     answer = Dense().solve(M, G, push.T, np.zeros((len(G), len(push))))[0]
     return answer * columns[:, None]
 
 
-def _kept(answer: Array, held: Sequence[int], rates: Array) -> Array:
+def _with_lock_forces(answer: Array, locked: Sequence[int], rates: Array) -> Array:
     """Rates (nu + nz, n) after forces that keep what is held."""
-    found = rates.copy()
-    found[: len(answer)] -= answer @ np.linalg.lstsq(answer[list(held)], rates[list(held)])[0]
-    return found
+    corrected = rates.copy()
+    corrected[: len(answer)] -= (
+        answer @ np.linalg.lstsq(answer[list(locked)], rates[list(locked)])[0]
+    )
+    return corrected
 
 
-def chosen(G: Array, weights: Array, wanted: Integers | None = None) -> tuple[Array, Integers]:
+def chosen(G: Array, weights: Array, independent: Integers | None = None) -> tuple[Array, Integers]:
     """A basis (n, k) of what G allows, with the unit matrix in the rows that are chosen.
 
     Args:
@@ -153,7 +155,7 @@ def chosen(G: Array, weights: Array, wanted: Integers | None = None) -> tuple[Ar
     """
     basis = split(G)[2]
     k = basis.shape[1]
-    rows = wanted
+    rows = independent
     if rows is None:
         order = qr(basis.T * weights, mode="r", pivoting=True)[1] if k else np.zeros(0, np.intp)
         rows = np.sort(order[:k])

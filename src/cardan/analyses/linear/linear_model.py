@@ -119,8 +119,10 @@ class LinearModelRecord:
     @property
     def drifts(self) -> bool:
         """Whether some small motion grows with time, as one at constant speed does."""
-        found = self.spectrum
-        return bool(np.any(found.defective & (found.values.real >= -DRIFTING * found.size)))
+        spectrum = self.spectrum
+        return bool(
+            np.any(spectrum.defective & (spectrum.values.real >= -DRIFTING * spectrum.size))
+        )
 
     @property
     def M(self) -> Array:
@@ -225,9 +227,9 @@ class LinearModelRecord:
     def _closed(self, names: tuple[str, ...], rows: Array, left: Array) -> None:
         """Refuse coordinates whose equations others enter."""
         inside = len(self.A) - self.z
-        whole = np.abs(rows @ self.A @ self.A)[:, :inside]
+        total = np.abs(rows @ self.A @ self.A)[:, :inside]
         off = np.abs(left[:, :inside])
-        if off.max(initial=0.0) > CLOSED * max(float(whole.max(initial=0.0)), 1e-300):
+        if off.max(initial=0.0) > CLOSED * max(float(total.max(initial=0.0)), 1e-300):
             row, column = np.unravel_index(int(off.argmax()), off.shape)
             raise ModelError(
                 f"second_order: '{names[row]}' depends on '{self.states[column]}' too: its "
@@ -268,11 +270,11 @@ class LinearModelRecord:
             ) from missing
         rows = {"states": self.states, "inputs": self.inputs, "outputs": self.outputs}
         # what is a state and an output has one name in both
-        told = _plain(tuple(dict.fromkeys(name for names in rows.values() for name in names)))
+        new_names = _plain(tuple(dict.fromkeys(name for names in rows.values() for name in names)))
         title = _plain((self.name,))[self.name]
-        signals = {sort: [told[name] for name in names] for sort, names in rows.items()}
+        signals = {sort: [new_names[name] for name in names] for sort, names in rows.items()}
         system = StateSpace(self.A, self.B, self.C, self.D, name=title, **signals)
-        return ForControl(system, told)
+        return ForControl(system, new_names)
 
     def __repr__(self) -> str:
         about = "an equilibrium or steady motion"
@@ -287,16 +289,16 @@ class LinearModelRecord:
             f"  outputs {_listed(self.outputs)}",
             "  eigenvalue [1/s]               frequency [Hz]   damping ratio",
         ]
-        shown = [v for v in self.eigenvalues if v.imag >= 0][:SHOWN]
-        for value in shown:
+        printed = [v for v in self.eigenvalues if v.imag >= 0][:SHOWN]
+        for value in printed:
             size = abs(value)
             value = complex(0.0 if abs(value.real) < ROUNDED * size else value.real, value.imag)
             ratio = f"{0.0 - value.real / size:14.5g}" if size > 0 else f"{'-':>14}"
             text = f"{value.real:.6g}"
             text += f" +- {value.imag:.6g} i" if value.imag > 0 else ""
             lines.append(f"  {text:<30} {value.imag / (2 * np.pi):14.6g} {ratio}")
-        rest = sum(v.imag >= 0 for v in self.eigenvalues) - len(shown)
-        lines += [f"  ... {rest} more"] if rest else []
+        hidden = sum(v.imag >= 0 for v in self.eigenvalues) - len(printed)
+        lines += [f"  ... {hidden} more"] if hidden else []
         return "\n".join(lines)
 
 
@@ -309,15 +311,15 @@ class ForControl(NamedTuple):
 
 def _plain(names: tuple[str, ...]) -> dict[str, str]:
     """Names without dots and blanks, each another one."""
-    found: dict[str, str] = {}
+    plain_names: dict[str, str] = {}
     for name in names:
         bare = plain = re.sub(r"[.\s]", "_", name)
         count = 1
-        while plain in found.values():
+        while plain in plain_names.values():
             count += 1
             plain = f"{bare}_{count}"
-        found[name] = plain
-    return found
+        plain_names[name] = plain
+    return plain_names
 
 
 def _listed(names: tuple[str, ...]) -> str:
@@ -347,19 +349,19 @@ def plot(
     from ...view.loci import plot_response
 
     chosen = [
-        list(known) if names is None else listed(word, names, known[0] if known else "tip")
-        for word, names, known in (
+        list(declared) if names is None else listed(word, names, declared[0] if declared else "tip")
+        for word, names, declared in (
             ("inputs", inputs, linear_model.inputs),
             ("outputs", outputs, linear_model.outputs),
         )
     ]
     both = (("inputs", linear_model.inputs), ("outputs", linear_model.outputs))
-    for names, (word, known) in zip(chosen, both, strict=True):
-        missing = next((name for name in names if name not in known), None)
+    for names, (word, declared) in zip(chosen, both, strict=True):
+        missing = next((name for name in names if name not in declared), None)
         if missing is not None or not names:
             name = missing or ""
             raise ModelError(
-                f"plot: {word}: no such {word.removesuffix('s')}: '{name}'.{near(name, known)}"
+                f"plot: {word}: no such {word.removesuffix('s')}: '{name}'.{near(name, declared)}"
             )
     over = linear_model._around() if omega is None else np.asarray(omega, dtype=np.float64)
     if over.ndim != 1 or not len(over):

@@ -20,9 +20,9 @@ from ...errors import ModelError, listed, near
 from ...runtime.calls.evaluation import State
 from ..statics.equilibrium import Equilibrium, equilibrium
 from ..statics.static_problem import Problem
-from ..systems import contract_of
-from ..systems.dynamic_system import Contract, Moment, dense
-from .first_order import Choice, FirstOrder, first_order, pushed
+from ..systems import dynamic_system_of
+from ..systems.dynamic_system import DynamicSystem, Moment, dense
+from .first_order import Choice, FirstOrder, first_order, unit_force_accelerations
 from .linear_model import LinearModelRecord
 from .steady_motion import SteadyMotionRecord
 
@@ -64,34 +64,34 @@ def linearize(
         SolveError: accelerations are not determined there.
     """
     about = stance(model, x, q, u, z, r, t, parameters)
-    at, held = about.at, about.held
-    system = contract_of(about.model)
-    found = first_order(system, at, held, about.tau, choice or about.choice)
-    B, driven = _inputs(system, at, found, inputs)
-    C, D, told = _outputs(system, at, found, outputs)
+    at, locked = about.at, about.held
+    system = dynamic_system_of(about.model)
+    first = first_order(system, at, locked, about.tau, choice or about.choice)
+    B, driven = _inputs(system, at, first, inputs)
+    C, D, output_names = _outputs(system, at, first, outputs)
     D = D if inputs is None else _columns(system, D, driven)
     nz = len(system.internals)
-    increments = tuple(system.increments[k] for k in found.e)
-    states = (*increments, *(system.speeds[k] for k in found.v), *system.internals)
+    increments = tuple(system.increments[k] for k in first.e)
+    states = (*increments, *(system.speeds[k] for k in first.v), *system.internals)
     return LinearModelRecord(
         name=system.name,
-        A=found.A,
+        A=first.A,
         B=B,
         C=C,
         D=D,
         states=states,
         inputs=driven,
-        outputs=told,
-        n=len(found.e),
+        outputs=output_names,
+        n=len(first.e),
         z=len(system.internals),
-        mass=_mass(system, at, found),
+        mass=_mass(system, at, first),
         x=np.concatenate([at.q, at.u, at.z]),
-        acceleration=_left(system, at, held, about.choice),
-        choice=(found.e, found.v),
-        units=np.concatenate([system.columns[found.e], system.columns[found.v], np.ones(nz)]),
+        acceleration=_left(system, at, locked, about.choice),
+        choice=(first.e, first.v),
+        units=np.concatenate([system.columns[first.e], system.columns[first.v], np.ones(nz)]),
         along=system.increments,
-        increments=found.increments,
-        speeds=found.speeds,
+        increments=first.increments,
+        speeds=first.speeds,
     )
 
 
@@ -118,54 +118,56 @@ def stance(model: Any, x: Any, q: Any, u: Any, z: Any, r: Any, t: float, paramet
     An equilibrium has its multipliers already.
     """
     if x is None and q is None and u is None and z is None:
-        given = contract_of(model).given_inputs(r)
-        values = dict(zip(model.inputs, given.tolist(), strict=True))
+        inputs = dynamic_system_of(model).input_vector(r)
+        values = dict(zip(model.inputs, inputs.tolist(), strict=True))
         x = equilibrium(model, inputs=values, parameters=parameters, t=t, check=True)
     if isinstance(x, Equilibrium):
-        held, tau = Problem(contract_of(x.model)).held(x.point, x.load)
-        return Stance(x.model, x.point.at, held, tau, None)
+        locked, tau = Problem(dynamic_system_of(x.model)).held(x.point, x.load)
+        return Stance(x.model, x.point.at, locked, tau, None)
     if isinstance(x, SteadyMotionRecord):
         return Stance(x.model, x.at, [], x.tau, x.choice)
     if parameters:
         model = model.with_parameters(dict(parameters))
-    system = contract_of(model)
-    at = system.state(x, q, u, z, float(t), system.given_inputs(r), None)
+    system = dynamic_system_of(model)
+    at = system.state(x, q, u, z, float(t), system.input_vector(r), None)
     still = np.zeros(len(system.columns))
     return Stance(model, system.accelerations(at, still), [], still, None)
 
 
-def _left(system: Contract, at: Moment, held: list[int], choice: Choice | None) -> float:
+def _left(system: DynamicSystem, at: Moment, locked: list[int], choice: Choice | None) -> float:
     """The largest acceleration, without units of length; of a steady motion along its speeds."""
-    found = (at.udot - system.steady(at)) / system.columns
-    left = np.delete(found, held) if choice is None else found[choice[1]]
+    imbalance = (at.udot - system.steady(at)) / system.columns
+    left = np.delete(imbalance, locked) if choice is None else imbalance[choice[1]]
     return float(np.abs(left).max(initial=0.0))
 
 
 def _inputs(
-    system: Contract, at: Moment, found: FirstOrder, names: Iterable[str] | None
+    system: DynamicSystem, at: Moment, first: FirstOrder, names: Iterable[str] | None
 ) -> tuple[Array, tuple[str, ...]]:
     """B for chosen inputs: declared ones, or forces along speeds."""
     if names is None:
-        return found.B, system.inputs
+        return first.B, system.inputs
     columns, chosen = list[Array](), listed("inputs", names, "torque")
     for name in chosen:
         if name in system.inputs:
-            columns.append(found.B[:, system.inputs.index(name)])
+            columns.append(first.B[:, system.inputs.index(name)])
             continue
         speed = next((n for n in (name, f"{name}.u") if n in system.speeds), None)
         if speed is None:
-            known = (*system.inputs, *system.speeds)
-            raise ModelError(f"linearize: there is no input or speed '{name}'.{near(name, known)}")
-        answer = pushed(system, at, [system.speeds.index(speed)])[:, 0]
-        n, v = len(found.e), len(found.v)
-        column = np.zeros(len(found.A))
-        column[n : n + v] = answer[found.v]
+            declared = (*system.inputs, *system.speeds)
+            raise ModelError(
+                f"linearize: there is no input or speed '{name}'.{near(name, declared)}"
+            )
+        answer = unit_force_accelerations(system, at, [system.speeds.index(speed)])[:, 0]
+        n, v = len(first.e), len(first.v)
+        column = np.zeros(len(first.A))
+        column[n : n + v] = answer[first.v]
         columns.append(column)
-    B = np.stack(columns, axis=1) if columns else np.zeros((len(found.A), 0))
+    B = np.stack(columns, axis=1) if columns else np.zeros((len(first.A), 0))
     return B, tuple(chosen)
 
 
-def _columns(system: Contract, D: Array, driven: tuple[str, ...]) -> Array:
+def _columns(system: DynamicSystem, D: Array, driven: tuple[str, ...]) -> Array:
     """D for chosen inputs."""
     zero = np.zeros((len(D), 1))
     wide = np.concatenate([D, zero], axis=1)
@@ -174,42 +176,43 @@ def _columns(system: Contract, D: Array, driven: tuple[str, ...]) -> Array:
 
 
 def _outputs(
-    system: Contract, at: Moment, found: FirstOrder, names: Iterable[str] | None
+    system: DynamicSystem, at: Moment, first: FirstOrder, names: Iterable[str] | None
 ) -> tuple[Array, Array, tuple[str, ...]]:
     """C, D and names of outputs: declared ones, coordinates, speeds, internal states."""
     chosen = list(system.outputs or system.coordinates)
     if names is not None:
         chosen = listed("outputs", names, "height")
-    count, nz = len(found.A), len(system.internals)
+    count, nz = len(first.A), len(system.internals)
     inner = np.eye(nz, count, count - nz)
     places = np.zeros((0, count))
     C, D = np.zeros((len(chosen), count)), np.zeros((len(chosen), len(system.inputs)))
-    seen = system.seen(at) if any(n in system.outputs for n in chosen) else None
+    jacobians = system.seen(at) if any(n in system.outputs for n in chosen) else None
     for k, name in enumerate(chosen):
-        if seen is not None and name in system.outputs:
+        if jacobians is not None and name in system.outputs:
             i = system.outputs.index(name)
-            C[k] = seen.along[i] @ found.increments + seen.by_u[i] @ found.speeds
-            C[k] += seen.by_z[i] @ inner
-            D[k] = seen.by_r[i]
+            C[k] = jacobians.along[i] @ first.increments + jacobians.by_u[i] @ first.speeds
+            C[k] += jacobians.by_z[i] @ inner
+            D[k] = jacobians.by_r[i]
         elif name in system.coordinates:
-            places = places if len(places) else system.turning(at) @ found.increments
+            places = places if len(places) else system.turning(at) @ first.increments
             C[k] = places[system.coordinates.index(name)]
         elif name in system.speeds:
-            C[k] = found.speeds[system.speeds.index(name)]
+            C[k] = first.speeds[system.speeds.index(name)]
         elif name in system.internals:
             C[k] = inner[system.internals.index(name)]
         else:
-            known = (*system.outputs, *system.coordinates, *system.speeds, *system.internals)
+            declared = (*system.outputs, *system.coordinates, *system.speeds, *system.internals)
             raise ModelError(
-                f"linearize: there is no output, coordinate or speed '{name}'.{near(name, known)}"
+                f"linearize: there is no output, coordinate or speed '{name}'."
+                f"{near(name, declared)}"
             )
     return C, D, tuple(chosen)
 
 
-def _mass(system: Contract, at: Moment, found: FirstOrder) -> Array:
+def _mass(system: DynamicSystem, at: Moment, first: FirstOrder) -> Array:
     """M of the independent speeds (nv, nv)."""
-    n = len(found.e)
-    moving = found.speeds[:, n : n + len(found.v)]
+    n = len(first.e)
+    moving = first.speeds[:, n : n + len(first.v)]
     return np.asarray(moving.T @ dense(system.tangents(at).M @ moving))
 
 

@@ -15,7 +15,7 @@ from ...errors import ArgumentError, ModelError, near
 from ...runtime.trajectory.solver_info import FINISHED, Conduct
 from ...runtime.trajectory.trajectory import TrajectoryRecord
 from ..statics.static_path import SHOWN
-from ..systems import contract_of
+from ..systems import dynamic_system_of
 from ..systems.dynamic_system import Moment
 
 FULL = 0.25  # of a shape that is played: of the size of the mechanism, or radians
@@ -81,8 +81,8 @@ class ModesRecord:
 
         Its square is the effective mass that the mode lends a support shaken that way.
         """
-        found: Array = self.momentum @ self.shapes
-        return found
+        momenta: Array = self.momentum @ self.shapes
+        return momenta
 
     @property
     def effective_mass(self) -> Array:
@@ -104,8 +104,8 @@ class ModesRecord:
 
     def _number(self, k: int) -> int:
         if not isinstance(k, int | np.integer) or not -len(self) <= k < len(self):
-            known = [str(n) for n in range(len(self))]
-            raise ModelError(f"there is no mode {k!r}.{near(k, known)}")
+            numbers = [str(n) for n in range(len(self))]
+            raise ModelError(f"there is no mode {k!r}.{near(k, numbers)}")
         return int(k)
 
     def __repr__(self) -> str:
@@ -123,15 +123,15 @@ class ModesRecord:
         """The largest entries of a shape."""
         shape = self.shapes[:, k]
         size = np.abs(shape)
-        told = [int(i) for i in np.argsort(-size)[:4] if size[i] >= TOLD * size.max() > 0]
-        words = []
-        for i in told:
+        largest = [int(i) for i in np.argsort(-size)[:4] if size[i] >= TOLD * size.max() > 0]
+        entries = []
+        for i in largest:
             # half a turn is one angle, and so is none
             angle = round(float(np.degrees(np.angle(shape[i])))) % 360
-            turned = "" if np.isrealobj(shape) else f" at {angle - 360 * (angle > 180)} deg"
+            phase = "" if np.isrealobj(shape) else f" at {angle - 360 * (angle > 180)} deg"
             value = shape[i] if np.isrealobj(shape) else size[i]
-            words.append(f"{self.increments[i]} {value:.3g}{turned}")
-        return ", ".join(words)
+            entries.append(f"{self.increments[i]} {value:.3g}{phase}")
+        return ", ".join(entries)
 
 
 @checked
@@ -169,22 +169,22 @@ def motion(
         )
     if amplitude is not None and not math.isfinite(amplitude):
         raise ArgumentError(f"motion: amplitude={amplitude:g}: give a finite number")
-    shape, system = modes.shapes[:, modes._number(k)], contract_of(modes.model)
+    shape, system = modes.shapes[:, modes._number(k)], dynamic_system_of(modes.model)
     largest = float(np.abs(shape / system.columns).max(initial=0.0))
     factor = FULL / max(largest, 1e-300) if amplitude is None else float(amplitude)
     rate = float(modes.angular[k])
     phase = 2 * np.pi * periods * np.linspace(0, 1, int(PICTURES * periods) + 1)
     t = phase / (rate or 2 * np.pi)
-    turning = factor * np.exp(1j * phase)[:, None] * shape
-    q = np.array([system.integrate(modes.at.q, step) for step in np.real(turning)])
-    u = np.real(1j * rate * turning)
+    increments = factor * np.exp(1j * phase)[:, None] * shape
+    q = np.array([system.integrate(modes.at.q, step) for step in np.real(increments)])
+    u = np.real(1j * rate * increments)
     x = np.concatenate([q, u, np.tile(modes.at.z, (len(t), 1))], axis=1)
     r = np.broadcast_to(modes.at.r, (len(t), len(modes.at.r)))
-    words = f"mode {k} at {modes.frequencies[k]:.6g} Hz"
+    description = f"mode {k} at {modes.frequencies[k]:.6g} Hz"
     counts = dict.fromkeys(("steps", "rejections", "evaluations", "milliseconds"), 0.0)
-    conduct = Conduct(words, "played, not integrated", {}, (), FINISHED, words, counts)
+    info = Conduct(description, "played, not integrated", {}, (), FINISHED, description, counts)
     manifest = modes.model.manifest
-    return TrajectoryRecord(t, x, r, np.zeros((len(t), 0)), None, manifest, conduct, modes.model)
+    return TrajectoryRecord(t, x, r, np.zeros((len(t), 0)), None, manifest, info, modes.model)
 
 
 @checked

@@ -25,8 +25,8 @@ from ...errors import ModelError, SolveError, SolveWarning, warn
 from ...runtime.calls.evaluation import State
 from ..statics.equilibrium import Equilibrium
 from ..statics.static_problem import scaled
-from ..systems import contract_of
-from ..systems.dynamic_system import Contract, Moment
+from ..systems import dynamic_system_of
+from ..systems.dynamic_system import DynamicSystem, Moment
 from ..systems.saddle_point import (
     Factor,
     Singular,
@@ -80,7 +80,7 @@ def modes(
     if count is not None and (not isinstance(count, int | np.integer) or count < 1):
         raise ModelError(f"modes: count={count!r}: a number of modes, at least 1")
     model, at, held, tau, choice = stance(model, x, q, u, None, r, t, parameters)
-    system = contract_of(model)
+    system = dynamic_system_of(model)
     if choice is None:
         _steady(system, at, held)
     still = not np.any(at.u)
@@ -100,7 +100,7 @@ def _momentum(model: Any, at: Moment) -> Array:
     return np.asarray(found - rest[:, None])
 
 
-def _steady(system: Contract, at: Moment, held: list[int]) -> None:
+def _steady(system: DynamicSystem, at: Moment, held: list[int]) -> None:
     """Warn where a state neither rests nor moves steadily."""
     left = np.delete((at.udot - system.steady(at)) / system.columns, held)
     worst = float(np.abs(left).max(initial=0.0))
@@ -114,7 +114,7 @@ def _steady(system: Contract, at: Moment, held: list[int]) -> None:
 
 
 def _found(
-    system: Contract, at: Moment, held: list[int], tau: Array, choice: Choice | None,
+    system: DynamicSystem, at: Moment, held: list[int], tau: Array, choice: Choice | None,
     count: int | None, damped: bool, still: bool,
 ) -> tuple[Complex, Any]:  # fmt: skip
     """Eigenvalues (k,) [1/s] and shapes (nu, k), from the lowest frequency."""
@@ -202,7 +202,7 @@ def _real(
 
 
 def _first(
-    system: Contract, at: Moment, held: list[int], tau: Array, choice: Choice | None
+    system: DynamicSystem, at: Moment, held: list[int], tau: Array, choice: Choice | None
 ) -> tuple[Complex, Complex]:
     """Modes of the equations of first order, without units."""
     small = first_order(system, at, held, tau, choice)
@@ -226,8 +226,10 @@ def _chosen(values: Complex, count: int | None, double: bool) -> NDArray[np.intp
 def _phased(shapes: Any) -> Any:
     """Shapes whose largest entry is real and positive."""
     top = np.take_along_axis(shapes, np.abs(shapes).argmax(axis=0)[None], axis=0)
-    turned = shapes * np.where(np.abs(top) > 0, np.conj(top) / np.maximum(np.abs(top), 1e-300), 1.0)
-    return turned.real if np.isrealobj(shapes) else turned
+    shapes_in_phase = shapes * np.where(
+        np.abs(top) > 0, np.conj(top) / np.maximum(np.abs(top), 1e-300), 1.0
+    )
+    return shapes_in_phase.real if np.isrealobj(shapes) else shapes_in_phase
 
 
 def _size(matrix: Any) -> float:

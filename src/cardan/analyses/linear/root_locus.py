@@ -24,7 +24,7 @@ from ...arguments import Count, Hold, checked
 from ...arrays import Array, Booleans, Complex, Integers
 from ...errors import SolveError, SolveWarning, warn
 from .family import Family, Member, family
-from .stability_change import Between, StabilityChange, follow
+from .stability_change import Interval, StabilityChange, follow
 
 DOUBT = 0.4  # costs of an eigenvalue to be another one above which members between are looked at
 DEEPEST = 6  # halvings of a step
@@ -74,15 +74,15 @@ class LocusRecord:
     def __repr__(self) -> str:
         ends = ", ".join(f"{n} = {v[0] + 0.0:.6g} ... {v[-1]:.6g}" for n, v in self.values.items())
         lines = [f"'{self.name}', {ends}: {len(self)} linear models, {self.message}"]
-        kept = self.eigenvalues[:, self.moving]
+        eigenvalues = self.eigenvalues[:, self.moving]
         for row in dict.fromkeys((0, len(self) // 2, len(self) - 1)):
             said = ", ".join(f"{n} = {v[row] + 0.0:.6g}" for n, v in self.values.items())
             least = 1e-9 * self.members[row].spectrum.size
-            shown = [v for v in kept[row] if v.imag >= 0 and abs(v) > least]
-            words = [_number(v) for v in sorted(shown, key=lambda v: (-v.real, v.imag))[:SHOWN]]
-            more = ", ..." if len(shown) > SHOWN else ""
+            printed = [v for v in eigenvalues[row] if v.imag >= 0 and abs(v) > least]
+            numbers = [_number(v) for v in sorted(printed, key=lambda v: (-v.real, v.imag))[:SHOWN]]
+            more = ", ..." if len(printed) > SHOWN else ""
             kind = "stable" if self.members[row].stable else "unstable"
-            lines.append(f"  {said}: {kind}; {', '.join(words)}{more}")
+            lines.append(f"  {said}: {kind}; {', '.join(numbers)}{more}")
         for change in self.changes:
             said = ", ".join(f"{n} = {v:.9g}" for n, v in change.values.items())
             word = "begins" if change.lost else "ends"
@@ -131,12 +131,12 @@ def root_locus(
         ModelError: unknown names, nothing that changes. ArgumentError: values of a wrong shape.
         SolveError: no equilibrium or steady motion at the start; with ``check``, further on.
     """
-    given = {"q": q, "u": u, "hold": hold, "wanted": wanted, "free": free, "inputs": inputs,
+    arguments = {"q": q, "u": u, "hold": hold, "wanted": wanted, "free": free, "inputs": inputs,
              "parameters": parameters, "t": t}  # fmt: skip
-    found = locus(family(model, {**(swept or {}), **named}, given, count, coordinates), check)
-    if found.message != END:
-        warn(found.message, SolveWarning)
-    return found
+    loci = locus(family(model, {**(swept or {}), **named}, arguments, count, coordinates), check)
+    if loci.message != END:
+        warn(loci.message, SolveWarning)
+    return loci
 
 
 def locus(members: Family, check: bool = False) -> LocusRecord:
@@ -156,7 +156,7 @@ def locus(members: Family, check: bool = False) -> LocusRecord:
         # what grows is known against all that moves, also where everything stands still
         rate = max(row.spectrum.size for row in rows)
         for low, high in pairwise(rows):
-            changes += Between(members, rate).changes(low, high)
+            changes += Interval(members, rate).changes(low, high)
     except SolveError as failed:
         said = ", ".join(f"{n} = {v:.6g}" for n, v in members.told(rows[-1].s).items())
         message = f"ends behind {said}: {failed}"
@@ -201,5 +201,7 @@ def plot(locus: LocusRecord, path: str | Path | None = None) -> Any:
     from ...view.loci import plot_locus
 
     label, over = next(iter(locus.values.items()))
-    kept = locus.eigenvalues[:, locus.moving]
-    return plot_locus(locus.name, label, over, kept, [c.values[label] for c in locus.changes], path)
+    eigenvalues = locus.eigenvalues[:, locus.moving]
+    return plot_locus(
+        locus.name, label, over, eigenvalues, [c.values[label] for c in locus.changes], path
+    )

@@ -90,6 +90,6 @@ def reduced(rows: Array, A: Array, z: int) -> tuple[Array, Array, Array]:
     both, after = np.concatenate([rows, rate]), rate @ A
     inside = len(A) - z
     # columns count by their size in y and y', or units would choose what is small
-    told = np.linalg.lstsq(both[:, :inside].T, after[:, :inside].T)[0].T
+    coefficients = np.linalg.lstsq(both[:, :inside].T, after[:, :inside].T)[0].T
     k = len(rows)
-    return told[:, :k], told[:, k:], after - told @ both
+    return coefficients[:, :k], coefficients[:, k:], after - coefficients @ both

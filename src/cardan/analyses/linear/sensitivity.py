@@ -98,27 +98,27 @@ def sensitivity(
             f"{near(unknown or '', model.parameters)}"
         )
     state = equilibrium(model, check=True) if about is None else about
-    members = _beside(state, names)
+    members = _neighbors(state, names)
     base = members.member(0.0, {}, None)
     derivatives = [_derivative(members, base, name) for name in names]
     values = np.array([base.spectrum.derivative(dA) for dA, _ in derivatives]).T
     rough = np.array([base.spectrum.derivative(dA - off) for dA, off in derivatives]).T
-    known = {name: float(state.model.parameters[name]) for name in names}
+    nominal = {name: float(state.model.parameters[name]) for name in names}
     shape = len(base.values), len(names)
     values, rough = values.reshape(shape), rough.reshape(shape)
-    return Sensitivity(model.name, known, base.values, values, np.abs(values - rough))
+    return Sensitivity(model.name, nominal, base.values, values, np.abs(values - rough))
 
 
-def _beside(state: Any, names: list[str]) -> Family:
+def _neighbors(state: Any, names: list[str]) -> Family:
     """The motions beside one, as parameters change."""
     kinds = dict.fromkeys(names, "parameters")
     if isinstance(state, SteadyMotionRecord):
         return Family(state.model, {}, kinds, state.asked)
     if isinstance(state, Equilibrium):
         load = state.load
-        given = {"q": state.q, "hold": dict(load.hold), "inputs": dict(state.inputs),
+        arguments = {"q": state.q, "hold": dict(load.hold), "inputs": dict(state.inputs),
                  "t": state.t}  # fmt: skip
-        return Family(state.model, {}, kinds, given | ({} if load.u is None else {"u": load.u}))
+        return Family(state.model, {}, kinds, arguments | ({} if load.u is None else {"u": load.u}))
     raise ModelError(
         f"sensitivity: about={state!r}: give model.equilibrium(...) or model.trim(...), which can "
         "be found anew for other parameters"

@@ -63,12 +63,12 @@ class Spectrum:
 
         Those that meet leave each other along the eigenvalues of what couples them.
         """
-        found = np.einsum("ik,ij,jk->k", self.left.conj(), dA.astype(np.complex128), self.right)
+        rates = np.einsum("ik,ij,jk->k", self.left.conj(), dA.astype(np.complex128), self.right)
         for group in self.groups:
             if len(group) > 1 and not self.defective[group].any():
                 inner = self.left[:, group].conj().T @ dA @ self.right[:, group]
-                found[group] = np.linalg.eigvals(inner)
-        return np.asarray(found)
+                rates[group] = np.linalg.eigvals(inner)
+        return np.asarray(rates)
 
 
 def spectrum(A: Array, units: Array) -> Spectrum:
@@ -112,12 +112,12 @@ def _order(values: Complex) -> Integers:
 def _groups(values: Complex) -> tuple[Integers, ...]:
     """Places of eigenvalues that meet."""
     close = ALIKE * float(np.abs(values).max())
-    left, found = list(range(len(values))), list[Integers]()
+    left, groups = list(range(len(values))), list[Integers]()
     while left:
         here = [k for k in left if abs(values[k] - values[left[0]]) <= close]
         left = [k for k in left if k not in here]
-        found.append(np.array(here, dtype=np.intp))
-    return tuple(found)
+        groups.append(np.array(here, dtype=np.intp))
+    return tuple(groups)
 
 
 def _cosines(left: Complex, right: Complex) -> Array:

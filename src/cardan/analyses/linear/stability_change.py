@@ -55,8 +55,8 @@ def follow(before: Member, after: Member) -> tuple[Integers, float]:
     size = max(before.spectrum.size, after.spectrum.size, 1e-300)
     # of what stands still shapes say nothing
     still = before.still[:, None] & after.still
-    apart = np.abs(before.values[:, None] - after.values) / size
-    costs = np.where(still, 0.0, 1 - alike) + apart
+    distances = np.abs(before.values[:, None] - after.values) / size
+    costs = np.where(still, 0.0, 1 - alike) + distances
     # what moves does not become what stands still where it comes near
     parted = before.still[:, None] != after.still
     rows, columns = linear_sum_assignment(costs + parted)
@@ -66,7 +66,7 @@ def follow(before: Member, after: Member) -> tuple[Integers, float]:
 
 
 @dataclass(frozen=True, eq=False)
-class Between:
+class Interval:
     """The search between members of a family.
 
     Attributes:
@@ -84,7 +84,7 @@ class Between:
 
     def changes(self, low: Member, high: Member) -> list[StabilityChange]:
         """Where stability changes between two members, in their order."""
-        found = list[StabilityChange]()
+        changes_found = list[StabilityChange]()
         while self.growing(low) != self.growing(high) and high.s - low.s > CLOSE:
             near = self._bisected(low, high, 0.01 * NARROW)
             # a little further apart, where real parts are more than what counts as growth
@@ -92,10 +92,10 @@ class Between:
                     self.members.at(min(1.0, near[1].s + NARROW), near[1]))  # fmt: skip
             change = None
             if self.growing(wide[0]) != self.growing(wide[1]):
-                change = self._passing(*wide) or self._meeting(*wide)
-            found.append(change or self._somewhere(*self._bisected(*near, CLOSE)))
+                change = self._crossing_of_axis(*wide) or self._coalescence(*wide)
+            changes_found.append(change or self._somewhere(*self._bisected(*near, CLOSE)))
             low = near[1]
-        return found
+        return changes_found
 
     def _bisected(self, below: Member, above: Member, width: float) -> tuple[Member, Member]:
         """Members this close, of which the first is like the one below and the other is not."""
@@ -113,7 +113,7 @@ class Between:
         lost = self.growing(above) > self.growing(below)
         return (above, below, lost) if lost else (below, above, lost)
 
-    def _passing(self, below: Member, above: Member) -> StabilityChange | None:
+    def _crossing_of_axis(self, below: Member, above: Member) -> StabilityChange | None:
         """Where an eigenvalue passes the axis at a finite rate.
 
         None where eigenvalues meet on the axis first, as those of conservative systems do.
@@ -134,7 +134,7 @@ class Between:
         value = passed(s)
         return self._change(s, value, lost, abs(value.imag) > REAL * self.rate)
 
-    def _meeting(self, below: Member, above: Member) -> StabilityChange | None:
+    def _coalescence(self, below: Member, above: Member) -> StabilityChange | None:
         """Where two eigenvalues meet on the axis; None where they do not."""
         grown, _, lost = self._sides(below, above)
         k = int(np.where(grown.spectrum.growing, grown.values.real, -np.inf).argmax())

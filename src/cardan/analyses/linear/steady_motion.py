@@ -60,11 +60,13 @@ class SteadyMotionRecord(NamedState):
 
     def __repr__(self) -> str:
         lines = [f"'{self.model.name}': {self.message}"]
-        told = {**self.wanted, **self.free}
-        values = {n: v for n, v in self.named.items() if n not in told and n not in self.loose}
+        named_values = {**self.wanted, **self.free}
+        values = {
+            n: v for n, v in self.named.items() if n not in named_values and n not in self.loose
+        }
         stop = self.model.nq + self.model.nu
-        shown = [(n, v) for n, v in list(values.items())[:stop] if abs(v) > ROUNDED][:SHOWN]
+        printed = [(n, v) for n, v in list(values.items())[:stop] if abs(v) > ROUNDED][:SHOWN]
         lines += [f"  {name} = {value:.10g}  (wanted)" for name, value in self.wanted.items()]
         lines += [f"  {name} = {value:.10g}  (free)" for name, value in self.free.items()]
-        lines += [f"  {name} = {value:.10g}" for name, value in shown]
+        lines += [f"  {name} = {value:.10g}" for name, value in printed]
         return "\n".join(lines)

@@ -23,10 +23,10 @@ from ...arguments import checked
 from ...arrays import Array
 from ...errors import ModelError, SolveError, SolveWarning, counted, warn
 from ..statics.equilibrium import equilibrium
-from ..systems import contract_of
-from ..systems.joint_system import Relative
+from ..systems import dynamic_system_of
+from ..systems.joint_system import JointSystem
 from .steady_motion import SteadyMotionRecord
-from .trim_arguments import asked
+from .trim_arguments import trimming
 from .trim_problem import Guess, Trimming
 
 TIGHT = 1e-11  # steps without units that end the search
@@ -71,27 +71,27 @@ def trim(
         ModelError: unknown names, circuits that cannot be assembled, beams.
         SolveError: with ``check``, there is none, or free values are left over.
     """
-    system = contract_of(model)
-    if not isinstance(system, Relative):
+    system = dynamic_system_of(model)
+    if not isinstance(system, JointSystem):
         raise ModelError(
             f"trim (wanted=, free=): '{model.name}' has coordinates='absolute'. Its steady "
             "motions: model.equilibrium(u={'...': speed}, hold={'...': 0}) tells the force in "
             "holding"
         )
-    problem = asked(system, wanted, free, u, inputs, parameters, t)
+    problem = trimming(system, wanted, free, u, inputs, parameters, t)
     problem, guess, spent, met, moving = _from(problem, q)
-    if not met and (beside := _resting(model, problem, q)) is not None:
+    if not met and (resting_q := _rest_position(model, problem, q)) is not None:
         # forces of what is wanted lead further than the first guess of what is free
-        other = _from(problem, beside)
+        other = _from(problem, resting_q)
         if other[3]:
             problem, guess, spent, met, moving = other
     message = _said(problem, guess, met, moving)
-    found = _record(problem, guess, spent, message, wanted or {})
-    if not found.converged:
+    steady = _record(problem, guess, spent, message, wanted or {})
+    if not steady.converged:
         if check:
-            raise SolveError(found.message)
-        warn(found.message, SolveWarning)
-    return found
+            raise SolveError(steady.message)
+        warn(steady.message, SolveWarning)
+    return steady
 
 
 def _from(problem: Trimming, q: Any) -> tuple[Trimming, Guess, int, bool, str]:
@@ -104,25 +104,25 @@ def _from(problem: Trimming, q: Any) -> tuple[Trimming, Guess, int, bool, str]:
         moving = problem.unsteady(guess, STEADY) if met else ""
         if not moving or problem.settled(moving):
             break
-        problem = problem.resting(moving)
+        problem = problem.with_zero_speed(moving)
     return problem, guess, spent, met, moving
 
 
-def _resting(model: Any, problem: Trimming, q: Any) -> Array | None:
+def _rest_position(model: Any, problem: Trimming, q: Any) -> Array | None:
     """The position in which forces hold wanted coordinates; None where there is none."""
     places = problem.system.speeds
-    held = {name: value for name, value in problem.wanted.items() if f"{name}.u" in places}
+    locked = {name: value for name, value in problem.wanted.items() if f"{name}.u" in places}
     inputs = dict(zip(problem.system.inputs, problem.r.tolist(), strict=True))
-    given: dict[str, Any] = {"hold": held, "inputs": inputs, "parameters": dict(problem.base)}
+    arguments: dict[str, Any] = {"hold": locked, "inputs": inputs, "parameters": dict(problem.base)}
     if problem.given:
-        given["u"] = dict(problem.given)
+        arguments["u"] = dict(problem.given)
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", SolveWarning)
-            found = equilibrium(model, q=q, t=problem.t, **given)
+            rest = equilibrium(model, q=q, t=problem.t, **arguments)
     except (ModelError, SolveError):
         return None
-    return found.q if found.converged else None
+    return rest.q if rest.converged else None
 
 
 def _search(problem: Trimming, guess: Guess) -> tuple[Guess, int, bool]:
@@ -148,15 +148,15 @@ def _moved(
 ) -> tuple[Guess, float]:
     """The guess after a step, shortened until conditions are missed by less."""
     before = float(np.linalg.norm(problem.miss(guess) / unit))
-    found = guess
+    shortened = guess
     for _ in range(HALVINGS):
         try:
-            found = problem.moved(guess, share * step)
-            after = float(np.linalg.norm(problem.miss(found) / unit))
+            shortened = problem.moved(guess, share * step)
+            after = float(np.linalg.norm(problem.miss(shortened) / unit))
         except (SolveError, ModelError):
             after = np.inf
         if after <= max((1 - 1e-3 * share) * before, 1e-12):
-            return found, share
+            return shortened, share
         share *= 0.5
     return guess, 0.0
 
@@ -194,8 +194,8 @@ def _said(problem: Trimming, guess: Guess, met: bool, moving: str) -> str:
             f"no steady motion: as '{moving}' goes on, accelerations change (weight across the "
             "axis, a speed that would have to be 0?). Give other speeds, or simulate it"
         )
-    own = problem.left_over(guess, _open(problem, guess))
-    names = [name for name, size in own.items() if size > OWN]
+    surplus = problem.left_over(guess, _open(problem, guess))
+    names = [name for name, size in surplus.items() if size > OWN]
     if names and _ran_away(problem, guess):
         values = problem.values(guess)
         said = ", ".join(f"'{name}' = {values.get(name, 0.0):.3g}" for name in names)
@@ -213,37 +213,39 @@ def _said(problem: Trimming, guess: Guess, met: bool, moving: str) -> str:
 
 
 def _record(
-    problem: Trimming, guess: Guess, spent: int, message: str, wanted: Mapping[str, float]
+    problem: Trimming, guess: Guess, spent: int, message: str, requested: Mapping[str, float]
 ) -> SteadyMotionRecord:
     """What was found, as users see it."""
     moving = bool(np.abs(guess.at.u).max(initial=0.0) > 0)
     kind = f"{'steady motion' if moving else 'rest'}, after {counted(spent, 'iteration')}"
-    loose = problem.loose(guess, _open(problem, guess), OWN) if not message else ()
+    free_motions = problem.loose(guess, _open(problem, guess), OWN) if not message else ()
     at = guess.at
     return SteadyMotionRecord(
         model=problem.model(guess),
         x=np.concatenate([at.q, at.u, at.z]),
         free=problem.values(guess),
-        wanted={name: float(value) for name, value in wanted.items()},
+        wanted={name: float(value) for name, value in requested.items()},
         inputs=dict(zip(problem.system.inputs, at.r.tolist(), strict=True)),
         t=at.t,
-        loose=loose,
+        loose=free_motions,
         iterations=spent,
         converged=not message,
         message=message or kind,
-        asked=_anew(problem, guess, wanted),
+        asked=_restart_arguments(problem, guess, requested),
         at=at,
         tau=guess.tau,
         choice=problem.first(guess).choice,
     )
 
 
-def _anew(problem: Trimming, guess: Guess, wanted: Mapping[str, float]) -> dict[str, Any]:
+def _restart_arguments(
+    problem: Trimming, guess: Guess, requested: Mapping[str, float]
+) -> dict[str, Any]:
     """How the same is asked for, beginning where it was found."""
     system, values = problem.system, problem.values(guess)
     speeds = {name: value for name, value in values.items() if name in system.speeds}
     return {
-        "wanted": {name: float(value) for name, value in wanted.items()},
+        "wanted": {name: float(value) for name, value in requested.items()},
         "free": list(problem.kinds),
         "q": guess.at.q,
         "u": {**problem.given, **speeds},

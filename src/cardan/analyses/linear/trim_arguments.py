@@ -9,12 +9,12 @@ import numpy as np
 
 from ...errors import ModelError, SolveError, listed, named, near
 from ..mechanisms.consistent_rates import read
-from ..systems.joint_system import Relative
+from ..systems.joint_system import JointSystem
 from .trim_problem import FORCE, Trimming
 
 
-def asked(
-    system: Relative, wanted: Any, free: Iterable[str], u: Any, inputs: Any, parameters: Any,
+def trimming(
+    system: JointSystem, wanted: Any, free: Iterable[str], u: Any, inputs: Any, parameters: Any,
     t: float,
 ) -> Trimming:  # fmt: skip
     """The trim that a user described, checked.
@@ -23,11 +23,11 @@ def asked(
         ModelError: unknown names, a name in both. SolveError: values that are not finite.
     """
     aims = {n: float(v) for n, v in named("wanted", wanted, "'steer': 0.1").items()}
-    known = (*system.coordinates, *system.speeds, *system.outputs)
+    names = (*system.coordinates, *system.speeds, *system.outputs)
     for name, value in aims.items():
-        if name not in known:
+        if name not in names:
             raise ModelError(
-                f"trim: '{name}' is no coordinate, speed or output to want.{near(name, known)}"
+                f"trim: '{name}' is no coordinate, speed or output to want.{near(name, names)}"
             )
         if not np.isfinite(value):
             raise SolveError(f"trim: '{name}' is wanted at {value!r}; it must be finite")
@@ -40,20 +40,20 @@ def asked(
     system.changed(base)
     if not np.isfinite(t):
         raise SolveError(f"t={t!r}: it must be finite")
-    return Trimming(system, aims, kinds, start, base, system.given_inputs(inputs), float(t))
+    return Trimming(system, aims, kinds, start, base, system.input_vector(inputs), float(t))
 
 
-def by_entry(model: Any, given: Mapping[str, Any]) -> dict[str, float]:
+def by_entry(model: Any, speeds: Mapping[str, Any]) -> dict[str, float]:
     """Speeds by their own names, of joints and speeds with values.
 
     Raises:
         ModelError, ArgumentError, SolveError: unknown names, values of a wrong shape, not finite.
     """
-    places, values = read("u", model, given)
+    places, values = read("u", model, speeds)
     return {model.speeds[k]: float(x) for k, x in zip(places, values, strict=True)}
 
 
-def _kind(system: Relative, name: str) -> str:
+def _kind(system: JointSystem, name: str) -> str:
     """What something free is.
 
     Raises:
@@ -64,10 +64,10 @@ def _kind(system: Relative, name: str) -> str:
         return "input"
     if name in system.speeds:
         return "speed"
-    own = name.removesuffix(FORCE)
-    if name.endswith(FORCE) and (own in system.speeds or f"{own}.u" in system.speeds):
+    base_name = name.removesuffix(FORCE)
+    if name.endswith(FORCE) and (base_name in system.speeds or f"{base_name}.u" in system.speeds):
         return "force"
     if name in system.model.parameters:
         return "parameter"
-    known = (*system.inputs, *system.speeds, *forces, *system.model.parameters)
-    raise ModelError(f"trim: there is nothing '{name}' that could be free.{near(name, known)}")
+    names = (*system.inputs, *system.speeds, *forces, *system.model.parameters)
+    raise ModelError(f"trim: there is nothing '{name}' that could be free.{near(name, names)}")

@@ -15,8 +15,8 @@ from ..mechanisms.consistent_rates import read, speeds
 from ..mechanisms.mechanism import Mechanism
 from ..mechanisms.position_solver import PositionSolver
 from ..systems.dynamic_system import Moment
-from ..systems.joint_system import Relative
-from .first_order import FirstOrder, chosen, first_order, pushed
+from ..systems.joint_system import JointSystem
+from .first_order import FirstOrder, chosen, first_order, unit_force_accelerations
 
 FORCE = ".force"
 NAMED, LEADING = 1e6, 1e3  # preference of speeds that are spoken of, and of the others
@@ -52,7 +52,7 @@ class Trimming:
         v: Independent speeds of a search, as places of speeds; chosen where it begins.
     """
 
-    system: Relative
+    system: JointSystem
     wanted: Mapping[str, float]
     kinds: Mapping[str, str]
     given: Mapping[str, Any]
@@ -116,8 +116,8 @@ class Trimming:
         return self._first(guess)
 
     def _linear(self, guess: Guess) -> FirstOrder:
-        system, found = self.system, self.system.tangents(guess.at)
-        G = found.G / system.rows[:, None] * system.columns
+        system, tangents = self.system, self.system.tangents(guess.at)
+        G = tangents.G / system.rows[:, None] * system.columns
         weights = np.full(len(system.columns), LEADING)
         weights[self._named] = NAMED
         e = chosen(G[system.positions], np.full(len(weights), LEADING))[1]
@@ -127,17 +127,17 @@ class Trimming:
     @cached_property
     def _named(self) -> list[int]:
         """Speeds that are spoken of."""
-        own = self._places(self.given)
+        named = self._places(self.given)
         spoken = {*self.wanted, *self.kinds}
-        return own + [k for k, name in enumerate(self.system.speeds) if name in spoken]
+        return named + [k for k, name in enumerate(self.system.speeds) if name in spoken]
 
     # conditions
 
     def states(self, guess: Guess) -> Array:
         """Units of independent increments and speeds and of internal states (n,)."""
-        found = self.first(guess)
+        first = self.first(guess)
         columns = self.system.columns
-        return np.concatenate([columns[found.e], columns[found.v], np.ones(len(guess.at.z))])
+        return np.concatenate([columns[first.e], columns[first.v], np.ones(len(guess.at.z))])
 
     def kept(self, guess: Guess) -> list[int]:
         """Independent speeds that are neither wanted nor free."""
@@ -151,19 +151,19 @@ class Trimming:
     def miss(self, guess: Guess) -> Array:
         """Accelerations, rates of internal states, what is wanted, speeds that are kept."""
         at, system = guess.at, self.system
-        own = at.udot[self.first(guess).v] / system.columns[self.first(guess).v]
-        kept = self.kept(guess)
-        stay = (at.u - self._start)[kept] / system.columns[kept]
-        parts = [own, system.internal_rates(at), self._off(guess), stay]
+        accelerations = at.udot[self.first(guess).v] / system.columns[self.first(guess).v]
+        free_speeds = self.kept(guess)
+        stay = (at.u - self._start)[free_speeds] / system.columns[free_speeds]
+        parts = [accelerations, system.internal_rates(at), self._off(guess), stay]
         return np.concatenate(parts)
 
     @cached_property
     def _start(self) -> Array:
         """Speeds that are kept have these values (nu,)."""
         places, values = read("u", self.system.model, self.given)
-        found = np.zeros(len(self.system.speeds))
-        found[places] = values
-        return found
+        speeds_at_start = np.zeros(len(self.system.speeds))
+        speeds_at_start[places] = values
+        return speeds_at_start
 
     def _off(self, guess: Guess) -> Array:
         """What is wanted, less its value, without units of length."""
@@ -180,8 +180,8 @@ class Trimming:
         values = dict(zip(system.coordinates, at.q.tolist(), strict=True))
         values |= dict(zip(system.speeds, at.u.tolist(), strict=True))
         if any(name in system.outputs for name in self.wanted):
-            own = system.model.outputs(at.q, at.u, **system._rest(at))
-            values |= dict(zip(system.outputs, np.ravel(own).tolist(), strict=False))
+            outputs = system.model.outputs(at.q, at.u, **system._rest(at))
+            values |= dict(zip(system.outputs, np.ravel(outputs).tolist(), strict=False))
         return values
 
     def matrix(self, guess: Guess) -> Array:
@@ -193,42 +193,42 @@ class Trimming:
         return lru_cache(maxsize=2)(self._matrix)
 
     def _matrix(self, guess: Guess) -> Array:
-        system, found = self.system, self.first(guess)
-        n, v = len(found.e), found.v
+        system, first = self.system, self.first(guess)
+        n, v = len(first.e), first.v
         units, columns = self.states(guess), system.columns
-        own = found.A[n : n + len(v)] / columns[v][:, None]
-        rows = [own, found.A[n + len(v) :], self._wanted_rows(guess)]
-        kept = self.kept(guess)
-        rows.append(found.speeds[kept] / columns[kept][:, None])
+        accelerations = first.A[n : n + len(v)] / columns[v][:, None]
+        rows = [accelerations, first.A[n + len(v) :], self._target_rows(guess)]
+        constant = self.kept(guess)
+        rows.append(first.speeds[constant] / columns[constant][:, None])
         by_states = np.concatenate(rows) * units
         by_free = [self._by(guess, name) for name in self.free]
         return np.column_stack([by_states, *by_free])
 
-    def _wanted_rows(self, guess: Guess) -> Array:
-        system, found, nz = self.system, self.first(guess), len(guess.at.z)
-        count = len(found.A)
+    def _target_rows(self, guess: Guess) -> Array:
+        system, first, nz = self.system, self.first(guess), len(guess.at.z)
+        count = len(first.A)
         rows, inner = np.zeros((len(self.wanted), count)), np.eye(nz, count, count - nz)
-        seen = system.seen(guess.at) if any(n in system.outputs for n in self.wanted) else None
-        turning = system.turning(guess.at)
+        jacobians = system.seen(guess.at) if any(n in system.outputs for n in self.wanted) else None
+        kinematic_matrix = system.turning(guess.at)
         for k, name in enumerate(self.wanted):
             if name in system.coordinates:
-                rows[k] = turning[system.coordinates.index(name)] @ found.increments
+                rows[k] = kinematic_matrix[system.coordinates.index(name)] @ first.increments
             elif name in system.speeds:
-                rows[k] = found.speeds[system.speeds.index(name)]
-            elif seen is not None:
+                rows[k] = first.speeds[system.speeds.index(name)]
+            elif jacobians is not None:
                 i = system.outputs.index(name)
-                rows[k] = seen.along[i] @ found.increments + seen.by_u[i] @ found.speeds
-                rows[k] += seen.by_z[i] @ inner
+                rows[k] = jacobians.along[i] @ first.increments + jacobians.by_u[i] @ first.speeds
+                rows[k] += jacobians.by_z[i] @ inner
             rows[k] /= self._unit(name)
         return rows
 
     def _by(self, guess: Guess, name: str) -> Array:
         """How conditions change with something that is free."""
         if self.kinds[name] == "force":
-            system, found = self.system, self.first(guess)
-            answer = pushed(system, guess.at, [self._speed(name)])[:, 0]
+            system, first = self.system, self.first(guess)
+            answer = unit_force_accelerations(system, guess.at, [self._speed(name)])[:, 0]
             column = np.zeros(len(self.miss(guess)))
-            column[: len(found.v)] = answer[found.v] / system.columns[found.v]
+            column[: len(first.v)] = answer[first.v] / system.columns[first.v]
             return column * self._size(guess, name)
         h = STEP
         sides = [self.miss(self._with(guess, {name: sign * h}, guess)) for sign in (1, -1)]
@@ -237,8 +237,10 @@ class Trimming:
     # values
 
     def _speed(self, name: str) -> int:
-        own = name.removesuffix(FORCE)
-        return self.system.speeds.index(own if own in self.system.speeds else f"{own}.u")
+        base_name = name.removesuffix(FORCE)
+        return self.system.speeds.index(
+            base_name if base_name in self.system.speeds else f"{base_name}.u"
+        )
 
     def _size(self, guess: Guess, name: str) -> float:
         """A unit of something free."""
@@ -246,18 +248,18 @@ class Trimming:
 
     def values(self, guess: Guess) -> dict[str, float]:
         """What is free and its value."""
-        at, system, found = guess.at, self.system, dict[str, float]()
+        at, system, values_by_name = guess.at, self.system, dict[str, float]()
         for name, kind in self.kinds.items():
             if kind == "input":
-                found[name] = float(at.r[system.inputs.index(name)])
+                values_by_name[name] = float(at.r[system.inputs.index(name)])
             elif kind == "parameter":
                 default = system.model.parameters[name]
-                found[name] = float(np.asarray((at.parameters or {}).get(name, default)))
+                values_by_name[name] = float(np.asarray((at.parameters or {}).get(name, default)))
             elif kind == "force":
-                found[name] = float(guess.tau[self._speed(name)])
+                values_by_name[name] = float(guess.tau[self._speed(name)])
             else:
-                found[name] = float(at.u[system.speeds.index(name)])
-        return found
+                values_by_name[name] = float(at.u[system.speeds.index(name)])
+        return values_by_name
 
     def _with(self, guess: Guess, change: Mapping[str, float], sizes: Guess) -> Guess:
         """The guess with other free values (changes in their units), on its constraints."""
@@ -290,23 +292,23 @@ class Trimming:
 
     def moved(self, guess: Guess, step: Array) -> Guess:
         """The guess after a step of the unknowns, without units."""
-        system, found = self.system, self.first(guess)
-        count, nz = len(found.A), len(guess.at.z)
+        system, first = self.system, self.first(guess)
+        count, nz = len(first.A), len(guess.at.z)
         x = step[:count] * self.states(guess)
-        at = system.advanced(guess.at, found.increments @ x)
-        at = replace(at, u=at.u + found.speeds @ x, z=at.z + x[count - nz :])
+        at = system.retract(guess.at, first.increments @ x)
+        at = replace(at, u=at.u + first.speeds @ x, z=at.z + x[count - nz :])
         change = dict(zip(self.free, step[count:].tolist(), strict=True))
-        start = self._placed(at, guess.tau, found.v)
+        start = self._placed(at, guess.tau, first.v)
         return self._with(start, change, guess) if change else start
 
     # what is told
 
     def unsteady(self, guess: Guess, tolerance: float) -> str:
         """The speed with which accelerations change most as the motion goes on; "" if none do."""
-        system, at, found = self.system, guess.at, self.first(guess)
-        own = system.rates(at, guess.tau)
-        along = own.along[found.v] / system.columns[found.v][:, None]
-        by_u = own.by_u[found.v] / system.columns[found.v][:, None]
+        system, at, first = self.system, guess.at, self.first(guess)
+        rates = system.rates(at, guess.tau)
+        along = rates.along[first.v] / system.columns[first.v][:, None]
+        by_u = rates.by_u[first.v] / system.columns[first.v][:, None]
         jerk = along @ at.u + by_u @ at.udot
         stiff = float(np.abs(along).max(initial=0.0))
         # below this speeds are rounding, against those of vibrations
@@ -316,42 +318,42 @@ class Trimming:
         if np.abs(jerk).max(initial=0.0) <= tolerance * scale:
             return ""
         # by independent increments: of others alone circuits would not stay closed
-        n = len(found.e)
-        shares = np.abs(along @ found.increments[:, :n] * at.u[found.e]).max(axis=0)
-        return system.speeds[int(found.e[shares.argmax()])]
+        n = len(first.e)
+        shares = np.abs(along @ first.increments[:, :n] * at.u[first.e]).max(axis=0)
+        return system.speeds[int(first.e[shares.argmax()])]
 
     def settled(self, name: str) -> bool:
         """Whether a speed has a value that was asked for."""
         return name in {*self.wanted, *self.kinds} or self._told(self.given, name)
 
-    def resting(self, name: str) -> Trimming:
+    def with_zero_speed(self, name: str) -> Trimming:
         """The same with a speed that is 0."""
         return replace(self, wanted={**self.wanted, name: 0.0}, v=None)
 
     def loose(self, guess: Guess, directions: Array, tolerance: float) -> tuple[str, ...]:
         """Coordinates of which any value would do, by directions in which nothing changes."""
-        found = self.first(guess)
-        moved = found.increments @ (directions[:, : len(found.A)] * self.states(guess)).T
+        first = self.first(guess)
+        moved = first.increments @ (directions[:, : len(first.A)] * self.states(guess)).T
         sizes = np.abs(moved / self.system.columns[:, None]).max(axis=1, initial=0.0)
         return tuple(n for n, x in zip(self.system.increments, sizes, strict=True) if x > tolerance)
 
     def left_over(self, guess: Guess, directions: Array) -> dict[str, float]:
         """How much what is free takes part in directions (k, n) in which nothing changes."""
-        found, names = self.first(guess), self.system.speeds
-        count = len(found.A)
+        first, names = self.first(guess), self.system.speeds
+        count = len(first.A)
         sizes = np.abs(directions).max(axis=0, initial=0.0)[count:]
-        own = dict(zip(self.free, sizes.tolist(), strict=True))
-        changed = found.speeds @ (directions[:, :count] * self.states(guess)).T
+        shares = dict(zip(self.free, sizes.tolist(), strict=True))
+        changed = first.speeds @ (directions[:, :count] * self.states(guess)).T
         for name in self._open:
             k = names.index(name)
-            own[name] = float(np.abs(changed[k]).max(initial=0.0)) / self.system.columns[k]
-        return own
+            shares[name] = float(np.abs(changed[k]).max(initial=0.0)) / self.system.columns[k]
+        return shares
 
     def cure(self) -> str:
         """What to do where what is free does not help."""
         inputs = [name for name in self.system.inputs if name not in self.kinds]
-        known = ", ".join([*inputs, f"<joint>{FORCE}", "<joint>.u"])
-        return f"Free something that does: {known}; or want something else, start nearer"
+        candidates = ", ".join([*inputs, f"<joint>{FORCE}", "<joint>.u"])
+        return f"Free something that does: {candidates}; or want something else, start nearer"
 
     def wishes(self, guess: Guess) -> slice:
         """The conditions that are what is wanted."""
@@ -360,12 +362,12 @@ class Trimming:
 
     def complaint(self, guess: Guess, row: int, miss: float) -> str:
         """What a condition says that does not hold, and what to do."""
-        found = self.first(guess)
-        nv, nz, nw = len(found.v), len(guess.at.z), len(self.wanted)
+        first = self.first(guess)
+        nv, nz, nw = len(first.v), len(guess.at.z), len(self.wanted)
         cure = self.cure()
         if row < nv:
-            name = self.system.speeds[found.v[row]]
-            value = miss * self.system.columns[found.v[row]]
+            name = self.system.speeds[first.v[row]]
+            value = miss * self.system.columns[first.v[row]]
             return f"'{name}' changes at {value:.3g}, and nothing that is free stops it. {cure}"
         if row < nv + nz:
             name = self.system.internals[row - nv]

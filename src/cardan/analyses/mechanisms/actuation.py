@@ -17,7 +17,7 @@ from ...runtime.models.loaded_model import LoadedModel
 from ...runtime.verification.joint_motion import times
 from ..statics.force_balance import elastic
 from ..statics.static_problem import scaled
-from ..systems import contract_of
+from ..systems import dynamic_system_of
 from ..systems.dynamic_system import Moment
 
 RANK = 1e-9  # singular values below this part of the largest count as zero
@@ -77,8 +77,8 @@ class Actuation:
         lines = [f"'{self.name}': {_count(count, 'actuator')}, {_count(freedoms, 'freedom')}"]
         free = int(count - np.min(self.rank, initial=count))
         if free:
-            words = "of least norm" if self.norm == "minimum" else "of least weighted norm"
-            lines.append(f"  {_count(free, 'force')} without effect on the motion: those {words}")
+            norm = "of least norm" if self.norm == "minimum" else "of least weighted norm"
+            lines.append(f"  {_count(free, 'force')} without effect on the motion: those {norm}")
         else:
             lines.append("  forces are unique")
         if self.forces.ndim == 1:
@@ -141,8 +141,8 @@ def actuation(
 
     Source: Roberson and Schwertassek, Dynamics of Multibody Systems, chapter 8.
     """
-    rest: dict[str, Any] = {"t": t, "r": r, "parameters": parameters}
-    place = _Place(model, model._vector("q", q), model._vector("u", u), rest)
+    time_and_inputs: dict[str, Any] = {"t": t, "r": r, "parameters": parameters}
+    place = _Place(model, model._vector("q", q), model._vector("u", u), time_and_inputs)
     motion = model._vector("udot", udot)
     if motion.shape[-1:] != (model.nu,):
         raise ArgumentError(
@@ -181,25 +181,25 @@ def hybrid_dynamics(
 
     Source: R. Featherstone, Rigid Body Dynamics Algorithms, section 9.1.
     """
-    rest: dict[str, Any] = {"t": t, "r": r, "parameters": parameters}
-    place = _Place(model, model._vector("q", q), model._vector("u", u), rest)
-    chosen, wanted = _wanted(model, udot)
-    given = np.zeros(model.nu) if tau is None else model._vector("tau", tau)
+    time_and_inputs: dict[str, Any] = {"t": t, "r": r, "parameters": parameters}
+    place = _Place(model, model._vector("q", q), model._vector("u", u), time_and_inputs)
+    chosen, prescribed = _prescribed_accelerations(model, udot)
+    applied = np.zeros(model.nu) if tau is None else model._vector("tau", tau)
     # accelerations that keep to the constraints, corrected to those that are wanted
-    known = model.forward_dynamics(place.q, place.u, tau=given, **rest)
+    known = model.forward_dynamics(place.q, place.u, tau=applied, **time_and_inputs)
     rows = np.eye(model.nu)[chosen]
     G = place.jacobian
-    lead = np.broadcast_shapes(known.shape[:-1], G.shape[:-2], wanted.shape[:-1])
-    G, rows, known, wanted = (
+    lead = np.broadcast_shapes(known.shape[:-1], G.shape[:-2], prescribed.shape[:-1])
+    G, rows, known, prescribed = (
         np.broadcast_to(x, (*lead, *x.shape[-k:]))
-        for x, k in ((G, 2), (rows, 2), (known, 1), (wanted, 1))
+        for x, k in ((G, 2), (rows, 2), (known, 1), (prescribed, 1))
     )
     both = np.concatenate([G, rows], axis=-2)
-    change = np.concatenate([np.zeros(G.shape[:-1]), wanted - known[..., chosen]], axis=-1)
+    change = np.concatenate([np.zeros(G.shape[:-1]), prescribed - known[..., chosen]], axis=-1)
     back = np.linalg.pinv(both, rcond=RANK)
     one = known + times(back, change)
-    left = one[..., chosen] - wanted
-    if not _small(np.concatenate([left, times(G, one - known)], axis=-1), wanted, known):
+    left = one[..., chosen] - prescribed
+    if not _small(np.concatenate([left, times(G, one - known)], axis=-1), prescribed, known):
         names = [model.speeds[i] for i in chosen]
         raise SolveError(
             f"model '{model.name}': the constraints do not allow these accelerations of "
@@ -207,20 +207,20 @@ def hybrid_dynamics(
         )
     # the balance along the motions that are left; across them anything regular will do
     free = np.eye(model.nu) - back @ both
-    M = model.mass_matrix(place.q, **rest)
+    M = model.mass_matrix(place.q, **time_and_inputs)
     size = np.trace(M, axis1=-2, axis2=-1)[..., None, None] / max(1, model.nu)
     inertia = free @ M @ free + size * (np.eye(model.nu) - free)
-    missing = times(free, given - place.force(one))
+    missing = times(free, applied - place.force(one))
     motion = one + times(free @ np.linalg.pinv(inertia, rcond=LIGHT, hermitian=True), missing)
-    return _shared(place, motion, given, chosen, "minimum")
+    return _shared(place, motion, applied, chosen, "minimum")
 
 
 def _shared(
-    place: _Place, udot: Array, given: Array, chosen: list[int], norm: str | ArrayLike
+    place: _Place, udot: Array, applied: Array, chosen: list[int], norm: str | ArrayLike
 ) -> Actuation:
     """Forces of the chosen speeds that do what given ones leave to do."""
     model, nu = place.model, place.model.nu
-    load, G = place.force(udot) - given, place.jacobian
+    load, G = place.force(udot) - applied, place.jacobian
     lead = np.broadcast_shapes(load.shape[:-1], G.shape[:-2])
     load, G = np.broadcast_to(load, (*lead, nu)), np.broadcast_to(G, (*lead, *G.shape[-2:]))
     # what constraints cannot bear must come from the actuators
@@ -239,7 +239,7 @@ def _shared(
         model.name,
         tuple(model.speeds[i] for i in chosen),
         forces,
-        tau + given,
+        tau + applied,
         np.broadcast_to(udot, (*lead, nu)),
         lam,
         np.rint(np.trace(free, axis1=-2, axis2=-1)).astype(int),
@@ -250,14 +250,14 @@ def _shared(
 
 def _rounded(place: _Place, udot: Array, left: Array) -> bool:
     """Whether what is left is rounding of elastic forces, which are large where they rest too."""
-    model, rest = place.model, place.rest
-    system = contract_of(model.with_parameters(rest["parameters"] or {}))
+    model, arguments = place.model, place.rest
+    system = dynamic_system_of(model.with_parameters(arguments["parameters"] or {}))
     lead, nu = left.shape[:-1], model.nu
     count = int(np.prod(lead))
-    r = system.given_inputs(None) if rest["r"] is None else model._vector("r", rest["r"])
+    r = system.input_vector(None) if arguments["r"] is None else model._vector("r", arguments["r"])
     wide = ((place.q, model.nq), (place.u, nu), (udot, nu), (r, model.nr))
     blocks = [np.broadcast_to(x, (*lead, n)).reshape(count, n) for x, n in wide]
-    instants = np.broadcast_to(np.asarray(rest["t"], dtype=float), lead).ravel()
+    instants = np.broadcast_to(np.asarray(arguments["t"], dtype=float), lead).ravel()
     most = []
     for t, *(q, u, rate, inputs) in zip(instants, *blocks, strict=True):
         lam, z = np.zeros(len(system.multipliers)), np.zeros(len(system.internals))
@@ -289,16 +289,16 @@ def named_speeds(model: LoadedModel, names: Sequence[str] | None) -> list[int]:
     """Speeds of joints or speeds by name, each once."""
     if names is None:
         return list(range(model.nu))
-    found: list[int] = []
+    places: list[int] = []
     for name in [names] if isinstance(names, str) else names:
-        found += [i for i in _named(model, name) if i not in found]
-    return found
+        places += [i for i in _named(model, name) if i not in places]
+    return places
 
 
 def _named(model: LoadedModel, name: str) -> list[int]:
     rows = model.manifest.speeds
-    found = [i for i, row in enumerate(rows) if name in (row.name, row.joint)]
-    if not found:
+    places = [i for i, row in enumerate(rows) if name in (row.name, row.joint)]
+    if not places:
         joints = dict.fromkeys(row.joint for row in rows if row.joint)
         why = ""
         if name in model.joints:
@@ -307,22 +307,24 @@ def _named(model: LoadedModel, name: str) -> list[int]:
             f"model '{model.name}': '{name}' is neither a joint with speeds nor a speed; those "
             f"with speeds are {', '.join(joints)}.{why or near(name, [*joints, *model.speeds])}"
         )
-    return found
+    return places
 
 
-def _wanted(model: LoadedModel, udot: Mapping[str, ArrayLike]) -> tuple[list[int], Array]:
+def _prescribed_accelerations(
+    model: LoadedModel, udot: Mapping[str, ArrayLike]
+) -> tuple[list[int], Array]:
     """Speeds whose accelerations are given, and those (..., number of them)."""
     slots, values = list[int](), list[Array]()
     for name, value in udot.items():
-        own, given = _named(model, name), np.asarray(value, dtype=float)
-        if len(own) == 1:
-            given = given[..., None]
-        elif given.shape[-1:] != (len(own),):
+        places, array = _named(model, name), np.asarray(value, dtype=float)
+        if len(places) == 1:
+            array = array[..., None]
+        elif array.shape[-1:] != (len(places),):
             raise ArgumentError(
-                f"udot['{name}'] has shape {given.shape}, expected (..., {len(own)})"
+                f"udot['{name}'] has shape {array.shape}, expected (..., {len(places)})"
             )
-        slots += own
-        values += [given[..., k] for k in range(len(own))]
+        slots += places
+        values += [array[..., k] for k in range(len(places))]
     if len(set(slots)) < len(slots):
         raise ArgumentError(f"udot names a speed twice: {', '.join(udot)}")
     if not values:
@@ -339,10 +341,10 @@ def _refuse_impossible(place: _Place, udot: Array) -> None:
     model = place.model
     if not model.nlam:
         return
-    known = model.forward_dynamics(place.q, place.u, **place.rest)
+    possible = model.forward_dynamics(place.q, place.u, **place.rest)
     G = place.jacobian
-    left = times(G, udot - known)
-    if not _small(left, times(np.abs(G), np.abs(udot)), times(np.abs(G), np.abs(known))):
+    left = times(G, udot - possible)
+    if not _small(left, times(np.abs(G), np.abs(udot)), times(np.abs(G), np.abs(possible))):
         size = np.abs(left).reshape(-1, left.shape[-1]).max(axis=0)
         names = [
             n for n, x in zip(model.multipliers_of, size, strict=True) if x > SHARE * size.max()

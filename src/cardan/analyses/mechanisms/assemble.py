@@ -16,13 +16,13 @@ from ...runtime.calls.evaluation import State
 from ...runtime.models.initial import start_of
 from ...runtime.models.loaded_model import LoadedModel
 from .assembly import Assembly
-from .assembly_diagnosis import explain, reached
+from .assembly_diagnosis import actual_value, explain
 from .branches import branches
 from .consistent_rates import accelerations, speeds
 from .mechanism import Mechanism, refuse_nodes
 from .nearest_position import REACHED, choose, nearest
 from .position_solver import Solution, missed
-from .rounded_loops import rounded, slack
+from .rounded_loops import closure_tolerance, rounded
 from .searches import search
 from .targets import Target, read
 
@@ -74,7 +74,7 @@ def assemble(
     """
     refuse_nodes(model, "assemble")
     m = Mechanism(model, t, r)
-    goals, wanted = read(m, targets or {}, weights, hold), branches(model, branch or {})
+    goals, requested_branches = read(m, targets or {}, weights, hold), branches(model, branch or {})
     if starts < 1:
         raise ModelError(f"starts={starts}: at least one search is needed")
     begin = _begin(model, start)
@@ -86,8 +86,8 @@ def assemble(
     if not met:
         explain(m, goals, found, lambda n, some: search(n, some, begin, min(starts, 6), seed))
     different = _different(m, met)
-    chosen = choose(m, different, wanted, begin)
-    if not wanted and all(goal.weight is None for goal in goals):
+    chosen = choose(m, different, requested_branches, begin)
+    if not requested_branches and all(goal.weight is None for goal in goals):
         chosen = nearest(m, goals, begin, chosen)
     many = chosen.freedoms > sum(len(t.value) for t in goals if t.weight is not None)
     solutions = None if many and not any(t.weight is not None for t in goals) else len(different)
@@ -107,14 +107,14 @@ def _begin(model: LoadedModel, start: Any) -> Array:
     return start_of(model, named, {})[0][: model.nq]
 
 
-def _different(m: Mechanism, found: Sequence[Solution]) -> list[Solution]:
+def _different(m: Mechanism, solutions: Sequence[Solution]) -> list[Solution]:
     """Positions that are not the same up to whole turns; of equal ones the first."""
-    kept: list[Solution] = []
-    for one in found:
-        away = (np.abs(m.between(k.q, m.nearest(one.q, k.q))).max(initial=0.0) for k in kept)
+    different: list[Solution] = []
+    for one in solutions:
+        away = (np.abs(m.between(k.q, m.nearest(one.q, k.q))).max(initial=0.0) for k in different)
         if not any(distance < SAME for distance in away):
-            kept.append(one)
-    return kept
+            different.append(one)
+    return different
 
 
 def finish(
@@ -128,9 +128,9 @@ def finish(
 ) -> Assembly:
     """The record, with consistent speeds and accelerations."""
     model, q = m.model, chosen.q
-    m.slack = m.slack or slack(m, q)
-    rest = start_of(model, {}, {})[0][model.nq : model.nx - model.nz]
-    velocities, rates = speeds(m, q, u, rest), None
+    m.slack = m.slack or closure_tolerance(m, q)
+    start_speeds = start_of(model, {}, {})[0][model.nq : model.nx - model.nz]
+    velocities, rates = speeds(m, q, u, start_speeds), None
     if "forward_dynamics" in model.manifest.available:
         rates = accelerations(m, q, velocities, udot)
     elif udot:
@@ -146,7 +146,7 @@ def finish(
         u=velocities,
         udot=rates,
         gaps=m.gaps(q),
-        unreached={name: f"asked {t.asked}, {reached(m, t, q)}" for name, t in away.items()},
+        unreached={name: f"asked {t.asked}, {actual_value(m, t, q)}" for name, t in away.items()},
         freedoms=chosen.freedoms,
         solutions=solutions,
         starts=starts,

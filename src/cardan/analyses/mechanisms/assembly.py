@@ -55,17 +55,17 @@ class Assembly:
             ModelError: no such name.
         """
         for names, values in ((self.coordinates, self.q), (self.speeds, self.u)):
-            for wanted in (name, name.removesuffix(".u")):
-                if wanted in names and (wanted == name or names is self.speeds):
-                    return float(values[names.index(wanted)])
-        known = [*self.coordinates, *self.speeds]
-        raise ModelError(f"assembly['{name}']: there is no such entry.{near(name, known)}")
+            for entry in (name, name.removesuffix(".u")):
+                if entry in names and (entry == name or names is self.speeds):
+                    return float(values[names.index(entry)])
+        entries = [*self.coordinates, *self.speeds]
+        raise ModelError(f"assembly['{name}']: there is no such entry.{near(name, entries)}")
 
     def __repr__(self) -> str:
-        found = {None: "one of many positions", 1: "the only position found"}
-        words = found.get(self.solutions, f"1 of {self.solutions} positions found")
+        descriptions = {None: "one of many positions", 1: "the only position found"}
+        description = descriptions.get(self.solutions, f"1 of {self.solutions} positions found")
         lines = [
-            f"assembly of '{self.name}': {words} from {self.starts} "
+            f"assembly of '{self.name}': {description} from {self.starts} "
             f"start{'s' if self.starts != 1 else ''}, {self.freedoms} "
             f"freedom{'s' if self.freedoms != 1 else ''} left"
         ]
@@ -73,13 +73,13 @@ class Assembly:
         if np.any(self.u):
             lines += _values("u", self.speeds, self.u)
         for joint, (length, other) in self.gaps.items():
-            rest = f" and {other:.1e}" if other else ""
-            lines.append(f"  circuit of '{joint}' closed to {length:.1e} m{rest}")
+            angle_text = f" and {other:.1e}" if other else ""
+            lines.append(f"  circuit of '{joint}' closed to {length:.1e} m{angle_text}")
         lines += [f"  target '{name}' not reached: {said}" for name, said in self.unreached.items()]
         return "\n".join(lines)
 
 
 def _values(letter: str, names: tuple[str, ...], values: Array) -> list[str]:
-    shown = [f"{n} = {v:.9g}" for n, v in zip(names, values.tolist(), strict=True)]
-    more = [f"and {len(shown) - LISTED} more"] if len(shown) > LISTED else []
-    return [f"  {letter}  {', '.join([*shown[:LISTED], *more])}"]
+    entries = [f"{n} = {v:.9g}" for n, v in zip(names, values.tolist(), strict=True)]
+    more = [f"and {len(entries) - LISTED} more"] if len(entries) > LISTED else []
+    return [f"  {letter}  {', '.join([*entries[:LISTED], *more])}"]

@@ -26,7 +26,7 @@ HALVINGS = 30  # of the way from what is reached to what is asked
 def explain(
     m: Mechanism,
     targets: Sequence[Target],
-    found: Sequence[Solution],
+    solutions: Sequence[Solution],
     again: Search,
     remedy: str = WEIGHTS,
 ) -> NoReturn:
@@ -42,26 +42,26 @@ def explain(
     Raises:
         ModelError: always.
     """
-    held = [target for target in targets if target.weight is None]
-    bare = again(m, []) if held else found
+    required = [target for target in targets if target.weight is None]
+    bare = again(m, []) if required else solutions
     if not _any_met(bare):
         raise ModelError(_culprits(m, again) or _open(m, bare))
-    conflict = _smallest(held, lambda some: _any_met(again(m, some)))
+    conflict = _smallest(required, lambda some: _any_met(again(m, some)))
     raise ModelError(_conflict(m, conflict, [*again(m, _wished(conflict)), *bare], remedy))
 
 
-def _any_met(found: Sequence[Solution]) -> bool:
-    return any(one.met for one in found)
+def _any_met(solutions: Sequence[Solution]) -> bool:
+    return any(one.met for one in solutions)
 
 
-def _smallest(held: Sequence[T], holds: Callable[[Sequence[T]], bool]) -> list[T]:
+def _smallest(required: Sequence[T], holds: Callable[[Sequence[T]], bool]) -> list[T]:
     """What cannot hold together, any of which could if the others were left out."""
-    kept = list(held)
-    for one in held:
-        rest = [other for other in kept if other is not one]
-        if not holds(rest):
-            kept = rest
-    return kept
+    conflicting = list(required)
+    for one in required:
+        remaining = [other for other in conflicting if other is not one]
+        if not holds(remaining):
+            conflicting = remaining
+    return conflicting
 
 
 def _wished(targets: Sequence[Target]) -> list[Target]:
@@ -70,36 +70,36 @@ def _wished(targets: Sequence[Target]) -> list[Target]:
 
 
 def _conflict(
-    m: Mechanism, targets: Sequence[Target], found: Sequence[Solution], remedy: str
+    m: Mechanism, targets: Sequence[Target], solutions: Sequence[Solution], remedy: str
 ) -> str:
     """What is reached where all of them are only wished for."""
 
     def away(one: Solution) -> float:
         return sum(float(np.sum(missed(m, target, one.q) ** 2)) for target in targets)
 
-    ends = [replace(one, q=_turned_to(m, one.q, targets)) for one in found if one.met]
+    ends = [replace(one, q=_unwrapped(m, one.q, targets)) for one in solutions if one.met]
     q = min(ends, key=away).q
     if len(targets) == 1 and targets[0].kind == "coordinate":
         q = _farthest(m, targets[0], q)
-    said = [f"'{t.name}' (asked {t.asked}; reached {reached(m, t, q)})" for t in targets]
+    said = [f"'{t.name}' (asked {t.asked}; reached {actual_value(m, t, q)})" for t in targets]
     if len(said) == 1:
         return f"{said[0]} is out of reach{moment(m)}. {remedy}"
     return f"{', '.join(said[:-1])} and {said[-1]} cannot hold together{moment(m)}. {remedy}"
 
 
-def reached(m: Mechanism, target: Target, q: Array) -> str:
+def actual_value(m: Mechanism, target: Target, q: Array) -> str:
     """What a position (nq,) gives instead of a target, in words."""
     if target.kind == "coordinate":
-        words = [f"{x:.6g}" for x in q[target.place]]
-        return words[0] if len(words) == 1 else f"({', '.join(words)})"
+        numbers = [f"{x:.6g}" for x in q[target.place]]
+        return numbers[0] if len(numbers) == 1 else f"({', '.join(numbers)})"
     away = missed(m, target, q)
-    words = [f"{np.linalg.norm(away[-3:]) * m.size:.3g} m"]
+    numbers = [f"{np.linalg.norm(away[-3:]) * m.size:.3g} m"]
     if target.kind == "pose":
-        words.append(f"{np.linalg.norm(away[:3]):.3g} rad")
-    return f"{' and '.join(words)} away"
+        numbers.append(f"{np.linalg.norm(away[:3]):.3g} rad")
+    return f"{' and '.join(numbers)} away"
 
 
-def _turned_to(m: Mechanism, q: Array, targets: Sequence[Target]) -> Array:
+def _unwrapped(m: Mechanism, q: Array, targets: Sequence[Target]) -> Array:
     """The same position with angles as near to what is asked as whole turns bring them."""
     goal = q.copy()
     for target in targets:
@@ -118,7 +118,7 @@ def _farthest(m: Mechanism, target: Target, q: Array) -> Array:
     return q
 
 
-def turned_round(joint: str) -> str:
+def reversed_axis_message(joint: str) -> str:
     """What to say about a joint that closes with an axis the wrong way."""
     return (
         f"joint '{joint}' closes its circuit here only with an axis turned round, as it is not "
@@ -156,7 +156,7 @@ def _culprits(m: Mechanism, again: Search) -> str:
     )
 
 
-def _open(m: Mechanism, found: Sequence[Solution]) -> str:
+def _open(m: Mechanism, solutions: Sequence[Solution]) -> str:
     """What has the largest residual where the search came nearest."""
     if not m.closing.rows:
         return (
@@ -167,14 +167,14 @@ def _open(m: Mechanism, found: Sequence[Solution]) -> str:
     def gap_of(one: Solution) -> float:
         return max(max(length / m.size, other) for length, other in m.gaps(one.q).values())
 
-    straight = [one for one in found if not m.turned(one.q)]
-    turned = [one.turned for one in found if one.closed and one.turned]
-    if turned and not any(gap_of(one) < NEAR for one in straight):
-        return turned_round(turned[0])
-    gaps = m.gaps(min(straight or found, key=gap_of).q)
+    straight = [one for one in solutions if not m.turned(one.q)]
+    reversed_joints = [one.turned for one in solutions if one.closed and one.turned]
+    if reversed_joints and not any(gap_of(one) < NEAR for one in straight):
+        return reversed_axis_message(reversed_joints[0])
+    gaps = m.gaps(min(straight or solutions, key=gap_of).q)
     name = max(gaps, key=lambda one: max(gaps[one][0] / m.size, gaps[one][1]))
     length, other = gaps[name]
-    many = f"{len(found)} start{'s' if len(found) != 1 else ''}"
+    many = f"{len(solutions)} start{'s' if len(solutions) != 1 else ''}"
     cut = next((cut for cut in m.cuts if cut.name == name), None)
     if cut is None:
         row = next(row for row in m.closing.rows if name in (row.name, row.joint))

@@ -62,7 +62,7 @@ def branches(model: LoadedModel, named: Mapping[str, Any]) -> list[Branch]:
     Raises:
         ModelError: an unknown coordinate. ArgumentError: neither a sign nor a range.
     """
-    found = []
+    ranges = []
     for name, value in named.items():
         if name not in model.coordinates:
             raise ModelError(
@@ -75,22 +75,23 @@ def branches(model: LoadedModel, named: Mapping[str, Any]) -> list[Branch]:
             low, high = float(value[0]), float(value[1])
         else:
             raise ArgumentError(f"branch: '{name}' is {shown(value)}; give '+', '-' or (low, high)")
-        found.append(Branch(name, k, low, high, model.manifest.coordinates[k].unit == "rad"))
-    return found
+        ranges.append(Branch(name, k, low, high, model.manifest.coordinates[k].unit == "rad"))
+    return ranges
 
 
-def refuse(wanted: Sequence[Branch], found: Sequence[Array]) -> NoReturn:
+def refuse(requested: Sequence[Branch], positions: Sequence[Array]) -> NoReturn:
     """Raise the error for positions that are all on other branches.
 
     Raises:
         ModelError: always.
     """
-    said = " and ".join(str(branch) for branch in wanted)
+    said = " and ".join(str(branch) for branch in requested)
     values = [
-        ", ".join(f"{branch.name} = {branch.value(q):.6g}" for branch in wanted) for q in found
+        ", ".join(f"{branch.name} = {branch.value(q):.6g}" for branch in requested)
+        for q in positions
     ]
     listed = "; ".join(dict.fromkeys(values[:6])) + ("; ..." if len(values) > 6 else "")
-    many = "1 position was" if len(found) == 1 else f"{len(found)} positions were"
+    many = "1 position was" if len(positions) == 1 else f"{len(positions)} positions were"
     raise ModelError(
         f"no assembled position has {said}. {many} found, with {listed}. Ask for one of these "
         "branches, or for more starts="
@@ -108,8 +109,8 @@ def refuse_singular(m: Mechanism, q: Array) -> None:
     if rank == len(U):
         return
     aside = np.random.default_rng(0).uniform(-BESIDE, BESIDE, m.nu)
-    beside = PositionSolver(m).search(m.advance(q, aside)).q
-    usual = rank_of(np.linalg.svd(m.jacobian(beside), compute_uv=False))
+    neighbor = PositionSolver(m).search(m.advance(q, aside)).q
+    usual = rank_of(np.linalg.svd(m.jacobian(neighbor), compute_uv=False))
     if usual <= rank:
         return
     # what is lost here, and not what is redundant everywhere

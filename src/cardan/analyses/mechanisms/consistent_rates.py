@@ -17,7 +17,7 @@ from .mechanism import Mechanism
 CONSISTENT = 1e-9  # of the largest of the given values
 
 
-def speeds(m: Mechanism, q: Array, given: Mapping[str, Any], rest: Array) -> Array:
+def speeds(m: Mechanism, q: Array, named: Mapping[str, Any], default: Array) -> Array:
     """Speeds (nu,) with G u + g_t = 0, the given ones held, the others next to wanted ones.
 
     Args:
@@ -29,18 +29,18 @@ def speeds(m: Mechanism, q: Array, given: Mapping[str, Any], rest: Array) -> Arr
         ModelError: an unknown name, or values that cannot hold together.
         ArgumentError, SolveError: values of a wrong shape, or not finite.
     """
-    chosen, values = read("u", m.model, given)
-    u = rest.copy()
+    chosen, values = read("u", m.model, named)
+    u = default.copy()
     u[chosen] = values
     start = m.rates(q, m.speeds_at(q, np.zeros(m.nu)))
-    held, more, right = m.held_speeds(q, chosen, values)
-    wanted = m.steps_of(u)
+    locked, more, right = m.locked_speeds(q, chosen, values)
+    desired = m.steps_of(u)
     G = np.concatenate([m.jacobian(q), more])
-    found = _meet(m, q, G, wanted, held, np.concatenate([-start, right]), list(given), "u")
-    return m.speeds_at(q, found)
+    steps = _meet(m, q, G, desired, locked, np.concatenate([-start, right]), list(named), "u")
+    return m.speeds_at(q, steps)
 
 
-def accelerations(m: Mechanism, q: Array, u: Array, given: Mapping[str, Any]) -> Array:
+def accelerations(m: Mechanism, q: Array, u: Array, named: Mapping[str, Any]) -> Array:
     """Accelerations (nu,) with G udot = gamma, the given ones held, the others as forces have it.
 
     Args:
@@ -51,7 +51,7 @@ def accelerations(m: Mechanism, q: Array, u: Array, given: Mapping[str, Any]) ->
         As :func:`speeds`.
     """
     free: Array = m.model.forward_dynamics(q, u, t=m.t, r=m.r)
-    chosen, values = read("udot", m.model, given)
+    chosen, values = read("udot", m.model, named)
     if not len(chosen):
         return free
     # accelerations under forces fulfill the constraints: they know gamma
@@ -59,10 +59,10 @@ def accelerations(m: Mechanism, q: Array, u: Array, given: Mapping[str, Any]) ->
     gamma = G @ (free / m.columns)
     udot = free.copy()
     udot[chosen] = values
-    return m.columns * _meet(m, q, G, udot / m.columns, chosen, gamma, list(given), "udot")
+    return m.columns * _meet(m, q, G, udot / m.columns, chosen, gamma, list(named), "udot")
 
 
-def read(what: str, model: LoadedModel, given: Mapping[str, Any]) -> tuple[NDArray[np.intp], Array]:
+def read(what: str, model: LoadedModel, named: Mapping[str, Any]) -> tuple[NDArray[np.intp], Array]:
     """Which speeds are given, and their values.
 
     Args:
@@ -72,7 +72,7 @@ def read(what: str, model: LoadedModel, given: Mapping[str, Any]) -> tuple[NDArr
     """
     places = entries(model.manifest, "u")
     chosen, values = list[int](), list[float]()
-    for name, value in given.items():
+    for name, value in named.items():
         where, place = f"{what}={{'{name}': ...}}", places.get(name)
         if place is None:
             raise ModelError(f"{where}: {missing(model.manifest, 'u', name, places)}")
@@ -92,40 +92,40 @@ def _meet(
     m: Mechanism,
     q: Array,
     G: Array,
-    wanted: Array,
-    held: NDArray[np.intp],
+    desired: Array,
+    locked: NDArray[np.intp],
     right: Array,
     names: list[str],
     what: str,
 ) -> Array:
     """The vector without units next to a wanted one with G v = right and the held entries kept."""
-    missing_part, v = right - G @ wanted, wanted.copy()
+    missing_part, v = right - G @ desired, desired.copy()
     if missing_part.any():
         # the least change of the free entries that closes the gap
-        free = np.setdiff1d(np.arange(len(wanted)), held)
+        free = np.setdiff1d(np.arange(len(desired)), locked)
         L = _metric(m, q, free)
         step, *_ = np.linalg.lstsq(G[:, free] @ L, missing_part, rcond=m.rank)
         v[free] += L @ step
     left = right - G @ v
-    scale = max(1.0, float(np.abs(wanted).max(initial=0.0)))
+    scale = max(1.0, float(np.abs(desired).max(initial=0.0)))
     worst = int(np.abs(left).argmax()) if len(left) else 0
     if len(left) and not abs(left[worst]) <= max(CONSISTENT, m.slack) * scale:
         said = ", ".join(f"'{name}'" for name in names) or "prescribed motions"
         kind = "speeds" if what == "u" else "accelerations"
         raise ModelError(
-            f"{kind} of {said} cannot hold together{_apart(m, worst, abs(left[worst]))}. Leave one "
-            "of them out"
+            f"{kind} of {said} cannot hold together{_separation(m, worst, abs(left[worst]))}. "
+            "Leave one of them out"
         )
     return v
 
 
-def _apart(m: Mechanism, row: int, residual: float) -> str:
+def _separation(m: Mechanism, row: int, residual: float) -> str:
     """Which joint would come apart, in words; "" where a row is not one of constraints."""
     if row >= len(m.closing.rows):
         return ""
-    told = m.closing.rows[row]
-    return f": joint '{told.joint}' would come apart at {residual * m.rows[row]:.3g} in " + (
-        f"'{told.name}'"
+    multiplier = m.closing.rows[row]
+    return f": joint '{multiplier.joint}' would come apart at {residual * m.rows[row]:.3g} in " + (
+        f"'{multiplier.name}'"
     )
 
 

@@ -31,14 +31,14 @@ class Stuck(Exception):
 class Drive:
     """Coordinates or inputs that move a mechanism, and what is held beside them."""
 
-    def __init__(self, m: Mechanism, names: Sequence[str], hold: Mapping[str, Any]) -> None:
+    def __init__(self, m: Mechanism, names: Sequence[str], locked: Mapping[str, Any]) -> None:
         """Args:
         m: The mechanism.
         names: Coordinates, or inputs that prescribe a motion.
         hold: Coordinates and frames that keep their values.
         """
         self.m, self.names = m, list(names)
-        self.held = read(m, hold)
+        self.held = read(m, locked)
         self.inputs = [name for name in self.names if name not in m.model.coordinates]
 
     @cached_property
@@ -50,15 +50,15 @@ class Drive:
     def speeds(self, rates: Sequence[float]) -> dict[str, float]:
         """Speeds of all that is driven or held, by name, where they are derivatives of q."""
         rows = entries(self.m.model.manifest, "u")
-        given = dict(zip(self.names, rates, strict=True))
-        given |= {target.name: 0.0 for target in self.held if target.kind == "coordinate"}
-        found: dict[str, float] = {}
-        for name, value in given.items():
+        rates_by_name = dict(zip(self.names, rates, strict=True))
+        rates_by_name |= {target.name: 0.0 for target in self.held if target.kind == "coordinate"}
+        speeds: dict[str, float] = {}
+        for name, value in rates_by_name.items():
             place = rows.get(name, rows.get(f"{name}.u"))
             if name not in self.inputs and place is not None:
                 names = self.m.model.speeds[place]
-                found |= dict.fromkeys(names, float(value))
-        return found
+                speeds |= dict.fromkeys(names, float(value))
+        return speeds
 
     def at(
         self, values: Array, rates: Sequence[float] = (), more: Sequence[float] = ()
@@ -66,22 +66,22 @@ class Drive:
         """The mechanism at values of its drivers, with their first and second derivatives."""
         if not self.inputs:
             return self.m
-        names, own = self.m.model.inputs, self.m.r
-        r = (self.m.model._layout.start("r") if own is None else own).copy()
+        names, inputs = self.m.model.inputs, self.m.r
+        r = (self.m.model._layout.start("r") if inputs is None else inputs).copy()
         for k, name in enumerate(self.names):
-            for ending, given in (("", values), (".rate", rates), (".acceleration", more)):
-                if f"{name}{ending}" in names and len(given):
-                    r[names.index(f"{name}{ending}")] = given[k]
+            for ending, derivatives in (("", values), (".rate", rates), (".acceleration", more)):
+                if f"{name}{ending}" in names and len(derivatives):
+                    r[names.index(f"{name}{ending}")] = derivatives[k]
         return self.m.moved_to(self.m.t, r)
 
     def targets(self, values: Array) -> list[Target]:
         """What is held at values of the drivers."""
-        given = {
+        driven = {
             name: float(value)
             for name, value in zip(self.names, values, strict=True)
             if name not in self.inputs
         }
-        return [*self.held, *read(self.m, given)]
+        return [*self.held, *read(self.m, driven)]
 
     # how well it holds
 
@@ -110,12 +110,13 @@ class Drive:
         if rank == nu:
             return
         freedoms = nu - rank_of(np.linalg.svd(G, compute_uv=False))
-        given = len(K) - m.closing.positions
+        conditions = len(K) - m.closing.positions
         who = " and ".join(f"'{name}'" for name in self.names)
-        if given < freedoms:
+        if conditions < freedoms:
             raise ModelError(
                 f"the mechanism has {freedoms} degrees of freedom, {who} "
-                f"{'drive' if len(self.names) > 1 else 'drives'} {given}: give the others by hold="
+                f"{'drive' if len(self.names) > 1 else 'drives'} {conditions}: give the "
+                "others by hold="
             )
         raise ModelError(
             f"{who} cannot drive the mechanism from here: the position is singular. Start from "
@@ -148,19 +149,19 @@ class Drive:
         """The position a part of the way further, None where a shorter step is needed."""
         here, there = before + done * (after - before), before + (done + part) * (after - before)
         m, old = self.at(there), self.at(here)
-        found = PositionSolver(m, self.targets(there)).follow(q)
-        if found is None:
+        solution = PositionSolver(m, self.targets(there)).follow(q)
+        if solution is None:
             return None
-        quality, sign = self.hold(m, found.q)
+        quality, sign = self.hold(m, solution.q)
         if quality < SINGULAR or sign != self.hold(old, q)[1]:
             return None
-        return m.nearest(found.q, q)
+        return m.nearest(solution.q, q)
 
-    def _stuck(self, q: Array, values: Array, asked: Array) -> str:
+    def _stuck(self, q: Array, values: Array, goals: Array) -> str:
         """Why it does not go on from a position."""
         where = " and ".join(
             f"'{name}' = {value:.6g} (of {goal:g})"
-            for name, value, goal in zip(self.names, values, asked, strict=True)
+            for name, value, goal in zip(self.names, values, goals, strict=True)
         )
         m = self.at(values)
         s = np.linalg.svd(m.jacobian(q), compute_uv=False)

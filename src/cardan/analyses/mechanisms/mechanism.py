@@ -65,14 +65,14 @@ class Mechanism:
     @classmethod
     def at(cls, model: LoadedModel, t: float, r: Array | None) -> Mechanism:
         """As the class itself; what is the same at all times is found once for a model."""
-        known = model._derived.get(cls)
-        if known is None:
-            known = cls(model)
+        cached = model._derived.get(cls)
+        if cached is None:
+            cached = cls(model)
             # what copies share
-            _ = known.rows, known.turning, known.connection, known._bounds, known._unreleased
-            model._derived[cls] = known
-        assert isinstance(known, cls)
-        return known.moved_to(t, r)
+            _ = cached.rows, cached.turning, cached.connection, cached._bounds, cached._unreleased
+            model._derived[cls] = cached
+        assert isinstance(cached, cls)
+        return cached.moved_to(t, r)
 
     def moved_to(self, t: float, r: Array | None) -> Mechanism:
         """The same mechanism at another time, with other inputs (nr,)."""
@@ -82,10 +82,10 @@ class Mechanism:
 
     def _once(self, what: str, q: Array, function: Callable[[Array], Any]) -> Any:
         """A function of the position, found again only at another one."""
-        key, known = q.tobytes(), self._known.get(what)
-        if known is None or known[0] != key:
-            known = self._known[what] = key, function(q)
-        return known[1]
+        key, cached = q.tobytes(), self._known.get(what)
+        if cached is None or cached[0] != key:
+            cached = self._known[what] = key, function(q)
+        return cached[1]
 
     # constraints
 
@@ -114,8 +114,8 @@ class Mechanism:
         count = self.closing.positions
         if count == 0:
             return np.zeros(0)
-        found: Array = self.evaluate("constraints", q) / self.rows[:count]
-        return found[self._kept[:count]]
+        residuals: Array = self.evaluate("constraints", q) / self.rows[:count]
+        return residuals[self._kept[:count]]
 
     def turned(self, q: Array) -> str:
         """The cut joint whose closing conditions hold with an axis turned round; "" if none."""
@@ -135,21 +135,21 @@ class Mechanism:
 
     def jacobian(self, q: Array) -> Array:
         """G (m, nu), without units."""
-        found: Array = self._once("jacobian", q, self._jacobian)
-        return found
+        G: Array = self._once("jacobian", q, self._jacobian)
+        return G
 
     def _jacobian(self, q: Array) -> Array:
         if not self.closing.rows:
             return np.zeros((0, self.nu))
-        found: Array = self.evaluate("constraint_jacobian", q) * self.columns / self.rows[:, None]
-        return found[self._kept]
+        G: Array = self.evaluate("constraint_jacobian", q) * self.columns / self.rows[:, None]
+        return G[self._kept]
 
     def decomposition(self, q: Array) -> tuple[Array, Array]:
         """Left singular vectors (m, m) and singular values of G."""
-        found: tuple[Array, Array] = self._once(
+        factors: tuple[Array, Array] = self._once(
             "decomposition", q, lambda q: np.linalg.svd(self.jacobian(q))[:2]
         )
-        return found
+        return factors
 
     @property
     def rank(self) -> float:
@@ -211,10 +211,12 @@ class Mechanism:
 
     def between(self, q0: Array, q1: Array) -> Array:
         """The step (nu,) without units from q0 to q1."""
-        found: Array = self.model.difference(q0, q1)
+        difference: Array = self.model.difference(q0, q1)
         if self.chosen:
-            found = np.asarray(np.linalg.lstsq(self._joint_speeds(q0), found)[0], np.float64)
-        step: Array = found / self.columns
+            difference = np.asarray(
+                np.linalg.lstsq(self._joint_speeds(q0), difference)[0], np.float64
+            )
+        step: Array = difference / self.columns
         return step
 
     @cached_property
@@ -230,8 +232,8 @@ class Mechanism:
 
     def kinematics(self, q: Array) -> Array:
         """N (nq, nu): coordinates per step without units."""
-        found: Array = self._once("kinematics", q, self._kinematics)
-        return found
+        N: Array = self._once("kinematics", q, self._kinematics)
+        return N
 
     def _kinematics(self, q: Array) -> Array:
         model = self.model
@@ -250,8 +252,8 @@ class Mechanism:
 
     def frame_jacobian(self, frame: str, q: Array) -> Array:
         """Angular velocity and velocity of a frame per step (6, nu)."""
-        found: Array = self.model.frame_jacobian(frame, q, t=self.t, r=self.r)
-        return found * self.columns
+        J: Array = self.model.frame_jacobian(frame, q, t=self.t, r=self.r)
+        return J * self.columns
 
     def steps_of(self, u: Array) -> Array:
         """Steps per second (nu,) of speeds of the model."""
@@ -261,7 +263,7 @@ class Mechanism:
         """Speeds of the model at a position, by steps per second (nu,)."""
         return np.asarray(steps * self.columns)
 
-    def held_speeds(
+    def locked_speeds(
         self, q: Array, chosen: NDArray[np.intp], values: Array
     ) -> tuple[NDArray[np.intp], Array, Array]:
         """What given speeds say about steps: those held, and rows R with R steps = right.
@@ -276,8 +278,8 @@ class Mechanism:
         """Mass matrix per step (nu, nu), None where the model has none."""
         if "mass_matrix" not in self.model.manifest.available:
             return None
-        found: Array = self.model.mass_matrix(q, t=self.t, r=self.r)
-        return found * np.outer(self.columns, self.columns)
+        M: Array = self.model.mass_matrix(q, t=self.t, r=self.r)
+        return M * np.outer(self.columns, self.columns)
 
     @cached_property
     def turning(self) -> Array:
@@ -285,9 +287,9 @@ class Mechanism:
         manifest = self.model.manifest
         kinds = ("revolute", "cylindrical", "universal", "planar")
         leaders = {j.coupled.leader for j in manifest.joints if j.coupled}
-        whole = {j.name for j in manifest.joints if j.kind in kinds} - leaders
+        full_turn = {j.name for j in manifest.joints if j.kind in kinds} - leaders
         rows = manifest.coordinates
-        return np.array([row.unit == "rad" and row.joint in whole for row in rows], bool)
+        return np.array([row.unit == "rad" and row.joint in full_turn for row in rows], bool)
 
     def nearest(self, q: Array, to: Array) -> Array:
         """The same position with every angle within half a turn of that of another one."""
@@ -295,17 +297,17 @@ class Mechanism:
         if not len(away) or abs(away).max() < np.pi:
             return q
         turns = np.where(self.turning, np.round((q - to) / (2 * np.pi)), 0.0)
-        found: Array = q - 2 * np.pi * turns
-        if self._open(found) <= self._open(q) + TIGHT:
-            return found
+        unwrapped: Array = q - 2 * np.pi * turns
+        if self._open(unwrapped) <= self._open(q) + TIGHT:
+            return unwrapped
         # relations of the user may hold for one of equal angles only
-        found = q
+        unwrapped = q
         for k in np.flatnonzero(turns):
-            other = found.copy()
+            other = unwrapped.copy()
             other[k] -= 2 * np.pi * turns[k]
-            if self._open(other) <= self._open(found) + TIGHT:
-                found = other
-        return found
+            if self._open(other) <= self._open(unwrapped) + TIGHT:
+                unwrapped = other
+        return unwrapped
 
     def _open(self, q: Array) -> float:
         """The largest residual of the constraints of positions."""
@@ -335,15 +337,15 @@ class Mechanism:
         """Cut joint or constraint -> what is left open: a distance [m] and anything else [1]."""
         count = self.closing.positions
         values = self.evaluate("constraints", q) if count else np.zeros(0)
-        found: dict[str, tuple[float, float]] = {}
+        gaps: dict[str, tuple[float, float]] = {}
         for row, value in zip(self.closing.rows[:count], values.tolist(), strict=True):
-            length, other = found.get(row.joint, (0.0, 0.0))
+            length, other = gaps.get(row.joint, (0.0, 0.0))
             if row.unit == "N":
                 length = float(np.hypot(length, value))
             else:
                 other = float(np.hypot(other, value))
-            found[row.joint] = length, other
-        return found
+            gaps[row.joint] = length, other
+        return gaps
 
 
 def refuse_nodes(model: LoadedModel, what: str) -> None:

@@ -50,8 +50,8 @@ def called(function: Callable[..., Array], size: int, **blocks: int) -> PythonFu
     """
 
     def lists(*values: list[float]) -> list[float]:
-        found: list[float] = np.ravel(function(*map(np.array, values))).tolist()
-        return found
+        results: list[float] = np.ravel(function(*map(np.array, values))).tolist()
+        return results
 
     return PythonFunction(lists, [*blocks.items()], size)
 
@@ -101,7 +101,7 @@ def connect(m: Mechanism, required: NDArray[np.bool_]) -> Connection:
     later = ("constraint_rates", *(("difference", "qdot") if m.cuts else ()))
     more = [name for name in later if name in model.manifest.available]
     functions = model._load([(name, None) for name in (*names, *more)])[: len(names)]
-    kept: list[Any] = [arrays, functions]
+    references: list[Any] = [arrays, functions]
     for name, function in zip(names, functions, strict=True):
         setattr(record, name, function.address)
         setattr(record, f"{name}_w", function.w.ctypes.data)
@@ -110,7 +110,9 @@ def connect(m: Mechanism, required: NDArray[np.bool_]) -> Connection:
     if m.chosen:
         moved = called(m.moved, model.nq, q=model.nq, du=m.nu)
         record.integrate = moved.address
-        kept.append(moved)
+        references.append(moved)
     work = max((function.work_size for function in functions), default=0)
     python = m.chosen or any(function.interpreted for function in functions)
-    return Connection(searching(model._kernels()), record, kept, len(m.closing.rows), work, python)
+    return Connection(
+        searching(model._kernels()), record, references, len(m.closing.rows), work, python
+    )

@@ -118,8 +118,8 @@ class Partition:
             As :meth:`full`.
         """
         x, around = self._state(t, y)
-        found = self.reduce(self.model.rhs(t, x if around is None else around, r=self._inputs))
-        return found if around is None else WEIGHTS @ found
+        rates = self.reduce(self.model.rhs(t, x if around is None else around, r=self._inputs))
+        return rates if around is None else WEIGHTS @ rates
 
     def _state(self, t: float, y: ArrayLike) -> tuple[Array, Array | None]:
         """The state of y, and beside a singular position those around it (nodes, nx).
@@ -145,8 +145,8 @@ class Partition:
         before = self._speeds(m, self._last, values[n:])
         rates = self.model.qdot(self._last, before, t=t, r=self._inputs)[self._q]
         way = rates / float(np.linalg.norm(before / m.columns))
-        for spread in SPREADS:
-            around = self._around(m, values, way * spread)
+        for width in SPREADS:
+            around = self._around(m, values, way * width)
             if around is not None:
                 x: Array = WEIGHTS @ around
                 return x, around
@@ -157,7 +157,7 @@ class Partition:
 
         None where they end, or are singular themselves.
         """
-        n, found = len(self._q), np.zeros((len(NODES), m.model.nx))
+        n, states = len(self._q), np.zeros((len(NODES), m.model.nx))
         for nodes in (range(COUNT - 1, -1, -1), range(COUNT, 2 * COUNT)):
             place = self._last
             for k in nodes:
@@ -167,8 +167,8 @@ class Partition:
                     return None
                 if self._singular(m, place):
                     return None
-                found[k] = np.concatenate([place, self._speeds(m, place, y[n:])])
-        return found
+                states[k] = np.concatenate([place, self._speeds(m, place, y[n:])])
+        return states
 
     def _at(self, t: float) -> Mechanism:
         return Mechanism(self.model, t, self._inputs)
@@ -183,11 +183,11 @@ class Partition:
         done, part, start = 0.0, 1.0, q[self._q]
         while part >= 0.5**HALVINGS:
             share = min(1.0, done + part)
-            found = PositionSolver(m, [self._held(start + share * (goal - start))]).follow(q)
-            if found is None:
+            solution = PositionSolver(m, [self._held(start + share * (goal - start))]).follow(q)
+            if solution is None:
                 part *= 0.5
                 continue
-            q, done = found.q, share
+            q, done = solution.q, share
             if done == 1.0:
                 return q
         raise SolveError(
@@ -212,15 +212,15 @@ class Partition:
 
     def _speeds(self, m: Mechanism, q: Array, independent: Array) -> Array:
         """Speeds (nu,) that the constraints allow, with given independent ones."""
-        held = np.zeros((len(self._u), m.model.nu))
-        held[np.arange(len(self._u)), self._u] = 1.0
+        selection = np.zeros((len(self._u), m.model.nu))
+        selection[np.arange(len(self._u)), self._u] = 1.0
         right = np.concatenate(
             [-m.rates(q, np.zeros(m.model.nu)), independent / m.columns[list(self._u)]]
         )
-        system = np.concatenate([m.jacobian(q), held])
-        found: Array = m.columns * np.linalg.lstsq(system, right, rcond=LOST)[0]
-        found[list(self._u)] = independent
-        return found
+        system = np.concatenate([m.jacobian(q), selection])
+        speeds: Array = m.columns * np.linalg.lstsq(system, right, rcond=LOST)[0]
+        speeds[list(self._u)] = independent
+        return speeds
 
 
 @checked

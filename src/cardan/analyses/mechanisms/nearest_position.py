@@ -46,18 +46,20 @@ def assembled(m: Mechanism, goals: list[Target], q: Array) -> Solution:
     first = PositionSolver(m, goals).search(q)
     if first.met and not m.outside(first.q):
         return nearest(m, goals, q, first)
-    found = search(m, goals, q, m.searches, 0)
-    met = [one for one in found if one.met]
+    solutions = search(m, goals, q, m.searches, 0)
+    met = [one for one in solutions if one.met]
     if not met:
         # numbers that fit but for their last digits
         wished = [replace(goal, weight=1.0) for goal in goals]
         close = PositionSolver(m, wished).search(q)
         if close.met and close.cost <= NEARLY**2:
             return close
-        found = rounded(m, goals, q, m.searches, 0)
-        met = [one for one in found if one.met]
+        solutions = rounded(m, goals, q, m.searches, 0)
+        met = [one for one in solutions if one.met]
     if not met:
-        explain(m, goals, found, lambda n, some: search(n, some, q, min(6, m.searches), 0), NAMED)
+        explain(
+            m, goals, solutions, lambda n, some: search(n, some, q, min(6, m.searches), 0), NAMED
+        )
     return nearest(m, goals, q, choose(m, met, [], q))
 
 
@@ -73,30 +75,30 @@ def nearest(m: Mechanism, goals: list[Target], q: Array, first: Solution) -> Sol
     """
     wish = wished(m, goals, q)
     near = cache(lambda: PositionSolver(m, [*goals, wish]))
-    found = [_drawn_near(near, wish, first)]
-    if wish.distance(found[0].q) > NEAR:
+    solutions = [_drawn_near(near, wish, first)]
+    if wish.distance(solutions[0].q) > NEAR:
         solver = PositionSolver(m, goals)
-        for begin in _around(m, q, found[0].q):
+        for begin in _around(m, q, solutions[0].q):
             end = solver.search(begin)
             if not end.met or m.outside(end.q):
                 continue
             end = _drawn_near(near, wish, replace(end, q=m.nearest(end.q, q)))
-            if not any(_same(m, end.q, other.q) for other in found):
-                found.append(end)
-    least = min(wish.distance(end.q) for end in found)
-    best = [end for end in found if wish.distance(end.q) <= (1 + EQUAL) * least]
+            if not any(_same(m, end.q, other.q) for other in solutions):
+                solutions.append(end)
+    least = min(wish.distance(end.q) for end in solutions)
+    best = [end for end in solutions if wish.distance(end.q) <= (1 + EQUAL) * least]
     if len(best) > 1:
         best = sorted(best, key=lambda end: places(m, end.q))
-        _tell_tie(m, best[0].q, best[1].q)
+        _warn_of_tie(m, best[0].q, best[1].q)
     return best[0]
 
 
-def _around(m: Mechanism, q: Array, found: Array) -> Iterator[Array]:
+def _around(m: Mechanism, q: Array, solution: Array) -> Iterator[Array]:
     """Where to look for positions nearer to a start (nq,) than the one that was found.
 
     A branch as near as this one lies on the other side of the start; others lie anywhere.
     """
-    step = m.between(q, found)
+    step = m.between(q, solution)
     yield m.advance(q, -step)
     rng, away = np.random.default_rng(0), float(np.linalg.norm(step))
     for _ in range(min(LOOKS, m.searches) - 1):
@@ -108,22 +110,27 @@ def wished(m: Mechanism, goals: Sequence[Target], q: Array) -> Coordinates:
     """What is not named of the joints that are moved, at its start."""
     named = {k for g in goals if g.kind == "coordinate" for k in range(g.place.start, g.place.stop)}
     manifest = m.model.manifest
-    turning = {k for start in manifest.quaternions for k in range(start, start + 4)}
+    quaternion_entries = {k for start in manifest.quaternions for k in range(start, start + 4)}
     entries = np.array([k for k in m.led.tolist() if k not in named], dtype=np.intp)
     units = {k: manifest.coordinates[k].unit for k in entries.tolist()}
-    scales = [QUATERNION if k in turning else m.size if u == "m" else 1.0 for k, u in units.items()]
+    scales = [
+        QUATERNION if k in quaternion_entries else m.size if u == "m" else 1.0
+        for k, u in units.items()
+    ]
     return Coordinates(
         "", "coordinates", q[entries], weight=1.0, entries=entries, scales=np.array(scales)
     )
 
 
-def _drawn_near(near: Callable[[], PositionSolver], wish: Coordinates, found: Solution) -> Solution:
+def _drawn_near(
+    near: Callable[[], PositionSolver], wish: Coordinates, solution: Solution
+) -> Solution:
     """Where freedoms are left: the nearest of the positions beside one."""
-    if not found.freedoms or wish.distance(found.q) <= EQUAL:
-        return found
-    end = near().search(found.q)
+    if not solution.freedoms or wish.distance(solution.q) <= EQUAL:
+        return solution
+    end = near().search(solution.q)
     better = end.met and not near().m.outside(end.q)
-    return replace(end, freedoms=found.freedoms) if better else found
+    return replace(end, freedoms=solution.freedoms) if better else solution
 
 
 def _same(m: Mechanism, one: Array, other: Array) -> bool:
@@ -131,19 +138,20 @@ def _same(m: Mechanism, one: Array, other: Array) -> bool:
     return bool(np.abs(one[m.led] - other[m.led]).max(initial=0.0) < EQUAL)
 
 
-def _tell_tie(m: Mechanism, one: Array, other: Array) -> None:
+def _warn_of_tie(m: Mechanism, one: Array, other: Array) -> None:
     """Warn of two positions that are equally near, with what differs between them."""
-    names, apart = m.model.coordinates, m.led[np.abs(one[m.led] - other[m.led]) >= EQUAL][:4]
-    said = [", ".join(f"{names[k]} = {q[k]:.6g}" for k in apart.tolist()) for q in (one, other)]
+    names, differing = m.model.coordinates, m.led[np.abs(one[m.led] - other[m.led]) >= EQUAL][:4]
+    said = [", ".join(f"{names[k]} = {q[k]:.6g}" for k in differing.tolist()) for q in (one, other)]
     warn(
         f"the start of '{m.model.name}' is equally near to two positions: {said[0]}; or {said[1]}. "
-        f"The first is taken. Give '{names[apart[0]]}' a value at the start to say which is meant",
+        f"The first is taken. Give '{names[differing[0]]}' a value at the start to say "
+        "which is meant",
         SolveWarning,
     )
 
 
 def choose(
-    m: Mechanism, found: Sequence[Solution], wanted: Sequence[Branch], begin: Array
+    m: Mechanism, solutions: Sequence[Solution], requested: Sequence[Branch], begin: Array
 ) -> Solution:
     """The position that runs and assemblies take: one rule, whatever rounding does.
 
@@ -159,9 +167,9 @@ def choose(
     Raises:
         ModelError: none is on the branch.
     """
-    allowed = [one for one in found if all(branch.holds(one.q) for branch in wanted)]
+    allowed = [one for one in solutions if all(branch.holds(one.q) for branch in requested)]
     if not allowed:
-        refuse(wanted, [one.q for one in found])
+        refuse(requested, [one.q for one in solutions])
     best = min(one.cost for one in allowed)
 
     def order(one: Solution) -> tuple[bool, int, bool, float]:

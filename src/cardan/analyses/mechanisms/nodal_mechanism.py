@@ -59,27 +59,27 @@ class NodalMechanism(Mechanism):
         model: LoadedModel,
         t: float = 0.0,
         r: Any = None,
-        kept: Collection[str] = (),
+        fixed: Collection[str] = (),
         q: Array | None = None,
     ) -> None:
         super().__init__(model, t, r)
         # where searches begin that are drawn: what is kept stays in these too
         self._start = model._layout.start("q").copy()
         if q is not None:
-            stays = np.isin(model.coordinates, list(kept))
+            stays = np.isin(model.coordinates, list(fixed))
             self._start[stays] = q[stays]
         self._every: tuple[MultiplierRow, ...] = tuple(model.manifest.multipliers)
         self.lead = np.flatnonzero(leading(model))
         self.columns = self.columns[self.lead]
         moved = {int(k) for k in self.lead}
-        own = set[str]()
+        of_joints = set[str]()
         for row in model.manifest.joints:
             (start, count), (first, _) = row.slot("q"), row.slot("u")
             if first in moved:
-                own |= set(model.coordinates[start : start + count])
-        own |= {model.speeds[k] for k in self.lead} | set(kept)
+                of_joints |= set(model.coordinates[start : start + count])
+        of_joints |= {model.speeds[k] for k in self.lead} | set(fixed)
         names = (*model.coordinates, *model.speeds)
-        self.carrier = Carrier(model, [n for n in names if n not in own], self.t, self.r)
+        self.carrier = Carrier(model, [n for n in names if n not in of_joints], self.t, self.r)
         if self.carrier.tables.beams:
             # every search carries all beams along
             self.searches = 2
@@ -130,8 +130,8 @@ class NodalMechanism(Mechanism):
     def closing(self) -> Closing:
         """As :attr:`Mechanism.closing`, less what holds wherever joints stand."""
         rows = (self._every[k] for k in self._rows)
-        told = (row.replaced(unit=FORCES.get(row.unit, row.unit)) for row in rows)
-        return Closing(tuple(told), self.size)
+        with_units = (row.replaced(unit=FORCES.get(row.unit, row.unit)) for row in rows)
+        return Closing(tuple(with_units), self.size)
 
     def _evaluated(self, name: str, *values: Array) -> Array:
         return super().evaluate(name, *values)
@@ -150,13 +150,13 @@ class NodalMechanism(Mechanism):
     def _jacobian(self, q: Array) -> Array:
         """As :meth:`Mechanism.jacobian`, along speeds of joints."""
         rows, steps = self._probe
-        found = np.zeros((len(rows), self.nu))
+        G = np.zeros((len(rows), self.nu))
         if len(rows):
             T = self._moving(q, steps)
-            found[:, steps] = self._gradient(q)[rows] @ (T[1:] - T[0]).T / self.rows[:, None]
+            G[:, steps] = self._gradient(q)[rows] @ (T[1:] - T[0]).T / self.rows[:, None]
         count = self.closing.positions
-        found = np.concatenate([found[:count], self._missed_jacobian(q), found[count:]])
-        return found[self._kept]
+        G = np.concatenate([G[:count], self._missed_jacobian(q), G[count:]])
+        return G[self._kept]
 
     @property
     def _kept(self) -> NDArray[np.bool_]:
@@ -219,9 +219,9 @@ class NodalMechanism(Mechanism):
 
     def _unit_steps(self, steps: NDArray[np.intp]) -> Array:
         """Speeds (k + 1, nu) of joints: none, then those of each step."""
-        found = np.zeros((len(steps) + 1, self.model.nu))
-        found[np.arange(1, len(steps) + 1), self.lead[steps]] = self.columns[steps]
-        return found
+        speeds = np.zeros((len(steps) + 1, self.model.nu))
+        speeds[np.arange(1, len(steps) + 1), self.lead[steps]] = self.columns[steps]
+        return speeds
 
     def _along(self, step: Array) -> Array:
         u = np.zeros(self.model.nu)
@@ -266,8 +266,10 @@ class NodalMechanism(Mechanism):
     def between(self, q0: Array, q1: Array) -> Array:
         """As :meth:`Mechanism.between`: the shortest step along which joints change so, to first
         order."""
-        found, *_ = np.linalg.lstsq(self.kinematics(q0)[self.led], (q1 - q0)[self.led], rcond=None)
-        return np.asarray(found)
+        shortest, *_ = np.linalg.lstsq(
+            self.kinematics(q0)[self.led], (q1 - q0)[self.led], rcond=None
+        )
+        return np.asarray(shortest)
 
     @property
     def chosen(self) -> bool:
@@ -281,19 +283,19 @@ class NodalMechanism(Mechanism):
             T = self.along(q)
             return np.stack([rates(q, row) - rates(q, T[0]) for row in T[1:]], axis=-1)
         # coordinates of a joint change by its own speeds alone: all joints at once
-        found = np.zeros((len(q), self.nu))
-        own = [(row.slot("q"), row.slot("u")) for row in self._joints]
-        steps = np.cumsum([0, *(count for _, (_, count) in own)])
-        for k in range(max((count for _, (_, count) in own), default=0)):
+        N = np.zeros((len(q), self.nu))
+        slots = [(row.slot("q"), row.slot("u")) for row in self._joints]
+        steps = np.cumsum([0, *(count for _, (_, count) in slots)])
+        for k in range(max((count for _, (_, count) in slots), default=0)):
             u = np.zeros(self.model.nu)
-            chosen = [n for n, (_, (_, count)) in enumerate(own) if k < count]
+            chosen = [n for n, (_, (_, count)) in enumerate(slots) if k < count]
             for n in chosen:
-                u[own[n][1][0] + k] = self.columns[steps[n] + k]
+                u[slots[n][1][0] + k] = self.columns[steps[n] + k]
             qdot = rates(q, u)
             for n in chosen:
-                start, size = own[n][0]
-                found[start : start + size, steps[n] + k] = qdot[start : start + size]
-        return found
+                start, size = slots[n][0]
+                N[start : start + size, steps[n] + k] = qdot[start : start + size]
+        return N
 
     @cached_property
     def _joints(self) -> list[JointRow]:
@@ -304,9 +306,9 @@ class NodalMechanism(Mechanism):
 
     def frame_jacobian(self, frame: str, q: Array) -> Array:
         """As :meth:`Mechanism.frame_jacobian`."""
-        whole = self.model.frame_jacobian(frame, q, t=self.t, r=self.r)
+        J = self.model.frame_jacobian(frame, q, t=self.t, r=self.r)
         T = self.along(q)
-        return np.asarray(whole @ (T[1:] - T[0]).T)
+        return np.asarray(J @ (T[1:] - T[0]).T)
 
     def steps_of(self, u: Array) -> Array:
         """As :meth:`Mechanism.steps_of`."""
@@ -316,17 +318,17 @@ class NodalMechanism(Mechanism):
         """As :meth:`Mechanism.speeds_at`: nodes move with the joints."""
         return self.state(q, self._along(steps))[1]
 
-    def held_speeds(
+    def locked_speeds(
         self, q: Array, chosen: NDArray[np.intp], values: Array
     ) -> tuple[NDArray[np.intp], Array, Array]:
         """As :meth:`Mechanism.held_speeds`: speeds of nodes follow from those of joints."""
         at = {int(k): n for n, k in enumerate(self.lead)}
-        own = np.array([int(k) in at for k in chosen], dtype=bool)
-        held = np.array([at[int(k)] for k in chosen[own]], dtype=np.intp)
-        if own.all():
-            return held, np.zeros((0, self.nu)), np.zeros(0)
-        T, others = self.along(q), chosen[~own]
-        return held, (T[1:] - T[0]).T[others], values[~own] - T[0][others]
+        of_joints = np.array([int(k) in at for k in chosen], dtype=bool)
+        locked = np.array([at[int(k)] for k in chosen[of_joints]], dtype=np.intp)
+        if of_joints.all():
+            return locked, np.zeros((0, self.nu)), np.zeros(0)
+        T, of_nodes = self.along(q), chosen[~of_joints]
+        return locked, (T[1:] - T[0]).T[of_nodes], values[~of_joints] - T[0][of_nodes]
 
     def mass(self, q: Array) -> Array | None:
         """As :meth:`Mechanism.mass`."""

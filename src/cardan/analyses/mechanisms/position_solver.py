@@ -97,8 +97,8 @@ class PositionSolver:
         record.targets, record.target_count = ctypes.addressof(rows), len(self.targets)
         self._allocate(parts.rows)
         # held values that single coordinates have to the bit
-        held = [t for t in self.targets if t.kind == "coordinate" and t.weight is None]
-        self._held = [(t.place, t.value) for t in held]
+        exact = [t for t in self.targets if t.kind == "coordinate" and t.weight is None]
+        self._held = [(t.place, t.value) for t in exact]
         cost = max(1, (record.hard + record.soft + record.nu) * max(1, record.nu)) ** 1.5
         self._budget = max(1, int(EFFORT / cost))
 
@@ -118,9 +118,9 @@ class PositionSolver:
                 self._interpreted |= qdot.interpreted
             return
         for name, size in (("residual", row.rows), ("jacobian", row.rows * m.nu)):
-            made = called(partial(getattr(target, name), m), size, q=m.model.nq)
-            self._keep.append(made)
-            setattr(row, name, made.address)
+            callback = called(partial(getattr(target, name), m), size, q=m.model.nq)
+            self._keep.append(callback)
+            setattr(row, name, callback.address)
         self._interpreted = True
 
     def _allocate(self, rows: int) -> None:
@@ -189,11 +189,11 @@ class PositionSolver:
             self._library.cardan_position_begin(record)
             while self._library.cardan_position_solve(record, self._budget) == MORE:
                 pass
-        turned = ""
+        reversed_joint = ""
         if record.open <= max(MET, m.slack) and (record.turned >= 0 or not record.facings):
-            turned = m.turned(self._q)
+            reversed_joint = m.turned(self._q)
         return Solution(
-            self._q.copy(), record.open, record.cost, record.freedoms, turned, slack=m.slack
+            self._q.copy(), record.open, record.cost, record.freedoms, reversed_joint, slack=m.slack
         )
 
     def near(self, guess: Array, length: float) -> Solution | None:
@@ -209,8 +209,8 @@ class PositionSolver:
 
     def follow(self, q: Array) -> Solution | None:
         """The position that the tangent at another one (nq,) leads to; None where it is far."""
-        found = np.linalg.lstsq(self.hard_jacobian(q), -self.hard(q), rcond=LOST)[0]
-        ahead = np.asarray(found, dtype=np.float64)
+        step = np.linalg.lstsq(self.hard_jacobian(q), -self.hard(q), rcond=LOST)[0]
+        ahead = np.asarray(step, dtype=np.float64)
         length = float(np.linalg.norm(ahead))
         return self.near(self.m.advance(q, ahead), length) if length < FARTHEST else None
 

@@ -72,7 +72,7 @@ class Redundancy:
     @property
     def joints(self) -> Mapping[str, bool]:
         """Joint -> whether its whole reaction is determined."""
-        return {name: all(own) for name, own in self.components.items()}
+        return {name: all(determined) for name, determined in self.components.items()}
 
     @property
     def undetermined(self) -> list[str]:
@@ -93,8 +93,10 @@ class Redundancy:
         Returns:
             ``""`` where all are, as those of joints in no loop.
         """
-        own = self.components.get(joint, ())
-        return ", ".join(name for name, held in zip(COMPONENTS, own, strict=False) if not held)
+        components = self.components.get(joint, ())
+        return ", ".join(
+            name for name, determined in zip(COMPONENTS, components, strict=False) if not determined
+        )
 
     def __repr__(self) -> str:
         lines = [
@@ -102,9 +104,9 @@ class Redundancy:
             f"{self.redundant} redundant; {self.freedoms} "
             f"degree{'s' if self.freedoms != 1 else ''} of freedom"
         ]
-        lines += [f"  held twice: {words}" for words in self.directions]
+        lines += [f"  held twice: {direction}" for direction in self.directions]
         lines += [f"  {line}" for line in self.undetermined]
-        firm = [name for name, held in self.joints.items() if held]
+        firm = [name for name, determined in self.joints.items() if determined]
         if firm and self.undetermined:
             lines.append(f"  reactions determined: {', '.join(firm)}")
         return "\n".join(lines)
@@ -149,17 +151,17 @@ def doubt(model: LoadedModel, joint: str, q: Any, t: Any, r: Any) -> None:
     times = np.broadcast_to(np.ravel(t), len(states)) if np.size(t) > 1 else np.ravel(t)
     inputs = None if r is None else np.reshape(model._vector("r", r), (-1, model.nr))
     for k in {0, len(states) // 2, len(states) - 1} if len(states) else ():
-        own = None if inputs is None else inputs[min(k, len(inputs) - 1)]
-        m = Mechanism(model, float(times[min(k, len(times) - 1)]), own)
-        found = report(m, states[k])
-        if found.joints.get(joint, True):
+        row = None if inputs is None else inputs[min(k, len(inputs) - 1)]
+        m = Mechanism(model, float(times[min(k, len(times) - 1)]), row)
+        redundancy = report(m, states[k])
+        if redundancy.joints.get(joint, True):
             return
     if len(states):
         elastic = rests or model.manifest.absolute
         warn(
-            f"the reaction of '{joint}' is not determined ({found.loose(joint)}): constraints of "
-            f"its loop say the same twice, {found.directions[0]}. One of the possible wrenches "
-            "is given. model.redundancy(q) tells which components are determined; "
+            f"the reaction of '{joint}' is not determined ({redundancy.loose(joint)}): constraints "
+            f"of its loop say the same twice, {redundancy.directions[0]}. One of the possible "
+            "wrenches is given. model.redundancy(q) tells which components are determined; "
             f"{ELASTIC if elastic else SHARED}",
             SolveWarning,
         )
@@ -172,15 +174,15 @@ def undetermined(model: LoadedModel, q: Array, t: float = 0.0) -> tuple[str, ...
 
 def bound(model: LoadedModel) -> bool:
     """Whether constraints bind a model whose rows are known."""
-    rows, known = model.manifest.multipliers, model.manifest.available
-    return bool(model.manifest.cuts) or bool(rows and "constraint_jacobian" in known)
+    rows, available = model.manifest.multipliers, model.manifest.available
+    return bool(model.manifest.cuts) or bool(rows and "constraint_jacobian" in available)
 
 
 def position(model: LoadedModel, q: Any) -> Array:
     """Coordinates (nq,) from an array, from names, or where the model starts."""
     if q is not None and not isinstance(q, Mapping):
-        found: Array = model._vector("q", q)
-        return found
+        coordinates: Array = model._vector("q", q)
+        return coordinates
     return start_of(model, q or {}, {})[0][: model.nq]
 
 
@@ -194,10 +196,10 @@ def report(m: Mechanism, q: Array) -> Redundancy:
     """The report of a mechanism at a position (nq,)."""
     G = m.jacobian(q)
     U, s, _ = np.linalg.svd(G, full_matrices=True)
-    rank, rest = rank_of(s), _left_out(m)
-    rows = [*m.closing.rows, *rest]
-    if rest:
-        U = np.linalg.svd(np.concatenate([G, _slopes(m, q, rest)]), full_matrices=True)[0]
+    rank, left_out = rank_of(s), _left_out(m)
+    rows = [*m.closing.rows, *left_out]
+    if left_out:
+        U = np.linalg.svd(np.concatenate([G, _slopes(m, q, left_out)]), full_matrices=True)[0]
     vectors = _plain(U[:, rank:].T)
     unique = {
         str(row.name): bool(np.abs(vectors[:, k]).max(initial=0.0) < UNIQUE)
@@ -207,11 +209,11 @@ def report(m: Mechanism, q: Array) -> Redundancy:
     circuits = {owner: (n, n) for owner, n in _solved(m).items()}
     for owner in dict.fromkeys(owners.tolist()):
         values = np.linalg.svd(G[owners == owner], compute_uv=False)
-        own = int(np.sum(values > RANK * float(s.max(initial=0.0))))
-        circuits[owner] = int(np.sum(owners == owner)), own
-    for row in rest:
-        count, own = circuits.get(row.joint, (0, 0))
-        circuits[row.joint] = count + 1, own
+        rank_of_all = int(np.sum(values > RANK * float(s.max(initial=0.0))))
+        circuits[owner] = int(np.sum(owners == owner)), rank_of_all
+    for row in left_out:
+        count, rank_of_all = circuits.get(row.joint, (0, 0))
+        circuits[row.joint] = count + 1, rank_of_all
     solved = sum(_solved(m).values())
     components = determined(m, q)
     return Redundancy(
@@ -220,8 +222,8 @@ def report(m: Mechanism, q: Array) -> Redundancy:
         constraints=len(rows) + solved,
         rank=rank + solved,
         circuits=circuits,
-        left_out=tuple(row.name for row in rest),
-        directions=tuple(_described(vector, rows, len(m.closing.rows)) for vector in vectors),
+        left_out=tuple(row.name for row in left_out),
+        directions=tuple(_description(vector, rows, len(m.closing.rows)) for vector in vectors),
         vectors=vectors,
         unique=unique,
         components=_of_circuits(m, unique) if components is None else components,
@@ -240,45 +242,45 @@ def _left_out(m: Mechanism) -> list[MultiplierRow]:
 
 def _solved(m: Mechanism) -> dict[str, int]:
     """Circuits in closed form, and how many conditions each of them fulfills."""
-    found: dict[str, int] = {}
+    counts: dict[str, int] = {}
     for joint in m.model.manifest.joints:
-        if told := joint.solved:
-            found[told.loop] = found.get(told.loop, 0) + len(told.u)
-    return found
+        if solved := joint.solved:
+            counts[solved.loop] = counts.get(solved.loop, 0) + len(solved.u)
+    return counts
 
 
-def _slopes(m: Mechanism, q: Array, rest: Sequence[MultiplierRow]) -> Array:
+def _slopes(m: Mechanism, q: Array, left_out: Sequence[MultiplierRow]) -> Array:
     """G (k, nu), without units, of what is left out, by central differences along the speeds.
 
     Zeros where circuits are in closed form: the joints that follow fulfill it.
     """
-    found = np.zeros((len(rest), m.nu))
+    slopes = np.zeros((len(left_out), m.nu))
     if "closure" not in m.model.manifest.available:
-        return found
+        return slopes
     steps = NEARBY * np.eye(m.nu)
     values = {
         k: np.array([m.evaluate("closure", m.advance(q, k * step)) for step in steps])
         for k in DIFFERENCE
     }
     entries = m.model.manifest.functions["closure"].outputs[0].entries
-    for n, row in enumerate(rest):
+    for n, row in enumerate(left_out):
         if row.name in entries:
             k = entries.index(row.name)
             along = sum(weight * values[step][:, k] for step, weight in DIFFERENCE.items())
-            found[n] = along / NEARBY / (m.size if row.unit == "N" else 1.0)
-    return np.where(np.abs(found) > ROUNDING, found, 0.0)
+            slopes[n] = along / NEARBY / (m.size if row.unit == "N" else 1.0)
+    return np.where(np.abs(slopes) > ROUNDING, slopes, 0.0)
 
 
 def _of_circuits(m: Mechanism, unique: Mapping[str, bool]) -> dict[str, tuple[bool, ...]]:
     """As :func:`.self_stress.determined` where joints are not known by their poses: a self-stress
     is taken to load every joint of its circuit in full."""
     rows = [*m.closing.rows, *_left_out(m)]
-    loose = {row.joint for row in rows if not unique[row.name]}
-    found: dict[str, bool] = {}
+    undetermined = {row.joint for row in rows if not unique[row.name]}
+    unique_joints: dict[str, bool] = {}
     for cut in m.cuts:
         for joint in passed(cut):
-            found[joint] = found.get(joint, True) and cut.name not in loose
-    return {joint: (held,) * len(COMPONENTS) for joint, held in found.items()}
+            unique_joints[joint] = unique_joints.get(joint, True) and cut.name not in undetermined
+    return {joint: (is_unique,) * len(COMPONENTS) for joint, is_unique in unique_joints.items()}
 
 
 def _plain(vectors: Array) -> Array:
@@ -294,14 +296,14 @@ def _plain(vectors: Array) -> Array:
             continue
         basis[[row, best]] = basis[[best, row]]
         basis[row] /= basis[row, column]
-        others = np.arange(len(basis)) != row
-        basis[others] -= np.outer(basis[others, column], basis[row])
+        remaining = np.arange(len(basis)) != row
+        basis[remaining] -= np.outer(basis[remaining, column], basis[row])
         row += 1
     largest = np.take_along_axis(basis, np.abs(basis).argmax(axis=1)[:, None], axis=1)
     return np.asarray(basis / np.where(largest == 0, 1.0, largest))
 
 
-def _described(vector: Array, rows: Sequence[MultiplierRow], count: int) -> str:
+def _description(vector: Array, rows: Sequence[MultiplierRow], count: int) -> str:
     """A combination of constraints in words: ``translation along y of joint 'J3'``.
 
     Args:
@@ -309,7 +311,7 @@ def _described(vector: Array, rows: Sequence[MultiplierRow], count: int) -> str:
         rows: Constraints, then conditions that the motion of a loop fulfills by itself.
         count: How many are constraints.
     """
-    told: list[tuple[str, str]] = []
+    descriptions: list[tuple[str, str]] = []
     sizes = np.abs(vector).round(9) / np.abs(vector).max()
 
     # a translation first, if it has much of it
@@ -320,10 +322,12 @@ def _described(vector: Array, rows: Sequence[MultiplierRow], count: int) -> str:
         joint, name = str(rows[k].joint), str(rows[k].name)
         part = name.removeprefix(f"{joint}.")
         form = FORMS.get(part[:1]) if len(part) == 2 and part[1] in "xyz" else None
-        told.append((form.format(part[1]) if form else f"'{part}'", joint))
-    first, joint = told[0]
-    if len(told) == 1 and sizes.argmax() >= count:
+        descriptions.append((form.format(part[1]) if form else f"'{part}'", joint))
+    first, joint = descriptions[0]
+    if len(descriptions) == 1 and sizes.argmax() >= count:
         return f"{first} of joint '{joint}' (its loop moves in a group that holds it)"
-    others = [part if owner == joint else f"{part} of joint '{owner}'" for part, owner in told[1:]]
-    rest = f" (it follows from {', '.join(others)} and the other joints)" if others else ""
-    return f"{first} of joint '{joint}'{rest}"
+    further = [
+        part if owner == joint else f"{part} of joint '{owner}'" for part, owner in descriptions[1:]
+    ]
+    count_left = f" (it follows from {', '.join(further)} and the other joints)" if further else ""
+    return f"{first} of joint '{joint}'{count_left}"

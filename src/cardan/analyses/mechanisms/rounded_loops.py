@@ -35,17 +35,17 @@ def rounded(
         targets, begin, starts, seed: As :func:`.searches.search` takes them.
     """
     m.slack = ROUNDED
-    found = search(m, targets, begin, starts, seed)
-    if any(one.met for one in found):
-        worst = max(one.open for one in found if one.met)
+    solutions = search(m, targets, begin, starts, seed)
+    if any(one.met for one in solutions):
+        worst = max(one.open for one in solutions if one.met)
         m.slack = MARGIN * worst
-        tell(m, worst)
+        warn_of_residual(m, worst)
     else:
         m.slack = 0.0
-    return found
+    return solutions
 
 
-def slack(m: Mechanism, q: Array) -> float:
+def closure_tolerance(m: Mechanism, q: Array) -> float:
     """The residual that redundant conditions leave beside a closed position; 0 if they agree.
 
     Args:
@@ -56,17 +56,17 @@ def slack(m: Mechanism, q: Array) -> float:
         values = np.asarray(np.linalg.svd(m.jacobian(q)[:rows], compute_uv=False), np.float64)
     if not len(values) or (len(values) == rows and values[-1] > LOOSE * values[0]):
         return 0.0
-    loose = m.without(m.released)
-    loose.slack = ROUNDED
+    released = m.without(m.released)
+    released.slack = ROUNDED
     aside = np.random.default_rng(0).uniform(-BESIDE, BESIDE, m.nu)
-    found = PositionSolver(loose).solve(m.advance(q, aside))
-    if not AGREED < found.open <= ROUNDED:
+    solution = PositionSolver(released).solve(m.advance(q, aside))
+    if not AGREED < solution.open <= ROUNDED:
         return 0.0
-    tell(m, found.open)
-    return MARGIN * found.open
+    warn_of_residual(m, solution.open)
+    return MARGIN * solution.open
 
 
-def tell(m: Mechanism, residual: float) -> None:
+def warn_of_residual(m: Mechanism, residual: float) -> None:
     """Warn of a residual without units, if it is more than the last digits."""
     if residual < TOLD:
         return

@@ -25,14 +25,14 @@ def search(
     Warns:
         SolveWarning: they were interrupted.
     """
-    found, solver = list[Solution](), PositionSolver(m, targets)
-    given = start_of(m.model, {}, {})[0][: m.model.nq]
+    solutions, solver = list[Solution](), PositionSolver(m, targets)
+    start = start_of(m.model, {}, {})[0][: m.model.nq]
     rng = np.random.default_rng(seed)
     for k in range(starts):
         try:
-            end = solver.search(begin if k == 0 else drawn(m, given, rng))
+            end = solver.search(begin if k == 0 else drawn(m, start, rng))
         except KeyboardInterrupt:
-            if not any(one.met for one in found):
+            if not any(one.met for one in solutions):
                 raise
             warn(
                 f"interrupted after {k} of {starts} searches: there may be more positions, and one "
@@ -40,16 +40,16 @@ def search(
                 SolveWarning,
             )
             break
-        found.append(replace(end, q=m.nearest(end.q, begin), first=k == 0))
-    return found
+        solutions.append(replace(end, q=m.nearest(end.q, begin), first=k == 0))
+    return solutions
 
 
-def drawn(m: Mechanism, given: Array, rng: np.random.Generator) -> Array:
+def drawn(m: Mechanism, start: Array, rng: np.random.Generator) -> Array:
     """Random coordinates; lengths without limits as far from their start as the mechanism is."""
     manifest = m.model.manifest
     q = m.drawn(rng)
     bound = {joint.name for joint in manifest.joints if joint.limits}
     for k, row in enumerate(manifest.coordinates):
         if row.unit == "m" and row.joint not in bound:
-            q[k] = given[k] + m.size * (q[k] - (row.default or 0.0))
+            q[k] = start[k] + m.size * (q[k] - (row.default or 0.0))
     return q

@@ -70,7 +70,7 @@ def _free(wrenches: Array) -> tuple[bool, ...]:
 
 def _of_loops(m: Mechanism, q: Array) -> Components | None:
     """By the wrenches of all loops."""
-    model, own = m.model, written(m.model)
+    model, user_constraints = m.model, written(m.model)
     if unknown(model) or unbound(model):
         return None
     scene = scene_of(model)
@@ -79,54 +79,58 @@ def _of_loops(m: Mechanism, q: Array) -> Components | None:
     r = model._layout.start("r") if m.r is None else m.r
     motion = motion_of(model, m.t, r)
     motion = None if motion is None else np.reshape(motion, (1, *np.shape(motion)[-2:]))
-    whole, missed = closers_at(model, circuits, q, m.t, r, motion)
+    closers, missed = closers_at(model, circuits, q, m.t, r, motion)
     if not missed <= CLOSED * m.size:
         return None
-    G = jacobian(circuits, whole, motion)[0][0]
+    G = jacobian(circuits, closers, motion)[0][0]
     loops = 6 * len(circuits.closers)
     units = np.ones(len(G))
     units[:loops].reshape(-1, 6)[:, 3:] = m.size
     G = G / units[:, None]
-    if own:
-        bound = np.zeros((len(own), circuits.nu))
-        bound[:, : model.nu] = m.evaluate("constraint_jacobian", q)[own] / m.rows[own, None]
+    if user_constraints:
+        bound = np.zeros((len(user_constraints), circuits.nu))
+        bound[:, : model.nu] = (
+            m.evaluate("constraint_jacobian", q)[user_constraints] / m.rows[user_constraints, None]
+        )
         G = np.concatenate([G, bound])
     G[:, : model.nu] *= m.columns
     lengths = np.linalg.norm(G, axis=0)
     stresses = null_space(G / np.where(lengths > 0, lengths, 1.0))[:, :loops]
-    poses = _poses(circuits, whole, motion, m.size)
-    return _carried(m, circuits, poses, stresses.reshape(-1, len(circuits.closers), 6))
+    poses = _poses(circuits, closers, motion, m.size)
+    return _joint_wrenches(m, circuits, poses, stresses.reshape(-1, len(circuits.closers), 6))
 
 
 def _poses(circuits: Circuits, q: Array, motion: Array | None, size: float) -> Poses:
     """R (n + 1, 3, 3) and p (n + 1, 3) without unit of the ground and all bodies."""
     still = np.zeros((1, circuits.scene.nu))
-    own = moving(circuits.scene, q, still, still, motion)
-    turned = [np.broadcast_to(R, (1, 3, 3))[0] for R in own.turned]
-    return np.array(turned), np.array([np.broadcast_to(p, (1, 3))[0] / size for p in own.place])
+    motion_of_bodies = moving(circuits.scene, q, still, still, motion)
+    rotations = [np.broadcast_to(R, (1, 3, 3))[0] for R in motion_of_bodies.turned]
+    return np.array(rotations), np.array(
+        [np.broadcast_to(p, (1, 3))[0] / size for p in motion_of_bodies.place]
+    )
 
 
-def _carried(m: Mechanism, circuits: Circuits, poses: Poses, stresses: Array) -> Components:
+def _joint_wrenches(m: Mechanism, circuits: Circuits, poses: Poses, stresses: Array) -> Components:
     """What self-stresses (k, loops, 6) bring to every joint of the loops, fixed ones too."""
     names = [joint.name for joint in m.model.manifest.joints]
     through: dict[str, Array] = {}
     seats: dict[str, Seat] = {}
     for n, (closer, cut) in enumerate(zip(circuits.closers, m.cuts, strict=True)):
-        parent, child = (_placed(poses, end, m.size) for end in (closer.parent, closer.child))
+        parent, child = (_in_ground(poses, end, m.size) for end in (closer.parent, closer.child))
         moment, force = stresses[:, n, :3] @ child[0].T, stresses[:, n, 3:] @ parent[0].T
         wrench = np.concatenate([moment + np.cross(child[1], force), force], axis=-1)
         for body, sign in _path(circuits.scene.parents, closer.parent.body, closer.child.body):
             through[names[body]] = through.get(names[body], 0.0) + sign * wrench
             frame = m.model.manifest.joints[body].child_frame
-            seats[names[body]] = _placed(poses, _end(m, circuits, frame), m.size)
+            seats[names[body]] = _in_ground(poses, _end(m, circuits, frame), m.size)
         for weld in cut.fixed:
             through[weld.joint] = through.get(weld.joint, 0.0) + weld.side * wrench
-            seats[weld.joint] = _placed(poses, _end(m, circuits, weld.frame), m.size)
+            seats[weld.joint] = _in_ground(poses, _end(m, circuits, weld.frame), m.size)
         if closer.name not in names:
             through[closer.name] = wrench
             seats[closer.name] = child
     every = dict.fromkeys(name for cut in m.cuts for name in passed(cut))
-    return {name: _free(_seen(through[name], *seats[name])) for name in every}
+    return {name: _free(_at_frame(through[name], *seats[name])) for name in every}
 
 
 def passed(cut: CutRow) -> list[str]:
@@ -144,7 +148,7 @@ def _end(m: Mechanism, circuits: Circuits, frame: str) -> End:
     return End(number, numbers["frame_rotation"][k], numbers["frame_position"][k])
 
 
-def _placed(poses: Poses, end: End, size: float) -> Seat:
+def _in_ground(poses: Poses, end: End, size: float) -> Seat:
     """A frame of a body in ground axes."""
     R, p = (values[end.body + 1] for values in poses)
     return R @ end.rotation, p + R @ end.position / size
@@ -163,7 +167,7 @@ def _path(parents: tuple[int, ...], parent: int, child: int) -> Iterator[tuple[i
             other = parents[other]
 
 
-def _seen(wrench: Array, rotation: Array, position: Array) -> Array:
+def _at_frame(wrench: Array, rotation: Array, position: Array) -> Array:
     """Wrenches (k, 6) about the origin in ground axes, at a frame and in its axes."""
     moment, force = wrench[:, :3], wrench[:, 3:]
     return np.concatenate([(moment - np.cross(position, force)) @ rotation, force @ rotation], -1)

@@ -26,7 +26,7 @@ from .assemble import assemble
 from .mechanism import Mechanism, refuse_nodes
 from .position_solver import PositionSolver
 from .redundancy import rank_of
-from .targets import kept, read
+from .targets import locked_values, read
 
 STEP = 0.05  # of the path, without units
 MOST = 20000
@@ -132,9 +132,9 @@ def singular_positions(
         raise ArgumentError(f"step={step:g}: the path goes forward by positive steps")
     refuse_nodes(model, "singular_positions")
     m = Mechanism(model, t, r)
-    held = kept(m, hold)
-    begin = assemble(model, {coordinate: low} | held, start=start, branch=branch, t=t, r=r)
-    path = Path(m, held, coordinate, driver or coordinate, 1.0 if high > low else -1.0)
+    locked = locked_values(m, hold)
+    begin = assemble(model, {coordinate: low} | locked, start=start, branch=branch, t=t, r=r)
+    path = Path(m, locked, coordinate, driver or coordinate, 1.0 if high > low else -1.0)
     return path.follow(begin.q, low, high, step)
 
 
@@ -149,14 +149,14 @@ class Path:
     """A mechanism of one freedom along its path."""
 
     def __init__(
-        self, m: Mechanism, hold: Mapping[str, Any], coordinate: str, driver: str, sign: float
+        self, m: Mechanism, locked: Mapping[str, Any], coordinate: str, driver: str, sign: float
     ) -> None:
         """Args:
         m, hold: The mechanism and what keeps its value.
         coordinate, driver, sign: What is followed, what drives, which way.
         """
         self.m, self.sign = m, sign
-        self.solver = PositionSolver(m, read(m, hold))
+        self.solver = PositionSolver(m, read(m, locked))
         self.coordinate, self.driver = coordinate, driver
         self.place = m.model.coordinates.index(coordinate)
         self.drive = m.model.coordinates.index(driver)
@@ -188,8 +188,8 @@ class Path:
     def next(self, q: Array, tangent: Array, length: float) -> Array | None:
         """The position a length further, None where it is not near the tangent."""
         guess = self.m.advance(q, length * tangent)
-        found = self.solver.near(guess, abs(length))
-        return None if found is None else found.q
+        solution = self.solver.near(guess, abs(length))
+        return None if solution is None else solution.q
 
     def rate(self, q: Array, tangent: Array) -> float:
         """How the driver moves along the path, without units."""
@@ -197,7 +197,7 @@ class Path:
 
     def follow(self, q: Array, low: float, high: float, step: float) -> Singular:
         """All singular positions until the range is left or the path closes."""
-        found, rows = list[Position](), [q]
+        positions, rows = list[Position](), [q]
         tangent, quality = self.tangent(q, None)
         qualities, tangents, first = [quality], [tangent], q
         ended = "the path is longer than was followed"
@@ -209,11 +209,11 @@ class Path:
             tangent, quality = self.tangent(new, tangents[-1])
             before = self.rate(rows[-1], tangents[-1])
             if before * self.rate(new, tangent) < 0:
-                found.append(self._dead(rows[-1], tangents[-1], taken))
+                positions.append(self._dead(rows[-1], tangents[-1], taken))
             rows.append(new)
             tangents.append(tangent)
             qualities.append(quality)
-            found += self._branch(rows, tangents, qualities, step)
+            positions += self._branch(rows, tangents, qualities, step)
             value = float(new[self.place])
             if (value - high) * self.sign >= 0 or (value - low) * self.sign < -1e-9:
                 ended = "the coordinate left its range"
@@ -221,7 +221,7 @@ class Path:
             if len(rows) > 3 and np.linalg.norm(self.m.between(first, new)) < 0.6 * step:
                 ended = "the path closed"
                 break
-        inside = [p for p in found if min(low, high) - 1e-9 <= p.value <= max(low, high) + 1e-9]
+        inside = [p for p in positions if min(low, high) - 1e-9 <= p.value <= max(low, high) + 1e-9]
         return Singular(
             self.m.model.name,
             self.coordinate,

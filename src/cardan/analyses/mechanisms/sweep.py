@@ -23,7 +23,7 @@ from .assemble import assemble
 from .consistent_rates import accelerations, speeds
 from .drive import Drive, Stuck
 from .mechanism import Mechanism, refuse_nodes
-from .targets import kept
+from .targets import locked_values
 
 FASTEST = 1e100  # of a driver: its square is a number too
 
@@ -81,8 +81,8 @@ class SweepRecord:
             if place is None and ending == ".udot" and name.endswith(ending):
                 place = places.get(f"{name.removesuffix(ending)}.u")
             if place is not None and values.shape[1]:
-                found = values[:, place]
-                return found[:, 0] if found.shape[1] == 1 else found
+                columns = values[:, place]
+                return columns[:, 0] if columns.shape[1] == 1 else columns
         known = [*self.model.coordinates, *self.model.speeds]
         raise ModelError(f"sweep['{name}']: there is no such history.{near(name, known)}")
 
@@ -147,14 +147,14 @@ def sweep(
     drivers = _drivers(model, driver, values)
     refuse_nodes(model, "sweep")
     m, table = Mechanism(model, t, r), np.stack([*drivers.values()], axis=1)
-    held = kept(m, hold)
-    drive = Drive(m, list(drivers), held)
+    locked = locked_values(m, hold)
+    drive = Drive(m, list(drivers), locked)
     at = drive.at(table[0])
     first = {n: float(c[0]) for n, c in drivers.items() if n not in drive.inputs}
-    begin = assemble(model, first | held, start=start, branch=branch, t=t, r=at.r)
+    begin = assemble(model, first | locked, start=start, branch=branch, t=t, r=at.r)
     drive.check(at, begin.q)
     rows, message = _follow(drive, begin.q, table)
-    found = SweepRecord(
+    record = SweepRecord(
         model,
         {name: column[: len(rows)] for name, column in drivers.items()},
         *_motion(drive, rows, table, rate, acceleration),
@@ -165,34 +165,34 @@ def sweep(
         if check:
             raise SolveError(message)
         warn(message, SolveWarning)
-    return found
+    return record
 
 
 def _drivers(model: LoadedModel, driver: Any, values: Any) -> dict[str, Array]:
     """Name -> values of all drivers, checked."""
-    given = driver if isinstance(driver, Mapping) else {driver: values}
-    if isinstance(driver, Mapping) == (values is not None) or not given:
+    named = driver if isinstance(driver, Mapping) else {driver: values}
+    if isinstance(driver, Mapping) == (values is not None) or not named:
         raise ArgumentError(
             "sweep: driver= is a coordinate and values= its values, or it is {coordinate: values}"
         )
-    found: dict[str, Array] = {}
-    for name, column in given.items():
+    columns: dict[str, Array] = {}
+    for name, column in named.items():
         moved = [name for name in model.inputs if f"{name}.rate" in model.inputs]
         if name not in model.coordinates and name not in moved:
-            known = [*model.coordinates, *moved]
+            names = [*model.coordinates, *moved]
             part = component(model.manifest, name)
             if part:
                 raise ModelError(f"sweep: {part}")
-            raise ModelError(f"sweep: there is no coordinate '{name}'.{near(name, known)}")
+            raise ModelError(f"sweep: there is no coordinate '{name}'.{near(name, names)}")
         array = np.asarray(column, dtype=np.float64)
         if array.ndim != 1 or len(array) == 0:
             raise ArgumentError(f"sweep: the values of '{name}' have shape {array.shape}, not (n,)")
         if not np.isfinite(array).all():
             raise SolveError(f"sweep: the values of '{name}' must be finite")
-        found[name] = array
-    if len({len(column) for column in found.values()}) > 1:
+        columns[name] = array
+    if len({len(column) for column in columns.values()}) > 1:
         raise ArgumentError("sweep: all drivers need the same number of values")
-    return found
+    return columns
 
 
 def _follow(drive: Drive, q: Array, table: Array) -> tuple[list[Array], str | None]:

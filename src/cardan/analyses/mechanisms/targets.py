@@ -57,9 +57,9 @@ class Target:
 
     def jacobian(self, m: Mechanism, q: Array) -> Array:
         """Derivative of :meth:`residual` along steps (n, nu)."""
-        found = m.frame_jacobian(self.name, q)
-        found[3:] /= m.size
-        return found[3:] if self.kind == "position" else np.asarray(found)
+        J = m.frame_jacobian(self.name, q)
+        J[3:] /= m.size
+        return J[3:] if self.kind == "position" else np.asarray(J)
 
     @property
     def rows(self) -> int:
@@ -125,58 +125,61 @@ def read(
             that are none.
         ArgumentError: a value of a wrong shape. SolveError: one that is not finite.
     """
-    found = [_target(m, name, value) for name, value in named.items()]
-    _check_rotations(m, found)
-    known = [target.name for target in found]
-    weights, held = _weights(weights), None if hold is None else listed("hold", hold, "hand")
-    for word, names in (("weights", [*weights]), ("hold", held or [])):
+    targets = [_target(m, name, value) for name, value in named.items()]
+    _check_rotations(m, targets)
+    names_of_targets = [target.name for target in targets]
+    weights, required = _weights(weights), None if hold is None else listed("hold", hold, "hand")
+    for word, names in (("weights", [*weights]), ("hold", required or [])):
         for name in names:
-            if name not in known:
-                raise ModelError(f"{word}: '{name}' is no target.{near(name, known)}")
-    soft = [n for n in known if (n in weights if held is None else n not in held)]
+            if name not in names_of_targets:
+                raise ModelError(f"{word}: '{name}' is no target.{near(name, names_of_targets)}")
+    soft = [
+        n for n in names_of_targets if (n in weights if required is None else n not in required)
+    ]
     counts = {name: float(weights.get(name, 1.0)) for name in soft}
-    return [replace(target, weight=counts.get(target.name)) for target in found]
+    return [replace(target, weight=counts.get(target.name)) for target in targets]
 
 
-def _check_rotations(m: Mechanism, found: Sequence[Target]) -> None:
+def _check_rotations(m: Mechanism, targets: Sequence[Target]) -> None:
     """Refuse single components of quaternions, and quaternions whose length is not 1."""
-    manifest, given = m.model.manifest, dict[int, float]()
-    for target in found:
+    manifest, entries = m.model.manifest, dict[int, float]()
+    for target in targets:
         if target.kind == "coordinate":
             places = range(target.place.start, target.place.stop)
-            given.update(zip(places, target.value.tolist(), strict=True))
-    refuse_components(manifest, "targets", given)
+            entries.update(zip(places, target.value.tolist(), strict=True))
+    refuse_components(manifest, "targets", entries)
     q = m.model._layout.start("q").copy()
-    q[list(given)] = list(given.values())
+    q[list(entries)] = list(entries.values())
     check_units(manifest, q, "targets: ")
 
 
-def _weights(given: Any) -> dict[str, float]:
+def _weights(weights: Any) -> dict[str, float]:
     """Target -> weight, checked but for the names."""
-    if not isinstance(given, Mapping | None):
+    if not isinstance(weights, Mapping | None):
         raise ModelError(
-            f"weights={shown(given)}: give targets with weights, such as {{'hand': 1.0}}"
+            f"weights={shown(weights)}: give targets with weights, such as {{'hand': 1.0}}"
         )
-    for name, weight in (given or {}).items():
+    for name, weight in (weights or {}).items():
         number = float(weight) if isinstance(weight, Real) else np.nan
         if not (np.isfinite(number) and number > 0):
             raise ModelError(f"weights: '{name}' has {shown(weight)}; weights are positive numbers")
-    return {name: float(weight) for name, weight in (given or {}).items()}
+    return {name: float(weight) for name, weight in (weights or {}).items()}
 
 
-def kept(m: Mechanism, hold: Any) -> dict[str, Any]:
+def locked_values(m: Mechanism, locked: Any) -> dict[str, Any]:
     """Coordinates and frames that keep a value beside what is driven.
 
     Raises:
         ModelError: names without values.
     """
-    if isinstance(hold, Mapping | None):
-        return dict(hold or {})
-    known = [*entries(m.model.manifest, "q"), *m.model.frames]
-    told = near(hold, known) if isinstance(hold, str) and hold not in known else ""
+    if isinstance(locked, Mapping | None):
+        return dict(locked or {})
+    names = [*entries(m.model.manifest, "q"), *m.model.frames]
+    suggestion = near(locked, names) if isinstance(locked, str) and locked not in names else ""
     raise ModelError(
-        f"hold={shown(hold)}: give coordinates or frames with the values they keep, such as "
-        f"{{'{hold if isinstance(hold, str) and hold in known else known[0]}': 0.2}}.{told}"
+        f"hold={shown(locked)}: give coordinates or frames with the values they keep, such as "
+        f"{{'{locked if isinstance(locked, str) and locked in names else names[0]}': 0.2}}."
+        f"{suggestion}"
     )
 
 

@@ -97,22 +97,26 @@ def workspace(
     if samples < 1:
         raise ArgumentError(f"samples={samples}: at least one is needed")
     refuse_nodes(model, "workspace")
-    m, wanted = Mechanism(model, t, r), branches(model, branch or {})
+    m, requested = Mechanism(model, t, r), branches(model, branch or {})
     ranges = {name: _range(model, name, ends) for name, ends in (over or {}).items()}
     first = assemble(model, start=start, branch=branch, t=t, r=r).q
-    rng, kept = np.random.default_rng(seed), list[Array]()
+    rng, reached_positions = np.random.default_rng(seed), list[Array]()
     places = [model.coordinates.index(name) for name in ranges]
     for _ in range(samples):
         values = {name: float(rng.uniform(*ends)) for name, ends in ranges.items()}
         solver = PositionSolver(m, read(m, values))
-        near_by = [_nearest(kept or [first], places, values), first] if ranges else []
+        near_by = [_nearest(reached_positions or [first], places, values), first] if ranges else []
         # from a neighbor, else from where that does not lead to the branch
         for begin in (*near_by, *(drawn(m, first, rng) for _ in range(AGAIN if ranges else 1))):
-            found = solver.search(begin)
-            if found.met and all(one.holds(found.q) for one in wanted) and not m.outside(found.q):
-                kept.append(found.q)
+            solution = solver.search(begin)
+            if (
+                solution.met
+                and all(one.holds(solution.q) for one in requested)
+                and not m.outside(solution.q)
+            ):
+                reached_positions.append(solution.q)
                 break
-    q = np.array(kept).reshape(-1, model.nq)
+    q = np.array(reached_positions).reshape(-1, model.nq)
     points = model.pose(frame, q, t=t, r=m.r)[:, :3, 3] if len(q) else np.zeros((0, 3))
     return WorkspaceRecord(model.name, frame, points, q, samples)
 
@@ -120,16 +124,16 @@ def workspace(
 def _range(model: LoadedModel, name: str, ends: Any) -> tuple[float, float]:
     if name not in model.coordinates:
         raise ModelError(f"over: there is no coordinate '{name}'.{near(name, model.coordinates)}")
-    found = np.asarray(ends, dtype=np.float64)
-    if found.shape != (2,) or not np.isfinite(found).all() or found[0] >= found[1]:
+    interval = np.asarray(ends, dtype=np.float64)
+    if interval.shape != (2,) or not np.isfinite(interval).all() or interval[0] >= interval[1]:
         raise ArgumentError(f"over: '{name}' has the range {ends!r}; give (low, high)")
-    return float(found[0]), float(found[1])
+    return float(interval[0]), float(interval[1])
 
 
-def _nearest(kept: list[Array], places: list[int], values: Mapping[str, float]) -> Array:
+def _nearest(positions: list[Array], places: list[int], values: Mapping[str, float]) -> Array:
     """The position with sampled coordinates next to new ones."""
-    table = np.array(kept)[:, places]
-    return kept[int(np.argmin(np.linalg.norm(table - [*values.values()], axis=1)))]
+    table = np.array(positions)[:, places]
+    return positions[int(np.argmin(np.linalg.norm(table - [*values.values()], axis=1)))]
 
 
 @checked

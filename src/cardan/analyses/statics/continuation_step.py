@@ -19,7 +19,7 @@ import numpy as np
 from ...arrays import Array
 from ...errors import SolveError
 from .newton import Search
-from .rest_stability import Standing, stand
+from .rest_stability import Stability, stand
 from .static_problem import Load, Point, Problem
 
 # corrections above this multiple of the predicted step and this part of the reach lead to another
@@ -44,7 +44,7 @@ class Place:
 
     s: float
     point: Point
-    standing: Standing
+    standing: Stability
     side: int | None
     dead: int | None
     free: tuple[bool, bool]
@@ -82,10 +82,10 @@ class Crossing:
         """The direction (nu,), without units, in which the stiffness gives way."""
         return self.standing(self.after).direction
 
-    def standing(self, place: Place) -> Standing:
+    def standing(self, place: Place) -> Stability:
         """How the system that it is about stands at a place."""
-        own = self.of == "held"
-        return place.standing if own else place.standing.under_dead_load
+        held_path = self.of == "held"
+        return place.standing if held_path else place.standing.under_dead_load
 
     def side(self, place: Place) -> int | None:
         """The number of that system which changes here."""
@@ -126,9 +126,9 @@ class Step:
         """Whether the way back from a place leads to where the step began, under its load."""
         return ahead(self.problem, there, load).follows(self.start.point)
 
-    def reached(self, s: float, found: Search, standing: Standing) -> Place:
+    def reached(self, s: float, search: Search, stability: Stability) -> Place:
         """The place where a search ended; numbers that are not known there are the last known."""
-        return placed(s, found.point, standing, self.start)
+        return place_of(s, search.point, stability, self.start)
 
     def crosses(self, there: Place) -> bool:
         """Whether a critical load lies on the way to a place."""
@@ -137,8 +137,8 @@ class Step:
     def crossings(self, there: Place) -> list[Crossing]:
         """Critical loads that lie on the way to a place."""
         pairs = (("held", self.start.side, there.side), ("dead load", self.start.dead, there.dead))
-        wanted = pairs if there.standing.dead is not None else pairs[:1]
-        return [Crossing(self.start, there, of) for of, *sides in wanted if _differ(*sides)]
+        compared = pairs if there.standing.dead is not None else pairs[:1]
+        return [Crossing(self.start, there, of) for of, *sides in compared if _differ(*sides)]
 
     def surely(self, point: Point) -> bool:
         """Whether a position belongs to the branch though a critical load lies on the way."""
@@ -146,22 +146,22 @@ class Step:
         return off <= most + ROUNDED
 
 
-def first(problem: Problem, found: Search, load: Load) -> Place:
+def first(problem: Problem, search: Search, load: Load) -> Place:
     """Where a path begins."""
-    return placed(0.0, found.point, stand(problem, found.point, load), None)
+    return place_of(0.0, search.point, stand(problem, search.point, load), None)
 
 
-def placed(s: float, point: Point, standing: Standing, last: Place | None) -> Place:
+def place_of(s: float, point: Point, stability: Stability, last: Place | None) -> Place:
     """The place where a system stands like that; ``last``: the one before, None of the first."""
-    both = (standing, standing.under_dead_load)
+    both = (stability, stability.under_dead_load)
     if last is None:
         # what is loose at first, such as an upright column without load, stands on neither side
         side, dead = (None if one.loose else one.side for one in both)
-        return Place(s, point, standing, side, dead, (bool(both[0].loose), bool(both[1].loose)))
+        return Place(s, point, stability, side, dead, (bool(both[0].loose), bool(both[1].loose)))
     pairs = zip(both, last.free, (last.side, last.dead), strict=True)
-    known = [(one.side if free else one.signed, before) for one, free, before in pairs]
-    side, dead = (before if now is None else now for now, before in known)
-    return Place(s, point, standing, side, dead, last.free)
+    latest = [(one.side if free else one.signed, before) for one, free, before in pairs]
+    side, dead = (before if now is None else now for now, before in latest)
+    return Place(s, point, stability, side, dead, last.free)
 
 
 def _differ(before: int | None, after: int | None) -> bool:

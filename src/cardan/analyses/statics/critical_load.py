@@ -20,11 +20,11 @@ from scipy.sparse import csr_array, issparse
 
 from ...arrays import Array
 from ...errors import SolveError
-from .continuation_step import Crossing, Place, placed
+from .continuation_step import Crossing, Place, place_of
 from .equilibrium import DIRECT
 from .force_balance import balance
 from .load_path import Loading
-from .newton import rest
+from .newton import equilibrium_search
 from .rest_stability import stand
 from .static_problem import Matrix, Point, Problem
 
@@ -63,8 +63,10 @@ def located(loading: Loading, crossing: Crossing) -> tuple[Place, float]:
     # loads next to it have the same equilibrium to rounding, and are solved for more surely
     near = min(bracket.last, key=lambda place: abs(place.s - s))
     load = loading.at(s)
-    found = rest(bracket.problem, bracket.problem.under(near.point, load), load, DIRECT)
-    return replace(near, s=s, point=found.point if found.converged else near.point), 0.0
+    search = equilibrium_search(
+        bracket.problem, bracket.problem.under(near.point, load), load, DIRECT
+    )
+    return replace(near, s=s, point=search.point if search.converged else near.point), 0.0
 
 
 @dataclass(eq=False)
@@ -91,7 +93,7 @@ class _Bracket:
         """Negative before, positive behind; by size how far the stiffness is from giving way."""
         problem, load, crossing = self.problem, self.loading.at(s), self.crossing
         begun = problem.under(self.last[0].point, load)
-        search = rest(problem, begun, load, DIRECT)
+        search = equilibrium_search(problem, begun, load, DIRECT)
         point = search.point
         if not search.converged:
             # where the stiffness gives way steps are rounding; so near the last point will do
@@ -99,7 +101,7 @@ class _Bracket:
                 self.failed = True
                 return self.unknown
             point = begun
-        there = placed(s, point, stand(problem, point, load), crossing.before)
+        there = place_of(s, point, stand(problem, point, load), crossing.before)
         behind = crossing.side(there) != crossing.side(crossing.before)
         self.last[behind] = there
         margin = crossing.standing(there).margin
@@ -191,28 +193,28 @@ def _highest(arc: _Arc) -> Place | None:
     length = FIRST * arc.problem.system.reach
     begin = (0.0, arc.start.s, arc.start.point)
     sides = [(way, *arc.at(way, *begin[1:])) for way in (-length, length)]
-    known = sorted([*sides, begin], key=lambda one: one[0])
+    samples = sorted([*sides, begin], key=lambda one: one[0])
     if sides[0][1] > begin[1] < sides[1][1]:
         return None
     rising = -1 if sides[0][1] > sides[1][1] else 1
-    known = known if rising == 1 else known[::-1]
+    samples = samples if rising == 1 else samples[::-1]
     # on, the load rising, until it falls
-    while known[-1][1] > known[-2][1]:
+    while samples[-1][1] > samples[-2][1]:
         length = min(GROWING * length, LONGEST * arc.problem.system.reach)
-        way = known[-1][0] + rising * length
-        known.append((way, *arc.at(way, *known[-1][1:])))
-        if len(known) > MOST or not known[-1][1] <= 1:
+        way = samples[-1][0] + rising * length
+        samples.append((way, *arc.at(way, *samples[-1][1:])))
+        if len(samples) > MOST or not samples[-1][1] <= 1:
             return None
-    near = known[-2]
+    near = samples[-2]
 
     def load(way: float) -> float:
         return -arc.at(way, *near[1:])[0]
 
-    ends = sorted((known[-3][0], known[-1][0]))
+    ends = sorted((samples[-3][0], samples[-1][0]))
     close = {"xatol": 1e-7 * (ends[1] - ends[0])}
     way = minimize_scalar(load, bounds=ends, method="bounded", options=close).x
     s, point = arc.at(float(way), *near[1:])
-    return placed(s, point, stand(arc.problem, point, arc.loading.at(s)), arc.start)
+    return place_of(s, point, stand(arc.problem, point, arc.loading.at(s)), arc.start)
 
 
 def _stiff(problem: Problem, loading: Loading, first: Place, k: int) -> float:
@@ -221,10 +223,10 @@ def _stiff(problem: Problem, loading: Loading, first: Place, k: int) -> float:
     K, G = problem.tangent(first.point, load)
     push = np.eye(1, K.shape[0], k)[0]
     try:
-        found = problem.system.saddle.solve(K, G, push, np.zeros(G.shape[0]))[0][k]
+        compliance = problem.system.saddle.solve(K, G, push, np.zeros(G.shape[0]))[0][k]
     except SolveError:
-        found = 0.0
-    return abs(1 / found) if found else WEAK * float(abs(K).max())
+        compliance = 0.0
+    return abs(1 / compliance) if compliance else WEAK * float(abs(K).max())
 
 
 def _stiffer(K: Matrix, k: int, spring: float) -> Matrix:

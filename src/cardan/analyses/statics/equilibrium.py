@@ -13,11 +13,11 @@ from ...arguments import Hold, checked
 from ...arrays import Array
 from ...errors import ModelError, SolveError, SolveWarning, counted, shown, warn
 from ...runtime.calls.calling import numbers
-from ..systems import contract_of
-from ..systems.dynamic_system import Contract, NamedState
+from ..systems import dynamic_system_of
+from ..systems.dynamic_system import DynamicSystem, NamedState
 from .force_balance import TOLD, balance
-from .newton import Search, rest
-from .rest_stability import Standing, holdable, stand, words
+from .newton import Search, equilibrium_search
+from .rest_stability import Stability, largest_motions, lockable, stand
 from .settling import settled
 from .static_problem import Load, Point, Problem, scaled
 
@@ -95,17 +95,21 @@ class Equilibrium(NamedState):
     @checked
     def reaction(self, joint: str) -> Array:
         """Wrench (6,) of parent on child at the child joint frame, in its axes."""
-        held, tau = Problem(contract_of(self.model)).held(self.point, self.load)
-        given: dict[str, Any] = {"r": self.load.r, "z": self.point.at.z, "tau": tau if held else ()}
-        some = {name: value for name, value in given.items() if len(value)}
-        found: Array = self.model.reaction(joint, self.q, self.u, t=self.t, **some)
-        return found
+        locked, tau = Problem(dynamic_system_of(self.model)).held(self.point, self.load)
+        arguments: dict[str, Any] = {
+            "r": self.load.r,
+            "z": self.point.at.z,
+            "tau": tau if locked else (),
+        }
+        some = {name: value for name, value in arguments.items() if len(value)}
+        wrench: Array = self.model.reaction(joint, self.q, self.u, t=self.t, **some)
+        return wrench
 
     @checked
     def pose(self, frame: str) -> Array:
         """Transform (4, 4) from frame axes to ground axes."""
-        found: Array = self.model.pose(frame, self.q, r=self.load.r, t=self.t)
-        return found
+        transform: Array = self.model.pose(frame, self.q, r=self.load.r, t=self.t)
+        return transform
 
     def __repr__(self) -> str:
         lines = [f"'{self.model.name}': {self.message}"]
@@ -152,14 +156,14 @@ def equilibrium(
         ModelError: unknown names, circuits that cannot be assembled.
         SolveError: with ``check``, no equilibrium was found.
     """
-    system = contract_of(model)
+    system = dynamic_system_of(model)
     load = read(system, hold, inputs, parameters, t, u)
     problem = Problem(system)
     point = problem.begin(load, q)
-    found = settled(problem, point, load, ("creep",) if stable else WAYS)
-    if stable and found.converged:
-        found = _downhill(problem, found, load)
-    result = record(model, problem, found, load)
+    search = settled(problem, point, load, ("creep",) if stable else WAYS)
+    if stable and search.converged:
+        search = _downhill(problem, search, load)
+    result = record(model, problem, search, load)
     if not result.converged:
         if check:
             raise SolveError(result.message)
@@ -168,7 +172,7 @@ def equilibrium(
 
 
 def read(
-    system: Contract,
+    system: DynamicSystem,
     hold: Mapping[str, float] | None,
     inputs: Mapping[str, float] | None,
     parameters: Mapping[str, float] | None,
@@ -186,42 +190,42 @@ def read(
     if not np.isfinite(t):
         raise SolveError(f"t={shown(t)}: it must be finite")
     p = system.changed(dict(parameters or {}))
-    held = {name: float(value) for name, value in (hold or {}).items()}
+    locked = {name: float(value) for name, value in (hold or {}).items()}
     speeds = None if u is None else dict(u)
-    return Load(float(t), system.given_inputs(inputs), p, held, speeds)
+    return Load(float(t), system.input_vector(inputs), p, locked, speeds)
 
 
-def _downhill(problem: Problem, found: Search, load: Load) -> Search:
+def _downhill(problem: Problem, search: Search, load: Load) -> Search:
     """A stable position next to one that may be unstable."""
-    spent = found.iterations
+    spent = search.iterations
     for _ in range(TRIES):
-        standing = stand(problem, found.point, load)
-        if not standing.negative:
+        stability = stand(problem, search.point, load)
+        if not stability.negative:
             break
-        away = np.zeros(len(found.motion))
-        away[: len(standing.direction)] = standing.direction
+        away = np.zeros(len(search.motion))
+        away[: len(stability.direction)] = stability.direction
         away *= ASIDE / np.abs(away).max()
-        still = np.zeros(len(found.point.held) + len(found.point.at.lam))
-        beside = problem.moved(found.point, away, still, load)
-        found = rest(problem, beside, load, ("creep",))
-        spent += found.iterations
-        if not found.converged:
+        still = np.zeros(len(search.point.held) + len(search.point.at.lam))
+        neighbor = problem.moved(search.point, away, still, load)
+        search = equilibrium_search(problem, neighbor, load, ("creep",))
+        spent += search.iterations
+        if not search.converged:
             break
-    return replace(found, iterations=spent)
+    return replace(search, iterations=spent)
 
 
 def record(
-    model: Any, problem: Problem, found: Search, load: Load, known: Standing | None = None
+    model: Any, problem: Problem, search: Search, load: Load, computed: Stability | None = None
 ) -> Equilibrium:
     """What was found, as users see it; ``known``: how it stands, if that was looked at."""
-    point, system = found.point, problem.system
-    nothing = Standing(None, 0, np.nan, np.zeros(0), ())
-    message = unsteady(problem, point, load) if found.converged else missed(system, found, load)
-    found = replace(found, converged=not message)
-    standing = (known or stand(problem, point, load)) if found.converged else nothing
+    point, system = search.point, problem.system
+    nothing = Stability(None, 0, np.nan, np.zeros(0), ())
+    message = unsteady(problem, point, load) if search.converged else missed(system, search, load)
+    search = replace(search, converged=not message)
+    stability = (computed or stand(problem, point, load)) if search.converged else nothing
     changed = model.with_parameters(dict(load.parameters)) if load.parameters else model
     tau = problem.held(point, load)[1]
-    rounding = balance(problem, point, load).share if found.converged else np.nan
+    rounding = balance(problem, point, load).share if search.converged else np.nan
     return Equilibrium(
         model=changed,
         x=np.concatenate([point.at.q, point.at.u, point.at.z]),
@@ -229,18 +233,18 @@ def record(
         holding={name: float(tau[system.place(name)[1]]) for name in load.hold},
         inputs=dict(zip(system.inputs, load.r.tolist(), strict=True)),
         t=load.t,
-        stable=standing.under_dead_load.stable,
-        stable_held=standing.stable,
-        n_negative=standing.under_dead_load.negative,
-        n_negative_held=standing.negative,
-        loose=standing.loose,
+        stable=stability.under_dead_load.stable,
+        stable_held=stability.stable,
+        n_negative=stability.under_dead_load.negative,
+        n_negative_held=stability.negative,
+        loose=stability.loose,
         modes=system.labels(point.at.s),
-        least=standing.least,
+        least=stability.least,
         rounding=rounding,
-        iterations=found.iterations,
-        converged=found.converged,
+        iterations=search.iterations,
+        converged=search.converged,
         message=message
-        or told(standing, found, load.u is not None)
+        or stability_message(stability, search, load.u is not None)
         + one_of_many(system.labels(point.at.s))
         + rounded(rounding),
         point=point,
@@ -269,24 +273,24 @@ def rounded(share: float) -> str:
     )
 
 
-def told(standing: Standing, found: Search, moving: bool) -> str:
+def stability_message(stability: Stability, search: Search, moving: bool) -> str:
     """How it stands, as a sentence."""
-    many = f"in {standing.negative} direction{'s' if standing.negative != 1 else ''}"
-    kind = {True: "stable ", False: "unstable ", None: ""}[standing.stable]
+    many = f"in {stability.negative} direction{'s' if stability.negative != 1 else ''}"
+    kind = {True: "stable ", False: "unstable ", None: ""}[stability.stable]
     kind += "steady motion" if moving else "equilibrium"
-    if standing.negative and standing.stable is True:
+    if stability.negative and stability.stable is True:
         kind += f", though forces push away {many}"
-    elif standing.negative:
+    elif stability.negative:
         kind += f", pushed away {many}"
-    loose = "; nothing holds " + " and ".join(standing.loose) if standing.loose else ""
-    return f"{kind}, after {counted(found.iterations, 'iteration')}{loose}"
+    free_motions = "; nothing holds " + " and ".join(stability.loose) if stability.loose else ""
+    return f"{kind}, after {counted(search.iterations, 'iteration')}{free_motions}"
 
 
 def unsteady(problem: Problem, point: Point, load: Load) -> str:
     """Why given speeds are no steady motion; "" where they are, and at rest."""
     if load.u is None:
         return ""
-    system, (held, tau) = problem.system, problem.held(point, load)
+    system, (locked, tau) = problem.system, problem.held(point, load)
     unit = max(1.0, float(np.abs(point.at.u / system.columns).max(initial=0.0)))
     try:
         moving = system.accelerations(point.at, tau).udot
@@ -294,7 +298,7 @@ def unsteady(problem: Problem, point: Point, load: Load) -> str:
         # parts without mass: forces balance, which is all that is known of them
         moving = point.at.udot
     left = moving - point.at.udot
-    left[held] = 0.0
+    left[locked] = 0.0
     # as forces balance, only constraints may make other accelerations
     gap = np.abs(system.tangents(point.at).G @ left / system.rows)
     if gap.max(initial=0.0) > STEADY * unit**2:
@@ -312,10 +316,10 @@ def unsteady(problem: Problem, point: Point, load: Load) -> str:
     if np.abs(gaps[: len(system.rows)]).max(initial=0.0) > CLOSED:
         return ""
     off = np.abs(forces[: len(left)])
-    off[held] = 0.0
-    found, worst = system.tangents(later), int(off.argmax())
-    momentum = (abs(found.M) @ np.abs(later.u)) * system.columns
-    rounding = ROUNDED * float(abs(scaled(found.K, system.columns, system.columns)).max())
+    off[locked] = 0.0
+    tangents, worst = system.tangents(later), int(off.argmax())
+    momentum = (abs(tangents.M) @ np.abs(later.u)) * system.columns
+    rounding = ROUNDED * float(abs(scaled(tangents.K, system.columns, system.columns)).max())
     if off[worst] > ALONG * unit * float(momentum.max(initial=0.0)) + rounding:
         return (
             "no steady motion: forces do not turn along (weight across the axis, a spring to the "
@@ -325,11 +329,11 @@ def unsteady(problem: Problem, point: Point, load: Load) -> str:
     return ""
 
 
-def missed(system: Contract, found: Search, load: Load) -> str:
+def missed(system: DynamicSystem, search: Search, load: Load) -> str:
     """Why there is none, and what to do."""
-    moving = words(system, found.motion)
-    if found.pushed and moving:
-        name = holdable(system, found.motion, load.hold)
+    moving = largest_motions(system, search.motion)
+    if search.pushed and moving:
+        name = lockable(system, search.motion, load.hold)
         cure = f", or hold it: hold={{'{name}': 0}}" if name else ""
         return (
             f"no equilibrium: nothing holds {moving} against the load (a rigid-body mode). Add a "
@@ -337,7 +341,7 @@ def missed(system: Contract, found: Search, load: Load) -> str:
         )
     where = f", moving {moving} most," if moving else ""
     return (
-        f"no equilibrium: the search left{where} after {counted(found.iterations, 'iteration')}. "
+        f"no equilibrium: the search left{where} after {counted(search.iterations, 'iteration')}. "
         "Start nearer (q=), apply the load in steps (model.statics), or check signs and sizes of "
         "the forces"
     )

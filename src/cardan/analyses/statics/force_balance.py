@@ -16,7 +16,7 @@ import numpy as np
 
 from ...arrays import Array
 from ...errors import SolveError
-from ..systems.dynamic_system import Contract, Moment
+from ..systems.dynamic_system import DynamicSystem, Moment
 from .static_problem import Load, Matrix, Point, Problem
 
 SHARE = 1e-8  # of the loads that act
@@ -74,15 +74,17 @@ def balance(
     rounding = elastic(system, at, K)
     rounding[: len(loads)] += UNITS * loads
     # what constraints bear is the sum of other forces, and rounded as these are
-    holding = np.concatenate([at.lam * system.rows, point.held])
+    constraint_forces = np.concatenate([at.lam * system.rows, point.held])
     for _ in range(HOPS):
         # and these hand on what rounding left of the others
-        rounding = np.maximum(rounding, abs(G.T) @ (UNITS * np.abs(holding) + abs(G) @ rounding))
+        rounding = np.maximum(
+            rounding, abs(G.T) @ (UNITS * np.abs(constraint_forces) + abs(G) @ rounding)
+        )
     largest = max(float(loads.max(initial=0.0)), float(np.abs(point.held).max(initial=0.0)))
     return Balance(np.abs(force), rounding, largest)
 
 
-def elastic(system: Contract, at: Moment, K: Matrix) -> Array:
+def elastic(system: DynamicSystem, at: Moment, K: Matrix) -> Array:
     """What rounding of positions leaves of elastic forces (n,), without units.
 
     Args:
@@ -91,8 +93,8 @@ def elastic(system: Contract, at: Moment, K: Matrix) -> Array:
         K: Its stiffness there (n, n), without units.
     """
     sizes = np.concatenate([system.sizes(at), np.abs(at.z)])
-    found: Array = UNITS * (abs(K) @ sizes[: K.shape[0]])
-    return found
+    rounding: Array = UNITS * (abs(K) @ sizes[: K.shape[0]])
+    return rounding
 
 
 def balances(problem: Problem, point: Point, load: Load, tangent: tuple[Matrix, Matrix]) -> bool:

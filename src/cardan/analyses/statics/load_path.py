@@ -10,7 +10,7 @@ import numpy as np
 
 from ...arrays import Array
 from ...errors import ArgumentError, ModelError, SolveError, near, shown
-from ..systems.dynamic_system import Contract
+from ..systems.dynamic_system import DynamicSystem
 from .static_problem import Load
 
 TIME = "t"
@@ -28,7 +28,7 @@ class Loading:
         stations: Where rows are wanted (n,), None for wherever steps end.
     """
 
-    system: Contract
+    system: DynamicSystem
     base: Load
     swept: Mapping[str, Array]
     kinds: Mapping[str, str]
@@ -44,7 +44,7 @@ class Loading:
     def at(self, s: float) -> Load:
         """The load at a place of the path."""
         load, r = self.base, self.base.r.copy()
-        parameters, hold = dict(load.parameters or {}), dict(load.hold)
+        parameters, locked = dict(load.parameters or {}), dict(load.hold)
         t = load.t
         for name, value in self.values(s).items():
             kind = self.kinds[name]
@@ -53,15 +53,15 @@ class Loading:
             elif kind == "input":
                 r[self.system.inputs.index(name)] = value
             elif kind == "hold":
-                hold[name] = value
+                locked[name] = value
             else:
                 t = value
-        return replace(load, t=t, r=r, parameters=parameters or None, hold=hold)
+        return replace(load, t=t, r=r, parameters=parameters or None, hold=locked)
 
 
 def loading(
-    system: Contract, known: Mapping[str, str], base: Load, swept: Mapping[str, Any],
-    hold: Mapping[str, Any],
+    system: DynamicSystem, kind_of: Mapping[str, str], base: Load, swept: Mapping[str, Any],
+    locked: Mapping[str, Any],
 ) -> Loading:  # fmt: skip
     """A load path out of what a user wrote.
 
@@ -77,20 +77,20 @@ def loading(
         ArgumentError: values of a wrong shape or different numbers of them.
         SolveError: values that are not finite.
     """
-    if not swept and not hold:
+    if not swept and not locked:
         raise ModelError(
             "statics: say what is swept, from where to where, such as statics(P=(0, 10)). "
-            f"{near('', known).strip()}"
+            f"{near('', kind_of).strip()}"
         )
     columns, kinds = dict[str, Array](), dict[str, str]()
     for name, values in swept.items():
-        if name not in known:
+        if name not in kind_of:
             raise ModelError(
                 f"statics: there is no parameter or input '{name}' to sweep; coordinates are "
-                f"swept by hold={{'...': (0, 1)}}.{near(name, known)}"
+                f"swept by hold={{'...': (0, 1)}}.{near(name, kind_of)}"
             )
-        columns[name], kinds[name] = column(f"statics: {name}", values), known[name]
-    for name, values in hold.items():
+        columns[name], kinds[name] = column(f"statics: {name}", values), kind_of[name]
+    for name, values in locked.items():
         system.place(name)
         if name in columns:
             raise ModelError(f"statics: '{name}' is swept and held: leave one out")
@@ -100,7 +100,7 @@ def loading(
         said = ", ".join(f"'{name}' has {n}" for name, n in counts.items())
         raise ArgumentError(f"statics: all that is swept goes together: {said} values")
     n = next(iter(counts.values()))
-    base = replace(base, prescribed=tuple(hold))
+    base = replace(base, prescribed=tuple(locked))
     return Loading(system, base, columns, kinds, None if n == 2 else np.linspace(0, 1, n))
 
 
@@ -111,11 +111,11 @@ def column(name: str, values: Any, count: int = 2) -> Array:
         ModelError: they are no numbers in a row.
     """
     try:
-        found = np.asarray(values, dtype=np.float64)
+        array = np.asarray(values, dtype=np.float64)
     except (TypeError, ValueError):
-        found = np.zeros(())
-    if found.ndim != 1 or len(found) < 2:
+        array = np.zeros(())
+    if array.ndim != 1 or len(array) < 2:
         raise ArgumentError(f"{name}={shown(values)}: give (start, end), or values (n,)")
-    if not np.isfinite(found).all():
+    if not np.isfinite(array).all():
         raise SolveError(f"{name}={shown(values)}: they must be finite")
-    return found if len(found) > 2 else np.linspace(found[0], found[1], count)
+    return array if len(array) > 2 else np.linspace(array[0], array[1], count)

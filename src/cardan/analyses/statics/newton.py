@@ -63,8 +63,8 @@ def newton(problem: Problem, point: Point, load: Load, damped: bool = False) -> 
     """
     if damped:
         return _steps(problem, point, load, damped)
-    found = _steps(problem, problem.opened(point), load, damped)
-    return replace(found, point=problem.closed(found.point))
+    search = _steps(problem, problem.with_internal_unknowns(point), load, damped)
+    return replace(search, point=problem.closed(search.point))
 
 
 def _steps(problem: Problem, point: Point, load: Load, damped: bool) -> Search:
@@ -99,18 +99,18 @@ def _moved(
     problem: Problem, point: Point, load: Load, x: Array, y: Array, share: float, K: Matrix | None
 ) -> tuple[Point, float]:
     """The point after a step, shortened until the residual falls where K is given."""
-    whole = problem.moved(point, share * x, share * y, load)
+    full_step = problem.moved(point, share * x, share * y, load)
     if K is None:
-        return whole, share
+        return full_step, share
     unit = max(float(abs(K).max()), 1e-300)
-    before, first = _miss(problem, point, load, unit), (whole, share)
+    before, first = _miss(problem, point, load, unit), (full_step, share)
     for _ in range(HALVINGS):
-        found = problem.moved(point, share * x, share * y, load)
-        if _miss(problem, found, load, unit) <= (1 - 1e-4 * share) * before:
-            return found, share
+        shortened = problem.moved(point, share * x, share * y, load)
+        if _miss(problem, shortened, load, unit) <= (1 - 1e-4 * share) * before:
+            return shortened, share
         share *= 0.5
     # rounding is all that is left, or the direction does not lead down
-    return first if _size(x) <= NOISE else (found, share)
+    return first if _size(x) <= NOISE else (shortened, share)
 
 
 def _miss(problem: Problem, point: Point, load: Load, unit: float) -> float:
@@ -126,24 +126,24 @@ def ramp(problem: Problem, point: Point, load: Load) -> Search:
     """Newton's method while what is out of balance at the start is taken back in steps."""
     force, gap = problem.residual(point, load)
     done, part, spent = 0.0, FIRST, 0
-    found = Search(point, 0, False, np.zeros(0))
+    search = Search(point, 0, False, np.zeros(0))
     while part >= LEAST:
         share = min(1.0, done + part)
         left = ((1 - share) * force, (1 - share) * gap)
-        found = newton(problem, point, replace(load, left=left))
-        spent += found.iterations
+        search = newton(problem, point, replace(load, left=left))
+        spent += search.iterations
         # a long way in one step leads elsewhere
-        if found.converged and _near(problem, point, found):
-            point, done, part = found.point, share, 1.5 * part
+        if search.converged and _near(problem, point, search):
+            point, done, part = search.point, share, 1.5 * part
             if done == 1.0:
-                return replace(found, iterations=spent)
+                return replace(search, iterations=spent)
         else:
             part *= 0.5
-    return replace(found, iterations=spent, converged=False)
+    return replace(search, iterations=spent, converged=False)
 
 
-def _near(problem: Problem, point: Point, found: Search) -> bool:
-    return _size(problem.step(point, found.point)[0]) <= 0.5 * problem.system.reach
+def _near(problem: Problem, point: Point, search: Search) -> bool:
+    return _size(problem.step(point, search.point)[0]) <= 0.5 * problem.system.reach
 
 
 def creep(problem: Problem, point: Point, load: Load) -> Search:
@@ -162,13 +162,13 @@ def creep(problem: Problem, point: Point, load: Load) -> Search:
         point = problem.moved(point, share * step, share * y, load)
         near = size <= 1e-6 and resistance < 1e-3 and below >= -1e-9 * unit
         if near or size <= TIGHT:
-            found = newton(problem, point, load)
+            search = newton(problem, point, load)
             return Search(
-                found.point,
-                total + found.iterations,
-                found.converged,
-                found.motion if len(found.motion) else step,
-                found.pushed,
+                search.point,
+                total + search.iterations,
+                search.converged,
+                search.motion if len(search.motion) else step,
+                search.pushed,
             )
         # thicker steps as it comes to rest, and while stiffness that has no part in it holds it up
         if size < HASTE * system.reach:
@@ -222,7 +222,7 @@ def _size(step: Array) -> float:
 OTHERS = {"ramp": ramp, "creep": creep}
 
 
-def rest(problem: Problem, point: Point, load: Load, ways: tuple[str, ...]) -> Search:
+def equilibrium_search(problem: Problem, point: Point, load: Load, ways: tuple[str, ...]) -> Search:
     """Rest under a load next to a point.
 
     Args:
@@ -234,13 +234,13 @@ def rest(problem: Problem, point: Point, load: Load, ways: tuple[str, ...]) -> S
         # steps that lead too far end a search: what overflows there is no news
         with np.errstate(over="ignore", invalid="ignore"):
             if way in OTHERS:
-                found = OTHERS[way](problem, point, load)
+                search = OTHERS[way](problem, point, load)
             else:
-                found = newton(problem, point, load, way == "damped")
-        spent += found.iterations
-        if found.converged:
+                search = newton(problem, point, load, way == "damped")
+        spent += search.iterations
+        if search.converged:
             break
         # what nothing holds is told rather than where the last way led
-        pushed = found if found.pushed and pushed is None else pushed
-    told = found if found.converged or pushed is None else pushed
-    return replace(found, iterations=spent, motion=told.motion, pushed=told.pushed)
+        pushed = search if search.pushed and pushed is None else pushed
+    outcome = search if search.converged or pushed is None else pushed
+    return replace(search, iterations=spent, motion=outcome.motion, pushed=outcome.pushed)

@@ -18,7 +18,7 @@ from scipy.sparse.linalg import ArpackError
 
 from ...arrays import Array, Complex
 from ..linear.first_order import eigenvalues
-from ..systems.dynamic_system import Contract
+from ..systems.dynamic_system import DynamicSystem
 from ..systems.saddle_point import LOOSE, SKEW, Lowest, Singular, Sparse, near_quadratic
 from .static_problem import Load, Point, Problem, scaled
 
@@ -33,7 +33,7 @@ FEW, SHIFT = 12, 1e-3  # of more speeds: pairs next to 0, and how near [rad/s]
 
 
 @dataclass(frozen=True, eq=False)
-class Standing:
+class Stability:
     """How a system stands.
 
     Attributes:
@@ -64,52 +64,52 @@ class Standing:
     signed: int | None = None
     margin: float = np.nan
     frequency: float = 0.0
-    dead: Standing | None = None
+    dead: Stability | None = None
 
     @property
-    def under_dead_load(self) -> Standing:
+    def under_dead_load(self) -> Stability:
         """How it stands where what moves it is a load that stays."""
         return self if self.dead is None else self.dead
 
 
-def stand(problem: Problem, point: Point, load: Load) -> Standing:
+def stand(problem: Problem, point: Point, load: Load) -> Stability:
     """How a system stands at a point where it rests."""
-    found = _stand(problem, point, load, load)
+    stability = _stand(problem, point, load, load)
     if not load.prescribed:
-        return found
-    kept = {name: value for name, value in load.hold.items() if name not in load.prescribed}
-    return replace(found, dead=_stand(problem, point, load, replace(load, hold=kept)))
+        return stability
+    locked = {name: value for name, value in load.hold.items() if name not in load.prescribed}
+    return replace(stability, dead=_stand(problem, point, load, replace(load, hold=locked)))
 
 
-def _stand(problem: Problem, point: Point, load: Load, kept: Load) -> Standing:
+def _stand(problem: Problem, point: Point, load: Load, constrained: Load) -> Stability:
     """The same under a load, where what is kept holds (no more than the load does)."""
     system = problem.system
-    K, G = problem.tangent(point, kept)
+    K, G = problem.tangent(point, constrained)
     nu = len(system.columns)
     try:
         lowest = system.saddle.lowest(K[:nu, :nu], G[:, :nu])
     except Singular:
-        return Standing(None, 0, 0.0, np.zeros(nu), ())
-    loose = tuple(words(system, motion) for motion in lowest.loose.T)
+        return Stability(None, 0, 0.0, np.zeros(nu), ())
+    free_motions = tuple(largest_motions(system, motion) for motion in lowest.loose.T)
     least = float(lowest.values[0]) if len(lowest.values) else np.inf
     direction = lowest.vectors[:, 0] if len(lowest.values) else np.zeros(nu)
-    found = Standing(None, lowest.negative, least, direction, loose)
+    stability = Stability(None, lowest.negative, least, direction, free_motions)
     if lowest.skew <= SKEW and not system.internals:
-        found = replace(found, side=lowest.negative, signed=lowest.signed)
-        found = replace(found, margin=_margin(lowest))
+        stability = replace(stability, side=lowest.negative, signed=lowest.signed)
+        stability = replace(stability, margin=_margin(lowest))
         # gyroscopic forces do no work: what a potential holds they leave stable
         if not lowest.negative and not lowest.loose.size:
-            return replace(found, stable=True)
-        if kept.u is None:
-            return replace(found, stable=False if lowest.negative else None)
-    held = [system.place(name)[1] for name in kept.hold]
-    values = _motions(problem, point, load, kept, held)
+            return replace(stability, stable=True)
+        if constrained.u is None:
+            return replace(stability, stable=False if lowest.negative else None)
+    locked = [system.place(name)[1] for name in constrained.hold]
+    values = _motions(problem, point, load, constrained, locked)
     if lowest.skew > SKEW:
         side = int(lowest.sign < 0) if lowest.sign else None
-        found = replace(found, side=side, signed=side)
+        stability = replace(stability, side=side, signed=side)
     elif system.internals:
-        found = replace(found, side=lowest.negative, signed=lowest.signed)
-    return found if values is None else _told_by(found, values, lowest.skew > SKEW)
+        stability = replace(stability, side=lowest.negative, signed=lowest.signed)
+    return stability if values is None else _by_eigenvalues(stability, values, lowest.skew > SKEW)
 
 
 def _margin(lowest: Lowest) -> float:
@@ -119,34 +119,36 @@ def _margin(lowest: Lowest) -> float:
     return float(firm.min()) if len(firm) else float("nan")
 
 
-def _told_by(found: Standing, values: Complex, circulatory: bool) -> Standing:
+def _by_eigenvalues(stability: Stability, values: Complex, circulatory: bool) -> Stability:
     """How it stands by the eigenvalues of its small motions [1/s]."""
     sizes = np.abs(values)
     largest = float(sizes.max(initial=0.0)) or 1.0
     off = KNOWN * largest**2 / np.maximum(sizes, KNOWN / GROWING * largest)
     grows = values.real > off
-    found = replace(found, stable=not grows.any())
+    stability = replace(stability, stable=not grows.any())
     if not circulatory:
-        return found
+        return stability
     fastest = values[np.where(grows, values.real, -np.inf).argmax()] if grows.any() else 0j
     sways = abs(fastest.imag) > FLUTTER * abs(fastest)
     frequency = abs(fastest.imag) if sways else 0.0
     many = int(np.sum(grows))
-    return replace(found, side=many, signed=many, frequency=float(frequency))
+    return replace(stability, side=many, signed=many, frequency=float(frequency))
 
 
 def _motions(
-    problem: Problem, point: Point, load: Load, kept: Load, held: Sequence[int]
+    problem: Problem, point: Point, load: Load, constrained: Load, locked: Sequence[int]
 ) -> Complex | None:
     """Eigenvalues of small motions [1/s]: all, of many speeds those next to 0 at rest."""
     system, tau = problem.system, problem.held(point, load)[1]
     if len(system.columns) <= MANY:
-        found: Complex | None = eigenvalues(system, point.at, held, tau)
-        return found
-    if kept.u is not None or not isinstance(system.saddle, Sparse) or system.internals:
+        growth: Complex | None = eigenvalues(system, point.at, locked, tau)
+        return growth
+    if constrained.u is not None or not isinstance(system.saddle, Sparse) or system.internals:
         return None
-    own, G = system.tangents(point.at), problem.tangent(point, kept)[1]
-    K, C, M = (scaled(x, system.columns, system.columns) for x in (own.K, own.C, own.M))
+    tangents, G = system.tangents(point.at), problem.tangent(point, constrained)[1]
+    K, C, M = (
+        scaled(x, system.columns, system.columns) for x in (tangents.K, tangents.C, tangents.M)
+    )
     if not issparse(K):
         return None
     try:
@@ -156,7 +158,7 @@ def _motions(
     return values
 
 
-def words(system: Contract, motion: Array) -> str:
+def largest_motions(system: DynamicSystem, motion: Array) -> str:
     """What moves most in a motion (nu,): ``'cart', 'pole'``; of equals those that can be held."""
     sizes: dict[str, float] = {}
     for owner, size in zip(system.owners, np.abs(motion[: len(system.owners)]), strict=False):
@@ -167,12 +169,12 @@ def words(system: Contract, motion: Array) -> str:
     def order(name: str) -> tuple[float, bool]:
         return -round(sizes[name] / largest, 1), f"{name}.u" not in speeds
 
-    told = sorted((n for n in sizes if sizes[n] >= SHARE * largest > 0), key=order)
-    more = ", ..." if len(told) > MOST else ""
-    return ", ".join(f"'{name}'" for name in told[:MOST]) + more
+    moving = sorted((n for n in sizes if sizes[n] >= SHARE * largest > 0), key=order)
+    more = ", ..." if len(moving) > MOST else ""
+    return ", ".join(f"'{name}'" for name in moving[:MOST]) + more
 
 
-def holdable(system: Contract, motion: Array, held: Collection[str] = ()) -> str:
+def lockable(system: DynamicSystem, motion: Array, locked: Collection[str] = ()) -> str:
     """The coordinate that a motion (nu,) moves most of those that can be held; "" without.
 
     Args:
@@ -180,6 +182,6 @@ def holdable(system: Contract, motion: Array, held: Collection[str] = ()) -> str
         held: Coordinates that are held already.
     """
     sizes = np.abs(motion[: len(system.owners)])
-    own = {name: sizes[k] for name, (_, k) in system.places.items() if name not in held}
-    name = max(own, key=own.__getitem__, default="")
-    return name if name and own[name] >= SHARE * sizes.max(initial=0.0) > 0 else ""
+    shares = {name: sizes[k] for name, (_, k) in system.places.items() if name not in locked}
+    name = max(shares, key=shares.__getitem__, default="")
+    return name if name and shares[name] >= SHARE * sizes.max(initial=0.0) > 0 else ""

@@ -20,7 +20,7 @@ import numpy as np
 
 from ...arrays import Array, Booleans
 from ...errors import ModelError, SolveError
-from .newton import Search, crept, rest
+from .newton import Search, crept, equilibrium_search
 from .static_problem import Load, Point, Problem
 
 CHANGES = 60  # of modes in one search
@@ -36,44 +36,44 @@ def settled(problem: Problem, point: Point, load: Load, ways: tuple[str, ...]) -
 
     Args:
         problem, point, load: Of what, from where, under what.
-        ways: As :func:`cardan.analyses.statics.newton.rest` takes them.
+        ways: As :func:`cardan.analyses.statics.newton.equilibrium_search` takes them.
 
     Raises:
         ModelError: it starts beyond a stop.
     """
     system = problem.system
     if not system.events:
-        return rest(problem, point, load, ways)
+        return equilibrium_search(problem, point, load, ways)
     _refuse_beyond(problem, point)
-    point, spent, seen = _decided(problem, point), 0, set[bytes]()
-    found = rest(problem, point, load, ways[:1])
+    point, spent, visited = _decided(problem, point), 0, set[bytes]()
+    search = equilibrium_search(problem, point, load, ways[:1])
     for _ in range(CHANGES):
-        spent += found.iterations
-        fits = found.converged and not _forbidden(problem, point, found.point).any()
+        spent += search.iterations
+        fits = search.converged and not _forbidden(problem, point, search.point).any()
         if fits:
-            point = _at_rest(problem, found.point)
+            point = _sticking(problem, search.point)
             key = point.at.s.tobytes()
-            if np.array_equal(point.at.s, found.point.at.s) or key in seen:
-                return replace(found, iterations=spent)
-            seen.add(key)
+            if np.array_equal(point.at.s, search.point.at.s) or key in visited:
+                return replace(search, iterations=spent)
+            visited.add(key)
         else:
             crept_to, fired, steps = _creep(problem, point, load)
             spent += steps
             if not fired.any():
                 break
             point = _fired(problem, crept_to, fired)
-        found = rest(problem, point, load, ways[:1])
-    found = rest(problem, point, load, ways)
-    fits = found.converged and not _forbidden(problem, point, found.point).any()
-    return replace(found, iterations=spent + found.iterations, converged=fits)
+        search = equilibrium_search(problem, point, load, ways[:1])
+    search = equilibrium_search(problem, point, load, ways)
+    fits = search.converged and not _forbidden(problem, point, search.point).any()
+    return replace(search, iterations=spent + search.iterations, converged=fits)
 
 
-def held(problem: Problem, point: Point, load: Load, found: Search) -> Search:
+def with_modes(problem: Problem, point: Point, load: Load, search: Search) -> Search:
     """What a search found from a point, or what follows where its modes forbid that."""
-    if not problem.system.events or not found.converged:
-        return found
-    if not _forbidden(problem, point, found.point).any():
-        return found
+    if not problem.system.events or not search.converged:
+        return search
+    if not _forbidden(problem, point, search.point).any():
+        return search
     return settled(problem, problem.under(point, load), load, ("full",))
 
 
@@ -81,9 +81,9 @@ def _signs(problem: Problem, point: Point, way: Array | None = None) -> Array:
     """Sign functions (ne,), of events that change modes; others are 1."""
     system, at = problem.system, point.at
     moving = replace(at, u=0 * at.u if way is None else SLOW * way)
-    found = system.signs(moving)
-    own = np.array([kind in ("mode", "impact") for _, kind, _ in system.events])
-    return np.where(own, found, 1.0)
+    signs = system.signs(moving)
+    of_modes = np.array([kind in ("mode", "impact") for _, kind, _ in system.events])
+    return np.where(of_modes, signs, 1.0)
 
 
 def _forbidden(problem: Problem, start: Point, point: Point) -> Booleans:
@@ -96,12 +96,12 @@ def _scales(problem: Problem, point: Point) -> Array:
     """What sign functions count against (ne,): the size of the scene, its loads."""
     system, size = problem.system, problem.system.size
     load = max(1e-300, float(system.loads(point.at).max(initial=0.0)))
-    known = {"m": size, "rad": 1.0, "N": load / size, "N*m": load}
-    known |= {"m/s": SLOW * size, "rad/s": SLOW}
-    return np.array([known.get(unit, min(1.0, load)) for unit in system.sign_units])
+    scales = {"m": size, "rad": 1.0, "N": load / size, "N*m": load}
+    scales |= {"m/s": SLOW * size, "rad/s": SLOW}
+    return np.array([scales.get(unit, min(1.0, load)) for unit in system.sign_units])
 
 
-def _at_rest(problem: Problem, point: Point) -> Point:
+def _sticking(problem: Problem, point: Point) -> Point:
     """The point with the modes in which it stays: sliding that has come to rest sticks."""
     system, signs = problem.system, _signs(problem, point)
     slides = np.array([kind == "mode" for _, kind, _ in system.events])
@@ -126,7 +126,7 @@ def _fired(problem: Problem, point: Point, fired: Booleans) -> Point:
     if not fired.any():
         return point
     at = replace(point.at, u=0 * point.at.u)
-    return replace(point, at=replace(point.at, s=problem.system.behind(at, fired)))
+    return replace(point, at=replace(point.at, s=problem.system.modes_after(at, fired)))
 
 
 def _creep(problem: Problem, point: Point, load: Load) -> tuple[Point, Booleans, int]:

@@ -139,11 +139,11 @@ class StaticPathRecord:
         first = self.rows[0]
         if name in first.named:
             return np.array([row.named[name] for row in self.rows])
-        held = {f"{n}.holding": n for n in first.holding}
-        if name in held:
-            return np.array([row.holding[held[name]] for row in self.rows])
-        known = [*self.values, *first.named, *held]
-        raise ModelError(f"path['{name}']: there is no such history.{near(name, known)}")
+        forces = {f"{n}.holding": n for n in first.holding}
+        if name in forces:
+            return np.array([row.holding[forces[name]] for row in self.rows])
+        names = [*self.values, *first.named, *forces]
+        raise ModelError(f"path['{name}']: there is no such history.{near(name, names)}")
 
     @checked
     def reaction(self, joint: str) -> Array:
@@ -167,12 +167,12 @@ class StaticPathRecord:
                 middle of the interval in which it lies, with the width of that as ``P.width``
                 for a swept ``P``.
         """
-        found = [located(self.loading, crossing) for crossing in self.crossings]
-        told = [self._told(place) for place, _ in found]
-        for values, (place, part) in zip(told, found, strict=True):
+        passages = [located(self.loading, crossing) for crossing in self.crossings]
+        rows = [self._told(place) for place, _ in passages]
+        for values, (place, part) in zip(rows, passages, strict=True):
             if part:
                 values.update(self._widths(place.s, part))
-        return told
+        return rows
 
     def _widths(self, s: float, part: float) -> dict[str, float]:
         """The swept interval in which a critical load lies, by name; warns of it."""
@@ -187,11 +187,11 @@ class StaticPathRecord:
 
     def _told(self, place: Place) -> dict[str, float]:
         """Swept values at a place, and the forces that prescribe."""
-        load, found = self.loading.at(place.s), self.loading.values(place.s)
+        load, values = self.loading.at(place.s), self.loading.values(place.s)
         tau = Problem(self.loading.system).held(place.point, load)[1]
         for name in load.prescribed:
-            found[f"{name}.holding"] = float(tau[self.loading.system.place(name)[1]])
-        return found
+            values[f"{name}.holding"] = float(tau[self.loading.system.place(name)[1]])
+        return values
 
     def __repr__(self) -> str:
         first = self.rows[0]

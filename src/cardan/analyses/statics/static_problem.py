@@ -14,7 +14,7 @@ import numpy as np
 from scipy.sparse import block_array, csr_array, diags_array, issparse
 
 from ...arrays import Array
-from ..systems.dynamic_system import Contract, Moment, Parameters, Tangents
+from ..systems.dynamic_system import DynamicSystem, Moment, Parameters, Tangents
 
 Matrix: TypeAlias = Any  # an array, or a sparse one of scipy
 
@@ -62,7 +62,7 @@ class Problem:
         system: What is to rest.
     """
 
-    system: Contract
+    system: DynamicSystem
 
     def begin(self, load: Load, q: Any) -> Point:
         """A point next to named coordinates, with the multipliers that balance it best."""
@@ -107,22 +107,22 @@ class Problem:
     def tangent(self, point: Point, load: Load) -> tuple[Matrix, Matrix]:
         """K (nu + nz, nu + nz) and G (m + k, nu + nz)."""
         s, at = self.system, point.at
-        found = s.tangents(at)
-        G = self._bound(found, load)
-        stiffness = found.K
+        tangents = s.tangents(at)
+        G = self._bound(tangents, load)
+        stiffness = tangents.K
         if load.u is not None:
             # speeds follow the position, for the given ones to stay
             by, rates = s.following(at, load.u)
-            stiffness = stiffness + found.C @ by + found.M @ rates
+            stiffness = stiffness + tangents.C @ by + tangents.M @ rates
             if issparse(stiffness):
                 stiffness = self._anchored(csr_array(stiffness), load)
         K = scaled(stiffness, s.columns, s.columns)
         if not s.internals:
             return K, G
-        own = s.internal(at)
+        internal = s.internal(at)
         blocks = [
-            [K, own.balance * s.columns[:, None]],
-            [own.along * s.columns, own.by_z],
+            [K, internal.balance * s.columns[:, None]],
+            [internal.along * s.columns, internal.by_z],
         ]
         if issparse(K):
             empty = csr_array((G.shape[0], len(s.internals)))
@@ -134,24 +134,24 @@ class Problem:
 
         Without them sparse matrices would be singular, as one position is as good as another.
         """
-        s, running = self.system, np.zeros(K.shape[0])
+        s, anchors = self.system, np.zeros(K.shape[0])
         for name in load.u or {}:
             if name in s.coordinates and f"{name}.u" in s.speeds and name not in load.hold:
                 k = s.speeds.index(f"{name}.u")
-                running[k] = float(abs(K).max()) / s.columns[k] ** 2
-        return csr_array(K + diags_array(running))
+                anchors[k] = float(abs(K).max()) / s.columns[k] ** 2
+        return csr_array(K + diags_array(anchors))
 
     def moved(self, point: Point, x: Array, y: Array, load: Load) -> Point:
         """The point after a step of the unknowns, with the speeds that belong to it."""
         s, at = self.system, point.at
         nu, m = len(s.columns), len(s.rows)
         lam = at.lam + y[:m] / s.rows
-        moved = replace(s.advanced(at, x[:nu] * s.columns), z=at.z + x[nu:], lam=lam)
+        moved = replace(s.retract(at, x[:nu] * s.columns), z=at.z + x[nu:], lam=lam)
         return Point(self._steady(moved, load), point.held + y[m:])
 
-    def opened(self, point: Point) -> Point:
+    def with_internal_unknowns(self, point: Point) -> Point:
         """The point with what elements keep themselves while one searches."""
-        return replace(point, at=self.system.opened(point.at))
+        return replace(point, at=self.system.with_internal_unknowns(point.at))
 
     def closed(self, point: Point) -> Point:
         """The point without that."""
@@ -182,8 +182,8 @@ class Problem:
         rows = [s.place(name)[1] for name in load.hold]
         if issparse(G):
             ones = np.ones(len(rows))
-            own = csr_array((ones, (np.arange(len(rows)), rows)), (len(rows), G.shape[1]))
-            return csr_array(block_array([[G], [own]])) if G.shape[0] else own
+            locked = csr_array((ones, (np.arange(len(rows)), rows)), (len(rows), G.shape[1]))
+            return csr_array(block_array([[G], [locked]])) if G.shape[0] else locked
         return np.concatenate([G, np.eye(len(s.columns))[rows]])
 
 

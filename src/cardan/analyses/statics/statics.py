@@ -20,15 +20,15 @@ from ...arguments import Count, Hold, checked
 from ...arrays import Array
 from ...errors import ModelError, SolveError, SolveWarning, warn
 from ...runtime.trajectory.solver_info import FINISHED
-from ..systems import contract_of
-from ..systems.dynamic_system import Contract
+from ..systems import dynamic_system_of
+from ..systems.dynamic_system import DynamicSystem
 from .continuation_step import Crossing, Place, Step, ahead, first
 from .critical_load import limit_load
 from .equilibrium import DIRECT, WAYS, Equilibrium, missed, read, record
 from .load_path import TIME, Loading, loading
-from .newton import Search, rest
-from .rest_stability import holdable, stand, words
-from .settling import held, settled
+from .newton import Search, equilibrium_search
+from .rest_stability import largest_motions, lockable, stand
+from .settling import settled, with_modes
 from .static_path import StaticPathRecord
 from .static_problem import Problem
 
@@ -73,7 +73,7 @@ def statics(
         ModelError: unknown names, nothing swept. ArgumentError: values of a wrong shape.
         SolveError: no equilibrium at the start; with ``check``, none further on.
     """
-    system = contract_of(model)
+    system = dynamic_system_of(model)
     if not isinstance(steps, int) or steps < 1:
         raise ModelError(f"statics: steps={steps!r}: a number of steps, at least 1")
     if not isinstance(hold, Mapping | None) or not isinstance(swept, Mapping | None):
@@ -81,7 +81,7 @@ def statics(
     moved = {n: v for n, v in (hold or {}).items() if np.ndim(v) > 0}
     still = {n: v for n, v in (hold or {}).items() if n not in moved}
     base = read(system, still, inputs, parameters, t)
-    way = loading(system, _known(model), base, {**(swept or {}), **named}, moved)
+    way = loading(system, _sweepable(model), base, {**(swept or {}), **named}, moved)
     rows, crossed = list[tuple[float, Equilibrium]](), list[Crossing]()
     try:
         failure = _follow(model, Problem(system), way, q, steps, rows, crossed)
@@ -92,15 +92,15 @@ def statics(
         status = "interrupted"
         failure = f"interrupted behind {_said(way, rows[-1][0])}; what was computed is kept"
     changed = _changed(system, way, crossed)
-    found = StaticPathRecord.of(way, rows, crossed, status, failure)
+    path = StaticPathRecord.of(way, rows, crossed, status, failure)
     if failure and check:
         raise SolveError(failure)
     for said in filter(None, (changed, failure)):
         warn(said, SolveWarning)
-    return found
+    return path
 
 
-def _known(model: Any) -> dict[str, str]:
+def _sweepable(model: Any) -> dict[str, str]:
     """What can be swept."""
     return {
         **dict.fromkeys(model.parameters, "parameter"),
@@ -135,16 +135,18 @@ def _follow(
             s = goal if goal - s < 1e-12 else s
             load = way.at(s)
             step = ahead(problem, here, load)
-            found = held(problem, here.point, load, rest(problem, step.point, load, DIRECT))
+            search = with_modes(
+                problem, here.point, load, equilibrium_search(problem, step.point, load, DIRECT)
+            )
             shortest = 0.5 * length < SMALLEST / steps
-            there = _reached(step, found, way, s, length * steps <= SHORT, shortest)
+            there = _next_place(step, search, way, s, length * steps <= SHORT, shortest)
             if there is not None:
                 crossed += step.crossings(there)
                 here = there
                 places.append(here)
-                length *= 1.5 if found.iterations <= GOOD else 1.0
+                length *= 1.5 if search.iterations <= GOOD else 1.0
                 if way.stations is None or s == goal:
-                    rows.append((s, record(model, problem, found, load, there.standing)))
+                    rows.append((s, record(model, problem, search, load, there.standing)))
                 continue
             length *= 0.5
             if shortest:
@@ -156,21 +158,21 @@ def _follow(
                     rows[:] = [row for row in rows if row[0] <= most]
                     crossed[:] = [one for one in crossed if one.after.s <= most]
                     crossed.append(Crossing(here, limit, "limit"))
-                return _stopped(problem.system, way, here, found, limit)
+                return _stopped(problem.system, way, here, search, limit)
     return ""
 
 
-def _reached(
-    step: Step, found: Search, way: Loading, s: float, short: bool, shortest: bool
+def _next_place(
+    step: Step, search: Search, way: Loading, s: float, short: bool, shortest: bool
 ) -> Place | None:
     """The place that was found; None where it is none of the path, or the step is too long."""
-    if not found.converged or not step.follows(found.point):
+    if not search.converged or not step.follows(search.point):
         return None
-    there = step.reached(s, found, stand(step.problem, found.point, way.at(s)))
+    there = step.reached(s, search, stand(step.problem, search.point, way.at(s)))
     if shortest:
         return there
     # critical loads are passed in short steps, for other branches not to be taken for this one
-    if step.crosses(there) and not (short and step.surely(found.point)):
+    if step.crosses(there) and not (short and step.surely(search.point)):
         return None
     return there if step.returns(there, way.at(step.start.s)) else None
 
@@ -186,16 +188,16 @@ def _said(way: Loading, s: float) -> str:
 
 
 def _stopped(
-    system: Contract, way: Loading, last: Place, found: Search, limit: Place | None
+    system: DynamicSystem, way: Loading, last: Place, search: Search, limit: Place | None
 ) -> str:
     """Where and why a path ended, and what to do."""
-    moving = words(system, found.motion)
+    moving = largest_motions(system, search.motion)
     where = f", along {moving}" if moving else ""
-    beyond, asked = _said(way, last.s), _said(way, 1.0)
-    ended = f"no equilibrium next to the last one beyond {beyond} (asked: {asked})"
+    beyond, end = _said(way, last.s), _said(way, 1.0)
+    ended = f"no equilibrium next to the last one beyond {beyond} (asked: {end})"
     if last.standing.loose:
         free = " and ".join(last.standing.loose)
-        name = holdable(system, found.motion, way.base.hold)
+        name = lockable(system, search.motion, way.base.hold)
         cure = f", or hold it: hold={{'{name}': value}}" if name else ""
         return f"{ended}: nothing holds {free} there. Begin where loads or springs hold it{cure}"
     if limit is not None:
@@ -221,34 +223,34 @@ def _stopped(
     )
 
 
-def _onward(system: Contract, way: Loading, motion: Array) -> str:
+def _onward(system: DynamicSystem, way: Loading, motion: Array) -> str:
     """What leads on where a path along loads, or prescribed displacements, ended."""
     prescribed = [name for name, kind in way.kinds.items() if kind == "hold"]
-    name = holdable(system, motion, (*way.base.hold, *prescribed))
+    name = lockable(system, motion, (*way.base.hold, *prescribed))
     if not name:
         return ""
     what = "another displacement leads" if prescribed else "prescribed displacements lead"
     return f"; {what} on: hold={{'{name}': (start, end)}}"
 
 
-def _changed(system: Contract, way: Loading, crossed: list[Crossing]) -> str:
+def _changed(system: DynamicSystem, way: Loading, crossed: list[Crossing]) -> str:
     """Where stability changed on a path that goes on, and what to do; "" where it did not."""
     changed = [crossing for crossing in crossed if crossing.of == "held"]
     if not changed:
         return ""
-    told = next((crossing for crossing in changed if crossing.lost), changed[0])
-    said = [_change(system, way, told)]
-    others = [crossing for crossing in changed if crossing is not told]
-    if others:
-        spans = "; ".join(_span(way, crossing) for crossing in others)
+    change = next((crossing for crossing in changed if crossing.lost), changed[0])
+    said = [_change(system, way, change)]
+    remaining = [crossing for crossing in changed if crossing is not change]
+    if remaining:
+        spans = "; ".join(_span(way, crossing) for crossing in remaining)
         said.append(f"Stability changes also between {spans}.")
-    return " ".join([*said, "path.critical() finds the load" + ("s" if others else "")])
+    return " ".join([*said, "path.critical() finds the load" + ("s" if remaining else "")])
 
 
-def _change(system: Contract, way: Loading, crossing: Crossing) -> str:
+def _change(system: DynamicSystem, way: Loading, crossing: Crossing) -> str:
     """A change of stability, as sentences."""
     span = f"from a load between {_span(way, crossing)} on"
-    moving = words(system, crossing.direction)
+    moving = largest_motions(system, crossing.direction)
     frequency = crossing.standing(crossing.after).frequency
     sides = (crossing.side(place) for place in (crossing.before, crossing.after))
     if not crossing.lost:

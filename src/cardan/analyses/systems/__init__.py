@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from ...errors import ModelError
 from ...runtime.models.loaded_model import LoadedModel
-from .dynamic_system import Contract
+from .dynamic_system import DynamicSystem
 
 
-def contract_of(model: object) -> Contract:
+def dynamic_system_of(model: object) -> DynamicSystem:
     """The dynamic system of a compiled model.
 
     Raises:
@@ -16,9 +16,9 @@ def contract_of(model: object) -> Contract:
     if not isinstance(model, LoadedModel):
         raise ModelError(f"{model!r} is no compiled model: cd.compile(scene) makes one")
     if model.manifest.absolute:
-        from .finite_element_system import Absolute
+        from .finite_element_system import FiniteElementSystem
 
-        return Absolute(model)
-    from .joint_system import Relative
+        return FiniteElementSystem(model)
+    from .joint_system import JointSystem
 
-    return Relative(model)
+    return JointSystem(model)

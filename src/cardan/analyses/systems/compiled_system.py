@@ -18,12 +18,12 @@ from ...runtime.models.named_rotations import component
 from .dynamic_system import Moment, Parameters
 
 
-class Modeled(ABC):
+class CompiledSystem(ABC):
     """A compiled model with the names that analyses ask for.
 
     Attributes:
         model: The model.
-        Others: as :class:`cardan.analyses.systems.dynamic_system.Contract` has them.
+        Others: as :class:`cardan.analyses.systems.dynamic_system.DynamicSystem` has them.
     """
 
     def __init__(self, model: LoadedModel, positions: int, size: float) -> None:
@@ -48,9 +48,11 @@ class Modeled(ABC):
     @property
     @abstractmethod
     def increments(self) -> tuple[str, ...]:
-        """As :meth:`Contract.increments`."""
+        """As :meth:`DynamicSystem.increments`."""
 
-    def started(self, q: Any, hold: Mapping[str, Any], p: Parameters) -> tuple[LoadedModel, Array]:
+    def start_state(
+        self, q: Any, locked: Mapping[str, Any], p: Parameters
+    ) -> tuple[LoadedModel, Array]:
         """The model with these parameters, and the state x (nx,) at rest that q and hold name."""
         model = self.model.with_parameters(dict(p)) if p else self.model
         named = q if isinstance(q, Mapping) else {}
@@ -62,11 +64,11 @@ class Modeled(ABC):
         # a whole joint that is started from gives way to what is held of it
         for joint, place in entries(model.manifest, "q").items():
             own = {model.coordinates[k]: k - place.start for k in range(place.start, place.stop)}
-            if joint in named and joint not in own and set(own) & set(hold):
+            if joint in named and joint not in own and set(own) & set(locked):
                 values = np.ravel(np.asarray(named[joint], dtype=np.float64))
                 named = {n: v for n, v in named.items() if n != joint}
-                named |= {n: values[k] for n, k in own.items() if n not in hold}
-        return model, start_of(model, {**named, **hold}, {})[0]
+                named |= {n: values[k] for n, k in own.items() if n not in locked}
+        return model, start_of(model, {**named, **locked}, {})[0]
 
     @cached_property
     def modes(self) -> Array:
@@ -76,74 +78,76 @@ class Modeled(ABC):
 
     @cached_property
     def events(self) -> tuple[tuple[str, str, str], ...]:
-        """As :meth:`Contract.events`."""
+        """As :meth:`DynamicSystem.events`."""
         rows = self.model.manifest.events
         return tuple((row.element, row.kind, row.beyond) for row in rows)
 
     @cached_property
     def sign_units(self) -> tuple[str, ...]:
-        """As :meth:`Contract.sign_units`; models saved earlier do not tell."""
+        """As :meth:`DynamicSystem.sign_units`; models saved earlier do not tell."""
         return tuple(row.unit for row in self.model.manifest.events)
 
     def labels(self, s: Array) -> dict[str, str]:
-        """As :meth:`Contract.labels`."""
+        """As :meth:`DynamicSystem.labels`."""
         rows = zip(self.model.manifest.s, s, strict=True)
         return {row.name: row.labels.get(str(int(x)), f"{x:g}") for row, x in rows}
 
     def signs(self, at: Moment) -> Array:
-        """As :meth:`Contract.signs`."""
-        found: Array = self.model.events(at.q, at.u, **self._given(at))
-        return found
+        """As :meth:`DynamicSystem.signs`."""
+        values: Array = self.model.events(at.q, at.u, **self._given(at))
+        return values
 
-    def behind(self, at: Moment, fired: NDArray[np.bool_]) -> Array:
-        """As :meth:`Contract.behind`."""
+    def modes_after(self, at: Moment, fired: NDArray[np.bool_]) -> Array:
+        """As :meth:`DynamicSystem.modes_after`."""
         model = self.model
-        found = model.transition(at.q, at.u, fired.astype(float), **self._given(at))
-        return np.asarray(found[len(found) - model.ns :])
+        values = model.transition(at.q, at.u, fired.astype(float), **self._given(at))
+        return np.asarray(values[len(values) - model.ns :])
 
     @staticmethod
     def _given(at: Moment) -> dict[str, Any]:
         return {"t": at.t, "r": at.r, "z": at.z, "s": at.s, "parameters": at.parameters}
 
-    def given_inputs(self, named: Any) -> Array:
-        """As :meth:`Contract.given_inputs`."""
-        found: Array = self.model._vector("r", {} if named is None else named)
-        if found.shape != (self.model.nr,):
+    def input_vector(self, named: Any) -> Array:
+        """As :meth:`DynamicSystem.input_vector`."""
+        vector: Array = self.model._vector("r", {} if named is None else named)
+        if vector.shape != (self.model.nr,):
             raise ArgumentError(
-                f"inputs have shape {found.shape}, expected ({self.model.nr},): "
+                f"inputs have shape {vector.shape}, expected ({self.model.nr},): "
                 f"{', '.join(self.inputs)}"
             )
-        if not np.isfinite(found).all():
+        if not np.isfinite(vector).all():
             raise SolveError(f"inputs {named}: they must be finite")
-        return found
+        return vector
 
     def changed(self, values: Mapping[str, float]) -> Parameters:
-        """As :meth:`Contract.changed`."""
+        """As :meth:`DynamicSystem.changed`."""
         if values:
             self.model.with_parameters(dict(values))
         return dict(values) or None
 
     @cached_property
     def places(self) -> dict[str, tuple[int, int]]:
-        """As :meth:`Contract.places`."""
+        """As :meth:`DynamicSystem.places`."""
         speeds = {name: k for k, name in enumerate(self.speeds)}
-        told = enumerate(self.model.manifest.speeds)
-        speeds |= {f"{row.of}.u": k for k, row in told if row.of}
-        known = set(self.coordinates)
+        rows = enumerate(self.model.manifest.speeds)
+        speeds |= {f"{row.of}.u": k for k, row in rows if row.of}
+        coordinates = set(self.coordinates)
         pairs = ((n, k, speeds.get(f"{n}.u")) for k, n in enumerate(self.coordinates))
-        found = {name: (k, speed) for name, k, speed in pairs if speed is not None}
+        places = {name: (k, speed) for name, k, speed in pairs if speed is not None}
         # parts of joints with several speeds, and positions of nodes
-        own = enumerate(self.increments)
-        parts = {name: (self.coordinates.index(name), k) for k, name in own if name in known}
-        return {**parts, **found}
+        numbered = enumerate(self.increments)
+        parts = {
+            name: (self.coordinates.index(name), k) for k, name in numbered if name in coordinates
+        }
+        return {**parts, **places}
 
     def place(self, name: str) -> tuple[int, int]:
-        """As :meth:`Contract.place`."""
-        known = self.places
-        if name not in known:
-            words = f".{near(name, known)}"
+        """As :meth:`DynamicSystem.place`."""
+        places = self.places
+        if name not in places:
+            suggestion = f".{near(name, places)}"
             manifest = self.model.manifest
             if component(manifest, name) or name not in entries(manifest, "q"):
-                words = ": " + missing(manifest, "q", name, known)
-            raise ModelError(f"hold: '{name}' is not a coordinate that can be held{words}")
-        return known[name]
+                suggestion = ": " + missing(manifest, "q", name, places)
+            raise ModelError(f"hold: '{name}' is not a coordinate that can be held{suggestion}")
+        return places[name]

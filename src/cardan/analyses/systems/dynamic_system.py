@@ -1,6 +1,6 @@
-"""What analyses ask of a compiled system, whatever its formulation.
+"""A compiled system as analyses see it, whatever its formulation.
 
-Equilibria, load paths, linearization and modes are written against :class:`Contract`. Motion is
+Equilibria, load paths, linear models and modes work on :class:`DynamicSystem`. Motion is
 
     balance: M udot + h - f - Gᵀ lam = 0,   g = 0,   G u + g_t = 0,   zdot = its own rates,
 
@@ -111,7 +111,7 @@ class Rates:
 
 
 @dataclass(frozen=True, eq=False)
-class Seen:
+class OutputJacobians:
     """Derivatives of outputs.
 
     Attributes:
@@ -159,7 +159,7 @@ class NamedState(ABC):
         return self.named[name]
 
 
-class Contract(Protocol):
+class DynamicSystem(Protocol):
     """A compiled system as analyses see it.
 
     Attributes:
@@ -198,7 +198,7 @@ class Contract(Protocol):
     def leading(self) -> NDArray[np.bool_]:
         """Whether a speed is that of a joint (nu,), rather than one that follows."""
 
-    def start(self, t: float, q: Any, r: Array, hold: Mapping[str, Any], p: Parameters) -> Moment:
+    def start(self, t: float, q: Any, r: Array, locked: Mapping[str, Any], p: Parameters) -> Moment:
         """A moment at rest next to named coordinates, with all circuits closed.
 
         Args:
@@ -229,10 +229,10 @@ class Contract(Protocol):
     def signs(self, at: Moment) -> Array:
         """A number for every event (ne,): it happens where that falls through 0."""
 
-    def behind(self, at: Moment, fired: NDArray[np.bool_]) -> Array:
+    def modes_after(self, at: Moment, fired: NDArray[np.bool_]) -> Array:
         """Modes (ns,) behind events (ne,) that happen."""
 
-    def given_inputs(self, named: Any) -> Array:
+    def input_vector(self, named: Any) -> Array:
         """Inputs (nr,) by name, the rest at their defaults; or (nr,) as they are."""
 
     def changed(self, values: Mapping[str, float]) -> Parameters:
@@ -274,7 +274,7 @@ class Contract(Protocol):
     def increments(self) -> tuple[str, ...]:
         """Name of every increment (nu,): that of its coordinate where it is one."""
 
-    def seen(self, at: Moment) -> Seen:
+    def seen(self, at: Moment) -> OutputJacobians:
         """Derivatives of the declared outputs."""
 
     def turning(self, at: Moment) -> Array:
@@ -287,10 +287,10 @@ class Contract(Protocol):
         by v' + W v.
         """
 
-    def opened(self, at: Moment) -> Moment:
+    def with_internal_unknowns(self, at: Moment) -> Moment:
         """The moment with what elements keep themselves while one searches, if they do."""
 
-    def advanced(self, at: Moment, du: Array) -> Moment:
+    def retract(self, at: Moment, du: Array) -> Moment:
         """The moment an increment (nu,) away, multipliers and speeds as they are."""
 
     def integrate(self, q: Array, du: Array) -> Array:
@@ -310,7 +310,7 @@ class Contract(Protocol):
             ModelError: there is none.
         """
 
-    def carried(self, at: Moment, given: Mapping[str, Any]) -> Moment:
+    def carried(self, at: Moment, speeds: Mapping[str, Any]) -> Moment:
         """The moment with speeds that the constraints allow and given ones, and their rates.
 
         Joints keep their speeds; rates are those of a steady motion with them.
@@ -319,7 +319,7 @@ class Contract(Protocol):
             ModelError: an unknown name, or speeds that cannot hold together.
         """
 
-    def following(self, at: Moment, given: Mapping[str, Any]) -> tuple[Matrix, Matrix]:
+    def following(self, at: Moment, speeds: Mapping[str, Any]) -> tuple[Matrix, Matrix]:
         """How speeds and their rates as of :meth:`carried` change along increments (nu, nu)."""
 
     def steady(self, at: Moment) -> Array:

@@ -25,11 +25,11 @@ from ...schema.blocks import of_rate
 from ..mechanisms.consistent_rates import read
 from ..simulation.settings import blocks, start
 from ..simulation.starts.finite_element_start import meshed_start, start_of_search
-from .compiled_system import Modeled
-from .dynamic_system import Internal, Moment, Parameters, Rates, Seen, Tangents
-from .rotating_frame import Carriage
+from .compiled_system import CompiledSystem
+from .dynamic_system import Internal, Moment, OutputJacobians, Parameters, Rates, Tangents
+from .rotating_frame import CorotatingMotion
 from .saddle_point import Dense, Saddle, Sparse
-from .sparse_saddle_point import Blockwise
+from .sparse_saddle_point import SparseSaddle
 
 Longs = NDArray[np.intp]
 RELATIVE = "Use coordinates='relative'"
@@ -40,8 +40,8 @@ STEP, SHARES = 1e-3, ((1, 2 / 3), (-1, -2 / 3), (2, -1 / 12), (-2, 1 / 12))
 
 
 @final
-class Absolute(Modeled):
-    """A model in absolute coordinates as :class:`cardan.analyses.systems.dynamic_system.Contract`.
+class FiniteElementSystem(CompiledSystem):
+    """A model in finite-element coordinates as a :class:`.dynamic_system.DynamicSystem`.
 
     Attributes:
         model: The model.
@@ -77,12 +77,12 @@ class Absolute(Modeled):
         key = tuple(sorted((parameters or {}).items()))
         if key not in self._meshes:
             model = self.model.with_parameters(dict(parameters)) if parameters else self.model
-            kept = {k: mesh for k, mesh in self._meshes.items() if k == ()}
+            meshes = {k: mesh for k, mesh in self._meshes.items() if k == ()}
             mesh: Elements = model._source.results(model).mesh  # type: ignore[attr-defined]
-            self._meshes = {**kept, key: mesh}
+            self._meshes = {**meshes, key: mesh}
         return self._meshes[key]
 
-    def _asked(self, at: Moment) -> tuple[Elements, State]:
+    def _elements_and_state(self, at: Moment) -> tuple[Elements, State]:
         state = State(at.q, at.u, at.udot, at.lam, at.t, at.r, at.z, at.s)
         if len(at.inner):
             state = replace(state, inner=at.inner, du=np.zeros(len(at.u)))
@@ -90,17 +90,17 @@ class Absolute(Modeled):
 
     # where to begin
 
-    def start(self, t: float, q: Any, r: Array, hold: Mapping[str, Any], p: Parameters) -> Moment:
-        """As :meth:`Contract.start`; what stays open is closed by the search that begins here."""
-        model, x = self.started(q, hold, p)
+    def start(self, t: float, q: Any, r: Array, locked: Mapping[str, Any], p: Parameters) -> Moment:
+        """As :meth:`DynamicSystem.start`; the search that begins here closes what stays open."""
+        model, x = self.start_state(q, locked, p)
         # where this way of closing fails Newton's method has forces to find one
         with suppress(ModelError):
-            x = start_of_search(model, x, q, hold, t, r)
+            x = start_of_search(model, x, q, locked, t, r)
         still, lam = np.zeros(model.nu), np.zeros(len(self.multipliers))
         return Moment(t, x[: model.nq], still, still, lam, r, np.zeros(0), self.modes, p)
 
     def state(self, x0: Any, q: Any, u: Any, z: Any, t: float, r: Array, p: Parameters) -> Moment:
-        """As :meth:`Contract.state`."""
+        """As :meth:`DynamicSystem.state`."""
         model = self.model.with_parameters(dict(p)) if p else self.model
         begin = start(model, x0, q, u, z)
         place, speed = model.split(meshed_start(model, begin.x, *blocks(x0, q, u), t, r))
@@ -115,19 +115,21 @@ class Absolute(Modeled):
         return leading(self.model)
 
     @cached_property
-    def _carriage(self) -> Carriage:
+    def _corotating_motion(self) -> CorotatingMotion:
         names = [row.name for row in self.model.manifest.beams]
-        return Carriage(self.tables, names, self.leading, self.columns, self.rows, self.size)
+        return CorotatingMotion(
+            self.tables, names, self.leading, self.columns, self.rows, self.size
+        )
 
-    def carried(self, at: Moment, given: Mapping[str, Any]) -> Moment:
-        """As :meth:`Contract.carried`: beams go along rigidly with what carries them.
+    def carried(self, at: Moment, named: Mapping[str, Any]) -> Moment:
+        """As :meth:`DynamicSystem.carried`: beams go along rigidly with what carries them.
 
         Raises:
             ModelError: as there; beams about different axes.
         """
-        found, open_by = self._moving(at, given)
-        largest = float(np.abs(found.u / self.columns).max(initial=0.0))
-        said = ", ".join(f"'{name}'" for name in given) or "prescribed motions"
+        moment, open_by = self._moving(at, named)
+        largest = float(np.abs(moment.u / self.columns).max(initial=0.0))
+        said = ", ".join(f"'{name}'" for name in named) or "prescribed motions"
         if np.abs(open_by).max(initial=0.0) > OPEN * max(1.0, largest):
             rows = np.abs(open_by[: len(self.rows)])
             joint = self.model.manifest.multipliers[int(rows.argmax())].joint
@@ -135,108 +137,108 @@ class Absolute(Modeled):
                 f"speeds of {said} cannot hold together: joint '{joint}' would come apart at "
                 f"{rows.max():.3g}. Leave one of them out"
             )
-        apart = self._carriage.apart(at.q, found.u)
-        if apart:
+        separated = self._corotating_motion.apart(at.q, moment.u)
+        if separated:
             raise ModelError(
-                f"u= ({said}): beams '{apart[0]}' and '{apart[1]}' do not turn together: no "
-                "observer sees both at rest, this is no steady motion. Simulate it"
+                f"u= ({said}): beams '{separated[0]}' and '{separated[1]}' do not turn together: "
+                "no observer sees both at rest, this is no steady motion. Simulate it"
             )
-        return found
+        return moment
 
-    def _moving(self, at: Moment, given: Mapping[str, Any]) -> tuple[Moment, Array]:
+    def _moving(self, at: Moment, named: Mapping[str, Any]) -> tuple[Moment, Array]:
         """The moment with its speeds and their rates, and what stays open."""
-        mesh, state = self._asked(replace(at, u=np.zeros(self.model.nu)))
+        mesh, state = self._elements_and_state(replace(at, u=np.zeros(self.model.nu)))
         drift, G = mesh.balance(state)[2], self.tangents(at).G
-        u, open_by = self._carriage.speeds(at.q, G, drift, *read("u", self.model, given))
+        u, open_by = self._corotating_motion.speeds(at.q, G, drift, *read("u", self.model, named))
         moving = replace(at, u=u)
         return replace(moving, udot=self._steady(moving, G)), open_by
 
     def steady(self, at: Moment) -> Array:
-        """As :meth:`Contract.steady`."""
+        """As :meth:`DynamicSystem.steady`."""
         return self._steady(at, self.tangents(at).G) if np.any(at.u) else np.zeros(self.model.nu)
 
     def _steady(self, at: Moment, G: Any) -> Array:
-        mesh, state = self._asked(at)
-        return self._carriage.rates(at.q, at.u, G, mesh.gamma(state))
+        mesh, state = self._elements_and_state(at)
+        return self._corotating_motion.rates(at.q, at.u, G, mesh.gamma(state))
 
-    def following(self, at: Moment, given: Mapping[str, Any]) -> tuple[Any, Any]:
-        """As :meth:`Contract.following`; by central differences where axes of motion may move."""
-        if self._carriage.together(at.q, at.u):
-            return self._carriage.following(at.q, at.u, at.udot)
+    def following(self, at: Moment, named: Mapping[str, Any]) -> tuple[Any, Any]:
+        """As :meth:`DynamicSystem.following`; by central differences where axes may move."""
+        if self._corotating_motion.shares_one_twist(at.q, at.u):
+            return self._corotating_motion.following(at.q, at.u, at.udot)
 
         def moving(there: Moment) -> Array:
-            found = self._moving(there, given)[0]
+            found = self._moving(there, named)[0]
             return np.concatenate([found.u, found.udot])
 
         both = self._differences(at, "q", moving)
         return csr_array(both[: self.model.nu]), csr_array(both[self.model.nu :])
 
     def turned(self, at: Moment) -> Moment | None:
-        """As :meth:`Contract.turned`."""
-        further = self._carriage.turned(at.q, at.u, at.udot)
+        """As :meth:`DynamicSystem.turned`."""
+        further = self._corotating_motion.turned(at.q, at.u, at.udot)
         if further is None:
             return None
         steps, u, udot, after = further
         return replace(at, t=at.t + after, q=self.integrate(at.q, steps), u=u, udot=udot)
 
     def uniform(self, at: Moment) -> bool:
-        """As :meth:`Contract.uniform`: all turn together, and an observer with them."""
-        return bool(self.tables.beams) and self._carriage.together(at.q, at.u)
+        """As :meth:`DynamicSystem.uniform`: all turn together, and an observer with them."""
+        return bool(self.tables.beams) and self._corotating_motion.shares_one_twist(at.q, at.u)
 
     def observer(self, at: Moment) -> tuple[Any, Any]:
-        """As :meth:`Contract.observer`: he turns along with the beams."""
-        return self._carriage.observer(at.q, at.u)
+        """As :meth:`DynamicSystem.observer`: he turns along with the beams."""
+        return self._corotating_motion.observer(at.q, at.u)
 
     # equations
 
     def balance(self, at: Moment) -> Array:
-        """As :meth:`Contract.balance`."""
-        mesh, state = self._asked(at)
+        """As :meth:`DynamicSystem.balance`."""
+        mesh, state = self._elements_and_state(at)
         return np.concatenate(mesh.mixed_balance(state) if len(at.inner) else mesh.balance(state))
 
     def tangents(self, at: Moment) -> Tangents:
-        """As :meth:`Contract.tangents`."""
-        mesh, state = self._asked(at)
-        found = mesh.mixed_tangent(state) if len(at.inner) else mesh.tangent(state)
-        return Tangents(*(csr_array(found[name]) for name in "KCMRG"))
+        """As :meth:`DynamicSystem.tangents`."""
+        mesh, state = self._elements_and_state(at)
+        blocks = mesh.mixed_tangent(state) if len(at.inner) else mesh.tangent(state)
+        return Tangents(*(csr_array(blocks[name]) for name in "KCMRG"))
 
     def loads(self, at: Moment) -> Array:
-        """As :meth:`Contract.loads`: forces of all elements but joints, beams and springs."""
-        mesh, state = self._asked(at)
-        found: Array = mesh.loads(state) * self.columns
-        return found
+        """As :meth:`DynamicSystem.loads`: forces of all elements but joints, beams and springs."""
+        mesh, state = self._elements_and_state(at)
+        loads: Array = mesh.loads(state) * self.columns
+        return loads
 
     def sizes(self, at: Moment) -> Array:
-        """As :meth:`Contract.sizes`: of nodes the distance from the origin."""
+        """As :meth:`DynamicSystem.sizes`: of nodes the distance from the origin."""
         return self.tables.distances(at.q, self.columns)
 
     def internal_rates(self, at: Moment) -> Array:
-        """As :meth:`Contract.internal_rates`: there are none."""
+        """As :meth:`DynamicSystem.internal_rates`: there are none."""
         return np.zeros(0)
 
     def internal(self, at: Moment) -> Internal:
-        """As :meth:`Contract.internal`: there are none."""
+        """As :meth:`DynamicSystem.internal`: there are none."""
         none = np.zeros((0, self.model.nu))
         return Internal(none.T, none, none, np.zeros((0, 0)))
 
     def accelerations(self, at: Moment, tau: Array | None = None) -> Moment:
-        """As :meth:`Contract.accelerations`."""
-        mesh, state = self._asked(at)
+        """As :meth:`DynamicSystem.accelerations`."""
+        mesh, state = self._elements_and_state(at)
         udot, lam = mesh.accelerations(state, tau)
         return replace(at, udot=udot, lam=lam)
 
     def rates(self, at: Moment, tau: Array | None = None) -> Rates:
-        """As :meth:`Contract.rates`: by tangents, exact at rest.
+        """As :meth:`DynamicSystem.rates`: by tangents, exact at rest.
 
         In motion what constraints say of accelerations is differentiated by central differences,
         along what they hold.
         """
         there = self.accelerations(at, tau)
-        found, nu = self.tangents(there), self.model.nu
-        M = found.M.toarray() * self.columns * self.columns[:, None]
-        G = found.G.toarray() * self.columns / self.rows[:, None]
+        tangents, nu = self.tangents(there), self.model.nu
+        M = tangents.M.toarray() * self.columns * self.columns[:, None]
+        G = tangents.G.toarray() * self.columns / self.rows[:, None]
         parts = []
-        for block, matrix in (("q", found.K), ("u", found.C)):
+        for block, matrix in (("q", tangents.K), ("u", tangents.C)):
             bent = np.zeros((len(self.rows), nu))
             if np.any(at.u) or np.any(there.udot):
                 bent[:, self._held] = self._differences(there, block, self._bent, self._held)
@@ -249,19 +251,19 @@ class Absolute(Modeled):
     @cached_property
     def _held(self) -> Longs:
         """Speeds of what constraints hold."""
-        own = [self.tables.columns(g).ravel() for g in self.tables.groups if g.kind.m]
-        return np.unique(np.concatenate(own)) if own else np.zeros(0, dtype=np.intp)
+        columns = [self.tables.columns(g).ravel() for g in self.tables.groups if g.kind.m]
+        return np.unique(np.concatenate(columns)) if columns else np.zeros(0, dtype=np.intp)
 
     def _bent(self, at: Moment) -> Array:
         """G udot - gamma (m,)."""
-        mesh, state = self._asked(at)
+        mesh, state = self._elements_and_state(at)
         # G udot by the rates that constraints have with these speeds: nothing is assembled
         moved, still = (replace(state, u=u) for u in (at.udot, 0 * at.udot))
         rates = mesh.balance(moved)[2] - mesh.balance(still)[2]
         return np.asarray(rates - mesh.gamma(state))
 
-    def seen(self, at: Moment) -> Seen:
-        """As :meth:`Contract.seen`, by central differences."""
+    def seen(self, at: Moment) -> OutputJacobians:
+        """As :meth:`DynamicSystem.seen`, by central differences."""
 
         def outputs(x: Moment) -> Array:
             found: Array = self.model.outputs(
@@ -270,7 +272,7 @@ class Absolute(Modeled):
             return found
 
         along, by_u, by_r = (self._differences(at, block, outputs) for block in "qur")
-        return Seen(along, by_u, np.zeros((len(self.outputs), 0)), by_r)
+        return OutputJacobians(along, by_u, np.zeros((len(self.outputs), 0)), by_r)
 
     def _differences(
         self,
@@ -303,13 +305,13 @@ class Absolute(Modeled):
     @cached_property
     def increments(self) -> tuple[str, ...]:
         """As the contract has them."""
-        turning = set(self._turning.ravel().tolist())
-        found = []
+        rotational = set(self._turning.ravel().tolist())
+        names = []
         for k, name in enumerate(self.speeds):
-            own = of_rate(name)
-            same = own in self.coordinates and k not in turning
-            found.append(own if same else f"along {name}")
-        return tuple(found)
+            coordinate = of_rate(name)
+            same = coordinate in self.coordinates and k not in rotational
+            names.append(coordinate if same else f"along {name}")
+        return tuple(names)
 
     @cached_property
     def _turning(self) -> NDArray[np.intp]:
@@ -320,31 +322,31 @@ class Absolute(Modeled):
         return np.asarray(first[:, None] + np.arange(3))
 
     def turning(self, at: Moment) -> Array:
-        """As :meth:`Contract.turning`."""
+        """As :meth:`DynamicSystem.turning`."""
         mesh = self._mesh(at.parameters)
         basis = np.eye(self.model.nu)
         return np.stack([mesh.rates(at.q, row) for row in basis], axis=1)
 
-    def opened(self, at: Moment) -> Moment:
-        """As :meth:`Contract.opened`: the stress of beams is an unknown of its own."""
-        mesh, state = self._asked(at)
+    def with_internal_unknowns(self, at: Moment) -> Moment:
+        """As :meth:`DynamicSystem.with_internal_unknowns`: the stress of beams."""
+        mesh, state = self._elements_and_state(at)
         return replace(at, inner=mesh.settled(state))
 
-    def advanced(self, at: Moment, du: Array) -> Moment:
-        """As :meth:`Contract.advanced`."""
+    def retract(self, at: Moment, du: Array) -> Moment:
+        """As :meth:`DynamicSystem.retract`."""
         inner = at.inner
         if len(inner):
-            mesh, state = self._asked(at)
+            mesh, state = self._elements_and_state(at)
             inner = mesh.stepped(replace(state, du=du))
         return replace(at, q=self.integrate(at.q, du) if np.any(du) else at.q, inner=inner)
 
     def integrate(self, q: Array, du: Array) -> Array:
-        """As :meth:`Contract.integrate`."""
+        """As :meth:`DynamicSystem.integrate`."""
         moved: Array = unit(self._mesh(None).move(q, du), self.model.manifest.quaternions)
         return moved
 
     def difference(self, q0: Array, q: Array) -> Array:
-        """As :meth:`Contract.difference`, by Newton's method where rotations are no quaternions."""
+        """As :meth:`DynamicSystem.difference`, by Newton's method without quaternions."""
         tables, change = self.tables, np.zeros(self.model.nu)
         for k, kind in enumerate(tables.kinds):
             places = np.flatnonzero(tables.kind == k)
@@ -358,26 +360,26 @@ class Absolute(Modeled):
                 turn = np.einsum("nji,njk->nik", rotation(a[:, at : at + 4]),
                                  rotation(b[:, at : at + 4]))  # fmt: skip
                 change[spots[:, :3]] = rotation_vectors(turn)
-                others = [n for n in range(kind.nq) if not at <= n < at + 4]
-                change[spots[:, 3:]] = (b - a)[:, others]
+                translational = [n for n in range(kind.nq) if not at <= n < at + 4]
+                change[spots[:, 3:]] = (b - a)[:, translational]
         return change
 
 
-def _blocks(tables: Tables) -> Blockwise:
+def _blocks(tables: Tables) -> SparseSaddle:
     """How the speeds and multipliers of a model stand together."""
     poses = np.array([kind.name == "node" for kind in tables.kinds], dtype=bool)
-    elements, known = np.zeros(tables.m, dtype=np.intp), 0
+    elements, count = np.zeros(tables.m, dtype=np.intp), 0
     for number, group in enumerate(tables.groups):
         lines = tables.lines(number)
-        elements[lines] = known + np.arange(len(group))[:, None]
-        known += len(group)
-    return Blockwise(tables.u, ~poses[tables.kind], elements)
+        elements[lines] = count + np.arange(len(group))[:, None]
+        count += len(group)
+    return SparseSaddle(tables.u, ~poses[tables.kind], elements)
 
 
 def _extent(model: LoadedModel, tables: Tables) -> float:
     """The largest distance of a node from their middle, at first [m]; 1 without any."""
     q = model.split(start_of(model, {}, {})[0])[0]
     nodes = [k for k, kind in enumerate(tables.kind) if tables.kinds[kind].node]
-    spread = np.array([tables.pose(q, k)[4:] for k in nodes] or np.zeros((1, 3)))
-    size = float(np.linalg.norm(spread - spread.mean(axis=0), axis=1).max())
+    positions = np.array([tables.pose(q, k)[4:] for k in nodes] or np.zeros((1, 3)))
+    size = float(np.linalg.norm(positions - positions.mean(axis=0), axis=1).max())
     return 2 * size or 1.0

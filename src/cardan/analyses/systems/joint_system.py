@@ -20,16 +20,16 @@ from ..mechanisms.consistent_rates import speeds
 from ..mechanisms.mechanism import Mechanism
 from ..simulation.settings import blocks, start
 from ..simulation.starts.start import closed_start
-from .compiled_system import Modeled
-from .dynamic_system import Internal, Moment, Parameters, Rates, Seen, Tangents
+from .compiled_system import CompiledSystem
+from .dynamic_system import Internal, Moment, OutputJacobians, Parameters, Rates, Tangents
 from .saddle_point import Dense, Saddle
 
 REACH = 1.0  # radians, or sizes of the mechanism
 
 
 @final
-class Relative(Modeled):
-    """A :class:`CompiledModel` as :class:`cardan.analyses.systems.dynamic_system.Contract`.
+class JointSystem(CompiledSystem):
+    """A :class:`CompiledModel` as :class:`cardan.analyses.systems.dynamic_system.DynamicSystem`.
 
     Attributes:
         model: The model.
@@ -66,45 +66,45 @@ class Relative(Modeled):
 
     # where to begin
 
-    def start(self, t: float, q: Any, r: Array, hold: Mapping[str, Any], p: Parameters) -> Moment:
-        """As :meth:`Contract.start`."""
-        model, x = self.started(q, hold, p)
-        place, rest = x[: model.nq], x[model.nq + model.nu :]
+    def start(self, t: float, q: Any, r: Array, locked: Mapping[str, Any], p: Parameters) -> Moment:
+        """As :meth:`DynamicSystem.start`."""
+        model, x = self.start_state(q, locked, p)
+        place, internal = x[: model.nq], x[model.nq + model.nu :]
         if len(self.positions):
-            place = assemble(model, hold, start=place, t=t, r=r).q
+            place = assemble(model, locked, start=place, t=t, r=r).q
         still, lam = np.zeros(model.nu), np.zeros(len(self.multipliers))
-        return Moment(t, place, still, still, lam, r, rest, self.modes, p)
+        return Moment(t, place, still, still, lam, r, internal, self.modes, p)
 
     def state(self, x0: Any, q: Any, u: Any, z: Any, t: float, r: Array, p: Parameters) -> Moment:
-        """As :meth:`Contract.state`."""
+        """As :meth:`DynamicSystem.state`."""
         model = self.model.with_parameters(dict(p)) if p else self.model
         begin = closed_start(model, start(model, x0, q, u, z), *blocks(x0, q, u), t, r)
-        place, speed, rest = model.parts_of(begin.x)
+        place, speed, internal = model.parts_of(begin.x)
         lam = np.zeros(len(self.multipliers))
-        return Moment(t, place, speed, 0 * speed, lam, r, rest, self.modes, p)
+        return Moment(t, place, speed, 0 * speed, lam, r, internal, self.modes, p)
 
-    def carried(self, at: Moment, given: Mapping[str, Any]) -> Moment:
-        """As :meth:`Contract.carried`: all speeds are those of joints."""
-        u = speeds(self._at(at), at.q, given, np.zeros(self.model.nu))
+    def carried(self, at: Moment, named: Mapping[str, Any]) -> Moment:
+        """As :meth:`DynamicSystem.carried`: all speeds are those of joints."""
+        u = speeds(self._at(at), at.q, named, np.zeros(self.model.nu))
         return replace(at, u=u, udot=np.zeros(self.model.nu))
 
-    def following(self, at: Moment, given: Mapping[str, Any]) -> tuple[Array, Array]:
-        """As :meth:`Contract.following`."""
-        nu, found = self.model.nu, self.tangents(at)
+    def following(self, at: Moment, named: Mapping[str, Any]) -> tuple[Array, Array]:
+        """As :meth:`DynamicSystem.following`."""
+        nu, tangents = self.model.nu, self.tangents(at)
         still = np.zeros((nu, nu))
         if not len(self.rows):
             return still, still
-        rows = [self.speeds.index(name) for name in given if name in self.speeds]
-        kept = np.concatenate([found.G, np.eye(nu)[rows]])
-        turned = np.concatenate([found.R, np.zeros((len(rows), nu))])
-        return -np.linalg.pinv(kept) @ turned, still
+        rows = [self.speeds.index(name) for name in named if name in self.speeds]
+        constrained = np.concatenate([tangents.G, np.eye(nu)[rows]])
+        convective = np.concatenate([tangents.R, np.zeros((len(rows), nu))])
+        return -np.linalg.pinv(constrained) @ convective, still
 
     def steady(self, at: Moment) -> Array:
-        """As :meth:`Contract.steady`."""
+        """As :meth:`DynamicSystem.steady`."""
         return np.zeros(self.model.nu)
 
     def turned(self, at: Moment) -> Moment | None:
-        """As :meth:`Contract.turned`: where speeds are derivatives of coordinates."""
+        """As :meth:`DynamicSystem.turned`: where speeds are derivatives of coordinates."""
         largest = float(np.abs(at.u / self.columns).max(initial=0.0))
         if largest == 0 or not self._plain:
             return None
@@ -112,17 +112,17 @@ class Relative(Modeled):
         return replace(at, t=at.t + after, q=self.integrate(at.q, after * at.u))
 
     def uniform(self, at: Moment) -> bool:
-        """As :meth:`Contract.uniform`."""
+        """As :meth:`DynamicSystem.uniform`."""
         return True
 
     # equations
 
     def balance(self, at: Moment) -> Array:
-        """As :meth:`Contract.balance`."""
+        """As :meth:`DynamicSystem.balance`."""
         return self._evaluate("balance", at)
 
     def tangents(self, at: Moment) -> Tangents:
-        """As :meth:`Contract.tangents`."""
+        """As :meth:`DynamicSystem.tangents`."""
         flat = np.ravel(self._evaluate("balance_tangent", at))
         nu, m = self.model.nu, len(self.multipliers)
         ends = np.cumsum([nu, nu, nu, m, m]) * nu
@@ -130,107 +130,107 @@ class Relative(Modeled):
         return Tangents(K, C, M, R, G)
 
     def loads(self, at: Moment) -> Array:
-        """As :meth:`Contract.loads`: weights, and what inputs exert.
+        """As :meth:`DynamicSystem.loads`: weights, and what inputs exert.
 
         A weight is bounded, |sum of m g v| <= g (sum of m * sum of m v^2)^(1/2): parts that
         balance each other count too.
         """
         model = self.model.with_parameters(dict(at.parameters)) if at.parameters else self.model
-        known = {**model.manifest.structural, **model.parameters}
-        gravity = np.array([known.get(f"gravity.{axis}", 0.0) for axis in "xyz"])
-        mass = sum(abs(known.get(f"{body.name}.mass", 0.0)) for body in model.manifest.bodies)
+        parameters = {**model.manifest.structural, **model.parameters}
+        gravity = np.array([parameters.get(f"gravity.{axis}", 0.0) for axis in "xyz"])
+        mass = sum(abs(parameters.get(f"{body.name}.mass", 0.0)) for body in model.manifest.bodies)
         moving = np.abs(np.diag(self.tangents(at).M)) * self.columns**2
-        found: Array = float(np.linalg.norm(gravity)) * np.sqrt(mass * moving)
+        loads: Array = float(np.linalg.norm(gravity)) * np.sqrt(mass * moving)
         if np.any(at.r):
             nu, without = self.model.nu, replace(at, r=0 * at.r)
             exerted = self.balance(at)[:nu] - self.balance(without)[:nu]
-            found = found + np.abs(exerted) * self.columns
-        return found
+            loads = loads + np.abs(exerted) * self.columns
+        return loads
 
     def sizes(self, at: Moment) -> Array:
-        """As :meth:`Contract.sizes`: at least that of the mechanism, or a radian."""
-        found = np.ones(self.model.nu)
+        """As :meth:`DynamicSystem.sizes`: at least that of the mechanism, or a radian."""
+        sizes = np.ones(self.model.nu)
         for place, speed in self.places.values():
-            found[speed] = max(1.0, abs(float(at.q[place])) / self.columns[speed])
-        return found
+            sizes[speed] = max(1.0, abs(float(at.q[place])) / self.columns[speed])
+        return sizes
 
     def internal_rates(self, at: Moment) -> Array:
-        """As :meth:`Contract.internal_rates`."""
+        """As :meth:`DynamicSystem.internal_rates`."""
         if not self.model.nz:
             return np.zeros(0)
         x = np.concatenate([at.q, at.u, at.z])
-        found = self.model.rhs(at.t, x, at.r, s=at.s, parameters=at.parameters)
-        return found[-self.model.nz :]
+        rates = self.model.rhs(at.t, x, at.r, s=at.s, parameters=at.parameters)
+        return rates[-self.model.nz :]
 
     def internal(self, at: Moment) -> Internal:
-        """As :meth:`Contract.internal`."""
+        """As :meth:`DynamicSystem.internal`."""
         nu, nz = self.model.nu, self.model.nz
         if not nz:
             none = np.zeros((0, nu))
             return Internal(none.T, none, none, np.zeros((0, 0)))
         forces = self.model.derivative("inverse_dynamics", "z")
-        own = self.rates(at)
+        rates = self.rates(at)
         by_z = forces(at.q, at.u, at.udot, **self._rest(at))
-        return Internal(by_z, own.along[nu:], own.by_u[nu:], own.by_z[nu:])
+        return Internal(by_z, rates.along[nu:], rates.by_u[nu:], rates.by_z[nu:])
 
     def rates(self, at: Moment, tau: Array | None = None) -> Rates:
-        """As :meth:`Contract.rates`."""
+        """As :meth:`DynamicSystem.rates`."""
         model = self.model
         wrt = tuple(b for b, n in (("q", 1), ("u", 1), ("z", model.nz), ("r", model.nr)) if n)
         forward = model.derivative("forward_dynamics", wrt)
-        found = forward(at.q, at.u, tau=tau, **self._rest(at))
+        slopes = forward(at.q, at.u, tau=tau, **self._rest(at))
         if model.nz:
             x = np.concatenate([at.q, at.u, at.z])
-            rest: dict[str, Any] = {"s": at.s, "parameters": at.parameters}
-            own = model.derivative("rhs", wrt)(at.t, x, at.r, **rest)
-            pairs = zip(found, own, strict=True)
-            found = tuple(np.concatenate([a, b[-model.nz :]]) for a, b in pairs)
-        known, empty = dict(zip(wrt, found, strict=True)), np.zeros((model.nu + model.nz, 0))
+            arguments: dict[str, Any] = {"s": at.s, "parameters": at.parameters}
+            of_states = model.derivative("rhs", wrt)(at.t, x, at.r, **arguments)
+            pairs = zip(slopes, of_states, strict=True)
+            slopes = tuple(np.concatenate([a, b[-model.nz :]]) for a, b in pairs)
+        known, empty = dict(zip(wrt, slopes, strict=True)), np.zeros((model.nu + model.nz, 0))
         return Rates(known["q"], known["u"], known.get("z", empty), known.get("r", empty))
 
     def accelerations(self, at: Moment, tau: Array | None = None) -> Moment:
-        """As :meth:`Contract.accelerations`."""
-        rest = {"tau": tau, **self._rest(at)}
-        udot = self.model.forward_dynamics(at.q, at.u, **rest)
+        """As :meth:`DynamicSystem.accelerations`."""
+        arguments = {"tau": tau, **self._rest(at)}
+        udot = self.model.forward_dynamics(at.q, at.u, **arguments)
         if not self.multipliers:
             return replace(at, udot=udot)
-        return replace(at, udot=udot, lam=self.model.multipliers(at.q, at.u, **rest))
+        return replace(at, udot=udot, lam=self.model.multipliers(at.q, at.u, **arguments))
 
-    def seen(self, at: Moment) -> Seen:
-        """As :meth:`Contract.seen`."""
+    def seen(self, at: Moment) -> OutputJacobians:
+        """As :meth:`DynamicSystem.seen`."""
         model, count = self.model, len(self.outputs)
         sizes = {"q": model.nu, "u": model.nu, "z": model.nz, "r": model.nr}
-        found = {b: np.zeros((count, n)) for b, n in sizes.items()}
+        jacobians = {b: np.zeros((count, n)) for b, n in sizes.items()}
         if count:
             wrt = tuple(b for b, n in sizes.items() if n)
             rows = model.derivative("outputs", wrt)(at.q, at.u, **self._rest(at))
-            found |= {b: own[:count] for b, own in zip(wrt, rows, strict=True)}
-        return Seen(found["q"], found["u"], found["z"], found["r"])
+            jacobians |= {b: matrix[:count] for b, matrix in zip(wrt, rows, strict=True)}
+        return OutputJacobians(jacobians["q"], jacobians["u"], jacobians["z"], jacobians["r"])
 
     # coordinates
 
     def turning(self, at: Moment) -> Array:
-        """As :meth:`Contract.turning`."""
-        rest: dict[str, Any] = {"t": at.t, "r": at.r, "parameters": at.parameters}
+        """As :meth:`DynamicSystem.turning`."""
+        arguments: dict[str, Any] = {"t": at.t, "r": at.r, "parameters": at.parameters}
         basis = np.concatenate([np.zeros((1, self.model.nu)), np.eye(self.model.nu)])
-        rates = self.model.qdot(at.q, basis, **rest)
+        rates = self.model.qdot(at.q, basis, **arguments)
         return np.asarray(rates[1:] - rates[0]).T
 
     @cached_property
     def increments(self) -> tuple[str, ...]:
         """As the contract has them."""
-        model, found = self.model, list[str]()
+        model, names = self.model, list[str]()
         q, u = model.split(model.random_state(0))
-        N = self.turning(Moment(0.0, q, u, u, r=self.given_inputs(None)))
+        N = self.turning(Moment(0.0, q, u, u, r=self.input_vector(None)))
         for k, name in enumerate(self.speeds):
-            own = model.manifest.speeds[k].of or of_rate(name)
-            place = self.coordinates.index(own) if own in self.coordinates else -1
+            coordinate = model.manifest.speeds[k].of or of_rate(name)
+            place = self.coordinates.index(coordinate) if coordinate in self.coordinates else -1
             same = place >= 0 and N[place, k] == 1 and np.count_nonzero(N[place]) == 1
-            found.append(own if same else f"along {name}")
-        return tuple(found)
+            names.append(coordinate if same else f"along {name}")
+        return tuple(names)
 
     def observer(self, at: Moment) -> tuple[Array, Array]:
-        """As :meth:`Contract.observer`: coordinates and speeds are told in their own axes."""
+        """As :meth:`DynamicSystem.observer`: coordinates and speeds are told in their own axes."""
         return self._kinematics(at), np.zeros((self.model.nu, self.model.nu))
 
     def _kinematics(self, at: Moment) -> Array:
@@ -238,16 +238,16 @@ class Relative(Modeled):
         nu = self.model.nu
         if self._plain:
             return np.zeros((nu, nu))
-        rest: dict[str, Any] = {"t": at.t, "r": at.r, "parameters": at.parameters}
+        arguments: dict[str, Any] = {"t": at.t, "r": at.r, "parameters": at.parameters}
         slope = self.model.derivative("qdot", ("q", "u", "t"))
         basis = np.concatenate([np.zeros((1, nu)), np.eye(nu)])
-        here, N, _ = slope(at.q, at.u, **rest)
-        along, _, by_t = slope(at.q, basis, **rest)
-        drift = self.model.qdot(at.q, np.zeros(nu), **rest)
+        here, N, _ = slope(at.q, at.u, **arguments)
+        along, _, by_t = slope(at.q, basis, **arguments)
+        drift = self.model.qdot(at.q, np.zeros(nu), **arguments)
         # the part of qdot that no speed makes moves along the coordinates too
         moving = at.u + np.linalg.lstsq(N, drift)[0]
-        turning = ((along[1:] - along[0]) @ moving + by_t[1:] - by_t[0]).T
-        found: Array = np.linalg.lstsq(N, here - turning)[0]
+        slope_of_N = ((along[1:] - along[0]) @ moving + by_t[1:] - by_t[0]).T
+        found: Array = np.linalg.lstsq(N, here - slope_of_N)[0]
         return found
 
     @cached_property
@@ -261,25 +261,25 @@ class Relative(Modeled):
         u = rng.normal(size=model.nu)
         return bool((model.qdot(places, u) == u).all())
 
-    def opened(self, at: Moment) -> Moment:
-        """As :meth:`Contract.opened`: there is nothing of the kind."""
+    def with_internal_unknowns(self, at: Moment) -> Moment:
+        """As :meth:`DynamicSystem.with_internal_unknowns`: there is nothing of the kind."""
         return at
 
-    def advanced(self, at: Moment, du: Array) -> Moment:
-        """As :meth:`Contract.advanced`."""
+    def retract(self, at: Moment, du: Array) -> Moment:
+        """As :meth:`DynamicSystem.retract`."""
         return replace(at, q=self.integrate(at.q, du)) if np.any(du) else at
 
     def integrate(self, q: Array, du: Array) -> Array:
-        """As :meth:`Contract.integrate`."""
+        """As :meth:`DynamicSystem.integrate`."""
         if self._mechanism.chosen:
             return self._mechanism.advance(q, du / self.columns)
         moved: Array = unit(self.model.integrate(q, du), self.model.manifest.quaternions)
         return moved
 
     def difference(self, q0: Array, q: Array) -> Array:
-        """As :meth:`Contract.difference`."""
-        found: Array = self._mechanism.between(q0, q) * self.columns
-        return found
+        """As :meth:`DynamicSystem.difference`."""
+        difference: Array = self._mechanism.between(q0, q) * self.columns
+        return difference
 
     def _at(self, at: Moment) -> Mechanism:
         model = self.model.with_parameters(dict(at.parameters)) if at.parameters else self.model

@@ -74,7 +74,7 @@ class Motion:
 
 
 @final
-class Carriage:
+class CorotatingMotion:
     """What is carried along in the steady motions of a model.
 
     Args:
@@ -101,17 +101,17 @@ class Carriage:
 
     @cached_property
     def _sorts(self) -> tuple[_Nodes, ...]:
-        tables, found = self.tables, []
+        tables, groups = self.tables, []
         for flat, count in ((False, 6), (True, 3)):
             places = tables.nodes(flat)
             columns = tables.u[places][:, None] + np.arange(count)
-            spread = np.broadcast_to(np.eye(6), (len(places), 6, 6))
+            basis = np.broadcast_to(np.eye(6), (len(places), 6, 6))
             if flat:
                 planes = [tables.plane(k) for k in places]
-                own = [plane.spread for plane in planes if plane is not None]
-                spread = np.array(own).reshape(-1, 6, 3)
-            found.append(_Nodes(places, columns, spread))
-        return tuple(found)
+                bases = [plane.spread for plane in planes if plane is not None]
+                basis = np.array(bases).reshape(-1, 6, 3)
+            groups.append(_Nodes(places, columns, basis))
+        return tuple(groups)
 
     @property
     def nodes(self) -> Integers:
@@ -125,17 +125,17 @@ class Carriage:
         flat = [self.tables.pose(q, int(k)) for k in plane.places]
         poses = np.concatenate([poses, np.array(flat).reshape(-1, 7)])
         R = rotation(poses[:, :4]).reshape(-1, 3, 3)
-        told = [np.einsum("nik,nk->ni", s.spread, u[s.columns]) for s in self._sorts]
-        w, v = np.split(np.concatenate(told), 2, axis=1)
+        twists = [np.einsum("nik,nk->ni", s.spread, u[s.columns]) for s in self._sorts]
+        w, v = np.split(np.concatenate(twists), 2, axis=1)
         return Motion(R, poses[:, 4:], w, np.einsum("nij,nj->ni", R, w), v)
 
     # speeds that belong to given ones
 
-    def carrying(self, q: Array) -> csr_array:
+    def rigid_modes(self, q: Array) -> csr_array:
         """T (nu, k) without units: speeds by those that are told alone, and twists of clusters."""
         tables, moved = self.tables, self.motion(q, np.zeros(self.tables.nu))
-        own = np.repeat(self.cluster, np.diff(tables.u)) < 0
-        alone = np.flatnonzero(own)
+        independent = np.repeat(self.cluster, np.diff(tables.u)) < 0
+        alone = np.flatnonzero(independent)
         i, j, values = [alone], [np.arange(len(alone))], [np.ones(len(alone))]
         blocks = _blocks(len(moved.p))
         blocks[:, :3, :3] = moved.R.transpose(0, 2, 1)
@@ -145,11 +145,11 @@ class Carriage:
         for sort in self._sorts:
             many = len(sort.places)
             which = self.cluster[sort.places]
-            held = np.flatnonzero(which >= 0)
-            part = np.einsum("nik,nij->nkj", sort.spread, blocks[start : start + many])[held]
-            part[self._standing[which[held]]] = 0.0
-            rows = np.broadcast_to(sort.columns[held][:, :, None], part.shape)
-            first = len(alone) + 6 * which[held]
+            in_cluster = np.flatnonzero(which >= 0)
+            part = np.einsum("nik,nij->nkj", sort.spread, blocks[start : start + many])[in_cluster]
+            part[self._standing[which[in_cluster]]] = 0.0
+            rows = np.broadcast_to(sort.columns[in_cluster][:, :, None], part.shape)
+            first = len(alone) + 6 * which[in_cluster]
             i.append(rows.ravel())
             j.append(np.broadcast_to((first[:, None] + np.arange(6))[:, None], part.shape).ravel())
             values.append(part.ravel())
@@ -169,23 +169,25 @@ class Carriage:
             G, drift: G (m, nu) and g_t (m,) of the constraints.
             rows, values: Given speeds: places and values.
         """
-        T = self.carrying(q)
+        T = self.rigid_modes(q)
         hard = np.concatenate([(self._plain(G) @ T).toarray(), T[rows].toarray()])
         right = np.concatenate([-drift / self._rows, values / self._columns[rows]])
-        wanted = T[self.leading].toarray()
-        found = _fit(hard, right, wanted, np.zeros(len(wanted)))
-        return (T @ found) * self._columns, hard @ found - right
+        joint_rows = T[self.leading].toarray()
+        solution = _fit(hard, right, joint_rows, np.zeros(len(joint_rows)))
+        return (T @ solution) * self._columns, hard @ solution - right
 
     def rates(self, q: Array, u: Array, G: Any, gamma: Array) -> Array:
         """udot (nu,) of the steady motion with these speeds: those of joints stay as they are."""
-        T, moved = self.carrying(q), self.motion(q, u)
-        turning = np.zeros((len(moved.p), 6))
-        turning[self._carried, 3:] = np.cross(moved.omega, moved.v)[self._carried]
-        own = self._gathered(turning)
-        held = T[self.leading].toarray()
-        right = (gamma - G @ own) / self._rows
-        found = _fit(held, np.zeros(len(held)), (self._plain(G) @ T).toarray(), right)
-        return np.asarray(own + (T @ found) * self._columns)
+        T, moved = self.rigid_modes(q), self.motion(q, u)
+        centripetal = np.zeros((len(moved.p), 6))
+        centripetal[self._clustered, 3:] = np.cross(moved.omega, moved.v)[self._clustered]
+        centripetal_speeds = self._gathered(centripetal)
+        joint_rows = T[self.leading].toarray()
+        right = (gamma - G @ centripetal_speeds) / self._rows
+        solution = _fit(
+            joint_rows, np.zeros(len(joint_rows)), (self._plain(G) @ T).toarray(), right
+        )
+        return np.asarray(centripetal_speeds + (T @ solution) * self._columns)
 
     def _plain(self, G: Any) -> Any:
         """G without units."""
@@ -196,16 +198,16 @@ class Carriage:
     def apart(self, q: Array, u: Array) -> tuple[str, str] | None:
         """Names of two beams that do not share one twist, None where all do."""
         # the first node of every cluster; beams from ground to ground may have none
-        known, first = np.unique(self.cluster[self.nodes], return_index=True)
-        known, first = known[known >= 0], first[known >= 0]
-        if len(known) < 2:
+        clusters, first = np.unique(self.cluster[self.nodes], return_index=True)
+        clusters, first = clusters[clusters >= 0], first[clusters >= 0]
+        if len(clusters) < 2:
             return None
         twists = self._told(self.motion(q, u))[first]
         off = np.abs(twists - twists[0]).max(axis=1) > ALIKE * np.abs(twists).max()
-        worst = known[int(np.argmax(off))]
-        return (self.names[known[0]], self.names[worst]) if off.any() else None
+        worst = clusters[int(np.argmax(off))]
+        return (self.names[clusters[0]], self.names[worst]) if off.any() else None
 
-    def together(self, q: Array, u: Array) -> bool:
+    def shares_one_twist(self, q: Array, u: Array) -> bool:
         """Whether all nodes share one twist."""
         twists = self._told(self.motion(q, u))
         if not len(twists):
@@ -214,8 +216,8 @@ class Carriage:
 
     def _told(self, moved: Motion) -> Array:
         """Twists without units (n, 6)."""
-        found: Array = moved.twists / np.repeat([1.0, self._size], 3)
-        return found
+        scaled: Array = moved.twists / np.repeat([1.0, self._size], 3)
+        return scaled
 
     def turned(self, q: Array, u: Array, udot: Array) -> tuple[Array, Array, Array, float] | None:
         """The motion a radian further: increments, speeds, their rates, and after what time.
@@ -223,11 +225,11 @@ class Carriage:
         None where not all nodes share one twist, or it changes, or nothing turns.
         """
         moved = self.motion(q, u)
-        turning = np.zeros((len(moved.p), 6))
-        turning[:, 3:] = np.cross(moved.omega, moved.v)
+        centripetal = np.zeros((len(moved.p), 6))
+        centripetal[:, 3:] = np.cross(moved.omega, moved.v)
         largest = float(np.abs(moved.omega).max(initial=0.0))
-        missed = np.abs((self._gathered(turning) - udot) / self._columns).max(initial=0.0)
-        if largest == 0 or not self.together(q, u) or missed > ALIKE * largest**2:
+        missed = np.abs((self._gathered(centripetal) - udot) / self._columns).max(initial=0.0)
+        if largest == 0 or not self.shares_one_twist(q, u) or missed > ALIKE * largest**2:
             return None
         tau = 1.0 / float(np.linalg.norm(moved.omega[0]))
         turn = Rotation.from_rotvec(tau * moved.omega[0])
@@ -237,13 +239,13 @@ class Carriage:
         around = np.cross(axis, turn.apply(moved.v) - moved.v)
         steps = np.concatenate([tau * moved.w, tau * (along - around)], axis=1)
         speeds = np.concatenate([moved.w, turn.apply(moved.v)], axis=1)
-        turning[:, 3:] = np.cross(moved.omega, speeds[:, 3:])
+        centripetal[:, 3:] = np.cross(moved.omega, speeds[:, 3:])
         alone = np.ones(self.tables.nu)
         alone[self._own] = 0.0
         return (
             self._gathered(steps) + tau * u * alone,
             self._gathered(speeds) + u * alone,
-            self._gathered(turning),
+            self._gathered(centripetal),
             tau,
         )
 
@@ -253,7 +255,7 @@ class Carriage:
         return np.concatenate([sort.columns.ravel() for sort in self._sorts])
 
     @property
-    def _carried(self) -> NDArray[np.bool_]:
+    def _clustered(self) -> NDArray[np.bool_]:
         """Which nodes belong to a cluster (n,)."""
         return np.asarray(self.cluster[self.nodes] >= 0)
 
@@ -280,9 +282,9 @@ class Carriage:
         twists = self._told(moved)
         along = np.zeros(len(twists), dtype=bool)
         if len(self.names):
-            lead = twists[np.argmax(self._carried)]
+            lead = twists[np.argmax(self._clustered)]
             along = np.abs(twists - lead).max(axis=1) <= ALIKE * np.abs(twists).max(initial=0.0)
-            along |= self._carried
+            along |= self._clustered
         E, W = _blocks(len(moved.p)), _blocks(len(moved.p))
         E[:, :3, :3] = -cross_matrix(moved.w)
         W[along, 3:, 3:] = cross_matrix(moved.omega)[along]
@@ -291,14 +293,14 @@ class Carriage:
 
     # nodes in the places of the model
 
-    def _gathered(self, told: Array) -> Array:
+    def _gathered(self, node_speeds: Array) -> Array:
         """Speeds (nu,) of the model from those of nodes in space (n, 6)."""
-        found, start = np.zeros(self.tables.nu), 0
+        speeds, start = np.zeros(self.tables.nu), 0
         for sort in self._sorts:
-            part = told[start : start + len(sort.places)]
-            found[sort.columns] = np.einsum("nik,ni->nk", sort.spread, part)
+            part = node_speeds[start : start + len(sort.places)]
+            speeds[sort.columns] = np.einsum("nik,ni->nk", sort.spread, part)
             start += len(sort.places)
-        return found
+        return speeds
 
     def _matrix(self, blocks: Array) -> csr_array:
         """A matrix (nu, nu) of the model from those of nodes in space (n, 6, 6)."""
@@ -311,9 +313,9 @@ class Carriage:
             values.append(part.ravel())
             start += len(sort.places)
         entries = (np.concatenate(values), (np.concatenate(i), np.concatenate(j)))
-        found = csr_array(coo_array(entries, (self.tables.nu, self.tables.nu)))
-        found.eliminate_zeros()
-        return found
+        matrix = csr_array(coo_array(entries, (self.tables.nu, self.tables.nu)))
+        matrix.eliminate_zeros()
+        return matrix
 
 
 def _clusters(
@@ -328,24 +330,24 @@ def _clusters(
     graph = coo_array((np.ones(len(ends[0])), ends), (count + 1, count + 1))
     label = connected_components(graph, directed=False)[1]
     cluster, names = np.full(count, -1, dtype=np.intp), list[str]()
-    known: dict[int, int] = {}
+    numbers: dict[int, int] = {}
     for line, name in zip(tables.beams, beams, strict=True):
-        own = int(label[count if line[0] < 0 else line[0]])
-        if own not in known:
-            known[own] = len(names)
+        component = int(label[count if line[0] < 0 else line[0]])
+        if component not in numbers:
+            numbers[component] = len(names)
             names.append(name)
-            cluster[label[:-1] == own] = known[own]
-    standing = np.array([own == label[count] for own in known], dtype=bool)
-    return cluster, names, standing
+            cluster[label[:-1] == component] = numbers[component]
+    immobile = np.array([component == label[count] for component in numbers], dtype=bool)
+    return cluster, names, immobile
 
 
-def _fit(hard: Array, right: Array, wanted: Array, target: Array) -> Array:
+def _fit(hard: Array, right: Array, desired: Array, target: Array) -> Array:
     """What fulfills equations, and others next to that as well as can be; the smallest of all."""
     U, s, Z, V = split(hard)
-    found: Array = V @ ((U.T @ right) / s)
-    if len(wanted) and Z.shape[1]:
-        found = found + Z @ np.linalg.lstsq(wanted @ Z, target - wanted @ found, RANK)[0]
-    return found
+    solution: Array = V @ ((U.T @ right) / s)
+    if len(desired) and Z.shape[1]:
+        solution = solution + Z @ np.linalg.lstsq(desired @ Z, target - desired @ solution, RANK)[0]
+    return solution
 
 
 def _blocks(n: int) -> Array:

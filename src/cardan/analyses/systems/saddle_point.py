@@ -164,20 +164,20 @@ def _regular(inner: Array, right: Array, Z: Array) -> Array:
     """The smallest solution of a system; refused where it is singular and has none."""
     if not (np.isfinite(inner).all() and np.isfinite(right).all()):
         raise Singular
-    if (found := _quick(inner, right)) is not None:
-        return found
+    if (solution := _quick(inner, right)) is not None:
+        return solution
     U, s, Vt = np.linalg.svd(inner)
     along, largest = U.T @ right, max(float(s[0]), 1e-300)
     # a soft direction is followed where more than rounding pushes along it: next to a limit load
     pushed = np.abs(along).reshape(len(s), -1).max(axis=1) > PUSHED * largest
     firm = (s > LOOSE * largest) | (pushed & (s > ROUNDED * largest))
-    found = Vt[firm].T @ (along[firm] / s[firm].reshape(-1, *[1] * (right.ndim - 1)))
+    solution = Vt[firm].T @ (along[firm] / s[firm].reshape(-1, *[1] * (right.ndim - 1)))
     left = along[~firm]
     if len(left) and np.abs(left).max() > max(OPEN * np.abs(right).max(), ROUNDING * s[0]):
         # along what nothing holds something pushes
         push = Vt[~firm].T @ (Vt[~firm] @ right.reshape(len(right), -1)[:, 0])
         raise Singular(Z @ (push if np.any(push) else Vt[-1]))
-    return np.asarray(found)
+    return np.asarray(solution)
 
 
 def _quick(inner: Array, right: Array) -> Array | None:
@@ -185,8 +185,8 @@ def _quick(inner: Array, right: Array) -> Array | None:
     lu, swaps, status = dgetrf(inner)
     if status or dgecon(lu, np.abs(inner).sum(axis=0).max())[0] < REGULAR:
         return None
-    found: Array = dgetrs(lu, swaps, right)[0]
-    return found.reshape(right.shape)
+    solution: Array = dgetrs(lu, swaps, right)[0]
+    return solution.reshape(right.shape)
 
 
 def joined(K: Matrix, G: Matrix) -> Matrix:
@@ -200,13 +200,13 @@ def factored(K: Matrix, G: Matrix, weak: float = 0.0) -> Factored:
     Raises:
         Singular: it has no unique solution.
     """
-    whole, n = joined(K, G), K.shape[0]
+    matrix, n = joined(K, G), K.shape[0]
     if weak:
         amount = weak / max(float(abs(K).max()), 1e-300)
         diagonal = np.concatenate([np.zeros(n), np.full(G.shape[0], amount)])
-        whole = csc_array(whole - diags_array(diagonal))
+        matrix = csc_array(matrix - diags_array(diagonal))
     try:
-        solve: Factored = splu(whole).solve
+        solve: Factored = splu(matrix).solve
     except RuntimeError:
         raise Singular from None
     return solve
@@ -241,16 +241,16 @@ class Sparse:
         right = np.concatenate([a, b])
         if len(right) <= FULL:
             return Dense().solve(K.toarray(), G.toarray(), a, b)
-        whole, why = joined(K, G), Singular()
+        matrix, why = joined(K, G), Singular()
         for way in (self.factored, _giving_way):
             try:
-                found = _refined(whole, way(K, G), right)
+                solution = _refined(matrix, way(K, G), right)
             except Singular as singular:
                 # the first that knows what moves
                 why = why if why.motion is not None else singular
                 continue
-            if found is not None:
-                return found[: len(a)], -found[len(a) :]
+            if solution is not None:
+                return solution[: len(a)], -solution[len(a) :]
         raise why
 
     def lowest(self, K: Matrix, G: Matrix) -> Lowest:
@@ -285,9 +285,9 @@ def skewness(K: Matrix, G: Matrix, by: Factor = factored) -> float:
         K, G: Sparse (n, n), (m, n).
         by: How matrices are factored.
     """
-    n, m, apart = K.shape[0], G.shape[0], csr_array(K - K.T)
-    if float(abs(apart).max()) <= SKEW * float(abs(K).max()) or not m:
-        return float(abs(apart).max())
+    n, m, skew_part = K.shape[0], G.shape[0], csr_array(K - K.T)
+    if float(abs(skew_part).max()) <= SKEW * float(abs(K).max()) or not m:
+        return float(abs(skew_part).max())
     onto = by(csr_array(diags_array(np.ones(n))), G)
 
     def projected(x: Array) -> Array:
@@ -297,7 +297,7 @@ def skewness(K: Matrix, G: Matrix, by: Factor = factored) -> float:
     x, size = projected(np.random.default_rng(0).normal(size=n)), 0.0
     for _ in range(PROBES):
         x = x / max(float(np.linalg.norm(x)), 1e-300)
-        x = projected(apart @ x)
+        x = projected(skew_part @ x)
         size = max(size, float(np.linalg.norm(x)))
     return size
 
@@ -307,18 +307,20 @@ def is_small(G: Any) -> bool:
     return bool(G.shape[1] - G.shape[0] <= SMALL)
 
 
-def _refined(whole: Matrix, solve: Any, right: Array) -> Array | None:
+def _refined(matrix: Matrix, solve: Any, right: Array) -> Array | None:
     """The solution of a system by factors of one next to it; None where it is not solved."""
-    found: Array = solve(right)
+    solution: Array = solve(right)
     for _ in range(REFINED):
-        left = right - whole @ found
-        found = found + solve(left)
-    if not np.isfinite(found).all():
+        left = right - matrix @ solution
+        solution = solution + solve(left)
+    if not np.isfinite(solution).all():
         return None
-    left, largest = right - whole @ found, float(abs(whole).max())
+    left, largest = right - matrix @ solution, float(abs(matrix).max())
     # what is left may be rounding of the solution, and of the right-hand side
-    most = 1e-9 * np.abs(right).max(initial=0.0) + 1e-13 * largest * np.abs(found).max(initial=0.0)
-    return found if np.abs(left).max(initial=0.0) <= most else None
+    most = 1e-9 * np.abs(right).max(initial=0.0) + 1e-13 * largest * np.abs(solution).max(
+        initial=0.0
+    )
+    return solution if np.abs(left).max(initial=0.0) <= most else None
 
 
 def near(

@@ -24,7 +24,7 @@ MOTION = 1e-3  # of a direction without units: below this part nothing moves alo
 
 
 @dataclass(frozen=True, eq=False)
-class _Seen:
+class _PlannedPattern:
     """A pattern that was planned.
 
     Attributes:
@@ -41,7 +41,7 @@ class _Seen:
 
 @final
 @dataclass(eq=False)
-class Blockwise:
+class SparseSaddle:
     """Factors [K Gᵀ; G 0] block by block; plans of the last patterns are kept.
 
     Attributes:
@@ -54,7 +54,7 @@ class Blockwise:
     places: NDArray[np.integer]
     massless: Booleans
     elements: NDArray[np.integer]
-    _seen: dict[bytes, _Seen] = field(default_factory=dict)
+    _seen: dict[bytes, _PlannedPattern] = field(default_factory=dict)
     _plans: dict[bytes, Plan] = field(default_factory=dict)
 
     def __call__(self, K: Matrix, G: Matrix) -> Callable[[Array], Array]:
@@ -63,16 +63,16 @@ class Blockwise:
         Raises:
             Singular: nothing holds an unknown; the solver, where no solution exists.
         """
-        seen, by = self._factors(csr_array(K), csr_array(G), False)
+        planned, by = self._factors(csr_array(K), csr_array(G), False)
         n = K.shape[0]
 
         def solve(right: Array) -> Array:
-            sides = np.asarray(right, float)[seen.order].reshape(len(seen.order), -1)
+            sides = np.asarray(right, float)[planned.order].reshape(len(planned.order), -1)
             try:
                 found = [solution(by, side) for side in sides.T]
             except SolveError:
-                raise Singular(_motion(by, seen.place[:n])) from None
-            return np.stack(found, axis=1)[seen.place].reshape(np.shape(right))
+                raise Singular(_motion(by, planned.place[:n])) from None
+            return np.stack(found, axis=1)[planned.place].reshape(np.shape(right))
 
         return solve
 
@@ -86,7 +86,7 @@ class Blockwise:
             Their number, None where it is not known; 1, -1, or 0 where that is not known.
         """
         try:
-            _seen, by = self._factors(csr_array(K), csr_array(G), symmetric)
+            _planned, by = self._factors(csr_array(K), csr_array(G), symmetric)
         except Singular:
             return None, 0.0
         m, shifts = G.shape[0], by.shifts
@@ -102,7 +102,9 @@ class Blockwise:
         sure = zero == 0 and (-1) ** negative == sign
         return (negative - m if sure else None), sign * (-1) ** m
 
-    def _factors(self, K: csr_array, G: csr_array, symmetric: bool) -> tuple[_Seen, BlockSolver]:
+    def _factors(
+        self, K: csr_array, G: csr_array, symmetric: bool
+    ) -> tuple[_PlannedPattern, BlockSolver]:
         """How the pattern of K and G was planned, and the factors."""
         parts = (K.indptr, K.indices, G.indptr, G.indices)
         key = sha256(b"".join(part.tobytes() for part in parts)).digest()
@@ -110,28 +112,28 @@ class Blockwise:
             if len(self._seen) == KEPT:
                 self._seen.clear()
             self._seen[key] = self._look(K, G)
-        seen = self._seen[key]
+        planned = self._seen[key]
         values = np.bincount(
-            seen.at, np.concatenate([K.data, G.data, G.data]), seen.plan.pattern.values
+            planned.at, np.concatenate([K.data, G.data, G.data]), planned.plan.pattern.values
         ).astype(np.float64)
-        by = solver(seen.plan)
+        by = solver(planned.plan)
         try:
-            by.factor(values, *balanced(seen.plan, values), symmetric=symmetric)
+            by.factor(values, *balanced(planned.plan, values), symmetric=symmetric)
         except SolveError:
             raise Singular from None
-        return seen, by
+        return planned, by
 
     def _blocks(self, n: int, m: int) -> Longs:
         """The block of every unknown (n + m,)."""
-        count, known = len(self.places) - 1, int(self.places[-1])
+        count, placed_speeds = len(self.places) - 1, int(self.places[-1])
         speeds = np.repeat(np.arange(count), np.diff(self.places))
-        own = count + np.arange(n - known)
+        single_speeds = count + np.arange(n - placed_speeds)
         elements = np.unique(self.elements, return_inverse=True)[1]
-        rest = int(elements.max(initial=-1)) + 1 + np.arange(m - len(self.elements))
-        rows = count + (n - known) + np.concatenate([elements, rest])
-        return np.concatenate([speeds, own, rows]).astype(np.int64)
+        single_rows = int(elements.max(initial=-1)) + 1 + np.arange(m - len(self.elements))
+        rows = count + (n - placed_speeds) + np.concatenate([elements, single_rows])
+        return np.concatenate([speeds, single_speeds, rows]).astype(np.int64)
 
-    def _look(self, K: Matrix, G: Matrix) -> _Seen:
+    def _look(self, K: Matrix, G: Matrix) -> _PlannedPattern:
         """Plan matrices of the pattern of K and G."""
         n, m = K.shape[0], G.shape[0]
         block = self._blocks(n, m)
@@ -139,9 +141,9 @@ class Blockwise:
         place = np.empty_like(order)
         place[order] = np.arange(n + m)
         block = block[order]
-        (down, across), (row, held) = (coo_array(x).coords for x in (K, G))
-        i = place[np.concatenate([down, n + row.astype(np.int64), held])]
-        j = place[np.concatenate([across, held, n + row.astype(np.int64)])]
+        (down, across), (row, constrained) = (coo_array(x).coords for x in (K, G))
+        i = place[np.concatenate([down, n + row.astype(np.int64), constrained])]
+        j = place[np.concatenate([across, constrained, n + row.astype(np.int64)])]
         nb = int(block[-1]) + 1 if len(block) else 0
         pairs, pair = np.unique(block[i] * nb + block[j], return_inverse=True)
         sizes = np.bincount(block, minlength=nb)
@@ -158,20 +160,20 @@ class Blockwise:
         known = matrix.rows.astype(np.int64) * nb + matrix.column
         start = matrix.value[np.searchsorted(known, pairs)][pair]
         at = start + (i - matrix.first[block[i]]) * matrix.stride[block[i]]
-        return _Seen(made, order, place, at + j - matrix.first[block[j]])
+        return _PlannedPattern(made, order, place, at + j - matrix.first[block[j]])
 
 
 def _through_rows(coupled: Longs, multiplier: Booleans) -> Longs:
     """Blocks of speeds that meet in the rows of an element, which couples them."""
     rows = coupled[multiplier[coupled[:, 0]]]
     shape = (len(multiplier), len(multiplier))
-    held = coo_array((np.ones(len(rows)), (rows[:, 0], rows[:, 1])), shape).tocsr()
-    return np.stack((held.T @ held).nonzero(), 1).astype(np.int64)
+    incidence = coo_array((np.ones(len(rows)), (rows[:, 0], rows[:, 1])), shape).tocsr()
+    return np.stack((incidence.T @ incidence).nonzero(), 1).astype(np.int64)
 
 
 def _motion(by: BlockSolver, speeds: Longs) -> Array | None:
     """The direction of speeds that is held least, None where rows contradict each other alone."""
-    found = by.smallest()[1]
-    motion = found[speeds]
-    moved, all_of_it = np.abs(motion).max(initial=0.0), np.abs(found).max(initial=0.0)
+    vector = by.smallest()[1]
+    motion = vector[speeds]
+    moved, all_of_it = np.abs(motion).max(initial=0.0), np.abs(vector).max(initial=0.0)
     return motion / np.linalg.norm(motion) if moved > MOTION * all_of_it else None

@@ -14,13 +14,13 @@ from ....errors import ModelError
 from ....runtime.models.initial import entries, followers
 from ....runtime.models.loaded_model import LoadedModel
 from ....schema.manifest import Manifest
-from ...mechanisms.assembly_diagnosis import turned_round
+from ...mechanisms.assembly_diagnosis import reversed_axis_message
 from ...mechanisms.branches import refuse_singular
 from ...mechanisms.consistent_rates import speeds
 from ...mechanisms.mechanism import Mechanism
 from ...mechanisms.nearest_position import NEARLY, assembled
 from ...mechanisms.position_solver import PositionSolver
-from ...mechanisms.rounded_loops import slack
+from ...mechanisms.rounded_loops import closure_tolerance
 from ...mechanisms.targets import read
 from ..settings import Start, Values, start
 from .closed_form import place
@@ -57,7 +57,7 @@ def closed_start(model: LoadedModel, begin: Start, q: Any, u: Any, t: float, r: 
     m = Mechanism.at(model, t, r)
     place, speed, internal = model.parts_of(begin.x)
     place = positions(m, place, named_of("q", model, q))
-    m.slack = m.slack or slack(m, place)
+    m.slack = m.slack or closure_tolerance(m, place)
     speed = _speeds(m, place, speed, named_of("u", model, u))
     return replace(begin, x=np.concatenate([place, speed, internal]), slack=m.slack)
 
@@ -125,7 +125,7 @@ def positions(m: Mechanism, q: Array, named: Mapping[str, Any] | None) -> Array:
     if named is None and open_by <= NEARLY:
         end = PositionSolver(m).search(q)
         if end.turned:
-            raise ModelError(turned_round(end.turned))
+            raise ModelError(reversed_axis_message(end.turned))
         if end.met:
             return end.q
     every = dict(zip(m.model.coordinates, q.tolist(), strict=True))
