@@ -277,9 +277,10 @@ KINDS: dict[str, Kind] = {
     "np.random.Generator": Kind(_generator, "a generator of NumPy, such as default_rng(1)"),
     "Callable[[float], None]": Kind(_callable, "a function"),
     "Callable[[str], object]": Kind(_callable, "a function"),
+    "Show": Kind(_callable, "a function of what is run and the fraction done"),
 }  # fmt: skip
 # Any, and other names of types that are no classes: their functions know what they are
-_UNCHECKED = frozenset({"Any", "Array", "Key", "Hold", "Place", "JointElement", "Provide", "Show"})
+_UNCHECKED = frozenset({"Any", "Array", "Key", "Hold", "Place", "JointElement", "Provide"})
 
 # class that functions take -> the one of it that users have
 OF_USERS = {

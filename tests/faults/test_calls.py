@@ -54,3 +54,23 @@ def test_e9_rough_runs_say_what_they_lost(how: dict[str, Any], pendulum: cd.Comp
         motion = pendulum.simulate(100, q={"pivot": 2.0}, **how)
     total = motion.energy.total
     assert np.ptp(total) > 1
+
+
+def test_a_required_frame_is_none() -> None:
+    scene = cd.Scene("none")
+    ball = scene.body("ball", mass=1.0)
+    scene.joint("slide", cd.Prismatic("z"), scene.ground, ball)
+    scene.force("push", cd.Force(None, (0, 0, 1)))
+    with pytest.raises(cd.ModelError, match="force 'push': frame None does not exist"):
+        cd.derive(scene)
+
+
+def test_steps_and_reports_name_what_does_not_fit() -> None:
+    scene = cd.Scene("named")
+    ball = scene.body("ball", mass=1.0)
+    scene.joint("slide", cd.Prismatic("z"), scene.ground, ball)
+    model = cd.compile(scene)
+    with pytest.raises(cd.ArgumentError, match="show='x': give a function"):
+        model.report(show="x")
+    with pytest.raises(cd.SolveError, match="max_step=1e-300 s does not change the time"):
+        model.simulate(1.0, max_step=1e-300, check=True)

@@ -368,5 +368,6 @@ def _places(error: BaseException) -> list[str]:
 
 def _deep(error: BaseException) -> bool:
     """Whether an error comes from below the call itself and the check of its arguments."""
-    here = (f"{Path(__file__).parent.name}/{Path(__file__).name}:", "cardan/arguments.py:")
+    own = f"{Path(__file__).parent.name}/{Path(__file__).name}:"
+    here = (own, "cardan/arguments.py:", "api/faces.py:")
     return not all(place.startswith(here) for place in _places(error))

@@ -32,6 +32,10 @@ def explain(runner: Runner, answer: int, over: Span) -> tuple[str, str]:
     if answer == abi.STOPPED or isinstance(runner.error, KeyboardInterrupt):
         return "interrupted", f"interrupted {at}; what was computed is kept"
     if answer == abi.TOO_SMALL:
+        longest = float(runner.record.max_step)
+        if longest <= np.spacing(abs(over.end)):
+            why = f"max_step={longest:g} s does not change the time"
+            return "step_too_small", f"stopped {at}: {why}"
         return "step_too_small", (
             f"stopped {at}: no step is small enough to keep the error{who} within the tolerance. "
             f"{_rotation(runner)}The motion is singular there, or rtol and atol are tighter than "

@@ -150,8 +150,12 @@ class ForceElement(HasSource, ABC):
 
     def frames(self) -> dict[str, Any]:
         """The frames (or bodies) it acts on, by role."""
-        given = annotated(self, "Place").items()
-        return {name.removeprefix("frame_"): place for name, place in given if place is not None}
+        # None says nothing where a frame may be left out, and is refused elsewhere
+        return {
+            name.removeprefix("frame_"): place
+            for name, place in annotated(self, "Place").items()
+            if place is not None or not hasattr(type(self), name)
+        }
 
     def joints(self) -> dict[str, str]:
         """The names of the joints it acts on, by role."""
