@@ -16,7 +16,7 @@ CASES ?= 13000
 BIN := $(VENV)/bin
 # bytecode is written when it is first needed
 INSTALL := $(BIN)/python -m pip install --quiet --disable-pip-version-check --no-compile
-SOURCES := pyproject.toml setup.py $(wildcard src/cardan/runtime/calls/*.pyx) $(wildcard src/cardan/kernels/*.[ch])
+SOURCES := pyproject.toml setup.py $(wildcard src/cardan/runtime/calls/*.pyx) $(wildcard src/cardan/kernels/*.[ch] src/cardan/kernels/*/*.[ch] src/cardan/kernels/*/*/*.[ch])
 
 .PHONY: help demo test tests slow bench hard lint types external fuzz clean
 

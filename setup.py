@@ -23,11 +23,11 @@ from setuptools.build_meta import *  # noqa: F403
 from setuptools.command.build_ext import build_ext
 
 HERE = Path(__file__).resolve().parent
-KERNELS = "src/cardan/kernels"
 sys.path.insert(0, str(HERE / "src"))
 
 from cardan.errors import BuildError  # noqa: E402
 from cardan.runtime.build import cpu_levels, kernels, toolchain  # noqa: E402
+from cardan.schema import kernel_files  # noqa: E402
 
 
 def compiler() -> toolchain.Compiler | None:
@@ -46,6 +46,11 @@ def compiler() -> toolchain.Compiler | None:
 COMPILER = compiler()
 
 
+def _relative(path: Path) -> str:
+    """A path below this folder, as setuptools wants it."""
+    return path.relative_to(HERE).as_posix()
+
+
 def extensions() -> list[Extension]:
     """The extension, as C; none where Cython or a compiler is missing."""
     if importlib.util.find_spec("Cython") is None or COMPILER is None:
@@ -54,9 +59,9 @@ def extensions() -> list[Extension]:
 
     extension = Extension(
         "cardan.runtime.calls._abi",
-        ["src/cardan/runtime/calls/_abi.pyx", f"{KERNELS}/map.c"],
-        include_dirs=[KERNELS],
-        depends=[f"{KERNELS}/map.h", f"{KERNELS}/cardan.h"],
+        ["src/cardan/runtime/calls/_abi.pyx", _relative(kernel_files.file("map.c"))],
+        include_dirs=[_relative(folder) for folder in kernel_files.includes()],
+        depends=[_relative(kernel_files.file(name)) for name in ("map.h", "cardan.h")],
         extra_compile_args=["-O2", "-g0"],
     )
     modules: list[Extension] = cythonize([extension], build_dir="build/cython", quiet=True)

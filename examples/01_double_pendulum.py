@@ -37,7 +37,7 @@ print("udot at rest, bent:", model.forward_dynamics([0.5, 1.0], [0.0, 0.0]))
 motion = model.simulate(10.0, q={"shoulder": 1.0}, rtol=1e-10, atol=1e-12)
 print(motion)
 energy = motion.energy.total
-print(f"energy drift {abs(energy - energy[0]).max():.1e} J")
+print(f"energy residual {abs(energy - energy[0]).max():.1e} J")
 
 # New numbers need no new compilation.
 longer = model.with_parameters(l=0.7)

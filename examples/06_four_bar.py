@@ -1,4 +1,4 @@
-"""A four-bar linkage: a circuit that closes itself, its branches, its forces.
+"""A four-bar linkage: a loop that closes itself, its branches, its forces.
 
 Run it anywhere; it writes into ``out/four_bar``.
 """
@@ -24,7 +24,7 @@ scene.joint("B", cd.Revolute("z"), crank.at(0.1, 0, 0), coupler)
 scene.joint("D", cd.Revolute("z"), scene.ground.at(0.3, 0, 0), rocker)
 scene.joint("C", cd.Revolute("z"), coupler.at(0.25, 0, 0), rocker.at(0.2, 0, 0))
 
-# The equations say which joint closes the circuit, why, and what that holds.
+# The equations say which joint closes the loop, why, and what that holds.
 equations = cd.derive(scene)
 print(equations)
 model = cd.compile(equations)
@@ -43,7 +43,7 @@ motion.animate(out / "four_bar.html")
 forces = model.reaction("C", motion.q, motion.u)[:, 3:]
 print(f"largest force in C: {np.linalg.norm(forces, axis=1).max():.3f} N")
 
-# Wherever the circuit is cut and however it is treated, it moves in one way.
+# Wherever the loop is cut and however it is treated, it moves in one way.
 for treatment in ("multipliers", "elimination", "null_space"):
     other = cd.compile(cd.derive(scene, constraints=treatment))
     end = other.simulate(2.0, q={"A": 0.5}, u={"A": 8.0}, rtol=1e-9)["A"][-1]

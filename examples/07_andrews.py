@@ -1,4 +1,4 @@
-"""Andrews' squeezing mechanism: seven bodies, three circuits, one drive.
+"""Andrews' squeezing mechanism: seven bodies, three loops, one drive.
 
 A benchmark for methods of integration (Mazzia and Magherini, Test Set for IVP Solvers). Run it
 anywhere; it writes into ``out/andrews``.
@@ -44,7 +44,7 @@ scene.joint("E3", hinge, tip, k3.at(0, -0.035, 0))
 scene.joint("E4", hinge, tip, k4.at(0, -0.02, 0))
 scene.joint("E6", hinge, tip, k6.at(0.02, 0, 0))
 hook, anchor = k3.at(0.02, -0.018, 0), ground.at(0.014, 0.072, 0)
-scene.force("spring", cd.SpringDamper(anchor, hook, stiffness=4530.0, length=0.07785))
+scene.force("spring", cd.SpringDamper(anchor, hook, stiffness=4530.0, rest_length=0.07785))
 scene.force("drive", cd.JointForce("beta", 0.033))
 
 model = cd.compile(scene)

@@ -1,4 +1,4 @@
-"""A Stewart platform: five circuits in space, inverse kinematics, a controlled lift.
+"""A Stewart platform: five loops in space, inverse kinematics, a controlled lift.
 
 Run it anywhere; it writes into ``out/stewart_platform``.
 """
@@ -33,7 +33,7 @@ for k in range(6):
     scene.joint(f"ball{k}", cd.Spherical(), rod, platform.at(*TOP[k]))
     scene.force(f"drive{k}", cd.JointForce(f"slide{k}", drive))
 
-# One ball joint stays in the tree; the other five close circuits.
+# One ball joint stays in the tree; the other five close loops.
 model = cd.compile(scene)
 cuts = ", ".join(cut["name"] for cut in model.manifest["cuts"])
 print(f"{model.nu} speeds, {model.nlam} constraints; cut: {cuts}")

@@ -17,7 +17,7 @@ equations = cd.derive(scene)
 print(equations)
 model = cd.compile(equations)
 
-# The rear wheel carries the bicycle; the contact of the front wheel closes the circuit over the
+# The rear wheel carries the bicycle; the contact of the front wheel closes the loop over the
 # ground. Eight speeds, five constraints: roll, steer and the forward speed remain.
 print("held:", *model.multipliers_of)
 

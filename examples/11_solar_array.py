@@ -36,7 +36,7 @@ for k in range(1, PANELS):
     scene.constraint(f"cable{k}", step)
 
 # A spring at the first hinge opens the array, an eddy current brake slows it down.
-scene.force("spring", cd.TorsionSpring("hinge0", stiffness=6.0, damping=25.0))
+scene.force("spring", cd.JointSpring("hinge0", stiffness=6.0, damping=25.0))
 
 equations = cd.derive(scene)
 print(equations)

@@ -35,11 +35,7 @@ runs = model.ensemble(
     5.0,
     vary=plan,
     inputs={"push": kick},
-    reduce={
-        "largest": "max of swing",
-        "mean": "mean of swing",
-        "spread": "deviation of swing",
-    },
+    reduce={"largest": "max of swing", "mean": "mean of swing", "spread": "deviation of swing"},
 )
 print(runs)
 

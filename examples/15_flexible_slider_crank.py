@@ -20,7 +20,7 @@ scene = cd.Scene("flexible_slider_crank", gravity=(0, 0, 0))
 crank = scene.body("crank", mass=0.36, com=(0.075, 0, 0), inertia=(0, 0.002727, 0.002727))
 slider = scene.body("slider", mass=0.075552, pose=(0.45, 0, 0))
 angle = sympy.Piecewise((750 * cd.t**2, cd.t < 0.1), (150 * cd.t - 7.5, True))
-scene.joint("drive", cd.Revolute("z"), scene.ground, crank, motion=angle)
+scene.joint("drive", cd.Revolute("z"), scene.ground, crank, prescribed=angle)
 scene.joint("guide", cd.Prismatic("x"), scene.ground, slider)
 steel = cd.material(E=2e11, nu=0.3, rho=7870, damping=1e-5)
 rod = scene.beam(

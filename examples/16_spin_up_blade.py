@@ -21,7 +21,7 @@ t = cd.t
 wave = (15 / (2 * sympy.pi)) ** 2 * (sympy.cos(2 * sympy.pi * t / 15) - 1)
 angle = sympy.Piecewise((6 * (t**2 / 2 + wave) / 15, t < 15), (6 * t - 45, True))
 hub = scene.body("hub", mass=1, inertia=(1, 1, 1), shape=cd.shape.cylinder(0.3, 0.2))
-scene.joint("drive", cd.Revolute("z"), scene.ground, hub, motion=angle)
+scene.joint("drive", cd.Revolute("z"), scene.ground, hub, prescribed=angle)
 section = cd.section.general(EA=2.8e7, GA=1e7, GJ=1.4e4, EI=1.4e4, rhoA=1.2, rhoI=6e-4)
 blade = scene.beam("blade", hub, (10, 0, 0), section, elements=6)
 for axis, name in enumerate(("along", "across")):

@@ -24,7 +24,7 @@ def boom(is_locked: bool) -> cd.CompiledModel:
         scene.joint("lock", cd.Fixed(), inner.end, latch)
     else:
         scene.joint("hinge", cd.Revolute("z"), inner.end, latch)
-        scene.force("spring", cd.TorsionSpring("hinge", stiffness=2.0, rest=0.5))
+        scene.force("spring", cd.JointSpring("hinge", stiffness=2.0, rest=0.5))
     scene.beam("outer", latch, (2, 0, 0), tube, carbon, elements=3)
     return cd.compile(scene)
 

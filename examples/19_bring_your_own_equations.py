@@ -56,7 +56,7 @@ model = cd.compile(scene)
 free = model.simulate(3.0, q={"q1": 0.2}, rtol=1e-9)
 print(free)
 print(model.verify())
-assert np.abs(free.drift.energy).max() < 1e-6
+assert np.abs(free.energy_residual).max() < 1e-6
 
 # Upright it falls; a linear-quadratic regulator of the linearized equations holds it.
 upright = model.linearize(q=dict.fromkeys(("x", "q1", "q2"), 0.0))

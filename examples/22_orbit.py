@@ -66,7 +66,8 @@ motion = cd.compile(whole).simulate(
 )
 apart = np.interp(swing.t, motion.t, motion["pitch"]) - swing["attitude.angle2"]
 print(f"pitch of the whole motion differs by up to {np.degrees(np.abs(apart).max()):.2f} degrees")
-print(f"energy missed by the ledger: {np.abs(motion.drift).max() / motion.energy.kinetic[0]:.0e}")
+residual = np.abs(motion.energy_residual).max() / motion.energy.kinetic[0]
+print(f"energy unaccounted for: {residual:.0e} of the kinetic energy at the start")
 
 # What the flattening does to the orbit: its plane turns.
 plane = np.cross(motion.q[:, 4:7], motion.u[:, 3:6])

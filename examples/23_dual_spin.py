@@ -22,7 +22,7 @@ bus = scene.body("bus", mass=20.0, inertia=(I1, I2 - 0.1, I3 - 0.1), shape=box)
 ball = scene.body("ball", mass=0.4)
 scene.joint("attitude", cd.Spherical(), scene.ground, bus)
 scene.joint("tube", cd.Prismatic("z"), bus.at(0.5, 0, 0), ball)
-scene.force("oil", cd.TorsionSpring("tube", stiffness=0.1, damping=0.1))
+scene.force("oil", cd.JointSpring("tube", stiffness=0.1, damping=0.1))
 scene.force("wheel", cd.Rotor(bus, axis="z", momentum=momentum))
 model = cd.compile(scene)
 

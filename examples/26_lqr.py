@@ -41,10 +41,7 @@ def thrust(motor: int):
 
 
 motion = model.simulate(
-    10.0,
-    q={"fly": [1.0, -0.5, 0.6]},
-    inputs={"left": thrust(0), "right": thrust(1)},
-    sample=0.01,
+    10.0, q={"fly": [1.0, -0.5, 0.6]}, inputs={"left": thrust(0), "right": thrust(1)}, sample=0.01
 )
 print(motion)
 print("distance at the end", np.abs(motion.q[-1]).max())

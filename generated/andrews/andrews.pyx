@@ -43,7 +43,7 @@ PARAMETERS = ('K1.mass', 'K1.com.x', 'K1.inertia.xx', 'K1.inertia.yy', 'K1.inert
  'K7.mass', 'K7.com.x', 'K7.com.y', 'K7.inertia.xx', 'K7.inertia.yy', 'K7.inertia.zz',
  'omega.position.y', 'K6.mass', 'K6.com.x', 'K6.inertia.xx', 'K6.inertia.yy', 'K6.inertia.zz',
  'E3.position.x', 'E3.child.position.y', 'E4.child.position.y', 'E6.child.position.x',
- 'spring.stiffness', 'spring.length', 'spring.a.position.x', 'spring.a.position.y',
+ 'spring.stiffness', 'spring.rest_length', 'spring.a.position.x', 'spring.a.position.y',
  'spring.b.position.x', 'spring.b.position.y', 'drive.force')
 BODIES = ('K1', 'K2', 'K3', 'K5', 'K4', 'K7', 'K6')
 

@@ -172,7 +172,7 @@ CARDAN_API void prepare_forward_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     w[16] = p[49]; /* E4.child.position.y [m] */
     w[17] = p[50]; /* E6.child.position.x [m] */
     w[18] = p[51]; /* spring.stiffness [N/m] */
-    w[19] = p[52]; /* spring.length [m] */
+    w[19] = p[52]; /* spring.rest_length [m] */
     w[20] = p[53]; /* spring.a.position.x [m] */
     w[21] = p[54]; /* spring.a.position.y [m] */
     w[22] = p[55]; /* spring.b.position.x [m] */
@@ -274,11 +274,11 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         + K2_first_moment_x * theta_turn_sin * theta_p_y;
 
     /* spring: spring damper */
-    /* force = stiffness (distance - length) + damping d(distance)/dt */
+    /* force = stiffness (distance - rest_length) + damping d(distance)/dt */
     const wreal gamma_position_x = w[3]; /* m */
     const wreal gamma_position_y = w[4]; /* m */
     const wreal spring_stiffness = w[18]; /* N/m */
-    const wreal spring_length = w[19]; /* m */
+    const wreal spring_rest_length = w[19]; /* m */
     const wreal spring_a_position_x = w[20]; /* m */
     const wreal spring_a_position_y = w[21]; /* m */
     const wreal spring_b_position_x = w[22]; /* m */
@@ -293,7 +293,7 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real spring_spring_damper_inverse_distance = cardan_select(spring_spring_damper_apart,
         1.0, 0.0) / cardan_select(spring_spring_damper_apart, spring_spring_damper_distance, 1.0);
     const real spring_force_on_spring_a_x_part = spring_stiffness * (spring_spring_damper_distance -
-        spring_length);
+        spring_rest_length);
     const real spring_force_on_spring_a_x = spring_spring_damper_span_x *
         spring_spring_damper_inverse_distance * spring_force_on_spring_a_x_part;
     const real spring_force_on_spring_a_y = spring_spring_damper_span_y *
@@ -647,7 +647,7 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
 
     /* constraints: factor, multipliers */
     /* factor = L, D: M = Lᵀ D L, free_udot = M⁻¹ drive, response = M⁻¹ Gᵀ */
-    /* multipliers = circuit⁻¹ (gamma - G free_udot) */
+    /* multipliers = loop⁻¹ (gamma - G free_udot) */
     const wreal M_factor_D_inverse_omega = w[28];
     const wreal M_factor_D_inverse_phi = w[29];
     const wreal M_factor_D_inverse_gamma = w[30];
@@ -842,7 +842,7 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real E6_multiplier_py = circuit_right[5];
 
     /* constraints: multipliers */
-    /* multipliers = circuit⁻¹ (gamma - G free_udot) */
+    /* multipliers = loop⁻¹ (gamma - G free_udot) */
     const real theta_udot_part = E3_px_response_theta * E3_multiplier_px
         - E3_py_minus_response_theta * E3_multiplier_py + E4_px_response_theta * E4_multiplier_px
         - E4_py_minus_response_theta * E4_multiplier_py + E6_px_response_theta * E6_multiplier_px;

@@ -230,7 +230,7 @@ CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     w[19] = K6_base_second_moment_xx_plus_base_second_moment_yy;
 
     /* spring: spring damper */
-    /* force = stiffness (distance - length) + damping d(distance)/dt */
+    /* force = stiffness (distance - rest_length) + damping d(distance)/dt */
     const wreal gamma_position_x = p[11]; /* m */
     const wreal gamma_position_y = p[12]; /* m */
     const wreal spring_a_position_x = p[53]; /* m */
@@ -245,7 +245,7 @@ CARDAN_API void prepare_inverse_dynamics(const wreal *p, wreal *CARDAN_RESTRICT 
     w[2] = p[27]; /* phi.position.x [m] */
     w[4] = p[41]; /* omega.position.y [m] */
     w[6] = p[51]; /* spring.stiffness [N/m] */
-    w[7] = p[52]; /* spring.length [m] */
+    w[7] = p[52]; /* spring.rest_length [m] */
     w[8] = p[55]; /* spring.b.position.x [m] */
     w[9] = p[56]; /* spring.b.position.y [m] */
     w[10] = p[57]; /* drive.force */
@@ -282,9 +282,9 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real omega_sin = sine[3];
 
     /* spring: spring damper */
-    /* force = stiffness (distance - length) + damping d(distance)/dt */
+    /* force = stiffness (distance - rest_length) + damping d(distance)/dt */
     const wreal spring_stiffness = w[6]; /* N/m */
-    const wreal spring_length = w[7]; /* m */
+    const wreal spring_rest_length = w[7]; /* m */
     const wreal spring_b_position_x = w[8]; /* m */
     const wreal spring_b_position_y = w[9]; /* m */
     const wreal gamma_position_x_minus_spring_a_position_x = w[11];
@@ -299,7 +299,7 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real spring_spring_damper_inverse_distance = cardan_select(spring_spring_damper_apart,
         1.0, 0.0) / cardan_select(spring_spring_damper_apart, spring_spring_damper_distance, 1.0);
     const real spring_force_on_spring_a_x_part = spring_stiffness * (spring_spring_damper_distance -
-        spring_length);
+        spring_rest_length);
     const real spring_force_on_spring_a_x = spring_spring_damper_span_x *
         spring_spring_damper_inverse_distance * spring_force_on_spring_a_x_part;
     const real spring_force_on_spring_a_y = spring_spring_damper_span_y *

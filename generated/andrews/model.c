@@ -85,7 +85,7 @@ const double cardan_default_p[cardan_np + (cardan_np == 0)] = {
     -0.02, /* E4.child.position.y [m] */
     0.02, /* E6.child.position.x [m] */
     4530.0, /* spring.stiffness [N/m] */
-    0.07785, /* spring.length [m] */
+    0.07785, /* spring.rest_length [m] */
     0.014, /* spring.a.position.x [m] */
     0.072, /* spring.a.position.y [m] */
     0.02, /* spring.b.position.x [m] */

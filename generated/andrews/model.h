@@ -96,7 +96,7 @@ enum {
     p_E4_child_position_y = 49, /* E4.child.position.y [m] */
     p_E6_child_position_x = 50, /* E6.child.position.x [m] */
     p_spring_stiffness = 51, /* spring.stiffness [N/m] */
-    p_spring_length = 52, /* spring.length [m] */
+    p_spring_rest_length = 52, /* spring.rest_length [m] */
     p_spring_a_position_x = 53, /* spring.a.position.x [m] */
     p_spring_a_position_y = 54, /* spring.a.position.y [m] */
     p_spring_b_position_x = 55, /* spring.b.position.x [m] */

@@ -2,9 +2,9 @@
  * solve.h: linear systems inside generated functions that need pivoting.
  *
  * A (n x n) and B (n x m) are stored row by row. Both are overwritten: B by the solution, A by the
- * factors. `scratch` holds 2 n numbers for a system, n (n + m) / 2 more for systems of lanes.
- * Included where needed; static functions only. (cardan_max) is the function of plain numbers,
- * whatever lanes.h makes of its name.
+ * factors. `scratch` needs 2 n numbers per system, plus n (n + m) / 2 for systems of lanes.
+ * Contains static functions only. (cardan_max) in parentheses is the scalar function, even if
+ * lanes.h redefines the name as a macro.
  */
 #ifndef CARDAN_SOLVE_H
 #define CARDAN_SOLVE_H
@@ -12,7 +12,7 @@
 #include "cardan.h"
 #include <float.h>
 
-/* the functions below, and the way to call one; from lanes.h on there are several systems */
+/* type of the solvers below, and how to call one; lanes.h redefines this for several systems */
 typedef int cardan_solver(int n, int m, double *a, double *b, double *scratch);
 #ifndef CARDAN_SOLVE
 #define CARDAN_SOLVE(kind, n, m, a, b, scratch) cardan_solve_##kind(n, m, a, b, scratch)
@@ -22,9 +22,9 @@ typedef int cardan_solver(int n, int m, double *a, double *b, double *scratch);
 CARDAN_INLINE void cardan_swap_rows(int m, double *a, int i, int j)
 {
     for (int k = 0; k < m; ++k) {
-        const double held = a[i * m + k];
+        const double swap = a[i * m + k];
         a[i * m + k] = a[j * m + k];
-        a[j * m + k] = held;
+        a[j * m + k] = swap;
     }
 }
 
@@ -32,20 +32,20 @@ CARDAN_INLINE void cardan_swap_rows(int m, double *a, int i, int j)
 CARDAN_INLINE void cardan_swap_columns(int n, double *a, int i, int j)
 {
     for (int k = 0; k < n; ++k) {
-        const double held = a[k * n + i];
+        const double swap = a[k * n + i];
         a[k * n + i] = a[k * n + j];
-        a[k * n + j] = held;
+        a[k * n + j] = swap;
     }
 }
 
 CARDAN_INLINE void cardan_swap(double *a, int i, int j)
 {
-    const double held = a[i];
+    const double swap = a[i];
     a[i] = a[j];
-    a[j] = held;
+    a[j] = swap;
 }
 
-/* Unknowns back into their order after exchanges. */
+/* Undo the exchanges of unknowns. */
 CARDAN_INLINE void cardan_restore_order(int n, int m, double *b, double *order)
 {
     for (int i = 0; i < n; ++i)
@@ -56,7 +56,7 @@ CARDAN_INLINE void cardan_restore_order(int n, int m, double *b, double *order)
         }
 }
 
-/* No solution: say so in the numbers and in the status. */
+/* No solution: fill with NaN and return the status. */
 CARDAN_INLINE int cardan_no_solution(int size, double *b)
 {
     for (int i = 0; i < size; ++i) b[i] = (double)NAN;
@@ -67,7 +67,7 @@ CARDAN_INLINE int cardan_no_solution(int size, double *b)
  * A X = B by elimination with complete pivoting; A may be singular.
  *
  * Unknowns that A leaves free become 0. Pivots below n eps max|A| count as zero.
- * Returns CARDAN_SINGULAR where B contradicts A.
+ * Returns CARDAN_SINGULAR if the system is inconsistent.
  * Source: G. H. Golub, C. F. Van Loan, Matrix Computations, section 3.4.8.
  */
 CARDAN_INLINE int cardan_solve_rank_revealing(int n, int m, double *a, double *b, double *scratch)
@@ -76,7 +76,7 @@ CARDAN_INLINE int cardan_solve_rank_revealing(int n, int m, double *a, double *b
     double tolerance = 0.0;
     int rank = 0;
 
-    /* the largest entry of every row of B tells rounding from contradiction */
+    /* the largest entry of each row of B separates rounding from inconsistency */
     for (int i = 0; i < n; ++i) {
         order[i] = i;
         scale[i] = 0.0;
@@ -111,7 +111,7 @@ CARDAN_INLINE int cardan_solve_rank_revealing(int n, int m, double *a, double *b
         }
     }
 
-    /* rows without a pivot must ask for nothing */
+    /* rows without a pivot must have a zero right-hand side, up to rounding */
     for (int i = rank; i < n; ++i)
         for (int k = 0; k < m; ++k) {
             if (!(fabs(b[i * m + k]) <= 64 * n * DBL_EPSILON * scale[i]))
@@ -131,43 +131,43 @@ CARDAN_INLINE int cardan_solve_rank_revealing(int n, int m, double *a, double *b
     return CARDAN_OK;
 }
 
-/* [x y] with D [x y]ᵀ = [e f]ᵀ for the symmetric block D of two rows of A from row k on. */
+/* Solve D [x y]ᵀ = [e f]ᵀ for the symmetric 2 x 2 pivot block D at row k of A. */
 CARDAN_INLINE void cardan_divide_block(int n, const double *a, int k, double e, double f, double *x,
                                        double *y)
 {
-    const double beside = a[k * n + k + 1];
-    const double first = a[k * n + k] / beside, second = a[(k + 1) * n + k + 1] / beside;
-    const double scale = 1.0 / (beside * (first * second - 1.0));
+    const double off_diagonal = a[k * n + k + 1];
+    const double first = a[k * n + k] / off_diagonal, second = a[(k + 1) * n + k + 1] / off_diagonal;
+    const double scale = 1.0 / (off_diagonal * (first * second - 1.0));
     *x = scale * (second * e - f);
     *y = scale * (first * f - e);
 }
 
-/* Where the next pivot is: one entry of the diagonal, or the block of two rows. 0 if none. */
+/* Find the next pivot: a diagonal entry (returns 1) or a 2 x 2 block (2); 0 if none is left. */
 CARDAN_INLINE int cardan_find_pivot(int n, const double *a, int k, double tolerance, int *one,
                                     int *two)
 {
     const double alpha = 0.6403882032022076; /* (1 + sqrt(17)) / 8 bounds the growth */
     int diagonal = k, row = k, column = k;
-    double beside = 0.0;
+    double off_diagonal = 0.0;
 
     for (int i = k; i < n; ++i) {
         if (fabs(a[i * n + i]) > fabs(a[diagonal * n + diagonal])) diagonal = i;
         for (int j = k; j < i; ++j)
-            if (fabs(a[i * n + j]) > beside) {
-                beside = fabs(a[i * n + j]);
+            if (fabs(a[i * n + j]) > off_diagonal) {
+                off_diagonal = fabs(a[i * n + j]);
                 row = i;
                 column = j;
             }
     }
     const double size = fabs(a[diagonal * n + diagonal]);
-    const int single = size >= alpha * beside;
+    const int single = size >= alpha * off_diagonal;
     *one = single ? diagonal : column;
     *two = row;
-    if (!(size - size == 0.0) || (cardan_max)(size, beside) <= tolerance) return 0;
+    if (!(size - size == 0.0) || (cardan_max)(size, off_diagonal) <= tolerance) return 0;
     return single ? 1 : 2;
 }
 
-/* Subtract the share of the pivot rows k ... k + size - 1 from all rows below; keep L in A. */
+/* Eliminate with the pivot rows k ... k + size - 1 from all rows below; L overwrites A. */
 CARDAN_INLINE void cardan_eliminate(int n, int m, double *a, double *b, int k, int size)
 {
     for (int i = k + size; i < n; ++i) {
@@ -185,10 +185,10 @@ CARDAN_INLINE void cardan_eliminate(int n, int m, double *a, double *b, int k, i
 }
 
 /*
- * A X = B for symmetric A of any signature: P A Pᵀ = L D Lᵀ with pivot blocks of 1 and 2, chosen by
- * searching the whole rest of the matrix. Only the lower triangle of A is read.
+ * A X = B for symmetric indefinite A: P A Pᵀ = L D Lᵀ with 1 x 1 and 2 x 2 pivot blocks, chosen by
+ * complete (Bunch-Parlett) pivoting. Only the lower triangle of A is read.
  *
- * Returns CARDAN_SINGULAR where a pivot falls below n eps max|A|.
+ * Returns CARDAN_SINGULAR if a pivot falls below n eps max|A|.
  * Source: J. R. Bunch, B. N. Parlett, Direct methods for solving symmetric indefinite systems of
  * linear equations, SIAM J. Numer. Anal. 8 (1971).
  */
@@ -198,7 +198,7 @@ CARDAN_INLINE int cardan_solve_symmetric_indefinite(int n, int m, double *a, dou
     double *const order = scratch, *const block = scratch + n;
     double largest = 0.0;
 
-    /* the whole matrix is kept, so that exchanges are simple */
+    /* mirror the lower triangle, so that rows and columns can be exchanged in full */
     for (int i = 0; i < n; ++i) {
         order[i] = i;
         block[i] = 0.0;
@@ -242,8 +242,8 @@ CARDAN_INLINE int cardan_solve_symmetric_indefinite(int n, int m, double *a, dou
 }
 
 /*
- * Lᵀ D L X = B for several columns of B at once, of type `columns` at `at`: L (unit lower) and the
- * reciprocals of D stand in A. Zeros of L are passed over.
+ * Solve Lᵀ D L X = B for several columns of B at once, of type `columns` at `at`. A contains L
+ * (unit lower) and the reciprocals of D. Zeros of L are skipped.
  */
 #define CARDAN_SUBSTITUTE(name, columns)                                                           \
     CARDAN_INLINE void name(int n, int m, const double *a, double *at)                             \
@@ -272,10 +272,10 @@ CARDAN_SUBSTITUTE(cardan_substitute_8, cardan_columns_8)
 
 /*
  * A X = B for symmetric positive definite A = Lᵀ D L, eliminated from the last row up without
- * exchanges: zeros that the branches of a tree leave in A stay zeros. Only the lower triangle of A
- * is read. Meant for many columns.
+ * exchanges, so that zeros of A due to the branches of a tree cause no fill-in. Only the lower
+ * triangle of A is read. Efficient for many columns.
  *
- * Returns CARDAN_SINGULAR where a pivot is not positive.
+ * Returns CARDAN_SINGULAR if a pivot is not positive.
  * Source: R. Featherstone, Rigid Body Dynamics Algorithms, section 6.5.
  */
 CARDAN_INLINE int cardan_solve_spd(int n, int m, double *a, double *b, double *scratch)
@@ -304,17 +304,17 @@ CARDAN_INLINE int cardan_solve_spd(int n, int m, double *a, double *b, double *s
 }
 
 #if CARDAN_LANES > 1
-/* The systems of lanes one after the other, since pivots differ. */
+/* Solve the systems of all lanes one after the other, since their pivots differ. */
 CARDAN_INLINE int cardan_solve_lanes(cardan_solver *solve, int n, int m, real *a, real *b,
                                      real *scratch)
 {
-    double *const own_a = (double *)scratch, *const own_b = own_a + n * n;
+    double *const lane_a = (double *)scratch, *const lane_b = lane_a + n * n;
     int status = CARDAN_OK;
     for (int lane = 0; lane < CARDAN_LANES; ++lane) {
-        for (int k = 0; k < n * n; ++k) own_a[k] = a[k][lane];
-        for (int k = 0; k < n * m; ++k) own_b[k] = b[k][lane];
-        status |= solve(n, m, own_a, own_b, own_b + n * m);
-        for (int k = 0; k < n * m; ++k) b[k][lane] = own_b[k];
+        for (int k = 0; k < n * n; ++k) lane_a[k] = a[k][lane];
+        for (int k = 0; k < n * m; ++k) lane_b[k] = b[k][lane];
+        status |= solve(n, m, lane_a, lane_b, lane_b + n * m);
+        for (int k = 0; k < n * m; ++k) b[k][lane] = lane_b[k];
     }
     return status;
 }

@@ -2322,7 +2322,7 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
 
     /* constraints: factor, multipliers */
     /* factor = L, D: M = Lᵀ D L, free_udot = M⁻¹ drive, response = M⁻¹ Gᵀ */
-    /* multipliers = circuit⁻¹ (gamma - G free_udot) */
+    /* multipliers = loop⁻¹ (gamma - G free_udot) */
     const wreal M_factor_D_inverse_front_hub = w[37];
     const real M_minus_factor_L_front_hub_rear_contact_spin =
         momentum_minus_front_hub_about_frame_my * M_factor_D_inverse_front_hub;
@@ -3293,7 +3293,7 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real rear_contact_multiplier_lateral = circuit_right[4];
 
     /* constraints: multipliers */
-    /* multipliers = circuit⁻¹ (gamma - G free_udot) */
+    /* multipliers = loop⁻¹ (gamma - G free_udot) */
     const real rear_contact_udot_x_part = front_contact_pz_response_rear_contact_x *
         front_contact_multiplier_pz
         + front_contact_longitudinal_response_rear_contact_x * front_contact_multiplier_longitudinal

@@ -45,7 +45,7 @@ static int show_function(const cardan_export *model)
 }
 
 #ifdef CARDAN_SIMULATE_H
-static void tell(void *context, double t, const char *event)
+static void report_event(void *context, double t, const char *event)
 {
     (void)context;
     printf("event at %.17g: %s\n", t, event);
@@ -54,7 +54,7 @@ static void tell(void *context, double t, const char *event)
 /* One second of motion from where the scene starts, printed at its end. */
 static int simulate(const cardan_export *model)
 {
-    cardan_simulation run = {.end = 1, .step = STEP, .rho_inf = RHO_INF, .happened = tell};
+    cardan_simulation run = {.end = 1, .step = STEP, .rho_inf = RHO_INF, .on_event = report_event};
     void *memory = malloc(cardan_simulation_size(model, &run));
     const int status = memory ? cardan_simulate(model, &run, memory) : 1;
 

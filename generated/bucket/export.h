@@ -17,7 +17,7 @@ typedef struct cardan_exported_function {
     ptrdiff_t out, work, w; /* lengths */
 } cardan_exported_function;
 
-/* An event. Where the discrete state `mode` has the value `first` before it, it is no event but the
+/* An event. Where the discrete state `mode` has the value `first` before it, it is not an event but the
  * first decision about that mode; -1: it decides about none. */
 typedef struct cardan_exported_event {
     const char *name;
@@ -87,7 +87,7 @@ int cardan_prepare(const cardan_export *model, const wreal *p, void *prepared);
 const wreal *cardan_prepared_w(const cardan_export *model, const void *prepared, ptrdiff_t k);
 /* Numbers of work memory that every function takes. */
 size_t cardan_work_length(const cardan_export *model);
-/* x = [q, u, z] where the scene starts. Returns a status: CARDAN_OPEN of run.h where elements can
+/* x = [q, u, z] where the scene starts. Returns a status: CARDAN_CONSTRAINT_OPEN of run.h where elements can
  * not follow other parameters, times or inputs. */
 int cardan_start_state(const cardan_export *model, const void *prepared, real t, const real *r,
                        real *x, real *work);

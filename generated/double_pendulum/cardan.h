@@ -28,7 +28,7 @@
 
 #define CARDAN_ABI 2
 
-/* vectors of doubles: as wide as the lanes; pairs for single states, where wider ones are no gain */
+/* vectors of doubles: as wide as the lanes; pairs for single states, where wider ones are not gain */
 #ifndef CARDAN_LANES
 #define CARDAN_LANES 1
 #endif

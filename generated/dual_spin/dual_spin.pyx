@@ -31,7 +31,7 @@ cdef extern from "functions.h" nogil:
     const cardan_export cardan_scene
 
 NAME = 'dual_spin'
-COORDINATES = ('attitude.w', 'attitude.x', 'attitude.y', 'attitude.z', 'tube')
+COORDINATES = ('attitude.qw', 'attitude.qx', 'attitude.qy', 'attitude.qz', 'tube')
 SPEEDS = ('attitude.u.x', 'attitude.u.y', 'attitude.u.z', 'tube.u')
 INPUTS = ()
 PARAMETERS = ('hs', 'bus.mass', 'bus.inertia.xx', 'bus.inertia.yy', 'bus.inertia.zz', 'tube.position.x',

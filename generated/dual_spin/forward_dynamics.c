@@ -10,10 +10,10 @@
  * Operations of prepare: 12 = 5 mul, 4 sub, 2 add, 1 div
  *
  * Input q (5): generalized coordinates
- *   q[0]  attitude.w
- *   q[1]  attitude.x
- *   q[2]  attitude.y
- *   q[3]  attitude.z
+ *   q[0]  attitude.qw
+ *   q[1]  attitude.qx
+ *   q[2]  attitude.qy
+ *   q[3]  attitude.qz
  *   q[4]  tube [m]
  *
  * Input u (4): generalized speeds

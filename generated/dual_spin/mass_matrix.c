@@ -10,10 +10,10 @@
  * Operations of prepare: 4 = 2 mul, 1 neg, 1 sub
  *
  * Input q (5): generalized coordinates
- *   q[0]  attitude.w
- *   q[1]  attitude.x
- *   q[2]  attitude.y
- *   q[3]  attitude.z
+ *   q[0]  attitude.qw
+ *   q[1]  attitude.qx
+ *   q[2]  attitude.qy
+ *   q[3]  attitude.qz
  *   q[4]  tube [m]
  *
  * Input p (9): parameters, read by prepare_ only

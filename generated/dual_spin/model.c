@@ -6,10 +6,10 @@
 
 /* generalized coordinates */
 const double cardan_default_q[cardan_nq + (cardan_nq == 0)] = {
-    1.0, /* attitude.w */
-    0.0, /* attitude.x */
-    0.0, /* attitude.y */
-    0.0, /* attitude.z */
+    1.0, /* attitude.qw */
+    0.0, /* attitude.qx */
+    0.0, /* attitude.qy */
+    0.0, /* attitude.qz */
     0.0, /* tube [m] */
 };
 

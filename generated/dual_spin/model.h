@@ -22,10 +22,10 @@ enum {
 
 /* generalized coordinates */
 enum {
-    q_attitude_w = 0, /* attitude.w */
-    q_attitude_x = 1, /* attitude.x */
-    q_attitude_y = 2, /* attitude.y */
-    q_attitude_z = 3, /* attitude.z */
+    q_attitude_qw = 0, /* attitude.qw */
+    q_attitude_qx = 1, /* attitude.qx */
+    q_attitude_qy = 2, /* attitude.qy */
+    q_attitude_qz = 3, /* attitude.qz */
     q_tube = 4 /* tube [m] */
 };
 

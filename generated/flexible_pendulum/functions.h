@@ -33,7 +33,7 @@ enum {
 #include "elements.h"
 
 /* functions of the whole model, and what of the kernels each of them is */
-#define CARDAN_WHOLE(F) F(forward_dynamics, cardan_mesh_call_forward_dynamics) F(energy, cardan_mesh_call_energy)
+#define CARDAN_ELEMENT_CALLS(F) F(forward_dynamics, cardan_mesh_call_forward_dynamics) F(energy, cardan_mesh_call_energy)
 
 /* kinetic, potential and their sum; reads t, q, u, s, r */
 enum {

@@ -9,17 +9,17 @@
  * Operations of prepare: 24 = 12 div, 6 add, 6 mul
  *
  * Input q (14): generalized coordinates
- *   q[0]  start.w
- *   q[1]  start.x
- *   q[2]  start.y
- *   q[3]  start.z
+ *   q[0]  start.qw
+ *   q[1]  start.qx
+ *   q[2]  start.qy
+ *   q[3]  start.qz
  *   q[4]  start.px [m]
  *   q[5]  start.py [m]
  *   q[6]  start.pz [m]
- *   q[7]  end.w
- *   q[8]  end.x
- *   q[9]  end.y
- *   q[10]  end.z
+ *   q[7]  end.qw
+ *   q[8]  end.qx
+ *   q[9]  end.qy
+ *   q[10]  end.qz
  *   q[11]  end.px [m]
  *   q[12]  end.py [m]
  *   q[13]  end.pz [m]
@@ -105,36 +105,40 @@ CARDAN_API int hellinger_reissner__energy(const cardan_in *in, real *CARDAN_REST
 
     /* pose */
     /* pose = theta, d: exp[theta] = R_1ᵀ R_2 = r, d = R_1ᵀ (p_2 - p_1) */
-    const real start_w = q[0];
-    const real start_x = q[1];
-    const real start_y = q[2];
-    const real start_z = q[3];
+    const real start_qw = q[0];
+    const real start_qx = q[1];
+    const real start_qy = q[2];
+    const real start_qz = q[3];
     const real start_px = q[4]; /* m */
     const real start_py = q[5]; /* m */
     const real start_pz = q[6]; /* m */
-    const real end_w = q[7];
-    const real end_x = q[8];
-    const real end_y = q[9];
-    const real end_z = q[10];
+    const real end_qw = q[7];
+    const real end_qx = q[8];
+    const real end_qy = q[9];
+    const real end_qz = q[10];
     const real end_px = q[11]; /* m */
     const real end_py = q[12]; /* m */
     const real end_pz = q[13]; /* m */
-    const real twice_start_x = 2.0 * start_x;
-    const real twice_start_y = 2.0 * start_y;
-    const real twice_start_z = 2.0 * start_z;
-    const real start_w_times_twice_start_x = start_w * twice_start_x;
-    const real start_w_times_twice_start_y = start_w * twice_start_y;
-    const real start_w_times_twice_start_z = start_w * twice_start_z;
-    const real start_x_times_twice_start_y = start_x * twice_start_y;
-    const real start_x_times_twice_start_z = start_x * twice_start_z;
-    const real start_y_times_twice_start_y = start_y * twice_start_y;
-    const real start_y_times_twice_start_z = start_y * twice_start_z;
-    const real start_z_times_twice_start_z = start_z * twice_start_z;
-    const real one_minus_start_x_times_twice_start_x = 1.0 - start_x * twice_start_x;
-    const real relative_w = start_w * end_w + start_x * end_x + (start_y * end_y + start_z * end_z);
-    const real relative_x = start_w * end_x - start_x * end_w + (start_z * end_y - start_y * end_z);
-    const real relative_y = start_w * end_y + start_x * end_z - (start_y * end_w + start_z * end_x);
-    const real relative_z = start_w * end_z - start_x * end_y + (start_y * end_x - start_z * end_w);
+    const real twice_start_qx = 2.0 * start_qx;
+    const real twice_start_qy = 2.0 * start_qy;
+    const real twice_start_qz = 2.0 * start_qz;
+    const real start_qw_times_twice_start_qx = start_qw * twice_start_qx;
+    const real start_qw_times_twice_start_qy = start_qw * twice_start_qy;
+    const real start_qw_times_twice_start_qz = start_qw * twice_start_qz;
+    const real start_qx_times_twice_start_qy = start_qx * twice_start_qy;
+    const real start_qx_times_twice_start_qz = start_qx * twice_start_qz;
+    const real start_qy_times_twice_start_qy = start_qy * twice_start_qy;
+    const real start_qy_times_twice_start_qz = start_qy * twice_start_qz;
+    const real start_qz_times_twice_start_qz = start_qz * twice_start_qz;
+    const real one_minus_start_qx_times_twice_start_qx = 1.0 - start_qx * twice_start_qx;
+    const real relative_w = start_qw * end_qw + start_qx * end_qx + (start_qy * end_qy
+        + start_qz * end_qz);
+    const real relative_x = start_qw * end_qx - start_qx * end_qw + (start_qz * end_qy
+        - start_qy * end_qz);
+    const real relative_y = start_qw * end_qy + start_qx * end_qz - (start_qy * end_qw
+        + start_qz * end_qx);
+    const real relative_z = start_qw * end_qz - start_qx * end_qy + (start_qy * end_qx
+        - start_qz * end_qw);
     const real relative_w_lt_zero = cardan_lt(relative_w, 0.0);
     const real short_x = cardan_select(relative_w_lt_zero, -relative_x, relative_x);
     const real short_y = cardan_select(relative_w_lt_zero, -relative_y, relative_y);
@@ -192,15 +196,15 @@ CARDAN_API int hellinger_reissner__energy(const cardan_in *in, real *CARDAN_REST
     const real apart_x = end_px - start_px;
     const real apart_y = end_py - start_py;
     const real apart_z = end_pz - start_pz;
-    const real d_x = (start_w_times_twice_start_z + start_x_times_twice_start_y) * apart_y
-        + (start_x_times_twice_start_z - start_w_times_twice_start_y) * apart_z + (1.0
-        - start_y_times_twice_start_y - start_z_times_twice_start_z) * apart_x;
-    const real d_y = (start_x_times_twice_start_y - start_w_times_twice_start_z) * apart_x
-        + (start_w_times_twice_start_x + start_y_times_twice_start_z) * apart_z
-        + (one_minus_start_x_times_twice_start_x - start_z_times_twice_start_z) * apart_y;
-    const real d_z = (start_w_times_twice_start_y + start_x_times_twice_start_z) * apart_x
-        + (start_y_times_twice_start_z - start_w_times_twice_start_x) * apart_y
-        + (one_minus_start_x_times_twice_start_x - start_y_times_twice_start_y) * apart_z;
+    const real d_x = (start_qw_times_twice_start_qz + start_qx_times_twice_start_qy) * apart_y
+        + (start_qx_times_twice_start_qz - start_qw_times_twice_start_qy) * apart_z + (1.0
+        - start_qy_times_twice_start_qy - start_qz_times_twice_start_qz) * apart_x;
+    const real d_y = (start_qx_times_twice_start_qy - start_qw_times_twice_start_qz) * apart_x
+        + (start_qw_times_twice_start_qx + start_qy_times_twice_start_qz) * apart_z
+        + (one_minus_start_qx_times_twice_start_qx - start_qz_times_twice_start_qz) * apart_y;
+    const real d_z = (start_qw_times_twice_start_qy + start_qx_times_twice_start_qz) * apart_x
+        + (start_qy_times_twice_start_qz - start_qw_times_twice_start_qx) * apart_y
+        + (one_minus_start_qx_times_twice_start_qx - start_qy_times_twice_start_qy) * apart_z;
 
     /* strain */
     /* strain = e: U d, U = 1 + first [theta] + second [theta]² */

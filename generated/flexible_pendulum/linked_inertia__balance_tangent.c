@@ -9,17 +9,17 @@
  * Operations of prepare: 39 = 18 mul, 9 add, 9 div, 3 sub
  *
  * Input q (14): generalized coordinates
- *   q[0]  start.w
- *   q[1]  start.x
- *   q[2]  start.y
- *   q[3]  start.z
+ *   q[0]  start.qw
+ *   q[1]  start.qx
+ *   q[2]  start.qy
+ *   q[3]  start.qz
  *   q[4]  start.px [m]
  *   q[5]  start.py [m]
  *   q[6]  start.pz [m]
- *   q[7]  end.w
- *   q[8]  end.x
- *   q[9]  end.y
- *   q[10]  end.z
+ *   q[7]  end.qw
+ *   q[8]  end.qx
+ *   q[9]  end.qy
+ *   q[10]  end.qz
  *   q[11]  end.px [m]
  *   q[12]  end.py [m]
  *   q[13]  end.pz [m]
@@ -129,50 +129,50 @@ CARDAN_API int linked_inertia__balance_tangent(const cardan_in *in, real *CARDAN
     (void)work;
 
     /* energy */
-    const real start_w = q[0];
-    const real start_x = q[1];
-    const real start_y = q[2];
-    const real start_z = q[3];
-    const real end_w = q[7];
-    const real end_x = q[8];
-    const real end_y = q[9];
-    const real end_z = q[10];
-    const real twice_start_x = 2.0 * start_x;
-    const real twice_start_y = 2.0 * start_y;
-    const real twice_start_z = 2.0 * start_z;
-    const real start_w_times_twice_start_x = start_w * twice_start_x;
-    const real start_w_times_twice_start_y = start_w * twice_start_y;
-    const real start_w_times_twice_start_z = start_w * twice_start_z;
-    const real start_x_times_twice_start_y = start_x * twice_start_y;
-    const real start_x_times_twice_start_z = start_x * twice_start_z;
-    const real start_y_times_twice_start_y = start_y * twice_start_y;
-    const real start_y_times_twice_start_z = start_y * twice_start_z;
-    const real start_z_times_twice_start_z = start_z * twice_start_z;
-    const real start_R_xx = 1.0 - start_y_times_twice_start_y - start_z_times_twice_start_z;
-    const real start_R_xy = start_x_times_twice_start_y - start_w_times_twice_start_z;
-    const real start_R_xz = start_w_times_twice_start_y + start_x_times_twice_start_z;
-    const real start_R_yx = start_w_times_twice_start_z + start_x_times_twice_start_y;
-    const real start_R_yz = start_y_times_twice_start_z - start_w_times_twice_start_x;
-    const real start_R_zx = start_x_times_twice_start_z - start_w_times_twice_start_y;
-    const real start_R_zy = start_w_times_twice_start_x + start_y_times_twice_start_z;
-    const real twice_end_x = 2.0 * end_x;
-    const real twice_end_y = 2.0 * end_y;
-    const real twice_end_z = 2.0 * end_z;
-    const real end_w_times_twice_end_x = end_w * twice_end_x;
-    const real end_w_times_twice_end_y = end_w * twice_end_y;
-    const real end_w_times_twice_end_z = end_w * twice_end_z;
-    const real end_x_times_twice_end_y = end_x * twice_end_y;
-    const real end_x_times_twice_end_z = end_x * twice_end_z;
-    const real end_y_times_twice_end_y = end_y * twice_end_y;
-    const real end_y_times_twice_end_z = end_y * twice_end_z;
-    const real end_z_times_twice_end_z = end_z * twice_end_z;
-    const real end_R_xx = 1.0 - end_y_times_twice_end_y - end_z_times_twice_end_z;
-    const real end_R_xy = end_x_times_twice_end_y - end_w_times_twice_end_z;
-    const real end_R_xz = end_w_times_twice_end_y + end_x_times_twice_end_z;
-    const real end_R_yx = end_w_times_twice_end_z + end_x_times_twice_end_y;
-    const real end_R_yz = end_y_times_twice_end_z - end_w_times_twice_end_x;
-    const real end_R_zx = end_x_times_twice_end_z - end_w_times_twice_end_y;
-    const real end_R_zy = end_w_times_twice_end_x + end_y_times_twice_end_z;
+    const real start_qw = q[0];
+    const real start_qx = q[1];
+    const real start_qy = q[2];
+    const real start_qz = q[3];
+    const real end_qw = q[7];
+    const real end_qx = q[8];
+    const real end_qy = q[9];
+    const real end_qz = q[10];
+    const real twice_start_qx = 2.0 * start_qx;
+    const real twice_start_qy = 2.0 * start_qy;
+    const real twice_start_qz = 2.0 * start_qz;
+    const real start_qw_times_twice_start_qx = start_qw * twice_start_qx;
+    const real start_qw_times_twice_start_qy = start_qw * twice_start_qy;
+    const real start_qw_times_twice_start_qz = start_qw * twice_start_qz;
+    const real start_qx_times_twice_start_qy = start_qx * twice_start_qy;
+    const real start_qx_times_twice_start_qz = start_qx * twice_start_qz;
+    const real start_qy_times_twice_start_qy = start_qy * twice_start_qy;
+    const real start_qy_times_twice_start_qz = start_qy * twice_start_qz;
+    const real start_qz_times_twice_start_qz = start_qz * twice_start_qz;
+    const real start_R_xx = 1.0 - start_qy_times_twice_start_qy - start_qz_times_twice_start_qz;
+    const real start_R_xy = start_qx_times_twice_start_qy - start_qw_times_twice_start_qz;
+    const real start_R_xz = start_qw_times_twice_start_qy + start_qx_times_twice_start_qz;
+    const real start_R_yx = start_qw_times_twice_start_qz + start_qx_times_twice_start_qy;
+    const real start_R_yz = start_qy_times_twice_start_qz - start_qw_times_twice_start_qx;
+    const real start_R_zx = start_qx_times_twice_start_qz - start_qw_times_twice_start_qy;
+    const real start_R_zy = start_qw_times_twice_start_qx + start_qy_times_twice_start_qz;
+    const real twice_end_qx = 2.0 * end_qx;
+    const real twice_end_qy = 2.0 * end_qy;
+    const real twice_end_qz = 2.0 * end_qz;
+    const real end_qw_times_twice_end_qx = end_qw * twice_end_qx;
+    const real end_qw_times_twice_end_qy = end_qw * twice_end_qy;
+    const real end_qw_times_twice_end_qz = end_qw * twice_end_qz;
+    const real end_qx_times_twice_end_qy = end_qx * twice_end_qy;
+    const real end_qx_times_twice_end_qz = end_qx * twice_end_qz;
+    const real end_qy_times_twice_end_qy = end_qy * twice_end_qy;
+    const real end_qy_times_twice_end_qz = end_qy * twice_end_qz;
+    const real end_qz_times_twice_end_qz = end_qz * twice_end_qz;
+    const real end_R_xx = 1.0 - end_qy_times_twice_end_qy - end_qz_times_twice_end_qz;
+    const real end_R_xy = end_qx_times_twice_end_qy - end_qw_times_twice_end_qz;
+    const real end_R_xz = end_qw_times_twice_end_qy + end_qx_times_twice_end_qz;
+    const real end_R_yx = end_qw_times_twice_end_qz + end_qx_times_twice_end_qy;
+    const real end_R_yz = end_qy_times_twice_end_qz - end_qw_times_twice_end_qx;
+    const real end_R_zx = end_qx_times_twice_end_qz - end_qw_times_twice_end_qy;
+    const real end_R_zy = end_qw_times_twice_end_qx + end_qy_times_twice_end_qz;
 
     /* loads */
     const real start_wx = u[0]; /* rad/s */
@@ -203,8 +203,8 @@ CARDAN_API int linked_inertia__balance_tangent(const cardan_in *in, real *CARDAN
     const wreal start_spin_x_by_u_start_wx = w[11];
     const wreal end_spin_y_by_u_start_wy = w[13];
     const wreal end_spin_z_by_u_start_wz = w[14];
-    const real one_minus_start_x_times_twice_start_x = 1.0 - start_x * twice_start_x;
-    const real one_minus_end_x_times_twice_end_x = 1.0 - end_x * twice_end_x;
+    const real one_minus_start_qx_times_twice_start_qx = 1.0 - start_qx * twice_start_qx;
+    const real one_minus_end_qx_times_twice_end_qx = 1.0 - end_qx * twice_end_qx;
     const real start_a_x = start_vx - gravity_1;
     const real start_a_y = start_vy - gravity_2;
     const real start_a_z = start_vz - gravity_3;
@@ -431,10 +431,10 @@ CARDAN_API int linked_inertia__balance_tangent(const cardan_in *in, real *CARDAN
     out[428] = end_force_z_by_udot_end_wz; /* M: end.vz,end.wz */
 
     /* energy */
-    const real start_R_yy = one_minus_start_x_times_twice_start_x - start_z_times_twice_start_z;
-    const real start_R_zz = one_minus_start_x_times_twice_start_x - start_y_times_twice_start_y;
-    const real end_R_yy = one_minus_end_x_times_twice_end_x - end_z_times_twice_end_z;
-    const real end_R_zz = one_minus_end_x_times_twice_end_x - end_y_times_twice_end_y;
+    const real start_R_yy = one_minus_start_qx_times_twice_start_qx - start_qz_times_twice_start_qz;
+    const real start_R_zz = one_minus_start_qx_times_twice_start_qx - start_qy_times_twice_start_qy;
+    const real end_R_yy = one_minus_end_qx_times_twice_end_qx - end_qz_times_twice_end_qz;
+    const real end_R_zz = one_minus_end_qx_times_twice_end_qx - end_qy_times_twice_end_qy;
 
     /* loads */
     const wreal end_spin_x_by_u_start_wx = w[12];

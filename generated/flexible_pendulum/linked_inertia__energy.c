@@ -9,17 +9,17 @@
  * Operations of prepare: 38 = 15 mul, 10 add, 9 div, 4 sub
  *
  * Input q (14): generalized coordinates
- *   q[0]  start.w
- *   q[1]  start.x
- *   q[2]  start.y
- *   q[3]  start.z
+ *   q[0]  start.qw
+ *   q[1]  start.qx
+ *   q[2]  start.qy
+ *   q[3]  start.qz
  *   q[4]  start.px [m]
  *   q[5]  start.py [m]
  *   q[6]  start.pz [m]
- *   q[7]  end.w
- *   q[8]  end.x
- *   q[9]  end.y
- *   q[10]  end.z
+ *   q[7]  end.qw
+ *   q[8]  end.qx
+ *   q[9]  end.qy
+ *   q[10]  end.qz
  *   q[11]  end.px [m]
  *   q[12]  end.py [m]
  *   q[13]  end.pz [m]
@@ -108,17 +108,17 @@ CARDAN_API int linked_inertia__energy(const cardan_in *in, real *CARDAN_RESTRICT
     (void)work;
 
     /* energy */
-    const real start_w = q[0];
-    const real start_x = q[1];
-    const real start_y = q[2];
-    const real start_z = q[3];
+    const real start_qw = q[0];
+    const real start_qx = q[1];
+    const real start_qy = q[2];
+    const real start_qz = q[3];
     const real start_px = q[4]; /* m */
     const real start_py = q[5]; /* m */
     const real start_pz = q[6]; /* m */
-    const real end_w = q[7];
-    const real end_x = q[8];
-    const real end_y = q[9];
-    const real end_z = q[10];
+    const real end_qw = q[7];
+    const real end_qx = q[8];
+    const real end_qy = q[9];
+    const real end_qz = q[10];
     const real end_px = q[11]; /* m */
     const real end_py = q[12]; /* m */
     const real end_pz = q[13]; /* m */
@@ -144,33 +144,34 @@ CARDAN_API int linked_inertia__energy(const cardan_in *in, real *CARDAN_RESTRICT
     const wreal start_spin_x_by_u_start_wx = w[11];
     const wreal mass_pp_plus_mass_pq = w[12];
     const wreal mass_pt_minus_mass_pu = w[13];
-    const real twice_start_x = 2.0 * start_x;
-    const real twice_start_y = 2.0 * start_y;
-    const real twice_start_z = 2.0 * start_z;
-    const real start_w_times_twice_start_x = start_w * twice_start_x;
-    const real start_w_times_twice_start_y = start_w * twice_start_y;
-    const real start_w_times_twice_start_z = start_w * twice_start_z;
-    const real start_x_times_twice_start_y = start_x * twice_start_y;
-    const real start_x_times_twice_start_z = start_x * twice_start_z;
-    const real start_y_times_twice_start_y = start_y * twice_start_y;
-    const real start_y_times_twice_start_z = start_y * twice_start_z;
-    const real start_z_times_twice_start_z = start_z * twice_start_z;
-    const real twice_end_x = 2.0 * end_x;
-    const real twice_end_y = 2.0 * end_y;
-    const real twice_end_z = 2.0 * end_z;
-    const real end_w_times_twice_end_x = end_w * twice_end_x;
-    const real end_w_times_twice_end_y = end_w * twice_end_y;
-    const real end_w_times_twice_end_z = end_w * twice_end_z;
-    const real end_x_times_twice_end_y = end_x * twice_end_y;
-    const real end_x_times_twice_end_z = end_x * twice_end_z;
-    const real end_y_times_twice_end_y = end_y * twice_end_y;
-    const real end_y_times_twice_end_z = end_y * twice_end_z;
-    const real end_z_times_twice_end_z = end_z * twice_end_z;
-    const real start_tangent_rate_x = (start_x_times_twice_start_y
-        - start_w_times_twice_start_z) * start_wz - (start_w_times_twice_start_y
-        + start_x_times_twice_start_z) * start_wy;
-    const real end_tangent_rate_x = (end_x_times_twice_end_y - end_w_times_twice_end_z) * end_wz
-        - (end_w_times_twice_end_y + end_x_times_twice_end_z) * end_wy;
+    const real twice_start_qx = 2.0 * start_qx;
+    const real twice_start_qy = 2.0 * start_qy;
+    const real twice_start_qz = 2.0 * start_qz;
+    const real start_qw_times_twice_start_qx = start_qw * twice_start_qx;
+    const real start_qw_times_twice_start_qy = start_qw * twice_start_qy;
+    const real start_qw_times_twice_start_qz = start_qw * twice_start_qz;
+    const real start_qx_times_twice_start_qy = start_qx * twice_start_qy;
+    const real start_qx_times_twice_start_qz = start_qx * twice_start_qz;
+    const real start_qy_times_twice_start_qy = start_qy * twice_start_qy;
+    const real start_qy_times_twice_start_qz = start_qy * twice_start_qz;
+    const real start_qz_times_twice_start_qz = start_qz * twice_start_qz;
+    const real twice_end_qx = 2.0 * end_qx;
+    const real twice_end_qy = 2.0 * end_qy;
+    const real twice_end_qz = 2.0 * end_qz;
+    const real end_qw_times_twice_end_qx = end_qw * twice_end_qx;
+    const real end_qw_times_twice_end_qy = end_qw * twice_end_qy;
+    const real end_qw_times_twice_end_qz = end_qw * twice_end_qz;
+    const real end_qx_times_twice_end_qy = end_qx * twice_end_qy;
+    const real end_qx_times_twice_end_qz = end_qx * twice_end_qz;
+    const real end_qy_times_twice_end_qy = end_qy * twice_end_qy;
+    const real end_qy_times_twice_end_qz = end_qy * twice_end_qz;
+    const real end_qz_times_twice_end_qz = end_qz * twice_end_qz;
+    const real start_tangent_rate_x = (start_qx_times_twice_start_qy
+        - start_qw_times_twice_start_qz) * start_wz - (start_qw_times_twice_start_qy
+        + start_qx_times_twice_start_qz) * start_wy;
+    const real end_tangent_rate_x = (end_qx_times_twice_end_qy
+        - end_qw_times_twice_end_qz) * end_wz - (end_qw_times_twice_end_qy
+        + end_qx_times_twice_end_qz) * end_wy;
     const real energy_kinetic_part = end_wx * start_spin_x_by_u_start_wx * end_wx
         + end_wy * start_spin_y_by_u_start_wy * end_wy + (start_spin_x_by_u_start_wx * (start_wx
         + end_wx) * start_wx + end_wz * start_spin_z_by_u_start_wz * end_wz);
@@ -183,39 +184,41 @@ CARDAN_API int linked_inertia__energy(const cardan_in *in, real *CARDAN_RESTRICT
         + start_tangent_rate_x * (start_vx * mass_pt - end_vx * mass_pu
         + mass_tt * start_tangent_rate_x + mass_tu * end_tangent_rate_x);
     const real gravity_2_times_first_moment_y = gravity_2 * (start_py * mass_pp_plus_mass_pq
-        + end_py * mass_pp_plus_mass_pq + (start_w_times_twice_start_z
-        + start_x_times_twice_start_y) * mass_pt_minus_mass_pu - (end_w_times_twice_end_z
-        + end_x_times_twice_end_y) * mass_pt_minus_mass_pu);
+        + end_py * mass_pp_plus_mass_pq + (start_qw_times_twice_start_qz
+        + start_qx_times_twice_start_qy) * mass_pt_minus_mass_pu - (end_qw_times_twice_end_qz
+        + end_qx_times_twice_end_qy) * mass_pt_minus_mass_pu);
     const real energy_potential_part = gravity_2_times_first_moment_y
         + gravity_3 * (start_pz * mass_pp_plus_mass_pq + end_pz * mass_pp_plus_mass_pq
-        + (start_x_times_twice_start_z - start_w_times_twice_start_y) * mass_pt_minus_mass_pu
-        - (end_x_times_twice_end_z - end_w_times_twice_end_y) * mass_pt_minus_mass_pu);
+        + (start_qx_times_twice_start_qz - start_qw_times_twice_start_qy) * mass_pt_minus_mass_pu
+        - (end_qx_times_twice_end_qz - end_qw_times_twice_end_qy) * mass_pt_minus_mass_pu);
     /* energy: potential [J] */
     out[1] = -(gravity_1 * (start_px * mass_pp_plus_mass_pq + end_px * mass_pp_plus_mass_pq
-        + (1.0 - start_y_times_twice_start_y
-        - start_z_times_twice_start_z) * mass_pt_minus_mass_pu - (1.0 - end_y_times_twice_end_y
-        - end_z_times_twice_end_z) * mass_pt_minus_mass_pu) + energy_potential_part);
+        + (1.0 - start_qy_times_twice_start_qy
+        - start_qz_times_twice_start_qz) * mass_pt_minus_mass_pu - (1.0
+        - end_qy_times_twice_end_qy - end_qz_times_twice_end_qz) * mass_pt_minus_mass_pu)
+        + energy_potential_part);
 
     /* loads */
-    const real one_minus_start_x_times_twice_start_x = 1.0 - start_x * twice_start_x;
-    const real one_minus_end_x_times_twice_end_x = 1.0 - end_x * twice_end_x;
+    const real one_minus_start_qx_times_twice_start_qx = 1.0 - start_qx * twice_start_qx;
+    const real one_minus_end_qx_times_twice_end_qx = 1.0 - end_qx * twice_end_qx;
 
     /* energy */
     const real start_vy = u[4]; /* m/s */
     const real start_vz = u[5]; /* m/s */
     const real end_vy = u[10]; /* m/s */
     const real end_vz = u[11]; /* m/s */
-    const real start_tangent_rate_y = (one_minus_start_x_times_twice_start_x
-        - start_z_times_twice_start_z) * start_wz - (start_y_times_twice_start_z
-        - start_w_times_twice_start_x) * start_wy;
-    const real start_tangent_rate_z = (start_w_times_twice_start_x
-        + start_y_times_twice_start_z) * start_wz - (one_minus_start_x_times_twice_start_x
-        - start_y_times_twice_start_y) * start_wy;
-    const real end_tangent_rate_y = (one_minus_end_x_times_twice_end_x
-        - end_z_times_twice_end_z) * end_wz - (end_y_times_twice_end_z
-        - end_w_times_twice_end_x) * end_wy;
-    const real end_tangent_rate_z = (end_w_times_twice_end_x + end_y_times_twice_end_z) * end_wz
-        - (one_minus_end_x_times_twice_end_x - end_y_times_twice_end_y) * end_wy;
+    const real start_tangent_rate_y = (one_minus_start_qx_times_twice_start_qx
+        - start_qz_times_twice_start_qz) * start_wz - (start_qy_times_twice_start_qz
+        - start_qw_times_twice_start_qx) * start_wy;
+    const real start_tangent_rate_z = (start_qw_times_twice_start_qx
+        + start_qy_times_twice_start_qz) * start_wz - (one_minus_start_qx_times_twice_start_qx
+        - start_qy_times_twice_start_qy) * start_wy;
+    const real end_tangent_rate_y = (one_minus_end_qx_times_twice_end_qx
+        - end_qz_times_twice_end_qz) * end_wz - (end_qy_times_twice_end_qz
+        - end_qw_times_twice_end_qx) * end_wy;
+    const real end_tangent_rate_z = (end_qw_times_twice_end_qx
+        + end_qy_times_twice_end_qz) * end_wz - (one_minus_end_qx_times_twice_end_qx
+        - end_qy_times_twice_end_qy) * end_wy;
     const real energy_kinetic_part_4 = end_vz * (start_vz * mass_pq + end_vz * mass_pp
         - mass_pu * start_tangent_rate_z - mass_pt * end_tangent_rate_z)
         + start_tangent_rate_y * (start_vy * mass_pt - end_vy * mass_pu

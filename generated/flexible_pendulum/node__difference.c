@@ -9,19 +9,19 @@
  * Operations of prepare: none
  *
  * Input q (7): generalized coordinates
- *   q[0]  node.w
- *   q[1]  node.x
- *   q[2]  node.y
- *   q[3]  node.z
+ *   q[0]  node.qw
+ *   q[1]  node.qx
+ *   q[2]  node.qy
+ *   q[3]  node.qz
  *   q[4]  node.px [m]
  *   q[5]  node.py [m]
  *   q[6]  node.pz [m]
  *
  * Input q0 (7): coordinates at the start of the increment
- *   q0[0]  node.w.0
- *   q0[1]  node.x.0
- *   q0[2]  node.y.0
- *   q0[3]  node.z.0
+ *   q0[0]  node.qw.0
+ *   q0[1]  node.qx.0
+ *   q0[2]  node.qy.0
+ *   q0[3]  node.qz.0
  *   q0[4]  node.px.0 [m]
  *   q0[5]  node.py.0 [m]
  *   q0[6]  node.pz.0 [m]
@@ -53,28 +53,28 @@ CARDAN_API int node__difference(const cardan_in *in, real *CARDAN_RESTRICT out,
     (void)work;
 
     /* common */
-    const real node_w = q[0];
-    const real node_x = q[1];
-    const real node_y = q[2];
-    const real node_z = q[3];
+    const real node_qw = q[0];
+    const real node_qx = q[1];
+    const real node_qy = q[2];
+    const real node_qz = q[3];
     const real node_px = q[4]; /* m */
     const real node_py = q[5]; /* m */
     const real node_pz = q[6]; /* m */
-    const real node_w_0 = q0[0];
-    const real node_x_0 = q0[1];
-    const real node_y_0 = q0[2];
-    const real node_z_0 = q0[3];
+    const real node_qw_0 = q0[0];
+    const real node_qx_0 = q0[1];
+    const real node_qy_0 = q0[2];
+    const real node_qz_0 = q0[3];
     const real node_px_0 = q0[4]; /* m */
     const real node_py_0 = q0[5]; /* m */
     const real node_pz_0 = q0[6]; /* m */
-    const real du_node_u_x_step_part = node_w * node_w_0 + node_x * node_x_0 + (node_y * node_y_0
-        + node_z * node_z_0);
-    const real du_node_u_x_step_part_2 = node_x * node_w_0 - node_w * node_x_0
-        + (node_y * node_z_0 - node_z * node_y_0);
-    const real du_node_u_x_step_part_3 = node_y * node_w_0 + node_z * node_x_0
-        - (node_w * node_y_0 + node_x * node_z_0);
-    const real du_node_u_x_step_part_4 = node_z * node_w_0 - node_y * node_x_0
-        + (node_x * node_y_0 - node_w * node_z_0);
+    const real du_node_u_x_step_part = node_qw * node_qw_0 + node_qx * node_qx_0
+        + (node_qy * node_qy_0 + node_qz * node_qz_0);
+    const real du_node_u_x_step_part_2 = node_qx * node_qw_0 - node_qw * node_qx_0
+        + (node_qy * node_qz_0 - node_qz * node_qy_0);
+    const real du_node_u_x_step_part_3 = node_qy * node_qw_0 + node_qz * node_qx_0
+        - (node_qw * node_qy_0 + node_qx * node_qz_0);
+    const real du_node_u_x_step_part_4 = node_qz * node_qw_0 - node_qy * node_qx_0
+        + (node_qx * node_qy_0 - node_qw * node_qz_0);
     const real du_node_u_x_step_part_5 = du_node_u_x_step_part_2 * du_node_u_x_step_part_2
         + du_node_u_x_step_part_3 * du_node_u_x_step_part_3
         + du_node_u_x_step_part_4 * du_node_u_x_step_part_4;

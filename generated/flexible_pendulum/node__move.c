@@ -8,10 +8,10 @@
  * Operations of prepare: none
  *
  * Input q (7): generalized coordinates
- *   q[0]  node.w
- *   q[1]  node.x
- *   q[2]  node.y
- *   q[3]  node.z
+ *   q[0]  node.qw
+ *   q[1]  node.qx
+ *   q[2]  node.qy
+ *   q[3]  node.qz
  *   q[4]  node.px [m]
  *   q[5]  node.py [m]
  *   q[6]  node.pz [m]
@@ -25,10 +25,10 @@
  *   du[5]  node.u.pz.step [m]
  *
  * Output q (7)
- *   out[0]  node.w
- *   out[1]  node.x
- *   out[2]  node.y
- *   out[3]  node.z
+ *   out[0]  node.qw
+ *   out[1]  node.qx
+ *   out[2]  node.qy
+ *   out[3]  node.qz
  *   out[4]  node.px [m]
  *   out[5]  node.py [m]
  *   out[6]  node.pz [m]
@@ -60,10 +60,10 @@ CARDAN_API int node__move(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real node_u_px_step = du[3]; /* m */
     const real node_u_py_step = du[4]; /* m */
     const real node_u_pz_step = du[5]; /* m */
-    const real node_w = q[0];
-    const real node_x = q[1];
-    const real node_y = q[2];
-    const real node_z = q[3];
+    const real node_qw = q[0];
+    const real node_qx = q[1];
+    const real node_qy = q[2];
+    const real node_qz = q[3];
     const real node_px = q[4]; /* m */
     const real node_py = q[5]; /* m */
     const real node_pz = q[6]; /* m */
@@ -83,12 +83,12 @@ CARDAN_API int node__move(const cardan_in *in, real *CARDAN_RESTRICT out,
         T_node_u_x_node_u_x_part;
     const real T_node_u_y_node_u_z_part_2 = node_u_y_step * node_u_z_step *
         T_node_u_x_node_u_x_part;
-    const real q_node_w_part = T_node_u_x_node_u_y_part / 4.0;
-    const real q_node_w_part_2 = cardan_stumpff(1, q_node_w_part) / 2.0;
-    const real q_node_w_part_3 = node_u_x_step * q_node_w_part_2;
-    const real q_node_w_part_4 = node_u_y_step * q_node_w_part_2;
-    const real q_node_w_part_5 = node_u_z_step * q_node_w_part_2;
-    const real q_node_w_part_6 = cardan_stumpff(0, q_node_w_part);
+    const real q_node_qw_part = T_node_u_x_node_u_y_part / 4.0;
+    const real q_node_qw_part_2 = cardan_stumpff(1, q_node_qw_part) / 2.0;
+    const real q_node_qw_part_3 = node_u_x_step * q_node_qw_part_2;
+    const real q_node_qw_part_4 = node_u_y_step * q_node_qw_part_2;
+    const real q_node_qw_part_5 = node_u_z_step * q_node_qw_part_2;
+    const real q_node_qw_part_6 = cardan_stumpff(0, q_node_qw_part);
     /* T: node.u.x,node.u.x */
     out[7] = 1.0 + T_node_u_x_node_u_x_part * (node_u_x_step_squared - T_node_u_x_node_u_y_part);
     out[8] = T_node_u_x_node_u_y_part_3 + T_node_u_x_node_u_y_part_4; /* T: node.u.x,node.u.y */
@@ -101,18 +101,18 @@ CARDAN_API int node__move(const cardan_in *in, real *CARDAN_RESTRICT out,
     out[20] = T_node_u_y_node_u_z_part_2 - T_node_u_y_node_u_z_part; /* T: node.u.z,node.u.y */
     /* T: node.u.z,node.u.z */
     out[21] = 1.0 + T_node_u_x_node_u_x_part * (node_u_z_step_squared - T_node_u_x_node_u_y_part);
-    /* q: node.w */
-    out[0] = node_w * q_node_w_part_6 - node_x * q_node_w_part_3 - (node_y * q_node_w_part_4
-        + node_z * q_node_w_part_5);
-    /* q: node.x */
-    out[1] = node_w * q_node_w_part_3 + node_x * q_node_w_part_6 + (node_y * q_node_w_part_5
-        - node_z * q_node_w_part_4);
-    /* q: node.y */
-    out[2] = node_w * q_node_w_part_4 + node_y * q_node_w_part_6 + (node_z * q_node_w_part_3
-        - node_x * q_node_w_part_5);
-    /* q: node.z */
-    out[3] = node_w * q_node_w_part_5 + node_z * q_node_w_part_6 + (node_x * q_node_w_part_4
-        - node_y * q_node_w_part_3);
+    /* q: node.qw */
+    out[0] = node_qw * q_node_qw_part_6 - node_qx * q_node_qw_part_3
+        - (node_qy * q_node_qw_part_4 + node_qz * q_node_qw_part_5);
+    /* q: node.qx */
+    out[1] = node_qw * q_node_qw_part_3 + node_qx * q_node_qw_part_6
+        + (node_qy * q_node_qw_part_5 - node_qz * q_node_qw_part_4);
+    /* q: node.qy */
+    out[2] = node_qw * q_node_qw_part_4 + node_qy * q_node_qw_part_6
+        + (node_qz * q_node_qw_part_3 - node_qx * q_node_qw_part_5);
+    /* q: node.qz */
+    out[3] = node_qw * q_node_qw_part_5 + node_qz * q_node_qw_part_6
+        + (node_qx * q_node_qw_part_4 - node_qy * q_node_qw_part_3);
     out[4] = node_u_px_step + node_px; /* q: node.px [m] */
     out[5] = node_u_py_step + node_py; /* q: node.py [m] */
     out[6] = node_u_pz_step + node_pz; /* q: node.pz [m] */

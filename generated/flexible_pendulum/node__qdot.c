@@ -8,10 +8,10 @@
  * Operations of prepare: none
  *
  * Input q (7): generalized coordinates
- *   q[0]  node.w
- *   q[1]  node.x
- *   q[2]  node.y
- *   q[3]  node.z
+ *   q[0]  node.qw
+ *   q[1]  node.qx
+ *   q[2]  node.qy
+ *   q[3]  node.qz
  *   q[4]  node.px [m]
  *   q[5]  node.py [m]
  *   q[6]  node.pz [m]
@@ -25,10 +25,10 @@
  *   u[5]  node.u.pz [m/s]
  *
  * Output qdot (7)
- *   out[0]  node.wdot [1/s]
- *   out[1]  node.xdot [1/s]
- *   out[2]  node.ydot [1/s]
- *   out[3]  node.zdot [1/s]
+ *   out[0]  node.qwdot [1/s]
+ *   out[1]  node.qxdot [1/s]
+ *   out[2]  node.qydot [1/s]
+ *   out[3]  node.qzdot [1/s]
  *   out[4]  node.pxdot [m/s]
  *   out[5]  node.pydot [m/s]
  *   out[6]  node.pzdot [m/s]
@@ -52,24 +52,24 @@ CARDAN_API int node__qdot(const cardan_in *in, real *CARDAN_RESTRICT out,
     (void)work;
 
     /* node: qdot */
-    const real node_w = q[0];
-    const real node_x = q[1];
-    const real node_y = q[2];
-    const real node_z = q[3];
+    const real node_qw = q[0];
+    const real node_qx = q[1];
+    const real node_qy = q[2];
+    const real node_qz = q[3];
     const real node_u_x = u[0]; /* rad/s */
     const real node_u_y = u[1]; /* rad/s */
     const real node_u_z = u[2]; /* rad/s */
     const real half_node_u_x = 0.5 * node_u_x;
     const real half_node_u_y = 0.5 * node_u_y;
     const real half_node_u_z = 0.5 * node_u_z;
-    /* qdot: node.wdot [1/s] */
-    out[0] = -(node_x * half_node_u_x + node_y * half_node_u_y + node_z * half_node_u_z);
-    /* qdot: node.xdot [1/s] */
-    out[1] = node_w * half_node_u_x - node_z * half_node_u_y + node_y * half_node_u_z;
-    /* qdot: node.ydot [1/s] */
-    out[2] = node_z * half_node_u_x + node_w * half_node_u_y - node_x * half_node_u_z;
-    /* qdot: node.zdot [1/s] */
-    out[3] = node_w * half_node_u_z - node_y * half_node_u_x + node_x * half_node_u_y;
+    /* qdot: node.qwdot [1/s] */
+    out[0] = -(node_qx * half_node_u_x + node_qy * half_node_u_y + node_qz * half_node_u_z);
+    /* qdot: node.qxdot [1/s] */
+    out[1] = node_qw * half_node_u_x - node_qz * half_node_u_y + node_qy * half_node_u_z;
+    /* qdot: node.qydot [1/s] */
+    out[2] = node_qz * half_node_u_x + node_qw * half_node_u_y - node_qx * half_node_u_z;
+    /* qdot: node.qzdot [1/s] */
+    out[3] = node_qw * half_node_u_z - node_qy * half_node_u_x + node_qx * half_node_u_y;
 
     /* results that are numbers or inputs */
     out[4] = u[3]; /* qdot: node.pxdot [m/s] */

@@ -8,10 +8,10 @@
  * Operations of prepare: none
  *
  * Input q (8): generalized coordinates
- *   q[0]  body1.w
- *   q[1]  body1.x
- *   q[2]  body1.y
- *   q[3]  body1.z
+ *   q[0]  body1.qw
+ *   q[1]  body1.qx
+ *   q[2]  body1.qy
+ *   q[3]  body1.qz
  *   q[4]  body1.px [m]
  *   q[5]  body1.py [m]
  *   q[6]  body1.pz [m]
@@ -102,31 +102,31 @@ CARDAN_API int revolute__balance_tangent(const cardan_in *in, real *CARDAN_RESTR
 
     /* body1: R */
     /* R = R_fixed R_joint(q) */
-    const real body1_w = q[0];
-    const real body1_x = q[1];
-    const real body1_y = q[2];
-    const real body1_z = q[3];
-    const real twice_body1_x = 2.0 * body1_x;
-    const real twice_body1_y = 2.0 * body1_y;
-    const real twice_body1_z = 2.0 * body1_z;
-    const real body1_w_times_twice_body1_x = body1_w * twice_body1_x;
-    const real one_minus_body1_x_times_twice_body1_x = 1.0 - body1_x * twice_body1_x;
-    const real body1_w_times_twice_body1_y = body1_w * twice_body1_y;
-    const real body1_w_times_twice_body1_z = body1_w * twice_body1_z;
-    const real body1_x_times_twice_body1_y = body1_x * twice_body1_y;
-    const real body1_y_times_twice_body1_y = body1_y * twice_body1_y;
-    const real body1_x_times_twice_body1_z = body1_x * twice_body1_z;
-    const real body1_y_times_twice_body1_z = body1_y * twice_body1_z;
-    const real body1_z_times_twice_body1_z = body1_z * twice_body1_z;
-    const real body1_R_xx = 1.0 - body1_y_times_twice_body1_y - body1_z_times_twice_body1_z;
-    const real body1_R_yy = one_minus_body1_x_times_twice_body1_x - body1_z_times_twice_body1_z;
-    const real body1_R_zz = one_minus_body1_x_times_twice_body1_x - body1_y_times_twice_body1_y;
-    const real body1_R_xy = body1_x_times_twice_body1_y - body1_w_times_twice_body1_z;
-    const real body1_R_yx = body1_w_times_twice_body1_z + body1_x_times_twice_body1_y;
-    const real body1_R_xz = body1_w_times_twice_body1_y + body1_x_times_twice_body1_z;
-    const real body1_R_zx = body1_x_times_twice_body1_z - body1_w_times_twice_body1_y;
-    const real body1_R_yz = body1_y_times_twice_body1_z - body1_w_times_twice_body1_x;
-    const real body1_R_zy = body1_w_times_twice_body1_x + body1_y_times_twice_body1_z;
+    const real body1_qw = q[0];
+    const real body1_qx = q[1];
+    const real body1_qy = q[2];
+    const real body1_qz = q[3];
+    const real twice_body1_qx = 2.0 * body1_qx;
+    const real twice_body1_qy = 2.0 * body1_qy;
+    const real twice_body1_qz = 2.0 * body1_qz;
+    const real body1_qw_times_twice_body1_qx = body1_qw * twice_body1_qx;
+    const real one_minus_body1_qx_times_twice_body1_qx = 1.0 - body1_qx * twice_body1_qx;
+    const real body1_qw_times_twice_body1_qy = body1_qw * twice_body1_qy;
+    const real body1_qw_times_twice_body1_qz = body1_qw * twice_body1_qz;
+    const real body1_qx_times_twice_body1_qy = body1_qx * twice_body1_qy;
+    const real body1_qy_times_twice_body1_qy = body1_qy * twice_body1_qy;
+    const real body1_qx_times_twice_body1_qz = body1_qx * twice_body1_qz;
+    const real body1_qy_times_twice_body1_qz = body1_qy * twice_body1_qz;
+    const real body1_qz_times_twice_body1_qz = body1_qz * twice_body1_qz;
+    const real body1_R_xx = 1.0 - body1_qy_times_twice_body1_qy - body1_qz_times_twice_body1_qz;
+    const real body1_R_yy = one_minus_body1_qx_times_twice_body1_qx - body1_qz_times_twice_body1_qz;
+    const real body1_R_zz = one_minus_body1_qx_times_twice_body1_qx - body1_qy_times_twice_body1_qy;
+    const real body1_R_xy = body1_qx_times_twice_body1_qy - body1_qw_times_twice_body1_qz;
+    const real body1_R_yx = body1_qw_times_twice_body1_qz + body1_qx_times_twice_body1_qy;
+    const real body1_R_xz = body1_qw_times_twice_body1_qy + body1_qx_times_twice_body1_qz;
+    const real body1_R_zx = body1_qx_times_twice_body1_qz - body1_qw_times_twice_body1_qy;
+    const real body1_R_yz = body1_qy_times_twice_body1_qz - body1_qw_times_twice_body1_qx;
+    const real body1_R_zy = body1_qw_times_twice_body1_qx + body1_qy_times_twice_body1_qz;
     out[107] = body1_R_yy; /* G[2][2] */
 
     /* common */

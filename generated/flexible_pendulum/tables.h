@@ -43,7 +43,7 @@ CARDAN_API void prepare_data_2__linked_inertia(const wreal *p, wreal *w);
 /* what 1 of kind revolute are given */
 
 /* what 10 of kind hellinger_reissner are given */
-static const double own_1[] = {
+static const double attributes_1[] = {
     0.1, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.1, 0.0, 0.0, 0.0, 1.0,
     0.0, 0.0, 0.10000000000000003, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.09999999999999998, 0.0, 0.0,
     0.0, 1.0, 0.0, 0.0, 0.09999999999999998, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.10000000000000009,
@@ -53,11 +53,11 @@ static const double own_1[] = {
 };
 
 /* what 10 of kind linked_inertia are given */
-static const double own_2[] = {
+static const double attributes_2[] = {
     0.1, 0.1, 0.10000000000000003, 0.09999999999999998, 0.09999999999999998, 0.10000000000000009, 0.09999999999999998, 0.09999999999999998, 0.09999999999999998, 0.09999999999999998,
 };
 
-/* the groups, then places that are no poses, the plan, the whole */
+/* the groups, then places that are not poses, the plan, the whole */
 static const ptrdiff_t place_0[] = {
     1, 0,
 };
@@ -161,7 +161,7 @@ static const int32_t width_of_plan[] = {
 static const int32_t later_of_plan[] = {
     6, 6, 6, 6, 6, 6, 6, 6, 6, 0,
 };
-static const int32_t turned_of_plan[] = {
+static const int32_t transposed_of_plan[] = {
     20, 12, 12, 12, 12, 12, 12, 12, 12, 12,
 };
 static const int32_t open_start_of_plan[] = {
@@ -209,7 +209,7 @@ static const cardan_sparse plan = {
     .panel = panel_of_plan,
     .width = width_of_plan,
     .later = later_of_plan,
-    .turned = turned_of_plan,
+    .transposed = transposed_of_plan,
     .open_start = open_start_of_plan,
     .open = open_of_plan,
     .load_start = load_start_of_plan,
@@ -296,10 +296,10 @@ static const cardan_element_function element_functions[] = {
 };
 static const cardan_element_data element_data[] = {
     {.size = 0},
-    {.function = data_1__hellinger_reissner, .prepare = prepare_data_1__hellinger_reissner, .size = 12, .nw = 5, .each = 12, .alike = 1, .own = own_1, .more = 7},
-    {.function = data_2__linked_inertia, .prepare = prepare_data_2__linked_inertia, .size = 10, .nw = 7, .each = 10, .alike = 1, .own = own_2, .more = 1},
+    {.function = data_1__hellinger_reissner, .prepare = prepare_data_1__hellinger_reissner, .size = 12, .nw = 5, .each = 12, .alike = 1, .attributes = attributes_1, .more = 7},
+    {.function = data_2__linked_inertia, .prepare = prepare_data_2__linked_inertia, .size = 10, .nw = 7, .each = 10, .alike = 1, .attributes = attributes_2, .more = 1},
 };
-static const double held[] = {
+static const double locked[] = {
     1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0,
     1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0,
     1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0,
@@ -321,7 +321,7 @@ static const cardan_elements elements = {
     .data = element_data,
     .data_room = 207,
     .nw = 1660,
-    .held = held,
+    .locked = locked,
 };
 
 #endif

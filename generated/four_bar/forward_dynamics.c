@@ -256,7 +256,7 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
 
     /* constraints: factor, multipliers */
     /* factor = L, D: M = Lᵀ D L, free_udot = M⁻¹ drive, response = M⁻¹ Gᵀ */
-    /* multipliers = circuit⁻¹ (gamma - G free_udot) */
+    /* multipliers = loop⁻¹ (gamma - G free_udot) */
     const wreal M_factor_D_inverse_D = w[9];
     const wreal M_factor_D_inverse_B = w[10];
     const real M_factor_L_B_A = M_B_A * M_factor_D_inverse_B;

@@ -282,7 +282,7 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
 
     /* constraints: factor, multipliers */
     /* factor = L, D: M = Lᵀ D L, free_udot = M⁻¹ drive, response = M⁻¹ Gᵀ */
-    /* multipliers = circuit⁻¹ (gamma - G free_udot) */
+    /* multipliers = loop⁻¹ (gamma - G free_udot) */
     const wreal M_factor_D_inverse_rolling_spin = w[9];
     const wreal rolling_longitudinal_minus_z_rolling_spin = w[10];
     const real M_factor_L_rolling_spin_rolling_yaw = momentum_rolling_yaw_my *
@@ -412,7 +412,7 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
         rolling_multiplier_lateral;
 
     /* constraints: multipliers */
-    /* multipliers = circuit⁻¹ (gamma - G free_udot) */
+    /* multipliers = loop⁻¹ (gamma - G free_udot) */
     const real rolling_udot_lean_part_2 = (M_factor_L_rolling_lean_rolling_x *
         rolling_lateral_minus_response_rolling_x
         + M_minus_factor_L_rolling_lean_rolling_y * rolling_lateral_response_rolling_y

@@ -93,7 +93,7 @@ CARDAN_INLINE void cardan_sqrt_lanes(const real *x, real *y)
         cardan_piecewise_lanes(pieces, order, breaks, coefficients, derivative, &x_, &y_), x)
 
 /* comparisons and logic: masks of integers, and 1.0 where they are set */
-#define CARDAN_TRUTH(mask) ((real)((cardan_mask)(mask) & (cardan_mask)CARDAN_REAL(1.0)))
+#define CARDAN_BOOLEAN(mask) ((real)((cardan_mask)(mask) & (cardan_mask)CARDAN_REAL(1.0)))
 #define CARDAN_TRUE(x) ((cardan_mask)(CARDAN_REAL(x) != 0.0))
 #define CARDAN_CHOICE(mask, a, b) \
     __extension__({ \
@@ -101,12 +101,12 @@ CARDAN_INLINE void cardan_sqrt_lanes(const real *x, real *y)
         (real)((m_ & (cardan_mask)(a)) | (~m_ & (cardan_mask)(b))); \
     })
 #define cardan_abs(x) ((real)((cardan_mask)CARDAN_REAL(x) & ~CARDAN_SIGN))
-#define cardan_lt(a, b) CARDAN_TRUTH(CARDAN_REAL(a) < CARDAN_REAL(b))
-#define cardan_le(a, b) CARDAN_TRUTH(CARDAN_REAL(a) <= CARDAN_REAL(b))
-#define cardan_eq(a, b) CARDAN_TRUTH(CARDAN_REAL(a) == CARDAN_REAL(b))
-#define cardan_and(a, b) CARDAN_TRUTH(CARDAN_TRUE(a) & CARDAN_TRUE(b))
-#define cardan_or(a, b) CARDAN_TRUTH(CARDAN_TRUE(a) | CARDAN_TRUE(b))
-#define cardan_not(a) CARDAN_TRUTH(~CARDAN_TRUE(a))
+#define cardan_lt(a, b) CARDAN_BOOLEAN(CARDAN_REAL(a) < CARDAN_REAL(b))
+#define cardan_le(a, b) CARDAN_BOOLEAN(CARDAN_REAL(a) <= CARDAN_REAL(b))
+#define cardan_eq(a, b) CARDAN_BOOLEAN(CARDAN_REAL(a) == CARDAN_REAL(b))
+#define cardan_and(a, b) CARDAN_BOOLEAN(CARDAN_TRUE(a) & CARDAN_TRUE(b))
+#define cardan_or(a, b) CARDAN_BOOLEAN(CARDAN_TRUE(a) | CARDAN_TRUE(b))
+#define cardan_not(a) CARDAN_BOOLEAN(~CARDAN_TRUE(a))
 #define cardan_sign(x) (cardan_lt(0.0, x) - cardan_lt(x, 0.0))
 #define cardan_min(a, b) \
     __extension__({ \

@@ -1,8 +1,7 @@
 /*
- * dependent.h: linear systems of constraints, of which some may follow from others.
+ * dependent.h: linear systems of possibly redundant constraints.
  *
- * As in solve.h, after which it is included: A (n x n) and B (n x m) row by row, both overwritten,
- * B by the solution.
+ * As in solve.h: A (n x n) and B (n x m) are stored row by row and overwritten, B by the solution.
  */
 #ifndef CARDAN_DEPENDENT_H
 #define CARDAN_DEPENDENT_H
@@ -10,17 +9,18 @@
 #include "solve.h"
 
 /*
- * A X = B for symmetric positive semidefinite A = G M⁻¹ Gᵀ of constraints G, of which some may
- * follow from others. Only the lower triangle of A is read.
+ * A X = B for symmetric positive semidefinite A = G M⁻¹ Gᵀ with constraint rows G, some of which
+ * may depend on others. Only the lower triangle of A is read. LDLᵀ with diagonal pivoting:
  *
- * Every row is measured by the root of its diagonal entry, so that units and masses do not matter;
- * of those of which a part is left, CARDAN_LEAST of what is left of the row that depends least, the
- * largest is taken next: where a row passes through zero beside others that hold the same, it would
- * magnify what they miss, by far more than one at a small angle to those before it. A row whose
- * pivot is below CARDAN_DEPENDENT of its diagonal entry depends on those before it: the sine of its
- * angle to them is the root of that. Its unknown becomes 0, whatever B says there. Rows of which
- * rounding is all that is left, as of a condition across a plane in which everything moves, have no
- * direction: no measure is below CARDAN_VANISHED of the largest. Runs do not ask where a row is about to depend: see hold.c.
+ * Pivots are compared relative to the original diagonal entry, so units and masses do not matter.
+ * Candidates are rows whose relative pivot is at least CARDAN_LEAST times the largest one; the row
+ * with the largest absolute pivot among them is next. This avoids rows that pass through zero while
+ * others enforce the same condition, since such a row would magnify their errors. A row whose pivot
+ * falls below CARDAN_DEPENDENT times its diagonal entry is redundant: that ratio is the squared
+ * sine of its angle to the rows before it. Its unknown becomes 0 whatever B contains. Diagonal
+ * entries count as at least CARDAN_VANISHED times the largest, because a row of pure rounding, such
+ * as a condition normal to a plane in which everything moves, has no direction. Runs do not come
+ * here near a loss of rank: see constraint_rank.c.
  * Source: N. J. Higham, Accuracy and Stability of Numerical Algorithms, section 10.3.
  */
 #define CARDAN_DEPENDENT 1e-9
@@ -32,6 +32,7 @@ CARDAN_INLINE int cardan_solve_semidefinite(int n, int m, double *a, double *b, 
     double largest = 0.0;
     int rank = 0;
 
+    /* original diagonal as reference; mirror the lower triangle */
     for (int i = 0; i < n; ++i) {
         order[i] = i;
         size[i] = a[i * n + i];
@@ -41,7 +42,7 @@ CARDAN_INLINE int cardan_solve_semidefinite(int n, int m, double *a, double *b, 
     }
     for (int i = 0; i < n; ++i) size[i] = (cardan_max)(size[i], CARDAN_VANISHED * largest);
     for (; rank < n; ++rank) {
-        /* the largest of the rows that do not depend much more than others on those before them */
+        /* pivot: the largest among the rows that are not much more dependent than others */
         int best = -1;
         double share = CARDAN_DEPENDENT;
         for (int i = rank; i < n; ++i)
@@ -57,6 +58,7 @@ CARDAN_INLINE int cardan_solve_semidefinite(int n, int m, double *a, double *b, 
         cardan_swap(order, best, rank);
         cardan_swap(size, best, rank);
 
+        /* eliminate symmetrically, forward substitution along with it */
         const double inverse = 1.0 / a[rank * n + rank];
         a[rank * n + rank] = inverse;
         for (int i = rank + 1; i < n; ++i) {
@@ -69,6 +71,7 @@ CARDAN_INLINE int cardan_solve_semidefinite(int n, int m, double *a, double *b, 
             for (int k = 0; k < m; ++k) b[i * m + k] -= factor * b[rank * m + k];
         }
     }
+    /* redundant constraints get multiplier 0; back substitution for the others */
     for (int i = rank * m; i < n * m; ++i) b[i] = 0.0;
     for (int i = rank - 1; i >= 0; --i)
         for (int k = 0; k < m; ++k) {
@@ -81,12 +84,12 @@ CARDAN_INLINE int cardan_solve_semidefinite(int n, int m, double *a, double *b, 
 }
 
 /*
- * A X = B by elimination with complete pivoting, for rows of which some may follow from others.
+ * A X = B by elimination with complete pivoting for possibly redundant rows.
  *
- * Rows are measured by their largest entry, but by no less than the root of CARDAN_VANISHED of the
- * largest of all; one of which less than the root of CARDAN_DEPENDENT is left depends on those
- * before it, and is left out whatever B says there. Unknowns that A leaves free become 0: a basic
- * solution.
+ * Rows are scaled by their largest entry, but at least by sqrt(CARDAN_VANISHED) times the largest
+ * of all. Elimination stops when all remaining entries fall below sqrt(CARDAN_DEPENDENT): these
+ * rows are redundant and ignored whatever B contains. Unknowns that A leaves free become 0 (basic
+ * solution).
  * Source: R. A. Wehage, E. J. Haug, J. Mech. Design 104 (1982).
  */
 CARDAN_INLINE int cardan_solve_basic(int n, int m, double *a, double *b, double *scratch)
@@ -99,6 +102,7 @@ CARDAN_INLINE int cardan_solve_basic(int n, int m, double *a, double *b, double 
         if (!(a[i] - a[i] == 0.0)) return cardan_no_solution(n * m, b);
         vanished = (cardan_max)(vanished, fabs(a[i]));
     }
+    /* row equilibration, which leaves rows of pure rounding small */
     vanished *= sqrt(CARDAN_VANISHED);
     for (int i = 0; i < n; ++i) {
         double largest = vanished;
@@ -116,6 +120,7 @@ CARDAN_INLINE int cardan_solve_basic(int n, int m, double *a, double *b, double 
                     row = i;
                     column = j;
                 }
+        /* the largest remaining entry is the pivot; below the limit the rest is redundant */
         const double pivot = a[row * n + column];
         if (!(pivot * pivot > CARDAN_DEPENDENT)) break;
         cardan_swap_rows(n, a, row, rank);
@@ -129,6 +134,7 @@ CARDAN_INLINE int cardan_solve_basic(int n, int m, double *a, double *b, double 
             for (int k = 0; k < m; ++k) b[i * m + k] -= factor * b[rank * m + k];
         }
     }
+    /* free unknowns 0, back substitution for the others */
     for (int i = rank * m; i < n * m; ++i) b[i] = 0.0;
     for (int i = rank - 1; i >= 0; --i)
         for (int k = 0; k < m; ++k) {

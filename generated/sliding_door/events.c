@@ -141,7 +141,7 @@ CARDAN_API int events(const cardan_in *in, real *CARDAN_RESTRICT out, real *CARD
 
     /* constraints: factor, multipliers */
     /* factor = L, D: M = Lᵀ D L, free_udot = M⁻¹ drive, response = M⁻¹ Gᵀ */
-    /* multipliers = circuit⁻¹ (gamma - G free_udot) */
+    /* multipliers = loop⁻¹ (gamma - G free_udot) */
     const wreal door_base_mass = w[6];
     const wreal M_factor_D_inverse_hook = w[7];
     const real M_factor_L_hook_rail = M_hook_rail * M_factor_D_inverse_hook;

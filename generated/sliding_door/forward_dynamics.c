@@ -139,7 +139,7 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
 
     /* constraints: factor, multipliers */
     /* factor = L, D: M = Lᵀ D L, free_udot = M⁻¹ drive, response = M⁻¹ Gᵀ */
-    /* multipliers = circuit⁻¹ (gamma - G free_udot) */
+    /* multipliers = loop⁻¹ (gamma - G free_udot) */
     const wreal door_base_mass = w[4];
     const wreal M_factor_D_inverse_hook = w[5];
     const real M_factor_L_hook_rail = M_hook_rail * M_factor_D_inverse_hook;

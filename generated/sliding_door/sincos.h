@@ -28,7 +28,7 @@ CARDAN_INLINE void CARDAN_SINCOS(const CARDAN_NUMBER *x, CARDAN_NUMBER *sine, CA
     const CARDAN_NUMBER first = a - n * 1.5707963267923333;
     const CARDAN_NUMBER second = n * 2.5633441515839558e-12, third = n * 1.0562999066987428e-23;
     const CARDAN_NUMBER upper = first - second, r = upper - third;
-    const CARDAN_NUMBER rest = ((upper - r) - third) + ((first - upper) - second);
+    const CARDAN_NUMBER remainder = ((upper - r) - third) + ((first - upper) - second);
 
     /* sine and cosine of r + rest */
     const CARDAN_NUMBER z = r * r, zz = z * z;
@@ -41,8 +41,8 @@ CARDAN_INLINE void CARDAN_SINCOS(const CARDAN_NUMBER *x, CARDAN_NUMBER *sine, CA
         zz * ((2.48015872894767294178e-05 - z * 2.75573143513906633035e-07) +
               zz * (2.08757232129817482790e-09 - z * 1.13596475577881948265e-11));
     const CARDAN_NUMBER most = 1.0 - 0.5 * z;
-    const CARDAN_NUMBER s = r + (z * r * odd + rest * most);
-    const CARDAN_NUMBER c = most + (zz * even + (((1.0 - most) - 0.5 * z) - r * rest));
+    const CARDAN_NUMBER s = r + (z * r * odd + remainder * most);
+    const CARDAN_NUMBER c = most + (zz * even + (((1.0 - most) - 0.5 * z) - r * remainder));
 
     /* in odd quarters they change places; then the signs, which the last two bits of n tell */
     const CARDAN_BITS swap = -(quarter & 1) & (CARDAN_AS_BITS(s) ^ CARDAN_AS_BITS(c));

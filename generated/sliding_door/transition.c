@@ -292,7 +292,7 @@ CARDAN_API int transition(const cardan_in *in, real *CARDAN_RESTRICT out,
 
     /* constraints: factor, multipliers */
     /* factor = L, D: M = Lᵀ D L, free_udot = M⁻¹ drive, response = M⁻¹ Gᵀ */
-    /* multipliers = circuit⁻¹ (gamma - G free_udot) */
+    /* multipliers = loop⁻¹ (gamma - G free_udot) */
     const real free_udot_rail = M_factor_D_inverse_rail * (rail_drive
         + M_factor_L_hook_rail * lamp_n_y);
     const real free_gamma_friction_stick = -friction_G_stick_rail * free_udot_rail;

@@ -10,10 +10,10 @@
  * Operations of prepare: 90 = 49 add, 21 mul, 19 sub, 1 div
  *
  * Input q (11): generalized coordinates
- *   q[0]  drift.w
- *   q[1]  drift.x
- *   q[2]  drift.y
- *   q[3]  drift.z
+ *   q[0]  drift.qw
+ *   q[1]  drift.qx
+ *   q[2]  drift.qy
+ *   q[3]  drift.qz
  *   q[4]  drift.px [m]
  *   q[5]  drift.py [m]
  *   q[6]  drift.pz [m]
@@ -505,31 +505,31 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
 
     /* drift: R */
     /* R = R_fixed R_joint(q) */
-    const real drift_w = q[0];
-    const real drift_x = q[1];
-    const real drift_y = q[2];
-    const real drift_z = q[3];
-    const real twice_drift_x = 2.0 * drift_x;
-    const real twice_drift_y = 2.0 * drift_y;
-    const real twice_drift_z = 2.0 * drift_z;
-    const real drift_w_times_twice_drift_x = drift_w * twice_drift_x;
-    const real drift_w_times_twice_drift_y = drift_w * twice_drift_y;
-    const real drift_w_times_twice_drift_z = drift_w * twice_drift_z;
-    const real drift_x_times_twice_drift_x = drift_x * twice_drift_x;
-    const real drift_x_times_twice_drift_y = drift_x * twice_drift_y;
-    const real drift_x_times_twice_drift_z = drift_x * twice_drift_z;
-    const real drift_y_times_twice_drift_y = drift_y * twice_drift_y;
-    const real drift_y_times_twice_drift_z = drift_y * twice_drift_z;
-    const real drift_z_times_twice_drift_z = drift_z * twice_drift_z;
-    const real drift_R_xx = 1.0 - (drift_y_times_twice_drift_y + drift_z_times_twice_drift_z);
-    const real drift_R_xy = drift_x_times_twice_drift_y - drift_w_times_twice_drift_z;
-    const real drift_R_xz = drift_w_times_twice_drift_y + drift_x_times_twice_drift_z;
-    const real drift_R_yx = drift_w_times_twice_drift_z + drift_x_times_twice_drift_y;
-    const real drift_R_yy = 1.0 - (drift_x_times_twice_drift_x + drift_z_times_twice_drift_z);
-    const real drift_R_yz = drift_y_times_twice_drift_z - drift_w_times_twice_drift_x;
-    const real drift_R_zx = drift_x_times_twice_drift_z - drift_w_times_twice_drift_y;
-    const real drift_R_zy = drift_w_times_twice_drift_x + drift_y_times_twice_drift_z;
-    const real drift_R_zz = 1.0 - (drift_x_times_twice_drift_x + drift_y_times_twice_drift_y);
+    const real drift_qw = q[0];
+    const real drift_qx = q[1];
+    const real drift_qy = q[2];
+    const real drift_qz = q[3];
+    const real twice_drift_qx = 2.0 * drift_qx;
+    const real twice_drift_qy = 2.0 * drift_qy;
+    const real twice_drift_qz = 2.0 * drift_qz;
+    const real drift_qw_times_twice_drift_qx = drift_qw * twice_drift_qx;
+    const real drift_qw_times_twice_drift_qy = drift_qw * twice_drift_qy;
+    const real drift_qw_times_twice_drift_qz = drift_qw * twice_drift_qz;
+    const real drift_qx_times_twice_drift_qx = drift_qx * twice_drift_qx;
+    const real drift_qx_times_twice_drift_qy = drift_qx * twice_drift_qy;
+    const real drift_qx_times_twice_drift_qz = drift_qx * twice_drift_qz;
+    const real drift_qy_times_twice_drift_qy = drift_qy * twice_drift_qy;
+    const real drift_qy_times_twice_drift_qz = drift_qy * twice_drift_qz;
+    const real drift_qz_times_twice_drift_qz = drift_qz * twice_drift_qz;
+    const real drift_R_xx = 1.0 - (drift_qy_times_twice_drift_qy + drift_qz_times_twice_drift_qz);
+    const real drift_R_xy = drift_qx_times_twice_drift_qy - drift_qw_times_twice_drift_qz;
+    const real drift_R_xz = drift_qw_times_twice_drift_qy + drift_qx_times_twice_drift_qz;
+    const real drift_R_yx = drift_qw_times_twice_drift_qz + drift_qx_times_twice_drift_qy;
+    const real drift_R_yy = 1.0 - (drift_qx_times_twice_drift_qx + drift_qz_times_twice_drift_qz);
+    const real drift_R_yz = drift_qy_times_twice_drift_qz - drift_qw_times_twice_drift_qx;
+    const real drift_R_zx = drift_qx_times_twice_drift_qz - drift_qw_times_twice_drift_qy;
+    const real drift_R_zy = drift_qw_times_twice_drift_qx + drift_qy_times_twice_drift_qz;
+    const real drift_R_zz = 1.0 - (drift_qx_times_twice_drift_qx + drift_qy_times_twice_drift_qy);
 
     /* M */
     /* M = S . momentum */
@@ -826,7 +826,7 @@ CARDAN_API int forward_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
 
     /* constraints: factor, multipliers */
     /* factor = L, D: M = Lᵀ D L, free_udot = M⁻¹ drive, response = M⁻¹ Gᵀ */
-    /* multipliers = circuit⁻¹ (gamma - G free_udot) */
+    /* multipliers = loop⁻¹ (gamma - G free_udot) */
     const wreal M_factor_D_inverse_hinge3 = w[34];
     const real M_factor_L_hinge3_hinge2 = M_hinge3_hinge2 * M_factor_D_inverse_hinge3;
     const real M_factor_DL_hinge2_drift_y = M_hinge2_drift_y

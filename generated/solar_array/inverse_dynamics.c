@@ -10,10 +10,10 @@
  * Operations of prepare: 69 = 33 add, 21 mul, 15 sub
  *
  * Input q (11): generalized coordinates
- *   q[0]  drift.w
- *   q[1]  drift.x
- *   q[2]  drift.y
- *   q[3]  drift.z
+ *   q[0]  drift.qw
+ *   q[1]  drift.qx
+ *   q[2]  drift.qy
+ *   q[3]  drift.qz
  *   q[4]  drift.px [m]
  *   q[5]  drift.py [m]
  *   q[6]  drift.pz [m]
@@ -239,31 +239,31 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
 
     /* drift: R */
     /* R = R_fixed R_joint(q) */
-    const real drift_w = q[0];
-    const real drift_x = q[1];
-    const real drift_y = q[2];
-    const real drift_z = q[3];
-    const real twice_drift_x = 2.0 * drift_x;
-    const real twice_drift_y = 2.0 * drift_y;
-    const real twice_drift_z = 2.0 * drift_z;
-    const real drift_w_times_twice_drift_x = drift_w * twice_drift_x;
-    const real one_minus_drift_x_times_twice_drift_x = 1.0 - drift_x * twice_drift_x;
-    const real drift_w_times_twice_drift_y = drift_w * twice_drift_y;
-    const real drift_w_times_twice_drift_z = drift_w * twice_drift_z;
-    const real drift_x_times_twice_drift_y = drift_x * twice_drift_y;
-    const real drift_y_times_twice_drift_y = drift_y * twice_drift_y;
-    const real drift_x_times_twice_drift_z = drift_x * twice_drift_z;
-    const real drift_y_times_twice_drift_z = drift_y * twice_drift_z;
-    const real drift_z_times_twice_drift_z = drift_z * twice_drift_z;
-    const real drift_R_xx = 1.0 - drift_y_times_twice_drift_y - drift_z_times_twice_drift_z;
-    const real drift_R_yy = one_minus_drift_x_times_twice_drift_x - drift_z_times_twice_drift_z;
-    const real drift_R_zz = one_minus_drift_x_times_twice_drift_x - drift_y_times_twice_drift_y;
-    const real drift_R_xy = drift_x_times_twice_drift_y - drift_w_times_twice_drift_z;
-    const real drift_R_yx = drift_w_times_twice_drift_z + drift_x_times_twice_drift_y;
-    const real drift_R_xz = drift_w_times_twice_drift_y + drift_x_times_twice_drift_z;
-    const real drift_R_zx = drift_x_times_twice_drift_z - drift_w_times_twice_drift_y;
-    const real drift_R_yz = drift_y_times_twice_drift_z - drift_w_times_twice_drift_x;
-    const real drift_R_zy = drift_w_times_twice_drift_x + drift_y_times_twice_drift_z;
+    const real drift_qw = q[0];
+    const real drift_qx = q[1];
+    const real drift_qy = q[2];
+    const real drift_qz = q[3];
+    const real twice_drift_qx = 2.0 * drift_qx;
+    const real twice_drift_qy = 2.0 * drift_qy;
+    const real twice_drift_qz = 2.0 * drift_qz;
+    const real drift_qw_times_twice_drift_qx = drift_qw * twice_drift_qx;
+    const real one_minus_drift_qx_times_twice_drift_qx = 1.0 - drift_qx * twice_drift_qx;
+    const real drift_qw_times_twice_drift_qy = drift_qw * twice_drift_qy;
+    const real drift_qw_times_twice_drift_qz = drift_qw * twice_drift_qz;
+    const real drift_qx_times_twice_drift_qy = drift_qx * twice_drift_qy;
+    const real drift_qy_times_twice_drift_qy = drift_qy * twice_drift_qy;
+    const real drift_qx_times_twice_drift_qz = drift_qx * twice_drift_qz;
+    const real drift_qy_times_twice_drift_qz = drift_qy * twice_drift_qz;
+    const real drift_qz_times_twice_drift_qz = drift_qz * twice_drift_qz;
+    const real drift_R_xx = 1.0 - drift_qy_times_twice_drift_qy - drift_qz_times_twice_drift_qz;
+    const real drift_R_yy = one_minus_drift_qx_times_twice_drift_qx - drift_qz_times_twice_drift_qz;
+    const real drift_R_zz = one_minus_drift_qx_times_twice_drift_qx - drift_qy_times_twice_drift_qy;
+    const real drift_R_xy = drift_qx_times_twice_drift_qy - drift_qw_times_twice_drift_qz;
+    const real drift_R_yx = drift_qw_times_twice_drift_qz + drift_qx_times_twice_drift_qy;
+    const real drift_R_xz = drift_qw_times_twice_drift_qy + drift_qx_times_twice_drift_qz;
+    const real drift_R_zx = drift_qx_times_twice_drift_qz - drift_qw_times_twice_drift_qy;
+    const real drift_R_yz = drift_qy_times_twice_drift_qz - drift_qw_times_twice_drift_qx;
+    const real drift_R_zy = drift_qw_times_twice_drift_qx + drift_qy_times_twice_drift_qz;
 
     /* hub: a, U */
     /* a = Rᵀ (a_parent + U_parent p) + S_v udot + c_v */

@@ -6,10 +6,10 @@
 
 /* generalized coordinates */
 const double cardan_default_q[cardan_nq + (cardan_nq == 0)] = {
-    1.0, /* drift.w */
-    0.0, /* drift.x */
-    0.0, /* drift.y */
-    0.0, /* drift.z */
+    1.0, /* drift.qw */
+    0.0, /* drift.qx */
+    0.0, /* drift.qy */
+    0.0, /* drift.qz */
     0.0, /* drift.px [m] */
     0.0, /* drift.py [m] */
     0.0, /* drift.pz [m] */

@@ -22,10 +22,10 @@ enum {
 
 /* generalized coordinates */
 enum {
-    q_drift_w = 0, /* drift.w */
-    q_drift_x = 1, /* drift.x */
-    q_drift_y = 2, /* drift.y */
-    q_drift_z = 3, /* drift.z */
+    q_drift_qw = 0, /* drift.qw */
+    q_drift_qx = 1, /* drift.qx */
+    q_drift_qy = 2, /* drift.qy */
+    q_drift_qz = 3, /* drift.qz */
     q_drift_px = 4, /* drift.px [m] */
     q_drift_py = 5, /* drift.py [m] */
     q_drift_pz = 6, /* drift.pz [m] */

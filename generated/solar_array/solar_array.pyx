@@ -31,7 +31,7 @@ cdef extern from "functions.h" nogil:
     const cardan_export cardan_scene
 
 NAME = 'solar_array'
-COORDINATES = ('drift.w', 'drift.x', 'drift.y', 'drift.z', 'drift.px', 'drift.py', 'drift.pz', 'hinge0',
+COORDINATES = ('drift.qw', 'drift.qx', 'drift.qy', 'drift.qz', 'drift.px', 'drift.py', 'drift.pz', 'hinge0',
  'hinge1', 'hinge2', 'hinge3')
 SPEEDS = ('drift.u.x', 'drift.u.y', 'drift.u.z', 'drift.u.px', 'drift.u.py', 'drift.u.pz', 'hinge0.u',
  'hinge1.u', 'hinge2.u', 'hinge3.u')

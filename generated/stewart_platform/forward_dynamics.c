@@ -13,10 +13,10 @@
  *   q[0]  hooke0.angle1 [rad]
  *   q[1]  hooke0.angle2 [rad]
  *   q[2]  slide0 [m]
- *   q[3]  ball0.w
- *   q[4]  ball0.x
- *   q[5]  ball0.y
- *   q[6]  ball0.z
+ *   q[3]  ball0.qw
+ *   q[4]  ball0.qx
+ *   q[5]  ball0.qy
+ *   q[6]  ball0.qz
  *   q[7]  hooke1.angle1 [rad]
  *   q[8]  hooke1.angle2 [rad]
  *   q[9]  slide1 [m]
@@ -771,72 +771,75 @@ CARDAN_PART int forward_dynamics_part1(const cardan_in *in, real *CARDAN_RESTRIC
 
     /* ball0: R, qdot */
     /* R = R_fixed R_joint(q) */
-    const real ball0_w = q[3];
-    const real ball0_x = q[4];
-    const real ball0_y = q[5];
-    const real ball0_z = q[6];
+    const real ball0_qw = q[3];
+    const real ball0_qx = q[4];
+    const real ball0_qy = q[5];
+    const real ball0_qz = q[6];
     const real ball0_u_x = u[3]; /* rad/s */
     const real ball0_u_y = u[4]; /* rad/s */
     const real ball0_u_z = u[5]; /* rad/s */
-    const real twice_ball0_x = 2.0 * ball0_x;
-    const real twice_ball0_y = 2.0 * ball0_y;
-    const real twice_ball0_z = 2.0 * ball0_z;
-    const real ball0_w_times_twice_ball0_x = ball0_w * twice_ball0_x;
-    const real ball0_w_times_twice_ball0_y = ball0_w * twice_ball0_y;
-    const real ball0_w_times_twice_ball0_z = ball0_w * twice_ball0_z;
-    const real ball0_x_times_twice_ball0_x = ball0_x * twice_ball0_x;
-    const real ball0_x_times_twice_ball0_y = ball0_x * twice_ball0_y;
-    const real ball0_x_times_twice_ball0_z = ball0_x * twice_ball0_z;
-    const real ball0_y_times_twice_ball0_y = ball0_y * twice_ball0_y;
-    const real ball0_y_times_twice_ball0_z = ball0_y * twice_ball0_z;
-    const real ball0_z_times_twice_ball0_z = ball0_z * twice_ball0_z;
-    const real ball0_R_xx = 1.0 - (ball0_y_times_twice_ball0_y + ball0_z_times_twice_ball0_z);
+    const real twice_ball0_qx = 2.0 * ball0_qx;
+    const real twice_ball0_qy = 2.0 * ball0_qy;
+    const real twice_ball0_qz = 2.0 * ball0_qz;
+    const real ball0_qw_times_twice_ball0_qx = ball0_qw * twice_ball0_qx;
+    const real ball0_qw_times_twice_ball0_qy = ball0_qw * twice_ball0_qy;
+    const real ball0_qw_times_twice_ball0_qz = ball0_qw * twice_ball0_qz;
+    const real ball0_qx_times_twice_ball0_qx = ball0_qx * twice_ball0_qx;
+    const real ball0_qx_times_twice_ball0_qy = ball0_qx * twice_ball0_qy;
+    const real ball0_qx_times_twice_ball0_qz = ball0_qx * twice_ball0_qz;
+    const real ball0_qy_times_twice_ball0_qy = ball0_qy * twice_ball0_qy;
+    const real ball0_qy_times_twice_ball0_qz = ball0_qy * twice_ball0_qz;
+    const real ball0_qz_times_twice_ball0_qz = ball0_qz * twice_ball0_qz;
+    const real ball0_R_xx = 1.0 - (ball0_qy_times_twice_ball0_qy + ball0_qz_times_twice_ball0_qz);
     work[416] = ball0_R_xx;
-    const real ball0_R_xy = ball0_x_times_twice_ball0_y - ball0_w_times_twice_ball0_z;
+    const real ball0_R_xy = ball0_qx_times_twice_ball0_qy - ball0_qw_times_twice_ball0_qz;
     work[417] = ball0_R_xy;
-    const real ball0_R_xz = ball0_w_times_twice_ball0_y + ball0_x_times_twice_ball0_z;
+    const real ball0_R_xz = ball0_qw_times_twice_ball0_qy + ball0_qx_times_twice_ball0_qz;
     work[418] = ball0_R_xz;
-    const real ball0_R_yx = ball0_w_times_twice_ball0_z + ball0_x_times_twice_ball0_y;
+    const real ball0_R_yx = ball0_qw_times_twice_ball0_qz + ball0_qx_times_twice_ball0_qy;
     work[419] = ball0_R_yx;
-    const real ball0_R_yy = 1.0 - (ball0_x_times_twice_ball0_x + ball0_z_times_twice_ball0_z);
+    const real ball0_R_yy = 1.0 - (ball0_qx_times_twice_ball0_qx + ball0_qz_times_twice_ball0_qz);
     work[420] = ball0_R_yy;
-    const real ball0_R_yz = ball0_y_times_twice_ball0_z - ball0_w_times_twice_ball0_x;
+    const real ball0_R_yz = ball0_qy_times_twice_ball0_qz - ball0_qw_times_twice_ball0_qx;
     work[421] = ball0_R_yz;
-    const real ball0_R_zx = ball0_x_times_twice_ball0_z - ball0_w_times_twice_ball0_y;
+    const real ball0_R_zx = ball0_qx_times_twice_ball0_qz - ball0_qw_times_twice_ball0_qy;
     work[422] = ball0_R_zx;
-    const real ball0_R_zy = ball0_w_times_twice_ball0_x + ball0_y_times_twice_ball0_z;
+    const real ball0_R_zy = ball0_qw_times_twice_ball0_qx + ball0_qy_times_twice_ball0_qz;
     work[423] = ball0_R_zy;
-    const real ball0_R_zz = 1.0 - (ball0_x_times_twice_ball0_x + ball0_y_times_twice_ball0_y);
+    const real ball0_R_zz = 1.0 - (ball0_qx_times_twice_ball0_qx + ball0_qy_times_twice_ball0_qy);
     work[424] = ball0_R_zz;
     const real half_ball0_u_x = 0.5 * ball0_u_x;
     const real half_ball0_u_y = 0.5 * ball0_u_y;
     const real half_ball0_u_z = 0.5 * ball0_u_z;
-    const real ball0_minus_qdot_w = ball0_x * half_ball0_u_x + ball0_y * half_ball0_u_y
-        + ball0_z * half_ball0_u_z;
-    const real ball0_qdot_x = ball0_w * half_ball0_u_x - ball0_z * half_ball0_u_y
-        + ball0_y * half_ball0_u_z;
-    const real ball0_qdot_y = ball0_z * half_ball0_u_x + ball0_w * half_ball0_u_y
-        - ball0_x * half_ball0_u_z;
-    const real ball0_qdot_z = ball0_w * half_ball0_u_z - ball0_y * half_ball0_u_x
-        + ball0_x * half_ball0_u_y;
-    const real twice_ball0_qdot_x = 2.0 * ball0_qdot_x;
-    const real twice_ball0_qdot_y = 2.0 * ball0_qdot_y;
-    const real twice_ball0_qdot_z = 2.0 * ball0_qdot_z;
-    const real ball0_R_yz_rate_part = ball0_w * twice_ball0_qdot_x
-        - twice_ball0_x * ball0_minus_qdot_w;
-    const real ball0_R_xz_rate_part = ball0_w * twice_ball0_qdot_y
-        - twice_ball0_y * ball0_minus_qdot_w;
-    const real ball0_R_xy_rate_part = ball0_w * twice_ball0_qdot_z
-        - twice_ball0_z * ball0_minus_qdot_w;
-    const real ball0_minus_R_yy_rate_part = twice_ball0_x * ball0_qdot_x
-        + ball0_x * twice_ball0_qdot_x;
-    const real ball0_R_xy_rate_part_2 = twice_ball0_y * ball0_qdot_x + ball0_x * twice_ball0_qdot_y;
-    const real ball0_R_xz_rate_part_2 = twice_ball0_z * ball0_qdot_x + ball0_x * twice_ball0_qdot_z;
-    const real ball0_minus_R_xx_rate_part = twice_ball0_y * ball0_qdot_y
-        + ball0_y * twice_ball0_qdot_y;
-    const real ball0_R_yz_rate_part_2 = twice_ball0_z * ball0_qdot_y + ball0_y * twice_ball0_qdot_z;
-    const real ball0_minus_R_xx_rate_part_2 = twice_ball0_z * ball0_qdot_z
-        + ball0_z * twice_ball0_qdot_z;
+    const real ball0_minus_qdot_qw = ball0_qx * half_ball0_u_x + ball0_qy * half_ball0_u_y
+        + ball0_qz * half_ball0_u_z;
+    const real ball0_qdot_qx = ball0_qw * half_ball0_u_x - ball0_qz * half_ball0_u_y
+        + ball0_qy * half_ball0_u_z;
+    const real ball0_qdot_qy = ball0_qz * half_ball0_u_x + ball0_qw * half_ball0_u_y
+        - ball0_qx * half_ball0_u_z;
+    const real ball0_qdot_qz = ball0_qw * half_ball0_u_z - ball0_qy * half_ball0_u_x
+        + ball0_qx * half_ball0_u_y;
+    const real twice_ball0_qdot_qx = 2.0 * ball0_qdot_qx;
+    const real twice_ball0_qdot_qy = 2.0 * ball0_qdot_qy;
+    const real twice_ball0_qdot_qz = 2.0 * ball0_qdot_qz;
+    const real ball0_R_yz_rate_part = ball0_qw * twice_ball0_qdot_qx
+        - twice_ball0_qx * ball0_minus_qdot_qw;
+    const real ball0_R_xz_rate_part = ball0_qw * twice_ball0_qdot_qy
+        - twice_ball0_qy * ball0_minus_qdot_qw;
+    const real ball0_R_xy_rate_part = ball0_qw * twice_ball0_qdot_qz
+        - twice_ball0_qz * ball0_minus_qdot_qw;
+    const real ball0_minus_R_yy_rate_part = twice_ball0_qx * ball0_qdot_qx
+        + ball0_qx * twice_ball0_qdot_qx;
+    const real ball0_R_xy_rate_part_2 = twice_ball0_qy * ball0_qdot_qx
+        + ball0_qx * twice_ball0_qdot_qy;
+    const real ball0_R_xz_rate_part_2 = twice_ball0_qz * ball0_qdot_qx
+        + ball0_qx * twice_ball0_qdot_qz;
+    const real ball0_minus_R_xx_rate_part = twice_ball0_qy * ball0_qdot_qy
+        + ball0_qy * twice_ball0_qdot_qy;
+    const real ball0_R_yz_rate_part_2 = twice_ball0_qz * ball0_qdot_qy
+        + ball0_qy * twice_ball0_qdot_qz;
+    const real ball0_minus_R_xx_rate_part_2 = twice_ball0_qz * ball0_qdot_qz
+        + ball0_qz * twice_ball0_qdot_qz;
     const real ball0_minus_R_xx_rate = ball0_minus_R_xx_rate_part + ball0_minus_R_xx_rate_part_2;
     const real ball0_R_xy_rate = ball0_R_xy_rate_part_2 - ball0_R_xy_rate_part;
     const real ball0_R_xz_rate = ball0_R_xz_rate_part + ball0_R_xz_rate_part_2;
@@ -5421,7 +5424,7 @@ CARDAN_PART int forward_dynamics_part5(const cardan_in *in, real *CARDAN_RESTRIC
 
     /* constraints: factor, multipliers */
     /* factor = L, D: M = Lᵀ D L, free_udot = M⁻¹ drive, response = M⁻¹ Gᵀ */
-    /* multipliers = circuit⁻¹ (gamma - G free_udot) */
+    /* multipliers = loop⁻¹ (gamma - G free_udot) */
     const wreal M_factor_D_inverse_slide5 = w[96];
     const wreal M_factor_D_inverse_slide4 = w[97];
     const wreal M_factor_D_inverse_ball0_z = w[101];
@@ -7391,7 +7394,7 @@ CARDAN_PART int forward_dynamics_part6(const cardan_in *in, real *CARDAN_RESTRIC
     int status = CARDAN_OK;
 
     /* constraints: multipliers */
-    /* multipliers = circuit⁻¹ (gamma - G free_udot) */
+    /* multipliers = loop⁻¹ (gamma - G free_udot) */
     const real free_gamma_minus_ball2_px_part = work[530];
     const real ball2_G_px_ball0_z = work[580];
     const real free_udot_ball0_z = work[539];
@@ -7816,7 +7819,7 @@ CARDAN_PART int forward_dynamics_part6(const cardan_in *in, real *CARDAN_RESTRIC
     const real ball5_multiplier_pz = circuit_right[14];
 
     /* constraints: multipliers */
-    /* multipliers = circuit⁻¹ (gamma - G free_udot) */
+    /* multipliers = loop⁻¹ (gamma - G free_udot) */
     const real ball1_px_response_hooke0_angle1 = work[543];
     const real ball1_py_response_hooke0_angle1 = work[686];
     const real ball1_pz_response_hooke0_angle1 = work[805];

@@ -13,10 +13,10 @@
  *   q[0]  hooke0.angle1 [rad]
  *   q[1]  hooke0.angle2 [rad]
  *   q[2]  slide0 [m]
- *   q[3]  ball0.w
- *   q[4]  ball0.x
- *   q[5]  ball0.y
- *   q[6]  ball0.z
+ *   q[3]  ball0.qw
+ *   q[4]  ball0.qx
+ *   q[5]  ball0.qy
+ *   q[6]  ball0.qz
  *   q[7]  hooke1.angle1 [rad]
  *   q[8]  hooke1.angle2 [rad]
  *   q[9]  slide1 [m]
@@ -579,31 +579,31 @@ CARDAN_API int inverse_dynamics(const cardan_in *in, real *CARDAN_RESTRICT out,
 
     /* ball0: R */
     /* R = R_fixed R_joint(q) */
-    const real ball0_w = q[3];
-    const real ball0_x = q[4];
-    const real ball0_y = q[5];
-    const real ball0_z = q[6];
-    const real twice_ball0_x = 2.0 * ball0_x;
-    const real twice_ball0_y = 2.0 * ball0_y;
-    const real twice_ball0_z = 2.0 * ball0_z;
-    const real ball0_w_times_twice_ball0_x = ball0_w * twice_ball0_x;
-    const real one_minus_ball0_x_times_twice_ball0_x = 1.0 - ball0_x * twice_ball0_x;
-    const real ball0_w_times_twice_ball0_y = ball0_w * twice_ball0_y;
-    const real ball0_w_times_twice_ball0_z = ball0_w * twice_ball0_z;
-    const real ball0_x_times_twice_ball0_y = ball0_x * twice_ball0_y;
-    const real ball0_y_times_twice_ball0_y = ball0_y * twice_ball0_y;
-    const real ball0_x_times_twice_ball0_z = ball0_x * twice_ball0_z;
-    const real ball0_y_times_twice_ball0_z = ball0_y * twice_ball0_z;
-    const real ball0_z_times_twice_ball0_z = ball0_z * twice_ball0_z;
-    const real ball0_R_xx = 1.0 - ball0_y_times_twice_ball0_y - ball0_z_times_twice_ball0_z;
-    const real ball0_R_yy = one_minus_ball0_x_times_twice_ball0_x - ball0_z_times_twice_ball0_z;
-    const real ball0_R_zz = one_minus_ball0_x_times_twice_ball0_x - ball0_y_times_twice_ball0_y;
-    const real ball0_R_xy = ball0_x_times_twice_ball0_y - ball0_w_times_twice_ball0_z;
-    const real ball0_R_yx = ball0_w_times_twice_ball0_z + ball0_x_times_twice_ball0_y;
-    const real ball0_R_xz = ball0_w_times_twice_ball0_y + ball0_x_times_twice_ball0_z;
-    const real ball0_R_zx = ball0_x_times_twice_ball0_z - ball0_w_times_twice_ball0_y;
-    const real ball0_R_yz = ball0_y_times_twice_ball0_z - ball0_w_times_twice_ball0_x;
-    const real ball0_R_zy = ball0_w_times_twice_ball0_x + ball0_y_times_twice_ball0_z;
+    const real ball0_qw = q[3];
+    const real ball0_qx = q[4];
+    const real ball0_qy = q[5];
+    const real ball0_qz = q[6];
+    const real twice_ball0_qx = 2.0 * ball0_qx;
+    const real twice_ball0_qy = 2.0 * ball0_qy;
+    const real twice_ball0_qz = 2.0 * ball0_qz;
+    const real ball0_qw_times_twice_ball0_qx = ball0_qw * twice_ball0_qx;
+    const real one_minus_ball0_qx_times_twice_ball0_qx = 1.0 - ball0_qx * twice_ball0_qx;
+    const real ball0_qw_times_twice_ball0_qy = ball0_qw * twice_ball0_qy;
+    const real ball0_qw_times_twice_ball0_qz = ball0_qw * twice_ball0_qz;
+    const real ball0_qx_times_twice_ball0_qy = ball0_qx * twice_ball0_qy;
+    const real ball0_qy_times_twice_ball0_qy = ball0_qy * twice_ball0_qy;
+    const real ball0_qx_times_twice_ball0_qz = ball0_qx * twice_ball0_qz;
+    const real ball0_qy_times_twice_ball0_qz = ball0_qy * twice_ball0_qz;
+    const real ball0_qz_times_twice_ball0_qz = ball0_qz * twice_ball0_qz;
+    const real ball0_R_xx = 1.0 - ball0_qy_times_twice_ball0_qy - ball0_qz_times_twice_ball0_qz;
+    const real ball0_R_yy = one_minus_ball0_qx_times_twice_ball0_qx - ball0_qz_times_twice_ball0_qz;
+    const real ball0_R_zz = one_minus_ball0_qx_times_twice_ball0_qx - ball0_qy_times_twice_ball0_qy;
+    const real ball0_R_xy = ball0_qx_times_twice_ball0_qy - ball0_qw_times_twice_ball0_qz;
+    const real ball0_R_yx = ball0_qw_times_twice_ball0_qz + ball0_qx_times_twice_ball0_qy;
+    const real ball0_R_xz = ball0_qw_times_twice_ball0_qy + ball0_qx_times_twice_ball0_qz;
+    const real ball0_R_zx = ball0_qx_times_twice_ball0_qz - ball0_qw_times_twice_ball0_qy;
+    const real ball0_R_yz = ball0_qy_times_twice_ball0_qz - ball0_qw_times_twice_ball0_qx;
+    const real ball0_R_zy = ball0_qw_times_twice_ball0_qx + ball0_qy_times_twice_ball0_qz;
 
     /* platform: alpha, omega, U, inertia force, f */
     /* alpha = Rᵀ alpha_parent + S_w udot + c_w */

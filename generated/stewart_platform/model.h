@@ -25,10 +25,10 @@ enum {
     q_hooke0_angle1 = 0, /* hooke0.angle1 [rad] */
     q_hooke0_angle2 = 1, /* hooke0.angle2 [rad] */
     q_slide0 = 2, /* slide0 [m] */
-    q_ball0_w = 3, /* ball0.w */
-    q_ball0_x = 4, /* ball0.x */
-    q_ball0_y = 5, /* ball0.y */
-    q_ball0_z = 6, /* ball0.z */
+    q_ball0_qw = 3, /* ball0.qw */
+    q_ball0_qx = 4, /* ball0.qx */
+    q_ball0_qy = 5, /* ball0.qy */
+    q_ball0_qz = 6, /* ball0.qz */
     q_hooke1_angle1 = 7, /* hooke1.angle1 [rad] */
     q_hooke1_angle2 = 8, /* hooke1.angle2 [rad] */
     q_slide1 = 9, /* slide1 [m] */

@@ -31,7 +31,7 @@ cdef extern from "functions.h" nogil:
     const cardan_export cardan_scene
 
 NAME = 'stewart_platform'
-COORDINATES = ('hooke0.angle1', 'hooke0.angle2', 'slide0', 'ball0.w', 'ball0.x', 'ball0.y', 'ball0.z',
+COORDINATES = ('hooke0.angle1', 'hooke0.angle2', 'slide0', 'ball0.qw', 'ball0.qx', 'ball0.qy', 'ball0.qz',
  'hooke1.angle1', 'hooke1.angle2', 'slide1', 'hooke2.angle1', 'hooke2.angle2', 'slide2',
  'hooke3.angle1', 'hooke3.angle2', 'slide3', 'hooke4.angle1', 'hooke4.angle2', 'slide4',
  'hooke5.angle1', 'hooke5.angle2', 'slide5')

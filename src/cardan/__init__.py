@@ -38,7 +38,7 @@ _PUBLIC: dict[str, str] = {
     "derive": "pipeline",
     "compile": "pipeline",
     "GeneralizedAlpha": "analyses.simulation.alpha_methods",
-    "Alpha": "analyses.simulation.alpha_methods",
+    "constraints": "equations.constraints.treatments",
     "stability": "analyses.simulation.precision.method_stability",
     "Equations": "api.equations",
     "CompiledModel": "api.compiled_model",
@@ -70,23 +70,16 @@ _PUBLIC: dict[str, str] = {
     ),
 }
 # families whose members are public by the names of their classes: module -> table of them
-_FAMILIES = {
-    "elements.joints": "JOINTS",
-    "elements.forces": "FORCES",
-    "equations.constraints.treatments": "TREATMENTS",
-}
+_FAMILIES = {"elements.joints": "JOINTS", "elements.forces": "FORCES"}
 # functions of lower rooms whose results have verbs
 _FACED = frozenset(
     {"load", "from_dh", "from_sympy", "excitation", "identify", "load_motion", "load_ensemble"}
 )
-_MODULES = frozenset({"orbit", "inertia", "section", "shape", "sample", "stability"})
+_MODULES = frozenset({"constraints", "inertia", "orbit", "sample", "section", "shape", "stability"})
 _RENAMED = {"load_model": "load", "load_motion": "load", "load_ensemble": "load"}
 
 # what pickles name, for ever -> module that holds it
-_PICKLED = {
-    "_unpickled_model": "api.saved_model",
-    "_unpickled_motion": "api.trajectory",
-}
+_PICKLED = {"_unpickled_model": "api.saved_model", "_unpickled_motion": "api.trajectory"}
 
 
 def _members(module: str) -> dict[str, type]:
@@ -96,7 +89,7 @@ def _members(module: str) -> dict[str, type]:
 
 
 def _named(name: str) -> object:
-    """What a public name stands for; None where there is none."""
+    """Object behind a public name; None where there is none."""
     if name == "__all__":
         return ["__version__", *_PUBLIC, *(one for module in _FAMILIES for one in _members(module))]
     if name in _PUBLIC or name in _PICKLED:
@@ -104,8 +97,8 @@ def _named(name: str) -> object:
         value = module if name in _MODULES else getattr(module, _RENAMED.get(name, name))
         return _faced(value) if name in _FACED else value
     # names of classes begin with a capital: others may be modules that Python asks for
-    found = (_members(module).get(name) for module in _FAMILIES if name[0].isupper())
-    return next(filter(None, found), None)
+    matches = (_members(module).get(name) for module in _FAMILIES if name[0].isupper())
+    return next(filter(None, matches), None)
 
 
 def __getattr__(name: str) -> Any:

@@ -1,4 +1,4 @@
-"""What public functions are given, held against the annotations of their arguments.
+"""Arguments of public functions, checked against their annotations.
 
 An annotation says what an argument must be; ``@checked`` refuses what it is not, before the
 function sees it, with the name of the argument and an example. Numbers of other libraries become
@@ -19,7 +19,7 @@ from inspect import Parameter, signature
 from numbers import Integral, Real
 from typing import Any, NamedTuple, ParamSpec, TypeVar, cast
 
-from .errors import ArgumentError, SolveError, near, shown
+from .errors import ArgumentError, SolveError, brief, near
 
 UNIT = 1e-6  # by how much the length of a quaternion that is given may differ from 1
 
@@ -30,7 +30,7 @@ Seed = int  # of random numbers: not negative
 Times = Any  # a time or a row of times [s]
 Complexes = Any  # a complex number or an array of them
 # what is held at which values; its functions tell the names that there are
-Hold = Mapping[str, Any]
+LockedValues = Mapping[str, Any]
 LARGEST = 10**9  # of a count, far more than fits into memory
 FARTHEST = 2**62
 
@@ -40,15 +40,15 @@ UNFIT = object()
 
 
 class Kind(NamedTuple):
-    """What an argument may be.
+    """Values that an argument accepts.
 
     Attributes:
         read: The value as the function wants it, ``UNFIT`` where it is of another kind.
-        words: What is wanted, for messages.
+        description: What is wanted, for messages.
     """
 
     read: Callable[[Any], Any]
-    words: str
+    description: str
 
 
 def _none(value: Any) -> Any:
@@ -57,15 +57,15 @@ def _none(value: Any) -> Any:
 
 def _flag(value: Any) -> Any:
     # NumPy before 2 calls its own bool_
-    own = type(value).__name__ in ("bool", "bool_")
-    return bool(value) if own else UNFIT
+    numpy_bool = type(value).__name__ in ("bool", "bool_")
+    return bool(value) if numpy_bool else UNFIT
 
 
 def _text(value: Any) -> Any:
     return value if isinstance(value, str) else UNFIT
 
 
-def _whole(least: int, most: int) -> Callable[[Any], Any]:
+def _integer(least: int, most: int) -> Callable[[Any], Any]:
     def read(value: Any) -> Any:
         if not isinstance(value, Integral) or isinstance(value, bool):
             return UNFIT
@@ -74,7 +74,7 @@ def _whole(least: int, most: int) -> Callable[[Any], Any]:
     return read
 
 
-_WHOLE, _COUNT = _whole(-FARTHEST, FARTHEST), _whole(0, LARGEST)
+_INTEGER, _COUNT = _integer(-FARTHEST, FARTHEST), _integer(0, LARGEST)
 
 
 def _real(value: Any) -> Any:
@@ -82,8 +82,8 @@ def _real(value: Any) -> Any:
     if type(value) is float:
         return value
     single = getattr(value, "shape", None) == () or getattr(value, "is_Number", False) is True
-    truth = isinstance(value, bool) or getattr(getattr(value, "dtype", None), "kind", "") == "b"
-    if truth or not (isinstance(value, Real | Decimal) or single):
+    boolean = isinstance(value, bool) or getattr(getattr(value, "dtype", None), "kind", "") == "b"
+    if boolean or not (isinstance(value, Real | Decimal) or single):
         return UNFIT
     try:
         return float(value)
@@ -148,7 +148,7 @@ def _complexes(value: Any) -> Any:
 
 
 def _exact(array: Any) -> bool:
-    """Whether objects are numbers, such as fractions and those of SymPy."""
+    """True for objects that are numbers, such as fractions and those of SymPy."""
     return array.size > 0 and all(_real(entry) is not UNFIT for entry in array.flat)
 
 
@@ -178,8 +178,8 @@ def _times(value: Any) -> Any:
     return value if array.ndim <= 1 and bool(np.isfinite(array).all()) else UNFIT
 
 
-def _whole_row(value: Any) -> Any:
-    if _row(value) is UNFIT or any(_WHOLE(one) is UNFIT for one in value):
+def _integer_row(value: Any) -> Any:
+    if _row(value) is UNFIT or any(_INTEGER(one) is UNFIT for one in value):
         return UNFIT
     return [int(one) for one in value]
 
@@ -195,7 +195,7 @@ def _sizes(value: Any) -> Any:
 def _choice(value: Any) -> Any:
     """Two rows of places."""
     rows = value if isinstance(value, tuple) and len(value) == 2 else ("", "")
-    return value if all(_whole_row(row) is not UNFIT for row in rows) else UNFIT
+    return value if all(_integer_row(row) is not UNFIT for row in rows) else UNFIT
 
 
 def _complex(value: Any) -> Any:
@@ -248,10 +248,10 @@ KINDS: dict[str, Kind] = {
     "None": Kind(_none, "None"),
     "bool": Kind(_flag, "True or False"),
     "str": Kind(_text, "text, such as a name"),
-    "int": Kind(_whole(-FARTHEST, FARTHEST), "a whole number"),
-    "Count": Kind(_whole(1, LARGEST), "a whole number of at least 1"),
-    "Number": Kind(_whole(-FARTHEST, FARTHEST), "a whole number, such as 0"),
-    "Seed": Kind(_whole(0, FARTHEST), "a whole number that is not negative, such as 0"),
+    "int": Kind(_integer(-FARTHEST, FARTHEST), "a whole number"),
+    "Count": Kind(_integer(1, LARGEST), "a whole number of at least 1"),
+    "Number": Kind(_integer(-FARTHEST, FARTHEST), "a whole number, such as 0"),
+    "Seed": Kind(_integer(0, FARTHEST), "a whole number that is not negative, such as 0"),
     "float": Kind(_real, "a number"),
     "Path": _PATH,
     "ArrayLike": _ARRAY,
@@ -265,7 +265,7 @@ KINDS: dict[str, Kind] = {
     "Sequence[str | Path]": _PATHS,
     "tuple[float, float]": _RANGE,
     "Sequence[float]": Kind(_row, "a row of numbers, such as (0, 0, 1)"),
-    "Sequence[int]": Kind(_whole_row, "a row of whole numbers, such as (1, 2)"),
+    "Sequence[int]": Kind(_integer_row, "a row of whole numbers, such as (1, 2)"),
     "tuple[int, ...]": Kind(_sizes, "whole numbers that are not negative, such as (3, 2)"),
     "Choice": Kind(_choice, "independent increments and speeds, as another linear model has them"),
     "complex": Kind(_complex, "a number"),
@@ -279,8 +279,8 @@ KINDS: dict[str, Kind] = {
     "Callable[[str], object]": Kind(_callable, "a function"),
     "Show": Kind(_callable, "a function of what is run and the fraction done"),
 }  # fmt: skip
-# Any, and other names of types that are no classes: their functions know what they are
-_UNCHECKED = frozenset({"Any", "Array", "Key", "Hold", "Place", "JointElement", "Provide"})
+# Any, and other names of types that are not classes: their functions know what they are
+_UNCHECKED = frozenset({"Any", "Array", "Key", "LockedValues", "Place", "JointElement", "Provide"})
 
 # class that functions take -> the one of it that users have
 OF_USERS = {
@@ -316,14 +316,14 @@ def _alternatives(annotation: str) -> list[str]:
 
 
 def kinds_of(annotation: Any) -> tuple[Kind, ...]:
-    """What the annotation of an argument lets it be; () for anything."""
+    """Kinds that the annotation of an argument accepts; () for anything."""
     if not isinstance(annotation, str):
         return ()
     parts = _alternatives(annotation)
     # a text that may be a path is one
     parts = [part for part in parts if part != "str" or "Path" not in parts]
-    found = [KINDS.get(part) or _of_class(part) for part in parts]
-    return () if None in found else tuple(kind for kind in found if kind is not None)
+    kinds = [KINDS.get(part) or _of_class(part) for part in parts]
+    return () if None in kinds else tuple(kind for kind in kinds if kind is not None)
 
 
 def read(function: str, argument: str, value: Any, kinds: tuple[Kind, ...]) -> Any:
@@ -334,16 +334,16 @@ def read(function: str, argument: str, value: Any, kinds: tuple[Kind, ...]) -> A
         SolveError: a number that is not one.
     """
     for kind in kinds:
-        found = kind.read(value)
-        if found is UNFIT:
+        converted = kind.read(value)
+        if converted is UNFIT:
             continue
-        if type(found) is float and math.isnan(found):
+        if type(converted) is float and math.isnan(converted):
             raise SolveError(f"{function}: {argument} is nan; it must be finite")
-        return found
-    words = [kind.words for kind in kinds if kind.read is not _none]
-    words = [one for one in words if not any(other.startswith(f"{one} or ") for other in words)]
-    wanted = " or ".join(words) or "None"
-    raise ArgumentError(f"{function}: {argument}={shown(value)}: give {wanted}")
+        return converted
+    texts = [kind.description for kind in kinds if kind.read is not _none]
+    texts = [one for one in texts if not any(other.startswith(f"{one} or ") for other in texts)]
+    expected = " or ".join(texts) or "None"
+    raise ArgumentError(f"{function}: {argument}={brief(value)}: give {expected}")
 
 
 def checked(function: Callable[P, R]) -> Callable[P, R]:
@@ -357,7 +357,7 @@ def checked(function: Callable[P, R]) -> Callable[P, R]:
     names = [p.name for p in parameters if p.kind in (p.POSITIONAL_ONLY, p.POSITIONAL_OR_KEYWORD)]
     kinds = {p.name: kinds_of(p.annotation) for p in parameters if not _gathers(p)}
     kinds = {name: kind for name, kind in kinds.items() if kind}
-    known = [p.name for p in parameters if not _gathers(p)]
+    positional_names = [p.name for p in parameters if not _gathers(p)]
     open_ended = any(p.kind is p.VAR_KEYWORD for p in parameters)
     title, plain = function.__name__, cast(Any, function)
     if title == "__init__":
@@ -366,19 +366,19 @@ def checked(function: Callable[P, R]) -> Callable[P, R]:
     @wraps(function)
     def called(*given: P.args, **named: P.kwargs) -> R:
         values: list[Any] = list(given)
-        words: dict[str, Any] = dict(named)
+        keywords: dict[str, Any] = dict(named)
         for k, (name, value) in enumerate(zip(names, values, strict=False)):
             if name in kinds:
                 values[k] = read(title, name, value, kinds[name])
         for name, value in named.items():
             if name in kinds:
-                words[name] = read(title, name, value, kinds[name])
-            elif name not in known and not open_ended:
-                listed = [one for one in known if one not in ("self", "model")]
+                keywords[name] = read(title, name, value, kinds[name])
+            elif name not in positional_names and not open_ended:
+                listed = [one for one in positional_names if one not in ("self", "model")]
                 raise ArgumentError(
                     f"{title}({name}=...): there is no such argument.{near(name, listed)}"
                 )
-        return cast(R, plain(*values, **words))
+        return cast(R, plain(*values, **keywords))
 
     return called
 

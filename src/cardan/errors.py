@@ -106,35 +106,35 @@ def miscounted(where: str, size: int, entries: Sequence[str]) -> str:
     return f"{where}: {counted(size, 'value')}, expected {len(entries)}: {names}"
 
 
-def listed(word: str, given: object, example: str) -> list[str]:
+def listed(word: str, argument: object, example: str) -> list[str]:
     """Names out of what the user gave; one alone stands for itself.
 
     Raises:
-        ModelError: they are no names.
+        ModelError: they are not names.
     """
-    names = [given] if isinstance(given, str) else given
-    found = [*names] if isinstance(names, Iterable) else [None]
-    if not all(isinstance(name, str) for name in found):
-        raise ModelError(f"{word}={shown(given)}: give a list of names, such as ['{example}']")
-    return [str(name) for name in found]
+    names = [argument] if isinstance(argument, str) else argument
+    entries = [*names] if isinstance(names, Iterable) else [None]
+    if not all(isinstance(name, str) for name in entries):
+        raise ModelError(f"{word}={brief(argument)}: give a list of names, such as ['{example}']")
+    return [str(name) for name in entries]
 
 
-def named(word: str, given: object, example: str) -> Mapping[str, Any]:
+def named(word: str, values: object, example: str) -> Mapping[str, Any]:
     """Values by name, as the user gave them; nothing of None.
 
     Raises:
         ModelError: it is something else.
     """
-    if given is None:
+    if values is None:
         return {}
-    if not isinstance(given, Mapping) or not all(isinstance(name, str) for name in given):
+    if not isinstance(values, Mapping) or not all(isinstance(name, str) for name in values):
         raise ModelError(
-            f"{word}={shown(given)}: give names with values, such as {word}={{{example}}}"
+            f"{word}={brief(values)}: give names with values, such as {word}={{{example}}}"
         )
-    return given
+    return values
 
 
-def shown(value: object, most: int = 60) -> str:
+def brief(value: object, most: int = 60) -> str:
     """A value in an error message: short, and never an error of its own."""
     shortened = _SHORT.repr(value)
     return shortened if len(shortened) <= most else f"{shortened[: most - 4]} ..."
@@ -152,7 +152,7 @@ _ALIKE = str.maketrans(
 
 
 def looks(name: str) -> str:
-    """What a name looks like: equal for names that differ to a program, and not to the eye."""
+    """Appearance of a name: equal for names that differ to a program but not to the eye."""
     return normalize("NFC", normalize("NFD", name).translate(_ALIKE))
 
 
@@ -162,20 +162,26 @@ def points(name: str) -> str:
     return f"'{name}' ({foreign or 'ASCII'})"
 
 
-def near(name: object, known: Iterable[str]) -> str:
+def near(name: object, candidates: Iterable[str]) -> str:
     """The end of an error message: the known names, and the likely one.
 
     Returns:
         Such as ``" Known: base, upper, forearm. Did you mean 'forearm'?"``.
     """
     # a set has another order in every process
-    names = sorted(known) if isinstance(known, set | frozenset) else list(known)
+    names = sorted(candidates) if isinstance(candidates, set | frozenset) else list(candidates)
     name = name if isinstance(name, str) else ""
     listed = ", ".join(names[:12]) + (", ..." if len(names) > 12 else "")
     close = [one for one in names if one.casefold() == name.casefold()]
     close = close or get_close_matches(name, names, n=1)
     same = [one for one in names if one != name and looks(one) == looks(name)]
-    hint = f" Did you mean '{close[0]}'?" if close else ""
+    # base.x of a free joint may be base.qx or base.px
+    head, _, last = name.rpartition(".")
+    close = [
+        f"{head}.{letter}{last}" for letter in "qp" if f"{head}.{letter}{last}" in names
+    ] or close
+    options = " or ".join(f"'{one}'" for one in close)
+    hint = f" Did you mean {options}?" if close else ""
     if same:
         hint = f" Did you mean {points(same[0])}? It only looks like {points(name)}."
     return f" Known: {listed}.{hint}" if names else " There are none."

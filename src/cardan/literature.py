@@ -1,4 +1,4 @@
-"""Where formalisms, elements and methods are from: what their docstrings name as source."""
+"""Sources of formalisms, elements and methods, named in their docstrings."""
 
 from __future__ import annotations
 

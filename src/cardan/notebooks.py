@@ -1,4 +1,4 @@
-"""What notebooks show of equations, models and motions.
+"""Notebook views of equations, models and motions.
 
 ``explain`` writes it and stands above all of them: the package, which knows both, hands it over.
 """
@@ -12,5 +12,5 @@ WRITERS: dict[str, Callable[[object], str]] = {}
 
 
 def html(result: object) -> str:
-    """As HTML in the colors and letters of the page around it."""
+    """The document as HTML in the colors and fonts of the page around it."""
     return WRITERS["html"](result)

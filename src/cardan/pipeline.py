@@ -95,10 +95,10 @@ def derive(
             it saves.
         constraints: How they are treated: ``"multipliers"`` (what ``"auto"`` takes),
             ``"elimination"``, ``"null_space"``, ``"baumgarte"``, ``"penalty"``, ``"augmented"``,
-            ``"perturbed"``, or one of these with its numbers, such as ``cd.Penalty(1e9)``; or
-            ``"closed_form"``: circuits that can be are solved by formulas, which leaves their
+            ``"perturbed"``, or one with numbers, such as ``cd.constraints.Penalty(1e9)``; or
+            ``"closed_form"``: loops that can be are solved by formulas, which leaves their
             independent coordinates only, and multipliers serve for the rest.
-        branches: Of circuits in closed form: joint that closes one -> ``"+"`` or ``"-"``; by
+        branches: Of loops in closed form: joint that closes one -> ``"+"`` or ``"-"``; by
             default what is nearest to the initial values of its joints.
         independent: Joints whose coordinates stay in closed form, such as that of a crank.
         plane: Of absolute coordinates: normal of the plane that the scene stays in, ``"x"``,
@@ -123,17 +123,17 @@ def derive(
     system = topology.build(scene, specialize, (branches or {}) if solved else None, independent)
     if coordinates == "absolute" or (coordinates == "auto" and system.segments):
         options = {"method": method, "constraints": constraints}
-        given = [name for name, value in options.items() if value != "auto"]
-        others = {"speeds": speeds, "rewrites": rewrites, "branches": branches}
-        others["independent"] = independent
-        given += [name for name, value in others.items() if value is not None]
-        return _absolute(system, given, plane)
+        named_options = [name for name, value in options.items() if value != "auto"]
+        joint_options = {"speeds": speeds, "rewrites": rewrites, "branches": branches}
+        joint_options["independent"] = independent
+        named_options += [name for name, value in joint_options.items() if value is not None]
+        return _absolute(system, named_options, plane)
     if plane is not None:
         raise DerivationError(
             f"plane='{plane}' belongs to absolute coordinates: take coordinates='absolute'"
         )
-    found = _relative(scene, system, method, speeds, rewrites, treatment(constraints))
-    return replace(found, free=topology.build(scene)) if specialize else found
+    equations = _relative(scene, system, method, speeds, rewrites, treatment(constraints))
+    return replace(equations, free=topology.build(scene)) if specialize else equations
 
 
 def _relative(
@@ -163,7 +163,9 @@ def _relative(
     return equations
 
 
-def _absolute(system: System, given: Sequence[str], plane: str | None) -> FiniteElementEquations:
+def _absolute(
+    system: System, named_options: Sequence[str], plane: str | None
+) -> FiniteElementEquations:
     """Equations in absolute coordinates.
 
     Raises:
@@ -171,9 +173,10 @@ def _absolute(system: System, given: Sequence[str], plane: str | None) -> Finite
     """
     if plane not in (None, *PLANES):
         raise DerivationError(f"plane '{plane}' does not exist.{near(plane, PLANES)}")
-    if given:
+    if named_options:
         raise DerivationError(
-            f"{', '.join(f'{name}=' for name in given)} belong to joint coordinates: leave them "
+            f"{', '.join(f'{name}=' for name in named_options)} belong to joint coordinates: "
+            "leave them "
             "out, or take coordinates='relative'"
         )
     equations: FiniteElementEquations = face(lowered(system, plane))
@@ -229,7 +232,7 @@ def compile(
     )
     if isinstance(equations, FiniteElementRecord):
         return _of_elements(equations, directory, threads)
-    functions = _asked(equations, functions)
+    functions = _requested(equations, functions)
     base = manifest.base(equations, functions)
     folder = Path(directory) if directory is not None else _workspace(equations, loops)
     _say_what_stays_open(equations, folder)
@@ -260,18 +263,18 @@ def compile(
 
 
 def _add(
-    folder: Path, base: manifest.Base, made: Sequence[tuple[CFile, Function | Recursion]]
+    folder: Path, base: manifest.Base, functions: Sequence[tuple[CFile, Function | Recursion]]
 ) -> None:
     """Write functions into the folder of their model."""
-    if not made:
+    if not functions:
         return
     try:
         try:
-            layout.add_functions(folder, made)
+            layout.add_functions(folder, functions)
         except (CodegenError, FileNotFoundError):
             # a folder that was removed or damaged meanwhile is made again
             layout.write_model(folder, base)
-            layout.add_functions(folder, made)
+            layout.add_functions(folder, functions)
     except OSError as error:
         raise _unwritable(folder, error) from error
 
@@ -287,30 +290,30 @@ def _say_what_is_not_checked(model: CompiledModel) -> None:
         )
 
 
-def _asked(equations: EquationRecord, functions: Sequence[str]) -> tuple[str, ...]:
+def _requested(equations: EquationRecord, functions: Sequence[str]) -> tuple[str, ...]:
     """The functions asked for; of the usual ones those that the system has.
 
     Raises:
         DerivationError: one does not exist.
     """
-    known = equations.names()
+    available = equations.names()
     if functions is STANDARD:
-        return tuple(name for name in STANDARD if name in known)
+        return tuple(name for name in STANDARD if name in available)
     functions = (functions,) if isinstance(functions, str) else functions
     for name in functions:
-        if name not in known:
+        if name not in available:
             equations.function(name)  # raises, with the near name
     return tuple(functions)
 
 
 def _say_what_stays_open(equations: EquationRecord, folder: Path) -> None:
-    """Warn of circuits that cannot close, when their code is written for the first time."""
+    """Warn of loops that cannot close, when their code is written for the first time."""
     if not equations.system.closed or (folder / "manifest.json").exists():
         return
-    found = feasibility(equations)
-    if not found.closes:
+    closure = feasibility(equations)
+    if not closure.closes:
         name = equations.system.name
-        warn(f"model '{name}', at its parameters: {found}", SolveWarning)
+        warn(f"model '{name}', at its parameters: {closure}", SolveWarning)
 
 
 def _of_elements(
@@ -333,13 +336,13 @@ def _derived(
     Raises:
         DerivationError: options for equations that are derived already.
     """
-    given = {name: x for name, x in options.items() if x is not None}
+    named_options = {name: x for name, x in options.items() if x is not None}
     if not isinstance(scene, (EquationRecord, FiniteElementRecord)):
-        found: EquationRecord | FiniteElementRecord = derive(scene, **given)
-        return found
-    if given:
+        equations: EquationRecord | FiniteElementRecord = derive(scene, **named_options)
+        return equations
+    if named_options:
         raise DerivationError(
-            f"{', '.join(given)}: the equations are derived already; give it to derive()"
+            f"{', '.join(named_options)}: the equations are derived already; give it to derive()"
         )
     return scene
 

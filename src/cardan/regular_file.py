@@ -25,7 +25,7 @@ KINDS = (
 )
 
 
-def opened(path: str | Path, limit: int = LARGEST) -> BinaryIO:
+def open_regular(path: str | Path, limit: int = LARGEST) -> BinaryIO:
     """A regular file, open for reading at its start.
 
     Args:
@@ -52,23 +52,23 @@ def content(path: str | Path, limit: int = LARGEST) -> bytes:
     """The bytes of a regular file.
 
     Raises:
-        OSError: as :func:`opened`; or it has grown beyond the limit meanwhile.
+        OSError: as :func:`open_regular`; or it has grown beyond the limit meanwhile.
     """
-    with opened(path, limit) as file:
-        found = file.read(os.fstat(file.fileno()).st_size + 1)
+    with open_regular(path, limit) as file:
+        contents = file.read(os.fstat(file.fileno()).st_size + 1)
         # some files of the system have no size, and others grow
-        while len(found) <= limit and (more := file.read(CHUNK)):
-            found += more
-    if len(found) > limit:
-        raise _too_large(len(found), path, limit)
-    return found
+        while len(contents) <= limit and (more := file.read(CHUNK)):
+            contents += more
+    if len(contents) > limit:
+        raise _too_large(len(contents), path, limit)
+    return contents
 
 
 def grown(path: str | Path) -> int:
     """Descriptor of a regular file, made if there is none, to read and to write at its end.
 
     Raises:
-        OSError: it is no regular file, or may not be written to.
+        OSError: it is not a regular file, or may not be written to.
     """
     _nameable(path)
     if os.path.exists(path):
@@ -86,7 +86,7 @@ def text(path: str | Path, limit: int = LARGEST) -> str:
     """The UTF-8 text of a regular file.
 
     Raises:
-        OSError: as :func:`content`. UnicodeDecodeError: it is no UTF-8.
+        OSError: as :func:`content`. UnicodeDecodeError: it is not UTF-8.
     """
     return content(path, limit).decode("utf-8")
 
@@ -97,9 +97,9 @@ def _nameable(path: str | Path) -> None:
 
 
 def _regular(status: os.stat_result, path: str | Path, limit: int) -> None:
-    for of_kind, number, words in KINDS:
+    for of_kind, number, description in KINDS:
         if of_kind(status.st_mode):
-            raise OSError(number, f"{words}, not a regular file", str(path))
+            raise OSError(number, f"{description}, not a regular file", str(path))
     if not stat.S_ISREG(status.st_mode):
         raise OSError(errno.EINVAL, "it is not a regular file", str(path))
     if status.st_size > limit:
@@ -107,5 +107,5 @@ def _regular(status: os.stat_result, path: str | Path, limit: int) -> None:
 
 
 def _too_large(size: int, path: str | Path, limit: int) -> OSError:
-    words = f"it has {size / 2**20:.0f} MiB, at most {limit / 2**20:g} MiB are read"
-    return OSError(errno.EFBIG, words, str(path))
+    reason = f"it has {size / 2**20:.0f} MiB, at most {limit / 2**20:g} MiB are read"
+    return OSError(errno.EFBIG, reason, str(path))

@@ -23,6 +23,7 @@ class Format(NamedTuple):
         cure: What helps where a version is not read.
         renamed: Version -> place of a name -> the name it has in the next version. Places are
             dotted; ``*`` stands for any one name or number of an entry, as in ``"bodies.*.mass"``.
+        reworded: Version -> place of a text -> the texts it may have -> those of the next version.
     """
 
     kind: str
@@ -31,9 +32,10 @@ class Format(NamedTuple):
     oldest: int
     cure: str
     renamed: Mapping[int, Mapping[str, str]] = {}
+    reworded: Mapping[int, Mapping[str, Mapping[str, str]]] = {}
 
     def reads(self, version: object) -> bool:
-        """Whether files of a version are read."""
+        """True when files of a version can be read."""
         return version in range(self.oldest, self.version + 1)
 
     def refusal(self, where: object, version: object, writer: object) -> str:
@@ -60,11 +62,21 @@ class Format(NamedTuple):
                     break
         return place[-1]
 
+    def text_today(self, text: str, place: tuple[str, ...], version: int) -> str:
+        """The text that stands today at a place of an older file, under its name there."""
+        for older in range(version, self.version):
+            for pattern, texts in self.reworded.get(older, {}).items():
+                if _is_at(pattern.split("."), place):
+                    text = texts.get(text, text)
+        return text
+
     def translated(self, data: object, place: tuple[str, ...], version: int) -> object:
         """Plain data of an older file under the names of today."""
         if isinstance(data, list):
             rows = enumerate(data)
             return [self.translated(row, (*place, str(k)), version) for k, row in rows]
+        if isinstance(data, str):
+            return self.text_today(data, place, version)
         if not isinstance(data, dict):
             return data
         return {
@@ -84,13 +96,37 @@ def written_by(writer: object) -> str:
     return f"cardan {writer}" if isinstance(writer, str) and writer else "another cardan"
 
 
-ANEW = "start the run anew"
+RESTART = "start the run anew"
 # scenes, runs and ensembles are read for ever
-SCENE = Format("scene", "cardan", 1, 1, "write the scene for this one")
+SCENE = Format(
+    "scene",
+    "cardan",
+    2,
+    1,
+    "write the scene for this one",
+    {
+        1: {
+            "forces.*.length": "rest_length",
+            "forces.*.slip": "transition_velocity",
+            "forces.*.then": "terminal",
+            "joints.*.motion": "prescribed",
+        }
+    },
+    {
+        1: {
+            "forces.*.then": {"mark": "false", "end": "true"},
+            "forces.*.type": {
+                "damping": "joint_damper",
+                "torsion_spring": "joint_spring",
+                "watch": "event",
+            },
+        }
+    },
+)
 RUN = Format(
     "run",
     "run",
-    3,
+    4,
     1,
     "save the run again",
     {
@@ -99,15 +135,20 @@ RUN = Format(
             "manifest.joints.*.solved.circuit": "loop",
             "manifest.limits.*.told": "message",
             "manifest.limits.*.who": "element",
-        }
+        },
+        3: {
+            "manifest.functions.applied": "applied_forces",
+            "manifest.functions.facing": "assembly_signs",
+        },
     },
+    {3: {"manifest.available.*": {"applied": "applied_forces", "facing": "assembly_signs"}}},
 )
 ENSEMBLE = Format("ensemble", "ensemble", 1, 0, "save the ensemble again")
 # these are read by the version that wrote them, and refused by others
-STEPPER = Format("stepper checkpoint", "cardan_checkpoint", 4, 4, ANEW)
-RUN_FILE = Format("run checkpoint", "run", 3, 3, ANEW)
+STEPPER = Format("stepper checkpoint", "cardan_checkpoint", 5, 5, RESTART)
+RUN_FILE = Format("run checkpoint", "run", 4, 4, RESTART)
 ENSEMBLE_FILE = Format("ensemble checkpoint", "ensemble", 1, 1, "start the ensemble anew")
-MANIFEST = Format("manifest", "schema", 2, 2, "compile the model again")
+MANIFEST = Format("manifest", "schema", 3, 3, "compile the model again")
 ABI = Format("C interface", "abi", 2, 2, "compile the model again")
-PICKLE = Format("pickle", "pickle", 2, 2, "pickle again what it was made of")
+PICKLE = Format("pickle", "pickle", 3, 3, "pickle again what it was made of")
 FORMATS = (SCENE, RUN, ENSEMBLE, STEPPER, RUN_FILE, ENSEMBLE_FILE, MANIFEST, ABI, PICKLE)

@@ -45,7 +45,7 @@ def crank() -> cd.CompiledModel:
     scene = cd.Scene("crank", gravity=(0, 0, -9.81))
     wheel = scene.body("wheel", mass=1.0, com=(0, 0, 0), inertia=(0.1, 0.1, 0.1))
     rod = scene.body("rod", mass=1.0, com=(0, 0, -0.5), inertia=(0.1, 0.1, 0.01))
-    scene.joint("drive", cd.Revolute("y"), scene.ground, wheel, motion=scene.input("angle"))
+    scene.joint("drive", cd.Revolute("y"), scene.ground, wheel, prescribed=scene.input("angle"))
     scene.joint("hinge", cd.Revolute("y"), wheel.at(0.3, 0, 0), rod)
     return cd.compile(scene)
 

@@ -16,10 +16,8 @@ import cardan as cd
 from cardan.errors import CompilerMissing
 from cardan.ir import straight_line
 from cardan.ir.function import Function
-from cardan.runtime.build import cache, prebuilt
+from cardan.runtime.build import cache
 from cardan.runtime.calls import interpreted
-
-KERNELS = prebuilt.DIRECTORY
 
 
 def without_compiler(model: cd.CompiledModel, monkeypatch: pytest.MonkeyPatch) -> cd.CompiledModel:
@@ -27,7 +25,7 @@ def without_compiler(model: cd.CompiledModel, monkeypatch: pytest.MonkeyPatch) -
     # written and compiled while there is a compiler
     model._kernels()
     content = pickle.dumps(model)
-    monkeypatch.setattr(cache, "compiled_apart", no_compiler)
+    monkeypatch.setattr(cache, "compiled_separately", no_compiler)
     interpreted.announce.cache_clear()
     other = pickle.loads(content)
     with pytest.warns(cd.BuildWarning, match=r"no C compiler.*cardan\[compiler\]"):
@@ -100,7 +98,7 @@ def assembled(model: cd.CompiledModel) -> dict[str, Any]:
 
 def loaded(model: cd.CompiledModel) -> dict[str, Any]:
     """A path of many loads."""
-    path = model.statics(hold={"pin": (0.0, 0.1)}, steps=10_000)
+    path = model.statics(locked={"pin": (0.0, 0.1)}, steps=10_000)
     return {"status": path.status, "rows": len(path)}
 
 
@@ -125,7 +123,7 @@ def interrupted(work: Callable[[cd.CompiledModel], Any], calls: int, place: str,
         return evaluated
 
     straight_line.straight_line = counted
-    cache.compiled_apart = no_compiler
+    cache.compiled_separately = no_compiler
     with warnings.catch_warnings(record=True) as said:
         warnings.simplefilter("always")
         found = work(cd.load_model(place))

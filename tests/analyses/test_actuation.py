@@ -149,7 +149,7 @@ def test_wrong_names_and_weights_are_named():
         with pytest.raises(ArgumentError, match="norm"):
             model.actuation(q, u, udot[0], ["A"], norm=norm)
     found = model.actuation(q, u, udot[0], ["A"])
-    with pytest.raises(ArgumentError, match="'B' is no actuator here"):
+    with pytest.raises(ArgumentError, match="'B' is not an actuator here"):
         found["B"]
 
 

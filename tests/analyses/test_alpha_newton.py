@@ -108,7 +108,7 @@ def test_newton_steps_are_full_or_modified() -> None:
     with pytest.raises(ModelError, match=r"newton='often' is 'modified'.*or 'full'"):
         cd.GeneralizedAlpha(newton="often")
     with pytest.raises(ModelError, match=r"cd\.GeneralizedAlpha\(coefficients="):
-        model.simulate(0.01, method=cd.Alpha.hht(), **how)
+        model.simulate(0.01, method=cd.stability.Alpha.hht(), **how)
 
 
 # what counts as little

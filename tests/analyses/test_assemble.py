@@ -146,7 +146,7 @@ def test_prescribed_joints_take_their_time() -> None:
 def test_a_circuit_that_cannot_be_assembled() -> None:
     model = cd.compile(four_bar(ground=1.0))
     said = (
-        r"circuit that joint 'C' closes \('A', 'B', 'D'\) cannot be assembled: the least residual "
+        r"loop that joint 'C' closes \('A', 'B', 'D'\) cannot be assembled: the least residual "
         r"found is 0\.45 m, between frames 'C.parent' and .*16 starts"
     )
     with pytest.raises(cd.ModelError, match=said):
@@ -185,13 +185,13 @@ def test_speeds_that_cannot_hold_together(bars: cd.CompiledModel) -> None:
 def test_mistakes(bars: cd.CompiledModel) -> None:
     cases = [
         (cd.ModelError, "no joint or coordinate 'E'", ({"E": 1.0},), {}),
-        (cd.ModelError, "weights: 'B' is no target", ({"A": 1.0},), {"weights": {"B": 1}}),
+        (cd.ModelError, "weights: 'B' is not a target", ({"A": 1.0},), {"weights": {"B": 1}}),
         (cd.ModelError, "weights are positive", ({"A": 1.0},), {"weights": {"A": -1}}),
         (cd.ArgumentError, "give numbers by name", ({"A": 1.0},), {"weights": {"A": "x"}}),
         (cd.ArgumentError, "weights=3: give numbers by name", ({"A": 1.0},), {"weights": 3}),
-        (cd.ModelError, "hold: 'B' is no target", ({"A": 1.0},), {"hold": ["B"]}),
-        (cd.ModelError, "hold: 'B' is no target", ({"A": 1.0},), {"hold": "B"}),
-        (cd.ArgumentError, "hold=3: give a list of names", ({"A": 1.0},), {"hold": 3}),
+        (cd.ModelError, "locked: 'B' is not a target", ({"A": 1.0},), {"locked": ["B"]}),
+        (cd.ModelError, "locked: 'B' is not a target", ({"A": 1.0},), {"locked": "B"}),
+        (cd.ArgumentError, "locked=3: give a list of names", ({"A": 1.0},), {"locked": 3}),
         (
             cd.ArgumentError,
             "starts=0: give a whole number of at least 1",
@@ -204,7 +204,7 @@ def test_mistakes(bars: cd.CompiledModel) -> None:
         (cd.ArgumentError, "2 values, expected 1: A", ({"A": [1.0, 2.0]},), {}),
         (cd.ArgumentError, "not a number", ({"A": "one"},), {}),
         (cd.ArgumentError, "takes its position", ({"C.parent": [1.0, 2.0]},), {}),
-        (cd.ArgumentError, "this is no pose", ({"C.parent": np.zeros((4, 4))},), {}),
+        (cd.ArgumentError, "this is not a pose", ({"C.parent": np.zeros((4, 4))},), {}),
         (cd.SolveError, "must be finite", ({"A": math.nan},), {}),
         (cd.SolveError, "must be finite", ({"A": 1.0},), {"u": {"A": math.inf}}),
     ]
@@ -223,7 +223,7 @@ def driven_four_bar() -> cd.Scene:
         bodies[name] = scene.body(name, mass=length, com=(length / 2, 0, 0), inertia=inertia)
     a, b, c = bodies.values()
     turn, ground = cd.Revolute("z"), scene.ground
-    scene.joint("A", turn, ground, a, motion=1 + 2 * cd.t)
+    scene.joint("A", turn, ground, a, prescribed=1 + 2 * cd.t)
     scene.joint("B", turn, a.at(FOUR_BAR["crank"], 0, 0), b)
     scene.joint("D", turn, ground.at(FOUR_BAR["ground"], 0, 0), c)
     scene.joint("C", turn, b.at(FOUR_BAR["coupler"], 0, 0), c.at(FOUR_BAR["rocker"], 0, 0))

@@ -51,9 +51,9 @@ def test_plans_are_kept_and_made_anew() -> None:
     by, K, G = parts(STRUCTURES["frame with joints"])
     right = np.cos(np.arange(float(len(K) + len(G))))
     first = by(csr_array(K), csr_array(G))(right)
-    kept = dict(by._seen)
+    kept = dict(by._planned)
     by(csr_array(2 * K), csr_array(G))
-    assert by._seen == kept
+    assert by._planned == kept
     # one row more, that holds a speed, and an internal state
     more = np.zeros(len(K) + 1)
     more[3] = 1.0
@@ -61,7 +61,7 @@ def test_plans_are_kept_and_made_anew() -> None:
     rows = csr_array(np.concatenate([np.pad(G, ((0, 0), (0, 1))), more[None]]))
     side = np.concatenate([right[: len(K)], [1.0], right[len(K) :], [0.0]])
     found = by(wider, rows)(side)
-    assert by._seen.keys() != kept.keys()
+    assert by._planned.keys() != kept.keys()
     assert found[3] == pytest.approx(0.0, abs=1e-12 * np.abs(found).max())
     assert found[len(K)] == 0.5
     again = by(csr_array(K), csr_array(G))(np.stack([right, 2 * right], 1))

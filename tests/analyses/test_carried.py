@@ -1,4 +1,4 @@
-"""Joints that close circuits with coordinates of their own: what users see of them."""
+"""Joints that close loops with coordinates of their own: what users see of them."""
 
 from __future__ import annotations
 
@@ -36,10 +36,10 @@ def follower(rotation: str = "quaternion") -> cd.Scene:
     scene = cd.Scene("follower", gravity=(0, -9.81, 0))
     disc = scene.body("disc", mass=0.5, com=(0.005, 0, 0), inertia=(2e-4, 2e-4, 4e-4))
     rod = scene.body("rod", mass=0.2, com=(0, 0.05, 0), inertia=(1e-4, 1e-5, 1e-4))
-    scene.joint("shaft", cd.Revolute("z"), scene.ground, disc, motion=SPEED * cd.t)
+    scene.joint("shaft", cd.Revolute("z"), scene.ground, disc, prescribed=SPEED * cd.t)
     scene.joint("guide", cd.Prismatic("y"), scene.ground, rod)
     scene.joint("roller", cd.PointOnCurve(EDGE, True, rotation), disc, rod, cut=True)
-    scene.force("spring", cd.SpringDamper(scene.ground, rod, stiffness=300.0, length=0.02))
+    scene.force("spring", cd.SpringDamper(scene.ground, rod, stiffness=300.0, rest_length=0.02))
     return scene
 
 
@@ -55,7 +55,7 @@ def test_a_cam_lifts_its_follower(run: cd.Trajectory) -> None:
     assert run.success, run.message
     lift = BASE + LIFT * np.cos(math.pi / 2 - SPEED * run.t)
     np.testing.assert_allclose(run["guide"], lift, atol=1e-9)
-    turns = np.unwrap(2 * np.arctan2(run["roller.z"], run["roller.w"]))
+    turns = np.unwrap(2 * np.arctan2(run["roller.qz"], run["roller.qw"]))
     np.testing.assert_allclose(turns, -SPEED * run.t, atol=1e-9)
 
 
@@ -90,9 +90,7 @@ def test_nobody_sees_the_body_that_stands_for_the_joint(run: cd.Trajectory, tmp_
     assert {frame["name"] for frame in facts(equations)["frames"]} == set(model.frames)
     assert not equations.system.notes
     assert "  2 bodies, 6 coordinates, 5 speeds" in str(equations)
-    assert "circuit of shaft, guide, roller: cut at roller (point_on_curve), which" in str(
-        equations
-    )
+    assert "loop of shaft, guide, roller: cut at roller (point_on_curve), which" in str(equations)
     run.animate(tmp_path / "run.html")
     assert "carried" not in (tmp_path / "run.html").read_text(encoding="utf-8")
     run.save(tmp_path / "run.nc")
@@ -122,8 +120,8 @@ def test_its_coordinates_are_assembled_and_drive() -> None:
     assert turn["shaft"][1] == pytest.approx(found["shaft"], abs=1e-10)
     scene = CARRIED["cam"].build()
     cut(scene, "edge", child=scene.bodies["arm"].at(0, 0, -9.0))
-    said = r"circuit that joint 'edge' closes \('shaft', 'post'\) .* frame 'edge.child' and where"
-    with pytest.warns(cd.SolveWarning, match="the circuit that 'edge' closes stays open"):
+    said = r"loop that joint 'edge' closes \('shaft', 'post'\) .* frame 'edge.child' and where"
+    with pytest.warns(cd.SolveWarning, match="the loop that 'edge' closes stays open"):
         model = cd.compile(scene)
     with pytest.raises(cd.ModelError, match=said):
         model.assemble({})
@@ -139,7 +137,7 @@ def test_what_drives_a_joint_drives_it_where_it_is_cut(way: str) -> None:
         scene = four_bar()
         if way == "prescribed":
             moved = 0.5 + 3 * cd.t + sp.sin(cd.t) / 5
-            scene.joints["A"] = dataclasses.replace(scene.joints["A"], motion=moved)
+            scene.joints["A"] = dataclasses.replace(scene.joints["A"], prescribed=moved)
         else:
             drive = cd.Drive("A", inertia=1e-5, ratio=20.0, torque=0.01, **DRIVES[way])
             scene.force("motor", drive)

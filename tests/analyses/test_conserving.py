@@ -130,7 +130,7 @@ def test_springs_between_bodies_keep_all_momenta() -> None:
     b = scene.body("b", mass=2.0, com=(0, 0.1, 0.2), inertia=(0.3, 0.15, 0.2))
     scene.joint("of_a", cd.Free(), scene.ground, a)
     scene.joint("of_b", cd.Free(), scene.ground, b)
-    spring = cd.SpringDamper(a.at(0.2, 0, 0), b.at(0, 0, 0.3), stiffness=300.0, length=0.4)
+    spring = cd.SpringDamper(a.at(0.2, 0, 0), b.at(0, 0, 0.3), stiffness=300.0, rest_length=0.4)
     scene.force("spring", spring)
     model = cd.compile(scene, coordinates="absolute")
     q, u = [1, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0.9, 0, 0], np.linspace(-1, 2, 12)

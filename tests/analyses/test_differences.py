@@ -20,7 +20,7 @@ def pushed() -> cd.Scene:
     top = scene.body("top", mass=1.0, com=(0, 0, 0.3), inertia=(0.1, 0.1, 0.02))
     scene.joint("bush", cd.Prismatic("x"), scene.ground, rider)
     scene.joint("ball", cd.Spherical(), rider, top)
-    scene.force("spring", cd.TorsionSpring("bush", stiffness=1e5, damping=50.0))
+    scene.force("spring", cd.JointSpring("bush", stiffness=1e5, damping=50.0))
     scene.force("push", cd.JointForce("bush", scene.input("push")))
     scene.force("brake", cd.JointForce("bush", scene.input("brake")))
     return scene

@@ -47,12 +47,12 @@ def test_pendulum_hangs_and_stands(rod: cd.CompiledModel) -> None:
 def test_torque_that_holds(rod: cd.CompiledModel) -> None:
     found = rod.equilibrium(inputs={"torque": 2.0})
     assert found["pivot"] == pytest.approx(np.arcsin(2.0 / (0.5 * G)), rel=1e-12)
-    held = rod.equilibrium(hold={"pivot": 0.7})
+    held = rod.equilibrium(locked={"pivot": 0.7})
     assert held["pivot"] == 0.7
-    assert held.holding["pivot"] == pytest.approx(0.5 * G * np.sin(0.7), rel=1e-12)
+    assert held.holding_forces["pivot"] == pytest.approx(0.5 * G * np.sin(0.7), rel=1e-12)
     # the wrench of the joint has the holding torque, and carries the weight
     wrench = held.reaction("pivot")
-    assert wrench[1] == pytest.approx(held.holding["pivot"], rel=1e-12)
+    assert wrench[1] == pytest.approx(held.holding_forces["pivot"], rel=1e-12)
     assert np.linalg.norm(wrench[3:]) == pytest.approx(G, rel=1e-12)
 
 
@@ -198,13 +198,13 @@ def test_what_nothing_holds_is_named() -> None:
     scene.force("wind", cd.Force(cart, (scene.parameter("wind", 0.0), 0, 0)))
     model = cd.compile(scene)
     level = model.equilibrium()
-    assert level.loose == ("'rail'",)
+    assert level.free_motions == ("'rail'",)
     assert level.stable is None
     assert level["rope"] == pytest.approx(0, abs=1e-12)
-    with pytest.warns(cd.SolveWarning, match=r"nothing holds 'rail'.*rigid-body mode.*hold="):
+    with pytest.warns(cd.SolveWarning, match=r"nothing holds 'rail'.*rigid-body mode.*locked="):
         model.equilibrium(parameters={"wind": 1.0})
-    held = model.equilibrium(parameters={"wind": 1.0}, hold={"rail": 0.5})
-    assert held.holding["rail"] == pytest.approx(-1.0, rel=1e-12)
+    held = model.equilibrium(parameters={"wind": 1.0}, locked={"rail": 0.5})
+    assert held.holding_forces["rail"] == pytest.approx(-1.0, rel=1e-12)
     assert held.model.parameters["wind"] == 1.0
 
 
@@ -232,10 +232,10 @@ def test_prescribed_motion(crank: cd.CompiledModel) -> None:
     ("call", "kind", "said"),
     [
         (lambda m: m.equilibrium(q={"pivit": 1}), cd.ModelError, "pivot"),
-        (lambda m: m.equilibrium(hold={"pivit": 1}), cd.ModelError, "Did you mean 'pivot'"),
-        (lambda m: m.equilibrium(hold=["pivot"]), cd.ModelError, "with the values they keep"),
+        (lambda m: m.equilibrium(locked={"pivit": 1}), cd.ModelError, "Did you mean 'pivot'"),
+        (lambda m: m.equilibrium(locked=["pivot"]), cd.ModelError, "with the values they keep"),
         (
-            lambda m: m.equilibrium(hold={"pivot": np.nan}),
+            lambda m: m.equilibrium(locked={"pivot": np.nan}),
             cd.SolveError,
             "must be one finite number",
         ),

@@ -28,7 +28,7 @@ def ball() -> cd.CompiledModel:
     scene = cd.Scene("ball", gravity=(0, 0, -G))
     scene.joint("z", cd.Prismatic("z"), scene.ground, scene.body("ball", mass=2.0))
     scene.force("floor", cd.Stop("z", lower=0.0, restitution=0.7, settle=1e-3))
-    scene.force("air", cd.Damping("z", 0.05))
+    scene.force("air", cd.JointDamper("z", 0.05))
     scene.force("motor", cd.Actuator("z", command=scene.input("push"), lag=0.2))
     return cd.compile(scene)
 
@@ -50,14 +50,14 @@ def test_energy_is_accounted_for_over_impacts(ball: cd.CompiledModel) -> None:
     assert len(hits) > 3
     lost = sum(float(e.x[1] ** 2 - e.x_after[1] ** 2) for e in hits)
     assert motion.work["floor.impact"][-1] == pytest.approx(-lost, rel=1e-9)
-    assert np.abs(motion.drift.energy).max() < 1e-9
+    assert np.abs(motion.energy_residual).max() < 1e-9
     found = motion.balance
     assert found.impacts == {"floor.impact": pytest.approx(lost, rel=1e-9)}
     assert set(found.dissipated) == {"air"}
     assert found.dissipated["air"] == pytest.approx(-motion.work["air"][-1], rel=1e-9)
-    assert found.given > 0
+    assert found.supplied > 0
     assert found.after - found.before == pytest.approx(
-        found.given - found.taken - found.dissipated["air"] - lost, abs=1e-9
+        found.supplied - found.taken - found.dissipated["air"] - lost, abs=1e-9
     )
     assert found.residual < 1e-9
 
@@ -103,7 +103,7 @@ def test_histories_by_name(ball: cd.CompiledModel) -> None:
     np.testing.assert_allclose(
         motion["motor.force"], 0.5 + 1.5 * np.exp(-motion.t / 0.2), rtol=0, atol=1e-10
     )
-    assert motion.conduct.initial["motor.force"] == 2.0
+    assert motion.solver_info.initial["motor.force"] == 2.0
     # it lies on the floor in the end
     assert motion["floor"][0] == 0
     assert motion["floor"][-1] == -1
@@ -203,7 +203,11 @@ MISTAKES: list[tuple[dict[str, Any], type[Exception], str]] = [
     ({"a": (("z", 1.0), "mrk")}, cd.ModelError, "Did you mean 'mark'"),
     ({"a": (("z", 1.0), "mark", "left")}, cd.ModelError, "'left' is none of end, mark, down"),
     ({"a": lambda t: t}, ValueError, r"the function of 'a' must take \(t, x\)"),
-    ({"a": lambda t, x: "soon"}, ValueError, "the function of 'a' gave 'soon', which is no number"),
+    (
+        {"a": lambda t, x: "soon"},
+        ValueError,
+        "the function of 'a' gave 'soon', which is not a number",
+    ),
     ({"floor.lower": ("z", 1.0)}, cd.ModelError, "the model has an event 'floor.lower'"),
 ]
 
@@ -235,10 +239,7 @@ def test_an_unknown_internal_state(ball: cd.CompiledModel) -> None:
 
 
 def test_the_same_without_a_compiler(
-    ball: cd.CompiledModel,
-    servo: cd.CompiledModel,
-    monkeypatch: pytest.MonkeyPatch,
-    tmp_path: Path,
+    ball: cd.CompiledModel, servo: cd.CompiledModel, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     runs: list[tuple[cd.CompiledModel, dict[str, Any]]] = [
         (ball, {"q": START, "inputs": {"push": 1.0}, "events": {"top": ("z", 0.1)}}),
@@ -256,7 +257,7 @@ def test_the_same_without_a_compiler(
             # it says once that there is no compiler
             warnings.simplefilter("ignore", cd.BuildWarning)
             motion = bare.simulate(1.5, **given, **FINE)
-        assert "in Python" in motion.conduct.settings
+        assert "in Python" in motion.solver_info.settings
         assert motion.status == fast.status
         assert [e.name for e in motion.events] == [e.name for e in fast.events]
         times = [[e.t for e in some.events] for some in (motion, fast)]

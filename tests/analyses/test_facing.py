@@ -1,4 +1,4 @@
-"""Hinges that close a circuit are not assembled with their axis turned round."""
+"""Hinges that close a loop are not assembled with their axis turned round."""
 
 from __future__ import annotations
 
@@ -49,11 +49,11 @@ def turned_round(model: cd.CompiledModel) -> np.ndarray:
 def test_turned_positions_are_told_apart(model: cd.CompiledModel) -> None:
     q = turned_round(model)
     assert np.abs(model.constraints(q)).max() < 1e-12
-    np.testing.assert_allclose(model.facing(q), [-1.0], atol=1e-12)
-    assert Mechanism(model).turned(q) == "bearing"
+    np.testing.assert_allclose(model.assembly_signs(q), [-1.0], atol=1e-12)
+    assert Mechanism(model).reversed_axis(q) == "bearing"
     good = model.assemble().q
-    np.testing.assert_allclose(model.facing(good), [1.0], atol=1e-12)
-    assert Mechanism(model).turned(good) == ""
+    np.testing.assert_allclose(model.assembly_signs(good), [1.0], atol=1e-12)
+    assert Mechanism(model).reversed_axis(good) == ""
 
 
 def test_searches_do_not_end_there(model: cd.CompiledModel) -> None:
@@ -62,7 +62,7 @@ def test_searches_do_not_end_there(model: cd.CompiledModel) -> None:
     met = [one.q for one in found if one.met]
     assert len(met) >= 4
     assert min(cosine(model, q) for q in met) == pytest.approx(1, abs=1e-11)
-    assert any(one.turned == "bearing" and not one.met for one in found)
+    assert any(one.reversed_axis == "bearing" and not one.met for one in found)
 
 
 def test_a_start_that_is_turned_round_is_refused(model: cd.CompiledModel) -> None:

@@ -75,7 +75,7 @@ def test_number_of_base_parameters(build: Any, count: int) -> None:
     base = model.base_parameters()
     assert len(base) == count
     # no column is nearly dependent, none nearly independent
-    assert base.dropped < 1e-10 < 1e-2 < base.kept
+    assert base.dropped < 1e-10 < 1e-2 < base.least_independent
     x = model.random_state(8, (200,))
     q, u = model.split(x)
     udot = np.random.default_rng(9).uniform(-5, 5, u.shape)
@@ -92,11 +92,7 @@ def test_number_of_base_parameters(build: Any, count: int) -> None:
 
 @pytest.mark.parametrize(
     "build",
-    [
-        puma,
-        pytest.param(panda, marks=pytest.mark.slow),
-        lambda: cd.load(ARM),
-    ],
+    [puma, pytest.param(panda, marks=pytest.mark.slow), lambda: cd.load(ARM)],
     ids=["puma", "panda", "arm"],
 )
 def test_symbolic_combinations_are_those_of_numbers(build: Any) -> None:
@@ -106,9 +102,7 @@ def test_symbolic_combinations_are_those_of_numbers(build: Any) -> None:
     symbolic = equations.base_parameters().combinations
     names, values = list(model.parameters), list(model.parameters.vector)
     gradient = sp.lambdify(
-        sp.symbols(names),
-        sp.Matrix(list(symbolic.values())).jacobian(sp.symbols(names)),
-        "numpy",
+        sp.symbols(names), sp.Matrix(list(symbolic.values())).jacobian(sp.symbols(names)), "numpy"
     )
     theirs = np.array(gradient(*values), dtype=float)
     base = model.base_parameters()
@@ -242,7 +236,7 @@ def test_a_run_is_data() -> None:
     for k in range(2):
         link = scene.body(f"link{k}", mass=1.5, com=(0.02, 0.01, -0.3), inertia=(0.05, 0.05, 0.01))
         scene.joint(f"joint{k}", cd.Revolute("y"), inner, link)
-        scene.force(f"drag{k}", cd.Damping(f"joint{k}", 0.1))
+        scene.force(f"drag{k}", cd.JointDamper(f"joint{k}", 0.1))
         plan = (9 - 6 * k) * sp.sin((2.1 + 1.6 * k) * cd.t + k)
         scene.force(f"motor{k}", cd.JointForce(f"joint{k}", plan))
         inner = link.at(0, 0, -0.6)
@@ -263,7 +257,7 @@ def test_friction_and_a_rotor() -> None:
     scene.joint("hinge", cd.Revolute("y"), scene.ground, arm)
     names = {name: scene.parameter(name, 0.0) for name in ("dry", "wet", "soft")}
     scene.force("rub", cd.Friction("hinge", coulomb=names["dry"], viscous=names["wet"]))
-    scene.force("coil", cd.TorsionSpring("hinge", stiffness=names["soft"], rest=0.2))
+    scene.force("coil", cd.JointSpring("hinge", stiffness=names["soft"], rest=0.2))
     scene.force("motor", cd.Drive("hinge", inertia=1e-4, ratio=20))
     model = cd.compile(scene)
     truth = model.with_parameters({"dry": 0.5, "wet": 0.1, "soft": 2.0, "motor.inertia": 3e-4})
@@ -289,7 +283,9 @@ def test_a_passive_joint() -> None:
     truth = changed(cd.compile(scene))
     t = np.linspace(0, 5, 1001)
     run = truth.simulate(t, q={"hinge": 0.5}, rtol=1e-11, atol=1e-13)
-    push = truth.applied(run.q, run.u, t=t)[:, 0] + 0.1 * np.random.default_rng(2).normal(size=1001)
+    push = truth.applied_forces(run.q, run.u, t=t)[:, 0] + 0.1 * np.random.default_rng(2).normal(
+        size=1001
+    )
     udot = truth.forward_dynamics(run.q, run.u, t=t)
     data = {"t": t, "q": run.q, "u": run.u, "udot": udot, "track.tau": push}
     found = model.identify(data)
@@ -302,7 +298,7 @@ def test_a_passive_joint() -> None:
 
 
 def test_circuits() -> None:
-    """A four-bar that its crank drives: what the circuit makes dependent falls together."""
+    """A four-bar that its crank drives: what the loop makes dependent falls together."""
     model = cd.compile(four_bar())
     truth = model.with_parameters({"coupler.mass": 0.3, "rocker.com.x": 0.12})
     start = {name: angle for name, angle in four_bar_angles(0.0).items() if name != "C"}
@@ -322,7 +318,7 @@ def test_circuits() -> None:
     assert not np.allclose(found.estimates, found.expected, rtol=1e-3, atol=1e-6)
     with pytest.raises(SolveError, match="1 freedoms, but forces of 3 speeds"):
         model.identify(data)
-    with pytest.raises(SolveError, match="has circuits"):
+    with pytest.raises(SolveError, match="has loops"):
         model.excitation()
 
 
@@ -342,7 +338,7 @@ def test_refusals_name_the_culprit(tmp_path: Path) -> None:
         model.identify({"t": t, "waist": t[1:]})
     with pytest.raises(SolveError, match=r"do not tell .*model\.excitation"):
         model.identify(still)
-    with pytest.raises(ArgumentError, match=r"'elbo' is no column of this model.*elbow"):
+    with pytest.raises(ArgumentError, match=r"'elbo' is not a column of this model.*elbow"):
         model.identify({"t": t, "elbo": t})
     with pytest.raises(ArgumentError, match="column 'shoulder' is missing"):
         model.identify({"t": t, "waist": t, "elbow": t})

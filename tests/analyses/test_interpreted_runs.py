@@ -37,7 +37,7 @@ SCENES: dict[str, tuple[Callable[[], cd.Scene], float, dict[str, Any], set[str]]
 def options(name: str) -> dict[str, Any]:
     """How the table runs a method."""
     method = INTEGRATORS[name]
-    fixed = not method.adaptive or method.given_step
+    fixed = not method.adaptive or method.fixed_step_on_request
     return {"method": name, **({"step": 2e-3} if fixed else {"rtol": RTOL})}
 
 
@@ -85,8 +85,8 @@ def test_every_integrator_runs_as_compiled(scene: str, monkeypatch: pytest.Monke
         size = np.maximum(1.0, np.abs(compiled.x[-1]))
         error = np.abs(motion.x[-1] - compiled.x[-1]) / size
         assert error.max() <= 10 * RTOL, (name, error.max())
-        assert "pip install 'cardan[compiler]'" in motion.conduct.settings
-        assert "pip install" not in compiled.conduct.settings
+        assert "pip install 'cardan[compiler]'" in motion.solver_info.settings
+        assert "pip install" not in compiled.solver_info.settings
 
 
 @pytest.mark.parametrize("threads", [1, 4])

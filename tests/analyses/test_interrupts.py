@@ -13,15 +13,7 @@ import pytest
 
 import cardan as cd
 from analyses.conftest import double_scene
-from analyses.interpreted import (
-    assembled,
-    beam,
-    four_bar,
-    interrupted,
-    loaded,
-    many,
-    simulated,
-)
+from analyses.interpreted import assembled, beam, four_bar, interrupted, loaded, many, simulated
 from cardan.ir import straight_line
 from spread import some
 
@@ -70,7 +62,7 @@ def work_once(model: cd.CompiledModel, name: str) -> None:
     if name == "assembly":
         model.assemble({"A": 0.5}, starts=2)
     elif name == "statics":
-        model.statics(hold={"pin": (0.0, 0.1)}, steps=1)
+        model.statics(locked={"pin": (0.0, 0.1)}, steps=1)
     else:
         model.simulate(1e-2, method="RK4", step=1e-3)
 

@@ -130,7 +130,7 @@ def test_four_parts_of_second_order() -> None:
     scene = cd.Scene("turntable", gravity=(0, 0, 0))
     table = scene.body("table", mass=1.0, inertia=(0.1, 0.1, 0.1))
     slide, mass = scene.body("slide", mass=0, inertia=(0, 0, 0)), scene.body("mass", mass=2.0)
-    scene.joint("spin", cd.Revolute("z"), scene.ground, table, motion=3.0 * cd.t)
+    scene.joint("spin", cd.Revolute("z"), scene.ground, table, prescribed=3.0 * cd.t)
     scene.joint("x", cd.Prismatic("x"), table, slide)
     scene.joint("y", cd.Prismatic("y"), slide, mass)
     x, y, vx, vy = scene.q("x"), scene.q("y"), scene.u("x"), scene.u("y")
@@ -283,7 +283,7 @@ def test_bicycle(bicycle: cd.CompiledModel, speed: int) -> None:
 
 
 def test_a_held_joint_stays(double: cd.CompiledModel) -> None:
-    rest = double.equilibrium(hold={"shoulder": 1.0})
+    rest = double.equilibrium(locked={"shoulder": 1.0})
     found = double.linearize(rest)
     assert found.states == ("elbow", "elbow.u")
     # a rod of 0.5 m: 3 g / (2 l)

@@ -167,7 +167,7 @@ def jeffcott(turning: bool) -> cd.Scene:
 @pytest.mark.parametrize("turning", [False, True])
 def test_damping_inside_a_shaft(turning: bool) -> None:
     model = cd.compile(jeffcott(turning))
-    found = model.campbell(spin=(4, 60), count=12, hold={"spin": 0.0}, turning=turning)
+    found = model.campbell(spin=(4, 60), count=12, locked={"spin": 0.0}, corotating=turning)
     # beyond w (1 + outer / inner) damping that turns along drives
     (change,) = found.locus.changes
     assert change.values["spin"] == pytest.approx(40.0, rel=1e-6)
@@ -204,8 +204,8 @@ def test_shaft_of_a_beam() -> None:
     # x of the beam's end goes along it
     disk = scene.body("disk", mass=m, inertia=(along, across, across))
     scene.joint("keyed", cd.Fixed(), beam.end, disk)
-    found = cd.compile(scene).campbell(drive=(0, 60), hold={"drive": 0}, count=4)
-    assert found.turning
+    found = cd.compile(scene).campbell(drive=(0, 60), locked={"drive": 0}, count=4)
+    assert found.corotating
     K = EI * np.array([[12 / length**3, -6 / length**2], [-6 / length**2, 4 / length]])
     M = np.diag([m, across])
     for speed, row, whirl in zip(found.speed, found.frequencies, found.whirl, strict=True):
@@ -253,7 +253,7 @@ def test_sensitivity_of_a_motion_that_moves_along() -> None:
     scene.joint("turn", cd.Revolute("z"), scene.ground, shaft)
     scene.joint("swing", cd.Revolute("y"), shaft, bob, q0=1.0)
     model = cd.compile(scene)
-    rest = model.equilibrium(q={"swing": 1.0}, u={"turn": 5.0}, hold={"turn": 0.0})
+    rest = model.equilibrium(q={"swing": 1.0}, u={"turn": 5.0}, locked={"turn": 0.0})
     found = model.sensitivity(["gravity.z"], rest)
     # at this speed cos = g / (l W^2); w = W sin: with the shaft held to its speed
     g, length, W = G, 0.8, 5.0

@@ -215,13 +215,13 @@ def test_sparse_damped_and_whirling_modes() -> None:
 def test_sparse_equilibria_and_paths() -> None:
     model = cd.compile(CLOSED["four_bar"].build())
     dense = cd.compile(CLOSED["four_bar"].build())
-    held = model.equilibrium(hold={"A": 0.5})
+    held = model.equilibrium(locked={"A": 0.5})
     assert held.stable is None or held.converged
     found = model.equilibrium()
     reference = JointSystem(dense)
     assert isinstance(reference.saddle, Dense)
     np.testing.assert_allclose(dense.forward_dynamics(found.q, found.u), 0, atol=1e-8)
-    path = model.statics(hold={"A": (0.5, 1.0)})
+    path = model.statics(locked={"A": (0.5, 1.0)})
     assert path.success
 
 
@@ -242,7 +242,7 @@ def test_a_mode_is_played(tmp_path: Path) -> None:
     motion.save(tmp_path / "mode.nc")
     for read in (motion, cd.load_motion(tmp_path / "mode.nc")):
         assert "Hz, played, not integrated" in str(read)
-        assert "drift" not in str(read)
+        assert "unaccounted" not in str(read)
     page = found.animate(1, tmp_path / "mode.html")
     assert "mode 1" in page.read_text("utf-8")
     twist = found.twist(1, "b2")

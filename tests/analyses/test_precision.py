@@ -62,7 +62,7 @@ def test_recommendation_names_the_quickest(found: PrecisionRecord) -> None:
         assert first.error <= goal
         kept = [p.milliseconds for p in found.points if max(p.error, found.doubt) <= goal]
         assert first.milliseconds == min(kept)
-        assert f"for an error of {goal:.0e}: {first.words}" in found.recommendation
+        assert f"for an error of {goal:.0e}: {first.description}" in found.recommendation
         assert INTEGRATORS[first.method].applies in found.recommendation
 
 
@@ -72,7 +72,7 @@ def test_a_stiff_motion_is_said_to_be() -> None:
     tip = scene.body("tip", mass=1.0)
     scene.joint("swing", cd.Revolute("y"), scene.ground, rod)
     scene.joint("stretch", cd.Prismatic("z"), rod.at(0, 0, -1), tip)
-    scene.force("spring", cd.TorsionSpring("stretch", stiffness=1e7, damping=1e4))
+    scene.force("spring", cd.JointSpring("stretch", stiffness=1e7, damping=1e4))
     made = precision(cd.compile(scene), 1.0, ["DOP853", "Rosenbrock"], q={"swing": 1.0})
     assert "the motion is stiff: stability limited" in made.recommendation
     assert made.best(1e-3)[0].method == "Rosenbrock"

@@ -101,7 +101,7 @@ def test_through_many_singular_positions() -> None:
 def test_mistakes() -> None:
     model = compiled("four_bar")
     q, u = start(model, "four_bar", 0.3)
-    with pytest.raises(cd.SolveError, match=r"circuits are open by 0\.\d+ at this position"):
+    with pytest.raises(cd.SolveError, match=r"loops are open by 0\.\d+ at this position"):
         model.partition(q + np.array([0.1, 0.2, -0.1]))
     with pytest.raises(cd.ArgumentError, match=re.escape("q has shape (2,), expected (3,)")):
         model.partition(q[:2])

@@ -1,4 +1,4 @@
-"""Circuits that cannot move, or cannot move on: what is said, and where."""
+"""Loops that cannot move, or cannot move on: what is said, and where."""
 
 from __future__ import annotations
 
@@ -57,9 +57,9 @@ def test_a_frame_carries_its_load() -> None:
     model = cd.compile(braced())
     found = model.assemble({"A0": math.pi / 2})
     redundancy = model.redundancy(found.q)
-    # three circuits of planar motion hold three directions each that nothing moves along
+    # three loops of planar motion hold three directions each that nothing moves along
     assert (redundancy.freedoms, redundancy.redundant) == (0, 9)
-    assert all(redundancy.loose(joint) == "Mx, My, Fz" for joint in redundancy.joints)
+    assert all(redundancy.released(joint) == "Mx, My, Fz" for joint in redundancy.joints)
     motion = model.simulate(1.0, x0=found.x)
     assert motion.success
     np.testing.assert_allclose(motion.q[-1], found.q, rtol=0, atol=1e-10)
@@ -86,7 +86,7 @@ def test_a_motion_that_ends_says_when_and_where() -> None:
     links = {b.name: scene.body(b.name, b.mass, b.com, (1e-4,) * 3) for b in flat.bodies.values()}
     crank, coupler, rocker = links.values()
     pivot = scene.ground.at(0.3, 0, 0)
-    scene.joint("D", cd.Revolute("z"), pivot, rocker, motion=2.0 + cd.t)
+    scene.joint("D", cd.Revolute("z"), pivot, rocker, prescribed=2.0 + cd.t)
     scene.joint("A", cd.Revolute("z"), scene.ground, crank, q0=1.5)
     scene.joint("B", cd.Revolute("z"), crank.at(0.1, 0, 0), coupler, q0=-1.2)
     scene.joint("C", cd.Revolute("z"), coupler.at(0.25, 0, 0), rocker.at(0.2, 0, 0))

@@ -25,7 +25,7 @@ def models() -> dict[str, cd.CompiledModel]:
     burst = slider("burst")
     burst.force("engine", cd.JointForce("x", burst.u("x") ** 3))
     runaway = slider("runaway")
-    runaway.force("spring", cd.TorsionSpring("x", stiffness=-1e6))
+    runaway.force("spring", cd.JointSpring("x", stiffness=-1e6))
     rooted = slider("rooted")
     rooted.force("root", cd.JointForce("x", -(rooted.q("x") ** 0.5)))
     bounce = slider("bounce")
@@ -34,7 +34,7 @@ def models() -> dict[str, cd.CompiledModel]:
     moved = cd.Scene("moved", gravity=(0, 0, -9.81))
     rod = moved.body("rod", mass=1.0, com=(0, 0, -0.5))
     angle = moved.input("angle")
-    moved.joint("drive", cd.Revolute("y"), moved.ground, rod, motion=angle)
+    moved.joint("drive", cd.Revolute("y"), moved.ground, rod, prescribed=angle)
     moved.joint(
         "tip", cd.Revolute("y"), rod.at(0, 0, -1), moved.body("bob", mass=1.0, com=(0, 0, -1))
     )
@@ -86,7 +86,7 @@ REFUSED: dict[str, tuple[str, Any, dict[str, Any], type[Exception], str]] = {
     ),
     "an input that gives nothing": (
         *("pushed", 1.0, {"inputs": {"push": lambda t, x: None}}, ValueError),
-        "the function of 'push' gave None, which is no number",
+        "the function of 'push' gave None, which is not a number",
     ),
     "a motion without its rate": (
         *("moved", 1.0, {"inputs": {"angle": lambda t, x: t}}, cd.ModelError),

@@ -1,4 +1,4 @@
-"""Over-constrained circuits of rounded lengths: assembled, run and told alike."""
+"""Over-constrained loops of rounded lengths: assembled, run and told alike."""
 
 from __future__ import annotations
 

@@ -54,12 +54,12 @@ model.simulate(**options, progress=stop)
 def alike(one: TrajectoryRecord, other: TrajectoryRecord) -> None:
     """Two motions are the same to the bit."""
     assert one.status == other.status
-    for name in ("t", "x", "r", "s", "given"):
+    for name in ("t", "x", "r", "s", "work_done"):
         assert getattr(one, name).tobytes() == getattr(other, name).tobytes()
     times = np.linspace(one.t[0], one.t[-1], 50)
     if one.dense is not None:
         assert one.at(times).tobytes() == other.at(times).tobytes()
-    assert one.happened.log.tobytes() == other.happened.log.tobytes()
+    assert one.event_log.log.tobytes() == other.event_log.log.tobytes()
     counts = (dict(m.statistics) | {"milliseconds": 0} for m in (one, other))
     assert next(counts) == next(counts)
 
@@ -121,7 +121,7 @@ def test_a_run_goes_on_from_every_place(
         slices.setattr(run, "SLICE", 0.0)
         servo.simulate(**kept)
     parts = records(path.read_bytes())
-    places = {one["head"]["record"]["happened"] for one in parts["records"]}
+    places = {one["head"]["record"]["event_pending"] for one in parts["records"]}
     assert places == {0, 1}
     for count in range(1, len(parts["records"])):
         path.write_bytes(together({**parts, "records": parts["records"][:count]}))
@@ -149,17 +149,17 @@ def test_ctrl_c_and_a_cut_file(double: cd.CompiledModel, tmp_path: Path) -> None
 def test_a_method_that_the_first_steps_ask_for(tmp_path: Path) -> None:
     scene = cd.Scene("stiff", gravity=(0, 0, 0))
     scene.joint("x", cd.Prismatic("x"), scene.ground, scene.body("block", mass=1.0))
-    scene.force("spring", cd.TorsionSpring("x", stiffness=100.0))
-    scene.force("damper", cd.Damping("x", 1e5))
+    scene.force("spring", cd.JointSpring("x", stiffness=100.0))
+    scene.force("damper", cd.JointDamper("x", 1e5))
     model = cd.compile(scene)
     options: dict[str, Any] = {"t": 50.0, "q": {"x": 1.0}}
     whole = model.simulate(**options)
-    assert whole.conduct.method == "Rosenbrock"
+    assert whole.solver_info.method == "Rosenbrock"
     kept = options | {"checkpoint": tmp_path / "run", "every": 0.0}
     killed(model, kept, tmp_path, 0.001)
     motion = model.simulate(**kept)
     alike(motion, whole)
-    assert motion.conduct.reason == whole.conduct.reason
+    assert motion.solver_info.reason == whole.solver_info.reason
 
 
 def test_files_of_other_runs_are_refused(
@@ -171,7 +171,7 @@ def test_files_of_other_runs_are_refused(
         (lambda: double.simulate(2.0, checkpoint=path), "another time, method, tolerance"),
         (lambda: double.simulate(1.0, q={"elbow": 1.0}, checkpoint=path), "starts elsewhere"),
         (lambda: ball.simulate(1.0, checkpoint=path), "another run: it was computed with another"),
-        (lambda: double.ensemble(1.0, runs=3, checkpoint=path), "no file of an ensemble"),
+        (lambda: double.ensemble(1.0, runs=3, checkpoint=path), "not a file of an ensemble"),
         (lambda: double.simulate(1.0, checkpoint=3), "checkpoint=3: give the path of a file"),
         (lambda: double.simulate(1.0, checkpoint=path, every=-1), "every=-1.*: the time between"),
         (lambda: double.simulate(1.0, checkpoint=tmp_path / "a" / "b"), "cannot be opened"),

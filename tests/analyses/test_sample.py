@@ -64,9 +64,7 @@ def test_distributions_in_an_ensemble(double: cd.CompiledModel) -> None:
         0.1, q={"elbow": cd.sample.normal(0, 0.1)}, parameters={"upper.mass": (1.0)}, runs=16
     )
     again = double.ensemble(
-        0.1,
-        q={"elbow": cd.sample.normal(0, 0.1), "shoulder": cd.sample.uniform(-1, 1)},
-        runs=16,
+        0.1, q={"elbow": cd.sample.normal(0, 0.1), "shoulder": cd.sample.uniform(-1, 1)}, runs=16
     )
     np.testing.assert_array_equal(made.varied["elbow"], again.varied["elbow"])
     assert made.varied.keys() == {"elbow"}
@@ -76,7 +74,7 @@ def test_distributions_in_an_ensemble(double: cd.CompiledModel) -> None:
 
 REFUSED: list[tuple[Any, type[Exception], str]] = [
     (lambda: cd.sample.grid(), cd.ModelError, "name what is varied"),
-    (lambda: cd.sample.grid(m=(1, 2, 2.5)), cd.ModelError, "2.5 is no number of values"),
+    (lambda: cd.sample.grid(m=(1, 2, 2.5)), cd.ModelError, "2.5 is not a number of values"),
     (lambda: cd.sample.grid(m=(1, np.inf, 3)), cd.SolveError, "'m': value 1 is inf"),
     (lambda: cd.sample.grid(m=3.0), cd.ArgumentError, "give .low, high, count."),
     (lambda: cd.sample.grid(a=(0, 1, 1 << 20), b=(0, 1, 1 << 20)), cd.ModelError, "are more than"),

@@ -67,7 +67,7 @@ def test_bricard_has_one_redundant_constraint() -> None:
     assert len(found.directions) == 1
     assert f"of joint '{cut}'" in found.directions[0]
     assert "translation along" in found.directions[0]
-    # a self-stress loads every hinge of the only circuit, and does no work
+    # a self-stress loads every hinge of the only loop, and does no work
     assert not any(found.joints.values())
     assert set(found.joints) == {f"J{k}" for k in range(6)}
     assert "reactions not determined" in repr(found)

@@ -18,7 +18,7 @@ AT_1E7 = (2.2e-05, 0.500017, 0.800017, 0.900015, 1.0)
 
 @pytest.mark.parametrize("k", range(len(RHO)))
 def test_spectral_radius_as_published(k: int) -> None:
-    alpha = cd.Alpha.chung_hulbert(RHO[k])
+    alpha = cd.stability.Alpha.chung_hulbert(RHO[k])
     assert cd.stability.spectral_radius(alpha, 1.0) == pytest.approx(AT_1[k], abs=1e-6)
     # eigenvalues meet at infinity: those of a block of 3 round to the cube root of 1e-16
     assert cd.stability.spectral_radius(alpha, 1e7) == pytest.approx(AT_1E7[k], abs=2e-5)
@@ -28,22 +28,22 @@ def test_spectral_radius_as_published(k: int) -> None:
 @pytest.mark.parametrize("k", range(len(RHO)))
 def test_unconditionally_stable(k: int) -> None:
     omega = np.logspace(-3, 5, 200)
-    radius = cd.stability.spectral_radius(cd.Alpha.chung_hulbert(RHO[k]), omega)
+    radius = cd.stability.spectral_radius(cd.stability.Alpha.chung_hulbert(RHO[k]), omega)
     assert np.all(radius <= 1 + 1e-9)
     # damping grows with the frequency
     assert np.all(np.diff(radius) <= 1e-5)
 
 
 def test_coefficients_of_named_methods() -> None:
-    assert cd.Alpha.newmark() == cd.Alpha(0, 0, 0.25, 0.5)
-    assert cd.Alpha.hht(0.0) == cd.Alpha.newmark()
+    assert cd.stability.Alpha.newmark() == cd.stability.Alpha(0, 0, 0.25, 0.5)
+    assert cd.stability.Alpha.hht(0.0) == cd.stability.Alpha.newmark()
     for alpha in (-1 / 3, -0.2, -0.05):
-        found = cd.Alpha.hht(alpha)
+        found = cd.stability.Alpha.hht(alpha)
         assert found.rho_inf == pytest.approx((1 + alpha) / (1 - alpha), abs=1e-12)
         # two eigenvalues meet at alpha = -1/3: rounding of either by the root of 1e-16 x 1e6
         assert cd.stability.spectral_radius(found, 1e6) == pytest.approx(found.rho_inf, abs=1e-3)
-    assert cd.Alpha.chung_hulbert(0.5).order == cd.Alpha.hht().order == 2
-    assert cd.Alpha.newmark(0.3025, 0.6).order == 1
+    assert cd.stability.Alpha.chung_hulbert(0.5).order == cd.stability.Alpha.hht().order == 2
+    assert cd.stability.Alpha.newmark(0.3025, 0.6).order == 1
 
 
 @pytest.mark.parametrize("method", ["GeneralizedAlpha", "HHT", "Newmark"])
@@ -62,7 +62,7 @@ def test_period_error(method: str) -> None:
 @each("rho", RHO)
 @each("omega", [0.0, 0.1, 10.0])
 def test_constrained_oscillator(rho: float, omega: float) -> None:
-    alpha, radius = cd.Alpha.chung_hulbert(rho), cd.stability.spectral_radius
+    alpha, radius = cd.stability.Alpha.chung_hulbert(rho), cd.stability.spectral_radius
     # held by its position the oscillator is one of infinite frequency, whatever the step: errors
     # of it are damped by rho_inf; double eigenvalues round to the root of 1e-16
     assert radius(alpha, omega, index=3) == pytest.approx(rho, abs=1e-7 + 2e-5 * (rho < 1))
@@ -80,7 +80,7 @@ def test_constrained_oscillator(rho: float, omega: float) -> None:
 
 def test_matrix_is_the_method() -> None:
     """One step by hand."""
-    alpha, omega, zeta = cd.Alpha(0.2, 0.3, 0.4, 0.6), 0.7, 0.1
+    alpha, omega, zeta = cd.stability.Alpha(0.2, 0.3, 0.4, 0.6), 0.7, 0.1
     matrix = cd.stability.amplification(alpha, omega, zeta)
     assert matrix.shape == (3, 3)
     x, v, a = 0.3, -0.2, 0.5
@@ -94,13 +94,13 @@ def test_matrix_is_the_method() -> None:
 
 def test_refusals() -> None:
     with pytest.raises(ModelError, match=r"rho_inf=1\.5 lies outside 0 \.\.\. 1"):
-        cd.Alpha.chung_hulbert(1.5)
+        cd.stability.Alpha.chung_hulbert(1.5)
     with pytest.raises(ModelError, match=r"alpha=0\.1 lies outside"):
-        cd.Alpha.hht(0.1)
+        cd.stability.Alpha.hht(0.1)
     with pytest.raises(ModelError, match="beta and gamma positive"):
-        cd.Alpha.newmark(beta=0.0)
+        cd.stability.Alpha.newmark(beta=0.0)
     with pytest.raises(ModelError, match="am and af lie below 1"):
-        cd.Alpha(1.0, 0.0, 0.25, 0.5)
+        cd.stability.Alpha(1.0, 0.0, 0.25, 0.5)
     with pytest.raises(ModelError, match="'RK4' holds nothing"):
         cd.stability.amplification("RK4", 1.0, index=2)
     with pytest.raises(ArgumentError, match="index=4"):

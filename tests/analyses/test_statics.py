@@ -70,10 +70,10 @@ def test_stable_symmetric_branch(torsion: cd.CompiledModel) -> None:
 
 def test_unstable_symmetric_branch(horizontal: cd.CompiledModel) -> None:
     # unstable under the load, yet followed by prescribing the angle: the load is P = k L cos(phi)
-    path = horizontal.statics(hold={"base": (0.1, 1.0)}, parameters={"P": 0.5})
+    path = horizontal.statics(locked={"base": (0.1, 1.0)}, parameters={"P": 0.5})
     phi = path["base"]
     moment = STIFFNESS * LENGTH**2 * np.sin(phi) * np.cos(phi) - 0.5 * LENGTH * np.sin(phi)
-    np.testing.assert_allclose(path["base.holding"], moment, rtol=1e-12, atol=1e-14)
+    np.testing.assert_allclose(path["base.holding_force"], moment, rtol=1e-12, atol=1e-14)
     # without the hand it would be there under that load
     for angle in (0.3, 0.8):
         load = STIFFNESS * LENGTH * np.cos(angle)
@@ -124,7 +124,7 @@ def test_a_mechanism_is_driven_by_an_input(crank: cd.CompiledModel) -> None:
 def test_circuit_under_a_held_crank() -> None:
     model = cd.compile(CLOSED["four_bar"].build())
     start = model.equilibrium()
-    path = model.statics(hold={"A": (float(start["A"]), float(start["A"]) + 1.0)}, q=start.q)
+    path = model.statics(locked={"A": (float(start["A"]), float(start["A"]) + 1.0)}, q=start.q)
     assert path.success
     # positions are those of the kinematic analysis, torques the change of the potential
     sweep = model.sweep("A", path["A"], start=start.q)
@@ -136,7 +136,7 @@ def test_circuit_under_a_held_crank() -> None:
         rest = np.zeros(model.nu)
         change = model.energy(sides[0], rest).potential - model.energy(sides[1], rest).potential
         # a central difference: 1e-10 of a curvature of order 10, and rounding 1e-15 / 1e-5
-        assert path["A.holding"][k] == pytest.approx(change / (2 * h), abs=1e-8)
+        assert path["A.holding_force"][k] == pytest.approx(change / (2 * h), abs=1e-8)
 
 
 def test_a_path_that_cannot_begin() -> None:
@@ -170,8 +170,8 @@ def test_picture(torsion: cd.CompiledModel, tmp_path: Path) -> None:
         (lambda m: m.statics(P="many"), cd.ArgumentError, r"\(start, end\)"),
         (lambda m: m.statics(P=(0, 1), phi0=[0, 1, 2]), cd.ArgumentError, "'P' has 2"),
         (lambda m: m.statics(P=(0, 1), steps=0), cd.ArgumentError, "at least 1"),
-        (lambda m: m.statics(hold={"bse": (0, 1)}), cd.ModelError, "Did you mean 'base'"),
-        (lambda m: m.statics(P=(0, 1), hold="base"), cd.ModelError, "go by name"),
+        (lambda m: m.statics(locked={"bse": (0, 1)}), cd.ModelError, "Did you mean 'base'"),
+        (lambda m: m.statics(P=(0, 1), locked="base"), cd.ModelError, "go by name"),
         (lambda m: m.statics({"P": (0, 1)})["bse"], cd.ModelError, "Did you mean 'base'"),
     ],
 )

@@ -61,7 +61,7 @@ def gyroscope() -> cd.Scene:
 
 
 def flyball() -> cd.Scene:
-    """Watt's governor: two arms and a sleeve, closed circuits that turn."""
+    """Watt's governor: two arms and a sleeve, closed loops that turn."""
     scene = cd.Scene("flyball", gravity=(0, 0, -G))
     shaft, sleeve = (scene.body(n, mass=1.0, inertia=(0.1, 0.1, 0.1)) for n in ("shaft", "sleeve"))
     scene.joint("spin", cd.Revolute("z"), scene.ground, shaft)
@@ -93,7 +93,7 @@ def test_both_formulations_agree_in_motion(
     found, values = [], []
     for coordinates in ("relative", "absolute"):
         model = cd.compile(build(), coordinates=coordinates)
-        steady = model.equilibrium(u=speeds, hold=hold, check=True)
+        steady = model.equilibrium(u=speeds, locked=hold, check=True)
         linear = model.linearize(steady)
         assert linear.acceleration == 0
         found.append(steady)
@@ -103,7 +103,7 @@ def test_both_formulations_agree_in_motion(
     for name in one.model.coordinates:
         assert two[name] == pytest.approx(one[name], abs=1e-10)
     for name in hold:
-        assert two.holding[name] == pytest.approx(one.holding[name], abs=1e-10)
+        assert two.holding_forces[name] == pytest.approx(one.holding_forces[name], abs=1e-10)
     apart = np.abs(values[0][:, None] - values[1])
     pairs = linear_sum_assignment(apart)
     largest = np.abs(values[0]).max()
@@ -157,7 +157,7 @@ def test_a_steady_motion_stays_steady(blades: cd.CompiledModel) -> None:
 def test_stiffness_is_that_of_speeds_that_follow(blades: cd.CompiledModel) -> None:
     system = dynamic_system_of(blades)
     problem = Problem(system)
-    found = blades.equilibrium(u={"spin": 6.0}, hold={"spin": 0.0})
+    found = blades.equilibrium(u={"spin": 6.0}, locked={"spin": 0.0})
     K, G_ = problem.tangent(found.point, found.load)
     K, rows = K.toarray(), G_.toarray()
     rng = np.random.default_rng(1)
@@ -165,7 +165,7 @@ def test_stiffness_is_that_of_speeds_that_follow(blades: cd.CompiledModel) -> No
 
     def force(h: float) -> Array:
         at = replace(found.point.at, q=system.integrate(found.q, h * direction * system.columns))
-        moved = problem.under(Point(at, found.point.held), found.load)
+        moved = problem.under(Point(at, found.point.reaction_forces), found.load)
         return problem.residual(moved, found.load)[0]
 
     h = 1e-4
@@ -182,7 +182,7 @@ def test_stiffness_is_that_of_speeds_that_follow(blades: cd.CompiledModel) -> No
 def test_modes_are_those_of_the_linear_model(
     blades: cd.CompiledModel, hold: dict[str, float]
 ) -> None:
-    found = blades.equilibrium(u={"spin": 6.0}, hold=hold)
+    found = blades.equilibrium(u={"spin": 6.0}, locked=hold)
     # sparse and quadratic, against accelerations differentiated in joint and node coordinates
     modes = blades.modes(8, found)
     linear = blades.linearize(found)
@@ -205,7 +205,7 @@ def test_whirling_of_an_overhung_disk(speed: float) -> None:
     section = cd.section.general(EA=1e8, GA=GA, GJ=2e3, EI=EI)
     scene.beam("shaft", hub, disk, section, elements=1)
     model = cd.compile(scene)
-    steady = model.equilibrium(u={"spin": speed}, hold={"spin": 0.0})
+    steady = model.equilibrium(u={"spin": speed}, locked={"spin": 0.0})
     found = model.modes(x=steady)
     # complex displacement and tilt in ground axes: M z'' - i spin diag(0, along) z' + K z = 0
     give = np.array([[length**3 / 3, length**2 / 2], [length**2 / 2, length]]) / EI
@@ -255,10 +255,10 @@ def test_many_elements_go_the_sparse_way() -> None:
     assert found.stable is True
     udot = model.forward_dynamics(found.q, found.u)
     np.testing.assert_allclose(udot, found.point.at.udot, atol=1e-6 * np.abs(udot).max())
-    held = model.equilibrium(u={"spin": 6.0}, hold={"spin": 0.0})
+    held = model.equilibrium(u={"spin": 6.0}, locked={"spin": 0.0})
     free, driven = (model.modes(6, x).angular for x in (found, held))
     coarse = rotor(elements=20)
-    expected = coarse.modes(6, coarse.equilibrium(u={"spin": 6.0}, hold={"spin": 0.0})).angular
+    expected = coarse.modes(6, coarse.equilibrium(u={"spin": 6.0}, locked={"spin": 0.0})).angular
     np.testing.assert_allclose(driven, expected, rtol=1e-3)
     # a hub that may give way does not change what turns it not: of two blades that swing alike,
     # one motion of every pair
@@ -275,18 +275,18 @@ def test_in_a_plane() -> None:
         section = cd.section.general(EA=1e4, GA=1e4, GJ=20, EI=(400, 50), rhoA=1, rhoI=1e-3)
         scene.beam("blade", hub.at(0.1, 0, 0), (1.1, 0, 0), section, elements=3)
         model = cd.compile(cd.derive(scene, coordinates="absolute", plane=plane))
-        steady = model.equilibrium(u={"spin": 6.0}, hold={"spin": 0.0}, check=True)
+        steady = model.equilibrium(u={"spin": 6.0}, locked={"spin": 0.0}, check=True)
         found.append(model.modes(8, steady).angular)
     lag, every = found
     np.testing.assert_allclose([np.abs(every - x).min() for x in lag[:2]], 0, atol=1e-7)
 
 
-# what is no steady motion
+# what is not a steady motion
 
 
 def test_weight_across_the_axis_is_told(blades: cd.CompiledModel) -> None:
     with pytest.warns(cd.SolveWarning, match="no steady motion: forces do not turn along"):
-        found = blades.equilibrium(u={"spin": 6.0}, hold={"spin": 0.0}, parameters={"across": G})
+        found = blades.equilibrium(u={"spin": 6.0}, locked={"spin": 0.0}, parameters={"across": G})
     assert not found.converged
     # along the axis it does no harm
     assert blades.equilibrium(u={"spin": 6.0}, parameters={"along": G}, check=True).converged

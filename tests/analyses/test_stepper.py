@@ -171,11 +171,11 @@ def test_files_that_are_no_checkpoint_of_this(
     objects = pickle.dumps({"a": 1})
     for content in (b"", b"PK not at all", b"junk" * 99, objects, path.read_bytes()[:500]):
         (tmp_path / "bad.npz").write_bytes(content)
-        with pytest.raises(cd.ModelError, match=r"bad\.npz is no checkpoint") as told:
+        with pytest.raises(cd.ModelError, match=r"bad\.npz is not a checkpoint") as told:
             double.resume(tmp_path / "bad.npz")
         assert "pickle" not in str(told.value)
     np.save(tmp_path / "bad.npy", np.zeros(3))
-    with pytest.raises(cd.ModelError, match="is no checkpoint"):
+    with pytest.raises(cd.ModelError, match="is not a checkpoint"):
         double.resume(tmp_path / "bad.npy")
     with pytest.raises(cd.ModelError, match=r"cannot be read: it is a directory"):
         double.resume(tmp_path)

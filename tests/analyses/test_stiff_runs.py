@@ -1,4 +1,4 @@
-"""Stiff mechanisms: what implicit methods save, on trees, circuits, contacts and quaternions."""
+"""Stiff mechanisms: what implicit methods save, on trees, loops, contacts and quaternions."""
 
 from __future__ import annotations
 

@@ -28,9 +28,9 @@ def test_both_formulations_agree(name: str) -> None:
     values = [np.sort(m.linearize(e).eigenvalues.imag) for m, e in
               ((absolute, one), (relative, two))]  # fmt: skip
     np.testing.assert_allclose(values[0], values[1], rtol=1e-8)
-    one, two = (m.equilibrium(q=e.q, hold={joint: float(e[joint]) + 0.3}) for m, e in
+    one, two = (m.equilibrium(q=e.q, locked={joint: float(e[joint]) + 0.3}) for m, e in
                 ((absolute, one), (relative, two)))  # fmt: skip
-    assert one.holding[joint] == pytest.approx(two.holding[joint], rel=1e-9)
+    assert one.holding_forces[joint] == pytest.approx(two.holding_forces[joint], rel=1e-9)
     np.testing.assert_allclose(one.reaction(joint), two.reaction(joint), atol=1e-9)
 
 
@@ -132,11 +132,11 @@ def test_a_hinge_that_nothing_holds_is_named() -> None:
     with pytest.warns(cd.SolveWarning, match=r"nothing holds .*'hinge'"):
         found = model.equilibrium()
     assert not found.converged
-    held = model.equilibrium(hold={"hinge": 0.0})
+    held = model.equilibrium(locked={"hinge": 0.0})
     # the moment turns with the end, which hangs by a slope of 1e-3
-    assert held.holding["hinge"] == pytest.approx(-1.0, rel=1e-5)
+    assert held.holding_forces["hinge"] == pytest.approx(-1.0, rel=1e-5)
 
 
 def test_what_cannot_be_held_is_told(beam: cd.CompiledModel) -> None:
     with pytest.raises(cd.ModelError, match="can be held"):
-        beam.equilibrium(hold={"beam.end.w": 1.0})
+        beam.equilibrium(locked={"beam.end.qw": 1.0})

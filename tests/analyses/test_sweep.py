@@ -126,7 +126,7 @@ def input_four_bar() -> cd.Scene:
         links.append(scene.body(name, mass=length, com=(length / 2, 0, 0), inertia=inertia))
     a, b, c = links
     turn, ground = cd.Revolute("z"), scene.ground
-    scene.joint("A", turn, ground, a, motion=scene.input("angle"))
+    scene.joint("A", turn, ground, a, prescribed=scene.input("angle"))
     scene.joint("B", turn, a.at(FOUR_BAR["crank"], 0, 0), b)
     scene.joint("D", turn, ground.at(FOUR_BAR["ground"], 0, 0), c)
     scene.joint("C", turn, b.at(FOUR_BAR["coupler"], 0, 0), c.at(FOUR_BAR["rocker"], 0, 0))
@@ -158,18 +158,18 @@ def test_mistakes(bars: cd.CompiledModel) -> None:
     free = cd.compile(two_hinges())
     with pytest.raises(cd.ModelError, match="2 degrees of freedom, 'root' drives 1: give"):
         free.sweep("root", [0.0, 1.0])
-    held = free.sweep("root", [0.0, 1.0], hold={"hinge": 0.3})
+    held = free.sweep("root", [0.0, 1.0], locked={"hinge": 0.3})
     np.testing.assert_array_equal(held["hinge"], 0.3)
     for given, said in (
         ("hing", r"values they keep, such as \{'root': 0.2\}.* Did you mean 'hinge'"),
         ("hinge", r"values they keep, such as \{'hinge': 0.2\}"),
         (["hinge"], "values they keep"),
-        (3, "hold=3: give coordinates or frames"),
+        (3, "locked=3: give coordinates or frames"),
     ):
         with pytest.raises(cd.ModelError, match=said):
-            free.sweep("root", [0.0, 1.0], hold=given)
+            free.sweep("root", [0.0, 1.0], locked=given)
         with pytest.raises(cd.ModelError, match=said):
-            free.singular_positions("root", (0.0, 1.0), hold=given)
+            free.singular_positions("root", (0.0, 1.0), locked=given)
 
 
 def two_hinges() -> cd.Scene:

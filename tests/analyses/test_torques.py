@@ -1,4 +1,4 @@
-"""Forces along motions: inverse dynamics by name, of runs, splines and mechanisms with circuits."""
+"""Forces along motions: inverse dynamics by name, of runs, splines and mechanisms with loops."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ def test_a_given_motion_takes_the_forces_of_inverse_dynamics(tmp_path: Path) -> 
         "elbow": cd.table(t, wave[:, 2], kind="cubic"),
     }
     assert np.abs(model.torques(named).forces - want).max() < 1e-3
-    with pytest.raises(ArgumentError, match="'elbo' is no actuator here"):
+    with pytest.raises(ArgumentError, match="'elbo' is not an actuator here"):
         found["elbo"]
     with pytest.raises(SolveError, match="cannot make this motion"):
         model.torques({"t": t, "q": wave}, actuators=["elbow"])

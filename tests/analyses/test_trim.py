@@ -44,7 +44,7 @@ def test_circles_of_a_coin(coin: cd.CompiledModel, case: dict[str, float]) -> No
     rates = {"rolls.u.spin": case["spin_rel"], "rolls.u.yaw": case["W"]}
     other = coin.trim(rates, q={"rolls.lean": lean + 0.1})
     assert other["rolls.lean"] == pytest.approx(lean, rel=1e-10)
-    assert set(found.loose) == {"rolls.x", "rolls.y", "rolls.yaw", "rolls.spin"}
+    assert set(found.free_motions) == {"rolls.x", "rolls.y", "rolls.yaw", "rolls.spin"}
 
 
 @pytest.mark.slow
@@ -140,7 +140,7 @@ def test_conical_pendulum() -> None:
 
 
 def governor() -> cd.Scene:
-    """An arm, a rod and a sleeve on a shaft: a closed circuit that turns."""
+    """An arm, a rod and a sleeve on a shaft: a closed loop that turns."""
     scene = cd.Scene("governor", gravity=(0, 0, -G))
     shaft, sleeve = (scene.body(n, mass=1.0, inertia=(0.1, 0.1, 0.1)) for n in ("shaft", "sleeve"))
     arm = scene.body("arm", mass=0.5, com=(0, 0, -0.5), inertia=(0.02, 0.02, 0.001))
@@ -163,8 +163,8 @@ def test_what_holds_a_circuit() -> None:
     assert again["slide"] == pytest.approx(-0.65, abs=1e-10)
     assert found.stable is again.stable
     held = model.trim({"slide": -0.65}, free=["slide.force"])
-    rest = model.equilibrium(q=held.q, hold={"slide": -0.65, "spin": 0.0})
-    assert held["slide.force"] == pytest.approx(rest.holding["slide"], rel=1e-9)
+    rest = model.equilibrium(q=held.q, locked={"slide": -0.65, "spin": 0.0})
+    assert held["slide.force"] == pytest.approx(rest.holding_forces["slide"], rel=1e-9)
 
 
 def test_controllers_come_to_rest() -> None:
@@ -223,7 +223,7 @@ def test_weight_that_does_not_turn_along() -> None:
         (lambda m: m.trim({"nutatoin": 1.0}), "Did you mean 'nutation'"),
         (lambda m: m.trim({"nutation": math.nan}), "finite"),
         (lambda m: m.trim({"nutation": 1.0}, free=["spin.forse"]), "Did you mean 'spin.force'"),
-        (lambda m: m.trim({"spin.u": 1.0}, free=["spin.u"]), "wanted and free"),
+        (lambda m: m.trim({"spin.u": 1.0}, free=["spin.u"]), "a target and free"),
         (lambda m: m.trim({"nutation": 1.0}, u={"spinn": 3}), "spin"),
         (lambda m: m.trim({"nutation": 1.0}, t=math.inf), "finite"),
         (lambda m: m.trim(["nutation"]), "give numbers by name"),

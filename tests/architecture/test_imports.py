@@ -7,7 +7,7 @@ from graphlib import TopologicalSorter
 
 from architecture.counts import upward
 from architecture.sources import Import, imports, modules, room
-from architecture.table import ORDER, RUNNING, RUNNING_MAY_IMPORT, SYMPY_AT_IMPORT
+from architecture.table import ORDER, PEERS_MAY_IMPORT, RUNNING, RUNNING_MAY_IMPORT, SYMPY_AT_IMPORT
 
 
 @cache
@@ -29,6 +29,15 @@ def test_what_runs_a_shipped_model_knows_no_compiler() -> None:
         str(found)
         for found in ours()
         if room(found.source) in RUNNING and room(found.target) not in RUNNING_MAY_IMPORT
+    ]
+    assert not wrong, "\n".join(wrong)
+
+
+def test_other_programs_are_measured_through_the_api() -> None:
+    wrong = [
+        str(found)
+        for found in ours()
+        if room(found.source) == "peers" and room(found.target) not in PEERS_MAY_IMPORT
     ]
     assert not wrong, "\n".join(wrong)
 

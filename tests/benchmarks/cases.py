@@ -30,7 +30,7 @@ class Case:
         loops: As :func:`cardan.compile` takes it.
         quick: Whether ``QUICK=1`` keeps it.
         size: Bodies of a chain, for the picture of cost against size.
-        closed: It has circuits: it stands in a table of its own.
+        closed: It has loops: it stands in a table of its own.
     """
 
     name: str

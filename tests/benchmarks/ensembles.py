@@ -11,7 +11,7 @@ import numpy as np
 import cardan as cd
 from benchmarks.cases import Case
 from cardan.analyses.ensembles.job import Job
-from cardan.analyses.ensembles.lane_runner import Crew
+from cardan.analyses.ensembles.lane_runner import LaneRunner
 
 SPAN, RTOL = 1.0, 1e-6
 BLOCK = 1024  # runs that are timed, as many as a block of a large ensemble has
@@ -31,7 +31,7 @@ def beside(case: Case, rounds: int) -> tuple[float, float]:
 
 def _timed(job: Job, width: int) -> Callable[[], float]:
     """What all runs take in a thread, and the check that all reach their end."""
-    crew = Crew(job.model, job.how, job.given, job.may, job.over, width)
+    crew = LaneRunner(job.model, job.how, job.input_signals, job.event_table, job.over, width)
 
     def seconds() -> float:
         before = time.thread_time()

@@ -26,8 +26,8 @@ from rich.table import Table
 from cardan.codegen import generate
 from cardan.ir.function import Function
 from cardan.runtime.build import cache
-from cardan.runtime.build.prebuilt import DIRECTORY
 from cardan.runtime.calls import lanes
+from cardan.schema import kernel_files
 from elements.flexible.states import ELEMENTS, State, state
 
 DRIVER = Path(__file__).with_name("flexible.c")
@@ -43,14 +43,14 @@ class Row:
     Attributes:
         kind, function: Which.
         operations: Of a call.
-        alone, abreast: Time of an element by itself, and of one of several in lanes [ns].
+        alone, simd: Time of an element by itself, and of one of several in lanes [ns].
     """
 
     kind: str
     function: str
     operations: int
     alone: float
-    abreast: float
+    simd: float
 
 
 def measured(names: list[str], count: int = COUNT, rounds: int = ROUNDS) -> Iterator[Row]:
@@ -85,7 +85,7 @@ def _time(
 ) -> float:
     """Nanoseconds of an element, the best of several rounds."""
     words = (f"-DCARDAN_LANES={width}", "-DCARDAN_LANE_PARAMETERS") if width > 1 else ()
-    library = cache.build([text, DRIVER], [DIRECTORY], False, extra=words).load()
+    library = cache.build([text, DRIVER], kernel_files.includes(), False, extra=words).load()
     calls = count // width
     prepared = _filled(np.zeros(entry["prepared_size"]), calls, width)
     data = _filled(np.array(at.p), 1, width)
@@ -126,7 +126,7 @@ def table(rows: list[Row]) -> Table:
     found = Table("element", "function", "operations", "ns", "ns in lanes", box=None)
     for row in rows:
         found.add_row(
-            row.kind, row.function, str(row.operations), f"{row.alone:.1f}", f"{row.abreast:.1f}"
+            row.kind, row.function, str(row.operations), f"{row.alone:.1f}", f"{row.simd:.1f}"
         )
     return found
 

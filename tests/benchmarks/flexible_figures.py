@@ -73,14 +73,14 @@ def _bend() -> Figure:
 
 
 def _elements() -> Iterator[Figure]:
-    for kind, (alone, abreast) in ELEMENTS.items():
+    for kind, (alone, simd) in ELEMENTS.items():
         rows = [r for r in flexible.measured([kind]) if r.function.startswith("balance")]
-        one, several = sum(r.alone for r in rows), sum(r.abreast for r in rows)
+        one, several = sum(r.alone for r in rows), sum(r.simd for r in rows)
         yield Figure(
             f"{kind}: balance and tangent, by itself / in lanes",
-            f"{alone} / {abreast} ns",
+            f"{alone} / {simd} ns",
             f"{one:.0f} / {several:.0f} ns",
-            one <= alone and several <= abreast,
+            one <= alone and several <= simd,
         )
 
 

@@ -39,7 +39,7 @@ class Found:
         lacking: Case or peer -> why it was left out.
         peak: Of the processor, the larger of two measurements.
         lanes: States that a batch does at once.
-        formulas: Closed case -> seconds of a call and of a state in a batch, its circuits solved
+        formulas: Closed case -> seconds of a call and of a state in a batch, its loops solved
             by formulas.
         ensembles: Case -> seconds of a run among many: one by one, in lanes.
     """
@@ -63,7 +63,7 @@ def undamped(model: cd.CompiledModel) -> cd.CompiledModel:
 def measure(case: Case, rounds: int, show: Callable[[str], None]) -> tuple[Comparison, int]:
     """A case beside all peers, and the lanes of its batch."""
     plain = [function for function in case.functions if function != DERIVATIVES]
-    plain = list(dict.fromkeys((FORWARD, *plain, MASS, "applied")))
+    plain = list(dict.fromkeys((FORWARD, *plain, MASS, "applied_forces")))
     # states of a closed system have to be found first, which may need anything
     functions = STANDARD if case.closed else (*plain, "derivative")
     model = undamped(cd.compile(case.build(), functions=functions, loops=case.loops))
@@ -77,7 +77,7 @@ def measure(case: Case, rounds: int, show: Callable[[str], None]) -> tuple[Compa
 
 
 def formulas(case: Case, rounds: int) -> tuple[Time, Time] | None:
-    """Forward dynamics with circuits in closed form, None where no circuit has one."""
+    """Forward dynamics with loops in closed form, None where no loop has one."""
     whole, own = cd.compile(case.build()), cd.compile(case.build(), constraints="closed_form")
     if own.nu == whole.nu:
         return None

@@ -24,10 +24,10 @@ from scipy.sparse import csr_array
 from scipy.sparse.linalg import splu
 
 from cardan.runtime.build import cache
-from cardan.runtime.build.prebuilt import DIRECTORY
 from cardan.runtime.sparse.block_solver import FactorsRecord, Memory, plan_record
 from cardan.runtime.sparse.plan import Plan, plan
 from cardan.runtime.sparse.systems import assembled
+from cardan.schema import kernel_files
 from runtime.absolute.structures import Structure, bars, grid, line
 
 DRIVER = Path(__file__).with_name("sparse.c")
@@ -85,8 +85,8 @@ class Row:
 
 def measured(names: list[str], most: int = 10_000) -> Iterator[Row]:
     """Rows of the structures that are asked for, up to some number of nodes."""
-    sources = [DRIVER, *sorted(DIRECTORY.glob("sparse*.c"))]
-    library = cache.build(sources, [DIRECTORY]).load()
+    sources = [DRIVER, *kernel_files.files("sparse*.c")]
+    library = cache.build(sources, kernel_files.includes()).load()
     for name in names:
         make, sizes = STRUCTURES[name]
         for nodes in sizes:

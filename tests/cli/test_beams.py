@@ -10,7 +10,7 @@ import pytest
 from cardan.cli import main
 
 SCENE = """\
-cardan: 1
+cardan: 2
 name: crane
 bodies:
   load: {mass: 20, inertia: [0.1, 0.1, 0.1]}

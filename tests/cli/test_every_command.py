@@ -31,7 +31,7 @@ WORKING = {
     "modes": (ARM,),
     "linearize": (ARM,),
     "identify": (ARM,),
-    "trim": (ARM, "--want", "elbow=0.5", "--free", "elbow.force"),
+    "trim": (ARM, "--target", "elbow=0.5", "--free", "elbow.force"),
     "ensemble": (ARM, "--time", "0.1", "--vary", "waist=0,1"),
     "report": (ARM, "--time", "0.1", "--methods", "DOP853", "RK4"),
     "bench": (ARM, "--peers", "casadi", "--functions", "mass_matrix"),
@@ -93,7 +93,7 @@ def test_a_faulty_scene_is_1_and_says_where(
     command: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     scene = tmp_path / "bad.yaml"
-    scene.write_text("cardan: 1\nname: bad\nbodies:\n  bob: {mass: 1, con: [0, 0, 1]}\n")
+    scene.write_text("cardan: 2\nname: bad\nbodies:\n  bob: {mass: 1, con: [0, 0, 1]}\n")
     words = tuple(str(scene) if word == ARM else word for word in WORKING[command])
     assert status(command, *words) == 1
     found = capsys.readouterr()

@@ -11,7 +11,7 @@ import pytest
 from cardan.cli import main
 
 SCENE = """\
-cardan: 1
+cardan: 2
 name: column
 gravity: [0, 0, 0]
 parameters: {P: 0, k: 2}
@@ -41,18 +41,18 @@ def status(*words: str) -> int:
 
 
 def test_angles_in_parts_of_pi(scene: str, capsys: pytest.CaptureFixture[str]) -> None:
-    assert status("equilibrium", scene, "--hold", "foot=-pi/4") == 0
+    assert status("equilibrium", scene, "--lock", "foot=-pi/4") == 0
     assert "foot = -0.7853981634" in capsys.readouterr().out
-    assert status("equilibrium", scene, "--hold", "foot=pie") == 2
+    assert status("equilibrium", scene, "--lock", "foot=pie") == 2
     assert "'foot=pie' does not read JOINT=VALUE" in capsys.readouterr().err
 
 
 def test_equilibrium(scene: str, capsys: pytest.CaptureFixture[str]) -> None:
     assert status("equilibrium", scene, "--set", "torque=1") == 0
     assert "foot = 0.5" in capsys.readouterr().out
-    assert status("equilibrium", scene, "--hold", "foot=0.25", "--json") == 0
+    assert status("equilibrium", scene, "--lock", "foot=0.25", "--json") == 0
     found = json.loads(capsys.readouterr().out)
-    assert found["holding"]["foot"] == pytest.approx(0.5)
+    assert found["holding_forces"]["foot"] == pytest.approx(0.5)
     assert found["stable"] is True
     assert status("equilibrium", scene, "--set", "P=3", "--stable", "--json") == 0
     found = json.loads(capsys.readouterr().out)
@@ -75,7 +75,7 @@ def test_statics(scene: str, tmp_path: Path, capsys: pytest.CaptureFixture[str])
     assert (tmp_path / "path.png").is_file()
     assert status("statics", scene, "--sweep", "foot=0,1", "--steps", "4", "--json") == 0
     rows = json.loads(capsys.readouterr().out)["rows"]
-    np.testing.assert_allclose([row["holding"]["foot"] for row in rows], [0, 0.5, 1, 1.5, 2])
+    np.testing.assert_allclose([row["holding_forces"]["foot"] for row in rows], [0, 0.5, 1, 1.5, 2])
     assert status("statics", scene, "--sweep", "P") == 2
     assert "NAME=FROM,TO" in capsys.readouterr().err
     assert status("statics", scene, "--sweep", "Q=0,1") == 1
@@ -116,22 +116,22 @@ def test_formulas_of_a_linear_model(scene: str, capsys: pytest.CaptureFixture[st
     assert json.loads(capsys.readouterr().out)["K"] == [["-P*load.frame.position.z*cos(phi) + k"]]
     assert status("linearize", scene, "--about", "foot=0") == 1
     assert "go with --symbolic" in capsys.readouterr().err
-    for words in (("--vary", "k=1,2"), ("--want", "foot=0"), ("--plot", "x.png")):
+    for words in (("--vary", "k=1,2"), ("--target", "foot=0"), ("--plot", "x.png")):
         assert status("linearize", scene, "--symbolic", *words) == 1
         assert f"{words[0]} does not go with --symbolic" in capsys.readouterr().err
     assert status("linearize", scene, "--symbolic", "--about", "foot=") == 2
 
 
 def test_trim(scene: str, capsys: pytest.CaptureFixture[str]) -> None:
-    assert status("trim", scene, "--want", "foot=0.25", "--free", "torque", "--json") == 0
+    assert status("trim", scene, "--target", "foot=0.25", "--free", "torque", "--json") == 0
     found = json.loads(capsys.readouterr().out)
     assert found["free"]["torque"] == pytest.approx(0.5)
     assert found["stable"] is True
-    assert status("trim", scene, "--want", "foot=0.25", "--free", "k", "--set", "torque=1") == 0
+    assert status("trim", scene, "--target", "foot=0.25", "--free", "k", "--set", "torque=1") == 0
     assert "k = 4  (free)" in capsys.readouterr().out
-    assert status("trim", scene, "--want", "foot=0.25") == 1
+    assert status("trim", scene, "--target", "foot=0.25") == 1
     assert "no steady motion" in capsys.readouterr().err
-    assert status("trim", scene, "--hold", "foot=0.25") == 1
+    assert status("trim", scene, "--lock", "foot=0.25") == 1
     assert "--free JOINT.force" in capsys.readouterr().err
 
 
@@ -148,10 +148,10 @@ def test_families(scene: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
     change = json.loads(capsys.readouterr().out)["derivatives"]["k"][0]
     # w = sqrt(k / J)
     assert change == pytest.approx([0, 0.5 / np.sqrt(2 * 0.35)], abs=1e-9)
-    assert status("linearize", scene, "--want", "foot=0.3", "--free", "torque") == 0
+    assert status("linearize", scene, "--target", "foot=0.3", "--free", "torque") == 0
     assert "frequency" in capsys.readouterr().out
     assert status("linearize", scene, "--vary", "foot=0,30", "--campbell", "--json") == 0
-    # a bar turned past its spring is no rotor: nothing else moves
+    # a bar turned past its spring is not a rotor: nothing else moves
     assert json.loads(capsys.readouterr().out)["critical"] == []
     assert status("linearize", scene, "--campbell") == 1
     assert "say what changes" in capsys.readouterr().err

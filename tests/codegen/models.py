@@ -18,7 +18,7 @@ def arm() -> cd.Scene:
     scene.joint("shoulder", cd.Revolute("y"), base.at(0.2, 0, 0), upper, limits=(-2, 2), q0=0.3)
     scene.joint("elbow", cd.Revolute((0, 0.6, 0.8)), upper.at(0, 0, -0.5), lower)
     scene.joint("flange", cd.Fixed(), lower.at(0, 0, -0.4), tool)
-    scene.joint("spin", cd.Revolute("x"), base.at(0, 0.1, 0), wheel, motion=3 * cd.t)
-    scene.force("spring", cd.TorsionSpring("elbow", stiffness=3.0))
+    scene.joint("spin", cd.Revolute("x"), base.at(0, 0.1, 0), wheel, prescribed=3 * cd.t)
+    scene.force("spring", cd.JointSpring("elbow", stiffness=3.0))
     scene.output("reach", scene.q("elbow") + 1)
     return scene

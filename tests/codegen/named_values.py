@@ -25,7 +25,7 @@ from cardan.runtime.verification.newton_euler import (
     mass_matrix,
     moving,
 )
-from cardan.runtime.verification.reference_values import truth_of
+from cardan.runtime.verification.reference_values import reference_values
 from cardan.topology.system import Cut
 
 Array = NDArray[np.float64]
@@ -54,7 +54,7 @@ class Judge:
         self.equations, self.system = equations, equations.system
         model = cd.compile(equations)
         self.scene: Scene = scene_of(model)
-        truth = truth_of(model, self.scene, 1, 5)
+        truth = reference_values(model, self.scene, 1, 5)
         self.q, self.u, self.tau = truth.q[0], truth.u[0], truth.tau[0]
         start = model._layout.start
         self.blocks = {
@@ -106,13 +106,13 @@ class Judge:
         m = moving(self.scene, q, self.u, 0 * self.u, self.motion)
         for i, (body, joint) in enumerate(zip(self.system.bodies, self.system.joints, strict=True)):
             k, p = i + 1, body.parent + 1
-            back, inner = m.turned[k].T, m.turned[p].T
+            back, inner = m.rotations[k].T, m.rotations[p].T
             yield from self._vector(body.name, "omega", back @ m.omega[k])
             yield from self._vector(body.name, "v", back @ m.velocity[k])
             yield from self._vector(body.name, "alpha_parent_omega", back @ m.omega[p])
-            yield from self._vector(body.name, "orientation", m.turned[k], CELLS)
+            yield from self._vector(body.name, "orientation", m.rotations[k], CELLS)
             yield from self._vector(body.name, "position", m.place[k])
-            yield from self._vector(joint.name, "R", inner @ m.turned[k], CELLS)
+            yield from self._vector(joint.name, "R", inner @ m.rotations[k], CELLS)
             yield from self._vector(joint.name, "p", inner @ (m.place[k] - m.place[p]))
             arm, w = m.place[k] - m.place[p], m.omega[p]
             turning = m.omega[k] - w
@@ -124,10 +124,10 @@ class Judge:
 
     def _cut(self, m: Moving, cut: Cut, q: Array) -> Iterator[Named]:
         base, names = cut.base + 1, {}
-        back, origin = m.turned[base].T, m.place[base]
+        back, origin = m.rotations[base].T, m.place[base]
         P, C = (self._frame(m, number) for number in (cut.parent_frame, cut.child_frame))
         for i, sign in cut.path:
-            names[f"{self.system.bodies[i].name}_"] = (m.turned[i + 1], m.place[i + 1])
+            names[f"{self.system.bodies[i].name}_"] = (m.rotations[i + 1], m.place[i + 1])
             joint, p = self.system.joints[i].name, self.parents[i] + 1
             arm, turning = C.x - m.place[i + 1], m.omega[i + 1] - m.omega[p]
             sliding = m.velocity[i + 1] - m.velocity[p]
@@ -150,7 +150,7 @@ class Judge:
 
     def _twist(self, cut: Cut, word: str, P: Place, C: Place, m: Moving) -> Iterator[Named]:
         turning, sliding = C.w - P.w, C.v - P.v - np.cross(P.w, C.x - P.x)
-        for name, R in (("twist", C.R), ("base_twist", m.turned[cut.base + 1])):
+        for name, R in (("twist", C.R), ("base_twist", m.rotations[cut.base + 1])):
             twist = np.concatenate([R.T @ turning, R.T @ sliding])
             yield from self._vector(cut.name, f"{name}{word}", twist, TWIST)
 
@@ -161,9 +161,9 @@ class Judge:
         given = evaluate(Function("frame", self.system.graph, blocks, outputs), self.blocks)
         R, p = np.reshape(given["R"], (3, 3)).astype(float), np.array(given["p"], dtype=float)
         k = frame.body + 1
-        arm = m.turned[k] @ p
+        arm = m.rotations[k] @ p
         velocity = m.velocity[k] + np.cross(m.omega[k], arm)
-        return Place(m.turned[k] @ R, m.place[k] + arm, m.omega[k], velocity)
+        return Place(m.rotations[k] @ R, m.place[k] + arm, m.omega[k], velocity)
 
     # inertia, and what it takes to accelerate it
 
@@ -187,8 +187,8 @@ class Judge:
             yield from self._vector(body.name, "second_moment", second, CELLS)
             moment, tensor = np.zeros(3), np.zeros((3, 3))
             for n in self._outboard(i):
-                R = m.turned[i + 1].T @ m.turned[n + 1]
-                d = m.turned[i + 1].T @ (m.place[n + 1] - m.place[i + 1])
+                R = m.rotations[i + 1].T @ m.rotations[n + 1]
+                d = m.rotations[i + 1].T @ (m.place[n + 1] - m.place[i + 1])
                 mass, h = numbers["mass"][n], R @ numbers["first_moment"][n]
                 moment = moment + h + mass * d
                 s = h + mass * d / 2
@@ -199,7 +199,7 @@ class Judge:
 
     def _momenta(self, m: Moving) -> Iterator[Named]:
         for i, body in enumerate(self.system.bodies):
-            back = m.turned[i + 1].T
+            back = m.rotations[i + 1].T
             w, alpha = back @ m.omega[i + 1], back @ m.alpha[i + 1]
             yield from self._vector(body.name, "alpha", alpha)
             yield from self._vector(body.name, "a", back @ m.accel[i + 1])
@@ -230,7 +230,7 @@ class Judge:
         """
         numbers, total = self.scene.numbers, np.zeros(6)
         for n in self._outboard(i):
-            R = m.turned[n + 1]
+            R = m.rotations[n + 1]
             mass, h = numbers["mass"][n], R @ numbers["first_moment"][n]
             inertia, w = R @ numbers["inertia"][n] @ R.T, m.omega[n + 1]
             if rates:
@@ -242,7 +242,7 @@ class Judge:
                 moment = inertia @ w + np.cross(h, m.velocity[n + 1])
             moment = moment + np.cross(m.place[n + 1] - m.place[at + 1], force)
             total += np.concatenate([moment, force])
-        back = m.turned[at + 1].T
+        back = m.rotations[at + 1].T
         return np.concatenate([back @ total[:3], back @ total[3:]])
 
     # the equations of motion

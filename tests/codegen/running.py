@@ -16,9 +16,9 @@ from tempfile import mkdtemp
 import numpy as np
 
 from cardan.codegen import CFile
-from cardan.codegen.layout import KERNELS
 from cardan.ir.function import Function
 from cardan.ir.interpreter import evaluate
+from cardan.schema import kernel_files
 
 STRICT = ("-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror")
 SPEED = ("-O2", "-fno-tree-vectorize", "-fno-math-errno")
@@ -59,7 +59,13 @@ def shared(text: str, compiler: str, flags: Sequence[str] = EXACT) -> ctypes.CDL
     """
     stem = _folder() / hashlib.sha256(f"{text}{compiler}{flags}".encode()).hexdigest()[:24]
     stem.with_suffix(".c").write_text(text, "utf-8")
-    command = [*compilers()[compiler], *flags, "-shared", "-fPIC", f"-I{KERNELS}"]
+    command = [
+        *compilers()[compiler],
+        *flags,
+        "-shared",
+        "-fPIC",
+        *(f"-I{folder}" for folder in kernel_files.includes()),
+    ]
     command += ["-o", f"{stem}.so", f"{stem}.c", "-lm"]
     answer = subprocess.run(command, capture_output=True, text=True, check=False)
     assert answer.returncode == 0, f"{compiler}: {answer.stderr[:3000]}\n{text[:2000]}"

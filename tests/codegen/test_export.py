@@ -16,8 +16,9 @@ import cardan as cd
 from cardan.codegen import layout
 from cardan.codegen.export import companions
 from cardan.codegen.export.export import export
-from cardan.codegen.layout import HEADERS, KERNELS
+from cardan.codegen.layout import HEADERS
 from cardan.errors import CodegenError, DerivationError
+from cardan.schema import kernel_files
 from cardan.schema.functions import FUNCTIONS
 from codegen.lanes import aligned
 from codegen.models import arm
@@ -36,7 +37,7 @@ int main(void)
     static real out[forward_dynamics_out_size], work[forward_dynamics_work_size + 1];
     static const double values[] = {PARAMETERS};
     for (int i = 0; i < cardan_np; ++i) p[i] = values[i];
-    q[q_float_w] = 1.0;
+    q[q_float_qw] = 1.0;
     q[q_elbow] = 0.4;
     prepare_forward_dynamics(p, w);
     cardan_in in = {0};
@@ -181,10 +182,10 @@ def test_files_of_integrators_are_there_and_records_know_them() -> None:
     for method in companions.INTEGRATORS:
         for elements in (False, True):
             files = companions.kernels((method,), elements)
-            assert all((KERNELS / name).is_file() for name in files)
+            assert all(kernel_files.file(name).is_file() for name in files)
             # a header comes along with every file that asks for it
             for name in files:
-                text = (KERNELS / name).read_text("utf-8")
+                text = kernel_files.text(name)
                 asked = set(re.findall(r'^#include "(\w+\.h)"', text, re.MULTILINE))
                 assert asked <= {*files, *HEADERS}, name
 
@@ -318,7 +319,7 @@ def test_scenes_with_states_and_events(tmp_path: Path) -> None:
     directory = cd.derive(scene).export(tmp_path / "c", integrators=("dop853",))
     assert {"events.c", "transition.c", "stopped.pyx"} <= {p.name for p in directory.iterdir()}
     # files of integrators and of functions lie side by side
-    assert not {path.stem for path in KERNELS.glob("*.c")} & (set(FUNCTIONS) - {"derivative"})
+    assert not {path.stem for path in kernel_files.files("*.c")} & (set(FUNCTIONS) - {"derivative"})
     assert "int events(" in (directory / "events.c").read_text("utf-8")
     assert "This model has events" in (directory / "README.md").read_text("utf-8")
     sources = sorted(map(str, directory.glob("*.c")))
@@ -352,7 +353,7 @@ def machine() -> cd.Scene:
     x, v = scene.q("x"), scene.u("x")
     pid = cd.Controller.pid("x", x, v, target=0.4, kp=30.0, ki=1.0, kd=1.0, sample=0.02)
     scene.force("pid", pid)
-    scene.force('a"bell"?', cd.Watch(scene.q("z") - 0.3, then="mark"))
+    scene.force('a"bell"?', cd.Event(scene.q("z") - 0.3))
     return scene
 
 
@@ -372,7 +373,7 @@ def test_the_example_runs_over_events(method: str, tmp_path: Path) -> None:
 
 def test_the_example_ends_where_an_event_ends_it(tmp_path: Path) -> None:
     scene = machine()
-    scene.force("top", cd.Watch(scene.u("z"), then="end", direction="down"))
+    scene.force("top", cd.Event(scene.u("z"), terminal=True, direction="down"))
     folder = cd.derive(scene).export(tmp_path / "c", language="c", integrators=("dop853",))
     motion = cd.compile(scene).simulate(1.0, rtol=1e-9, atol=1e-12)
     assert motion.status == "event"

@@ -99,7 +99,7 @@ def test_saved_functions_are_the_functions(tmp_path: Path) -> None:
     written(tmp_path, equations, "mass_matrix", "bias")
     saved = json.loads((tmp_path / "functions.json").read_text("utf-8"))
     poses = {f"scene_pose_{k}" for k in range(4)}
-    others = {"scene", "scene_motion", "applied", "wrenches"}
+    others = {"scene", "scene_motion", "applied_forces", "wrenches"}
     assert set(saved) == {*others, *poses, "mass_matrix", "bias"}
     rng = np.random.default_rng(5)
     p = [parameter.value for parameter in equations.system.parameters]

@@ -71,7 +71,7 @@ def test_parameters_change_without_a_compiler(tmp_path: Path) -> None:
     sags = []
     for load, stiffness in ((0.0, 2e4), (100.0, 2e4), (100.0, 4e4)):
         changed = model.with_parameters(load=load, EI=stiffness)
-        rest = changed.equilibrium(hold={"slew": 0.0})
+        rest = changed.equilibrium(locked={"slew": 0.0})
         sags.append(float(changed.pose("jib.end", rest.q)[2, 3]))
     loaded, stiff = sags[1] - sags[0], sags[2]
     assert loaded == pytest.approx(-100 * 27 / (3 * 2e4) - 100 * 3 / 2e7, rel=2e-2)

@@ -18,8 +18,9 @@ from cardan.errors import CodegenError
 from cardan.ir.function import Block, Function, Output, Staged
 from cardan.ir.graph import Graph
 from cardan.ir.matrix import Matrix
+from cardan.schema import kernel_files
 from codegen.functions import random_function
-from codegen.running import KERNELS, SPEED, STRICT, call, compilers, shared
+from codegen.running import SPEED, STRICT, call, compilers, shared
 from mechanisms import ZOO
 from spread import some
 
@@ -145,9 +146,12 @@ def test_headers_compile_as_cpp() -> None:
         "-o",
         "/dev/null",
     ]
-    kernels = Path(__file__).parents[2] / "src" / "cardan" / "kernels"
     answer = subprocess.run(
-        [*command, f"-I{kernels}"], input=text, text=True, capture_output=True, check=False
+        [*command, *(f"-I{folder}" for folder in kernel_files.includes())],
+        input=text,
+        text=True,
+        capture_output=True,
+        check=False,
     )
     assert answer.returncode == 0, answer.stderr
 
@@ -205,7 +209,13 @@ def test_the_zoo_gives_no_warnings(name: str, compiler: str, tmp_path: Path) -> 
     texts = [generate(equations.function(n)).text for n in SCREENED if n in equations.names()]
     # several functions can stand in one file
     (tmp_path / "all.c").write_text("\n".join(texts), "utf-8")
-    command = [*compilers()[compiler], *STRICT, "-O0", "-fno-sanitize=all", f"-I{KERNELS}"]
+    command = [
+        *compilers()[compiler],
+        *STRICT,
+        "-O0",
+        "-fno-sanitize=all",
+        *(f"-I{folder}" for folder in kernel_files.includes()),
+    ]
     answer = subprocess.run(
         [*command, "-c", "all.c", "-o", "all.o"],
         cwd=tmp_path,

@@ -64,7 +64,7 @@ def of_a_newer_cardan(form: version.Format, path: Path, monkeypatch: pytest.Monk
     newer = form._replace(version=form.version + 7, oldest=form.version + 7)
     with monkeypatch.context() as patch:
         patch.setattr(append_log, "VERSION", "9.8.7")
-        append_log.Growing(path, newer, {"model": "of tomorrow"}, {}).close()
+        append_log.AppendLog(path, newer, {"model": "of tomorrow"}, {}).close()
 
 
 @pytest.mark.parametrize("kind", ["run_file", "ensemble_file"])

@@ -100,7 +100,7 @@ def test_a_folder_of_a_model(name: str, tmp_path: Path) -> None:
 @pytest.mark.parametrize("name", kept("export_*.tar.xz"))
 def test_an_export_is_opened(name: str, tmp_path: Path) -> None:
     folder = unpacked(name, tmp_path / "exported")
-    model = read_or_refused(version.ABI, name, lambda: cd.load_model(folder))
+    model = read_or_refused(version.MANIFEST, name, lambda: cd.load_model(folder))
     if model is not None:
         same(of_model(model), "model.npz")
 

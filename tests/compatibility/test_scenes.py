@@ -51,6 +51,40 @@ def test_a_scene_moves_as_it_moved(path: Path) -> None:
     np.testing.assert_allclose(values, expected[found], rtol=1e-9, atol=1e-9 * scale)
 
 
+NAMED_BEFORE = """\
+cardan: 1
+name: before
+bodies:
+  rod: {mass: 2.0, inertia: [1, 1, 1]}
+  hub: {mass: 2.0, inertia: [1, 1, 1]}
+joints:
+  drive: {type: revolute, axis: y, parent: ground, child: hub, motion: 0.1*t}
+  ball: {type: spherical, parent: hub, child: rod}
+forces:
+  rope: {type: spring_damper, frame_a: ground, frame_b: rod, stiffness: 5, length: 1}
+  look: {type: watch, expression: "q(ball.w) - 0.5", then: end}
+outputs:
+  turned: q(ball.x)
+"""
+
+
+def test_a_scene_of_format_1_has_the_names_of_today() -> None:
+    scene = reader.from_text(NAMED_BEFORE)
+    rope, look = scene.forces["rope"].element, scene.forces["look"].element
+    assert (rope.rest_length, look.kind, look.terminal) == (1, "event", True)
+    assert scene.joints["drive"].prescribed == 0.1 * cd.t
+    assert scene.outputs["turned"].expression == scene.q("ball.qx")
+    # today's names are for files of today
+    with pytest.raises(cd.ModelError, match=r"q\('ball.w'\): no such component"):
+        reader.from_text(
+            NAMED_BEFORE.replace("cardan: 1", "cardan: 2")
+            .replace("motion:", "prescribed:")
+            .replace("length:", "rest_length:")
+            .replace("watch", "event")
+            .replace("then: end", "terminal: true")
+        )
+
+
 OLDER = """\
 cardan: 1
 name: pendulum

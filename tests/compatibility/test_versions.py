@@ -82,8 +82,8 @@ def test_a_newer_file_is_refused(
 
 def test_a_newer_scene_is_refused(tmp_path: Path) -> None:
     file = tmp_path / "scene.yaml"
-    file.write_text("cardan: 2\nbodies: {a: {mass: 1}}\n", "utf-8")
-    with pytest.raises(cd.ModelError, match=r"scene\.yaml:1:9: .*scene format 2; this is cardan 0"):
+    file.write_text("cardan: 3\nbodies: {a: {mass: 1}}\n", "utf-8")
+    with pytest.raises(cd.ModelError, match=r"scene\.yaml:1:9: .*scene format 3; this is cardan 0"):
         cd.load(file)
 
 

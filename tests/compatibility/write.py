@@ -39,7 +39,7 @@ FILES = Path(__file__).parent / "files"
 SCENES = FILES / f"scene_{version.SCENE.version}"
 # scenes that the program writes; the others in the folder are written by hand
 # what a run is made of; the rest follows from it by a model
-STORED = ("t", "x", "r", "s", "given")
+STORED = ("t", "x", "r", "s", "work_done")
 SAVED = ("backwards", "backwards_guided", "parabola", "gear", "damped", "driven", "orbiter",
          "gyrostat", "roller_coaster", "screw", "gripper", "four_bar")  # fmt: skip
 # parts of other scenes
@@ -226,7 +226,7 @@ def models() -> None:
         of_model(cd.compile(scene(), directory=own))
         once(f"model_{version.MANIFEST.version}.tar.xz", lambda path: packed(own, path))
         cd.derive(scene()).export(exported, language="c", integrators=["rk4"])
-        once(f"export_{version.ABI.version}.tar.xz", lambda path: packed(exported, path))
+        once(f"export_{version.MANIFEST.version}.tar.xz", lambda path: packed(exported, path))
 
 
 def cache() -> None:

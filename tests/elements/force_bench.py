@@ -23,16 +23,16 @@ INSTANCES: dict[str, ForceElement] = {
     "line load": cd.LineLoad("blade", force=(1.0, 0.0, -2.0), moment=(0.0, 3.0, 0.0)),
     "torque": cd.Torque("A", (0.3, 0.0, -2.0)),
     "torque in axes": cd.Torque("A", (0.3, 0.0, -2.0), in_="B"),
-    "spring": cd.SpringDamper("A", "B", stiffness=30.0, length=0.4),
+    "spring": cd.SpringDamper("A", "B", stiffness=30.0, rest_length=0.4),
     "spring of no length": cd.SpringDamper("A", "B", stiffness=30.0),
     "damper": cd.SpringDamper("A", "B", damping=4.0),
-    "spring and damper": cd.SpringDamper("A", "B", stiffness=30.0, damping=4.0, length=0.4),
-    "maxwell": cd.Maxwell("A", "B", stiffness=30.0, damping=4.0, length=0.4),
-    "torsion spring": cd.TorsionSpring("one", stiffness=7.0, rest=0.2),
-    "torsion spring and damper": cd.TorsionSpring("one", stiffness=7.0, damping=0.3),
+    "spring and damper": cd.SpringDamper("A", "B", stiffness=30.0, damping=4.0, rest_length=0.4),
+    "maxwell": cd.Maxwell("A", "B", stiffness=30.0, damping=4.0, rest_length=0.4),
+    "torsion spring": cd.JointSpring("one", stiffness=7.0, rest=0.2),
+    "torsion spring and damper": cd.JointSpring("one", stiffness=7.0, damping=0.3),
     "joint force": cd.JointForce("one", 3.0),
     "joint forces": cd.JointForce("two", (3.0, -1.0)),
-    "damping": cd.Damping("two", 0.8),
+    "damping": cd.JointDamper("two", 0.8),
     "rigid drive": cd.Drive("one", inertia=0.1, ratio=50.0, torque=0.6, friction=0.02),
     "gyroscopic drive": cd.Drive("one", inertia=0.1, ratio=-4.0, torque=0.6, gyroscopic=True),
     "elastic drive": cd.Drive(
@@ -47,7 +47,7 @@ INSTANCES: dict[str, ForceElement] = {
     "lock": cd.Lock("one", when=1.0, strength=3.0),
     "contact with a plane": cd.Contact("B", "A", radius=1.5, stiffness=1e3, damping=0.1, mu=0.2),
     "contact of spheres": cd.Contact("A", "B", radius=1.0, stiffness=1e3, other_radius=0.9),
-    "watch": cd.Watch(1.0),
+    "event": cd.Event(1.0),
     "driven rotor": cd.Rotor("B", inertia=0.2, torque=0.5, friction=0.1),
     "rotor of constant speed": cd.Rotor("B", inertia=0.2, speed=30.0),
     "rotor of constant momentum": cd.Rotor("B", axis=(1, -2, 0.5), momentum=6.0),
@@ -110,7 +110,7 @@ class Moving:
     def arm(self, start: int, end: int) -> Matrix:
         return self.rotation(end).T @ (self.position(end) - self.position(start))
 
-    def seen(self, x: Matrix, start: int, end: int) -> Matrix:
+    def in_frame(self, x: Matrix, start: int, end: int) -> Matrix:
         return self.rotation(end).T @ (self.rotation(start) @ x)
 
     def q(self, joint: int) -> Matrix:

@@ -14,7 +14,7 @@ from laws.cases import derived, states, values
 from mechanisms import ZOO
 from spread import some
 
-# members with joints whose speeds are no rates of coordinates, and some without
+# members with joints whose speeds are not rates of coordinates, and some without
 TURNING = ("spherical", "free", "point_on", "backwards")
 NAMES = [name for name in ZOO if name.startswith((*TURNING, "universal", "planar", "distance"))]
 

@@ -22,7 +22,7 @@ def cut(request: pytest.FixtureRequest) -> Cut:
 
 
 class Cut(Bench):
-    """A joint that closes a circuit: relative poses beside those of its coordinates."""
+    """A joint that closes a loop: relative poses beside those of its coordinates."""
 
     def __init__(self, name: str) -> None:
         super().__init__(name)
@@ -40,7 +40,7 @@ class Cut(Bench):
             (turn if k < 3 else shift)[k % 3] = mpmath.mpf(1)
             spin, drift = self.at_R @ skew(turn), self.at_R @ shift
             columns.append(difference(lambda t, s=spin, d=drift: self.near(t, s, d)))
-        return np.stack(columns, axis=-1) if len(self.joint.held) else np.zeros((0, 6))
+        return np.stack(columns, axis=-1) if len(self.joint.locked) else np.zeros((0, 6))
 
     def near(self, t: Any, spin: Any, drift: Any) -> Any:
         R, x = self.at_R + t * spin, self.at_x + t * drift
@@ -55,7 +55,7 @@ def skew(v: Any) -> Any:
 @pytest.mark.parametrize("seed", range(3))
 def test_closure_vanishes_at_every_pose_of_the_joint(cut: Cut, seed: int) -> None:
     joint, rng = cut.joint, np.random.default_rng(seed)
-    held = joint.held
+    held = joint.locked
     assert cut.closure.rows == len(held) == 6 - cut.nu
     start = Matrix.vector(cut.graph, [x.default for x in joint.coordinates])
     q = joint.integrate(start, block(cut.graph, "du", cut.nu), **cut.data)
@@ -64,8 +64,8 @@ def test_closure_vanishes_at_every_pose_of_the_joint(cut: Cut, seed: int) -> Non
     reach = 1.2 if joint.domain else 5.0
     du = [mpmath.mpf(x) for x in rng.uniform(-reach, reach, cut.nu)]
     assert close(cut.value(joint.closure(R, p, **cut.data), du=du), 0, 60)
-    facing = joint.facing(R, p, **cut.data)
-    assert all(x > 0 for x in cut.value(facing, du=du)) or joint.domain
+    assembly_signs = joint.assembly_signs(R, p, **cut.data)
+    assert all(x > 0 for x in cut.value(assembly_signs, du=du)) or joint.domain
 
 
 def test_closure_leaves_the_motion_free_and_holds_the_rest(cut: Cut) -> None:
@@ -79,7 +79,7 @@ def test_closure_leaves_the_motion_free_and_holds_the_rest(cut: Cut) -> None:
 
 def test_rows_of_the_closure_are_angles_and_lengths(cut: Cut) -> None:
     """A row in m grows with the length of a translation, a row in rad with an angle only."""
-    for row, component in zip(cut.gradient(), cut.joint.held, strict=True):
+    for row, component in zip(cut.gradient(), cut.joint.locked, strict=True):
         angular, linear = (float(sum(x * x for x in part)) for part in (row[:3], row[3:]))
         assert component.unit in ("m", "rad")
         if component.unit == "m":
@@ -87,7 +87,7 @@ def test_rows_of_the_closure_are_angles_and_lengths(cut: Cut) -> None:
         else:
             assert linear < 1e-70
             assert 0.1 < angular < 1 + 1e-15
-    names = [component.name for component in cut.joint.held]
+    names = [component.name for component in cut.joint.locked]
     assert len(set(names)) == len(names)
     assert all(names)
 
@@ -107,8 +107,8 @@ def test_an_axis_turned_round_does_not_face(name: str) -> None:
     cut = Cut(name)
     R, x = np.diag(OTHER_BRANCH[name]).ravel(), np.zeros(3)
     assert close(cut.value(cut.closure, R=R, place=x), 0)
-    facing = cut.joint.facing(cut.R, cut.x, **cut.data)
-    assert min(cut.value(facing, R=R, place=x)) <= 0
+    assembly_signs = cut.joint.assembly_signs(cut.R, cut.x, **cut.data)
+    assert min(cut.value(assembly_signs, R=R, place=x)) <= 0
 
 
 def test_a_screw_closes_after_whole_turns() -> None:

@@ -152,8 +152,8 @@ def test_rotor_of_a_drive() -> None:
 
 def test_what_is_zero_does_not_act() -> None:
     assert not Bench(cd.SpringDamper("A", "B")).actions
-    assert not Bench(cd.TorsionSpring("one")).actions
-    assert not Bench(cd.Damping("two", 0.0)).actions
+    assert not Bench(cd.JointSpring("one")).actions
+    assert not Bench(cd.JointDamper("two", 0.0)).actions
 
 
 # guards
@@ -200,8 +200,8 @@ def test_next_to_the_meeting_point_the_force_has_its_full_size(away: float) -> N
 @pytest.mark.parametrize(
     ("element", "name"),
     [
-        (cd.SpringDamper("A", "B", 2.0, length=1.0), "length"),
-        (cd.TorsionSpring("one", 2.0), "rest"),
+        (cd.SpringDamper("A", "B", 2.0, rest_length=1.0), "rest_length"),
+        (cd.JointSpring("one", 2.0), "rest"),
         (cd.CentralGravity("A", 3.0, "B"), "mu"),
         (cd.J2("A", 3.0, 0.1, 0.7, bodies="B"), "j2"),
     ],
@@ -221,12 +221,15 @@ BAD: dict[str, tuple[Callable[[], ForceElement], str]] = {
     "two": (lambda: cd.Force("A", (1, 2)), "force: force has 2 entries; give 3"),
     "text": (lambda: cd.Force("A", "up"), "force: force is 'up'; give 3 numbers"),
     "nan": (lambda: cd.Torque("A", (0, nan, 0)), r"torque: torque\[1\] is nan; give a finite"),
-    "none": (lambda: cd.Damping("one", None), "damping: damping is None; give a finite number"),
+    "none": (
+        lambda: cd.JointDamper("one", None),
+        "joint_damper: damping is None; give a finite number",
+    ),
     "inf": (
         lambda: cd.SpringDamper("A", "B", stiffness=inf),
         "spring_damper: stiffness is inf; give a finite number, a parameter or an expression",
     ),
-    "complex": (lambda: cd.TorsionSpring("one", 1j), r"torsion_spring: stiffness is 1j; give"),
+    "complex": (lambda: cd.JointSpring("one", 1j), r"joint_spring: stiffness is 1j; give"),
     "true": (lambda: cd.JointForce("one", True), "joint_force: force is True; give"),
     "entry": (lambda: cd.JointForce("two", (x, "a")), r"joint_force: force\[1\] is 'a'; give"),
     "ratio": (lambda: cd.Drive("one", 0.1, ratio="50"), "drive: ratio is '50'; give a finite"),
@@ -237,7 +240,7 @@ BAD: dict[str, tuple[Callable[[], ForceElement], str]] = {
     "wheel inertia": (lambda: cd.Rotor("A", speed=1.0), "rotor: give inertia about the axis, or"),
     "wheel friction": (lambda: cd.Rotor("A", inertia=1, friction=-1), "friction is -1; give 0 or"),
     "mu": (lambda: cd.CentralGravity("A", -1.0), "central_gravity: mu is -1; give 0 or more"),
-    "bodies": (lambda: cd.J2("A", 1.0, 0.1, 1.0, bodies=3), "j2: 3 is no body; give a body"),
+    "bodies": (lambda: cd.J2("A", 1.0, 0.1, 1.0, bodies=3), "j2: 3 is not a body; give a body"),
     "body twice": (lambda: cd.CentralGravity("A", 1.0, ["B", "B"]), "body 'B' is named twice"),
     "force": (lambda: cd.GravityGradient("A", 1.0, force=1), "force is True or False, not 1"),
     "shaft": (lambda: cd.Drive("one", 0.1, stiffness=nan), "drive: stiffness is nan; give"),

@@ -91,7 +91,7 @@ def test_reversed_joints_tell_the_same_pose_backwards(bench: Bench) -> None:
     assert close(bench.value(T.T @ S, **parameters), 0, 60)
     if not joint.closes_by_coordinates:
         closure = back.closure(*turned, **data)
-        assert closure.rows == len(back.held) == len(joint.held)
+        assert closure.rows == len(back.locked) == len(joint.locked)
         assert close(bench.value(closure, **parameters), 0, 60)
     if not joint.line:
         assert back.reversed() is joint
@@ -137,11 +137,11 @@ def test_a_reversed_kind_is_declared_by_exchanged_ends() -> None:
 
 
 BAD: dict[str, tuple[Callable[[], Joint], str]] = {
-    "letter": (lambda: cd.Revolute("w"), "revolute joint: axis 'w' is no direction; give 'x'"),
+    "letter": (lambda: cd.Revolute("w"), "revolute joint: axis 'w' is not a direction; give 'x'"),
     "zero": (lambda: cd.Prismatic((0, 0, 0)), "prismatic joint: axis is the zero vector"),
     "nan": (lambda: cd.Cylindrical((0, nan, 1)), r"cylindrical joint: axis\[1\] is nan; give a fi"),
     "two": (lambda: cd.Planar((0, 1)), "planar joint: normal has 2 entries; give 3"),
-    "second": (lambda: cd.Universal("x", "a"), "universal joint: axis2 'a' is no direction"),
+    "second": (lambda: cd.Universal("x", "a"), "universal joint: axis2 'a' is not a direction"),
     "scalar": (lambda: cd.Revolute(3), "revolute joint: axis is 3; give 3 numbers"),
     "pitch": (lambda: cd.Screw("z", pitch="M8"), "screw joint: pitch is 'M8'; give a finite"),
     "name": (lambda: cd.Spherical("zyxx"), "spherical joint: parametrization 'zyxx' does not ex"),
@@ -158,8 +158,8 @@ BAD: dict[str, tuple[Callable[[], Joint], str]] = {
     "rod": (lambda: cd.Distance("long"), "distance: length is 'long'; give a finite number"),
     "rod axis": (lambda: cd.Distance(1, (0, 0, 0)), "distance: axis is the zero vector"),
     "ratio": (lambda: cd.Gear("a", None), "gear: ratio is None; give a finite number"),
-    "shaft": (lambda: cd.ConstantVelocity("w"), "constant-velocity joint: axis 'w' is no dir"),
-    "plane": (lambda: cd.PointOnPlane("n"), "point on a plane: normal 'n' is no direction"),
+    "shaft": (lambda: cd.ConstantVelocity("w"), "constant-velocity joint: axis 'w' is not a dir"),
+    "plane": (lambda: cd.PointOnPlane("n"), "point on a plane: normal 'n' is not a direction"),
     "turn": (lambda: cd.PointOnPlane("z", "quat"), "point on a plane: parametrization 'quat'"),
     "point": (lambda: cd.PointOnCurve([(0, 0, 0)]), "points must be at least 2 rows of 3"),
     "words": (lambda: cd.PointOnCurve("line"), "points must be at least 2 rows of 3 numbers"),

@@ -152,10 +152,7 @@ def _double() -> Classical:
         "Tedrake, Underactuated Robotics, appendix on multi-body dynamics, the double pendulum: "
         "theta1 from hanging down, theta2 relative",
         double,
-        [
-            [(m1 + m2) * l1**2 + m2 * l2**2 + 2 * m2 * l1 * l2 * cos(b), off],
-            [off, m2 * l2**2],
-        ],
+        [[(m1 + m2) * l1**2 + m2 * l2**2 + 2 * m2 * l1 * l2 * cos(b), off], [off, m2 * l2**2]],
         [
             -m2 * l1 * l2 * (2 * u + v) * v * sin(b)
             + (m1 + m2) * l1 * g * sin(a)

@@ -1,4 +1,4 @@
-"""Circuits in closed form against the same circuits with multipliers."""
+"""Loops in closed form against the same loops with multipliers."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from cardan.errors import ModelError, TopologyError
 from mechanisms.closed import CLOSED, four_bar
 from spread import some
 
-# circuits that close by dyads or legs, and the joints that stay free
+# loops that close by dyads or legs, and the joints that stay free
 SOLVED = {
     "four_bar": ("A",),
     "slider_crank": ("A",),
@@ -81,7 +81,7 @@ def test_the_same_accelerations_and_reactions(name: str) -> None:
     assert solved.nlam == 0
     places = [whole.speeds.index(n) for n in solved.speeds]
     wanted = whole.forward_dynamics(*full)[places]
-    # the condition of the circuits enters: some are near their dead points
+    # the condition of the loops enters: some are near their dead points
     np.testing.assert_allclose(solved.forward_dynamics(*x), wanted, rtol=1e-10, atol=1e-10)
     for frame in whole.frames:
         np.testing.assert_allclose(
@@ -124,7 +124,7 @@ def test_the_branch_is_what_is_asked_for() -> None:
 
 def test_branches_that_do_not_exist() -> None:
     scene = CLOSED["four_bar"].build()
-    with pytest.raises(TopologyError, match=r"branch of 'E': it closes no circuit.*C"):
+    with pytest.raises(TopologyError, match=r"branch of 'E': it closes no loop.*C"):
         cd.derive(scene, branches={"E": "+"})
     with pytest.raises(TopologyError, match="branch of 'C' is 'up'"):
         cd.derive(scene, branches={"C": "up"})
@@ -142,10 +142,10 @@ def test_a_run_shows_the_joints_of_its_circuits() -> None:
         one, two = long.resample(t)[name], short.resample(t)[name]
         # the crank swings fast where the other links are nearly in line
         np.testing.assert_allclose(two, one, rtol=0, atol=1e-7)
-    # what follows from the circuit may be named where it fits, and says where the crank stands
+    # what follows from the loop may be named where it fits, and says where the crank stands
     named = solved.simulate(0.1, q={"B": q["B"]})
     assert named["B"][0] == pytest.approx(q["B"], abs=1e-9)
-    with pytest.raises(ModelError, match="circuit that 'C' closes gives"):
+    with pytest.raises(ModelError, match="loop that 'C' closes gives"):
         solved.simulate(1.0, q={"A": q["A"], "B": 0.1})
 
 
@@ -153,7 +153,7 @@ def test_a_dead_point_ends_the_run() -> None:
     """All links of a folding four-bar are in line at pi: there its two solutions meet."""
     scene = four_bar(ground=0.3, crank=0.1, coupler=0.3, rocker=0.1)
     solved = cd.compile(scene, constraints="closed_form")
-    with pytest.warns(cd.SolveWarning, match="circuit that 'C' closes is at a dead point"):
+    with pytest.warns(cd.SolveWarning, match="loop that 'C' closes is at a dead point"):
         motion = solved.simulate(0.25, q={"A": 0.5}, u={"A": 20.0}, rtol=1e-6)
     assert motion.status == "not_finite"
     assert motion["A"][-1] == pytest.approx(np.pi, abs=0.01)
@@ -162,7 +162,7 @@ def test_a_dead_point_ends_the_run() -> None:
 def test_a_driven_circuit_has_no_coordinates_left() -> None:
     scene, q, _ = started("four_bar", 0.3)
     crank = scene.joints["A"]
-    scene.joints["A"] = dataclasses.replace(crank, motion=q["A"] + 2 * cd.t, q0=None)
+    scene.joints["A"] = dataclasses.replace(crank, prescribed=q["A"] + 2 * cd.t, q0=None)
     whole, solved = both(scene)
     assert (solved.nq, solved.nu, whole.nu) == (0, 0, 2)
     t = np.linspace(0, 3, 7)
@@ -176,7 +176,7 @@ def test_a_driven_circuit_has_no_coordinates_left() -> None:
 
 def test_prescribed_motion_and_forces_on_dependent_joints() -> None:
     scene, q, _ = started("four_bar", 0.3)
-    scene.force("spring", cd.TorsionSpring("D", stiffness=5.0, damping=0.3))
+    scene.force("spring", cd.JointSpring("D", stiffness=5.0, damping=0.3))
     scene.output("angle", scene.q("D") + 2 * scene.u("B"))
     whole, solved = both(scene)
     u = whole.close_velocity([q["A"], q["B"], q["D"]], [1.0, 0.0, 0.0])[: whole.nu]

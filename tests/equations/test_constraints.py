@@ -104,7 +104,7 @@ def test_trees_have_no_multipliers() -> None:
     scene.joint("j", cd.Revolute("y"), scene.ground, scene.body("b", mass=1.0, com=(0, 0, 1)))
     with pytest.raises(DerivationError, match="nothing binds the speeds"):
         cd.compile(scene, functions=("multipliers",))
-    with pytest.raises(DerivationError, match="is no way to treat them"):
+    with pytest.raises(DerivationError, match="is not a way to treat them"):
         cd.derive(scene, constraints="lagrange")
 
 
@@ -114,13 +114,13 @@ def test_circuits_that_cannot_close_are_announced() -> None:
     assert not found.closes
     # 0.9 m between the pivots, 0.55 m of links
     assert found.gaps["C"] == (pytest.approx(0.35, rel=0.15), "m")
-    with pytest.warns(cd.SolveWarning, match="circuit that 'C' closes stays open: .* 0.3"):
+    with pytest.warns(cd.SolveWarning, match="loop that 'C' closes stays open: .* 0.3"):
         cd.compile(scene)
     assert cd.derive(four_bar()).feasibility().closes
 
 
 def test_conditions_that_follow_must_hold_too() -> None:
-    """A planar circuit whose links do not lie in one plane."""
+    """A planar loop whose links do not lie in one plane."""
     scene = four_bar()
     place = scene.ground.at(0.3, 0, 0.05)
     scene.joints["D"] = dataclasses.replace(scene.joints["D"], parent=place)
@@ -138,7 +138,7 @@ def test_equations_to_read() -> None:
 
 
 def test_massless_links() -> None:
-    """A rod without mass between two sliders: M is singular, the circuit is not."""
+    """A rod without mass between two sliders: M is singular, the loop is not."""
     scene = cd.Scene("rod", gravity=(0, -9.81, 0))
     left = scene.body("left", mass=1.5)
     right = scene.body("right", mass=0.5)

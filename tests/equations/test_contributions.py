@@ -15,7 +15,7 @@ from laws.cases import EPS, call, derived, states, values
 from mechanisms import ZOO
 from spread import some
 
-PARTS = {"mass_matrix": "M", "bias": "h", "applied": "f"}
+PARTS = {"mass_matrix": "M", "bias": "h", "applied_forces": "f"}
 
 
 @pytest.mark.parametrize("name", CLASSICAL)
@@ -67,7 +67,7 @@ def test_fixed_bodies_and_forces_are_told_apart() -> None:
     assert sp.expand(mass["tool"] - tool * arm**2) == 0
     weights = equations.contributions("bias")
     assert [(one.owner, one.cause) for one in weights] == [("arm", "weight"), ("tool", "weight")]
-    forces = {one.owner: one.matrix[0] for one in equations.contributions("applied")}
+    forces = {one.owner: one.matrix[0] for one in equations.contributions("applied_forces")}
     assert forces["push"] == sp.Symbol("push")
     assert set(forces) == {"brake", "push"}
 

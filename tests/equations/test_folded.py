@@ -21,7 +21,7 @@ def rope(
         com = (0, 0, -0.5 - 0.001 * i)
         link = scene.body(f"link{i}", mass=1 + 0.01 * i, com=com, inertia=inertia)
         scene.joint(f"joint{i}", cd.Revolute(axes[i % len(axes)]), inner, link)
-        scene.force(f"damper{i}", cd.TorsionSpring(f"joint{i}", stiffness=2.0, damping=0.1))
+        scene.force(f"damper{i}", cd.JointSpring(f"joint{i}", stiffness=2.0, damping=0.1))
         if i == force:
             scene.force("push", cd.Force(link.at(0, 0, -1), (1.0, 2.0, 0.5)))
         if branches:

@@ -147,7 +147,7 @@ def test_internal_states_stand_in_the_equations_of_second_order() -> None:
     scene = cd.Scene("strut", gravity=(0, 0, 0))
     scene.joint("rail", cd.Prismatic("x"), scene.ground, scene.body("cart", mass=2.0))
     ends = scene.ground.at(-2, 0, 0), "cart"
-    scene.force("strut", cd.Maxwell(*ends, stiffness=100.0, damping=3.0, length=2.0))
+    scene.force("strut", cd.Maxwell(*ends, stiffness=100.0, damping=3.0, rest_length=2.0))
     equations = cd.derive(scene)
     found = equations.linearize().second_order()
     beside = cd.compile(equations).linearize().second_order()

@@ -1,4 +1,4 @@
-"""Linear models of circuits and rolling bodies against finite differences of reduced equations.
+"""Linear models of loops and rolling bodies against finite differences of reduced equations.
 
 The equations are reduced here in numbers: positions by Newton's method, speeds and accelerations
 from linear systems in maximal form, M udot + h = f + Gᵀ lam, G udot = gamma with gamma from
@@ -83,8 +83,8 @@ class Reduced:
         return np.linalg.lstsq(kept, right, rcond=1e-10)[0]
 
     def accelerations(self, q: Array, u: Array) -> Array:
-        M, h, f = (np.broadcast_to(self.call(n, q=q, u=u), shape) for n, shape in (
-            ("mass_matrix", (len(u),) * 2), ("bias", u.shape), ("applied", u.shape)))  # fmt: skip
+        shapes = {"mass_matrix": (len(u),) * 2, "bias": u.shape, "applied_forces": u.shape}
+        M, h, f = (np.broadcast_to(self.call(n, q=q, u=u), s) for n, s in shapes.items())
         G = self.jacobian(q)
         sides = {
             k: self.jacobian(self.call("integrate", q=q, du=k * STEP * u)) @ u for k in WEIGHTS
@@ -163,5 +163,5 @@ def test_lengths_at_which_a_reference_of_numbers_stays_open_are_refused() -> Non
     found = cd.derive(scene).linearize()
     # masses leave it closed
     assert found.at({"left.mass": 2.0})["A"].shape == (2, 2)
-    with pytest.raises(cd.DerivationError, match="circuits do not close"):
+    with pytest.raises(cd.DerivationError, match="loops do not close"):
         found.at(l=1.1)

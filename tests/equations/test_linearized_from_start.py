@@ -28,13 +28,15 @@ def reference(equations: Any, q: dict[str, Any], u: dict[str, Any]) -> Reference
     if not equations.system.closed:
         udot = dict(zip(entries["udot"].entries, rng.normal(size=len(entries["u"])), strict=True))
     z = dict(zip(entries["z"].entries, rng.uniform(0.1, 0.5, len(entries["z"])), strict=True))
-    return Reference(equations, q=q, u=u, udot=udot, z=z, r={}, s={}, t=0.3, values={}, wanted=None)
+    return Reference(
+        equations, q=q, u=u, udot=udot, z=z, r={}, s={}, t=0.3, values={}, independent=None
+    )
 
 
 def judge(equations: Any, q: dict[str, Any], u: dict[str, Any]) -> None:
     """Every matrix of all increments, entry by entry."""
     one, other = reference(equations, q, u), reference(equations, q, u)
-    ours, theirs = from_start.whole(one), differentiated.whole(other)
+    ours, theirs = from_start.full_matrices(one), differentiated.full_matrices(other)
     for name in (*DYNAMIC, "by_z", "by_r"):
         found = one.number(getattr(ours, name))
         expected = other.number(getattr(theirs, name))
@@ -44,7 +46,9 @@ def judge(equations: Any, q: dict[str, Any], u: dict[str, Any]) -> None:
 
 def moving(equations: Any, q: dict[str, Any]) -> dict[str, float]:
     """Random speeds that the constraints allow."""
-    at = Reference(equations, q=q, u={}, udot={}, z={}, r={}, s={}, t=0.3, values={}, wanted=None)
+    at = Reference(
+        equations, q=q, u={}, udot={}, z={}, r={}, s={}, t=0.3, values={}, independent=None
+    )
     u = at.number(at.W) @ np.random.default_rng(SEED).normal(size=len(at.w))
     return dict(zip(equations.speeds, u.tolist(), strict=True))
 

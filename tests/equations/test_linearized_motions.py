@@ -80,7 +80,7 @@ def swing() -> cd.Scene:
     scene = cd.Scene("swing", gravity=(0, 0, -9.81))
     hook, bob = scene.body("hook", mass=1.0), scene.body("bob", mass=1.0, com=(0, 0, -0.5))
     lift = 0.1 * sp.cos(7 * cd.t)
-    scene.joint("lift", cd.Prismatic("z"), scene.ground, hook, motion=lift)
+    scene.joint("lift", cd.Prismatic("z"), scene.ground, hook, prescribed=lift)
     scene.joint("rope", cd.Revolute("y"), hook, bob)
     scene.force("air", cd.JointForce("rope", -0.05 * scene.u("rope")))
     return scene

@@ -133,11 +133,7 @@ def test_reactions_at_the_ground_change_the_momentum(name: str) -> None:
 
 
 def cross(a: list[Any], b: list[Any]) -> list[Any]:
-    return [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ]
+    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 
 
 def in_ground(pose: list[Any], wrench: list[Any]) -> tuple[list[Any], list[Any]]:

@@ -81,7 +81,7 @@ def test_trees(name: str) -> None:
 def test_circuits(name: str) -> None:
     model = circuits.compiled(name)
     q, u = circuits.start(model, name, circuits.PLACES[0])
-    # circuits are regular here: a few digits for the two solves
+    # loops are regular here: a few digits for the two solves
     judge(cd.derive(circuits.scene_of(name)), q, u, 1e-10)
 
 

@@ -58,7 +58,7 @@ def test_force_of_a_prescribed_motion_is_the_rate_of_momentum() -> None:
     scene = cd.Scene("crane", gravity=(0, 0, -G))
     cart = scene.body("cart", mass=1)
     bob = scene.body("bob", mass=2, com=(0, 0, -1))
-    scene.joint("rail", cd.Prismatic("x"), scene.ground, cart, motion=0.3 * sympy.sin(2 * cd.t))
+    scene.joint("rail", cd.Prismatic("x"), scene.ground, cart, prescribed=0.3 * sympy.sin(2 * cd.t))
     scene.joint("rope", cd.Revolute("y"), cart, bob)
     model = cd.compile(scene, functions=["forward_dynamics", "outputs"])
     angle, rate, t = 0.3, 0.7, 0.5
@@ -143,7 +143,7 @@ def test_motion_as_an_expression_of_an_input(method: str) -> None:
     scene = cd.Scene("table", gravity=(0, 0, 0))
     turn = scene.input("turn")
     table, arm = scene.body("table"), scene.body("arm", mass=2, com=(0.3, 0.2, 0.1))
-    scene.joint("axle", cd.Revolute("z"), scene.ground, table, motion=2 * turn)
+    scene.joint("axle", cd.Revolute("z"), scene.ground, table, prescribed=2 * turn)
     scene.joint("pin", cd.Revolute((0, 1, 1)), table.at(1, 0, 0), arm)
     value, rate, acceleration = 0.1, 0.5, 0.9
     model = cd.compile(scene, functions=["forward_dynamics"], method=method)
@@ -165,7 +165,7 @@ def test_a_custom_joint_moved_by_an_expression_of_an_input(method: str) -> None:
     scene = cd.Scene("slide", gravity=(0, 0, 0))
     r = scene.input("r")
     shoe, rider = scene.body("shoe"), scene.body("rider", mass=1)
-    scene.joint("rail", cd.Custom([x], position=(x, x**2, 0)), scene.ground, shoe, motion=2 * r)
+    scene.joint("rail", cd.Custom([x], position=(x, x**2, 0)), scene.ground, shoe, prescribed=2 * r)
     scene.joint("post", cd.Prismatic("y"), shoe, rider)
     model = cd.compile(scene, functions=["forward_dynamics"], method=method)
     found = model.forward_dynamics([0.0], [0.0], r=[0.1, 0.5, 0.9])

@@ -65,7 +65,7 @@ def test_branches_share_steps() -> None:
 def test_forces_between_distant_bodies() -> None:
     scene = chain(9)
     first, last = scene.bodies["link0_1"], scene.bodies["link0_8"].at(0, 0, -1)
-    scene.force("cable", cd.SpringDamper(first, last, stiffness=50, damping=2, length=1))
+    scene.force("cable", cd.SpringDamper(first, last, stiffness=50, damping=2, rest_length=1))
     equations = cd.derive(scene, method="articulated")
     for name in ("forward_dynamics", "inverse_dynamics", "energy", "power"):
         same(equations, name)
@@ -76,7 +76,7 @@ def test_forces_between_distant_bodies() -> None:
 
 def test_what_is_no_recursion_says_so() -> None:
     equations = cd.derive(chain(3), method="composite")
-    with pytest.raises(DerivationError, match=r"by method 'composite' is no recursion.*bias"):
+    with pytest.raises(DerivationError, match=r"by method 'composite' is not a recursion.*bias"):
         equations.recursion("forward_dynamics")
     with pytest.raises(DerivationError, match="Those that are: none"):
         cd.derive(chain(3), method="kane").recursion("bias")
@@ -109,7 +109,7 @@ def test_values_of_one_name_do_not_share_a_place() -> None:
     scene = chain(6)
     tip = scene.bodies["link0_5"].at(0, 0, -1)
     hand = scene.body("hand", mass=0.3, com=(0.1, 0, 0))
-    scene.joint("wrist", cd.Revolute("z"), tip, hand, motion=cd.t**2)
+    scene.joint("wrist", cd.Revolute("z"), tip, hand, prescribed=cd.t**2)
     # accelerations of the forward dynamics, and those of the driving force and the output
     scene.output("jerky", hand.acceleration()[0] * 2)
     equations = cd.derive(scene, method="articulated")

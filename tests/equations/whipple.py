@@ -41,17 +41,11 @@ def scene() -> cd.Scene:
     p = {name: made.parameter(name, value, unit=UNITS[name]) for name, value in NUMBERS.items()}
     rear = made.body("rear", mass=p["mR"], inertia=(p["IRxx"], p["IRyy"], p["IRxx"]))
     frame = made.body(
-        "frame",
-        mass=p["mB"],
-        com=(p["xB"], 0, -p["zB"] - p["rR"]),
-        inertia=_tensor(p, "B"),
+        "frame", mass=p["mB"], com=(p["xB"], 0, -p["zB"] - p["rR"]), inertia=_tensor(p, "B")
     )
     # its origin is where the steering axis meets the ground
     fork = made.body(
-        "fork",
-        mass=p["mH"],
-        com=(p["xH"] - p["w"] - p["c"], 0, -p["zH"]),
-        inertia=_tensor(p, "H"),
+        "fork", mass=p["mH"], com=(p["xH"] - p["w"] - p["c"], 0, -p["zH"]), inertia=_tensor(p, "H")
     )
     front = made.body("front", mass=p["mF"], inertia=(p["IFxx"], p["IFyy"], p["IFxx"]))
     lam = p["lam"]
@@ -105,10 +99,7 @@ class Paper:
     K2 = ((0, (ST - mTzT) / w * cosine), (0, (SA + SF * sine) / w * cosine))
     C1 = (
         (0, mu * ST + SF * cosine + ITxz / w * cosine - mu * mTzT),
-        (
-            -(mu * ST + SF * cosine),
-            IAlz / w * cosine + mu * (SA + ITzz / w * cosine),
-        ),
+        (-(mu * ST + SF * cosine), IAlz / w * cosine + mu * (SA + ITzz / w * cosine)),
     )
     # summands with the composite quantities put in and multiplied out, row by row, counted by hand:
     # mA and the center of the front assembly are in no denominator then, as

@@ -45,7 +45,7 @@ def test_it_shows_what_it_promises(outputs: list[list[dict]]) -> None:
     assert "<math" in pictures
     assert 'stroke-width="1.4"' in pictures
     assert "x.theta = -r*sin(phi + theta)/cos(phi)" in text
-    assert "With what the circuits determine" in pictures
+    assert "With what the loops determine" in pictures
     assert "largest force at the elbow" in text
     assert "int mass_matrix(" in text
     (error,) = outputs[-1]

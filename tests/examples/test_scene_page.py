@@ -20,7 +20,7 @@ from cardan.scene.files.yaml import keys
 ROOT = Path(__file__).parents[2]
 TEXT = (ROOT / "docs" / "scene_files.md").read_text(encoding="utf-8")
 MISTAKEN = """\
-cardan: 1
+cardan: 2
 name: crane
 gravity: [0, 0, -9.81]
 bodies:
@@ -54,7 +54,7 @@ def test_the_blocks_are_one_scene(tmp_path: Path) -> None:
 def test_the_beams_are_a_scene(tmp_path: Path) -> None:
     (block,) = re.findall(r"^    beams:\n(?:     .*\n)+", TEXT, re.MULTILINE)
     path = tmp_path / "mast.yaml"
-    path.write_text("cardan: 1\nname: mast\n" + textwrap.dedent(block), encoding="utf-8")
+    path.write_text("cardan: 2\nname: mast\n" + textwrap.dedent(block), encoding="utf-8")
     scene = cd.load(path)
     assert scene.beams["mast"].elements == 6
     assert "mast.middle.px" in cd.derive(scene).coordinates
@@ -82,14 +82,14 @@ def test_expressions_are_those_of_python(tmp_path: Path) -> None:
     scene.joint("elbow", cd.Revolute(), "ground", "cart")
     scene.joint("ball", cd.Spherical(), "cart", "tip")
     python = (
-        scene.q("elbow") + scene.u("elbow") + scene.q("ball.w") + scene.u("ball.x"),
+        scene.q("elbow") + scene.u("elbow") + scene.q("ball.qw") + scene.u("ball.x"),
         tip.position()[0],
         tip.velocity(wrt=cart, in_=cart)[0],
         tip.rotation(wrt=cart)[0, 2],
         sympy.Piecewise((1, cd.t < 1), (2, True)),
     )
     rows = [
-        "q(elbow) + u(elbow) + q(ball.w) + u(ball.x)",
+        "q(elbow) + u(elbow) + q(ball.qw) + u(ball.x)",
         "position(tip).x",
         "velocity(tip wrt cart in cart).x",
         "rotation(tip wrt cart).xz",

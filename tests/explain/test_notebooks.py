@@ -119,7 +119,7 @@ def test_equations_of_a_circuit() -> None:
 
 def test_what_follows_stands_below() -> None:
     equations = cd.derive(by_angles(), independent="theta")
-    below = text(equations).split("With what the circuits determine:")[1]
+    below = text(equations).split("With what the loops determine:")[1]
     lines = [line for line in formulas(equations) if line in below]
     # x, phi and two derivatives of each
     assert [line.split("=")[0] for line in lines] == ["x", "φ", "xθ", "φθ", "xθθ", "φθθ"]
@@ -173,7 +173,7 @@ def test_runs() -> None:
     head, *lines = str(motion).splitlines()
     assert rows == [line[2:12].strip() + line[12:] for line in lines]
     assert head in text(motion)
-    assert any(row.startswith("drift") for row in rows)
+    assert any(row.startswith("energy") for row in rows)
 
 
 def test_a_run_of_many_coordinates() -> None:
@@ -201,7 +201,7 @@ def test_models_and_tables() -> None:
 def test_what_is_prescribed_altogether_has_no_matrices() -> None:
     scene = cd.Scene("clock", gravity=(0, 0, -9.81))
     hand = scene.body("hand", mass=1, com=(0, 0, -1))
-    scene.joint("axle", cd.Revolute("y"), scene.ground, hand, motion=cd.t)
+    scene.joint("axle", cd.Revolute("y"), scene.ground, hand, prescribed=cd.t)
     equations = cd.derive(scene)
     assert equations.mass_matrix.shape == (0, 0)
     assert "Nothing moves freely" in text(equations)

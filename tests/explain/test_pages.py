@@ -92,7 +92,7 @@ def test_says_where_terms_come_from(tmp_path: Path) -> None:
 def test_scenes_in_which_nothing_moves_freely(tmp_path: Path) -> None:
     scene = cd.Scene("driven")
     wheel = scene.body("wheel", mass=1.0, inertia=(1.0, 1.0, 1.0))
-    scene.joint("axle", cd.Revolute("x"), scene.ground, wheel, motion=2 * cd.t)
+    scene.joint("axle", cd.Revolute("x"), scene.ground, wheel, prescribed=2 * cd.t)
     for name, made in (("empty", cd.Scene("empty")), ("driven", scene)):
         text = cd.derive(made).explain(tmp_path / f"{name}.md").read_text("utf-8")
         assert "Nothing moves freely" in text
@@ -115,7 +115,7 @@ def test_long_names_and_numbers_stay_within_a_page() -> None:
 
     a, b, c = sp.symbols("a b c")
     long = sp.expand((a + b + c) ** 6)
-    pieces = Breaker({}, 20.0).pieces(sp.sin(long) * long / (long + 1))
+    pieces = Breaker({}, 20.0).segments(sp.sin(long) * long / (long + 1))
     assert len(pieces) > 50
     assert all(piece.body is None or Breaker({}, 20.0).width(piece.body) <= 20 for piece in pieces)
     # nothing is lost, and brackets match

@@ -30,7 +30,7 @@ def _joint(kind: str, axis: np.ndarray, axis2: np.ndarray) -> Any:
 
 @dataclass
 class Constrained:
-    """Pinocchio's model of circuits."""
+    """Pinocchio's model of loops."""
 
     circuits: Circuits
 
@@ -49,8 +49,8 @@ class Constrained:
             own = pin.Inertia(n["mass"][body], com[body], inertia[body])
             model.appendBodyToJoint(numbers[body], own, pin.SE3.Identity())
         self.models = pin.StdVec_RigidConstraintModel()
-        for held in self.circuits.held:
-            kind = pin.ContactType.CONTACT_6D if held.whole else pin.ContactType.CONTACT_3D
+        for held in self.circuits.connections:
+            kind = pin.ContactType.CONTACT_6D if held.aligned else pin.ContactType.CONTACT_3D
             ends: list[Any] = []
             for body, r, p in zip(held.bodies, held.rotations, held.positions, strict=True):
                 ends += [numbers[body], pin.SE3(r, p)]

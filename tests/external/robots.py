@@ -19,10 +19,7 @@ UNREADABLE = frozenset({"ur_description/urdf/ur3.urdf"})
 LEADERLESS = frozenset({"alex_description/urdf/alex_psyonic_hands.urdf"})
 # their M is singular: links without inertia at the end of joints
 SINGULAR = frozenset(
-    {
-        "romeo_description/urdf/romeo.urdf",
-        "romeo_description/urdf/romeo_laas_small.urdf",
-    }
+    {"romeo_description/urdf/romeo.urdf", "romeo_description/urdf/romeo_laas_small.urdf"}
 )
 
 

@@ -22,14 +22,14 @@ from spread import some
 
 TOLERANCE = 1e-9
 SEED, PLACES = 3, (-0.5, 0.0, 0.1, 0.4)
-FUNCTIONS = ("forward_dynamics", "applied", "close_position", "close_velocity")
+FUNCTIONS = ("forward_dynamics", "applied_forces", "close_position", "close_velocity")
 
 
 def agreement(model: cd.CompiledModel, q: np.ndarray, u: np.ndarray) -> np.ndarray:
     """max|difference| / max|udot| by state, with random forces along the joints."""
     found = circuits(model)
     assert not isinstance(found, str), found
-    own = model.applied(q, u)
+    own = model.applied_forces(q, u)
     size = np.abs(own).max() or 1.0
     tau = np.random.default_rng(SEED).uniform(-size, size, u.shape)
     ours = model.forward_dynamics(q, u, tau=tau)

@@ -25,7 +25,7 @@ CALLS: dict[str, tuple[Callable[[cd.CompiledModel], Any], str]] = {
     "root_locus": (lambda m: m.root_locus("q"), "root_locus: swept='q': give values by name"),
     "partition": (lambda m: m.partition("x"), "partition: q='x': give a number"),
     "random_state": (lambda m: m.random_state(shape="x"), "random_state: shape='x': give whole"),
-    "loose": (lambda m: m.redundancy().loose([1]), "loose: joint=.1.: give text"),
+    "released": (lambda m: m.redundancy().released([1]), "released: joint=.1.: give text"),
     "regressor": (lambda m: m.base_parameters().regressor(1.0), "regressor Y: shape .., expected"),
     "reaction": (lambda m: m.reaction(["pivot"], [0.0], [0.0]), "reaction: .*=.'pivot'.: give"),
 }

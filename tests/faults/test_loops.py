@@ -136,7 +136,7 @@ def test_a4_bodies_without_inertia_hide_no_others(how: dict[str, float]) -> None
     start = dict(ZOO["point_masses"].states[0].q)
     motion = model.simulate(2.0, q=start, method=cd.GeneralizedAlpha(0.8), **how)
     assert motion.success
-    assert motion.conduct.statistics["steps"] <= 2000
+    assert motion.solver_info.statistics["steps"] <= 2000
     assert max(np.abs(model.constraints(q)).max() for q in motion.q) < 1e-9
     assert np.abs(motion.energy.total - motion.energy.total[0]).max() < 1e-4
 
@@ -202,7 +202,7 @@ def test_a4_rates_of_rounding_explain_no_contradiction(rate: float) -> None:
     for k, crank in enumerate((left, right)):
         motion = rate * cd.t + (k + 1) * cd.t**2
         place = scene.ground.at(k, 0, 0)
-        scene.joint(f"A{k}", cd.Revolute("z"), place, crank, motion=motion)
+        scene.joint(f"A{k}", cd.Revolute("z"), place, crank, prescribed=motion)
     scene.joint("B", cd.Revolute("z"), left.at(0, 1, 0), bar)
     scene.joint("C", cd.Revolute("z"), bar.at(1, 0, 0), right.at(0, 1, 0))
     with pytest.warns(ModelWarning, match="unless their motions agree"):

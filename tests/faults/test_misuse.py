@@ -93,7 +93,7 @@ def test_b9_a_prefix_is_the_beginning_of_a_name(tmp_path: Path) -> None:
 
 
 INERTIA = "[0.1, 0.1, 0.5]"
-SCENE = """cardan: 1
+SCENE = """cardan: 2
 bodies:
   rod:
     mass: 1
@@ -341,7 +341,7 @@ def test_e9_a_text_is_no_expression_where_it_is_said() -> None:
         lambda: scene.body("b", mass=1, com=("x", 0, 0)),
         lambda: scene.body("b", mass=1, inertia=("x", 1, 1)),
         lambda: scene.body("b", mass=1, pose=("x", 0, 0)),
-        lambda: scene.joint("k", cd.Revolute("y"), "rod", scene.body("c", mass=1), motion="t"),
+        lambda: scene.joint("k", cd.Revolute("y"), "rod", scene.body("c", mass=1), prescribed="t"),
         lambda: cd.Scene("b", gravity=("x", 0, 0)),
     ]
     for say in says:

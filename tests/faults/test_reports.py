@@ -19,7 +19,7 @@ def test_b5_stiff_scenes_have_a_reference_of_implicit_runs() -> None:
     crank = scene.body("crank", mass=0.36, com=(0.075, 0, 0), inertia=(0.002, 0.003, 0.003))
     slider = scene.body("slider", mass=0.08, pose=(0.45, 0, 0))
     # from rest and smooth, so that vibrations nobody resolves stay asleep
-    scene.joint("drive", cd.Revolute("z"), scene.ground, crank, motion=200 * cd.t**3)
+    scene.joint("drive", cd.Revolute("z"), scene.ground, crank, prescribed=200 * cd.t**3)
     scene.joint("guide", cd.Prismatic("x"), scene.ground, slider)
     # damping that no explicit method gets over: DOP853 needs some 1e7 steps
     steel = cd.material(E=2e11, nu=0.3, rho=7870, damping=1e-3)
@@ -48,7 +48,7 @@ def test_b10_torques_keep_all_times_and_identify_takes_them() -> None:
     scene = cd.Scene("arm")
     rod = scene.body("rod", mass=1, com=(0, 0, -0.5), inertia=(0.1, 0.1, 0.01))
     scene.joint("pivot", cd.Revolute("y"), scene.ground, rod)
-    scene.force("loss", cd.Damping("pivot", 0.3))
+    scene.force("loss", cd.JointDamper("pivot", 0.3))
     model = cd.compile(scene)
     t = np.linspace(0, 10, 2001)
     q = 0.7 * np.sin(2 * t) + 0.3 * np.cos(5 * t)

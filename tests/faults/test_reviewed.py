@@ -15,7 +15,7 @@ from cardan.analyses.statics import critical_load
 from cardan.arguments import kinds_of, read
 from cardan.errors import ArgumentError, BuildError
 from cardan.runtime.verification.differences import missing, relative, worst_of
-from cardan.runtime.verification.evaluation import Asked
+from cardan.runtime.verification.evaluation import Trial
 from cardan.runtime.verification.finite_elements import elements
 from cardan.runtime.verification.finite_elements.members import Members
 from cardan.runtime.verification.verify import verify
@@ -75,16 +75,16 @@ def test_function_of_no_numbers_is_refused(form: str, monkeypatch: pytest.Monkey
     of = None if form == "rhs_jacobian" else model.manifest["frames"][-1]["name"]
     model.rhs(0.0, np.zeros(model.nx))
     assert not verify(model, functions=[(form, of)]).unchecked
-    plain = Asked.call
+    plain = Trial.call
 
-    def wrong(self: Asked, name: str, *given: Any) -> np.ndarray:
+    def wrong(self: Trial, name: str, *given: Any) -> np.ndarray:
         value = plain(self, name, *given)
         if name == form:
             value = value.copy()
             value[0].flat[0] = np.nan
         return value
 
-    monkeypatch.setattr(Asked, "call", wrong)
+    monkeypatch.setattr(Trial, "call", wrong)
     with pytest.raises(BuildError, match=form):
         verify(model, functions=[(form, of)])
 
@@ -116,7 +116,7 @@ def test_columns_that_are_compared_with_nothing_are_not_checked() -> None:
     """Columns of springs passed where the forces that they follow from were not compiled."""
     scene = double_pendulum()
     k, d = scene.parameter("k", 3.0), scene.parameter("d", 0.1)
-    scene.force("spring", cd.TorsionSpring("elbow", stiffness=k, damping=d))
+    scene.force("spring", cd.JointSpring("elbow", stiffness=k, damping=d))
     model = cd.compile(cd.derive(scene))
     assert verify(model, functions=["regressor"]).unchecked == ("regressor",)
     model.prepare("inverse_dynamics", "inertial_parameters")
@@ -210,10 +210,10 @@ def test_a_fault_in_a_law_of_elements_is_no_missing_function(
     here = SimpleNamespace(codes={"energy": None})
     monkeypatch.setattr(elements, "_text", lambda members, form: 0.0)
     monkeypatch.setitem(elements.LAWS, "energy", needing)
-    assert list(elements.judged(here)) == [("energy", 0.0, "needs 'momentum'")]  # type: ignore[arg-type]
+    assert list(elements.check_kinds(here)) == [("energy", 0.0, "needs 'momentum'")]  # type: ignore[arg-type]
     monkeypatch.setitem(elements.LAWS, "energy", broken)
     with pytest.raises(KeyError, match="typo"):
-        list(elements.judged(here))  # type: ignore[arg-type]
+        list(elements.check_kinds(here))  # type: ignore[arg-type]
 
 
 def test_forces_of_elements_are_not_called_velocity_products() -> None:

@@ -105,8 +105,8 @@ def test_a18_atol_follows_rtol() -> None:
     print(errors)
     # of order 2: the error follows rtol to the power 2/3, which is 20 here
     assert errors[1] < errors[0] / 5
-    assert model.simulate(0.01, **begin).conduct.settings == "rtol 1e-06, atol 1e-09"
-    assert model.simulate(0.01, **begin, rtol=1e-3).conduct.settings == "rtol 0.001, atol 1e-09"
+    assert model.simulate(0.01, **begin).solver_info.settings == "rtol 1e-06, atol 1e-09"
+    assert model.simulate(0.01, **begin, rtol=1e-3).solver_info.settings == "rtol 0.001, atol 1e-09"
 
 
 def test_a18_an_rtol_that_atol_makes_void_is_said() -> None:
@@ -173,7 +173,7 @@ def test_step_loads_are_exact_without_a_compiler(monkeypatch: pytest.MonkeyPatch
     """The same times in runs whose functions Python evaluates."""
     model = without_compiler(pushed(STEPS["between"]), monkeypatch)
     motion = model.simulate(3.0, method="DOP853")
-    assert "in Python" in motion.conduct.settings
+    assert "in Python" in motion.solver_info.settings
     assert 2 * motion["x.u"][-1] == pytest.approx(20, abs=1e-10)
 
 
@@ -184,7 +184,7 @@ def test_e9_a_pulse_of_a_function_at_rest_is_seen() -> None:
     for end in (1.0, 3.0):
         motion = model.simulate(end, inputs=inputs)
         assert motion["x.u"][-1] == pytest.approx(3.0, rel=1e-3)
-        assert "steps up to 1/1000 of the span" in motion.conduct.settings
+        assert "steps up to 1/1000 of the span" in motion.solver_info.settings
     # what the caller says goes before
     assert model.simulate(1.0, inputs=inputs, max_step=0.5).statistics["steps"] < 100
     found = model.ensemble(1.0, vary={"x": [0.0, 1.0]}, inputs=inputs)
@@ -205,17 +205,17 @@ def test_b12_tight_tolerances_on_nodes_take_a_method_of_high_order() -> None:
     right = cd.compile(scene).simulate(1.0, **begin, rtol=1e-12)["S"][-1]
     model = cd.compile(scene, coordinates="absolute")
     motion = model.simulate(1.0, **begin, rtol=1e-11)
-    assert motion.conduct.method == "DOP853"
+    assert motion.solver_info.method == "DOP853"
     assert motion.statistics["steps"] < 500
     assert motion["S"][-1] == pytest.approx(right, abs=1e-7)
-    assert model.simulate(0.1, **begin).conduct.method == "GeneralizedAlpha"
+    assert model.simulate(0.1, **begin).solver_info.method == "GeneralizedAlpha"
 
 
 def test_b12_stiff_elements_keep_the_implicit_method() -> None:
     """Beams vibrate faster than anything that is to be followed."""
     motion = satellite().simulate(1.0, rtol=1e-8)
     assert motion.status == "finished"
-    assert motion.conduct.method == "GeneralizedAlpha"
+    assert motion.solver_info.method == "GeneralizedAlpha"
 
 
 def test_at_gives_the_rows_of_a_run_with_output_times() -> None:

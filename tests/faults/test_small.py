@@ -48,7 +48,7 @@ def test_e9_a_start_outside_the_limits_of_a_file(tmp_path: Path) -> None:
     """The warning about a scene file says where."""
     file = tmp_path / "arm.yaml"
     file.write_text(
-        "cardan: 1\nbodies:\n  rod: {mass: 1}\njoints:\n"
+        "cardan: 2\nbodies:\n  rod: {mass: 1}\njoints:\n"
         "  slide: {type: prismatic, axis: x, parent: ground, child: rod, q0: 3, limits: [0, 2]}\n"
     )
     (said,) = _said(lambda: cd.load(file))
@@ -117,8 +117,8 @@ def test_e9_a_spring_that_pushes_where_its_ends_meet() -> None:
     """A spring between points that coincide at the start pushed along what rounding left."""
     # the mass starts at 0.5 - 0.3 + q0 - 0.2
     for kind in (
-        cd.SpringDamper("ground", "mass", stiffness=10, length=0.2),
-        cd.Maxwell("ground", "mass", stiffness=10, damping=1, length=0.2),
+        cd.SpringDamper("ground", "mass", stiffness=10, rest_length=0.2),
+        cd.Maxwell("ground", "mass", stiffness=10, damping=1, rest_length=0.2),
     ):
         (said,) = _said(lambda kind=kind: cd.derive(_hung(kind)))  # type: ignore[misc]
         assert f"force 'spring' ({kind.kind}): its ends meet where the motion starts" in said
@@ -126,37 +126,37 @@ def test_e9_a_spring_that_pushes_where_its_ends_meet() -> None:
         assert not _said(lambda kind=kind: cd.derive(_hung(kind, 1e-3)))  # type: ignore[misc]
     for smooth in (
         cd.SpringDamper("ground", "mass", stiffness=10),
-        cd.SpringDamper("ground", "mass", damping=1, length=1),
+        cd.SpringDamper("ground", "mass", damping=1, rest_length=1),
     ):
         assert not _said(lambda smooth=smooth: cd.derive(_hung(smooth)))  # type: ignore[misc]
 
 
 def _four_bar(two: object, joints: int = 4) -> cd.Scene:
-    """A planar linkage around a circuit of equal links; the first and a further joint driven."""
+    """A planar linkage around a loop of equal links; the first and a further joint driven."""
     scene = cd.Scene("linkage")
     links = [scene.body(f"l{k}", mass=1, com=(0.5, 0, 0)) for k in range(joints - 1)]
     for k, link in enumerate(links):
         before = links[k - 1].at(1, 0, 0) if k else scene.ground
         moved = {0: 0.1 * cd.t, 1: two}.get(k)
-        scene.joint(f"J{k}", cd.Revolute("z"), before, link, motion=moved)
+        scene.joint(f"J{k}", cd.Revolute("z"), before, link, prescribed=moved)
     scene.joint("last", cd.Revolute("z"), links[-1].at(1, 0, 0), scene.ground.at(1, 0, 0))
     return scene
 
 
 def test_e9_two_prescribed_joints_in_a_circuit_of_one_freedom() -> None:
-    """Two ``motion=`` that fight ended the run at once with ``not_closed``, and compiling said
+    """Two ``prescribed=`` that fight ended the run at once with ``not_closed``, and compiling said
     nothing."""
     (said,) = _said(lambda: cd.derive(_four_bar(math.pi / 2 + 0.2 * cd.t)))
     assert "joints 'J0', 'J1' are prescribed" in said
     assert "has 1 freedom" in said
     assert all(f"'{name}'" in said for name in ("J0", "J1", "J2", "last"))
     assert not _said(lambda: cd.derive(_four_bar(None)))
-    # a circuit of five links has two freedoms
+    # a loop of five links has two freedoms
     assert not _said(lambda: cd.derive(_four_bar(math.pi / 2 + 0.2 * cd.t, 5)))
-    # and joints that are prescribed apart from circuits are not meant
+    # and joints that are prescribed apart from loops are not meant
     scene = _four_bar(None)
     arm = scene.body("arm", mass=1)
-    scene.joint("beside", cd.Revolute("z"), "l0", arm, motion=cd.t)
+    scene.joint("beside", cd.Revolute("z"), "l0", arm, prescribed=cd.t)
     assert not _said(lambda: cd.derive(scene))
 
 

@@ -15,8 +15,8 @@ import cardan as cd
 from cardan.errors import BuildError, SolveWarning
 from cardan.runtime.verification import reference_values
 from cardan.runtime.verification.differences import BOUND
-from cardan.runtime.verification.evaluation import Asked
-from cardan.runtime.verification.finite_elements.elements import judged
+from cardan.runtime.verification.evaluation import Trial
+from cardan.runtime.verification.finite_elements.elements import check_kinds
 from cardan.runtime.verification.finite_elements.members import Members, members_of
 from cardan.runtime.verification.flat_scene import scene_of
 from cardan.runtime.verification.joint_motion import JointData, joint_data
@@ -78,10 +78,10 @@ def test_a12_wrong_function_of_a_beam_is_found(form: str, monkeypatch: pytest.Mo
             value[:, np.abs(value).max(axis=0).argmax()] *= 1.0001
         return value
 
-    assert all(error <= BOUND for _, error, _ in judged(own))
+    assert all(error <= BOUND for _, error, _ in check_kinds(own))
     monkeypatch.setattr(Members, "call", wrong)
     monkeypatch.setattr(Members, "expressions", lambda self, name, given=None: None)
-    assert any(error > BOUND for _, error, _ in judged(own))
+    assert any(error > BOUND for _, error, _ in check_kinds(own))
 
 
 def test_a12_custom_joint_is_judged_by_its_pose(tmp_path: Path) -> None:
@@ -109,7 +109,7 @@ def test_a12_custom_joint_is_judged_by_its_pose(tmp_path: Path) -> None:
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr("cardan.runtime.verification.verify.scene_of", lambda model: other)
         # what was found of the right scene is kept for its next functions
-        patch.setattr(model._objects, "truth", None)
+        patch.setattr(model._objects, "reference", None)
         with pytest.raises(BuildError, match="differs"):
             model.verify()
 
@@ -146,7 +146,7 @@ def _fast(name: str) -> cd.Scene:
     """A double pendulum with a wave of 1000 rad/s, or a case that begins, in one place."""
     scene, moves = cd.Scene(name, gravity=(0, 0, -9.81)), {}
     if name == "motion":
-        moves = {"motion": sympy.sin(300 * cd.t) / 100}
+        moves = {"prescribed": sympy.sin(300 * cd.t) / 100}
     one, two = (scene.body(n, mass=1.0, com=(0, 0, -0.5), inertia=(0.1,) * 3) for n in "ab")
     scene.joint("A", cd.Revolute("y"), scene.ground, one, **moves)
     scene.joint("B", cd.Revolute("x"), one.at(0, 0, -1), two)
@@ -202,7 +202,7 @@ def braked() -> cd.Scene:
     scene.joint("pin", cd.Revolute("y"), cart.at(0, 0, 0.1), arm)
     scene.force("brake", cd.Friction("rail", mu=0.2))
     scene.force("bearing", cd.Friction("pin", mu=0.3, radius=0.05, static=0.4, viscous=0.1))
-    scene.force("spring", cd.TorsionSpring("pin", stiffness=2.0))
+    scene.force("spring", cd.JointSpring("pin", stiffness=2.0))
     return scene
 
 
@@ -213,7 +213,7 @@ def test_a12_friction_from_reactions_is_judged_by_free_bodies(
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         model = cd.compile(braked(), directory=tmp_path)
-    names = ("rhs", "forward_dynamics", "inverse_dynamics", "applied", "energy", "power")
+    names = ("rhs", "forward_dynamics", "inverse_dynamics", "applied_forces", "energy", "power")
     model.prepare(
         *names, "qdot", "momentum_rates", "momenta", ("reaction", "rail"), ("reaction", "pin")
     )
@@ -222,15 +222,17 @@ def test_a12_friction_from_reactions_is_judged_by_free_bodies(
     assert found.unchecked == ()
     assert found.worst < 1e-12
     # the coefficient, the line along which nothing presses and the wrenches matter
-    right: Any = reference_values.pressed
+    right: Any = reference_values.reaction_friction
     for harmed in (
         lambda known: replace(known, coefficient=1.001 * known.coefficient),
         lambda known: replace(known, joints=tuple((i, False) for i, _ in known.joints)),
         lambda known: replace(known, force=known.force + 0.1),
     ):
-        model._objects.truth = None
+        model._objects.reference = None
         monkeypatch.setattr(
-            reference_values, "pressed", lambda *given, harmed=harmed: harmed(right(*given))
+            reference_values,
+            "reaction_friction",
+            lambda *given, harmed=harmed: harmed(right(*given)),
         )
         with pytest.raises(BuildError, match="differs"):
             model.verify()
@@ -244,12 +246,12 @@ def test_a12_elements_are_judged_at_as_many_states_as_are_asked_for() -> None:
     codes = dict(zip(symbols, model._objects.load(symbols), strict=True))
     few, many = (members_of(model, elements, codes, 1, n) for n in (1, 5))
     for one, five in zip(few, many, strict=True):
-        assert len(five.given["q"]) == 5 * len(one.given["q"])
+        assert len(five.inputs["q"]) == 5 * len(one.inputs["q"])
     assert model.verify(states=5).states == 5
 
 
 def test_a12_columns_of_a_regressor_that_nothing_changes_are_said() -> None:
-    """Columns of elements whose numbers are no parameters were skipped, and counted as checked."""
+    """Columns of elements whose numbers are not parameters were skipped, and counted as checked."""
     names = ("regressor", "energy_regressor", "inertial_parameters", "inverse_dynamics", "power")
 
     def rail(**how: Any) -> cd.CompiledModel:
@@ -258,7 +260,7 @@ def test_a12_columns_of_a_regressor_that_nothing_changes_are_said() -> None:
         cart = scene.body("cart", mass=2.0, com=(0.05, 0, 0.1), inertia=(0.1, 0.2, 0.3))
         scene.joint("x", cd.Prismatic("x"), scene.ground, cart)
         how = {name: value(c) for name, value in how.items()}
-        scene.force("spring", cd.TorsionSpring("x", **how))
+        scene.force("spring", cd.JointSpring("x", **how))
         model = cd.compile(scene)
         model.prepare(*names)
         return model
@@ -268,9 +270,9 @@ def test_a12_columns_of_a_regressor_that_nothing_changes_are_said() -> None:
     found = {check.function: check for check in model.verify().checks}
     assert found["regressor"].error < 1e-12
     assert found["energy_regressor"].error < 1e-12
-    plain = Asked.call
+    plain = Trial.call
 
-    def wrong(self: Asked, name: str, *given: Any) -> np.ndarray:
+    def wrong(self: Trial, name: str, *given: Any) -> np.ndarray:
         value = plain(self, name, *given)
         if name in ("regressor", "energy_regressor"):
             value = value.copy()
@@ -278,7 +280,7 @@ def test_a12_columns_of_a_regressor_that_nothing_changes_are_said() -> None:
         return value
 
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(Asked, "call", wrong)
+        patch.setattr(Trial, "call", wrong)
         for name in ("regressor", "energy_regressor"):
             with pytest.raises(BuildError, match=name):
                 verify(model, functions=[*names[2:], name])

@@ -16,13 +16,14 @@ from cardan.api.faces import verb
 from cardan.elements.centerlines.centerline import Centerline
 from cardan.elements.forces.force import ForceElement
 from cardan.elements.joints.joint import Joint
+from cardan.elements.sections.section import Section
 from cardan.equations.constraints.treatments.treatment import Treatment
 from cardan.scene.shape import Shape
 from golden.verbs import HELD, held
 
 NAME = re.compile(r"[A-Za-z_]\w*")
 # elements and what treats constraints: users make them, the compiler calls their methods
-MADE = (Joint, ForceElement, Treatment, Centerline, Shape, Exception)
+MADE = (Joint, ForceElement, Treatment, Centerline, Section, Shape, Exception)
 
 
 @cache
@@ -47,7 +48,8 @@ def _is_made(value: Any) -> bool:
 def _of_module(module: ModuleType) -> Iterator[tuple[str, Any]]:
     """What a module defines for others."""
     for name, value in vars(module).items():
-        own = getattr(value, "__module__", None) == module.__name__
+        listed = name in getattr(module, "__all__", ())
+        own = getattr(value, "__module__", None) == module.__name__ or listed
         if not name.startswith("_") and own and (inspect.isclass(value) or callable(value)):
             yield name, value
 

@@ -35,7 +35,7 @@ def savings(equations: EquationRecord, name: str, of: str | None = None) -> list
     whole = PASSES["unroll"](function)
     found: list[Saving] = []
     for rewrite in applied:
-        rest = equations.told(tuple(key for key in applied if key != rewrite))
+        rest = equations.with_rewrites(tuple(key for key in applied if key != rewrite))
         found.append(_saving(rewrite, PASSES["unroll"](rest.function(name, of)), whole))
     for key in (key for key in standard(function) if key in PASSES and key != "unroll"):
         before, whole = whole, PASSES[key](whole)

@@ -5,7 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 
 import cardan as cd
-from cardan.codegen.layout import HEADERS, KERNELS
+from cardan.codegen.layout import HEADERS
+from cardan.schema import kernel_files
 from cardan.schema.seal import sealed, unsealed
 from explain.scenes import scene_of
 
@@ -33,7 +34,7 @@ def written(example: Path, folder: Path) -> Path:
     equations = cd.derive(scene_of(example))
     if example == FLEXIBLE:
         equations.export(folder, functions=("forward_dynamics",))
-        left_out = {"functions.json", *(path.name for path in KERNELS.iterdir())} - {*HEADERS}
+        left_out = {"functions.json", *(path.name for path in kernel_files.files())} - {*HEADERS}
         for path in folder.iterdir():
             if path.name in left_out:
                 path.unlink()

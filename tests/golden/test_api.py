@@ -49,10 +49,7 @@ def test_the_hash_seed_does_not_change_the_listing() -> None:
     command = [sys.executable, "-c", program, str(Path(__file__).parents[1])]
     texts = {
         subprocess.run(
-            command,
-            env={**os.environ, "PYTHONHASHSEED": seed},
-            capture_output=True,
-            check=True,
+            command, env={**os.environ, "PYTHONHASHSEED": seed}, capture_output=True, check=True
         ).stdout
         for seed in ("1", "2")
     }

@@ -94,7 +94,7 @@ def test_shapes_of_what_is_derived_are_those_of_the_table(name: str) -> None:
     frame, joint = model.frames[0], model.joints[0]
     for function in equations.names():
         row = FUNCTIONS[function]
-        if row.of == "function" or row.for_reading or not asked(row.shape):
+        if row.of == "function" or row.for_display or not asked(row.shape):
             continue
         of = {"frame": frame, "joint": joint}.get(row.of)
         outputs = equations.function(function, of).outputs

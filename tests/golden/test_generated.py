@@ -14,8 +14,8 @@ from pathlib import Path
 
 import pytest
 
-from cardan.codegen.layout import KERNELS
 from cardan.runtime.build import toolchain
+from cardan.schema import kernel_files
 from golden.scenes import EXAMPLES, FLEXIBLE, ROOT, scene_of, written
 from spread import some
 
@@ -75,6 +75,6 @@ def test_generated_compiles_without_warning(kept: Path, compiler: str, tmp_path:
     level = ["-O2"] if compiler == "gcc" else ["-O0", "-fno-sanitize=undefined"]
     command = [*found[0][0], *STRICT, *level, "-shared", "-fPIC", "-o", str(tmp_path / "all.so")]
     sources = sorted(str(path) for path in kept.glob("*.c"))
-    command += [f"-I{KERNELS}", *sources, "-lm"]
+    command += [*(f"-I{folder}" for folder in kernel_files.includes()), *sources, "-lm"]
     done = subprocess.run(command, capture_output=True, text=True, timeout=300)
     assert done.returncode == 0, done.stderr

@@ -49,7 +49,7 @@ def test_a_verb_has_the_signature_of_its_function(verb: Verb) -> None:
 def test_help_tells_what_a_verb_takes() -> None:
     text = pydoc.render_doc(cd.CompiledModel.equilibrium, renderer=pydoc.plaintext)
     assert "equilibrium(self, *, q: " in text
-    assert "Where a model rests under its forces" in text
+    assert "Equilibrium of a model under its forces" in text
     assert "model: " not in text
     bound = object.__new__(cd.CompiledModel).equilibrium
     assert next(iter(inspect.signature(bound).parameters)) == "q"

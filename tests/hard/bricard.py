@@ -24,8 +24,8 @@ def error(model: cd.CompiledModel, motion: cd.Trajectory) -> float:
 
 CASE = Case(
     name="redundant Bricard",
-    hard="six hinges close a loop of five rods: five conditions of rank four, for 10 s",
-    oracle="IFToMM problem A04 by maximal coordinates, within 3e-8; error of a corner [m]",
+    hard="six hinges connect five rods in a loop: five closure conditions of rank four, for 10 s",
+    oracle="IFToMM problem A04 in maximal coordinates, within 3e-8; error of a corner [m]",
     build=bricard,
     t=np.array([0.0, *KNOWN["t"]]),
     start={},

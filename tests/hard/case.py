@@ -37,7 +37,7 @@ class Never:
     reason: str
 
 
-UNDAMPED = Never("it damps nothing, and what is held by constraints needs damping")
+UNDAMPED = Never("it has no numerical damping, which constraints require")
 Table = Mapping[str, Cell | Never]
 
 

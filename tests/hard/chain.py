@@ -36,8 +36,8 @@ def error(model: cd.CompiledModel, motion: cd.Trajectory) -> float:
 
 CASE = Case(
     name="100 links",
-    hard="a chain of 100 rods in space, let go from horizontal, for 1 s",
-    oracle="two methods at tolerances of 1e-12 that agree; largest error of an angle [rad]",
+    hard="a chain of 100 rods in space, released from horizontal, for 1 s",
+    oracle="agreement of two methods at tolerances of 1e-12; largest error of an angle [rad]",
     build=build,
     t=TIMES,
     start={},

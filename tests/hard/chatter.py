@@ -47,8 +47,8 @@ def settled(model: cd.CompiledModel, motion: cd.Trajectory) -> float:
 COMMON = {"t": 2.0, "start": {"q": {"height": HEIGHT}}, "step": 1e-3}
 CHATTER = Case(
     name="chatter",
-    hard="a ball keeps half its speed at every bounce: infinitely many within 1.35 s",
-    oracle="closed form; ends with the status chatter, error of the time [s]",
+    hard="a ball keeps half its speed at every bounce: infinitely many bounces within 1.35 s",
+    oracle="closed form; the run ends with the status chatter; error of the time [s]",
     build=bouncing,
     error=end,
     # a parabola: exact for every method, up to how small intervals count as none
@@ -59,8 +59,8 @@ CHATTER = Case(
 )
 SETTLED = Case(
     name="chatter, settled",
-    hard="the same where it settles below 1 mm/s: it comes to rest and stays",
-    oracle="closed form; largest error of the times of impacts [s]",
+    hard="the same ball, which settles below 1 mm/s and stays at rest",
+    oracle="closed form; largest error of the impact times [s]",
     build=settling,
     error=settled,
     expected=table({name: Cell(1e-8) for name in METHODS} | {"Newmark": UNDAMPED}),

@@ -39,7 +39,7 @@ EXPECTED = alike(
 
 CASE = Case(
     name="fast top",
-    hard="a heavy top spins at 150 rad/s while it precesses at 5 rad/s, for 2 s",
+    hard="a heavy top spins at 150 rad/s and precesses at 5 rad/s, for 2 s",
     oracle="30 digits by extrapolation; largest error of the quaternion",
     build=build,
     t=np.array([0.0, *(row["t"] for row in ROWS)]),

@@ -68,8 +68,8 @@ def error(model: cd.CompiledModel, motion: cd.Trajectory) -> float:
 b0, c0 = angles(ANGLE)
 CASE = Case(
     name="near-singular four-bar",
-    hard="links 1, 0.5, 1 and 0.5005 m: at each half turn four hinges are nearly in line",
-    oracle="energy by quadrature over the crank; error of its angle after 3 s [rad]",
+    hard="links of 1, 0.5, 1 and 0.5005 m: all four hinges nearly align every half turn",
+    oracle="energy integral, by quadrature over the crank angle; angle error after 3 s [rad]",
     build=build,
     t=(0.0, 3.0),
     start={"q": {"A": ANGLE, "B": b0 - ANGLE, "D": c0}, "u": {"A": SPEED}},

@@ -66,8 +66,8 @@ def expected(count: int) -> dict[str, Cell | Never]:
 
 CASE = Case(
     name="free body",
-    hard="an asymmetric body tumbles and flies for 1e5 steps of 2 ms",
-    oracle="largest relative change of energy, angular momentum about the center and linear one",
+    hard="an asymmetric body tumbles in free flight for 1e5 steps of 2 ms",
+    oracle="largest relative change of energy, central angular momentum and linear momentum",
     build=build,
     t=(0.0, 1e5 * STEP),
     start={"u": {"free": [*SPIN, 0.3, 0.0, -0.2]}},
@@ -78,7 +78,7 @@ CASE = Case(
 LONG = replace(
     CASE,
     name="free body, 1e7 steps",
-    hard="the same for 1e7 steps",
+    hard="the same body for 1e7 steps",
     t=(0.0, 1e7 * STEP),
     # a tenth of the steps or less where each of them solves equations
     expected=expected(10_000_000)

@@ -101,7 +101,7 @@ def others() -> cd.Scene:
 CASES = (
     Case(
         name="gimbal lock, 12 sequences",
-        hard="balls with three angles each, in every sequence, miss their lock by 1e-3 rad",
+        hard="balls with three angles each, in all sequences, pass within 1e-3 rad of gimbal lock",
         oracle="steady rotation; largest error of an attitude [rad]",
         build=all_sequences,
         t=TIMES,
@@ -123,7 +123,7 @@ CASES = (
     ),
     Case(
         name="gimbal lock, quaternion",
-        hard="the same ball with quaternions, straight through what would be the lock",
+        hard="the same ball with a quaternion, straight through the position of the lock",
         oracle="steady rotation; largest error of the attitude [rad]",
         build=quaternion,
         t=TIMES,
@@ -135,8 +135,8 @@ CASES = (
     ),
     Case(
         name="gimbal lock, started in it, proper sequences",
-        hard="the middle angle is 0: the other two have no rates",
-        oracle="the run must not start; time that it reached [s]",
+        hard="the middle angle is 0, so the rates of the other two are undefined",
+        oracle="the run must not start; final time [s]",
         build=proper,
         t=TIMES,
         start=at_rest_in_lock(PROPER),
@@ -146,8 +146,8 @@ CASES = (
     ),
     Case(
         name="gimbal lock, started in it, other sequences",
-        hard="the middle angle is 90 degrees, whose cosine is 6e-17 and not 0",
-        oracle="the run must not start; time that it reached [s]",
+        hard="the middle angle is 90 degrees; its cosine is 6e-17 and not 0",
+        oracle="the run must not start; final time [s]",
         build=others,
         t=TIMES,
         start=at_rest_in_lock(OTHERS),

@@ -49,8 +49,8 @@ EXPECTED = alike(
 
 CASE = Case(
     name="mass ratio",
-    hard="1e4 kg below 1e-4 kg: M has condition 1e8, and the light mass a frequency of 1e5 rad/s",
-    oracle="closed form of one rod of both lengths, within 1e-8; largest error of an angle [rad]",
+    hard="1e4 kg below 1e-4 kg: M has condition number 1e8; the light mass vibrates at 1e5 rad/s",
+    oracle="closed form of one rod of total length, within 1e-8; largest error of an angle [rad]",
     build=build,
     t=TIMES,
     start={"q": {"shoulder": START + SIDE * OFF, "elbow": -2 * SIDE * OFF}},

@@ -23,17 +23,19 @@ Found = dict[tuple[str, str], Outcome]
 HEAD = """\
 # Hard cases
 
-Written by `make hard`, which runs every integrator of joint coordinates on every case again
-(`EnergyMomentum`, of absolute coordinates alone, has tests of its own). What is expected, a status
-and a bound of the error, stands in `tests/hard`, and the tests hold it. Most bounds were set before
-the first run. Those of micrometers, astronomical units, the free body, stick-slip and of
-EnergyMidpoint on 100 links followed it: they are theory's or at least three times what was found,
-twice for generalized-alpha over 1e7 steps. So did the steps past gimbal lock and through the
-four-bar. Errors and times are those of one run on one machine ({machine}). Methods of order 4 and
-more run at tight tolerances, those of order 2 at rough ones: the cases ask what can be relied on,
-not which is fastest. `cardan report FILE` compares methods on a scene of yours.
+`make hard` writes this page. It runs every integrator for joint coordinates on every case
+(`EnergyMomentum`, for absolute coordinates only, has its own tests). The expected results, a status
+and an error bound, are in `tests/hard`, and the tests enforce them. Most bounds were set before
+the first run. The bounds of micrometers, astronomical units, the free body, stick-slip, and
+EnergyMidpoint on 100 links were set after it. They follow from theory or are at least three times
+the measured error (twice for generalized-alpha over 1e7 steps). The step sizes for passing gimbal
+lock and for the four-bar were also set after the first run.
 
-In the table: ✓ as expected, ✗ not, – not applicable, for a reason that stands below."""
+Errors and times come from one run on one machine ({machine}). Methods of order 4 and higher
+run at tight tolerances, methods of order 2 at loose ones. The cases show how reliable the methods
+are, not which is fastest. `cardan report FILE` compares methods on your own scene.
+
+In the table: ✓ as expected, ✗ not as expected, – not applicable, with the reason given below."""
 
 
 def expectation(cell: Cell | Never) -> str:
@@ -96,7 +98,7 @@ def section(case: Case, found: Found) -> Iterator[str]:
         if isinstance(cell, Cell) and found[case.name, method].status != FINISHED
     }
     if said:
-        yield f"\nWhat a run says: {min(said, key=lambda words: (len(words), words))}."
+        yield f"\nMessage of a run: {min(said, key=lambda words: (len(words), words))}."
 
 
 def main() -> int:

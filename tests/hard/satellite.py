@@ -43,7 +43,7 @@ def error(model: cd.CompiledModel, motion: cd.Trajectory) -> float:
 
 CASE = Case(
     name="satellite",
-    hard="attitude in the gradient of gravity for 100 orbits, 5.7e5 s",
+    hard="attitude motion under the gravity gradient for 100 orbits, 5.7e5 s",
     oracle="pitch in closed form, roll and yaw zero; largest error of the attitude [rad]",
     build=build,
     t=TIMES,

@@ -17,7 +17,7 @@ def build() -> cd.Scene:
     """Friction that falls with speed, true sticking."""
     scene = cd.Scene("stick_slip", gravity=(0, 0, 0))
     scene.joint("x", cd.Prismatic("x"), scene.ground, scene.body("block", mass=1.0))
-    scene.force("spring", cd.TorsionSpring("x", stiffness=1.0))
+    scene.force("spring", cd.JointSpring("x", stiffness=1.0))
     law = STATIC / (1 + FALL * sp.Abs(scene.u("x") - BELT))
     scene.force("belt", cd.Friction("x", coulomb=law, static=STATIC, against=BELT))
     return scene
@@ -37,7 +37,7 @@ def error(model: cd.CompiledModel, motion: cd.Trajectory) -> float:
 CASE = Case(
     name="stick-slip",
     hard="dry friction on a belt: the block sticks, breaks loose, slides and sticks again",
-    oracle="limit cycle by located events, 30 digits; error of times [s] and place [m]",
+    oracle="limit cycle with located events, 30 digits; error of times [s] and position [m]",
     build=build,
     t=34.0,
     start={"q": {"x": 0.0}, "u": {"x": BELT}},

@@ -18,7 +18,7 @@ def resonator() -> cd.Scene:
     """1e-12 kg on 1 N/m."""
     scene = cd.Scene("resonator", gravity=(0, 0, 0))
     scene.joint("x", cd.Prismatic("x"), scene.ground, scene.body("mass", mass=1e-12))
-    scene.force("spring", cd.TorsionSpring("x", stiffness=1.0))
+    scene.force("spring", cd.JointSpring("x", stiffness=1.0))
     return scene
 
 
@@ -66,7 +66,7 @@ def astray(model: cd.CompiledModel, motion: cd.Trajectory) -> float:
 TINY = Case(
     name="micrometers",
     hard="a resonator of 1e-12 kg with an amplitude of 1e-6 m at 160 kHz",
-    oracle="closed form; largest error over the amplitude",
+    oracle="closed form; largest error divided by the amplitude",
     build=resonator,
     t=SHORT,
     start={"q": {"x": AMPLITUDE}},
@@ -80,8 +80,8 @@ TINY = Case(
 )
 HUGE = Case(
     name="astronomical units",
-    hard="Halley's comet through one and a half revolutions: 1e12 m and 4e9 s, eccentricity 0.967",
-    oracle="Kepler's equation; largest error of the place over the half axis",
+    hard="Halley's comet for one and a half orbits: 1e12 m and 4e9 s, eccentricity 0.967",
+    oracle="Kepler's equation; largest position error divided by the semi-major axis",
     build=comet,
     t=LONG,
     start={"q": {"x": NEAREST}, "u": {"y": FASTEST}},

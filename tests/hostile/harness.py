@@ -106,7 +106,7 @@ class Tally:
 
 
 def specials(kind: Kind, folder: Path) -> Tally:
-    """Use everything in the place of a file that is no regular file, each once."""
+    """Use everything in the place of a file that is not a regular file, each once."""
     return campaign(replace(kind, draw=special), len(SPECIAL), 0, folder)
 
 

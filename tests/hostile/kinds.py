@@ -140,7 +140,7 @@ def run(name: str, folder: Path) -> Kind:
         return model.simulate(**options, checkpoint=path, every=0.0)
 
     def use(motion: Any) -> bytes:
-        numbers = (motion.t, motion.x, motion.r, motion.s, motion.given, motion.happened.log)
+        numbers = (motion.t, motion.x, motion.r, motion.s, motion.work_done, motion.event_log.log)
         return b"".join(array.tobytes() for array in numbers) + motion.status.encode()
 
     model.simulate(**options, checkpoint=good, every=0.0)
@@ -239,7 +239,7 @@ def entry(name: str, place: Path) -> Kind:
     place.mkdir(parents=True)
     cache = place / "cache"
     cache.mkdir(mode=0o700)
-    # kernels are no entry of a model: those of this session serve
+    # kernels are not entry of a model: those of this session serve
     _ran(double())
     with _cached(cache):
         model = double()

@@ -1,4 +1,4 @@
-"""Mutants of files: bytes, values, types, sizes, and things that are no files."""
+"""Mutants of files: bytes, values, types, sizes, and things that are not files."""
 
 from __future__ import annotations
 
@@ -159,7 +159,7 @@ def _change(drawn: random.Random, parts: dict[str, Any]) -> tuple[Any, ...]:
 
 
 def _leaves(holder: Any, path: tuple[Any, ...]) -> Iterator[tuple[Any, ...]]:
-    """Paths of everything that is no container."""
+    """Paths of everything that is not a container."""
     for key in holder if isinstance(holder, dict) else range(len(holder)):
         inside = holder[key]
         if isinstance(inside, dict | list) and inside:
@@ -245,11 +245,11 @@ def _deep(levels: int) -> Any:
     return found
 
 
-# what is no file
+# what is not a file
 
 
 def special(drawn: random.Random, kind: Kind, content: bytes, number: int) -> Mutant:
-    """The mutant that is no regular file, by its number."""
+    """The mutant that is not a regular file, by its number."""
     how = SPECIAL[number % len(SPECIAL)]
     return Mutant(how.__name__, lambda path: _replace(path, how))
 

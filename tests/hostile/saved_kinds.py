@@ -78,7 +78,7 @@ def motion(name: str, folder: Path) -> Kind:
         forces = again.multipliers if "multipliers" in again.stored else None
         told = (again.events, again.ticks, again.constraints, forces, again.ledger)
         found.update(repr(told).encode() + repr(again.manifest).encode())
-        for part in (again.r, again.s, again.given, again.energy.total, again.drift):
+        for part in (again.r, again.s, again.work_done, again.energy.total, again.energy_residual):
             found.update(np.asarray(part).tobytes())
         here = folder / f"again{os.getpid()}"
         found.update(again.animate(here.with_suffix(".html"), fps=100.0).read_bytes())
@@ -162,7 +162,7 @@ def _results(made: cd.Ensemble) -> bytes:
     for table in (made.statistics, made.varied):
         for name, values in table.items():
             found.update(name.encode() + values.tobytes())
-    found.update(repr((made.messages, made.asked.entries, made.success)).encode())
+    found.update(repr((made.messages, made.request.entries, made.success)).encode())
     return found.digest()
 
 
@@ -175,7 +175,7 @@ def ensemble(folder: Path) -> Kind:
         here = folder / f"again{os.getpid()}.nc"
         again.save(here)
         here.unlink()
-        parts = (again.q, again.u, again.t, again[again.asked.entries[0]])
+        parts = (again.q, again.u, again.t, again[again.request.entries[0]])
         return repr(again).encode() + _results(again) + b"".join(x.tobytes() for x in parts)
 
     notes = ("title", *file_schema.NOTES)

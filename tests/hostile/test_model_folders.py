@@ -12,7 +12,7 @@ import pytest
 
 import cardan as cd
 from cardan.runtime.formats.number_file import packed, unpacked
-from cardan.schema.manifest import opened
+from cardan.schema.manifest import checked_manifest
 from hostile.harness import campaign
 from hostile.kinds import FILES, MODELS, folder
 from spread import some
@@ -55,9 +55,7 @@ CHANGES: dict[str, dict[str, Callable[[dict[str, Any]], object]]] = {
         "a coordinate without unit": lambda parts: parts["coordinates"][1].pop("unit"),
         "a parameter less": lambda parts: parts["parameters"].pop(0),
     },
-    "servo": {
-        "ticks at one time": lambda parts: parts["ticks"][0].update(period=1e-320),
-    },
+    "servo": {"ticks at one time": lambda parts: parts["ticks"][0].update(period=1e-320)},
     "shaft": {
         "modes beyond all memory": lambda parts: kinds(parts)[4].update(ns=2**62),
         "rows below none": lambda parts: kinds(parts)[2].update(mp=-1),
@@ -158,7 +156,7 @@ def test_a_manifest_cannot_speak_of_more_rows_than_it_has_numbers(key: str) -> N
     run = {"count": 2**39, "pattern": parts[key][-1:], "values": ""}
     parts[key] = {"listed": parts[key], "runs": [run]}
     with pytest.raises(cd.ModelError, match="it has more"):
-        opened(parts, "manifest.json")
+        checked_manifest(parts, "manifest.json")
 
 
 @pytest.mark.parametrize("which", MODELS)

@@ -11,7 +11,7 @@ from cardan.analyses.identification.data import read
 from hostile.harness import Kind, specials
 from hostile.mutations import SPECIAL
 
-SCENE = """cardan: 1
+SCENE = """cardan: 2
 bodies: {arm: {mass: 1.0, inertia: [0.1, 0.1, 0.1], com: [0.5, 0, 0]}}
 joints: {hinge: {type: revolute, axis: z, parent: ground, child: arm}}
 """

@@ -14,11 +14,7 @@ from cardan.ir.matrix import Matrix
 from cardan.ir.solve import solve
 
 SIZES = {"q": 4, "u": 3, "p": 4}
-STATE = {
-    "q": [0.3, -0.7, 1.1, 0.45],
-    "u": [0.9, -1.3, 0.2],
-    "p": [1.5, 0.8, 2.25, 0.375],
-}
+STATE = {"q": [0.3, -0.7, 1.1, 0.45], "u": [0.9, -1.3, 0.2], "p": [1.5, 0.8, 2.25, 0.375]}
 
 
 def function(graph: Graph, roots: Sequence[int], name: str = "f") -> Function:

@@ -170,7 +170,7 @@ def test_every_product_is_paid_for(monkeypatch: pytest.MonkeyPatch) -> None:
     expansion = Expansion(x.graph, budget)
     expansion.expand(live(x.graph, [x.node]))
     assert 0 < made <= 50_000 - budget.left <= 50_000
-    assert expansion.made[x.node] is None
+    assert expansion.polynomials[x.node] is None
 
 
 def test_decimals_stay_what_they_were() -> None:

@@ -77,8 +77,8 @@ def test_there_and_back(expression: sp.Expr) -> None:
     [
         (sp.Symbol("aa") * b, r"symbol 'aa' in 'aa\*b' is not known.*Did you mean 'a'\?"),
         (sp.Symbol("a", positive=True), "other assumptions"),
-        (sp.gamma(a), "'gamma' in 'gamma\\(a\\)' is no function"),
-        (sp.Function("f")(a), "'f' in 'f\\(a\\)' is no function"),
+        (sp.gamma(a), "'gamma' in 'gamma\\(a\\)' is not a function"),
+        (sp.Function("f")(a), "'f' in 'f\\(a\\)' is not a function"),
         (sp.I * a, "not a finite real number"),
         (a + sp.zoo, "not a finite real number"),
         (sp.Integer(10) ** 400 * a, "too large"),

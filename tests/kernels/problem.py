@@ -12,10 +12,11 @@ from typing import Any
 import numpy as np
 
 from cardan.analyses.simulation.simulate import simulate
-from cardan.runtime.build import cache, kernels, prebuilt
+from cardan.runtime.build import cache, kernels
 from cardan.runtime.calls import abi
 from cardan.runtime.calls.methods import Energy
 from cardan.runtime.trajectory.trajectory import TrajectoryRecord
+from cardan.schema import kernel_files
 from cardan.schema.c_functions import ResultRow
 from cardan.schema.integrators import INTEGRATORS
 from cardan.schema.manifest import Manifest
@@ -75,7 +76,7 @@ def function(folder: Path, name: str, body: str, entries: list[str], before: str
     """A C function with the interface of a loaded one, and what stands before it."""
     path = folder / f"{name}.c"
     path.write_text(before + HEAD.replace("NAME", name).replace("BODY", body))
-    library = ctypes.CDLL(str(cache.build([path], [prebuilt.DIRECTORY]).path))
+    library = ctypes.CDLL(str(cache.build([path], kernel_files.includes()).path))
     address = ctypes.cast(getattr(library, name), ctypes.c_void_p).value
     outputs = [ResultRow(name=name, entries=entries, shape=[len(entries)])]
     return SimpleNamespace(

@@ -128,7 +128,7 @@ def test_two_events_of_one_time_happen_together(tmp_path: Path) -> None:
     assert motion.events[0].t == motion.events[1].t
     speed = np.sqrt(2 * G)
     np.testing.assert_allclose(motion.events[0].x_after[2:], [speed, 0.5 * speed], rtol=1e-12)
-    assert len(motion.happened.log) == 1
+    assert len(motion.event_log.log) == 1
 
 
 def test_events_one_after_the_other_in_one_step(tmp_path: Path) -> None:
@@ -259,7 +259,7 @@ def test_marks_change_nothing(tmp_path: Path) -> None:
     np.testing.assert_array_equal(alone.x, watched.x)
 
 
-# circuits, internal states, samples
+# loops, internal states, samples
 
 
 def test_events_are_found_on_the_constraints(tmp_path: Path) -> None:

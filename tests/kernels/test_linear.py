@@ -8,7 +8,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from cardan.runtime.build import cache, prebuilt
+from cardan.runtime.build import cache
+from cardan.schema import kernel_files
 
 PROGRAM = """
 #include "linear.h"
@@ -41,7 +42,7 @@ int shifted(ptrdiff_t nq, ptrdiff_t n, const real *size, const real *jacobian, r
     at = cardan_shift_in(&run, jacobian, memory, paired);
     if (cardan_shift_factor(&at, size[0], size[1])) return -1;
     cardan_shift_solve(&at, size[0], size[1], x, paired ? y : NULL);
-    return (int)at.kept[0];
+    return (int)at.rows[0];
 }
 """
 EPS = float(np.finfo(float).eps)
@@ -51,8 +52,8 @@ EPS = float(np.finfo(float).eps)
 def library(tmp_path_factory: pytest.TempPathFactory) -> ctypes.CDLL:
     path: Path = tmp_path_factory.mktemp("linear") / "linear.c"
     path.write_text(PROGRAM + SHIFTED)
-    sources = [path, prebuilt.DIRECTORY / "shift.c"]
-    return ctypes.CDLL(str(cache.build(sources, [prebuilt.DIRECTORY]).path))
+    sources = [path, kernel_files.file("shift.c")]
+    return ctypes.CDLL(str(cache.build(sources, kernel_files.includes()).path))
 
 
 def call(function: object, n: int, *arrays: np.ndarray) -> int:

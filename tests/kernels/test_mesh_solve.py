@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 
 from cardan.runtime.build import cache as objects
-from cardan.runtime.build import prebuilt
 from cardan.runtime.sparse.block_solver import FactorsRecord, Memory, plan_record
 from cardan.runtime.sparse.plan import plan
+from cardan.schema import kernel_files
 
 # a mesh of unknowns alone, with a matrix that is given; what assembles matrices is not called
 HARNESS = """
@@ -40,7 +40,7 @@ int solve(const cardan_sparse *plan, cardan_sparse_factors *factors, real *a, re
           real *found, real *work)
 {
     const cardan_mesh mesh = {.nu = plan->n, .plan = plan};
-    cardan_mesh_system system = {.a = a, .right = right, .found = found, .work = work};
+    cardan_mesh_system system = {.a = a, .right = right, .solution = found, .work = work};
     system.factors = *factors;
     return cardan_mesh_solve(&mesh, &system);
 }
@@ -53,8 +53,8 @@ def library(folder: Path) -> ctypes.CDLL:
     source = folder / "harness.c"
     source.write_text(HARNESS)
     names = ("mesh_solve.c", "mesh_open.c", "sparse*.c")
-    needed = [path for name in names for path in sorted(prebuilt.DIRECTORY.glob(name))]
-    return objects.build([source, *needed], [prebuilt.DIRECTORY]).load()
+    needed = [path for name in names for path in sorted(kernel_files.files(name))]
+    return objects.build([source, *needed], kernel_files.includes()).load()
 
 
 @pytest.mark.parametrize(("wrong", "status"), [(0.0, 0), (1e-4, 0), (3.0, -1)])

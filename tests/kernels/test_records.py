@@ -10,13 +10,14 @@ import pytest
 
 from cardan.analyses.simulation import run_record
 from cardan.errors import BuildError
-from cardan.runtime.build import cache, kernels, prebuilt
-from cardan.schema import records
+from cardan.runtime.build import cache, kernels
+from cardan.schema import kernel_files, records
 from table import each
 
 ANSWERS = (
     *("DONE", "MORE", "FULL", "STOPPED", "EVENT", "NOT_FINITE", "TOO_SMALL", "MODEL", "INPUT"),
-    *("SIZE", "OPEN", "TURNED", "UNSOLVED", "STORM", "CHATTER", "WHIRLED"),
+    *("SIZE", "CONSTRAINT_OPEN", "ROTATION_TOO_LARGE", "UNSOLVED", "EVENT_LIMIT", "CHATTER"),
+    "ROTATION_UNRESOLVED",
     *("MODE", "IMPACT", "TICK", "END", "MARK", "HALT"),
 )
 STRUCTURES: dict[str, type[ctypes.Structure]] = {
@@ -24,7 +25,7 @@ STRUCTURES: dict[str, type[ctypes.Structure]] = {
     "cardan_method": records.Method,
     "cardan_signal": records.Signal,
     "cardan_tick": records.Tick,
-    "cardan_own": records.Own,
+    "cardan_run_pointer": records.RunPointer,
     "cardan_lane": records.Lane,
     "cardan_ensemble": records.Driver,
     "cardan_form": records.Form,
@@ -41,7 +42,7 @@ STRUCTURES: dict[str, type[ctypes.Structure]] = {
 
 def test_layouts_are_those_of_the_headers() -> None:
     """kernels/layouts.c is what the headers say; write it anew with ``records.layouts()``."""
-    assert (prebuilt.DIRECTORY / "layouts.c").read_text("utf-8") == records.layouts()
+    assert kernel_files.text("layouts.c") == records.layouts()
 
 
 def test_every_record_is_known() -> None:
@@ -58,7 +59,7 @@ def test_fields_of_lanes_begin_where_c_has_them() -> None:
     if width == 1:
         pytest.skip("no vectors here")
     library = kernels.library(lanes=width)
-    records.check(library, "cardan_abreast", records.Abreast)
+    records.check(library, "cardan_simd", records.SimdSteps)
     records.check(library, "cardan_lane_method", records.LaneMethod)
 
 
@@ -73,13 +74,13 @@ def test_records_of_another_version_are_refused(
     tmp_path: Path, change: tuple[str, str], says: str
 ) -> None:
     """A library whose header differs by the order or by the kind of a field."""
-    for path in prebuilt.DIRECTORY.glob("*.h"):
+    for path in kernel_files.files("*.h"):
         shutil.copy(path, tmp_path)
     text = (tmp_path / "run.h").read_text("utf-8")
     assert change[0] in text
     (tmp_path / "run.h").write_text(text.replace(*change), "utf-8")
     source = tmp_path / "tick.c"
-    shutil.copy(prebuilt.DIRECTORY / "layouts.c", source)
+    shutil.copy(kernel_files.file("layouts.c"), source)
     library = cache.build([source], [tmp_path]).load()
     with pytest.raises(BuildError, match=f"record cardan_tick: {says}.*install cardan again"):
         records.check(library, "cardan_tick", records.Tick)

@@ -11,7 +11,7 @@ from math import prod
 import numpy as np
 import pytest
 
-from cardan.runtime.build import prebuilt
+from cardan.schema import kernel_files
 
 # a rooted tree is the tuple of the trees that grow from its root
 Tree = tuple["Tree", ...]
@@ -20,7 +20,7 @@ Array = np.ndarray
 
 def table(name: str, rows: int, columns: int) -> Array:
     """A table of the header, short rows filled with zeros."""
-    text = (prebuilt.DIRECTORY / "rosenbrock_tables.h").read_text("utf-8")
+    text = kernel_files.text("rosenbrock_tables.h")
     body = re.search(rf"static const real {name}\S* = (.*?);", text, re.S)
     assert body is not None
     found = np.zeros((rows, columns))
@@ -31,7 +31,7 @@ def table(name: str, rows: int, columns: int) -> Array:
 
 
 def gamma() -> float:
-    text = (prebuilt.DIRECTORY / "rosenbrock_tables.h").read_text("utf-8")
+    text = kernel_files.text("rosenbrock_tables.h")
     return float(re.search(r"GAMMA = (\S+);", text)[1])  # type: ignore[index]
 
 

@@ -11,7 +11,8 @@ import numpy as np
 import pytest
 
 from cardan.errors import SolveError, SolveWarning
-from cardan.runtime.build import cache, prebuilt
+from cardan.runtime.build import cache
+from cardan.schema import kernel_files
 from kernels.problem import METHODS, OSCILLATOR, SWING, Problem, swing
 
 BOTH = pytest.mark.parametrize("method", METHODS)
@@ -21,8 +22,9 @@ BOTH = pytest.mark.parametrize("method", METHODS)
 @pytest.mark.parametrize("made", ["-fsyntax-only", pytest.param("-O2", marks=pytest.mark.slow)])
 def test_kernels_compile_strictly(made: str, tmp_path: Path) -> None:
     strict = ["-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror", made]
-    sources = [str(path) for path in sorted(prebuilt.DIRECTORY.glob("*.c"))]
-    command = [*cache.compiler().command, *strict, "-c", *sources]
+    sources = [str(path) for path in kernel_files.files("*.c")]
+    folders = [f"-I{folder}" for folder in kernel_files.includes()]
+    command = [*cache.compiler().command, *strict, *folders, "-c", *sources]
     done = subprocess.run(command, capture_output=True, text=True, cwd=tmp_path, check=False)
     assert done.returncode == 0, done.stderr
 

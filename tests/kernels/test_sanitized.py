@@ -13,7 +13,8 @@ import pytest
 import cardan as cd
 from cardan.analyses.simulation import run_record
 from cardan.codegen.export import companions
-from cardan.runtime.build import cache, prebuilt
+from cardan.runtime.build import cache
+from cardan.schema import kernel_files
 from kernels.sanitized import program
 from mechanisms import ZOO
 from mechanisms.flexible import folding_arm
@@ -66,7 +67,12 @@ def built(place: Path, sources: list[Path], *more: str) -> subprocess.CompletedP
 
 
 def compiled(*words: str, cwd: Path | None = None) -> subprocess.CompletedProcess[str]:
-    command = [*cache.compiler().command, *FLAGS, f"-I{prebuilt.DIRECTORY}", *words]
+    command = [
+        *cache.compiler().command,
+        *FLAGS,
+        *(f"-I{folder}" for folder in kernel_files.includes()),
+        *words,
+    ]
     return subprocess.run(command, capture_output=True, text=True, timeout=600, cwd=cwd)
 
 
@@ -132,7 +138,7 @@ def test_clean_and_the_same_numbers(
     names = list(exported.manifest["functions"])
     main = tmp_path / "main.c"
     main.write_text(program(exported.manifest, names, given, model.parameters.vector))
-    done = built(tmp_path, [main, prebuilt.DIRECTORY / "map.c", *objects], f"-I{folder}")
+    done = built(tmp_path, [main, kernel_files.file("map.c"), *objects], f"-I{folder}")
     assert done is not None
     assert done.stderr == ""
     assert done.returncode == 0
@@ -209,7 +215,7 @@ int main(void)
 def test_batches_stay_inside_their_arrays(lanes: int, tmp_path: Path, sanitizers: None) -> None:
     main = tmp_path / "main.c"
     main.write_text("#define _POSIX_C_SOURCE 200112L\n" + BATCH)
-    batch = prebuilt.DIRECTORY / "batch.c"
+    batch = kernel_files.file("batch.c")
     done = built(tmp_path, [main, batch], f"-DCARDAN_LANES={lanes}", "-march=native")
     assert done is not None
     assert (done.returncode, done.stderr, done.stdout) == (0, "", "0")
@@ -293,7 +299,7 @@ def test_events_stay_inside_their_arrays(tmp_path: Path, sanitizers: None) -> No
     main = tmp_path / "ball.c"
     main.write_text(BALL)
     kernels = [name for name in companions.kernels(("dop853",), False) if name.endswith(".c")]
-    done = built(tmp_path, [main, *(prebuilt.DIRECTORY / name for name in kernels)])
+    done = built(tmp_path, [main, *(kernel_files.file(name) for name in kernels)])
     assert done is not None
     assert done.stderr == ""
     *lines, status = done.stdout.split("\n")[:-1]
@@ -324,6 +330,6 @@ int main(void)
 def test_nothing_lies_behind_a_memory_that_is_measured(tmp_path: Path, sanitizers: None) -> None:
     main = tmp_path / "main.c"
     main.write_text(MEASURED)
-    done = built(tmp_path, [main, prebuilt.DIRECTORY / "export.c"])
+    done = built(tmp_path, [main, kernel_files.file("export.c")])
     assert done is not None
     assert (done.returncode, done.stderr) == (0, "")

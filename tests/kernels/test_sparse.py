@@ -51,7 +51,7 @@ def test_no_memory_beyond_its_own_is_touched() -> None:
     where = ctypes.byref(record), ctypes.byref(factors)
     given = ctypes.c_void_p(numbers.ctypes.data)
     assert library.cardan_sparse_factor(where[0], given, where[1]) == 0
-    for solve in (library.cardan_sparse_solve, library.cardan_sparse_solve_turned):
+    for solve in (library.cardan_sparse_solve, library.cardan_sparse_solve_transposed):
         solve(*where, ctypes.c_ssize_t(1), at, at)
     library.cardan_sparse_smallest(*where, ctypes.c_ssize_t(2), at)
     library.cardan_sparse_work.restype = ctypes.c_ssize_t

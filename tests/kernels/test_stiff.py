@@ -119,10 +119,7 @@ def test_factors_are_kept(tmp_path: Path) -> None:
 # inputs
 
 BY_INPUTS = "out[0] = r[0]; out[1] = r[1] * u[0];"
-FUNCTIONS = {
-    "a": lambda t, x: 2 * t * x[0] * np.log(x[1]),
-    "b": lambda t, x: -2 * t * np.log(x[0]),
-}
+FUNCTIONS = {"a": lambda t, x: 2 * t * x[0] * np.log(x[1]), "b": lambda t, x: -2 * t * np.log(x[0])}
 
 
 @METHODS

@@ -28,14 +28,14 @@ import scipy.signal  # noqa: F401
 import sympy
 
 import cardan as cd
-from cardan.errors import shown
+from cardan.errors import brief
 
 # here: an import that a limit of time ends stays broken
 with suppress(ImportError):
     import matplotlib.pyplot  # noqa: F401
 
 MEMORY = 4 << 30  # bytes of addresses that a worker may have more than its parent
-PATIENCE = 2.0  # seconds that one call may take: long runs are no fault
+PATIENCE = 2.0  # seconds that one call may take: long runs are not fault
 # how Python says that a call does not fit a signature
 FIT = re.compile(
     r"\((missing|got (an unexpected|multiple|some)|takes|too many)|\(\) (missing|got|takes)"
@@ -341,7 +341,7 @@ def names(message: str, argument: str, value: Any) -> bool:
 
 def _told(value: Any) -> list[str]:
     """How messages show a value."""
-    found = [shown(value)]
+    found = [brief(value)]
     if isinstance(value, str):
         found += [f"'{value[:30]}", f"{value[:30]}:"] if value else ["''"]
     if isinstance(value, Path | sympy.Basic):

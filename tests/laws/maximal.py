@@ -205,7 +205,7 @@ class Maximal:
             p_a, p_b = (self.frame(poses, x)[1] for x in (a, b))
             length = np.linalg.norm(p_b - p_a)
             assert element.damping == 0
-            pull = element.stiffness * (length - element.length) * (p_b - p_a) / length
+            pull = element.stiffness * (length - element.rest_length) * (p_b - p_a) / length
             for place, point, force in ((a, p_a, pull), (b, p_b, -pull)):
                 self.push(load, place, poses, np.zeros(3), point, force)
             return

@@ -15,8 +15,8 @@ def arm_scene() -> cd.Scene:
     s.joint("shoulder", cd.Revolute("y"), s.ground, upper, limits=(-3, 3))
     s.joint("elbow", cd.Revolute("y"), upper.at(0, 0, -1), lower)
     s.force("drive", cd.JointForce("shoulder", torque))
-    s.force("loss", cd.Damping("elbow", 0.2))
-    s.force("spring", cd.TorsionSpring("elbow", stiffness=1.0))
+    s.force("loss", cd.JointDamper("elbow", 0.2))
+    s.force("spring", cd.JointSpring("elbow", stiffness=1.0))
     s.output("angle", s.q("shoulder") + s.q("elbow"))
     return s
 

@@ -151,7 +151,7 @@ def _scene() -> Iterator[Call]:
         "*": {},
         "body": {"name": "new", "mass": 1.0, "inertia": (1, 1, 1)},
         "joint": {"name": "new", "kind": cd.Revolute("x"), "parent": "ground", "child": "b"},
-        "force": {"name": "new", "element": cd.Damping("hinge", 1.0)},
+        "force": {"name": "new", "element": cd.JointDamper("hinge", 1.0)},
         "beam": {
             "name": "new", "start": s.ground, "end": (2, 0, 0), "elements": 2,
             "section": cd.section.rectangle(0.1, 0.01), "material": cd.material(E=7e10, nu=0.3),
@@ -221,16 +221,16 @@ def _elements() -> Iterator[Call]:
         "Torque": {"frame": "a", "torque": (0, 0, 1)},
         "SpringDamper": {"frame_a": "a", "frame_b": "b", "stiffness": 1.0},
         "Maxwell": {"frame_a": "a", "frame_b": "b", "stiffness": 1.0, "damping": 1.0},
-        "TorsionSpring": {"joint": "hinge", "stiffness": 1.0},
+        "JointSpring": {"joint": "hinge", "stiffness": 1.0},
         "JointForce": {"joint": "hinge", "force": 1.0},
-        "Damping": {"joint": "hinge", "damping": 1.0},
+        "JointDamper": {"joint": "hinge", "damping": 1.0},
         "Friction": {"joint": "hinge", "coulomb": 1.0},
         "Actuator": {"joint": "hinge", "command": 1.0, "lag": 1.0},
         "Controller": {"joint": "hinge", "states": ("w",), "changes": (1.0,), "force": 1.0},
         "Stop": {"joint": "hinge", "lower": -1.0},
         "Lock": {"joint": "hinge", "when": sympy.Symbol("hinge")},
         "Contact": {"sphere": "a", "other": "ground", "radius": 0.1, "stiffness": 1e4},
-        "Watch": {"expression": 1.0},
+        "Event": {"expression": 1.0},
         "Drive": {"joint": "hinge", "inertia": 1.0},
         "Rotor": {"frame": "a", "inertia": 1.0},
         "LineLoad": {"beam": "beam", "force": (0, 0, 1)},
@@ -313,9 +313,9 @@ def _functions() -> Iterator[Call]:
     yield "arc", cd.arc, {"through": (0.5, 0.5, 0)}
     yield "spline", cd.spline, {"points": [(0.3, 0.1, 0), (0.6, 0.1, 0)]}
     yield "GeneralizedAlpha", cd.GeneralizedAlpha, {}
-    yield "Alpha", cd.Alpha, {"am": 0.0, "af": 0.0, "beta": 0.25, "gamma": 0.5}
+    yield "Alpha", cd.stability.Alpha, {"am": 0.0, "af": 0.0, "beta": 0.25, "gamma": 0.5}
     for name in ["Baumgarte", "Penalty", "Augmented", "Perturbed"]:
-        kind = getattr(cd, name)
+        kind = getattr(cd.constraints, name)
 
         def treated(kind: Any = kind, **given: Any) -> Any:
             return cd.derive(four_bar_scene(), constraints=kind(**given)).function(

@@ -152,7 +152,7 @@ def test_without_a_compiler(monkeypatch: pytest.MonkeyPatch) -> None:
     bare = without_compiler(model, monkeypatch)
     assert mesh_of(bare).interpreted
     found = results(bare, at)
-    rest = bare.equilibrium(hold={"hinge": 0.0})
+    rest = bare.equilibrium(locked={"hinge": 0.0})
     for name, value in known.items():
         size = 1 + np.abs(value).max()
         np.testing.assert_allclose(found[name], value, rtol=0, atol=1e-9 * size, err_msg=name)

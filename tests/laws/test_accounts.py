@@ -23,10 +23,7 @@ from spread import some
 KINDS = ("relative", "absolute")
 # those that keep energy by construction, and those that a kind of coordinates has not
 KEEPING = {"EnergyMidpoint", "EnergyMomentum"}
-MISSING = {
-    "relative": {"EnergyMomentum"},
-    "absolute": {"Radau", "Rosenbrock", "Newmark"},
-}
+MISSING = {"relative": {"EnergyMomentum"}, "absolute": {"Radau", "Rosenbrock", "Newmark"}}
 
 
 @functools.cache
@@ -39,7 +36,7 @@ def pendulum(coordinates: str, loss: float = 0.0) -> cd.CompiledModel:
         scene.joint(f"j{k}", cd.Revolute("y"), place, link)
         place = link.at(0, 0, -1)
     if loss:
-        scene.force("loss", cd.Damping("j0", loss))
+        scene.force("loss", cd.JointDamper("j0", loss))
     return cd.compile(scene, coordinates=coordinates)
 
 
@@ -58,7 +55,7 @@ def said(motion: Any, caught: list[Any]) -> list[str]:
     """What the warnings of a run say of what is unaccounted for."""
     texts = [str(w.message) for w in caught if issubclass(w.category, SolveWarning)]
     assert [text for text in texts if "unaccounted" in text] == [
-        text for text in [motion.conduct.warning] if text
+        text for text in [motion.solver_info.warning] if text
     ]
     return [text for text in texts if "unaccounted" in text]
 
@@ -79,7 +76,7 @@ def test_a_bad_run_says_so(method: str, coordinates: str) -> None:
     adaptive = INTEGRATORS[method].adaptive
     how: dict[str, Any] = {"rtol": 1.0, "atol": 10.0} if adaptive else {"step": 0.5}
     motion, texts = simulated(pendulum(coordinates), 20.0, q={"j0": 1.0}, method=method, **how)
-    missed = float(np.abs(motion.drift.energy).max())
+    missed = float(np.abs(motion.energy_residual).max())
     moved = float(motion.energy.kinetic.max() + np.ptp(motion.energy.potential))
     print(f"{method}, {coordinates}: {motion.status}, {missed:.1e} J of {moved:.1e} J: {texts}")
     if method in KEEPING:
@@ -136,7 +133,9 @@ def test_momenta_are_not_watched_where_something_acts() -> None:
     assert free(0.0)
     assert free(0.0, lambda ground, a, b: cd.SpringDamper(a, b, stiffness=3.0))
     assert not free(-9.81)
-    assert not free(0.0, lambda ground, a, b: cd.SpringDamper(ground, a, stiffness=3.0, length=1))
+    assert not free(
+        0.0, lambda ground, a, b: cd.SpringDamper(ground, a, stiffness=3.0, rest_length=1)
+    )
     assert not free(0.0, lambda ground, a, b: cd.Force(a, (1.0, 0, 0)))
     assert not free(0.0, lambda ground, a, b: cd.Rotor(a, axis="z", momentum=2.0))
 
@@ -146,7 +145,7 @@ def test_a_loop_that_comes_open_says_so(coordinates: str) -> None:
     """Every method projects, so that runs stay closed: what a record would say if one did not."""
     scene = CLOSED["four_bar"].build()
     motion = cd.compile(scene, coordinates=coordinates).simulate(0.1, rtol=1e-6, atol=1e-9)
-    how = settings(motion.conduct.method, 1e-6, 1e-9, None, None, 0.1)
+    how = settings(motion.solver_info.method, 1e-6, 1e-9, None, None, 0.1)
     assert excess(motion, how) == ""
     assert motion.ledger is not None
     for level in ("position", "velocity"):
@@ -167,7 +166,7 @@ def test_a_start_in_strain_says_so() -> None:
     start = model.initial()
     start[model.coordinates.index("beam.node2.px")] += 0.02
     motion, texts = simulated(model, 0.1, x0=start, rtol=1e-3)
-    print(motion.drift.energy[-1], motion.energy.total[0], texts)
+    print(motion.energy_residual[-1], motion.energy.total[0], texts)
     assert "J of energy unaccounted for" in texts[0]
 
 
@@ -184,7 +183,7 @@ def test_ensembles_say_it_of_their_runs(coordinates: str, loss: float) -> None:
     told = [k for k in range(6) if found.finished[k] and "unaccounted" in found.messages.get(k, "")]
     assert told
     # each of them says the same alone
-    assert "unaccounted" in found.run(told[0]).conduct.warning
+    assert "unaccounted" in found.run(told[0]).solver_info.warning
     with warnings.catch_warnings():
         warnings.simplefilter("error", SolveWarning)
         model.ensemble(2.0, vary={"j0": starts})
@@ -199,7 +198,7 @@ def test_a_run_says_it_in_print_and_keeps_it_in_its_file(tmp_path: Any) -> None:
     motion, texts = simulated(pendulum("relative"), 20.0, q={"j0": 1.0}, rtol=1.0, atol=10.0)
     assert "  warning   " in str(motion)
     loaded = cd.load_motion(motion.save(tmp_path / "bad.nc"))
-    assert loaded.conduct.warning == texts[0]
+    assert loaded.solver_info.warning == texts[0]
 
 
 def test_what_rests_says_nothing() -> None:

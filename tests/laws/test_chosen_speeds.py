@@ -78,7 +78,7 @@ def test_equations_follow_by_congruence(name: str, method: str) -> None:
     found = call(own, "forward_dynamics", q=q, u=w)["udot"]
     assert np.all(deviation(found, wanted) <= allowed)
     tau = call(own, "inverse_dynamics", q=q, u=w, udot=found)["tau"]
-    bias, force = (call(own, f, q=q, u=w)[o] for f, o in (("bias", "h"), ("applied", "f")))
+    bias, force = (call(own, f, q=q, u=w)[o] for f, o in (("bias", "h"), ("applied_forces", "f")))
     # tau = 0 as a difference of the size of its terms
     size = np.abs(np.einsum("kij,kj->ki", congruent, found)).max(axis=1, initial=0)
     size = size + np.abs(bias).max(axis=1, initial=0) + np.abs(force).max(axis=1, initial=0)

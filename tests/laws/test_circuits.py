@@ -78,7 +78,7 @@ def moving(name: str, cut: str, treatment: str) -> np.ndarray:
     scene = scene_of(name, cut)
     for k, (body, below, above, stiffness, length) in enumerate(SPRINGS.get(name, ())):
         ends = scene.ground.at(*below), scene.bodies[body].at(*above)
-        scene.force(f"spring{k}", cd.SpringDamper(*ends, stiffness=stiffness, length=length))
+        scene.force(f"spring{k}", cd.SpringDamper(*ends, stiffness=stiffness, rest_length=length))
     model = cd.compile(cd.derive(scene, constraints=treatment))
     s, rate, end = MOTIONS[name]
     q, u = start(model, name, s, rate)

@@ -1,4 +1,4 @@
-"""Every joint as a tree joint and closing a circuit: the same accelerations and reactions."""
+"""Every joint as a tree joint and closing a loop: the same accelerations and reactions."""
 
 from __future__ import annotations
 
@@ -86,7 +86,7 @@ class Pair:
 
     @property
     def carried(self) -> bool:
-        """Whether the joint closes the circuit with coordinates of its own."""
+        """Whether the joint closes the loop with coordinates of its own."""
         return self.kind.closes_by_coordinates or self.kind.follows is not None
 
     def _whole(self, function: str, **given: Any) -> np.ndarray:
@@ -105,7 +105,7 @@ class Pair:
         return q, u
 
     def accelerations(self) -> tuple[np.ndarray, np.ndarray]:
-        """Of both bodies (12,), in the tree and with the circuit."""
+        """Of both bodies (12,), in the tree and with the loop."""
         found = []
         for e, (q, u) in ((self.tree, (self.q, self.u)), (self.cut, self.floating)):
             (udot,) = call(e, "forward_dynamics", q=q, u=u).values()
@@ -157,7 +157,7 @@ def test_the_state_is_on_the_constraints(pair: Pair) -> None:
     q, u = pair.floating
     (g,) = call(pair.cut, "constraints", q=q).values()
     (rates,) = call(pair.cut, "constraint_rates", q=q, u=u).values()
-    assert len(g) == (6 if pair.carried else len(pair.kind.held))
+    assert len(g) == (6 if pair.carried else len(pair.kind.locked))
     assert len(rates) == len(g) + len(pair.kind.slips)
     assert np.abs([*g, *rates]).max() < 100 * EPS
 

@@ -66,4 +66,4 @@ def test_ledger_closes(name: str) -> None:
     first = member.states[0]
     motion = model.simulate(TIME, q=dict(first.q), u=dict(first.u), rtol=1e-10, atol=1e-13)
     assert motion.success
-    assert np.abs(motion.drift).max() <= 1e-7 * max(motion.energy.kinetic.max(), 1e-3)
+    assert np.abs(motion.energy_residual).max() <= 1e-7 * max(motion.energy.kinetic.max(), 1e-3)

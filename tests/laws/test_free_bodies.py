@@ -1,4 +1,4 @@
-"""Reactions hold every body as Newton and Euler say, whichever joint closes the circuit."""
+"""Reactions hold every body as Newton and Euler say, whichever joint closes the loop."""
 
 from __future__ import annotations
 

@@ -69,7 +69,7 @@ def test_spin_up_exchanges_momentum() -> None:
     motion = cd.compile(scene).simulate(4.0, u={"wheel.rotor": 10.0}, **TIGHT)
     slowed = 10.0 * np.exp(-0.3 * (1 / J + 1 / I3) * motion.t)
     np.testing.assert_allclose(motion["wheel.rotor.u"], slowed, atol=1e-10)
-    assert np.abs(motion.drift).max() < 1e-10
+    assert np.abs(motion.energy_residual).max() < 1e-10
 
 
 def test_motor_with_feedback(tmp_path: Path) -> None:

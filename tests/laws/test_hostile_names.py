@@ -132,7 +132,7 @@ def test_pages_and_pictures(word: str, tmp_path: Path, capsys: pytest.CaptureFix
     # scene files
     scene.save(tmp_path / "hostile.yaml")
 
-    # on a screen names are no markup
+    # on a screen names are not markup
     assert main(["simulate", str(tmp_path / "hostile.yaml"), "--time", "0.1"]) == 0
     said = "".join(capsys.readouterr().out.split())
     assert "".join(word.split())[:10] in said

@@ -20,7 +20,7 @@ def test_puck_on_a_turning_platform() -> None:
     turn, start, speed = 1.7, np.array([0.6, 0.0]), np.array([-0.3, 0.4])
     scene = cd.Scene("platform", gravity=(0, 0, 0))
     platform, puck = scene.body("platform"), scene.body("puck", mass=0.2, inertia=(1, 1, 1))
-    scene.joint("turn", cd.Revolute("z"), scene.ground, platform, motion=turn * cd.t)
+    scene.joint("turn", cd.Revolute("z"), scene.ground, platform, prescribed=turn * cd.t)
     scene.joint("slide", cd.Planar("z"), platform, puck)
     # at rest against the ground it moves backward against the platform
     seen = speed - turn * np.array([-start[1], start[0]])
@@ -39,7 +39,7 @@ def test_pendulum_of_foucault(latitude: float) -> None:
     turn, length, swing, end = 0.01, 1.0, 5e-3, 60.0
     scene = cd.Scene("foucault", gravity=(0, 0, 0))
     earth, bob = scene.body("earth"), scene.body("bob", mass=2.0, com=(0, 0, -length))
-    scene.joint("day", cd.Revolute("z"), scene.ground, earth, motion=turn * cd.t)
+    scene.joint("day", cd.Revolute("z"), scene.ground, earth, prescribed=turn * cd.t)
     # x to the south, y to the east, z up
     site = earth.at(rotation=("XYZ", 0, np.pi / 2 - latitude, 0))
     scene.joint("pivot", cd.Universal("x", "y"), site, bob)
@@ -65,7 +65,7 @@ def test_free_body_on_a_ship() -> None:
     ship, half = scene.body("ship"), sp.Rational(1, 2)
     moves = (half * sp.sin(cd.t / 3), sp.sin(2 * cd.t) / 10, sp.sin(3 * cd.t + 1) / 4)
     places = (2 * cd.t + half * sp.sin(cd.t), sp.cos(cd.t / 2), scene.input("heave"))
-    scene.joint("sea", cd.Free("ZYX"), scene.ground, ship, motion=(*moves, *places))
+    scene.joint("sea", cd.Free("ZYX"), scene.ground, ship, prescribed=(*moves, *places))
     ball = scene.body("ball", mass=0.4, inertia=(0.01, 0.02, 0.03))
     scene.joint("flight", cd.Free(), ship.at(1, 2, 3), ball)
     model = cd.compile(scene)
@@ -99,7 +99,7 @@ def test_a_joint_is_its_steps(name: str, tmp_path: Path) -> None:
     scenes = [cd.Scene("moved"), cd.Scene("free")]
     for scene, given in zip(scenes, (motion, None), strict=True):
         body = scene.body("body", mass=1.0, inertia=(1, 1, 1))
-        scene.joint("way", kind, scene.ground.at(0.1, 0, 0), body.at(0, 0.2, 0), motion=given)
+        scene.joint("way", kind, scene.ground.at(0.1, 0, 0), body.at(0, 0.2, 0), prescribed=given)
     scenes[0].save(tmp_path / "scene.yaml")
     (free,) = call(cd.derive(scenes[1]), "pose", "body", q=np.array(q)).values()
     for scene in (scenes[0], cd.load(tmp_path / "scene.yaml")):
@@ -110,9 +110,21 @@ def test_a_joint_is_its_steps(name: str, tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("kind", "more", "message"),
     [
-        (cd.Free(), {"motion": [0] * 7}, r"free\): motion= can prescribe .*cd.Free\(\"ZYX\"\)"),
-        (cd.Free("ZYX"), {"motion": [0] * 5}, "motion= has 5 values; give 6, for angle1, .*, pz"),
-        (cd.Universal(), {"motion": [0, 0], "q0": [0, 0]}, "q0= does not go with motion= for"),
+        (
+            cd.Free(),
+            {"prescribed": [0] * 7},
+            r"free\): prescribed= moves the coordinates .*cd.Free\(\"ZYX\"\)",
+        ),
+        (
+            cd.Free("ZYX"),
+            {"prescribed": [0] * 5},
+            "prescribed= has 5 values; give 6, for angle1, .*, pz",
+        ),
+        (
+            cd.Universal(),
+            {"prescribed": [0, 0], "q0": [0, 0]},
+            "q0= does not go with prescribed= for",
+        ),
     ],
 )
 def test_bad_motions_leave_nothing(kind: Any, more: dict[str, Any], message: str) -> None:

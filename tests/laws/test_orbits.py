@@ -65,7 +65,7 @@ def test_pitch_libration_is_a_pendulum() -> None:
     np.testing.assert_allclose(
         motion["attitude.angle2"], amplitude * np.array([1, -1, 1]), atol=1e-9
     )
-    assert np.abs(motion.drift).max() < 1e-8
+    assert np.abs(motion.energy_residual).max() < 1e-8
 
 
 def test_attitude_alone_is_the_limit_of_the_whole_motion() -> None:

@@ -161,7 +161,9 @@ def test_treatments_of_bennett(treatment: str) -> None:
     for method in ("DOP853", *AT_STEPS):
         how = {"step": 1e-3} if method in AT_STEPS else {"rtol": 1e-11, "atol": 1e-13}
         motion = turned("bennett", "relative", times, treatment, method=method, **how)
-        off, drift = (float(np.abs(x).max()) for x in (motion["j0"] - exact, motion.drift))
+        off, drift = (
+            float(np.abs(x).max()) for x in (motion["j0"] - exact, motion.energy_residual)
+        )
         error = apart("bennett", motion)
         print(f"{treatment} {method}: {error:.1e} of the form, {off:.1e} in time, {drift:.1e} J")
         assert motion.success
@@ -186,7 +188,7 @@ def test_redundant_rows_cost_no_steps(name: str, rtol: float) -> None:
     """Stages of steps are open, and rows follow from others where they are closed: 2000 steps, or
     another motion, where 40 do it, unless rank is told by what gaps explain."""
     motion = turned(name, "absolute", method="DOP853", rtol=rtol, atol=rtol / 100)
-    steps = motion.conduct.statistics["steps"]
+    steps = motion.solver_info.statistics["steps"]
     off = float(np.abs(motion["j0"] - reference(name)).max())
     print(f"{name} {rtol:.0e}: {steps} steps, {off:.1e} in time")
     assert motion.success

@@ -44,7 +44,7 @@ def swing(normal: str, element: str = "hellinger_reissner") -> cd.Scene:
     scene.joint("pin", cd.Revolute(own), blade.end, hook)
     scene.force("wind", cd.LineLoad(blade, force=turned(normal, 3.0, 1.0)))
     along = [hook.at(*turned(own, 0.2, 0.1)), scene.ground.at(*turned(normal, 3.0, 1.0))]
-    scene.force("spring", cd.SpringDamper(*along, stiffness=20, length=0.5))
+    scene.force("spring", cd.SpringDamper(*along, stiffness=20, rest_length=0.5))
     scene.output("sag", blade.at(0.5).position()[(NORMALS.index(normal) + 2) % 3], unit="m")
     return scene
 

@@ -21,10 +21,7 @@ PROCESSORS: dict[str, dict[str, tuple[str, ...]]] = {
 }
 if X86:
     PROCESSORS |= {
-        "no AVX-512": {
-            "gcc": ("-march=native", "-mno-avx512f"),
-            "clang": ("-mcpu=haswell",),
-        },
+        "no AVX-512": {"gcc": ("-march=native", "-mno-avx512f"), "clang": ("-mcpu=haswell",)},
         "AVX2": {"gcc": ("-march=x86-64-v3",), "clang": ("-march=x86_64_v3",)},
         "SSE2": {"gcc": ("-march=x86-64",), "clang": ("-march=x86_64",)},
     }

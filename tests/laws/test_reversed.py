@@ -88,7 +88,7 @@ def test_reactions_are_opposite(both: tuple[str, Any, Any]) -> None:
 @each("every", [1, 2, 3])
 @each("name", EVERY)
 def test_circuits_of_joints_in_either_direction(name: str, every: int) -> None:
-    """Each n-th joint exchanged, in the tree or closing a circuit: the same accelerations."""
+    """Each n-th joint exchanged, in the tree or closing a loop: the same accelerations."""
     forth = EVERY[name].build()
     back = turned(EVERY[name].build(), every)
     found = []

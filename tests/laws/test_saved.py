@@ -108,11 +108,15 @@ def _page(motion: cd.Trajectory, path: Path) -> dict[str, Any]:
     return found
 
 
-PLAIN = ("t", "x", "q", "u", "z", "r", "s", "given", "sources", "conduct", "events", "ticks")
+PLAIN = ("t", "x", "q", "u", "z", "r", "s", "work_done", "sources", "events", "ticks")
 STORED = {
-    **{name: (lambda m, name=name: getattr(m, name)) for name in (*PLAIN, "ledger", "work")},
+    **{
+        name: (lambda m, name=name: getattr(m, name))
+        for name in (*PLAIN, "solver_info", "ledger", "work")
+    },
     "energy": lambda m: tuple(m.energy),
-    "drift": lambda m: np.asarray(m.drift),
+    "energy residual": lambda m: m.energy_residual,
+    "drift": lambda m: m.drift,
     "balance": lambda m: str(m.balance),
     "constraints": lambda m: m.constraints,
     "told": repr,

@@ -141,7 +141,7 @@ def test_reactions_are_determined_where_free_bodies_say_so(name: str, kind: str)
         marks = [str(w.message) for w in said if "is not determined" in str(w.message)]
         assert len(marks) == (not all(known[joint])), joint
         if marks:
-            assert f"reaction of '{joint}' is not determined ({found.loose(joint)})" in marks[0]
+            assert f"reaction of '{joint}' is not determined ({found.released(joint)})" in marks[0]
     COUNTS[f"{name} {kind}"] = len(known)
 
 
@@ -157,7 +157,7 @@ def test_enough_reactions_were_judged() -> None:
 @pytest.mark.parametrize("back", [False, True])
 @pytest.mark.parametrize("name", INSTANCES)
 def test_every_joint_that_closes_a_loop_tells_alike(name: str, back: bool) -> None:
-    """In joint coordinates and in absolute ones; the float of the load is no joint of a loop."""
+    """In joint coordinates and in absolute ones; the float of the load is not a joint of a loop."""
     found = []
     for kind in ("relative", "absolute"):
         try:

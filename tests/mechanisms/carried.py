@@ -1,4 +1,4 @@
-"""Mechanisms of joints that close circuits with coordinates of their own."""
+"""Mechanisms of joints that close loops with coordinates of their own."""
 
 from __future__ import annotations
 
@@ -47,7 +47,9 @@ def cam(plain: bool = False) -> cd.Scene:
     scene.joint("shaft", cd.Revolute("z"), scene.ground, disc)
     scene.joint("post", cross, scene.ground.at(*POST), arm)
     scene.joint("edge", cd.PointOnCurve(EDGE, closed=True), disc, arm.at(0, 0, -ARM))
-    spring = cd.SpringDamper(scene.ground.at(0.5, 0, 0.1), disc.at(0.2, 0.1, 0), 80.0, length=0.2)
+    spring = cd.SpringDamper(
+        scene.ground.at(0.5, 0, 0.1), disc.at(0.2, 0.1, 0), 80.0, rest_length=0.2
+    )
     scene.force("spring", spring)
     return scene
 
@@ -68,11 +70,7 @@ def cam_coordinates(s: float) -> Coordinates:
     x, y, z = (back.T @ edge(along) - POST) / ARM
     first, second = math.atan2(y, -z), math.asin(-x)
     arm = turn("x", first) @ turn("y", second)
-    return {
-        "shaft": angle,
-        "post": (first, second),
-        "edge": (*quaternion(back @ arm), along),
-    }
+    return {"shaft": angle, "post": (first, second), "edge": (*quaternion(back @ arm), along)}
 
 
 # a five-bar whose cranks are geared together: ground, one, two, three, four
@@ -103,13 +101,7 @@ def geared_angles(s: float) -> Coordinates:
     far = (SPAN + CRANK * math.cos(other), CRANK * math.sin(other))
     top = meet(tip, LEFT, far, RIGHT, 1)
     left, right = heading(tip, top), heading(far, top)
-    return {
-        "lead": angle,
-        "B": left - angle,
-        "C": right - left,
-        "D": right - other,
-        "wheel": other,
-    }
+    return {"lead": angle, "B": left - angle, "C": right - left, "D": right - other, "wheel": other}
 
 
 def custom(plain: bool = False) -> cd.Scene:

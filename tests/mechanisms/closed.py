@@ -1,6 +1,6 @@
-"""Mechanisms with circuits, each with a motion that it allows.
+"""Mechanisms with loops, each with a motion that it allows.
 
-Joints that close circuits are not marked: any joint may be cut. Coordinates and speeds are given
+Joints that close loops are not marked: any joint may be cut. Coordinates and speeds are given
 for every joint; those of cut joints are left out when a state is asked for.
 """
 
@@ -39,15 +39,15 @@ STEP = 5e-3
 
 @dataclass(frozen=True)
 class Closed:
-    """A mechanism with circuits.
+    """A mechanism with loops.
 
     Attributes:
         name: Name in test output.
         build: Makes the scene afresh.
-        configuration: Coordinates of every joint along a motion that the circuits allow.
+        configuration: Coordinates of every joint along a motion that the loops allow.
         freedoms: Degrees of freedom along that motion.
-        circuits: Independent circuits.
-        redundant: Rank missing from its rows where every circuit of joints is taken in space.
+        loops: Independent loops.
+        redundant: Rank missing from its rows where every loop of joints is taken in space.
     """
 
     name: str
@@ -100,12 +100,7 @@ CLOSED: dict[str, Closed] = {
     for member in (
         Closed("four_bar", four_bar, lambda s: planar.four_bar_angles(1 + s), 1, 1, 3),
         Closed(
-            "slider_crank",
-            slider_crank,
-            lambda s: planar.slider_crank_coordinates(1 + s),
-            1,
-            1,
-            3,
+            "slider_crank", slider_crank, lambda s: planar.slider_crank_coordinates(1 + s), 1, 1, 3
         ),
         Closed(
             "parallelogram",

@@ -120,7 +120,7 @@ def _andrews() -> dict[str, float]:
 
 
 def andrews() -> cd.Scene:
-    """The squeezing mechanism of Andrews: seven bodies, three circuits, one freedom.
+    """The squeezing mechanism of Andrews: seven bodies, three loops, one freedom.
 
     Source: F. Mazzia and C. Magherini, Test Set for IVP Solvers, release 2.4, problem "andrews".
     """
@@ -154,7 +154,7 @@ def andrews() -> cd.Scene:
     scene.joint("E4", turn, tip, k["K4"].at(0, -p["e"], 0))
     scene.joint("E6", turn, tip, k["K6"].at(p["zf"], 0, 0))
     hook, anchor = k["K3"].at(p["sd"], -p["sc"], 0), ground.at(p["xc"], p["yc"], 0)
-    scene.force("spring", cd.SpringDamper(anchor, hook, stiffness=p["c0"], length=p["l0"]))
+    scene.force("spring", cd.SpringDamper(anchor, hook, stiffness=p["c0"], rest_length=p["l0"]))
     scene.force("drive", cd.JointForce("beta", p["mom"]))
     return scene
 

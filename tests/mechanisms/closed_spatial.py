@@ -71,16 +71,10 @@ def stewart() -> cd.Scene:
     platform = scene.body("platform", mass=5.0, com=(0, 0, 0.03), inertia=(0.22, 0.25, 0.4))
     for k in range(6):
         cylinder = scene.body(
-            f"cylinder{k}",
-            mass=1.2,
-            com=(0, 0, 0.2),
-            inertia=cd.inertia.cylinder(1.2, 0.03, 0.4),
+            f"cylinder{k}", mass=1.2, com=(0, 0, 0.2), inertia=cd.inertia.cylinder(1.2, 0.03, 0.4)
         )
         piston = scene.body(
-            f"piston{k}",
-            mass=0.5,
-            com=(0, 0, -0.2),
-            inertia=cd.inertia.cylinder(0.5, 0.015, 0.4),
+            f"piston{k}", mass=0.5, com=(0, 0, -0.2), inertia=cd.inertia.cylinder(0.5, 0.015, 0.4)
         )
         scene.joint(f"hooke{k}", cd.Universal("x", "y"), scene.ground.at(*BASE[k]), cylinder)
         scene.joint(f"slide{k}", cd.Prismatic("z"), cylinder.at(0, 0, SHORTEST), piston)

@@ -146,7 +146,7 @@ def spin_up(elements: int = 10) -> cd.Scene:
     wave = (rise / (2 * sympy.pi)) ** 2 * (sympy.cos(2 * sympy.pi * t / rise) - 1)
     angle = sympy.Piecewise((6 * (t**2 / 2 + wave) / rise, t < rise), (6 * t - 45, True))
     hub = scene.body("hub", mass=1, inertia=(1, 1, 1))
-    scene.joint("drive", cd.Revolute("z"), scene.ground, hub, motion=angle)
+    scene.joint("drive", cd.Revolute("z"), scene.ground, hub, prescribed=angle)
     section = cd.section.general(EA=2.8e7, GA=1e7, GJ=1.4e4, EI=1.4e4, rhoA=1.2, rhoI=6e-4)
     blade = scene.beam("blade", hub, (10, 0, 0), section, elements=elements)
     for k, name in enumerate(("along", "across")):
@@ -162,7 +162,7 @@ def rotating_blade(elements: int = 16, stiff: float = STIFF) -> cd.Scene:
     scene = cd.Scene("rotating_blade", gravity=(0, 0, 0))
     speed = scene.parameter("Omega", 6, unit="rad/s")
     hub = scene.body("hub", mass=1, inertia=(1, 1, 1))
-    scene.joint("drive", cd.Revolute("z"), scene.ground, hub, motion=speed * cd.t)
+    scene.joint("drive", cd.Revolute("z"), scene.ground, hub, prescribed=speed * cd.t)
     section = cd.section.general(EA=stiff, GA=stiff, GJ=1, EI=1, rhoA=1)
     scene.beam("blade", hub, (1, 0, 0), section, elements=elements)
     return scene
@@ -179,7 +179,7 @@ def slider_crank(elements: int = 8) -> cd.Scene:
     scene = cd.Scene("slider_crank", gravity=(0, 0, 0))
     crank = scene.body("crank", mass=0.36, com=(0.075, 0, 0), inertia=(0, 0.002727, 0.002727))
     slider = scene.body("slider", mass=0.075552, pose=(0.45, 0, 0))
-    scene.joint("drive", cd.Revolute("z"), scene.ground, crank, motion=150 * cd.t)
+    scene.joint("drive", cd.Revolute("z"), scene.ground, crank, prescribed=150 * cd.t)
     scene.joint("guide", cd.Prismatic("x"), scene.ground, slider)
     rod = scene.beam(
         "rod", crank.at(0.15, 0, 0), slider, cd.section.rectangle(0.008, 0.008),
@@ -217,7 +217,7 @@ def folding_arm(elements: int = 6) -> cd.Scene:
     bar = scene.body("bar", mass=0.3, com=(0.5, 0, 0), inertia=(0, 0.025, 0.025))
     scene.joint("hinge", cd.Revolute("z"), inner.end, bar)
     scene.beam("outer", bar.at(1, 0, 0), (2.5, 0, 0), tube, carbon, elements=elements)
-    scene.force("spring", cd.TorsionSpring("hinge", stiffness=2, damping=0.01, rest=2))
+    scene.force("spring", cd.JointSpring("hinge", stiffness=2, damping=0.01, rest=2))
     return scene
 
 

@@ -33,7 +33,7 @@ def gripper() -> cd.Scene:
     )
     scene.joint("gear", cd.Revolute("z"), right, thumb, couple=("wrist", 2.5, 0.3))
     # without it nothing holds the fingers
-    scene.force("return", cd.TorsionSpring("left_slide", stiffness=30.0, rest=0.02))
+    scene.force("return", cd.JointSpring("left_slide", stiffness=30.0, rest=0.02))
     return scene
 
 
@@ -44,10 +44,10 @@ def crane() -> cd.Scene:
     boom = scene.body("boom", mass=5.0, com=(1.0, 0, 0), inertia=(0.02, 1.7, 1.7))
     load = scene.body("load", mass=8.0, com=(0, 0, -1.0), inertia=(0.1, 0.1, 0.1))
     path = sympy.Rational(2, 5) * sympy.sin(sympy.Rational(3, 2) * cd.t)
-    scene.joint("slew", cd.Revolute("z"), scene.ground, column, motion=path)
+    scene.joint("slew", cd.Revolute("z"), scene.ground, column, prescribed=path)
     scene.joint("luff", cd.Revolute("y"), column.at(0, 0, 2.0), boom)
     scene.joint("rope", cd.Universal("x", "y"), boom.at(2.0, 0, 0), load)
-    scene.force("jack", cd.TorsionSpring("luff", stiffness=900.0, rest=-0.4))
+    scene.force("jack", cd.JointSpring("luff", stiffness=900.0, rest=-0.4))
     return scene
 
 
@@ -57,9 +57,9 @@ def springs() -> cd.Scene:
     first, second = scene.bodies["first"], scene.bodies["second"]
     anchor = scene.ground.at(0.3, 0.8, 0.2)
     tip = second.at(0, 0.1, -0.4)
-    scene.force("cable", cd.SpringDamper(anchor, tip, stiffness=40.0, length=0.3))
+    scene.force("cable", cd.SpringDamper(anchor, tip, stiffness=40.0, rest_length=0.3))
     scene.force("band", cd.SpringDamper(first.at(0.1, 0, 0.1), tip, stiffness=15.0))
-    scene.force("coil", cd.TorsionSpring("elbow", stiffness=3.0, rest=0.4))
+    scene.force("coil", cd.JointSpring("elbow", stiffness=3.0, rest=0.4))
     return scene
 
 
@@ -78,10 +78,12 @@ def damped() -> cd.Scene:
     """Dampers of three kinds, motor friction and a force that depends on place and speed."""
     scene = two_links("damped")
     tip = scene.bodies["second"].at(0, 0.1, -0.4)
-    shock = cd.SpringDamper(scene.ground.at(0, 0.9, 0.1), tip, stiffness=20, damping=3, length=0.5)
+    shock = cd.SpringDamper(
+        scene.ground.at(0, 0.9, 0.1), tip, stiffness=20, damping=3, rest_length=0.5
+    )
     scene.force("shock", shock)
-    scene.force("bearing", cd.Damping("base", 0.05))
-    scene.force("coil", cd.TorsionSpring("elbow", stiffness=2.0, damping=0.02))
+    scene.force("bearing", cd.JointDamper("base", 0.05))
+    scene.force("coil", cd.JointSpring("elbow", stiffness=2.0, damping=0.02))
     scene.force("motor", cd.Drive("base", inertia=1e-4, ratio=25.0, torque=0.01, friction=1e-4))
     drag = [-sympy.Rational(1, 5) * v for v in tip.velocity()]
     scene.force("drag", cd.Force(tip, drag))
@@ -138,19 +140,13 @@ MEMBERS = (
     Mechanism(
         "damped",
         damped,
-        (
-            State({"base": 0.9, "elbow": 0.6}),
-            State({"elbow": -0.8}, {"base": 2.0, "elbow": -3.0}),
-        ),
+        (State({"base": 0.9, "elbow": 0.6}), State({"elbow": -0.8}, {"base": 2.0, "elbow": -3.0})),
         conservative=False,
     ),
     Mechanism(
         "driven",
         driven,
-        (
-            State({"base": 0.3, "elbow": -0.5}),
-            State({"base": -0.9}, {"base": 1.0, "elbow": 1.5}),
-        ),
+        (State({"base": 0.3, "elbow": -0.5}), State({"base": -0.9}, {"base": 1.0, "elbow": 1.5})),
         conservative=False,
     ),
 )

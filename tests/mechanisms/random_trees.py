@@ -31,7 +31,7 @@ def random_tree(seed: int) -> cd.Scene:
         bodies.append(body)
     ends = bodies[0].at(0.1, 0, 0), bodies[-1].at(0, 0.2, 0)
     stiffness, damping = _numbers(rng, 2, 5.0)
-    spring = cd.SpringDamper(*ends, stiffness=10 + stiffness, damping=6 + damping, length=0.3)
+    spring = cd.SpringDamper(*ends, stiffness=10 + stiffness, damping=6 + damping, rest_length=0.3)
     scene.force("spring", spring)
     return scene
 

@@ -17,7 +17,7 @@ def orbiter() -> cd.Scene:
     panel = scene.body("panel", mass=0.4, com=(0.2, 0, 0), inertia=flat)
     scene.joint("orbit", cd.Free(), scene.ground, hub)
     scene.joint("hinge", cd.Revolute("y"), hub.at(0.1, 0, 0.05), panel)
-    scene.force("spring", cd.TorsionSpring("hinge", stiffness=0.5))
+    scene.force("spring", cd.JointSpring("hinge", stiffness=0.5))
     planet = scene.ground.at(0.1, -0.05, 0.1, rotation=("XYZ", 0.2, 0.1, 0.0))
     mu = scene.parameter("mu", 1.1, unit="m^3/s^2")
     scene.force("field", cd.CentralGravity(planet, mu))
@@ -76,7 +76,7 @@ def dual_spin() -> cd.Scene:
     nu = scene.parameter("nu", 1.2, unit="rad/s")
     hs = scene.parameter("hs", 3.0, unit="N*m*s")
     frame = scene.body("frame")
-    scene.joint("spin", cd.Revolute("z"), scene.ground, frame, motion=nu * cd.t)
+    scene.joint("spin", cd.Revolute("z"), scene.ground, frame, prescribed=nu * cd.t)
     bus = scene.body("bus", mass=20.0, com=(-0.5 * 0.1 / 20.0, 0, 0))
     rest = 0.1 * 0.5**2 + 20.0 * (0.5 * 0.1 / 20.0) ** 2
     bus = scene.bodies["bus"] = replace(bus, inertia=(4.0, 0, 0, 4.2 - rest, 0, 3.6 - rest))
@@ -84,7 +84,7 @@ def dual_spin() -> cd.Scene:
     scene.force("wheel", cd.Rotor(bus, momentum=hs))
     ball = scene.body("ball", mass=0.1)
     scene.joint("tube", cd.Prismatic("z"), bus.at(0.5, 0, 0), ball)
-    scene.force("damper", cd.TorsionSpring("tube", stiffness=0.5, damping=0.05))
+    scene.force("damper", cd.JointSpring("tube", stiffness=0.5, damping=0.05))
     return scene
 
 

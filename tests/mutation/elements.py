@@ -11,7 +11,7 @@ import numpy as np
 
 from cardan.runtime.calls.objects import Code
 from cardan.runtime.verification.differences import BOUND
-from cardan.runtime.verification.finite_elements.elements import judged as by_laws
+from cardan.runtime.verification.finite_elements.elements import check_kinds as by_laws
 from cardan.runtime.verification.finite_elements.members import Members, members_of
 
 from .judging import ROUNDING

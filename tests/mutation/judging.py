@@ -19,15 +19,15 @@ from cardan.ir.serialize import from_dict, to_dict
 from cardan.runtime.calls.objects import Code
 from cardan.runtime.verification.closed_states import bound
 from cardan.runtime.verification.flat_scene import scene_of
-from cardan.runtime.verification.verify import _truth, verify
+from cardan.runtime.verification.verify import _reference, verify
 
 from .scenes import Loaded
 
 STATES, SEED = 12, 99
 # results that differ by less than this part of their largest entry differ by rounding
 ROUNDING = 1e-10
-# functions that are there for positions at which circuits are not closed
-OFF = ("constraints", "constraint_rates", "constraint_jacobian", "closure", "facing")
+# functions that are there for positions at which loops are not closed
+OFF = ("constraints", "constraint_rates", "constraint_jacobian", "closure", "assembly_signs")
 OFF += ("close_position", "close_velocity", "integrate", "move", "difference")
 
 
@@ -44,7 +44,7 @@ def states_of(base: Loaded) -> States:
     model, rng = base.model, np.random.default_rng(SEED)
     if not base.keys:
         return States({}, {})
-    truth = _truth(model, scene_of(model), STATES, SEED, circuits=bound(model))
+    truth = _reference(model, scene_of(model), STATES, SEED, circuits=bound(model))
     layout, n = model._layout, len(truth.q)
     sizes = {"lam": len(layout.multipliers), "du": model.nu, "e": len(layout.events)}
     sizes["z"] = model.nz
@@ -150,7 +150,7 @@ def compiled(base: Loaded, symbol: str, text: str) -> Code:
     """A function from C with a fault, without any optimization.
 
     Raises:
-        subprocess.CalledProcessError: it is no C any more.
+        subprocess.CalledProcessError: it is not a C any more.
     """
     folder = Path(tempfile.mkdtemp())
     source, target = folder / f"{symbol}.c", folder / "fault.so"

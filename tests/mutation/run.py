@@ -41,7 +41,7 @@ LAYERS, SHARES = ("IR", "rewrites", "C"), (0.5, 0.2, 0.3)
 LONGEST = 6000
 DYNAMICS = ("rhs", "energy", "power")
 # functions that others are compared with: all of them are asked when these have a fault
-ASKED_BY_OTHERS = ("applied", "dependents")
+ASKED_BY_OTHERS = ("applied_forces", "dependents")
 
 
 @dataclass(frozen=True)

@@ -64,7 +64,7 @@ def without_compiler() -> None:
         # kernels, which are compiled another way, call the expressions
         raise CompilerMissing("faults are put into expressions")
 
-    objects.compiled_apart = none
+    objects.compiled_separately = none
 
 
 @cache

@@ -12,7 +12,7 @@ from mutation.scenes import SCENES, without_compiler
 
 SEED = 2024
 FAULTS, SHARE = 60, 0.95
-# of every kind of scene some: a tree, rotations, forces, circuits, a joint of the user's own, beams
+# of every kind of scene some: a tree, rotations, forces, loops, a joint of the user's own, beams
 SPREAD = ("double_pendulum", "parabola", "spherical_zxz", "damped", "slider_crank", "beam bend45")
 
 
@@ -21,7 +21,7 @@ def test_faults_are_found_by_verify(tmp_path: Path, monkeypatch: pytest.MonkeyPa
     """At least 95 % of 60 faults drawn by a seed: the run of 1,000 finds more than 99 %."""
     assert set(SPREAD) <= set(SCENES)
     assert len(SCENES) == 40
-    monkeypatch.setattr(cache, "compiled_apart", cache.compiled_apart)
+    monkeypatch.setattr(cache, "compiled_separately", cache.compiled_separately)
     without_compiler()
     run, found = Run(SEED, tmp_path, SPREAD), []
     while len(found) < FAULTS:

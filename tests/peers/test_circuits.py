@@ -48,19 +48,19 @@ def test_pinocchio_agrees_in_c(mechanism: Closed) -> None:
 
 def test_what_is_held() -> None:
     kinds = {name: found(CLOSED[name].build())[1] for name in ("four_bar", "bricard", "stewart")}
-    # planar circuits close by points, a spatial hinge by a split body, ball joints by points
-    assert [(held.whole, len(kinds["four_bar"].seats)) for held in kinds["four_bar"].held] == [
-        (False, 0)
-    ]
-    assert [held.whole for held in kinds["bricard"].held] == [True]
+    # planar loops close by points, a spatial hinge by a split body, ball joints by points
+    assert [
+        (held.aligned, len(kinds["four_bar"].seats)) for held in kinds["four_bar"].connections
+    ] == [(False, 0)]
+    assert [held.aligned for held in kinds["bricard"].connections] == [True]
     assert len(kinds["bricard"].seats) == 1
-    assert [held.whole for held in kinds["stewart"].held] == [False] * 5
+    assert [held.aligned for held in kinds["stewart"].connections] == [False] * 5
 
 
 def test_relations_that_are_no_joints_are_refused_by_name() -> None:
     scene = four_bar()
     scene.constraint("law", scene.u("A") - scene.u("D") / 3)
-    assert circuits(cd.compile(scene)) == "'law' is no closing condition of a joint"
+    assert circuits(cd.compile(scene)) == "'law' is not a closing condition of a joint"
 
 
 def test_trees_alone_are_not_compared_with_circuits() -> None:

@@ -19,7 +19,7 @@ from mechanisms import ZOO
 from table import each
 
 EPS = float(np.finfo(float).eps)
-NEEDED = ("forward_dynamics", "inverse_dynamics", "mass_matrix", "applied", "integrate")
+NEEDED = ("forward_dynamics", "inverse_dynamics", "mass_matrix", "applied_forces", "integrate")
 # trees of the joints that others know too
 SHARED = ("branched", "satellite", "double_pendulum")
 
@@ -47,7 +47,7 @@ def test_peers_agree(name: str, mechanism: str) -> None:
     for function in set(ours) & set(contender.functions):
         theirs = contender.results(function, pushed(model, function, states))
         if function == "inverse_dynamics":
-            theirs = theirs - model.applied(states.q, states.u)
+            theirs = theirs - model.applied_forces(states.q, states.u)
         assert relative(theirs, ours[function]) <= allowed, function
 
 

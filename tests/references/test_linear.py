@@ -79,7 +79,7 @@ def test_eigenvalues_of_the_bicycle(bicycle: cd.CompiledModel, speed: str) -> No
 def test_speeds_at_which_the_bicycle_is_stable(bicycle: cd.CompiledModel) -> None:
     known = reference("bicycle_linear")["reference"]
     wanted = {"rear_contact.lean": 0.0, "rear_hub.u": (-3 / 0.3, -7 / 0.3)}
-    path = bicycle.root_locus(wanted=wanted, count=9)
+    path = bicycle.root_locus(targets=wanted, count=9)
     weave, capsize = path.changes
     assert (weave.kind, weave.lost) == ("flutter", False)
     assert (capsize.kind, capsize.lost) == ("divergence", True)
@@ -101,7 +101,7 @@ def satellite(kind: str) -> cd.Scene:
         scene.parameter(f"I{axis}", value) for axis, value in zip("xyz", INERTIAS[0], strict=True)
     ]
     body = scene.body("body", mass=1.0, inertia=inertia)
-    scene.joint("circle", cd.Revolute("y"), scene.ground, orbit, motion=-cd.t)
+    scene.joint("circle", cd.Revolute("y"), scene.ground, orbit, prescribed=-cd.t)
     scene.joint("attitude", cd.Spherical(rotation="XYZ"), orbit.at(0, 0, -1), body)
     if kind == "element":
         pull = cd.GravityGradient(scene.ground, 1.0, bodies=body, force=False)
@@ -231,7 +231,7 @@ def test_upright_coin(r: float) -> None:
         found = model.trim({**straight, "rolls.u.spin": factor * limit / r}, check=True)
         assert found.stable is stable
     spin = (0.5 * limit / r, 1.8 * limit / r)
-    (change,) = model.root_locus(wanted={**straight, "rolls.u.spin": spin}, count=7).changes
+    (change,) = model.root_locus(targets={**straight, "rolls.u.spin": spin}, count=7).changes
     v = change.values["rolls.u.spin"] * r
     print(f"off by {v / limit - 1:.1e}")
     assert v**2 == pytest.approx(G * r / 3, rel=1e-8)

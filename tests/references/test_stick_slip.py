@@ -21,7 +21,7 @@ END_OF_SLIP = -0.5410063538636437
 def test_limit_cycle() -> None:
     scene = cd.Scene("stick_slip", gravity=(0, 0, 0))
     scene.joint("x", cd.Prismatic("x"), scene.ground, scene.body("block", mass=1.0))
-    scene.force("spring", cd.TorsionSpring("x", stiffness=1.0))
+    scene.force("spring", cd.JointSpring("x", stiffness=1.0))
     law = STATIC / (1 + FALL * sp.Abs(scene.u("x") - BELT))
     scene.force("belt", cd.Friction("x", coulomb=law, static=STATIC, against=BELT))
     motion = cd.compile(scene).simulate(40.0, q={"x": 0.0}, u={"x": BELT}, rtol=1e-11, atol=1e-12)
@@ -36,4 +36,4 @@ def test_limit_cycle() -> None:
     assert fine[:, 0].max() == pytest.approx(HIGHEST, abs=1e-8)
     assert fine[:, 0].min() == pytest.approx(LOWEST, abs=1e-8)
     assert fine[:, 1].min() == pytest.approx(SLOWEST, abs=1e-8)
-    assert np.abs(motion.drift.energy).max() < 1e-10
+    assert np.abs(motion.energy_residual).max() < 1e-10

@@ -14,8 +14,7 @@ from typing import Any
 from cardan.ir.function import Block, Function, Output
 from cardan.ir.graph import Graph
 from cardan.ir.serialize import to_dict
-
-KERNELS = Path(__file__).resolve().parents[2] / "src" / "cardan" / "kernels"
+from cardan.schema import kernel_files
 
 FUNCTIONS: dict[str, dict[str, Any]] = {
     "forward_dynamics": {
@@ -173,7 +172,7 @@ def saved() -> dict[str, Any]:
     functions = [
         Function("scene", g, (p,), scene),
         Function("scene_pose_0", g, (q, p), pose),
-        Function("applied", g, (p,), f),
+        Function("applied_forces", g, (p,), f),
         Function("forward_dynamics", g, (q, p, tau), (Output("udot", (1,), (udot,)),)),
     ]
     return {function.name: to_dict(function) for function in functions}
@@ -200,7 +199,7 @@ def manifest(names: list[str]) -> dict[str, Any]:
     numbers = {"m": (2.0, "kg"), "l": (0.5, "m"), "g": (9.81, "m/s^2")}
     return {
         "abi": 2,
-        "schema": 2,
+        "schema": 3,
         "cardan": "0.1.0",
         "name": "pendulum",
         "method": "by hand",
@@ -243,7 +242,7 @@ def write(directory: Path, names: list[str] | None = None) -> Path:
     chosen = list(FUNCTIONS) if names is None else names
     directory.mkdir(parents=True, exist_ok=True)
     for header in ("cardan.h", "lanes.h", "sincos.h"):
-        shutil.copy(KERNELS / header, directory / header)
+        shutil.copy(kernel_files.file(header), directory / header)
     for name in chosen:
         (directory / f"{name}.c").write_text(text(name, FUNCTIONS[name]))
     (directory / "manifest.json").write_text(json.dumps(manifest(chosen)))

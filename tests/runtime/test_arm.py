@@ -160,7 +160,7 @@ def test_verification_moves_the_inputs(tmp_path, cache_directory, monkeypatch):
     scene = cd.Scene("shaker", gravity=(0, 0, 0))
     turn = scene.input("turn")
     table, arm = scene.body("table"), scene.body("arm", mass=2, com=(0.3, 0.2, 0.1))
-    scene.joint("axle", cd.Revolute("z"), scene.ground, table, motion=2 * turn)
+    scene.joint("axle", cd.Revolute("z"), scene.ground, table, prescribed=2 * turn)
     scene.joint("pin", cd.Revolute((0, 1, 1)), table.at(1, 0, 0), arm)
     right = cd.compile(scene, directory=tmp_path / "right", method="kane")
     right.prepare("forward_dynamics")

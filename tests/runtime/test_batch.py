@@ -184,7 +184,7 @@ def test_builds_that_differ_are_not_used(equations, monkeypatch, cache_directory
 def test_threads_share_a_large_batch(equations, many, monkeypatch):
     model = cd.compile(equations, functions=FUNCTIONS, threads=many)
     monkeypatch.setattr(batch, "THREADED", 0.0)
-    monkeypatch.setattr(batch, "PIECE", 1e-4)
+    monkeypatch.setattr(batch, "CHUNK_SECONDS", 1e-4)
     rng = np.random.default_rng(4)
     q, u = rng.uniform(-1, 1, (2, 5000, 3))
     pairs = zip(q[::20], u[::20], strict=True)
@@ -200,12 +200,12 @@ def test_threads_share_a_large_batch(equations, many, monkeypatch):
 def test_wrong_variables_are_said(equations, text, monkeypatch):
     model = cd.compile(equations, functions=FUNCTIONS)
     monkeypatch.setenv("CARDAN_LANES", text)
-    with pytest.raises(BuildError, match=f"CARDAN_LANES='{text}' is no number of lanes"):
+    with pytest.raises(BuildError, match=f"CARDAN_LANES='{text}' is not a number of lanes"):
         model.prepare("forward_dynamics", batch=True)
     monkeypatch.delenv("CARDAN_LANES")
     monkeypatch.setenv("CARDAN_THREADS", text)
     monkeypatch.setattr(batch, "THREADED", 0.0)
-    with pytest.raises(BuildError, match=f"CARDAN_THREADS={text} is no number of threads"):
+    with pytest.raises(BuildError, match=f"CARDAN_THREADS={text} is not a number of threads"):
         model.forward_dynamics(*np.zeros((2, 300, 3)))
 
 

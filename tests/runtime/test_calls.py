@@ -196,7 +196,7 @@ def test_long_batches_run_in_pieces(model, monkeypatch):
     q = np.linspace(-1, 1, 50)[:, None]
     expected = model.forward_dynamics(q, [0.0], tau=q)
     monkeypatch.setattr(batch, "FIRST", 7)
-    monkeypatch.setattr(batch, "PIECE", 0.0)
+    monkeypatch.setattr(batch, "CHUNK_SECONDS", 0.0)
     assert np.array_equal(model.forward_dynamics(q, [0.0], tau=q), expected)
     with pytest.warns(SolveWarning, match=r"status 7.*state 30; 1 of 40"):
         model.outputs(np.where(np.arange(40) == 30, 4.0, 1.0)[:, None], [0.0])

@@ -158,7 +158,7 @@ HARMS = {
     with_a_binary: "cannot hold a file",
     with_other_code: r"rhs\.c is not the file its manifest speaks of",
     without_a_file: r"rhs\.c is not the file",
-    without_json: "is no JSON",
+    without_json: "is not JSON",
     of_another_version: "C interface format 7; this is cardan",
     with_absurd_sizes: "work_size' is",
     with_a_symbol_that_is_none: "not a name in C",

@@ -130,7 +130,7 @@ def test_what_is_wrong_is_said(model: Any, state: Any) -> None:
         model.derivative("integrate", wrt="q")
     with pytest.raises(ArgumentError, match="does not read udot"):
         model.derivative("bias", wrt="udot")
-    with pytest.raises(ModelError, match="no block"):
+    with pytest.raises(ModelError, match="not a block"):
         model.derivative("bias", wrt="mas")
     with pytest.raises(ModelError, match="frame 'nowhere' does not exist"):
         model.derivative(("pose", "nowhere"), wrt="q")

@@ -73,7 +73,7 @@ def test_files_cut_short_are_refused(motion: cd.Trajectory, tmp_path: Path, endi
     for share in (0.1, 0.5, 0.9):
         path = tmp_path / f"part{ending}"
         path.write_bytes(whole[: int(share * len(whole))])
-        with pytest.raises(cd.ModelError, match="no run of cardan"):
+        with pytest.raises(cd.ModelError, match="not a run of cardan"):
             cd.load_motion(path)
 
 
@@ -120,7 +120,7 @@ def test_tables_have_the_names_of_the_model(
     (name,) = runs.results
     assert [float(row[name]) for row in rows] == runs.results[name].tolist()
     assert [row["status"] for row in rows] == list(runs.status)
-    with pytest.raises(cd.ModelError, match="not a file of netCDF-3 or NumPy archive"):
+    with pytest.raises(cd.ModelError, match="its format is neither netCDF-3 nor NumPy archive"):
         cd.load_motion(tmp_path / "run.csv")
 
 

@@ -17,7 +17,7 @@ def geared() -> cd.Scene:
     arm = scene.body("arm", mass=1, com=(0.3, 0, 0), inertia=inertia)
     hand = scene.body("hand", mass=0.5, com=(0.2, 0, 0), inertia=inertia)
     scene.joint("bolt", cd.Fixed(), scene.ground, base)
-    scene.joint("rail", cd.Prismatic("x"), base, slide, motion=0.2 * sympy.sin(3 * cd.t))
+    scene.joint("rail", cd.Prismatic("x"), base, slide, prescribed=0.2 * sympy.sin(3 * cd.t))
     scene.joint("elbow", cd.Revolute("y"), slide, arm)
     scene.joint("wrist", cd.Revolute("y"), arm.at(0.6, 0, 0), hand, couple=("elbow", -2.0, 0.3))
     return scene

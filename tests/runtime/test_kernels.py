@@ -20,6 +20,7 @@ from analyses.conftest import double_scene
 from cardan.api.compiled_model import CompiledModel
 from cardan.errors import BuildError
 from cardan.runtime.build import cache, cpu_levels, kernels, prebuilt, toolchain
+from cardan.schema import kernel_files
 from cardan.schema.integrators import INTEGRATORS, KERNELS
 from laws.test_tunings import LEVELS, runs
 
@@ -48,10 +49,10 @@ def sources(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
     place = tmp_path / "kernels"
     kept = {"map.c", "batch.c", "level.c"}
     place.mkdir()
-    for path in prebuilt.DIRECTORY.glob("*.[ch]"):
+    for path in kernel_files.files("*.[ch]"):
         if path.suffix == ".h" or path.name in kept:
             shutil.copy(path, place)
-    monkeypatch.setattr(prebuilt, "DIRECTORY", place)
+    monkeypatch.setattr(kernel_files, "KERNELS", place)
     prebuilt.current.cache_clear()
     kernels._library.cache_clear()
     yield place
@@ -214,7 +215,7 @@ def test_kernels_are_linked_for_other_systems(
         variant = prebuilt.Variant(lanes=lanes)
         library = tmp_path / variant.name
         given = False, tmp_path / "zig", variant.macros
-        toolchain.compile_shared(by, variant.sources(), [prebuilt.DIRECTORY], library, *given)
+        toolchain.compile_shared(by, variant.sources(), kernel_files.includes(), library, *given)
         content = library.read_bytes()
         assert content.startswith(ELSEWHERE[target])
         assert not {name for name in wanted if name.encode() not in content}

@@ -104,7 +104,7 @@ def test_spawned_process_gets_model_and_motion(double):
         again = pool.submit(double.simulate, 0.3, **START).result(120)
     np.testing.assert_array_equal(ends, [motion.at(0.123), motion.x[-1]])
     np.testing.assert_array_equal(again.x, motion.x)
-    np.testing.assert_array_equal(again.drift, motion.drift)
+    np.testing.assert_array_equal(again.energy_residual, motion.energy_residual)
 
 
 def ends_of(motion: cd.Trajectory) -> list[np.ndarray]:
@@ -118,9 +118,9 @@ def test_motion_pickles_with_everything_it_shows(double):
     content = pickle.dumps(motion)
     assert b"\x7fELF" not in content
     again = pickle.loads(content)
-    for name in ("t", "x", "r", "given", "drift"):
+    for name in ("t", "x", "r", "work_done", "energy_residual"):
         np.testing.assert_array_equal(getattr(again, name), getattr(motion, name))
-    assert again.conduct == motion.conduct
+    assert again.solver_info == motion.solver_info
     np.testing.assert_array_equal(again.at(0.21), motion.at(0.21))
     np.testing.assert_array_equal(again.resample([0.1, 0.2]).r, motion.resample([0.1, 0.2]).r)
     np.testing.assert_array_equal(again.pose("lower"), motion.pose("lower"))
@@ -358,7 +358,7 @@ def test_a_run_of_the_compiler_keeps_one_lock(
     for text in texts:
         text.write_text(f"int {text.stem}(void);\nint {text.stem}(void)\n{{\n    return 1;\n}}\n")
     monkeypatch.setattr(os, "cpu_count", lambda: 1)
-    made = cache.compiled_apart(texts, tmp_path, False, cache.compiler(), [()] * len(texts))
+    made = cache.compiled_separately(texts, tmp_path, False, cache.compiler(), [()] * len(texts))
     (kept,) = cache_directory.glob(".new-*")
     made[0].published()
     made[1].discard()

@@ -15,7 +15,7 @@ from cardan.ir.graph import Graph
 from cardan.ir.serialize import to_dict
 from cardan.runtime.verification import verify as checks
 from cardan.runtime.verification.flat_scene import scene_of
-from cardan.runtime.verification.reference_values import finite, truth_of
+from cardan.runtime.verification.reference_values import finite, reference_values
 from runtime import pendulum
 
 pytestmark = pytest.mark.usefixtures("cache_directory")
@@ -95,7 +95,7 @@ def test_directory_without_a_scene(directory):
 
 def test_forces_that_are_not_saved(directory):
     saved = json.loads((directory / "functions.json").read_text())
-    del saved["applied"]
+    del saved["applied_forces"]
     (directory / "functions.json").write_text(json.dumps(saved))
     result = CompiledModel(directory).verify()
     assert {"mass_matrix", "qdot"} == set(result.checked) & set(WRONG)
@@ -116,11 +116,11 @@ def test_states_without_finite_forces_are_passed_over(directory):
     q = Block("q", ("swing",), ("rad",))
     g = Graph()
     f = Output("f", (1,), (g.apply("log", g.var("q", 0)),))
-    saved["applied"] = to_dict(Function("applied", g, (q,), (f,)))
+    saved["applied_forces"] = to_dict(Function("applied_forces", g, (q,), (f,)))
     (directory / "functions.json").write_text(json.dumps(saved))
     model = CompiledModel(directory)
     states = 40
-    truth = truth_of(model, scene_of(model), states, seed=1)
+    truth = reference_values(model, scene_of(model), states, seed=1)
     found = finite(truth)
     assert 0 < len(found) < states
     assert np.all(truth.q[found] > 0)

@@ -1,4 +1,4 @@
-"""Circuits and rolling are judged: what is right agrees, what is wrong is found and named."""
+"""Loops and rolling are judged: what is right agrees, what is wrong is found and named."""
 
 from __future__ import annotations
 
@@ -26,13 +26,7 @@ from spread import some
 
 # they harm what they compile
 pytestmark = pytest.mark.usefixtures("cache_directory")
-OF_CIRCUITS = (
-    "forward_dynamics",
-    "rhs",
-    "constraint_rates",
-    "constraint_jacobian",
-    "multipliers",
-)
+OF_CIRCUITS = ("forward_dynamics", "rhs", "constraint_rates", "constraint_jacobian", "multipliers")
 SOLVED = ("mass_matrix", "bias", "gravity", "inverse_dynamics", "forward_dynamics", "dependents")
 
 
@@ -87,7 +81,7 @@ def test_joints_that_move_as_told_take_part():
     # the crank turns as the clock says; what follows is all of the motion
     scene = CLOSED["four_bar"].build()
     crank = scene.joints["A"]
-    scene.joints["A"] = dataclasses.replace(crank, motion=0.4 * cd.t + 0.2)
+    scene.joints["A"] = dataclasses.replace(crank, prescribed=0.4 * cd.t + 0.2)
     result = checked(scene, *OF_CIRCUITS).verify()
     assert "forward_dynamics" in result.checked, str(result)
     assert result.worst < 1e-12
@@ -184,9 +178,9 @@ def test_wrong_slip_is_found(monkeypatch):
 
 @pytest.mark.parametrize("function", some(["forward_dynamics", "dependents"], 2))
 def test_wrong_solution_of_a_circuit_is_found(monkeypatch, function):
-    right = closures.Found.coordinate
+    right = closures.JointSolution.coordinate
     monkeypatch.setattr(
-        closures.Found, "coordinate", lambda self, g: g.mul(right(self, g), g.const(1.001))
+        closures.JointSolution, "coordinate", lambda self, g: g.mul(right(self, g), g.const(1.001))
     )
     with pytest.raises(BuildError, match=f"compiled {function} differs"):
         checked(CLOSED["slider_crank"].build(), function, constraints="closed_form")

@@ -34,15 +34,8 @@ DEFINITIONS: dict[str, Schema] = {
         "type": ["number", "string"],
     },
     "vector": {"type": "array", "items": EXPRESSION, "minItems": 3, "maxItems": 3},
-    "matrix": {
-        "type": "array",
-        "items": {"$ref": "#/$defs/vector"},
-        "minItems": 3,
-        "maxItems": 3,
-    },
-    "rows": {
-        "anyOf": [EXPRESSION, {"type": "array", "items": {"$ref": "#/$defs/rows"}}],
-    },
+    "matrix": {"type": "array", "items": {"$ref": "#/$defs/vector"}, "minItems": 3, "maxItems": 3},
+    "rows": {"anyOf": [EXPRESSION, {"type": "array", "items": {"$ref": "#/$defs/rows"}}]},
     "direction": {"anyOf": [{"enum": list(AXES)}, {"$ref": "#/$defs/vector"}]},
     "rotation": {
         "description": "[XYZ, a, b, c] (xyz: about fixed axes), or a 3x3 matrix.",
@@ -126,10 +119,7 @@ KINDS: dict[str, Schema] = {
     "scalar": EXPRESSION,
     "law": EXPRESSION,
     "motion": {
-        "anyOf": [
-            EXPRESSION,
-            {"type": "array", "items": {"anyOf": [EXPRESSION, {"type": "null"}]}},
-        ]
+        "anyOf": [EXPRESSION, {"type": "array", "items": {"anyOf": [EXPRESSION, {"type": "null"}]}}]
     },
     "value": reference("rows"),
     "vector": reference("vector"),

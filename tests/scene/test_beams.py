@@ -78,7 +78,7 @@ def test_included_beams_come_back(tmp_path: Path) -> None:
 
 
 FILE = """\
-cardan: 1
+cardan: 2
 name: crane
 parameters:
   reach: {value: 3, unit: m}
@@ -179,9 +179,9 @@ WRONG: dict[str, Callable[[cd.Scene], Any]] = {
     "start has 2 entries.*An end is a frame": beam(start=(0, 0)),
     "start 'nowhere' does not exist": beam(start="nowhere"),
     "up is the zero vector": beam(up=(0, 0, 0)),
-    "up 'w' is no direction": beam(up="w"),
+    "up 'w' is not a direction": beam(up="w"),
     "no direction 'rxx'.*'rx'": beam(start="ground", release_start="rxx"),
-    "is no joint. Known: rx, ry": beam(start="ground", release_start=("x", "ry")),
+    "is not a joint. Known: rx, ry": beam(start="ground", release_start=("x", "ry")),
     "release_end: that end is free": beam(release_end="rx"),
     "prestrain has no 'curvature'": beam(prestrain={"curvature": 1}),
     "temperature is nan": beam(temperature=math.nan),
@@ -199,11 +199,11 @@ WRONG: dict[str, Callable[[cd.Scene], Any]] = {
     r"force\[2\] is inf": lambda s: cd.LineLoad("b", force=(0, 0, math.inf)),
     r"force\[0\] is \[0.0, 0.0": lambda s: cd.LineLoad("b", force=[[0.0, 0.0, 0.0]] * 3),
     r"force\[0\] is 'a'": lambda s: cd.LineLoad("b", force=("a", 0, 0)),
-    r"Body\('o'\) is no beam: give": lambda s: cd.LineLoad(s.body("o"), force=(0, 0, 1)),
+    r"Body\('o'\) is not a beam: give": lambda s: cd.LineLoad(s.body("o"), force=(0, 0, 1)),
     "beam 'b' belongs to model 'other', not to 'm'": lambda s: s.force(
         "load", cd.LineLoad(beam()(cd.Scene("other")), force=(0, 0, 1))
     ),
-    "None is no beam": lambda s: cd.LineLoad(None, force=(0, 0, 1)),
+    "None is not a beam": lambda s: cd.LineLoad(None, force=(0, 0, 1)),
     "follower is True or False, not 1": lambda s: cd.LineLoad("b", force=(0, 0, 1), follower=1),
 }
 

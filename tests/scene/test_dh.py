@@ -105,7 +105,7 @@ def test_motors_and_damping() -> None:
         2.0
     )
     # viscous friction at the rotor acts ratio^2 times at the joint
-    assert with_motor.applied([0.1], [2.0])[0] == pytest.approx(-2.0 * (0.3 + 10.0))
+    assert with_motor.applied_forces([0.1], [2.0])[0] == pytest.approx(-2.0 * (0.3 + 10.0))
 
 
 @each(
@@ -119,7 +119,7 @@ def test_motors_and_damping() -> None:
         ([{"a": float("nan")}], "standard", "nan|finite"),
         ([{"name": "x"}, {"name": "x"}], "standard", "'x'"),
         ([5], "standard", "row 1: 5; give"),
-        (5, "standard", "5 is no table"),
+        (5, "standard", "5 is not a table"),
         (["abcd"], "standard", "row 1: 'abcd'; give"),
         ([{"type": []}], "standard", "type is .*; give a text"),
         ([{"theta": "x"}], "standard", "theta is 'x'; give a number"),
@@ -146,7 +146,7 @@ def test_the_table_of_a_scene_file_is_the_same_robot() -> None:
         "{" + ", ".join(f"{key}: {value}" for key, value in row.items()) + "}"
         for row in heavy([*ROWS[:2], {"alpha": 1.5708}])
     ).replace("(0.1, 0.1, 0.1)", "[0.1, 0.1, 0.1]")
-    scene = from_text(f"cardan: 1\nname: arm\ndh: {{arm: {{rows: [{rows}]}}}}\n")
+    scene = from_text(f"cardan: 2\nname: arm\ndh: {{arm: {{rows: [{rows}]}}}}\n")
     assert scene.snaps == ["joint 'arm.joint3' alpha: 1.5708 -> pi/2"]
     poses = [
         cd.compile(made).pose(link, Q[:3])
@@ -158,7 +158,7 @@ def test_the_table_of_a_scene_file_is_the_same_robot() -> None:
     np.testing.assert_allclose(poses[0], poses[1], rtol=0, atol=1e-15)
     assert {key.name for key in keys.LINK} == set(Row.__dataclass_fields__)
     with pytest.raises(ModelError, match=r"text:2:\d+: dh.arm.rows\[0\].*'alfa'"):
-        from_text("cardan: 1\ndh: {arm: {rows: [{alfa: 1}]}}\n")
+        from_text("cardan: 2\ndh: {arm: {rows: [{alfa: 1}]}}\n")
 
 
 def test_a_table_may_start_on_a_frame() -> None:
@@ -167,7 +167,7 @@ def test_a_table_may_start_on_a_frame() -> None:
 
     rows = str(heavy(ROWS[:2])).replace("'", "").replace("(", "[").replace(")", "]")
     place = "at: [0.2, -0.1, 0.4], rotation: [XYZ, 0.1, 0.5, -0.3]"
-    text = f"cardan: 1\ndh: {{arm: {{parent: {{body: ground, {place}}}, rows: {rows}}}}}\n"
+    text = f"cardan: 2\ndh: {{arm: {{parent: {{body: ground, {place}}}, rows: {rows}}}}}\n"
     there = cd.compile(from_text(text)).pose("arm.link2", Q[:2])
     base = shift(0, 0.2) @ shift(1, -0.1) @ shift(2, 0.4)
     base = base @ turn(0, 0.1) @ turn(1, 0.5) @ turn(2, -0.3)

@@ -114,7 +114,7 @@ def test_a_lagrangian_tells_energy_and_power() -> None:
     assert found.potential == pytest.approx(-2.0 * 9.81 * 0.5 * np.cos(0.4), rel=1e-14)
     np.testing.assert_allclose(model.power([0.4], [1.5]), [-0.3 * 1.5**2], rtol=1e-14)
     motion = model.simulate(2.0, q={"q": 1.0}, rtol=1e-10, atol=1e-12)
-    assert np.abs(motion.drift.energy).max() < 1e-8
+    assert np.abs(motion.energy_residual).max() < 1e-8
     assert motion.work["written"][-1] < -0.1
 
 
@@ -140,7 +140,7 @@ def test_a_potential_beside_plain_equations_gives_the_ledger() -> None:
     motion = model.simulate(
         2.0, q={"a": 1.0}, inputs={"F": lambda t, x: np.sin(3 * t)}, rtol=1e-10, atol=1e-12
     )
-    assert np.abs(motion.drift.energy).max() < 1e-8
+    assert np.abs(motion.energy_residual).max() < 1e-8
 
 
 def bicycle() -> cd.CompiledModel:

@@ -32,8 +32,8 @@ def written(**changed: Any) -> cd.Scene:
     ("changed", "words"),
     [
         ({"f": [sm.Symbol("k") * Q]}, r"1 symbol has no value: give parameters=\{'k'"),
-        ({"f": [sm.Function("foo")(Q)]}, r"'foo\(q\(t\)\)' is no function"),
-        ({"f": [sm.gamma(Q)]}, "'gamma' in .* is no function"),
+        ({"f": [sm.Function("foo")(Q)]}, r"'foo\(q\(t\)\)' is not a function"),
+        ({"f": [sm.gamma(Q)]}, "'gamma' in .* is not a function"),
         ({"f": [cd.table([0, 1, 2], [0, 1, 4], kind="linear")(Q)]}, "is a table of data"),
         ({"f": [Q.diff(T, 2)]}, "is an acceleration"),
         ({"f": [U.diff(T)]}, "is an acceleration"),

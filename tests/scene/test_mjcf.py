@@ -249,7 +249,7 @@ def test_frames_around_bodies_move_what_is_inside() -> None:
     np.testing.assert_allclose(body_mass(system, 0)[1], [-48, 0, 0], atol=1e-12)
 
 
-# circuits and couplings
+# loops and couplings
 
 
 def test_bodies_that_are_connected_as_drawn() -> None:

@@ -47,9 +47,12 @@ REFUSED = {
     ),
     "class unnamed": (one(SOLID, "<default><default/></default>"), "needs a class"),
     "replicate": (mujoco("<replicate count='3'/>"), "bodies would be missing"),
-    "body": (linkage('<connect body1="c" anchor="0 0 0"/>'), "body1 'c' is no body. Bodies: world"),
-    "site": (linkage('<weld site1="sa" site2="sd"/>'), "site2 'sd' is no site"),
-    "joint": (linkage('<joint joint1="jc"/>'), "joint1 'jc' is no joint"),
+    "body": (
+        linkage('<connect body1="c" anchor="0 0 0"/>'),
+        "body1 'c' is not a body. Bodies: world",
+    ),
+    "site": (linkage('<weld site1="sa" site2="sd"/>'), "site2 'sd' is not a site"),
+    "joint": (linkage('<joint joint1="jc"/>'), "joint1 'jc' is not a joint"),
     "same": (linkage('<weld body1="a" body2="a"/>'), "same body"),
     "negative mass": (
         one('\n<joint/><inertial pos="0 0 0" mass="-1" diaginertia="1 1 1"/>'),
@@ -62,7 +65,7 @@ REFUSED = {
     "bodies": (mujoco('<body name="a"/>\n<body name="a"/>'), "text:2: <body> 'a': another body"),
     "sites": (mujoco('<site name="a"/>\n<site name="a"/>'), "text:2: <site> 'a': another site"),
     "endless name": (one(f'{SOLID}<joint name="{"j" * 300}"/>'), "at most 200"),
-    "nan": (one(f'{SOLID}<joint pos="nan 0 0"/>'), "no number"),
+    "nan": (one(f'{SOLID}<joint pos="nan 0 0"/>'), "not a number"),
     "include": (mujoco('<include file="../x.xml"/>'), "leads out of the declared folders"),
     "include nothing": (mujoco('<include file="x.xml"/>'), "there is no file 'x.xml'"),
 }  # fmt: skip

@@ -95,8 +95,8 @@ def test_same_name_for_parameter_and_input():
 
 def test_a_cut_joint_has_no_coordinate_to_prescribe():
     scene = scene_with_arm()
-    with pytest.raises(ModelError, match="cut another joint of the circuit"):
-        scene.joint("j", Revolute("y"), "upper", "forearm", cut=True, motion=t)
+    with pytest.raises(ModelError, match="cut another joint of the loop"):
+        scene.joint("j", Revolute("y"), "upper", "forearm", cut=True, prescribed=t)
 
 
 def test_frames_of_other_models():
@@ -204,7 +204,7 @@ def test_no_units(text):
 
 def test_summary_fits_on_a_screen():
     scene = scene_with_arm()
-    scene.joint("elbow", Revolute("y"), "upper", "forearm", motion=sympy.sin(t))
+    scene.joint("elbow", Revolute("y"), "upper", "forearm", prescribed=sympy.sin(t))
     scene.force("motor", JointForce("shoulder", 1.0))
     scene.notes.append("joints elbow: limits do not act in a run")
     text = str(scene)

@@ -25,7 +25,7 @@ EXAMPLES = Path(__file__).parents[2] / "examples"
 
 
 def scene(text: str) -> cd.Scene:
-    return from_text("cardan: 1\n" + text, name="scene.yaml")
+    return from_text("cardan: 2\n" + text, name="scene.yaml")
 
 
 def assert_same(one: cd.Scene, other: cd.Scene) -> None:
@@ -148,7 +148,7 @@ FITTING: dict[str, dict[str, Any]] = {
     # said by the damping
     "contact": {"sphere": "a", "other": "ground", "normal": "x"}
     | {"restitution": None, "speed": None},
-    "watch": {"then": "end", "direction": "up"},
+    "event": {"terminal": True, "direction": "up"},
     "rotor": {"axis": "x", "momentum": None, "speed": None, "torque": 2.0},
     "central_gravity": {"center": "ground", "bodies": "a"},
     "gravity_gradient": {"center": "ground", "bodies": "a", "force": False},
@@ -196,15 +196,17 @@ def test_joint_options() -> None:
         "bodies: {a: {mass: 1}, b: {mass: 1}, c: {mass: 1}, d: {mass: 1, pose: [0, 1, 0]}}\n"
         "joints:\n"
         "  i: {type: revolute, parent: ground, child: a, q0: 1, u0: [2], limits: [-1, 2, 3]}\n"
-        "  j: {type: screw, axis: [0, 3, 4], pitch: 1/8, parent: a, child: b, motion: path + t}\n"
+        "  j: {type: screw, axis: [0, 3, 4], pitch: 1/8, parent: a, child: b,\n"
+        "      prescribed: path + t}\n"
         "  k: {type: revolute, parent: a, child: c, couple: [i, -2, 0.5],\n"
         "      limits: {upper: .inf, effort: 4}}\n"
-        "  l: {type: revolute, axis: x, at: [0, 0, 1], parent: ground, child: d, motion: null}\n"
+        "  l: {type: revolute, axis: x, at: [0, 0, 1], parent: ground, child: d,\n"
+        "      prescribed: null}\n"
     )
     i, j, k, l = found.joints.values()
     assert (i.q0, i.u0, i.limits) == ((1.0,), (2.0,), (-1.0, 2.0, 3.0, None))
     assert (j.kind.axis, j.kind.pitch) == ((0, 3, 4), 0.125)
-    assert j.motion == sympy.Symbol("path") + cd.t
+    assert j.prescribed == sympy.Symbol("path") + cd.t
     assert (k.couple.leader, k.couple.ratio, k.couple.offset) == ("i", -2, 0.5)
     assert k.limits == (None, float("inf"), None, 4.0)
     assert l.at == (0, 0, 1)
@@ -227,7 +229,7 @@ def test_an_alias_is_the_same_frame() -> None:
 
 
 def test_rounded_quarter_turns_are_snapped(tmp_path: Path) -> None:
-    text = "cardan: 1\nbodies: {a: {}}\nframes: {f: {body: a, rotation: [xyz, 1.5708, 0.1, pi/2]}}"
+    text = "cardan: 2\nbodies: {a: {}}\nframes: {f: {body: a, rotation: [xyz, 1.5708, 0.1, pi/2]}}"
     path = tmp_path / "scene.yaml"
     path.write_text(text)
     found = cd.load(path)
@@ -240,7 +242,7 @@ def test_tables_in_the_file_and_beside_it(tmp_path: Path) -> None:
     (tmp_path / "data").mkdir()
     (tmp_path / "data" / "motor.csv").write_text("# torque\nspeed,torque\n-1, 2\n0,0\n1.5,-3e0\n")
     (tmp_path / "scene.yaml").write_text(
-        "cardan: 1\n"
+        "cardan: 2\n"
         "tables:\n"
         "  one: {file: data/motor.csv, kind: linear}\n"
         "  two: {x: [-1, 0, 1.5], y: [2, 0, -3], kind: linear}\n"
@@ -255,7 +257,7 @@ def test_parts_from_scenes_and_robots(tmp_path: Path) -> None:
         shutil.copy(EXAMPLES / name, tmp_path)
     path = tmp_path / "pair.yaml"
     path.write_text(
-        "cardan: 1\n"
+        "cardan: 2\n"
         "bodies: {cart: {mass: 1}}\n"
         "joints:\n"
         "  track: {type: prismatic, parent: ground, child: cart}\n"
@@ -319,8 +321,8 @@ def test_simulate_follows_the_file_and_the_command_line(
         ("bodies:\n  a: {mass: 1}\n", "scene.yaml:3:3: nothing joins body 'a' to the ground"),
         (
             "bodies: {a: {mass: 1, inertia: [1, 1, 1]}}\njoints:\n"
-            "  a: {type: free, parent: ground, child: a, motion: t}\n",
-            "scene.yaml:4:3: joint 'a' (free): motion= prescribes one coordinate",
+            "  a: {type: free, parent: ground, child: a, prescribed: t}\n",
+            "scene.yaml:4:3: joint 'a' (free): prescribed= prescribes one coordinate",
         ),
         ("values: {a.mass: 2}\n", "parameters: no number of the scene is called 'a.mass'"),
     ],

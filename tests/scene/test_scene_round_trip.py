@@ -18,7 +18,7 @@ import cardan as cd
 from cardan.codegen.fingerprint import fingerprint
 from cardan.scene.checks import smallest_moment
 from cardan.scene.files.expression import parse
-from cardan.scene.files.yaml.expression_text import Words
+from cardan.scene.files.yaml.expression_text import ExpressionText
 from external.robots import FILES, ROBOTS
 from mechanisms import ZOO, Mechanism
 from mechanisms.carried import CARRIED
@@ -201,7 +201,7 @@ LEAVES = st.one_of(LETTERS, NUMBERS)
 def test_expressions_come_back_the_same(expression: sympy.Expr) -> None:
     if not expression.free_symbols or expression.has(sympy.zoo, sympy.nan, sympy.oo, sympy.I):
         return
-    text = Words(SCENE).text(expression, "here")
+    text = ExpressionText(SCENE).text(expression, "here")
     assert parse(text, SYMBOLS, where="here") == expression, text
 
 

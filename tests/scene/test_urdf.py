@@ -192,7 +192,7 @@ def test_what_acts_and_what_does_not():
     assert model.joints["hinge"].limits == (-1, 2, 3, None)
     assert model.joints["hinge"].friction == 0.2
     system = build(model)
-    assert [(f.name, f.element.kind) for f in system.forces] == [("hinge.damping", "damping")]
+    assert [(f.name, f.element.kind) for f in system.forces] == [("hinge.damping", "joint_damper")]
     ends = "joints hinge: limits do not act in a run; add a Stop to hold a joint inside them"
     dry = "joints hinge: friction does not act; add a Friction"
     assert system.notes == (dry, ends)
@@ -265,8 +265,8 @@ def test_parameters_replace_angles_that_were_made_exact(tmp_path):
 @pytest.mark.parametrize(
     ("text", "error", "words"),
     [
-        ("<robot", ModelError, "no XML"),
-        ("", ModelError, "no XML"),
+        ("<robot", ModelError, "not XML"),
+        ("", ModelError, "not XML"),
         ("<sdf/>", ModelError, "not <robot>"),
         (robot(""), ModelError, "no links"),
         (robot(LINK.format("a") * 2), ModelError, "link 'a' is defined twice"),
@@ -278,7 +278,7 @@ def test_parameters_replace_angles_that_were_made_exact(tmp_path):
         (two_links(hinge('<axis xyz="0 0"/>')), ModelError, "2 numbers, but 3"),
         (two_links(hinge('<origin xyz="0 nan 0"/>')), ModelError, "'nan'"),
         (two_links(hinge('<origin xyz="0 1_0 0"/>')), ModelError, "'1_0'"),
-        (two_links(hinge('<origin xyz="0 1e200 0"/>')), ModelError, "no number up to"),
+        (two_links(hinge('<origin xyz="0 1e200 0"/>')), ModelError, "not a number up to"),
         (two_links(hinge('<limit lower="2" upper="1"/>')), ModelError, "above"),
         (two_links(""), TopologyError, "2 links that are nobody's child: 'base', 'arm'"),
         (

@@ -1,4 +1,4 @@
-"""Joints of a URDF that close circuits."""
+"""Joints of a URDF that close loops."""
 
 from __future__ import annotations
 
@@ -124,9 +124,9 @@ def test_what_does_not_act_on_it_is_said() -> None:
 REFUSED = {
     "no name": (PIN.replace('name="C" ', ""), "text:2: <loop_joint>: <loop_joint> lacks"),
     "no type": (PIN.replace('type="revolute"', ""), "text:2: loop joint 'C': <loop_joint> lacks"),
-    "type": (loop(kind="revolut"), "type 'revolut' closes no circuit"),
-    "floating": (loop(kind="floating"), "type 'floating' closes no circuit"),
-    "link": (PIN.replace("rocker", "roker"), "link2 'roker' is no link"),
+    "type": (loop(kind="revolut"), "type 'revolut' closes no loop"),
+    "floating": (loop(kind="floating"), "type 'floating' closes no loop"),
+    "link": (PIN.replace("rocker", "roker"), "link2 'roker' is not a link"),
     "near": (PIN.replace("rocker", "roker"), "Did you mean 'rocker'?"),
     "missing": (PIN.replace("<link1", "<linkA"), "<link1 link=.../> is missing"),
     "itself": (PIN.replace("rocker", "coupler"), "it joins link 'coupler' to itself"),
@@ -134,7 +134,7 @@ REFUSED = {
     "axes": (loop(kind="universal"), "needs <axis2 xyz=.../>"),
     "taken": (PIN.replace('"C"', '"A"'), "a joint has this name"),
     "twice": (PIN + PIN, "a joint has this name"),
-    "number": (PIN.replace("0.25", "nan"), "which is no number"),
+    "number": (PIN.replace("0.25", "nan"), "which is not a number"),
     "two parents": (joint("C", "coupler", "rocker", "0 0 0"), "as <loop_joint>"),
 }  # fmt: skip
 

@@ -38,7 +38,7 @@ def pose(system: System, frame: int) -> np.ndarray:
 
 
 def assert_joined(system: System) -> None:
-    """Ends of segments lie in their frames, and joints that close circuits are closed."""
+    """Ends of segments lie in their frames, and joints that close loops are closed."""
     for segment in system.segments:
         for frame, k in ((segment.frame_a, 0), (segment.frame_b, -1)):
             wanted = homogeneous(segment.line.rotations[k], segment.line.positions[k])
@@ -165,7 +165,7 @@ def test_a_beam_between_bodies_that_joints_place() -> None:
 def test_released_ends_have_coordinates(tmp_path: Path) -> None:
     scene = Scene("m")
     beam = scene.beam("b", scene.ground, (1, 0, 0), GENERAL, release_start=("ry",))
-    scene.force("soft", cd.TorsionSpring("b.start", stiffness=10))
+    scene.force("soft", cd.JointSpring("b.start", stiffness=10))
     scene.output("angle", scene.q("b.start") + 2 * scene.u("b.start"))
     scene.save(tmp_path / "soft.yaml")
     for one in (scene, cd.load(tmp_path / "soft.yaml")):

@@ -11,7 +11,7 @@ import sympy
 from scipy.spatial.transform import Rotation
 
 from cardan.api.scene import Scene
-from cardan.elements.forces import Damping, Force, JointForce
+from cardan.elements.forces import Force, JointDamper, JointForce
 from cardan.elements.joints import Fixed, Free, Prismatic, Revolute, Spherical
 from cardan.errors import ModelError
 from cardan.scene import inertia
@@ -220,7 +220,7 @@ def test_expressions_in_forces_and_outputs():
     torque = scene.input("torque", default=0.5)
     q, u = scene.q("elbow"), scene.u("shoulder")
     scene.force("motor", JointForce("elbow", torque - k * q))
-    scene.force("drag", Damping("shoulder", 0.1))
+    scene.force("drag", JointDamper("shoulder", 0.1))
     tip = scene.bodies["lower"].at(0, 0, -0.5, name="tip")
     scene.output("height", tip.position()[2], unit="m")
     scene.output("mixed", sympy.sin(q) * u + sympy.Symbol("t"))

@@ -1,4 +1,4 @@
-"""Which joint of a circuit is cut, why, and what cannot be."""
+"""Which joint of a loop is cut, why, and what cannot be."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ def cuts(scene: cd.Scene) -> dict[str, str]:
 
 
 def spring(scene: cd.Scene) -> None:
-    scene.force("spring", cd.TorsionSpring("C", stiffness=3.0))
+    scene.force("spring", cd.JointSpring("C", stiffness=3.0))
 
 
 def dial(scene: cd.Scene) -> None:
@@ -62,7 +62,7 @@ def test_cut_it_keeps_its_coordinate(use: Callable[[cd.Scene], None]) -> None:
 def test_a_circuit_in_which_every_coordinate_is_wanted() -> None:
     scene = four_bar()
     for name in "ABCD":
-        scene.force(f"spring_{name}", cd.TorsionSpring(name, stiffness=1.0))
+        scene.force(f"spring_{name}", cd.JointSpring(name, stiffness=1.0))
     assert cuts(scene) == {"C": "the coordinates of all joints here are wanted"}
     told = "cut at C (revolute), which keeps its coordinates, as the coordinates of all joints here"
     equations = cd.derive(scene)

@@ -1,4 +1,4 @@
-"""Incidence, path and circuit matrices and their products; drawings."""
+"""Incidence, path and loop matrices and their products; drawings."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from table import each
 
 
 def random_scene(seed, bodies=12, closing=0):
-    """A random tree with some circuits; half of the arcs point to the ground where fixed."""
+    """A random tree with some loops; half of the arcs point to the ground where fixed."""
     rng = np.random.default_rng(seed)
     scene = Scene(f"random {seed}")
     made = [scene.ground]
@@ -88,7 +88,7 @@ def test_text_has_one_line_per_body():
     scene = random_scene(1, closing=2)
     lines = str(scene.graph).splitlines()
     assert lines[0] == "ground"
-    assert sum("circuit" in line for line in lines) == 2
+    assert sum("closes a loop" in line for line in lines) == 2
     assert len(lines) == 1 + 12 + 2
 
 

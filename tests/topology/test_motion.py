@@ -30,7 +30,7 @@ def test_motion_in_time():
     c = scene.body("c", mass=1.0)
     amplitude = scene.parameter("amplitude", 0.2)
     motion = amplitude * sympy.sin(3 * t)
-    scene.joint("drive", Prismatic("x"), scene.bodies["b"], c, motion=motion)
+    scene.joint("drive", Prismatic("x"), scene.bodies["b"], c, prescribed=motion)
     system = build(scene)
     joint = system.joints[2]
     assert (joint.q, joint.u) == (-1, -1)
@@ -48,7 +48,7 @@ def test_motion_by_an_input_takes_value_rate_and_acceleration():
     other = scene.input("other")
     scene.output("o", other)
     tip = scene.body("tip", mass=1.0)
-    scene.joint("j", Revolute("x"), scene.bodies["b"], tip, motion=x**2)
+    scene.joint("j", Revolute("x"), scene.bodies["b"], tip, prescribed=x**2)
     system = build(scene)
     assert [r.name for r in system.inputs] == ["x", "x.rate", "x.acceleration", "other"]
     motion = system.joints[2].motion
@@ -60,12 +60,12 @@ def test_motion_by_an_input_takes_value_rate_and_acceleration():
 def test_what_a_motion_may_depend_on():
     scene = arm()
     tip = scene.body("tip", mass=1.0)
-    scene.joint("j", Revolute("x"), scene.bodies["b"], tip, motion=scene.q("elbow"))
+    scene.joint("j", Revolute("x"), scene.bodies["b"], tip, prescribed=scene.q("elbow"))
     with pytest.raises(ModelError, match=r"'j' \(revolute\).*'elbow'"):
         build(scene)
     scene = arm()
     ball = scene.body("ball", mass=1.0)
-    scene.joint("s", Spherical(), scene.bodies["b"], ball, motion=t)
+    scene.joint("s", Spherical(), scene.bodies["b"], ball, prescribed=t)
     with pytest.raises(ModelError, match=r"one coordinate.*give a value for each"):
         build(scene)
 
@@ -89,7 +89,7 @@ def test_coupled_joint():
 def test_what_follows_a_prescribed_joint_is_prescribed():
     scene = Scene("m")
     a, b, c = (scene.body(name, mass=1.0) for name in "abc")
-    scene.joint("one", Revolute("z"), scene.ground, a, motion=t**2)
+    scene.joint("one", Revolute("z"), scene.ground, a, prescribed=t**2)
     scene.joint("two", Revolute("z"), a, b, couple=("one", 2.0, 0.5))
     scene.joint("three", Revolute("z"), b, c, couple=("two", -1.0))
     motion = build(scene).joints[2].motion
@@ -149,7 +149,7 @@ def test_elastic_drive_has_a_coordinate_of_its_own():
 
 
 def test_an_input_with_the_name_of_a_rate():
-    scene = arm(motion=Scene("other").input("x"))
+    scene = arm(prescribed=Scene("other").input("x"))
     scene.input("x")
     scene.input("x.rate")
     with pytest.raises(ModelError, match=r"input 'x.rate': input 'x' prescribes a motion"):
@@ -157,8 +157,8 @@ def test_an_input_with_the_name_of_a_rate():
 
 
 def test_a_joint_follows_a_motion_or_a_joint():
-    with pytest.raises(ModelError, match="cannot both follow motion= and another joint"):
-        arm(motion=t, couple=("base", 2))
+    with pytest.raises(ModelError, match="cannot follow prescribed= and another joint"):
+        arm(prescribed=t, couple=("base", 2))
 
 
 def test_a_rotor_and_a_force_on_a_frame_in_one_scene():

@@ -1,4 +1,4 @@
-"""What users hold: records with verbs."""
+"""Classes that users hold: records with verbs."""
 
 from .faces import FACES
 

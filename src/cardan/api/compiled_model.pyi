@@ -22,7 +22,7 @@ from ..analyses.simulation.precision.stiffness import Stiffness
 from ..analyses.simulation.settings import Values
 from ..analyses.simulation.stepper import Stepper
 from ..analyses.statics.equilibrium import Equilibrium
-from ..arguments import Count, Hold, Seed
+from ..arguments import Count, LockedValues, Seed
 from ..arrays import Array
 from ..runtime.calls.evaluation import State
 from ..runtime.calls.objects import Key
@@ -94,7 +94,7 @@ class CompiledModel(LoadedModel):
             x0: Initial state (nx,); or by names:
             q, u: Initial coordinates and speeds, ``{"elbow": 0.3, "base": [1, 0, 0, 0, 0, 0, 1]}``
                 or arrays (nq,), (nu,). What is not named comes from q0 and u0 of its joint, else 0;
-                of a system with circuits it is assembled next to that, see ``model.assemble``.
+                of a system with loops it is assembled next to that, see ``model.assemble``.
             z: Initial internal states of elements, ``{"motor.current": 0.1}`` or an array (nz,).
             events: Name -> what to watch, besides the events of the model: ``f(t, x)`` or
                 ``("elbow", 0.5)``. The run ends where that passes zero, or the coordinate, speed or
@@ -115,14 +115,13 @@ class CompiledModel(LoadedModel):
                 Without it they are called at every stage of every step.
             checkpoint: A file that keeps what is computed, ``every`` so many seconds of computing. The
                 same call goes on from there, to the bit.
-            check: Raise instead of warn when the run does not reach its end, or misses more than its
-                tolerance is worth (``docs/integrators.md``, "What a run accounts for").
+            check: Raise instead of warn, see below and ``docs/integrators.md``.
             progress: True, False or a function of the fraction done; None: a bar in long runs.
 
         Returns:
-            The motion; ``motion.events`` says what happened. If the run breaks down, or at Ctrl-C: what
-            was computed, with ``status``, ``message`` and a :class:`~cardan.errors.SolveWarning`, as
-            where energy, momentum or closure miss a hundred times what the tolerance is worth.
+            The motion and its ``events``. After a breakdown or Ctrl-C: what was computed, with
+            ``status``, ``message`` and a :class:`~cardan.errors.SolveWarning`. Energy, momentum or
+            closure off by more than a hundred times what the tolerance is worth give one too.
 
         Raises:
             ModelError: an unknown name, an empty span, options that do not fit.
@@ -233,13 +232,13 @@ class CompiledModel(LoadedModel):
         Args:
             t: End, ``(start, end)`` or output times [s], which ``t_eval`` takes too.
             vary: A plan of :mod:`cardan.analyses.ensembles.sampling`, or name -> values (runs,) or
-                distribution;            names of coordinates, speeds, parameters or inputs.
+                distribution; names of coordinates, speeds, parameters or inputs.
             x0: States (runs, nx); or q, u, z: arrays (runs, nq), (runs, nu) or by names,
                 ``{"elbow": values}``. One number or state is that of all runs; a distribution such as
                 ``cd.sample.normal(0, 0.1)`` is drawn for every run.
             parameters, inputs: Name -> number, values (runs,) or a distribution; inputs of all runs
                 alike also ``(times, values)`` or ``f(t, x)``, which ``sample`` [s] holds.
-            events: As of ``simulate``. Runs with them, with circuits or with Python on the way are
+            events: As of ``simulate``. Runs with them, with loops or with Python on the way are
                 done one after the other in every thread, the others in lanes.
             runs: How many, where nothing else says so.
             seed: Of the distributions; every name is drawn on its own.
@@ -317,7 +316,7 @@ class CompiledModel(LoadedModel):
         u: Mapping[str, Any] | None = None,
         udot: Mapping[str, Any] | None = None,
         weights: Mapping[str, float] | None = None,
-        hold: Iterable[str] | None = None,
+        locked: Iterable[str] | None = None,
         branch: Mapping[str, Any] | None = None,
         start: Mapping[str, ArrayLike] | ArrayLike | None = None,
         starts: Count = 16,
@@ -325,7 +324,7 @@ class CompiledModel(LoadedModel):
         t: float = 0.0,
         r: State | None = None,
     ) -> Assembly:
-        """A position at which all circuits close, next to a start, with some of it given.
+        """A position at which all loops close, next to a start, with some of it given.
 
         Args:
             targets: Coordinate or joint -> value, frame -> its position (3,) or pose (4, 4) in the
@@ -334,7 +333,7 @@ class CompiledModel(LoadedModel):
                 energy, the other accelerations those under the forces of the scene.
             weights: Target -> weight; such targets are met as well as the rest allows: the weighted sum
                 of squares is least, lengths in sizes of the mechanism, angles in radians.
-            hold: Names of the targets that are held, instead of all without a weight.
+            locked: Names of the targets that are held, instead of all without a weight.
             branch: Coordinate -> ``"+"``, ``"-"`` or ``(low, high)``: which of several positions.
             start: Coordinates to start from, by name or (nq,); the position next to them is chosen.
             starts: Searches: the first from ``start``, the others from random coordinates.
@@ -342,7 +341,7 @@ class CompiledModel(LoadedModel):
             t, r: Time [s] and inputs, where something is prescribed.
 
         Raises:
-            ModelError: the circuits cannot be assembled, targets that cannot hold together, no position
+            ModelError: the loops cannot be assembled, targets that cannot hold together, no position
                 on the branch, unknown names.
             ArgumentError, SolveError: values of a wrong shape, or not finite.
 
@@ -357,7 +356,7 @@ class CompiledModel(LoadedModel):
         *,
         rate: float = 1.0,
         acceleration: float = 0.0,
-        hold: Hold | None = None,
+        locked: LockedValues | None = None,
         start: Mapping[str, ArrayLike] | ArrayLike | None = None,
         branch: Mapping[str, Any] | None = None,
         t: float = 0.0,
@@ -371,7 +370,7 @@ class CompiledModel(LoadedModel):
             values: Of the one driver (n,).
             rate, acceleration: Derivatives of the driver over time, for speeds and accelerations; of
                 several drivers those of the first, the others follow in proportion.
-            hold: Further coordinates or frames that keep a value, as ``assemble`` takes them.
+            locked: Further coordinates or frames that keep a value, as ``assemble`` takes them.
             start: Coordinates near those of the first position; branch: as ``assemble`` takes it.
             t, r: Time [s] and inputs, where something is prescribed.
             check: Raise where the mechanism cannot follow, instead of warning.
@@ -390,20 +389,20 @@ class CompiledModel(LoadedModel):
         over: tuple[float, float],
         *,
         driver: str | None = None,
-        hold: Hold | None = None,
+        locked: LockedValues | None = None,
         start: Mapping[str, ArrayLike] | ArrayLike | None = None,
         branch: Mapping[str, Any] | None = None,
         step: float = 0.05,
         t: float = 0.0,
         r: State | None = None,
     ) -> Singular:
-        """Where a driver is dead, and where branches meet, while a coordinate is in a range.
+        """Find positions at which a driver is dead or branches meet, over a range of a coordinate.
 
         Args:
             coordinate: Followed from the first to the second end of the range, or until it returns.
             over: Its range.
             driver: Coordinate that drives; the same if left out.
-            hold: Coordinates and frames that keep their values.
+            locked: Coordinates and frames that keep their values.
             start, branch: As ``assemble`` takes them.
             step: Along the path, in radians and sizes of the mechanism.
             t, r: Time [s] and inputs, where something is prescribed.
@@ -428,7 +427,7 @@ class CompiledModel(LoadedModel):
 
         Args:
             frame: Whose origin.
-            over: Coordinate -> range that is sampled; the others follow from the circuits, next to
+            over: Coordinate -> range that is sampled; the others follow from the loops, next to
                 those of the nearest sample before. By default everything is drawn inside its limits.
             samples: How many.
             start: Coordinates of the first one.
@@ -447,7 +446,7 @@ class CompiledModel(LoadedModel):
         t: float = 0.0,
         r: State | None = None,
     ) -> Redundancy:
-        """Which constraints of a closed system are redundant at a position.
+        """Find the redundant constraints of a closed system at a position.
 
         Args:
             q: An assembled position: coordinates (nq,) or by name; where the model starts if left out.
@@ -519,14 +518,14 @@ class CompiledModel(LoadedModel):
         """Independent coordinates and speeds, chosen at a position: the minimal form.
 
         Args:
-            q: Coordinates (nq,) that close all circuits.
+            q: Coordinates (nq,) that close all loops.
             t, r: Time [s] and inputs.
 
         Returns:
             A :class:`Partition`: ``reduce(x)`` gives y, ``full(t, y)`` gives x.
 
         Raises:
-            ArgumentError: a wrong shape. SolveError: circuits are open at this position.
+            ArgumentError: a wrong shape. SolveError: loops are open at this position.
         """
     def reduced_rhs(
         self,
@@ -573,21 +572,21 @@ class CompiledModel(LoadedModel):
         *,
         q: Mapping[str, ArrayLike] | ArrayLike | None = None,
         u: Mapping[str, ArrayLike] | None = None,
-        hold: Hold | None = None,
+        locked: LockedValues | None = None,
         inputs: Mapping[str, float] | None = None,
         parameters: Mapping[str, float] | None = None,
         t: float = 0.0,
         stable: bool = False,
         check: bool = False,
     ) -> Equilibrium:
-        """Where a model rests under its forces, next to a start.
+        """Equilibrium of a model under its forces, next to a start.
 
         Args:
             q: Coordinates to start from, by name or (nq,); the initial position if left out.
             u: Speeds by name of a steady motion: a rotor that spins, a regulator that turns. Those of
                 other joints are 0, or follow from the constraints, and stay as they are; beams go
                 along with what carries them. An empty one where prescribed motions turn all of it.
-            hold: Coordinate -> value it keeps; the result tells the forces that takes.
+            locked: Coordinate -> value it keeps; the result tells the forces that takes.
             inputs, parameters: Values by name, else those of the model.
             t: Time [s], where something is prescribed.
             stable: Look for a stable one: downhill from the start.
@@ -598,7 +597,7 @@ class CompiledModel(LoadedModel):
             False.
 
         Raises:
-            ModelError: unknown names, circuits that cannot be assembled.
+            ModelError: unknown names, loops that cannot be assembled.
             SolveError: with ``check``, no equilibrium was found.
         """
     def statics(
@@ -607,7 +606,7 @@ class CompiledModel(LoadedModel):
         *,
         steps: Count = 10,
         q: Mapping[str, ArrayLike] | ArrayLike | None = None,
-        hold: Hold | None = None,
+        locked: LockedValues | None = None,
         inputs: Mapping[str, float] | None = None,
         parameters: Mapping[str, float] | None = None,
         t: float = 0.0,
@@ -621,7 +620,7 @@ class CompiledModel(LoadedModel):
                 choice, or values (n,), each of which becomes a row. Several go together.
             steps: Rows of a range, more where the way is hard.
             q: Coordinates to start from, by name or (nq,).
-            hold: Coordinate -> value that it keeps, or what is swept: displacements are prescribed.
+            locked: Coordinate -> value that it keeps, or what is swept: displacements are prescribed.
             inputs, parameters: Values by name that stay, else those of the model.
             t: Time [s], where something is prescribed.
             check: Raise where the end is not reached, instead of warning.
@@ -636,7 +635,7 @@ class CompiledModel(LoadedModel):
         """
     def trim(
         self,
-        wanted: Mapping[str, float] | None = None,
+        targets: Mapping[str, float] | None = None,
         *,
         free: Iterable[str] = (),
         q: Mapping[str, ArrayLike] | ArrayLike | None = None,
@@ -646,10 +645,10 @@ class CompiledModel(LoadedModel):
         t: float = 0.0,
         check: bool = False,
     ) -> SteadyMotion:
-        """A steady motion, or a rest, with wanted values, and what it takes.
+        """A steady motion, or a rest, with target values, and what it takes.
 
         Args:
-            wanted: Coordinates, speeds and outputs by name -> the value they are to have.
+            targets: Coordinates, speeds and outputs by name -> the value they are to have.
             free: What may change for that: inputs, parameters, speeds (``"spin.u"``), and forces along
                 speeds (``"elbow.force"``). Coordinates are free anyway.
             q: Coordinates to start from, by name or (nq,).
@@ -662,7 +661,7 @@ class CompiledModel(LoadedModel):
             The motion; where none was found what the search reached, ``converged`` False.
 
         Raises:
-            ModelError: unknown names, circuits that cannot be assembled, beams.
+            ModelError: unknown names, loops that cannot be assembled, beams.
             SolveError: with ``check``, there is none, or free values are left over.
         """
     def linearize(
@@ -696,7 +695,7 @@ class CompiledModel(LoadedModel):
             Independent increments, speeds, then internal states; with names.
 
         Raises:
-            ModelError: unknown names, circuits that cannot be assembled.
+            ModelError: unknown names, loops that cannot be assembled.
             SolveError: accelerations are not determined there.
         """
     def modes(
@@ -732,8 +731,8 @@ class CompiledModel(LoadedModel):
         coordinates: Iterable[str] | None = None,
         q: Mapping[str, ArrayLike] | ArrayLike | None = None,
         u: Mapping[str, Any] | None = None,
-        hold: Hold | None = None,
-        wanted: Mapping[str, Any] | None = None,
+        locked: LockedValues | None = None,
+        targets: Mapping[str, Any] | None = None,
         free: Iterable[str] | None = None,
         inputs: Mapping[str, float] | None = None,
         parameters: Mapping[str, float] | None = None,
@@ -749,10 +748,10 @@ class CompiledModel(LoadedModel):
             count: Members of a range; 31 if left out.
             coordinates: Those whose motions count, if their equations are closed: lean and steer of a
                 bicycle. All if left out.
-            q, u, hold, inputs, parameters, t: As ``equilibrium`` takes them; arrays in ``u`` and
-                ``hold`` are swept too.
-            wanted, free: As ``trim`` takes them, which finds the members then (no ``hold``); arrays in
-                ``wanted`` are swept too.
+            q, u, locked, inputs, parameters, t: As ``equilibrium`` takes them; arrays in ``u`` and
+                ``locked`` are swept too.
+            targets, free: As ``trim`` takes them, which finds the members then (no ``locked``);
+                arrays in ``targets`` are swept too.
             check: Raise where the end is not reached, instead of warning.
 
         Returns:
@@ -767,11 +766,11 @@ class CompiledModel(LoadedModel):
         swept: Mapping[str, Any] | None = None,
         *,
         count: Count | None = None,
-        turning: bool | None = None,
+        corotating: bool | None = None,
         q: Mapping[str, ArrayLike] | ArrayLike | None = None,
         u: Mapping[str, Any] | None = None,
-        hold: Hold | None = None,
-        wanted: Mapping[str, Any] | None = None,
+        locked: LockedValues | None = None,
+        targets: Mapping[str, Any] | None = None,
         free: Iterable[str] | None = None,
         inputs: Mapping[str, float] | None = None,
         parameters: Mapping[str, float] | None = None,
@@ -787,7 +786,7 @@ class CompiledModel(LoadedModel):
             count: Members of a range; 31 if left out.
             turning: Whether coordinates turn along with the rotor; by default those of scenes with
                 beams do, others do not.
-            q, u, hold, wanted, free, inputs, parameters, t: As ``root_locus`` takes them.
+            q, u, locked, targets, free, inputs, parameters, t: As ``root_locus`` takes them.
             check: Raise where the end is not reached, instead of warning.
 
         Raises:
@@ -858,9 +857,9 @@ class CompiledModel(LoadedModel):
                 name, ``{"t": t, "elbow": values}``: an array (nt,), or a spline or table, which is
                 called with the times. ``u`` and ``udot`` are found by differentiation where they are
                 missing, and from the equations of motion where a run knows them. Of a mechanism with
-                circuits the motion must keep them closed, as runs and :meth:`sweep` do.
+                loops the motion must keep them closed, as runs and :meth:`sweep` do.
             actuators: Joints or speeds along which they act; by default every speed.
-            norm: Where circuits leave a choice: ``"minimum"`` or weights, as for ``actuation``.
+            norm: Where loops leave a choice: ``"minimum"`` or weights, as for ``actuation``.
             inputs: Values of inputs in place of those of the motion: ``{"motor": 0}`` asks what it
                 takes without the motor.
             cutoff, period, harmonics: How positions are smoothed; see
@@ -887,7 +886,7 @@ class CompiledModel(LoadedModel):
             rank: What must be left of a column, relative to it, to be independent.
 
         Raises:
-            SolveError: a system with circuits and no rows; a rank that is not certain.
+            SolveError: a system with loops and no rows; a rank that is not certain.
         """
     def excitation(
         self,
@@ -921,7 +920,7 @@ class CompiledModel(LoadedModel):
 
         Raises:
             ArgumentError: limits or words that do not exist.
-            SolveError: joints that are not moved one by one: circuits, a free base, ball joints.
+            SolveError: joints that are not moved one by one: loops, a free base, ball joints.
         """
     def identify(
         self,
@@ -949,7 +948,7 @@ class CompiledModel(LoadedModel):
             cutoff: [Hz] of a low-pass filter without delay on positions, forces and regressor.
             period, harmonics: Of a periodic motion [s]: positions become a Fourier series.
             actuators: Speeds or joints whose forces were measured; all by default. Those of others are
-                0 and tell nothing here. With circuits as many as freedoms.
+                0 and tell nothing here. With loops as many as freedoms.
             base: Of an earlier call, for the same combinations.
             stretch: Steps of a row of energy, an even number.
 

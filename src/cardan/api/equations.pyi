@@ -24,7 +24,7 @@ class Equations(Explained, Linearizable):
         self,
         seed: int = 1,
     ) -> Feasibility:
-        """Try to close all circuits at the default parameters.
+        """Try to close all loops at the default parameters.
 
         Args:
             seed: Of the starts beside the initial values.

@@ -93,9 +93,11 @@ def _method(function: Callable[..., Any]) -> Callable[..., Any]:
         return face(function(self, *arguments, **named))
 
     signature = inspect.signature(function)
-    first, *others = signature.parameters.values()
+    first, *parameters_after_self = signature.parameters.values()
     itself = first.replace(name="self", annotation=first.empty)
-    method.__dict__["__signature__"] = signature.replace(parameters=[itself, *others])
+    method.__dict__["__signature__"] = signature.replace(
+        parameters=[itself, *parameters_after_self]
+    )
     method.__doc__ = _without(first.name, inspect.getdoc(function) or "")
     return method
 

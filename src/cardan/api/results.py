@@ -22,7 +22,7 @@ from .faces import attribute, verb
 
 @final
 class Ensemble(EnsembleRecord):
-    """What came out of an ensemble."""
+    """Results of an ensemble."""
 
     run = verb("cardan.analyses.ensembles.result:run")
     to_xarray = verb("cardan.analyses.ensembles.ensemble_file:to_xarray")
@@ -88,7 +88,7 @@ class SteadyMotion(SteadyMotionRecord):
 
     @property
     def stable(self) -> bool:
-        """Whether no small motion about it grows exponentially."""
+        """True when no small motion about it grows exponentially."""
         return bool(self.linear.stable)
 
 

@@ -24,7 +24,7 @@ from .trajectory import Trajectory
 
 @final
 class Ensemble(EnsembleRecord):
-    """What came out of an ensemble.
+    """Results of an ensemble.
     """
     def run(
         self,
@@ -116,7 +116,7 @@ class Campbell(CampbellRecord):
             orders: Multiples of the speed that are drawn, with the critical speeds.
 
         Raises:
-            ModelError: a path that is no picture file.
+            ModelError: a path that is not a picture file.
             ModuleNotFoundError: Matplotlib is not installed (extra ``plot``).
         """
 
@@ -139,7 +139,7 @@ class LinearModel(LinearModelRecord):
             inputs, outputs: Of which; all if left out.
 
         Raises:
-            ModelError: unknown names, nothing to draw, or a path that is no picture file.
+            ModelError: unknown names, nothing to draw, or a path that is not a picture file.
             ModuleNotFoundError: Matplotlib is not installed (extra ``plot``).
         """
 
@@ -178,7 +178,7 @@ class Modes(ModesRecord):
         """Shapes of the first modes over the numbers of their entries as a Matplotlib figure.
 
         Raises:
-            ModelError: a path that is no picture file.
+            ModelError: a path that is not a picture file.
             ModuleNotFoundError: Matplotlib is not installed (extra ``plot``).
         """
 
@@ -199,7 +199,7 @@ class Locus(LocusRecord):
             The Matplotlib figure.
 
         Raises:
-            ModelError: a path that is no picture file.
+            ModelError: a path that is not a picture file.
             ModuleNotFoundError: Matplotlib is not installed (extra ``plot``).
         """
 
@@ -215,7 +215,7 @@ class SteadyMotion(SteadyMotionRecord):
         """
     @property
     def stable(self) -> bool:
-        """Whether no small motion about it grows exponentially."""
+        """True when no small motion about it grows exponentially."""
 
 @final
 class Sweep(SweepRecord):
@@ -229,7 +229,7 @@ class Sweep(SweepRecord):
         """Histories over the driver as a Matplotlib figure, written to ``path`` if given.
 
         Raises:
-            ModelError: unknown names, or a path that is no picture file.
+            ModelError: unknown names, or a path that is not a picture file.
             ModuleNotFoundError: Matplotlib is not installed (extra ``plot``).
         """
 
@@ -279,6 +279,6 @@ class StaticPath(StaticPathRecord):
         """Histories over the first swept value as a Matplotlib figure, written to ``path``.
 
         Raises:
-            ModelError: unknown names, or a path that is no picture file.
+            ModelError: unknown names, or a path that is not a picture file.
             ModuleNotFoundError: Matplotlib is not installed (extra ``plot``).
         """

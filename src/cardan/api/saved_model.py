@@ -25,7 +25,7 @@ def load(directory: str | Path) -> CompiledModel:
 
 
 def reduced(model: CompiledModel) -> tuple[object, ...]:
-    """What ``__reduce__`` of a model returns."""
+    """Return value of ``__reduce__`` of a model."""
     return _unpickled_model, (PICKLE.version, VERSION, *parts(model))
 
 

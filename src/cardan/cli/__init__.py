@@ -9,7 +9,7 @@ start here:
   cardan inspect arm.urdf -o arm.html        its equations, on a page to read
   cardan ensemble arm.urdf --vary 'elbow=uniform(-1, 1)' --runs 1000
                                              many runs that differ
-  cardan modes arm.urdf --hold elbow=0.3     how it vibrates; how it rests: equilibrium, statics
+  cardan modes arm.urdf --lock elbow=0.3     how it vibrates; how it rests: equilibrium, statics
   cardan identify arm.urdf --data run.csv    its masses and inertias, from measurements
   cardan report arm.urdf --time 10           which integrator for which error
   cardan check arm.urdf                      what is wrong with it, and the cure
@@ -93,7 +93,7 @@ class Completion(argparse.Action):
 
 
 def help_of(docstring: str | None) -> tuple[str, str]:
-    """What a command says of itself, the docstring of its file: description, then examples."""
+    """Description and examples of a command, from the docstring of its file."""
     title_and_text = (docstring or "").strip().split("\n\n", 1)
     description, *examples = EXAMPLES.split(title_and_text[-1], maxsplit=1)
     return description, "".join(examples)
@@ -109,11 +109,13 @@ def build_parser(*loaded: str) -> Parser:
     commands = top.add_subparsers(dest="command", metavar="COMMAND", parser_class=Parser)
     for name, (module, summary) in COMMANDS.items():
         if name in loaded:
-            found = import_module(module, __package__)
-            description, epilog = help_of(found.__doc__)
-            own = commands.add_parser(name, help=summary, description=description, epilog=epilog)
-            found.arguments(own)
-            own.set_defaults(run=found.run)
+            command = import_module(module, __package__)
+            description, epilog = help_of(command.__doc__)
+            subparser = commands.add_parser(
+                name, help=summary, description=description, epilog=epilog
+            )
+            command.arguments(subparser)
+            subparser.set_defaults(run=command.run)
         else:
             commands.add_parser(name, help=summary)
     return top
@@ -142,10 +144,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
     Returns:
         The exit status.
     """
-    words = list(sys.argv[1:] if arguments is None else arguments)
-    command = next((word for word in words if not word.startswith("-")), "")
+    arguments_typed = list(sys.argv[1:] if arguments is None else arguments)
+    command = next((word for word in arguments_typed if not word.startswith("-")), "")
     top = build_parser(command)
-    options = top.parse_args(words)
+    options = top.parse_args(arguments_typed)
     if options.command is None:
         top.print_help(sys.stderr)
         return 2

@@ -60,21 +60,21 @@ def run(options: argparse.Namespace) -> int:
         equations = derive(scene)
         # states of a closed system have to be found first, which may need anything
         closed = bool(equations.multipliers)
-        functions = STANDARD if closed else (*USUAL, "applied", "derivative")
+        functions = STANDARD if closed else (*USUAL, "applied_forces", "derivative")
         model = compile(equations, functions=functions)
         model.prepare("mass_matrix", *(set(options.functions) & set(USUAL)))
-        found = compare(model, options.functions, options.peers, show=show)
+        comparison = compare(model, options.functions, options.peers, show=show)
         show("comparing what Pinocchio reads from the file")
-        own = None if closed else own_reading(options)
+        file_difference = None if closed else compare_file(options)
         peak = processor.peak()
     if options.json:
-        print(json.dumps(summary(found, own, peak, model.operations), indent=1))
+        print(json.dumps(summary(comparison, file_difference, peak, model.operations), indent=1))
     else:
-        table(model.name, found, own, peak)
+        table(model.name, comparison, file_difference, peak)
     return 0
 
 
-def own_reading(options: argparse.Namespace) -> float | None:
+def compare_file(options: argparse.Namespace) -> float | None:
     """Difference from what Pinocchio makes of a URDF itself; None where it cannot."""
     if options.file.suffix != ".urdf" or "pinocchio" not in options.peers:
         return None
@@ -84,7 +84,10 @@ def own_reading(options: argparse.Namespace) -> float | None:
 
 
 def summary(
-    found: Comparison, own: float | None, peak: Peak, operations: dict[str, dict[str, int]]
+    comparison: Comparison,
+    file_difference: float | None,
+    peak: Peak,
+    operations: dict[str, dict[str, int]],
 ) -> dict[str, Any]:
     """The comparison in numbers; times in nanoseconds."""
     rows = [
@@ -96,20 +99,20 @@ def summary(
             "error": row.error,
             "difference_from_pinocchio": row.agreement,
         }
-        for row in found.rows
+        for row in comparison.rows
     ]
     counts = {name: sum(counts.values()) for name, counts in operations.items()}
     return {
         "rows": rows,
-        "absent": found.absent,
-        "condition": found.condition,
+        "absent": comparison.absent,
+        "condition": comparison.condition,
         "operations": {name: counts[name] for name in USUAL if name in counts},
-        "difference_from_file_read_by_pinocchio": own,
+        "difference_from_file_read_by_pinocchio": file_difference,
         "peak_gflops": asdict(peak),
     }
 
 
-def table(name: str, found: Comparison, own: float | None, peak: Peak) -> None:
+def table(name: str, comparison: Comparison, file_difference: float | None, peak: Peak) -> None:
     """The comparison on a screen."""
     from rich.table import Table
 
@@ -121,8 +124,8 @@ def table(name: str, found: Comparison, own: float | None, peak: Peak) -> None:
         rows.add_column(heading, no_wrap=True)
     for heading in ("least", "median", "ratio", "error", "differs"):
         rows.add_column(heading, justify="right", no_wrap=True)
-    for row in found.rows:
-        ours = found.row(row.function, OURS)
+    for row in comparison.rows:
+        ours = comparison.row(row.function, OURS)
         ratio = row.time.least / ours.time.least if ours else 0.0
         rows.add_row(
             row.function if row.program == OURS else "",
@@ -134,14 +137,19 @@ def table(name: str, found: Comparison, own: float | None, peak: Peak) -> None:
         )
     out = console()
     out.print(rows)
-    for title in dict.fromkeys(row.title for row in found.rows if not row.title.startswith(OURS)):
+    for title in dict.fromkeys(
+        row.title for row in comparison.rows if not row.title.startswith(OURS)
+    ):
         out.print(title)
     out.print(
-        f"error: largest |error| / |value| against 40 digits; M has condition {found.condition:.1e}"
+        "error: largest |error| / |value| against 40 digits; M has condition "
+        f"{comparison.condition:.1e}"
     )
     out.print("differs: the same, from Pinocchio; ratio: of the least time to ours")
-    if own is not None:
-        out.print(f"Pinocchio reads the file itself, on a fixed base: difference {own:.1e}")
+    if file_difference is not None:
+        out.print(
+            f"Pinocchio reads the file itself, on a fixed base: difference {file_difference:.1e}"
+        )
     out.print(f"multiply-adds of one core: {peak.vector:.0f} GFLOP/s in {peak.lanes} lanes")
-    for peer, why in found.absent.items():
+    for peer, why in comparison.absent.items():
         out.print(f"{peer} does not take part: {why}", soft_wrap=True)

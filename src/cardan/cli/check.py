@@ -27,13 +27,7 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from ..errors import (
-    CardanError,
-    DerivationError,
-    ImpossibleWarning,
-    ModelWarning,
-    SolveWarning,
-)
+from ..errors import CardanError, DerivationError, ImpossibleWarning, ModelWarning, SolveWarning
 from .options import scene as scene_options
 
 if TYPE_CHECKING:
@@ -59,24 +53,24 @@ def arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Print the complaints. Returns the exit status."""
-    found = complaints(options)
+    problems = complaints(options)
     if options.json:
-        rows = [{"file": str(options.file), **asdict(complaint)} for complaint in found]
+        rows = [{"file": str(options.file), **asdict(complaint)} for complaint in problems]
         print(json.dumps(rows, indent=1))
     else:
-        for complaint in found:
+        for complaint in problems:
             # what was found in the text says file and line itself
             named = Path(options.file).name in complaint.says
             where = "" if named else f"{options.file}: "
             print(f"{where}{complaint.level}: {complaint.says}")
-        counts = [(sum(c.level == level for c in found), level) for level in LEVELS]
-        words = ", ".join(f"{n} {level}{'s' * (n != 1)}" for n, level in counts)
-        print(f"{options.file}: {words}", file=sys.stderr)
-    return 1 if any(complaint.level == "error" for complaint in found) else 0
+        counts = [(sum(c.level == level for c in problems), level) for level in LEVELS]
+        totals = ", ".join(f"{n} {level}{'s' * (n != 1)}" for n, level in counts)
+        print(f"{options.file}: {totals}", file=sys.stderr)
+    return 1 if any(complaint.level == "error" for complaint in problems) else 0
 
 
 def complaints(options: argparse.Namespace) -> list[Complaint]:
-    """What there is to say about a scene, the worst first."""
+    """Complaints about a scene, the worst first."""
     from ..api.equations import FiniteElementEquations
     from ..pipeline import derive
 
@@ -87,23 +81,23 @@ def complaints(options: argparse.Namespace) -> list[Complaint]:
         except (CardanError, OSError) as problem:
             return [Complaint("error", str(problem)), *_doubts(said, ())]
     notes = equations.system.notes
-    found = [*_doubts(said, notes), *(Complaint("warning", note) for note in notes)]
+    problems = [*_doubts(said, notes), *(Complaint("warning", note) for note in notes)]
     snaps = [Complaint("note", str(snap)) for snap in equations.system.snaps]
     if isinstance(equations, FiniteElementEquations):
-        return found + _started(equations) + snaps
+        return problems + _started(equations) + snaps
     try:
         # constraints that cannot be derived are no matter of massless bodies: nothing runs
         if equations.constraint_rows:
             equations.function("constraint_jacobian")
     except DerivationError as problem:
-        return [Complaint("error", str(problem)), *found]
+        return [Complaint("error", str(problem)), *problems]
     try:
         equations.function("forward_dynamics")
     except DerivationError as problem:
-        found.append(Complaint("warning", f"no forward dynamics: {problem}"))
+        problems.append(Complaint("warning", f"no forward dynamics: {problem}"))
     else:
-        found += _open_circuits(equations) or _tried(equations)
-    return found + snaps
+        problems += _open_circuits(equations) or _tried(equations)
+    return problems + snaps
 
 
 def _doubts(said: Iterable[warnings.WarningMessage], notes: Iterable[str]) -> list[Complaint]:
@@ -111,12 +105,12 @@ def _doubts(said: Iterable[warnings.WarningMessage], notes: Iterable[str]) -> li
     texts = {str(w.message): w.category for w in said if issubclass(w.category, ModelWarning)}
     new = {text: kind for text, kind in texts.items() if not any(note in text for note in notes)}
     wrong = [text for text, kind in new.items() if issubclass(kind, ImpossibleWarning)]
-    rest = [Complaint("warning", text) for text in new if text not in wrong]
-    return [*(Complaint("error", text) for text in wrong), *rest]
+    warnings_left = [Complaint("warning", text) for text in new if text not in wrong]
+    return [*(Complaint("error", text) for text in wrong), *warnings_left]
 
 
 def _started(equations: FiniteElementEquations) -> list[Complaint]:
-    """Whether a scene in absolute coordinates moves from where it is built."""
+    """Try to start a scene in finite-element coordinates from its reference configuration."""
     from ..pipeline import compile
     from ..runtime.models.initial import start_of
 
@@ -128,20 +122,20 @@ def _started(equations: FiniteElementEquations) -> list[Complaint]:
             model.forward_dynamics(x[: model.nq], x[model.nq : model.nq + model.nu])
         except CardanError as problem:
             return [Complaint("warning", f"no forward dynamics: {problem}")]
-    found = dict.fromkeys(str(w.message) for w in said if w.category is SolveWarning)
-    return [Complaint("warning", words) for words in found]
+    messages = dict.fromkeys(str(w.message) for w in said if w.category is SolveWarning)
+    return [Complaint("warning", message) for message in messages]
 
 
 def _open_circuits(equations: Equations) -> list[Complaint]:
-    """Circuits that do not close, found before code is written."""
+    """Loops that do not close, found before code is written."""
     if not equations.system.closed:
         return []
-    found = equations.feasibility()
-    return [] if found.closes else [Complaint("error", str(found))]
+    feasibility = equations.feasibility()
+    return [] if feasibility.closes else [Complaint("error", str(feasibility))]
 
 
 def _tried(equations: Equations) -> list[Complaint]:
-    """What only numbers show: compiled functions are checked at states drawn by chance."""
+    """Check the compiled functions at random states for faults that only numbers show."""
     from ..pipeline import compile
 
     with warnings.catch_warnings(record=True) as said:
@@ -152,5 +146,5 @@ def _tried(equations: Equations) -> list[Complaint]:
             model.verify()
         except CardanError as problem:
             return [Complaint("error", str(problem))]
-    found = dict.fromkeys(str(w.message) for w in said if w.category is SolveWarning)
-    return [Complaint("warning", words) for words in found]
+    messages = dict.fromkeys(str(w.message) for w in said if w.category is SolveWarning)
+    return [Complaint("warning", message) for message in messages]

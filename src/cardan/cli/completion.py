@@ -41,7 +41,7 @@ def script(shell: str, top: argparse.ArgumentParser, commands: Mapping[str, str]
     if shell == "fish":
         return _fish(options, commands, _options(top))
     cases = "\n".join(
-        f'        {name}) options="{" ".join(found)}" ;;' for name, found in options.items()
+        f'        {name}) options="{" ".join(flags)}" ;;' for name, flags in options.items()
     )
     text = BASH.format(cases=cases, commands=" ".join(commands), top=" ".join(_options(top)))
     return ZSH + text if shell == "zsh" else text
@@ -49,8 +49,8 @@ def script(shell: str, top: argparse.ArgumentParser, commands: Mapping[str, str]
 
 def _options(parser: argparse.ArgumentParser) -> dict[str, str]:
     """Option -> its help, the long spelling of each."""
-    found = [(a.option_strings[-1], a.help or "") for a in parser._actions if a.option_strings]
-    return {name: "" if words == argparse.SUPPRESS else words for name, words in found}
+    flags = [(a.option_strings[-1], a.help or "") for a in parser._actions if a.option_strings]
+    return {name: "" if help_text == argparse.SUPPRESS else help_text for name, help_text in flags}
 
 
 def _fish(
@@ -58,20 +58,22 @@ def _fish(
 ) -> str:
     """One line per command and option."""
     lines = ["# completion of cardan; in config.fish:  cardan --completion fish | source"]
-    for name, words in commands.items():
-        lines.append(f"complete -c cardan -n __fish_use_subcommand -a {name} -d {_quoted(words)}")
-    for option, words in top.items():
-        lines.append(_option("__fish_use_subcommand", option, words))
-    for name, own in options.items():
+    for name, help_text in commands.items():
+        lines.append(
+            f"complete -c cardan -n __fish_use_subcommand -a {name} -d {_quoted(help_text)}"
+        )
+    for option, help_text in top.items():
+        lines.append(_option("__fish_use_subcommand", option, help_text))
+    for name, flags in options.items():
         where = f"'__fish_seen_subcommand_from {name}'"
-        lines += [_option(where, option, words) for option, words in own.items()]
+        lines += [_option(where, option, words) for option, words in flags.items()]
     return "\n".join(lines)
 
 
-def _option(where: str, option: str, words: str) -> str:
-    return f"complete -c cardan -n {where} -l {option.lstrip('-')} -d {_quoted(words)}"
+def _option(where: str, option: str, help_text: str) -> str:
+    return f"complete -c cardan -n {where} -l {option.lstrip('-')} -d {_quoted(help_text)}"
 
 
-def _quoted(words: str) -> str:
-    text = words.replace("%%", "%").replace("\\", "\\\\").replace("'", "\\'")
+def _quoted(help_text: str) -> str:
+    text = help_text.replace("%%", "%").replace("\\", "\\\\").replace("'", "\\'")
     return f"'{text}'"

@@ -72,7 +72,7 @@ def _show(findings: list[Finding]) -> None:
 
 
 def _prune(options: argparse.Namespace) -> int:
-    place: Path = cache_folder.wanted()
+    place: Path = cache_folder.configured()
     reason = cache_folder.refusal(place) if place.exists() else ""
     if reason:
         print(f"cardan doctor: {place} is left alone: {reason}", file=sys.stderr)

@@ -74,7 +74,7 @@ def run(options: argparse.Namespace) -> int:
         show("deriving and compiling")
         model = compile(scene)
         show("running", 0.0)
-        made = model.ensemble(
+        ensemble = model.ensemble(
             **settings(scene, options),
             vary=plan,
             reduce=options.reduce,
@@ -85,55 +85,59 @@ def run(options: argparse.Namespace) -> int:
     written = []
     if options.output is not None:
         options.output.parent.mkdir(parents=True, exist_ok=True)
-        written = [str(made.save(options.output))]
+        written = [str(ensemble.save(options.output))]
     if options.json:
-        print(json.dumps(summary(made) | {"files": written}, indent=1))
+        print(json.dumps(summary(ensemble) | {"files": written}, indent=1))
     else:
         out = console()
-        for line in (repr(made), *told(made), *(f"wrote {path}" for path in written)):
+        for line in (
+            repr(ensemble),
+            *result_lines(ensemble),
+            *(f"wrote {path}" for path in written),
+        ):
             out.print(line, soft_wrap=True)
-    return INTERRUPTED if made.interrupted else 0 if made.success else 1
+    return INTERRUPTED if ensemble.interrupted else 0 if ensemble.success else 1
 
 
 def settings(scene: Any, options: argparse.Namespace) -> dict[str, Any]:
     """Arguments of the runs; what is varied comes before what the file says."""
-    found = run_options.settings(scene, options)
+    run_settings = run_options.settings(scene, options)
     varied = {name for name, _ in options.vary}
     for block, ending in (("q", ""), ("u", ".u"), ("z", "")):
         typed = dict(getattr(options, block))
-        found[block] = {
+        run_settings[block] = {
             name: value
-            for name, value in found[block].items()
+            for name, value in run_settings[block].items()
             if name in typed or f"{name}{ending}" not in varied
         }
     if options.points:
-        found["t"] = np.linspace(0.0, found["t"], options.points)
-    return found
+        run_settings["t"] = np.linspace(0.0, run_settings["t"], options.points)
+    return run_settings
 
 
-def summary(made: Ensemble) -> dict[str, Any]:
+def summary(ensemble: Ensemble) -> dict[str, Any]:
     """The runs in numbers."""
-    words, counts = np.unique(made.status, return_counts=True)
+    statuses, counts = np.unique(ensemble.status, return_counts=True)
     return {
-        "success": made.success,
-        "interrupted": made.interrupted,
-        "runs": len(made),
-        "statuses": dict(zip(words.tolist(), counts.tolist(), strict=True)),
-        "messages": {str(k): text for k, text in list(made.messages.items())[:10]},
-        "seconds": made.seconds,
-        "restored": made.restored,
-        "varied": {name: _range(values) for name, values in made.varied.items()},
-        "steps": _range(made.statistics["steps"]),
-        "results": {name: _numbers(made, value) for name, value in made.results.items()},
+        "success": ensemble.success,
+        "interrupted": ensemble.interrupted,
+        "runs": len(ensemble),
+        "statuses": dict(zip(statuses.tolist(), counts.tolist(), strict=True)),
+        "messages": {str(k): text for k, text in list(ensemble.messages.items())[:10]},
+        "seconds": ensemble.seconds,
+        "restored": ensemble.restored,
+        "varied": {name: _range(values) for name, values in ensemble.varied.items()},
+        "steps": _range(ensemble.statistics["steps"]),
+        "results": {name: _numbers(ensemble, value) for name, value in ensemble.results.items()},
     }
 
 
-def _numbers(made: Ensemble, value: Any) -> Any:
+def _numbers(ensemble: Ensemble, value: Any) -> Any:
     """A range of what every run has; all of the rest."""
     counts = getattr(value, "counts", None)
     if counts is not None:
         return {"counts": counts.tolist(), "edges": value.edges.tolist()}
-    return _range(value) if len(value) == len(made) else np.asarray(value).tolist()
+    return _range(value) if len(value) == len(ensemble) else np.asarray(value).tolist()
 
 
 def _range(values: Any) -> dict[str, float | None]:
@@ -143,15 +147,15 @@ def _range(values: Any) -> dict[str, float | None]:
     return {"min": float(there.min()), "mean": float(there.mean()), "max": float(there.max())}
 
 
-def told(made: Ensemble) -> list[str]:
+def result_lines(ensemble: Ensemble) -> list[str]:
     """Reductions on a screen."""
     lines = []
-    for name, value in made.results.items():
+    for name, value in ensemble.results.items():
         counts = getattr(value, "counts", None)
         if counts is not None:
             lines.append(f"{name}: {' '.join(map(str, counts.tolist()))}")
         else:
-            what = "over the runs" if len(value) == len(made) else "over the output times"
+            what = "over the runs" if len(value) == len(ensemble) else "over the output times"
             span = _range(value)
             if span["mean"] is not None:
                 lines.append(f"{name}: {span['min']:.6g} ... {span['max']:.6g} {what}")

@@ -2,7 +2,7 @@
 
 Where a mechanism rests under gravity and its other forces, next to a start, and whether stably.
 
-Circuits stay closed, joints keep their prescribed positions; what is held (--hold) is held by a
+Loops stay closed, joints keep their prescribed positions; locked joints (--lock) are held by a
 force that is told. Unstable positions are found too: --stable goes downhill instead.
 
 examples:
@@ -10,7 +10,7 @@ examples:
         next to the initial position
   cardan equilibrium crane.yaml --stable
         where it comes to rest if it is let go
-  cardan equilibrium arm.urdf --hold elbow=0.5 --hold shoulder=1
+  cardan equilibrium arm.urdf --lock elbow=0.5 --lock shoulder=1
         the torques that hold these joints there; the others hang
   cardan equilibrium crane.yaml --set load.mass=500 --json
         with another parameter, for another program
@@ -40,13 +40,13 @@ def run(options: argparse.Namespace) -> int:
     scene, model = equilibrium_options.model(options)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
-        found = model.equilibrium(
+        equilibrium = model.equilibrium(
             **equilibrium_options.loads(scene, model, options), stable=options.stable
         )
     if options.json:
-        print(json.dumps(equilibrium_options.numbers(found), indent=1))
-        return 0 if found.converged else 1
-    if not found.converged:
-        raise SolveError(found.message)
-    print(found)
+        print(json.dumps(equilibrium_options.numbers(equilibrium), indent=1))
+        return 0 if equilibrium.converged else 1
+    if not equilibrium.converged:
+        raise SolveError(equilibrium.message)
+    print(equilibrium)
     return 0

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from ..api.equations import Equations
 
 # what formulas have no use for
-NUMBERS = ("hold", "set", "want", "free", "vary", "coordinate", "campbell", "sensitivity", "plot")
+NUMBERS = ("lock", "set", "target", "free", "vary", "coordinate", "campbell", "sensitivity", "plot")
 # names in an expression, but for functions
 NAME = re.compile(r"(?<![\w.])[A-Za-z_]\w*(?:\.[A-Za-z_]\w*)*(?!\w|\.\w|\s*\()")
 
@@ -35,14 +35,14 @@ def arguments(parser: argparse.ArgumentParser) -> None:
 
 def expression(text: str) -> tuple[str, str]:
     """The type of ``wheel.u=v/r``."""
-    name, found, value = text.partition("=")
-    if not (found and name.strip() and value.strip()):
+    name, separator, value = text.partition("=")
+    if not (separator and name.strip() and value.strip()):
         raise argparse.ArgumentTypeError(f"'{text}' does not read NAME=EXPRESSION")
     return name.strip(), value.strip()
 
 
-def wanted(options: argparse.Namespace) -> bool:
-    """Whether formulas are asked for.
+def is_symbolic(options: argparse.Namespace) -> bool:
+    """True when formulas are asked for.
 
     Raises:
         ModelError: options of formulas without ``--symbolic``, or with it those of numbers.
@@ -72,13 +72,17 @@ def show(options: argparse.Namespace) -> int:
                 "--symbolic: there are no formulas of a scene with beams; leave it out"
             )
         q, u = _reference(equations, options)
-        found = equations.linearize(
+        linear = equations.linearize(
             {**scene.settings.get("q", {}), **q}, u, inputs=options.input, outputs=options.output,
             independent=options.independent or None,
         )  # fmt: skip
-        told = found.second_order(options.independent) if options.independent else found
+        representation = linear.second_order(options.independent) if options.independent else linear
         show("simplifying")
-        text = json.dumps(_formulas(found, told), indent=1) if options.json else str(told)
+        text = (
+            json.dumps(_formulas(linear, representation), indent=1)
+            if options.json
+            else str(representation)
+        )
     print(text)
     return 0
 
@@ -100,18 +104,22 @@ def _reference(
     return q, u
 
 
-def _formulas(found: Any, told: Any) -> dict[str, Any]:
+def _formulas(linear: Any, representation: Any) -> dict[str, Any]:
     """Names and matrices as text; null where they are too long to write out."""
-    names = ["A", "B", "C", "D"] if told is found else list(told.matrices.matrices)
-    words = ("states", "inputs", "outputs") if told is found else ("coordinates", "inputs")
-    return {word: list(getattr(told, word)) for word in words} | {
-        name: _matrix(told, name) for name in names
+    names = (
+        ["A", "B", "C", "D"] if representation is linear else list(representation.matrices.matrices)
+    )
+    labels = (
+        ("states", "inputs", "outputs") if representation is linear else ("coordinates", "inputs")
+    )
+    return {word: list(getattr(representation, word)) for word in labels} | {
+        name: _matrix(representation, name) for name in names
     }
 
 
-def _matrix(told: Any, name: str) -> list[list[str]] | None:
+def _matrix(representation: Any, name: str) -> list[list[str]] | None:
     try:
-        matrix = getattr(told, name)
+        matrix = getattr(representation, name)
     except DerivationError:
         return None
     return [[str(x) for x in matrix.row(i)] for i in range(matrix.rows)]

@@ -1,4 +1,4 @@
-"""What ``cardan doctor`` looks at."""
+"""Checks that ``cardan doctor`` runs."""
 
 from __future__ import annotations
 
@@ -94,16 +94,16 @@ def _compiler() -> Finding:
     """The compiler in use, tried on a few lines."""
     try:
         chosen = cache.compiler().for_models()
-        found = [candidate.name for candidate in toolchain.candidates()]
+        compilers = [candidate.name for candidate in toolchain.candidates()]
         with tempfile.TemporaryDirectory() as place:
-            source, made = Path(place) / "probe.c", Path(place) / "probe.so"
+            source, library = Path(place) / "probe.c", Path(place) / "probe.so"
             source.write_text(PROBE)
             start = time.perf_counter()
             toolchain.compile_shared(
-                chosen, [source], [], made, scratch=cache_folder.directory() / "zig"
+                chosen, [source], [], library, scratch=cache_folder.directory() / "zig"
             )
             spent = time.perf_counter() - start
-            probe = Object(made, True).load().cardan_probe
+            probe = Object(library, True).load().cardan_probe
             probe.argtypes, probe.restype = [ctypes.c_double], ctypes.c_double
             if probe(21.0) != 42.0:
                 raise BuildError(f"{chosen.command[0]} compiles wrong code: 2 x 21 is not 42")
@@ -114,14 +114,16 @@ def _compiler() -> Finding:
         cure = "make room, or set TMPDIR to another folder"
         return Finding("compiler", False, f"it could not be tried: {error}", cure)
     first = chosen.identity.splitlines()[0] if chosen.identity else "says nothing of itself"
-    others = f" (found: {', '.join(found)})" if len(found) > 1 else ""
+    alternatives = f" (found: {', '.join(compilers)})" if len(compilers) > 1 else ""
     flags = " ".join(chosen.flags())
-    text = f"{shlex.join(chosen.command)}: {first}{others}; works, {spent:.2f} s; flags {flags}"
+    text = (
+        f"{shlex.join(chosen.command)}: {first}{alternatives}; works, {spent:.2f} s; flags {flags}"
+    )
     return Finding("compiler", True, text)
 
 
 def _batches() -> Finding:
-    """What many states at once get."""
+    """Lanes and threads that batches of states use."""
     try:
         cache.compiler()
         text = f"{lanes.width()} states side by side (CARDAN_LANES), "
@@ -143,14 +145,14 @@ def _limits() -> Finding:
 
 
 def _cache() -> Finding:
-    place = cache_folder.wanted()
+    place = cache_folder.configured()
     reason = cache_folder.refusal(place)
     if reason:
         return Finding("cache", False, f"{place} cannot be used", reason)
-    held, free = prune.content(place), shutil.disk_usage(place).free
+    usage, free = prune.content(place), shutil.disk_usage(place).free
     text = (
-        f"{place}: yours alone, {held.objects} objects and {held.models} models, "
-        f"{held.size / 1e6:.1f} MB, {free / 1e9:.1f} GB free"
+        f"{place}: yours alone, {usage.objects} objects and {usage.models} models, "
+        f"{usage.size / 1e6:.1f} MB, {free / 1e9:.1f} GB free"
     )
     try:
         with tempfile.TemporaryFile(dir=place) as file:
@@ -160,7 +162,7 @@ def _cache() -> Finding:
         return Finding("cache", False, f"{text}; cannot be written to ({error.strerror})", cure)
     if free < LITTLE:
         return Finding("cache", False, text, "little room is left: cardan doctor --prune")
-    left = held.leftovers and f"{held.leftovers} leftovers: cardan doctor --prune"
+    left = usage.leftovers and f"{usage.leftovers} leftovers: cardan doctor --prune"
     return Finding("cache", True, text, left or "")
 
 
@@ -184,6 +186,6 @@ def _kernels() -> Finding:
         text = "compiled into the cache at first use"
         cure = f"for a quicker first run: {PIP} --force-reinstall --no-binary cardan cardan"
         return Finding("kernels", True, text, cure)
-    levels = ", ".join(f"{name} ({len(made)})" for name, made in index.objects.items())
+    levels = ", ".join(f"{name} ({len(objects)})" for name, objects in index.objects.items())
     first = index.compiler.partition("\n")[0]
     return Finding("kernels", True, f"compiled at installation for {levels} by {first}")

@@ -86,18 +86,18 @@ def run(options: argparse.Namespace) -> int:
     with progress() as show:
         show("deriving and compiling")
         model = compile(scene)
-        found: Base | Excitation | Identification
+        record: Base | Excitation | Identification
         if options.excite is not None:
-            found = _excited(model, options, show)
+            record = _excited(model, options, show)
         elif options.data is not None:
             show("estimating")
-            found = _estimated(model, options)
+            record = _estimated(model, options)
         else:
-            found = model.base_parameters()
+            record = model.base_parameters()
     if options.json:
-        print(json.dumps(numbers(found), indent=1))
+        print(json.dumps(numbers(record), indent=1))
     else:
-        print(found)
+        print(record)
         for path in (options.excite, options.plot if options.data is not None else None):
             if path is not None:
                 print(f"wrote {path}")
@@ -106,7 +106,7 @@ def run(options: argparse.Namespace) -> int:
 
 def _excited(model: CompiledModel, options: argparse.Namespace, show: Any) -> Excitation:
     """A motion, written as a table."""
-    found = model.excitation(
+    excitation = model.excitation(
         options.period or 10.0,
         harmonics=options.harmonics,
         speed=options.speed,
@@ -114,13 +114,13 @@ def _excited(model: CompiledModel, options: argparse.Namespace, show: Any) -> Ex
         seed=options.seed,
         progress=lambda part: show("looking for a motion", part),
     )
-    found.save(options.excite, options.rate)
-    return found
+    excitation.save(options.excite, options.rate)
+    return excitation
 
 
 def _estimated(model: CompiledModel, options: argparse.Namespace) -> Identification:
     """Estimates from a file."""
-    found = model.identify(
+    estimate = model.identify(
         options.data,
         form=options.form,
         noise=dict(options.noise) or None,
@@ -130,46 +130,46 @@ def _estimated(model: CompiledModel, options: argparse.Namespace) -> Identificat
         actuators=options.actuator,
     )
     if options.plot is not None:
-        found.plot(options.plot)
-    return found
+        estimate.plot(options.plot)
+    return estimate
 
 
-def numbers(found: Base | Excitation | Identification) -> dict[str, Any]:
-    """What was found, for JSON."""
+def numbers(record: Base | Excitation | Identification) -> dict[str, Any]:
+    """The result as data for JSON."""
     from ..analyses.identification.base_parameters import Base
     from ..api.results import Excitation
 
-    if isinstance(found, Base):
+    if isinstance(record, Base):
         return {
-            "base_parameters": found.expressions,
-            "without_effect": list(found.without_effect),
+            "base_parameters": record.expressions,
+            "without_effect": list(record.without_effect),
         }
-    if isinstance(found, Excitation):
-        series = {name: getattr(found.series, name).tolist() for name in "cab"}
+    if isinstance(record, Excitation):
+        series = {name: getattr(record.series, name).tolist() for name in "cab"}
         return {
-            "period": found.period,
-            "coordinates": list(found.model.coordinates),
-            "condition_before": found.before,
-            "condition": found.condition,
+            "period": record.period,
+            "coordinates": list(record.model.coordinates),
+            "condition_before": record.before,
+            "condition": record.condition,
             **series,
         }
-    columns = (found.estimates, found.deviations, found.expected)
-    rows = zip(found.names, *(x.tolist() for x in columns), strict=True)
+    columns = (record.estimates, record.deviations, record.expected)
+    rows = zip(record.names, *(x.tolist() for x in columns), strict=True)
     return {
         "base_parameters": {
             name: {
                 "estimate": value,
                 "deviation": deviation,
-                "nominal": own,
-                "is": found.base.expressions[name],
+                "nominal": components,
+                "is": record.base.expressions[name],
             }
-            for name, value, deviation, own in rows
+            for name, value, deviation, components in rows
         },
-        "covariance": found.covariance.tolist(),
-        "condition": finite(found.condition),
-        "chi": found.chi,
-        "noise": dict(zip(found.channels, found.noise.tolist(), strict=True)),
-        "explained": dict(zip(found.channels, found.explained.tolist(), strict=True)),
-        "parameters": found.parameters,
-        "implausible": list(found.implausible),
+        "covariance": record.covariance.tolist(),
+        "condition": finite(record.condition),
+        "chi": record.chi,
+        "noise": dict(zip(record.channels, record.noise.tolist(), strict=True)),
+        "explained": dict(zip(record.channels, record.explained.tolist(), strict=True)),
+        "parameters": record.parameters,
+        "implausible": list(record.implausible),
     }

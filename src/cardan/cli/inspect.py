@@ -66,14 +66,14 @@ def run(options: argparse.Namespace) -> int:
         equations = derive(scene, method=options.method)
         if options.json:
             meshed = isinstance(equations, FiniteElementEquations)
-            told = _meshed(equations) if meshed else facts(equations)
-            print(json.dumps(told, indent=1))
+            summary = _meshed(equations) if meshed else facts(equations)
+            print(json.dumps(summary, indent=1))
         if options.output is not None:
             explain(equations, options.output, show)
-        found = None if options.json or options.output else document(equations, show)
+        page = None if options.json or options.output else document(equations, show)
     out = console()
-    if found is not None:
-        display(scene, str(equations), found, out)
+    if page is not None:
+        display(scene, str(equations), page, out)
     elif not options.json:
         out.print(f"wrote {options.output}", soft_wrap=True)
     return 0
@@ -82,21 +82,17 @@ def run(options: argparse.Namespace) -> int:
 def _meshed(equations: Any) -> dict[str, object]:
     """A scene in absolute coordinates: the elements that stand for its equations."""
     counts = {k.name: sum(len(g) for g in equations.groups if g.kind is k) for k in equations.kinds}
-    return {
-        "name": equations.system.name,
-        "coordinates": equations.coordinates,
-        "elements": counts,
-    }
+    return {"name": equations.system.name, "coordinates": equations.coordinates, "elements": counts}
 
 
-def display(scene: Scene, overview: str, found: Document, out: Console) -> None:
+def display(scene: Scene, overview: str, page: Document, out: Console) -> None:
     """A document on a screen."""
     from ..explain.content import Figure
 
     out.print(str(scene.graph), soft_wrap=True)
     out.print()
     out.print(overview, soft_wrap=True)
-    for section in found.sections:
+    for section in page.sections:
         if all(isinstance(block, Figure) for block in section.blocks):
             continue  # the graph stands above
         out.print()
@@ -135,14 +131,14 @@ def _table(table: Table, out: Console) -> None:
     from rich.table import Table as Drawn
 
     # titles and cells are users' names: no markup in them; symbols are for formulas that are set
-    shown = [k for k, name in enumerate(table.head) if name != "symbol"]
-    made = Drawn(box=None, pad_edge=False, title=None)
-    for k in shown:
-        made.add_column(table.head[k])
+    columns = [k for k, name in enumerate(table.head) if name != "symbol"]
+    drawn = Drawn(box=None, pad_edge=False, title=None)
+    for k in columns:
+        drawn.add_column(table.head[k])
     for row in table.rows[:ROWS]:
-        cells: Sequence[object] = [row[k] for k in shown]
-        made.add_row(*(f"{c:.6g}" if isinstance(c, (int, float)) else str(c) for c in cells))
-    out.print(made)
+        cells: Sequence[object] = [row[k] for k in columns]
+        drawn.add_row(*(f"{c:.6g}" if isinstance(c, (int, float)) else str(c) for c in cells))
+    out.print(drawn)
     if len(table.rows) > ROWS:
         more = len(table.rows) - ROWS
         out.print(f"... {more} more: -o PAGE.html or --json lists all", soft_wrap=True)

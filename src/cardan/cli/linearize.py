@@ -1,7 +1,7 @@
 r"""``cardan linearize``: the linear model of a mechanism.
 
 The linear model x' = A x + B r, y = C x + D r about the equilibrium next to a start, or about a
-steady motion (--u, --want), with names and eigenvalues; constraints are eliminated exactly. What
+steady motion (--u, --target), with names and eigenvalues; constraints are eliminated exactly. What
 changes (--vary) gives a root locus, or a Campbell diagram, with the places where stability does.
 
 examples:
@@ -14,7 +14,7 @@ examples:
   cardan linearize bicycle.yaml --symbolic --about rear_contact.u.x=v \
         --independent rear_contact.lean --independent steer
         M, D, G, K and N as formulas in the speed and the parameters
-  cardan linearize bicycle.yaml --want rear_contact.lean=0 \
+  cardan linearize bicycle.yaml --target rear_contact.lean=0 \
         --vary 'rear_hub.u=linspace(0, -33, 34)' --plot locus.png
         the eigenvalues of a bicycle that goes faster and faster
   cardan linearize rotor.yaml --vary 'spin=0,300' --campbell --plot campbell.png
@@ -68,24 +68,24 @@ def arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Load, compile, linearize, report."""
-    if formulas.wanted(options):
+    if formulas.is_symbolic(options):
         return formulas.show(options)
     scene, model = equilibrium_options.model(options)
-    trimmed = bool(options.want or options.free)
-    given = equilibrium_options.trim_values(scene, model, options) if trimmed else {
+    trimmed = bool(options.target or options.free)
+    loads = equilibrium_options.trim_values(scene, model, options) if trimmed else {
         **equilibrium_options.loads(scene, model, options), "u": dict(options.u)
     }  # fmt: skip
-    found, table = _found(model, given, trimmed, options)
+    record, table = _linear_record(model, loads, trimmed, options)
     if options.plot is not None:
-        found.plot(options.plot)
-    print(json.dumps(table(found), indent=1) if options.json else found)
+        record.plot(options.plot)
+    print(json.dumps(table(record), indent=1) if options.json else record)
     return 0
 
 
-def _found(
-    model: Any, given: dict[str, Any], trimmed: bool, options: argparse.Namespace
+def _linear_record(
+    model: Any, loads: dict[str, Any], trimmed: bool, options: argparse.Namespace
 ) -> tuple[Any, Callable[[Any], dict[str, Any]]]:
-    """What was asked for, and what makes numbers of it.
+    """The requested record, and the function that turns it into numbers.
 
     Raises:
         ModelError: options that do not go together.
@@ -96,66 +96,68 @@ def _found(
         if odd is not None:
             raise ModelError(f"--vary {odd}: a locus needs values in their order, not chances")
         if options.campbell:
-            return model.campbell(swept, **given), diagram
-        return model.root_locus(swept, coordinates=options.coordinate, **given), locus
+            return model.campbell(swept, **loads), diagram
+        return model.root_locus(swept, coordinates=options.coordinate, **loads), locus
     if options.campbell or options.coordinate:
         raise ModelError("--campbell and --coordinate go with --vary: say what changes")
-    rest = (model.trim if trimmed else model.equilibrium)(**given, check=True)
+    equilibrium = (model.trim if trimmed else model.equilibrium)(**loads, check=True)
     if options.sensitivity:
         if options.plot is not None:
             raise ModelError("--plot does not go with --sensitivity: there is nothing to draw")
-        return model.sensitivity(options.sensitivity, rest), changes
-    return rest.model.linearize(rest, inputs=options.input, outputs=options.output), numbers
+        return model.sensitivity(options.sensitivity, equilibrium), changes
+    return equilibrium.model.linearize(
+        equilibrium, inputs=options.input, outputs=options.output
+    ), numbers
 
 
-def numbers(found: Any) -> dict[str, Any]:
+def numbers(linear: Any) -> dict[str, Any]:
     """A linear model for JSON; eigenvalues as [real, imaginary]."""
-    matrices = {name: getattr(found, name).tolist() for name in "ABCD"}
+    matrices = {name: getattr(linear, name).tolist() for name in "ABCD"}
     return {
-        "states": list(found.states),
-        "inputs": list(found.inputs),
-        "outputs": list(found.outputs),
-        "stable": found.stable,
-        "eigenvalues": [[v.real, v.imag] for v in found.eigenvalues.tolist()],
+        "states": list(linear.states),
+        "inputs": list(linear.inputs),
+        "outputs": list(linear.outputs),
+        "stable": linear.stable,
+        "eigenvalues": [[v.real, v.imag] for v in linear.eigenvalues.tolist()],
         **matrices,
     }
 
 
-def locus(found: Any) -> dict[str, Any]:
+def locus(record: Any) -> dict[str, Any]:
     """A root locus for JSON."""
     return {
-        "message": found.message,
-        "values": {name: column.tolist() for name, column in found.values.items()},
-        "stable": found.stable.tolist(),
-        "eigenvalues": [[[v.real, v.imag] for v in row] for row in found.eigenvalues.tolist()],
+        "message": record.message,
+        "values": {name: column.tolist() for name, column in record.values.items()},
+        "stable": record.stable.tolist(),
+        "eigenvalues": [[[v.real, v.imag] for v in row] for row in record.eigenvalues.tolist()],
         "stability_changes": [
             {"kind": c.kind, "lost": c.lost, "frequency": c.frequency, "values": dict(c.values)}
-            for c in found.changes
+            for c in record.changes
         ],
     }
 
 
-def diagram(found: Any) -> dict[str, Any]:
+def diagram(campbell: Any) -> dict[str, Any]:
     """A Campbell diagram for JSON; frequencies [rad/s]."""
-    rows = [[equilibrium_options.finite(f) for f in row] for row in found.frequencies.tolist()]
+    rows = [[equilibrium_options.finite(f) for f in row] for row in campbell.frequencies.tolist()]
     return {
-        **locus(found.locus),
-        "speed": found.speed.tolist(),
+        **locus(campbell.locus),
+        "speed": campbell.speed.tolist(),
         "frequencies": rows,
-        "whirl": found.whirl.tolist(),
-        "critical": found.critical(),
+        "whirl": campbell.whirl.tolist(),
+        "critical": campbell.critical(),
     }
 
 
-def changes(found: Any) -> dict[str, Any]:
+def changes(sensitivity: Any) -> dict[str, Any]:
     """Derivatives of eigenvalues for JSON, null where there are none."""
     return {
-        "eigenvalues": [[v.real, v.imag] for v in found.eigenvalues.tolist()],
+        "eigenvalues": [[v.real, v.imag] for v in sensitivity.eigenvalues.tolist()],
         "derivatives": {
             name: [
                 [equilibrium_options.finite(v.real), equilibrium_options.finite(v.imag)]
-                for v in found[name].tolist()
+                for v in sensitivity[name].tolist()
             ]
-            for name in found.parameters
+            for name in sensitivity.parameters
         },
     }

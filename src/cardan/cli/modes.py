@@ -10,7 +10,7 @@ examples:
         four of them under another load, and mode 1 as a page that plays
   cardan modes rotor.yaml --u spin=300
         at 300 rad/s
-  cardan modes arm.urdf --hold shoulder=0.5 --json
+  cardan modes arm.urdf --lock shoulder=0.5 --json
         with a joint that is held, for another program
 
 Modes are of modal mass 1; 'rigid' is what nothing holds.
@@ -42,21 +42,21 @@ def arguments(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     """Load, compile, solve, report."""
     scene, model = equilibrium_options.model(options)
-    given = equilibrium_options.loads(scene, model, options)
-    rest = model.equilibrium(**given, u=dict(options.u), check=True)
-    found = model.modes(options.count, rest, damped=not options.undamped)
+    loads = equilibrium_options.loads(scene, model, options)
+    equilibrium = model.equilibrium(**loads, u=dict(options.u), check=True)
+    modes = model.modes(options.count, equilibrium, damped=not options.undamped)
     if options.view is not None:
-        found.animate(options.mode, options.view)
+        modes.animate(options.mode, options.view)
     if options.json:
-        print(json.dumps(numbers(found), indent=1))
+        print(json.dumps(numbers(modes), indent=1))
     else:
-        print(found)
+        print(modes)
         if options.view is not None:
             print(f"wrote {options.view}")
     return 0
 
 
-def numbers(found: Any) -> dict[str, Any]:
+def numbers(modes: Any) -> dict[str, Any]:
     """Modes for JSON; complex numbers as [real, imaginary]."""
     return {
         "modes": [
@@ -64,10 +64,10 @@ def numbers(found: Any) -> dict[str, Any]:
                 "eigenvalue": [value.real, value.imag],
                 "frequency": value.imag / 6.283185307179586,
                 "damping": equilibrium_options.finite(ratio),
-                "shape": {n: [x.real, x.imag] for n, x in found.shape(k).items()},
+                "shape": {n: [x.real, x.imag] for n, x in modes.shape(k).items()},
             }
             for k, (value, ratio) in enumerate(
-                zip(found.values.tolist(), found.damping.tolist(), strict=True)
+                zip(modes.values.tolist(), modes.damping.tolist(), strict=True)
             )
         ]
     }

@@ -64,13 +64,13 @@ def run(options: argparse.Namespace) -> int:
     from .terminal import console, progress
 
     scene = _real(options)
-    found = run_options.begin(scene, options)
-    end = found.pop("t")
+    start = run_options.begin(scene, options)
+    end = start.pop("t")
     with progress() as show:
         show("deriving and compiling")
         model = compile(scene)
         curves: Precision = face(
-            precision(model, end, options.methods, options.patience, show, **found)
+            precision(model, end, options.methods, options.patience, show, **start)
         )
     written = [write(curves, options.output)] if options.output is not None else []
     if options.json:
@@ -115,7 +115,7 @@ def write(curves: Precision, path: Path) -> str:
 
 
 def summary(curves: Precision) -> dict[str, Any]:
-    """What was measured, in numbers; an error is null where a run did not reach its end."""
+    """Measurements as numbers; an error is null where a run did not reach its end."""
     points = [
         {
             "method": point.method,

@@ -39,19 +39,19 @@ def display(tour: Tour, path: Path, q: Mapping[str, float], damping: float | Non
     )
     out.print(
         f"10 s simulated in {tour.simulated * 1e3:.1f} ms ({tour.steps} steps), "
-        f"energy drift {tour.drift:.1e} of the largest kinetic energy",
+        f"energy residual {tour.energy_residual:.1e} of the largest kinetic energy",
         soft_wrap=True,
     )
     for note in tour.notes[:3]:
         out.print(f"note: {shorten(note, 100, placeholder=' ...')}", style="dim", soft_wrap=True)
     for file in tour.files:
-        out.print(f"wrote {shown(file)}", soft_wrap=True)
+        out.print(f"wrote {short_path(file)}", soft_wrap=True)
     out.print()
     for line in program(path, q, damping):
         out.print(f"    {line}", style="green", soft_wrap=True)
 
 
-def shown(path: Path) -> str:
+def short_path(path: Path) -> str:
     """A path as short as it can be said from here."""
     relative = os.path.relpath(path)
     return str(path) if relative.startswith("..") else relative
@@ -59,15 +59,15 @@ def shown(path: Path) -> str:
 
 def program(path: Path, q: Mapping[str, float], damping: float | None) -> tuple[str, ...]:
     """The five lines of Python that did it."""
-    load, run = f'cd.load("{shown(path)}")', f"q={dict(q)}, rtol=1e-10, atol=1e-12"
+    load, run = f'cd.load("{short_path(path)}")', f"q={dict(q)}, rtol=1e-10, atol=1e-12"
     if damping is None:
-        made = (f"scene = {load}", "model = cd.compile(scene)")
+        loading = (f"scene = {load}", "model = cd.compile(scene)")
     else:
         values = f'{{name: {damping} for name in model.parameters if name.endswith("damping")}}'
-        made = (f"model = cd.compile({load})", f"model = model.with_parameters({values})")
+        loading = (f"model = cd.compile({load})", f"model = model.with_parameters({values})")
     return (
         "import cardan as cd",
-        *made,
+        *loading,
         f"motion = model.simulate(10.0, {run})",
         'motion.animate("motion.html")',
     )

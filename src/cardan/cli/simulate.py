@@ -103,13 +103,13 @@ def run(options: argparse.Namespace) -> int:
 
 def write(motion: Trajectory, options: argparse.Namespace) -> list[str]:
     """The files asked for."""
-    wanted = (
+    outputs = (
         (options.output, motion.save),
         (options.view, motion.animate),
         (options.plot, motion.plot),
     )
     written = []
-    for path, make in wanted:
+    for path, make in outputs:
         if path is not None:
             path.parent.mkdir(parents=True, exist_ok=True)
             make(path)
@@ -125,26 +125,26 @@ def summary(model: CompiledModel, motion: Trajectory) -> dict[str, Any]:
         "success": bool(motion.success),
         "message": motion.message,
         "time": float(motion.t[-1]),
-        "method": motion.conduct.method,
+        "method": motion.solver_info.method,
         "steps": int(motion.statistics["steps"]),
         "events": [{"time": event.t, "name": event.name} for event in motion.events],
         "start": dict(zip(names, first, strict=True)),
         "end": dict(zip(names, last, strict=True)),
-        "energy_drift": _drift(motion),
+        "energy_residual": _energy_residual(motion),
         **_closed(motion),
     }
 
 
-def _drift(motion: Trajectory) -> float | None:
+def _energy_residual(motion: Trajectory) -> float | None:
     """Energy that the run lost or made; None where its model does not know its powers."""
     try:
-        return float(motion.drift[-1])
+        return float(motion.energy_residual[-1])
     except CardanError:
         return None
 
 
 def _closed(motion: Trajectory) -> dict[str, Any]:
-    """The worst residuals of a system with circuits, by level."""
+    """The worst residuals of a system with loops, by level."""
     if motion.ledger is None:
         return {}
     levels = {level: motion.ledger.worst(level) for level in ("position", "velocity")}
@@ -157,7 +157,7 @@ def table(model: CompiledModel, motion: Trajectory, written: list[str]) -> None:
 
     from .terminal import console
 
-    found = summary(model, motion)
+    results = summary(model, motion)
     rows = Table(box=None, pad_edge=False)
     for heading in ("coordinate", "start", "end", "speed at end"):
         rows.add_column(heading, justify="left" if heading == "coordinate" else "right")
@@ -167,22 +167,22 @@ def table(model: CompiledModel, motion: Trajectory, written: list[str]) -> None:
         rate = speeds.get(f"{name}.u")
         rows.add_row(
             name,
-            f"{found['start'][name]:.6g}",
-            f"{found['end'][name]:.6g}",
+            f"{results['start'][name]:.6g}",
+            f"{results['end'][name]:.6g}",
             "" if rate is None else f"{rate:.6g}",
         )
     out = console()
     out.print(rows)
     if len(names) > ROWS:
         out.print(f"... and {len(names) - ROWS} more")
-    how = f"{found['steps']} steps of {found['method']}"
-    out.print(f"{found['message']}: t = {found['time']:g} s in {how}")
-    if found["events"]:
-        last = found["events"][-1]
-        out.print(f"events {len(found['events'])}, last '{last['name']}' at {last['time']:g} s")
-    if found["energy_drift"] is not None:
-        out.print(f"energy drift {found['energy_drift']:.1e} J")
-    for level, worst in found.get("residuals", {}).items():
+    how = f"{results['steps']} steps of {results['method']}"
+    out.print(f"{results['message']}: t = {results['time']:g} s in {how}")
+    if results["events"]:
+        last = results["events"][-1]
+        out.print(f"events {len(results['events'])}, last '{last['name']}' at {last['time']:g} s")
+    if results["energy_residual"] is not None:
+        out.print(f"energy residual {results['energy_residual']:.1e} J")
+    for level, worst in results.get("residuals", {}).items():
         out.print(f"largest {level} residual of the constraints {worst:.1e}")
     for path in written:
         out.print(f"wrote {path}", soft_wrap=True)

@@ -10,7 +10,7 @@ examples:
         two together, in about 50 steps, as a picture
   cardan statics press.yaml --sweep lever=0,0.5
         a coordinate: what it takes to move it there (column lever.holding)
-  cardan statics arm.urdf --sweep gravity.z=-1,-9.81 --hold elbow=0.2 --json
+  cardan statics arm.urdf --sweep gravity.z=-1,-9.81 --lock elbow=0.2 --json
         from weak to full gravity, for another program
 
 exit status 1: the end was not reached; the path up to there is printed
@@ -41,12 +41,12 @@ def arguments(parser: argparse.ArgumentParser) -> None:
 
 def swept(text: str) -> tuple[str, list[float]]:
     """The type of ``P=0,10``."""
-    name, found, words = text.rpartition("=")
+    name, separator, numbers = text.rpartition("=")
     try:
-        values = [float(x) for x in words.split(",")]
+        values = [float(x) for x in numbers.split(",")]
     except ValueError:
         values = []
-    if not (found and name and len(values) > 1 and all(map(math.isfinite, values))):
+    if not (separator and name and len(values) > 1 and all(map(math.isfinite, values))):
         raise argparse.ArgumentTypeError(f"'{text}' does not read NAME=FROM,TO, such as P=0,10")
     return name, values
 
@@ -54,13 +54,13 @@ def swept(text: str) -> tuple[str, list[float]]:
 def run(options: argparse.Namespace) -> int:
     """Load, compile, follow, report."""
     scene, model = equilibrium_options.model(options)
-    given = equilibrium_options.loads(scene, model, options)
+    conditions = equilibrium_options.loads(scene, model, options)
     moved = {n: v for n, v in options.sweep if n in model.coordinates}
     loads = {n: v for n, v in options.sweep if n not in moved}
-    given["hold"] = {**given["hold"], **moved}
+    conditions["locked"] = {**conditions["locked"], **moved}
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
-        path = model.statics(loads, steps=options.steps, **given)
+        path = model.statics(loads, steps=options.steps, **conditions)
     if options.plot is not None:
         path.plot(options.plot)
     if options.json:
@@ -89,15 +89,21 @@ def table(path: Any) -> None:
 
     model = path.rows[0].model
     names = [n for n in model.coordinates if n not in path.values][:8]
-    held = list(path.rows[0].holding)
+    locked = list(path.rows[0].holding_forces)
     rows = Table(box=None, pad_edge=False)
-    for heading in (*path.values, *names, *(f"{n}.holding" for n in held), "stable", "iterations"):
+    for heading in (
+        *path.values,
+        *names,
+        *(f"{n}.holding_force" for n in locked),
+        "stable",
+        "iterations",
+    ):
         rows.add_column(heading, justify="right")
-    words = {True: "yes", False: "no", None: "-"}
+    labels = {True: "yes", False: "no", None: "-"}
     for k, row in enumerate(path.rows):
         values = [column[k] for column in path.values.values()]
-        values += [row.named[n] for n in names] + [row.holding[n] for n in held]
-        rows.add_row(*(f"{v:.6g}" for v in values), words[row.stable], str(row.iterations))
+        values += [row.named[n] for n in names] + [row.holding_forces[n] for n in locked]
+        rows.add_row(*(f"{v:.6g}" for v in values), labels[row.stable], str(row.iterations))
     out = console()
     out.print(rows)
     for place in path.critical():

@@ -1,4 +1,4 @@
-"""What the commands share: a console for results, a progress line for long work."""
+"""A console for results and a progress line for long work, shared by the commands."""
 
 from __future__ import annotations
 

@@ -32,7 +32,7 @@ TIME = 10.0
 
 @dataclass(frozen=True)
 class Start:
-    """How the simulation begins: initial coordinates, and a damping for every joint or None."""
+    """Start of the simulation: initial coordinates, and a damping for every joint or None."""
 
     q: Mapping[str, float]
     damping: float | None = None
@@ -40,7 +40,7 @@ class Start:
 
 @dataclass(frozen=True)
 class Tour:
-    """What the screen shows.
+    """Contents of the screen.
 
     Attributes:
         graph: Drawing of bodies and joints.
@@ -55,7 +55,7 @@ class Tour:
         peer: Largest relative difference from Pinocchio, None where it is not installed.
         simulated: Time of the simulation [s].
         steps: Steps it took.
-        drift: Energy drift over the largest kinetic energy.
+        energy_residual: Energy unaccounted for over the largest kinetic energy.
         notes: What the file says and the model does not act on.
         files: What was written.
     """
@@ -72,7 +72,7 @@ class Tour:
     peer: float | None
     simulated: float
     steps: int
-    drift: float
+    energy_residual: float
     notes: tuple[str, ...]
     files: tuple[Path, ...]
 
@@ -143,7 +143,7 @@ def take(
         peer=peer,
         simulated=simulated,
         steps=int(motion.statistics["steps"]),
-        drift=float(np.abs(motion.drift).max() / kinetic),
+        energy_residual=float(np.abs(motion.energy_residual).max() / kinetic),
         notes=tuple(notes_of(scene)),
         files=files,
     )
@@ -151,28 +151,30 @@ def take(
 
 def speed_and_error(model: CompiledModel) -> tuple[float, float, float]:
     """Seconds per forward dynamics, alone and in a batch, and its error against 40 digits."""
-    name, ours, judged = "forward_dynamics", Ours(model), drawn(model, STATES)
-    runs = {"call": ours.start(name, judged), "state": ours.batch(name, drawn(model, BATCH))}
+    name, ours, states = "forward_dynamics", Ours(model), drawn(model, STATES)
+    runs = {"call": ours.start(name, states), "state": ours.batch(name, drawn(model, BATCH))}
     times = contest(runs)
-    error = relative(ours.results(name, judged), ours.exact(name, judged))
+    error = relative(ours.results(name, states), ours.exact(name, states))
     return times["call"].least, times["state"].least, error
 
 
 def excerpt(text: str, joints: Sequence[str], bodies: Sequence[str]) -> tuple[str, ...]:
     """Six neighboring products of the C: those with most names of joints and bodies."""
     lines = [line.strip() for line in text.splitlines()]
-    # C names spell what is no letter or digit as _
+    # C names spell what is not a letter or digit as _
     moving, owners = (
         "|".join(re.sub(r"\W", "_", name) for name in names)
         for names in (joints, (*joints, *bodies))
     )
     speaks, owned = re.compile(rf"\b({moving})_"), re.compile(rf"const real ({owners})_")
     # products that fit on one line; other lines may stand between a few
-    found = [i for i, line in enumerate(lines) if re.match(r"const real \w+ = .* \* .*;", line)]
+    assignments = [
+        i for i, line in enumerate(lines) if re.match(r"const real \w+ = .* \* .*;", line)
+    ]
     windows = [
-        [lines[i] for i in found[k : k + 6]]
-        for k in range(len(found) - 5)
-        if found[k + 5] - found[k] <= 16
+        [lines[i] for i in assignments[k : k + 6]]
+        for k in range(len(assignments) - 5)
+        if assignments[k + 5] - assignments[k] <= 16
     ]
 
     def quality(window: list[str]) -> tuple[int, int]:

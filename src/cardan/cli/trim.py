@@ -4,13 +4,13 @@ Inputs, parameters, forces and speeds with which a wanted steady motion, or a re
 in a turn, a rotor at its speed, an arm at its angle; and whether it is stable.
 
 examples:
-  cardan trim arm.yaml --want elbow=0.5 --free motor
+  cardan trim arm.yaml --target elbow=0.5 --free motor
         the input that holds this angle
-  cardan trim bicycle.yaml --want rear_contact.lean=-0.1 --u rear_hub=-15 --free steer.force
+  cardan trim bicycle.yaml --target rear_contact.lean=-0.1 --u rear_hub=-15 --free steer.force
         the torque along the steering axis in a steady turn
-  cardan trim governor.yaml --want arm=0.7 --free spin.u --u spin=5
+  cardan trim governor.yaml --target arm=0.7 --free spin.u --u spin=5
         the speed at which the arm stands like that, looked for from 5 rad/s
-  cardan trim crane.yaml --want height=2 --free load.mass --json
+  cardan trim crane.yaml --target height=2 --free load.mass --json
         an output and a parameter, for another program
 
 exit status 1: there is none; the message tells what cannot be met, or is left over
@@ -37,21 +37,21 @@ def arguments(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     """Load, compile, search, report."""
     scene, model = equilibrium_options.model(options)
-    found = model.trim(**equilibrium_options.trim_values(scene, model, options), check=True)
-    print(json.dumps(numbers(found), indent=1) if options.json else found)
+    trim = model.trim(**equilibrium_options.trim_values(scene, model, options), check=True)
+    print(json.dumps(numbers(trim), indent=1) if options.json else trim)
     return 0
 
 
-def numbers(found: Any) -> dict[str, Any]:
+def numbers(trim: Any) -> dict[str, Any]:
     """A trimmed motion for JSON."""
     return {
-        "message": found.message,
-        "stable": found.stable,
-        "free": dict(found.free),
-        "wanted": dict(found.wanted),
-        "loose": list(found.loose),
-        "iterations": found.iterations,
-        "q": dict(zip(found.model.coordinates, found.q.tolist(), strict=True)),
-        "u": dict(zip(found.model.speeds, found.u.tolist(), strict=True)),
-        "eigenvalues": [[v.real, v.imag] for v in found.linear.eigenvalues.tolist()],
+        "message": trim.message,
+        "stable": trim.stable,
+        "free": dict(trim.free),
+        "targets": dict(trim.targets),
+        "free_motions": list(trim.free_motions),
+        "iterations": trim.iterations,
+        "q": dict(zip(trim.model.coordinates, trim.q.tolist(), strict=True)),
+        "u": dict(zip(trim.model.speeds, trim.u.tolist(), strict=True)),
+        "eigenvalues": [[v.real, v.imag] for v in trim.linear.eigenvalues.tolist()],
     }

@@ -1,4 +1,4 @@
-"""What the C of a system depends on, as one hash: the key of the cache."""
+"""Hash of everything that the C of a system depends on: the key of the cache."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def fingerprint(equations: EquationRecord | FiniteElementRecord, loops: bool | N
 
 
 def _choices(equations: EquationRecord | FiniteElementRecord) -> tuple[Any, ...]:
-    """How equations were derived, besides the system."""
+    """Options of the derivation, besides the system."""
     if isinstance(equations, FiniteElementRecord):
         planes = [kind.plane for kind in equations.places.kinds]
         return "absolute", planes, model_folder.numbers(equations)

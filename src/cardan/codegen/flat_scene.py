@@ -18,7 +18,7 @@ from ..ir.graph import ZERO, Graph
 from ..ir.matrix import Matrix
 from ..schema.tree import CloserRow
 from ..spatial.axis import complement, unit
-from ..topology.system import Cut, Joint, System, own_lengths
+from ..topology.system import Cut, Joint, System, joint_lengths
 
 
 def scene(system: System) -> Function:
@@ -30,7 +30,7 @@ def scene(system: System) -> Function:
     joint, 0 where it has none; ratio, offset (nb) of coupled joints, else 0; rotor (nb): inertia
     that drives add to the joint's coordinate; frame_rotation (nf, 3, 3) and frame_position (nf, 3)
     in axes of the frame's body; sizes (nb, 2) where joints have lengths of their own; cut_axis,
-    cut_axis2 (nc, 3), cut_pitch (nc) and cut_sizes (nc, 2) of the joints that close circuits, where
+    cut_axis2 (nc, 3), cut_pitch (nc) and cut_sizes (nc, 2) of the joints that close loops, where
     there are any.
     """
     graph = system.graph.fork()
@@ -66,7 +66,7 @@ def time_jumps(system: System) -> Function | None:
     """
     graph = system.graph.fork()
     timed, fixed = set[int](), set[int]()
-    found = list[int]()
+    conditions = list[int]()
     for i, node in enumerate(system.graph.nodes):
         operands = node[1:] if node[0] not in ("const", "var", "atom") else ()
         if node[0] == "var" and node[1] == "t":
@@ -76,16 +76,16 @@ def time_jumps(system: System) -> Function | None:
         elif operands and all(k in timed or k in fixed for k in operands):
             (timed if any(k in timed for k in operands) else fixed).add(i)
             if node[0] in ("lt", "le") and i in timed:
-                found.append(graph.sub(*operands))
-    outputs = (_output("jumps", (len(found),), [(node,) for node in found]),)
-    if not found:
+                conditions.append(graph.sub(*operands))
+    outputs = (_output("jumps", (len(conditions),), [(node,) for node in conditions]),)
+    if not conditions:
         return None
     return _function("time_jumps", system, graph, outputs, "what jumps at times passes zero there")
 
 
 def _sizes(joints: Sequence[Joint | Cut], name: str = "sizes") -> list[Output]:
     """Lengths of rods, radii of wheels and of their crowns, where there are any."""
-    rows = [own_lengths(joint) for joint in joints]
+    rows = [joint_lengths(joint) for joint in joints]
     used = any(any(row) for row in rows)
     return [_output(name, (len(rows), 2), rows)] if used else []
 
@@ -101,7 +101,7 @@ def kind(joint: Joint | Cut) -> str:
 
 
 def _cuts(graph: Graph, cuts: Sequence[Cut]) -> list[Output]:
-    """Axes and lengths of the joints that close circuits, where there are any."""
+    """Axes and lengths of the joints that close loops, where there are any."""
     if not cuts:
         return []
     first, second = zip(*(_axes(graph, cut) for cut in cuts), strict=True)
@@ -147,29 +147,29 @@ def scene_poses(system: System) -> tuple[Function, ...]:
 
 
 def pose_names(system: System) -> list[str]:
-    """Which of :func:`scene_poses` every joint has: of the tree, then those that close it."""
+    """Index into :func:`scene_poses` of every joint: of the tree, then of those that close it."""
     return [f"scene_pose_{k}" for k in _poses(system)[1]]
 
 
 def closers(system: System) -> list[CloserRow]:
-    """Pose, and number of coordinates and speeds, of the joints that close circuits."""
-    found = []
+    """Pose, and number of coordinates and speeds, of the joints that close loops."""
+    rows = []
     poses = pose_names(system)[len(system.joints) :]
     for cut, pose in zip(system.closing, poses, strict=True):
         element, turns = _closer(cut), "quaternion" if rotation_of(cut) else None
         q, u = len(element.coordinates), len(element.speeds)
-        found.append(CloserRow(pose=pose, rotation=turns, q=q, u=u))
-    return found
+        rows.append(CloserRow(pose=pose, rotation=turns, q=q, u=u))
+    return rows
 
 
-def own_speeds(joint: Joint) -> bool:
-    """Whether speeds are neither rates of coordinates nor the angular velocity of a rotation."""
+def has_speeds(joint: Joint) -> bool:
+    """True when speeds are neither rates of coordinates nor the angular velocity of a rotation."""
     rates = type(declared(joint)).rates
     return rates is not Element.rates and rotation_of(joint) is None
 
 
 def _closer(cut: Cut) -> Element:
-    """The element of a joint that closes a circuit, a free rotation as a unit quaternion."""
+    """The element of a joint that closes a loop, a free rotation as a unit quaternion."""
     element = declared(cut)
     if rotation_of(cut):
         return replace(element, rotation="quaternion")  # type: ignore[type-var]
@@ -186,31 +186,31 @@ def _poses(system: System) -> tuple[list[Function], list[int]]:
     """Every pose once, and which of them each joint has."""
     graph, parameters = system.graph.fork(), blocks(system)["p"]
     numbers: dict[tuple[int, ...], int] = {}
-    found, used = list[Function](), list[int]()
+    functions, used = list[Function](), list[int]()
     joints: tuple[Joint | Cut, ...] = (*system.joints, *system.closing)
     for joint in joints:
         element = _closer(joint) if isinstance(joint, Cut) else declared(joint)
         count = len(element.coordinates)
         q = Matrix(graph, count, 1, [graph.var("q", i) for i in range(count)])
         data = {name: Matrix(graph, *entry) for name, entry in joint.data.items()}
-        turned, placed = element.pose(q, **data)
-        key = (count, *turned.nodes, *placed.nodes)
-        used.append(numbers.setdefault(key, len(found)))
-        if used[-1] < len(found):
+        rotation, position = element.pose(q, **data)
+        key = (count, *rotation.nodes, *position.nodes)
+        used.append(numbers.setdefault(key, len(functions)))
+        if used[-1] < len(functions):
             continue
         outputs = (
-            _output("rotation", (3, 3), [turned.nodes]),
-            _output("position", (3,), [placed.nodes]),
+            _output("rotation", (3, 3), [rotation.nodes]),
+            _output("position", (3,), [position.nodes]),
         )
-        own = Block("q", tuple(c.name for c in element.coordinates), ("",) * count)
-        name, about = f"scene_pose_{len(found)}", f"pose of a {element.kind} joint"
-        found.append(Function(name, graph, (own, parameters), outputs, about=about))
-    return found, used
+        coordinates = Block("q", tuple(c.name for c in element.coordinates), ("",) * count)
+        name, about = f"scene_pose_{len(functions)}", f"pose of a {element.kind} joint"
+        functions.append(Function(name, graph, (coordinates, parameters), outputs, about=about))
+    return functions, used
 
 
 def _rotors(system: System, graph: Graph) -> list[int]:
     """Inertia of rotors that turn with joints of one coordinate, per joint."""
-    found = [ZERO] * len(system.joints)
+    inertias = [ZERO] * len(system.joints)
     for force in system.forces:
         data = {
             name: Matrix(graph, rows, columns, nodes)
@@ -220,24 +220,24 @@ def _rotors(system: System, graph: Graph) -> list[int]:
             joint = force.joints[role]
             if system.joints[joint].element.bodiless:
                 continue
-            found[joint] = graph.add(found[joint], inertia.nodes[0])
-    return found
+            inertias[joint] = graph.add(inertias[joint], inertia.nodes[0])
+    return inertias
 
 
 def _axes(graph: Graph, joint: Joint | Cut) -> tuple[tuple[int, ...], tuple[int, ...]]:
     """First and second axis of a joint, in the joint frame."""
     none = (0, 0, 0)
-    found = {
+    directions = {
         name: joint.data[name][2]
         for name in ("axis", "axis1", "axis2", "normal")
         if name in joint.data
     }
     # joints that move across a direction have the first of the two directions across it
-    across = found.get("normal", found.get("axis"))
+    across = directions.get("normal", directions.get("axis"))
     if across is not None and not joint.element.line:
         first, _ = complement(unit(Matrix(graph, 3, 1, across)))
         return across, first.nodes
-    return found.get("axis", found.get("axis1", none)), found.get("axis2", none)
+    return directions.get("axis", directions.get("axis1", none)), directions.get("axis2", none)
 
 
 def _output(name: str, shape: tuple[int, ...], rows: Iterable[Iterable[int]]) -> Output:
@@ -250,5 +250,7 @@ def _function(
     """A Function that declares the blocks it reads."""
     roots = [node for output in outputs for node in output.nodes]
     read = {graph.nodes[i][1] for i in live(graph, roots) if graph.nodes[i][0] == "var"}
-    known = blocks(system)
-    return Function(name, graph, tuple(known[b] for b in known if b in read), outputs, about=about)
+    all_blocks = blocks(system)
+    return Function(
+        name, graph, tuple(all_blocks[b] for b in all_blocks if b in read), outputs, about=about
+    )

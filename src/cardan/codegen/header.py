@@ -22,7 +22,7 @@ VALUES = (*BLOCKS, "z", "s")
 
 
 class Exported(NamedTuple):
-    """What an export says of a function.
+    """Description of a function in an export.
 
     Attributes:
         about: What it gives, in words.
@@ -39,7 +39,7 @@ class Exported(NamedTuple):
 
     @staticmethod
     def of(row: FunctionRow) -> Exported:
-        """What the manifest says of one."""
+        """The description from a row of the manifest."""
         sizes = {"out": row.output_size, "work": row.work_size, "w": row.prepared_size}
         return Exported(row.about, row.inputs, sizes, row.outputs)
 
@@ -74,26 +74,26 @@ def slots(manifest: Manifest) -> str:
 
 
 def array(block: str) -> str:
-    """How the values of a block are declared, in ``model.c`` and in ``functions.h``."""
+    """C declaration of the values of a block, in ``model.c`` and in ``functions.h``."""
     return f"cardan_default_{block}[cardan_n{block} + (cardan_n{block} == 0)]"
 
 
 def _entries(block: str, rows: Sequence[Entry], names: Names) -> list[str]:
     """Lines of an enumeration; of runs of rows only the first of each kind."""
-    told = list(enumerate(rows.listed if isinstance(rows, Rows) else rows))
+    listed = list(enumerate(rows.listed if isinstance(rows, Rows) else rows))
     repeated: dict[int, str] = {}
-    start = len(told)
+    start = len(listed)
     for run in rows.runs if isinstance(rows, Rows) else ():
-        told += [(start + k, run.row(k)) for k in range(len(run.pattern))]
+        listed += [(start + k, run.row(k)) for k in range(len(run.pattern))]
         repeated |= dict.fromkeys(
             range(start, start + len(run.pattern)),
             f"; {run.count} of them, {len(run.pattern)} apart",
         )
         start += len(run)
     lines = []
-    for k, row in told:
+    for k, row in listed:
         about = row.name + (f" [{row.unit}]" if row.unit else "") + repeated.get(k, "")
-        comma = "," if k != told[-1][0] else ""
+        comma = "," if k != listed[-1][0] else ""
         name = names.new(f"{block}_{mangle(row.name)}")
         lines.append(f"    {name} = {k}{comma} /* {comment(about)} */")
     return lines
@@ -126,12 +126,12 @@ def prototypes(
         "extern const cardan_export cardan_scene;",
         *more,
     ]
-    for own, entry in functions.items():
-        sizes = [f"    {own}_{k}_size = {size}" for k, size in entry.sizes.items()]
+    for symbol, entry in functions.items():
+        sizes = [f"    {symbol}_{k}_size = {size}" for k, size in entry.sizes.items()]
         reads = ", ".join(entry.inputs) or "nothing"
-        lines += ["", f"/* {comment(entry.about or own)}; reads {reads} */"]
+        lines += ["", f"/* {comment(entry.about or symbol)}; reads {reads} */"]
         lines += ["enum {", ",\n".join(sizes), "};"]
-        lines.append(f"CARDAN_API int {own}(const cardan_in *in, real *out, real *work);")
+        lines.append(f"CARDAN_API int {symbol}(const cardan_in *in, real *out, real *work);")
         if "w" in entry.sizes:
-            lines.append(f"CARDAN_API void prepare_{own}(const wreal *p, wreal *w);")
+            lines.append(f"CARDAN_API void prepare_{symbol}(const wreal *p, wreal *w);")
     return "\n".join([*lines, "", "#endif"]) + "\n"

@@ -20,10 +20,10 @@ from ..errors import CodegenError, ModelError
 from ..ir.function import Function
 from ..ir.recursion import Recursion
 from ..ir.serialize import to_dict
+from ..schema import kernel_files
 from ..schema.c_functions import FunctionRow
 from ..schema.fields import dumped
 from ..schema.manifest import Manifest, from_file
-from ..schema.records import KERNELS
 from ..schema.seal import sealed, unsealed
 from ..version import ABI
 from . import header
@@ -71,7 +71,7 @@ def write_model(directory: Path, base: Base) -> None:
             )
         for name in there.sha256 if there else ():
             (directory / Path(name).name).unlink(missing_ok=True)
-        hashes = {name: _write(directory / name, kernel(name)) for name in HEADERS}
+        hashes = {name: _write(directory / name, kernel_files.text(name)) for name in HEADERS}
         hashes["model.h"] = _write(directory / "model.h", header.slots(base.data))
         saved = [(f.name, to_dict(f)) for f in base.saved()]
         hashes[SAVED] = _write(directory / SAVED, _joined(saved))
@@ -81,10 +81,10 @@ def write_model(directory: Path, base: Base) -> None:
 def _there(directory: Path) -> tuple[Manifest | None, bool]:
     """The manifest, and whether one of cardan is damaged."""
     try:
-        found = read(directory)
+        manifest = read(directory)
         # what else a model has is there: its manifest was lost
-        lost = found is None and all((directory / name).is_file() for name in ("model.h", SAVED))
-        return found, lost
+        lost = manifest is None and all((directory / name).is_file() for name in ("model.h", SAVED))
+        return manifest, lost
     except Damaged:
         # other programs have files of that name too
         if not (directory / "model.h").is_file():
@@ -98,7 +98,7 @@ def _shared(hashes: Mapping[str, str]) -> list[str]:
 
 
 def _is_unchanged(directory: Path, manifest: Manifest, name: str) -> bool:
-    """Whether a file is the one that the manifest speaks of."""
+    """True when a file is the one that the manifest speaks of."""
     try:
         content = regular_file.content(directory / Path(name).name)
     except OSError:
@@ -107,12 +107,12 @@ def _is_unchanged(directory: Path, manifest: Manifest, name: str) -> bool:
 
 
 def has_function(directory: Path, name: str) -> bool:
-    """Whether a function is in the manifest and its file is the one it speaks of."""
+    """True when a function is in the manifest and its file is the one it speaks of."""
     return not missing(directory, [name])
 
 
 def missing(directory: Path, names: Sequence[str]) -> list[str]:
-    """Those that :func:`has_function` denies, by one look at the manifest."""
+    """Names that :func:`has_function` denies, by one look at the manifest."""
     there = _there(directory)[0]
     functions = there.functions if there else {}
     return [name for name in names if not _is_there(directory, functions.get(name))]
@@ -128,26 +128,26 @@ def _is_there(directory: Path, entry: FunctionRow | None) -> bool:
     return hashlib.sha256(content).hexdigest() == entry.sha256
 
 
-def add_functions(directory: Path, made: Sequence[tuple[CFile, Function | Recursion]]) -> None:
+def add_functions(directory: Path, texts: Sequence[tuple[CFile, Function | Recursion]]) -> None:
     """Write functions: their C files, their expressions and their entries in the manifest.
 
     Raises:
         CodegenError: :func:`write_model` was not called before.
     """
-    saved = [(cfile.name, to_dict(function)) for cfile, function in made]
+    saved = [(cfile.name, to_dict(function)) for cfile, function in texts]
 
     def added(manifest: Manifest) -> Manifest:
         hashes = dict(manifest.sha256)
-        for cfile, _ in made:
+        for cfile, _ in texts:
             for name in cfile.includes:
                 if name not in hashes:
-                    hashes[name] = _write(directory / name, kernel(name))
+                    hashes[name] = _write(directory / name, kernel_files.text(name))
             hashes[cfile.entry.file] = _write(directory / cfile.entry.file, cfile.text)
         if not _is_unchanged(directory, manifest, SAVED):
             raise Damaged(f"{directory / SAVED} is damaged: remove the directory")
         text = _appended((directory / SAVED).read_text("utf-8"), saved)
         hashes[SAVED] = _write(directory / SAVED, text)
-        functions = {**manifest.functions, **{cfile.name: cfile.entry for cfile, _ in made}}
+        functions = {**manifest.functions, **{cfile.name: cfile.entry for cfile, _ in texts}}
         return manifest.replaced(sha256=hashes, functions=functions)
 
     change(directory, added)
@@ -157,9 +157,9 @@ def add_files(directory: Path, files: Mapping[str, str | bytes]) -> None:
     """Write more files that belong to the model, by name, unless they are there."""
 
     def added(manifest: Manifest) -> Manifest:
-        own = {name: x.encode() if isinstance(x, str) else x for name, x in files.items()}
-        stated = {name: hashlib.sha256(content).hexdigest() for name, content in own.items()}
-        for name, content in own.items():
+        contents = {name: x.encode() if isinstance(x, str) else x for name, x in files.items()}
+        stated = {name: hashlib.sha256(content).hexdigest() for name, content in contents.items()}
+        for name, content in contents.items():
             if manifest.sha256.get(name) != stated[name] or not (directory / name).exists():
                 _write(directory / name, content)
         return manifest.replaced(sha256={**manifest.sha256, **stated})
@@ -201,13 +201,8 @@ def written(directory: Path) -> set[str]:
     return {MANIFEST, LOCK, *(Path(name).name for name in plain.get("sha256") or {})}
 
 
-def kernel(name: str) -> str:
-    """Text of a file of ``cardan/kernels``."""
-    return (KERNELS / name).read_text("utf-8")
-
-
 def _stated(manifest: Manifest) -> str:
-    """What is said of a model, whatever functions are there."""
+    """Statement about a model, independent of its functions."""
     return dumped(manifest.replaced(functions={}, sha256={}, available=[]))
 
 
@@ -235,7 +230,7 @@ def _has_version(plain: Any) -> bool:
 
 
 def _manifest(directory: Path, reader: Callable[[bytes, str], T]) -> T | None:
-    """What a reader makes of the content and the name of the manifest; None where there is none.
+    """Apply a reader to the content and name of the manifest; None where there is none.
 
     Raises:
         Damaged: the reader refuses it.
@@ -274,9 +269,9 @@ def _joined(saved: list[tuple[str, dict[str, Any]]]) -> str:
 def _appended(text: str, saved: list[tuple[str, dict[str, Any]]]) -> str:
     """The text with functions added or replaced."""
     names = {json.dumps(name) for name, _ in saved}
-    kept = [line.rstrip(",") for line in text.splitlines()[1:-1]]
-    kept = [line for line in kept if line.split(": ", 1)[0] not in names]
-    return "{\n" + ",\n".join([*kept, *(_line(*row) for row in saved)]) + "\n}\n"
+    lines = [line.rstrip(",") for line in text.splitlines()[1:-1]]
+    lines = [line for line in lines if line.split(": ", 1)[0] not in names]
+    return "{\n" + ",\n".join([*lines, *(_line(*row) for row in saved)]) + "\n}\n"
 
 
 def _write(path: Path, text: str | bytes) -> str:

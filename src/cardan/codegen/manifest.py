@@ -1,4 +1,4 @@
-"""What the manifest says about equations; its fields are those of :mod:`cardan.schema.manifest`."""
+"""Manifest of equations; its fields are those of :mod:`cardan.schema.manifest`."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ class Base:
 
 
 def base(equations: EquationRecord, functions: Sequence[str] = ()) -> Base:
-    """What the manifest says before any function is written.
+    """Manifest before any function is written.
 
     Args:
         equations: Of the system.
@@ -96,7 +96,7 @@ def base(equations: EquationRecord, functions: Sequence[str] = ()) -> Base:
 
 
 def common(system: System, method: str, functions: Sequence[str]) -> dict[str, Any]:
-    """What manifests say in the same way whatever coordinates a model has."""
+    """Entries that manifests share, independent of the coordinates of a model."""
     return {
         "abi": ABI.version,
         "schema": MANIFEST.version,
@@ -130,7 +130,7 @@ def _shape(frame: str, shape: Mapping[str, Any]) -> mechanism.ShapeRow:
 
 
 def isolated(system: System) -> bool:
-    """Whether nothing but gravity acts on a scene from outside, so that its momenta stay.
+    """True when nothing but gravity acts on a scene from outside, so that its momenta stay.
 
     Joints leave everything free from the ground, and what forces do comes in pairs.
     """
@@ -159,13 +159,13 @@ def isolated(system: System) -> bool:
 
 
 def _loaded(system: System, segment: Segment) -> bool:
-    """Whether a segment of a beam carries a load from outside."""
+    """True when a segment of a beam carries a load from outside."""
     nodes = [node for name in LOADS for node in segment.data.get(name, (0, 0, ()))[2]]
     return any(system.graph.nodes[node] != ("const", 0.0) for node in nodes)
 
 
 def _limits(system: System, force: Force) -> Iterator[LimitRow]:
-    """What parameters may be that are numbers of a force element."""
+    """Limits of the parameters that are numbers of a force element."""
     for limit in force.element.limits():
         name, other = (_source(system, force, part) for part in (limit.name, limit.other))
         if not isinstance(name, str) or (limit.other and other is None):
@@ -174,7 +174,7 @@ def _limits(system: System, force: Force) -> Iterator[LimitRow]:
         yield LimitRow(
             parameter=name,
             element=force.element.title,
-            message=limit.told,
+            message=limit.message,
             least=least if isinstance(least, str) or isfinite(least or 0.0) else None,
             most=limit.most if isfinite(limit.most) else None,
             open=limit.open,
@@ -228,35 +228,35 @@ def _ticks(system: System) -> list[TickRow]:
 
 
 def _saved(equations: EquationRecord) -> tuple[Function, ...]:
-    """What a check of the model needs besides its compiled functions."""
+    """Functions that a check of the model needs besides its compiled ones."""
     system = equations.system
-    found = [flat_scene.scene(system), *flat_scene.scene_poses(system)]
-    motion = flat_scene.scene_motion(system)
-    jumps = flat_scene.time_jumps(system)
-    found += [one for one in (motion, jumps) if one is not None]
-    if system.forces and "applied" in equations.names():
-        found += [equations.function("applied"), equations.function("wrenches")]
-    if reaction_friction.judged(system, equations.chosen):
-        found.append(reaction_friction.told(Dynamics(Kinematics(system), equations.method)))
+    functions = [flat_scene.scene(system), *flat_scene.scene_poses(system)]
+    optional = (flat_scene.scene_motion(system), flat_scene.time_jumps(system))
+    functions += [one for one in optional if one is not None]
+    if system.forces and "applied_forces" in equations.names():
+        functions += [equations.function("applied_forces"), equations.function("wrenches")]
+    if reaction_friction.verified_joints(system, equations.chosen):
+        dynamics = Dynamics(Kinematics(system), equations.method)
+        functions.append(reaction_friction.function(dynamics))
     if system.closures:
-        found.append(equations.function("dependents"))
-    return tuple(found)
+        functions.append(equations.function("dependents"))
+    return tuple(functions)
 
 
 def _scene(equations: EquationRecord) -> Tree:
     """The structure of the tree; its numbers are in the saved Function ``scene``."""
     system = equations.system
     unknown = ["the speeds are chosen by the user"] if equations.chosen else []
-    judged = reaction_friction.judged(system, equations.chosen)
+    verified = reaction_friction.verified_joints(system, equations.chosen)
     unknown += [
-        f"the friction of '{force.name}' follows from reactions of closed circuits"
-        for force in reaction_friction.pressed(system)
-        if not judged
+        f"the friction of '{force.name}' follows from reactions of closed loops"
+        for force in reaction_friction.friction_forces(system)
+        if not verified
     ]
     unknown += [
         f"the speeds of joint '{joint.name}' are of its own making"
         for joint in system.joints
-        if flat_scene.own_speeds(joint)
+        if flat_scene.has_speeds(joint)
     ]
     curves = [flat_scene.curve(system.graph, joint) for joint in system.joints]
     treatment = equations.treatment
@@ -273,7 +273,7 @@ def _scene(equations: EquationRecord) -> Tree:
         forces=list(dict.fromkeys(force.name for force in system.forces)),
         unknown=unknown,
         curves=curves if any(curves) else (),
-        pressed=judged,
+        pressed=verified,
         samples=_samples(system),
         # what closes loops, and how accelerations are made to obey
         **(closing if system.closed or system.closures else {}),
@@ -281,12 +281,12 @@ def _scene(equations: EquationRecord) -> Tree:
 
 
 def _samples(system: System) -> list[SampleRow]:
-    """What another program says of written equations, unless the user added to them."""
-    held = [entry.name for entry in system.constraints]
+    """Reference values of another program for written equations, unless the user added to them."""
+    constraints = [entry.name for entry in system.constraints]
     if len(system.forces) != len(system.joints):
         return []
-    found = (sample for joint in system.joints for sample in joint.element.samples)
-    return [SampleRow(**sample) for sample in found if sample["held"] == held]
+    samples = (sample for joint in system.joints for sample in joint.element.samples)
+    return [SampleRow(**sample) for sample in samples if sample["held"] == constraints]
 
 
 def _body(system: System, number: int) -> str:
@@ -325,7 +325,7 @@ def _speeds(equations: EquationRecord) -> list[SpeedRow]:
 
 
 def limits_of(joint: Joint) -> dict[str, float]:
-    """What is declared of the limits of a joint, by name."""
+    """Declared limits of a joint, by name."""
     limits = zip(mechanism.LIMITS, joint.limits, strict=True)
     return {name: value for name, value in limits if value is not None and isfinite(value)}
 
@@ -334,7 +334,7 @@ def _joint(equations: EquationRecord, number: int) -> mechanism.JointRow:
     system = equations.system
     joint, element = system.joints[number], system.joints[number].element
     quaternion = element.quaternion
-    own_speeds = joint.u >= 0 and not equations.chosen
+    has_speeds = joint.u >= 0 and not equations.chosen
     coupled = None
     if joint.coupling is not None:
         coupled = mechanism.Coupling(leader=system.joints[joint.coupling.leader].name)
@@ -351,7 +351,7 @@ def _joint(equations: EquationRecord, number: int) -> mechanism.JointRow:
         parent_frame=parent_frame,
         child_frame=child_frame,
         q=(joint.q, len(element.coordinates)) if joint.q >= 0 else None,
-        u=(joint.u, len(element.speeds)) if own_speeds else None,
+        u=(joint.u, len(element.speeds)) if has_speeds else None,
         q0=list(joint.q0) if joint.q0 is not None else None,
         u0=list(joint.u0) if joint.u0 is not None else None,
         limits=limits_of(joint),

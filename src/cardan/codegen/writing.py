@@ -61,13 +61,13 @@ def generate(
         CodegenError: the name is none for C.
         ValueError: the expressions break a rule of the grammar.
     """
-    pieces = (function,) if isinstance(function, Function) else function.steps
-    names = [passes.standard(piece) if chosen is None else tuple(chosen) for piece in pieces]
-    used = dict.fromkeys(name for of_piece in names for name in of_piece)
+    parts = (function,) if isinstance(function, Function) else function.steps
+    names = [passes.standard(part) if chosen is None else tuple(chosen) for part in parts]
+    used = dict.fromkeys(name for pass_names in names for name in pass_names)
     notes = (*notes, f"passes: {', '.join(used) or 'none'}")
     language = LANGUAGES["c"]
     with collector_paused():
-        staged = [passes.optimize(*pair) for pair in zip(pieces, names, strict=True)]
+        staged = [passes.optimize(*pair) for pair in zip(parts, names, strict=True)]
         if isinstance(function, Function):
             program = lower(staged[0], model, notes, longest)
         else:
@@ -82,7 +82,7 @@ def generate(
 def _entry(
     function: Function | Recursion, program: Program, file: str, text: str, of: str | None
 ) -> FunctionRow:
-    """What a caller must know: blocks read, results, sizes."""
+    """Interface for a caller: blocks read, results, sizes."""
     blocks = set(program.blocks)
     return FunctionRow(
         file=file,
@@ -102,7 +102,7 @@ def _entry(
 
 
 def _sizes(function: Function | Recursion, program: Program) -> list[int]:
-    """Of out, work and w, and of every block as far as it is read."""
+    """Sizes of out, work and w, and of every block as far as it is read."""
     read = {block.name: len(block) for block in function.inputs if block.name in program.blocks}
     out = sum(output.size for output in function.outputs)
     return [out, program.work_size, program.prepared_size, *(read.get(b, 0) for b in ORDER)]

@@ -9,7 +9,7 @@ from ..ir.rewrite import rebuild
 from .joints.joint import Joint
 
 # leaves that stand for the pose while it is differentiated
-LEAVES = tuple(f"pose of a joint that closes a circuit [{k}]" for k in range(12))
+LEAVES = tuple(f"pose of a joint that closes a loop [{k}]" for k in range(12))
 
 
 def closed(
@@ -33,11 +33,11 @@ def closed(
     columns = []
     for k in range(6):
         axis = Matrix(graph, 3, 1, [ONE if i == k % 3 else ZERO for i in range(3)])
-        turned = r @ axis.skew if k < 3 else Matrix.zeros(graph, 3, 3)
+        rotation_slope = r @ axis.skew if k < 3 else Matrix.zeros(graph, 3, 3)
         moved = r @ axis if k >= 3 else Matrix.zeros(graph, 3)
-        seeds = dict(zip(leaves, (*turned.nodes, *moved.nodes), strict=True))
+        seeds = dict(zip(leaves, (*rotation_slope.nodes, *moved.nodes), strict=True))
         columns.append(forward(graph, g.nodes, seeds))
     nodes = [*g.nodes, *(columns[k][i] for i in range(g.rows) for k in range(6))]
     at = dict(zip(leaves, (*rotation.nodes, *position.nodes), strict=True))
-    found = rebuild(graph, nodes, at, into=graph)[1]
-    return Matrix(graph, g.rows, 1, found[: g.rows]), Matrix(graph, g.rows, 6, found[g.rows :])
+    rebuilt = rebuild(graph, nodes, at, into=graph)[1]
+    return Matrix(graph, g.rows, 1, rebuilt[: g.rows]), Matrix(graph, g.rows, 6, rebuilt[g.rows :])

@@ -26,7 +26,7 @@ UNKNOWN = {
     "inertias": "written equations do not tell masses and inertias from other parameters",
     "kinetic energy": "written equations tell of no kinetic energy to differentiate",
     "causes of forces": "written equations do not tell gravity and velocity products from other "
-    "forces; 'applied' has all of them",
+    "forces; 'applied_forces' has all of them",
 }
 ABSENT = {
     row.name: UNKNOWN[need] for row in FUNCTIONS.values() for need in row.needs if need in UNKNOWN
@@ -61,13 +61,13 @@ class Written(Joint):
 
     @property
     def speeds(self) -> tuple[Component, ...]:
-        graph, own = self.kinematics.graph, dict[str, str]()
+        graph, owner_of = self.kinematics.graph, dict[str, str]()
         # q' = u of this coordinate and of no other
         for node, name in zip(self.kinematics.nodes, self.names, strict=True):
             if graph.nodes[node][0] == "atom":
                 speed = str(graph.nodes[node][1])
-                own[speed] = "" if speed in own else name
-        return tuple(Component(n, "", alone=True, of=own.get(n, "")) for n in self.speed_names)
+                owner_of[speed] = "" if speed in owner_of else name
+        return tuple(Component(n, "", alone=True, of=owner_of.get(n, "")) for n in self.speed_names)
 
     def quantities(self) -> dict[str, Quantity]:
         local = (*self.names, *self.speed_names, "t")
@@ -101,46 +101,46 @@ class Written(Joint):
     # q' = N u + n
 
     def rates(self, q: Matrix, u: Matrix, **data: Matrix) -> Matrix:
-        return self._told(data["kinematics"], q, u)
+        return self._substituted(data["kinematics"], q, u)
 
-    def _told(self, x: Matrix, q: Matrix, u: Matrix | None) -> Matrix:
+    def _substituted(self, x: Matrix, q: Matrix, u: Matrix | None) -> Matrix:
         """Expressions in the names of coordinates and speeds at q and u."""
         graph = x.graph
-        known = dict(zip(self.names, q.nodes, strict=True)) | {"t": graph.var("t", 0)}
-        known |= dict(zip(self.speed_names, u.nodes, strict=True)) if u is not None else {}
-        leaves = {graph.atom(name): node for name, node in known.items()}
+        leaf_nodes = dict(zip(self.names, q.nodes, strict=True)) | {"t": graph.var("t", 0)}
+        leaf_nodes |= dict(zip(self.speed_names, u.nodes, strict=True)) if u is not None else {}
+        leaves = {graph.atom(name): node for name, node in leaf_nodes.items()}
         nodes = rebuild(graph, x.nodes, leaves, into=graph)[1]
         return Matrix(graph, x.rows, x.columns, nodes)
 
-    def _turning(self, q: Matrix, x: Matrix) -> Matrix:
+    def _kinematic_matrix(self, q: Matrix, x: Matrix) -> Matrix:
         """N (nq, nu) at q."""
         graph = x.graph
         columns = [forward(graph, x.nodes, {graph.atom(n): ONE}) for n in self.speed_names]
         nodes = [column[i] for i in range(x.rows) for column in columns]
-        return self._told(Matrix(graph, x.rows, len(columns), nodes), q, None)
+        return self._substituted(Matrix(graph, x.rows, len(columns), nodes), q, None)
 
     def speeds_of(self, q: Matrix, qdot: Matrix, **data: Matrix) -> Matrix:
         kinematics = data["kinematics"]
-        rest = self._told(kinematics, q, Matrix.zeros(q.graph, len(self.speed_names)))
-        return _along(self._turning(q, kinematics), qdot - rest)
+        explicit = self._substituted(kinematics, q, Matrix.zeros(q.graph, len(self.speed_names)))
+        return _along(self._kinematic_matrix(q, kinematics), qdot - explicit)
 
     def integrate(self, q: Matrix, du: Matrix, **data: Matrix) -> Matrix:
-        return q + self._turning(q, data["kinematics"]) @ du
+        return q + self._kinematic_matrix(q, data["kinematics"]) @ du
 
     def difference(self, q0: Matrix, q1: Matrix, **data: Matrix) -> Matrix:
-        return _along(self._turning(q0, data["kinematics"]), q1 - q0)
+        return _along(self._kinematic_matrix(q0, data["kinematics"]), q1 - q0)
 
 
-def _along(turning: Matrix, change: Matrix) -> Matrix:
+def _along(kinematic: Matrix, change: Matrix) -> Matrix:
     """The smallest increment (nu, 1) that N turns into a change of the coordinates."""
-    across = turning.T
-    if turning.nodes == Matrix.identity(turning.graph, turning.rows).nodes:
+    across = kinematic.T
+    if kinematic.nodes == Matrix.identity(kinematic.graph, kinematic.rows).nodes:
         return change
-    if turning.rows == turning.columns:
-        return solve("rank_revealing", turning, change)
-    if turning.rows > turning.columns:
-        return solve("rank_revealing", across @ turning, across @ change)
-    return across @ solve("rank_revealing", turning @ across, change)
+    if kinematic.rows == kinematic.columns:
+        return solve("rank_revealing", kinematic, change)
+    if kinematic.rows > kinematic.columns:
+        return solve("rank_revealing", across @ kinematic, across @ change)
+    return across @ solve("rank_revealing", kinematic @ across, change)
 
 
 @dataclass(frozen=True)
@@ -165,10 +165,10 @@ class WrittenForces(ForceElement):
     applied: Ready | None = None
 
     def quantities(self) -> dict[str, Quantity]:
-        own = {"inertia": self.inertia, "forces": self.forces}
-        others = {"potential": self.potential, "applied": self.applied}
-        own |= {name: value for name, value in others.items() if value is not None}
-        return {name: Quantity(value) for name, value in own.items()}
+        values = {"inertia": self.inertia, "forces": self.forces}
+        optional = {"potential": self.potential, "applied": self.applied}
+        values |= {name: value for name, value in optional.items() if value is not None}
+        return {name: Quantity(value) for name, value in values.items()}
 
     def rotor_inertia(self, data: Mapping[str, Matrix]) -> dict[str, Matrix]:
         return {"joint": data["inertia"]}

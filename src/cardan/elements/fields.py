@@ -18,7 +18,7 @@ from ..ir.matrix import Matrix
 
 @dataclass(frozen=True)
 class Pull:
-    """What a field does.
+    """Action of a gravity field.
 
     Attributes:
         force: (3, 1), at the center of mass.
@@ -41,11 +41,11 @@ class Field(ABC):
 
     @abstractmethod
     def on_mass(self, r: Matrix, mass: Scalar) -> Pull:
-        """What it does to a mass at r."""
+        """Force on a mass at r."""
 
     @abstractmethod
     def on_inertia(self, r: Matrix, inertia: Matrix) -> Pull:
-        """What it does besides to a body of some extent: terms with its inertia (3, 3)."""
+        """Additional action on a body of some extent: terms with its inertia (3, 3)."""
 
 
 @dataclass(frozen=True)
@@ -77,7 +77,7 @@ class Central(Field):
 
 @dataclass(frozen=True)
 class Oblate(Field):
-    """What the flattening of a planet adds to its central field.
+    """Correction by the flattening of a planet to its central field.
 
     Attributes:
         strength: mu J2 R^2 / 2 [m^5/s^2].

@@ -1,4 +1,4 @@
-"""What elements keep themselves: internal states, modes, events, and conditions that modes hold."""
+"""State of elements: internal states, modes, events, and constraints active in some modes."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ class Mode:
 
 
 @dataclass(frozen=True)
-class Event:
+class EventSpec:
     """Something that happens where its sign function falls through zero.
 
     Attributes:
@@ -53,7 +53,7 @@ class Event:
         about: What happens, in words.
         period, phase: Of a tick: it happens at phase + k period [s].
         beyond: What a start with a negative value means, in words, where no run may begin so.
-        decides: Value of its element's mode from which it is no event but the first decision.
+        decides: Value of its element's mode from which it is not an event but the first decision.
         unit: Of its sign function; ``"a|b"``: of joints that turn, and of those that slide; ""
             where it is the user's, or a number.
     """
@@ -69,7 +69,7 @@ class Event:
 
 
 @dataclass(frozen=True)
-class Hold:
+class ModeConstraint:
     """A velocity that is kept at 0 while a mode holds it.
 
     Attributes:
@@ -100,7 +100,7 @@ class Impulse:
 
 @dataclass(frozen=True)
 class Change:
-    """What an event does to the states of an element.
+    """New states of an element after an event.
 
     Attributes:
         z: New internal states, None where they stay.
@@ -112,7 +112,7 @@ class Change:
 
 
 class Solved(Protocol):
-    """What an element may know of the solution of the equations of motion.
+    """The part of the solution of the equations of motion that an element may read.
 
     Attributes:
         held: Multipliers of its holds (their number, 1): the forces along their velocities.
@@ -120,7 +120,7 @@ class Solved(Protocol):
             only one possible; None where it has no such force.
     """
 
-    held: Matrix
+    multipliers: Matrix
     certainty: Scalar | None
 
     def derivative(self, x: Scalar) -> Scalar:
@@ -128,7 +128,7 @@ class Solved(Protocol):
 
 
 class Jumped(Protocol):
-    """What an element may know of an event."""
+    """Data of an event that an element may read."""
 
     def fired(self, event: int) -> Scalar:
         """1 where this event of the element happened, else 0."""
@@ -141,4 +141,4 @@ class Jumped(Protocol):
         """Value of an expression with the speeds behind the event."""
 
     def response(self, velocity: Scalar) -> Scalar:
-        """Acceleration of a velocity per force along it, circuits and what others hold included."""
+        """Acceleration of a velocity per force along it, loops and what others hold included."""

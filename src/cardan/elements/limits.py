@@ -1,4 +1,4 @@
-"""What the numbers of an element may be: judged where they are written, and where they change."""
+"""Limits of the numbers of an element: checked where they are written, and where they change."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from ..errors import ModelError
 
 @dataclass(frozen=True)
 class Limit:
-    """What a number of an element may be.
+    """Limits of one number of an element.
 
     Attributes:
         name: Of the quantity.
@@ -24,22 +24,22 @@ class Limit:
     """
 
     name: str
-    told: str
+    message: str
     least: float = -math.inf
     most: float = math.inf
     open: bool = False
     other: str = ""
 
 
-def not_negative(*names: str, wanted: str = "0 or more") -> tuple[Limit, ...]:
+def not_negative(*names: str, requirement: str = "0 or more") -> tuple[Limit, ...]:
     """Quantities from 0 on."""
-    return tuple(Limit(name, f"{name} is {{value}}; give {wanted}", 0.0) for name in names)
+    return tuple(Limit(name, f"{name} is {{value}}; give {requirement}", 0.0) for name in names)
 
 
-def positive(*names: str, wanted: str = "more than 0") -> tuple[Limit, ...]:
+def positive(*names: str, requirement: str = "more than 0") -> tuple[Limit, ...]:
     """Quantities above 0."""
     return tuple(
-        Limit(name, f"{name} is {{value}}; give {wanted}", 0.0, open=True) for name in names
+        Limit(name, f"{name} is {{value}}; give {requirement}", 0.0, open=True) for name in names
     )
 
 
@@ -61,5 +61,7 @@ def judge(who: str, limits: Sequence[Limit], values: Mapping[str, Any]) -> None:
         least = other if limit.other else limit.least
         assert least is not None
         if value < least or value > limit.most or (limit.open and value == least):
-            told = limit.told.replace("{value}", f"{value:g}").replace("{other}", f"{least:g}")
-            raise ModelError(f"{who}: {told}")
+            message = limit.message.replace("{value}", f"{value:g}").replace(
+                "{other}", f"{least:g}"
+            )
+            raise ModelError(f"{who}: {message}")

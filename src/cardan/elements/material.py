@@ -1,4 +1,4 @@
-"""What a beam is made of."""
+"""Materials of beams."""
 
 from __future__ import annotations
 
@@ -38,23 +38,18 @@ class Material:
             raise ModelError(f"material: {problem}")
 
     def quantities(self) -> dict[str, Quantity]:
-        """What the user wrote, by name."""
-        given = {name: getattr(self, name) for name in UNITS}
-        return {name: Quantity(x, UNITS[name]) for name, x in given.items() if x is not None}
+        """The user's values by name."""
+        values = {name: getattr(self, name) for name in UNITS}
+        return {name: Quantity(x, UNITS[name]) for name, x in values.items() if x is not None}
 
     @property
     def elastic(self) -> bool:
-        """Whether it says how stiff it is."""
+        """True when it says how stiff it is."""
         return self.E is not None and not (self.nu is None and self.G is None)
 
 
 def material(
-    E: Any = None,
-    nu: Any = None,
-    G: Any = None,
-    rho: Any = 0,
-    damping: Any = 0,
-    expansion: Any = 0,
+    E: Any = None, nu: Any = None, G: Any = None, rho: Any = 0, damping: Any = 0, expansion: Any = 0
 ) -> Material:
     """A linear elastic material; numbers, parameters or expressions of them.
 

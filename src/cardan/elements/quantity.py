@@ -1,4 +1,4 @@
-"""What a user writes where a number is wanted, and what it is measured in."""
+"""Values that users write in place of numbers, with their units."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, fields
 from typing import Any
 
-from ..errors import ModelError, shown
+from ..errors import ModelError, brief
 from ..ir.graph import Graph
 from .validation import axis, number, vector
 
@@ -86,18 +86,18 @@ def take(element: Any, who: str, units: Units) -> None:
         elif entry.name in units:
             value = number(who, entry.name, value)
         elif entry.type == "bool" and type(value).__name__ not in ("bool", "bool_"):
-            raise ModelError(f"{who}: {entry.name} is True or False, not {shown(value)}")
+            raise ModelError(f"{who}: {entry.name} is True or False, not {brief(value)}")
         object.__setattr__(element, entry.name, value)
 
 
 def quantities_of(element: Any, units: Units) -> dict[str, Quantity]:
     """The fields that have units and are given, in the order of these."""
-    given = {name: getattr(element, name) for name in units}
+    values = {name: getattr(element, name) for name in units}
     return {
         name: Quantity(value, "", ratio=True)
         if units[name] == RATIO
         else Quantity(value, units[name])
-        for name, value in given.items()
+        for name, value in values.items()
         if value is not None
     }
 

@@ -10,7 +10,7 @@ from hashlib import sha256
 from itertools import pairwise
 from typing import Any
 
-from ..errors import ModelError, near, shown
+from ..errors import ModelError, brief, near
 from ..ir.graph import Table
 from ..ir.numbers import FLOATS
 
@@ -40,7 +40,7 @@ def table(x: Sequence[float], y: Sequence[float], kind: str = "akima") -> Interp
         Interpolants, SIAM J. Sci. Stat. Comput. 5 (1984).
     """
     if not isinstance(kind, str) or kind not in KINDS:
-        raise ModelError(f"table: kind {shown(kind)} does not exist.{near(kind, KINDS)}")
+        raise ModelError(f"table: kind {brief(kind)} does not exist.{near(kind, KINDS)}")
     breaks, values = _column("x", x), _column("y", y)
     if len(breaks) != len(values):
         raise ModelError(
@@ -60,13 +60,13 @@ def table(x: Sequence[float], y: Sequence[float], kind: str = "akima") -> Interp
             "table ends as it begins"
         )
     # two points determine a straight line, whatever the kind
-    pieces = KINDS["linear" if len(breaks) == 2 else kind](breaks, values)
-    return Interpolation(Table(breaks, pieces), kind, values)
+    coefficients = KINDS["linear" if len(breaks) == 2 else kind](breaks, values)
+    return Interpolation(Table(breaks, coefficients), kind, values)
 
 
 @dataclass(frozen=True)
 class Interpolation:
-    """What :func:`table` makes.
+    """Result of :func:`table`.
 
     Attributes:
         data: The piecewise polynomial.
@@ -85,8 +85,8 @@ class Interpolation:
         if hasattr(x, "__len__"):
             import numpy as np
 
-            found = [FLOATS.table(self.data, 0, float(entry)) for entry in np.ravel(x)]
-            return np.reshape(found, np.shape(x))
+            values = [FLOATS.table(self.data, 0, float(entry)) for entry in np.ravel(x)]
+            return np.reshape(values, np.shape(x))
         return FLOATS.table(self.data, 0, float(x))
 
 
@@ -112,13 +112,13 @@ def _linear(x: Sequence[float], y: Sequence[float]) -> tuple[tuple[float, ...], 
 def _curve(name: str, **options: str) -> Callable[..., tuple[tuple[float, ...], ...]]:
     """Pieces of a piecewise polynomial of ``scipy.interpolate``."""
 
-    def pieces(x: Sequence[float], y: Sequence[float]) -> tuple[tuple[float, ...], ...]:
+    def coefficients_of(x: Sequence[float], y: Sequence[float]) -> tuple[tuple[float, ...], ...]:
         from scipy import interpolate
 
         coefficients = getattr(interpolate, name)(x, y, **options).c
-        return tuple(tuple(float(c) for c in piece) for piece in coefficients.T)
+        return tuple(tuple(float(c) for c in column) for column in coefficients.T)
 
-    return pieces
+    return coefficients_of
 
 
 KINDS: dict[str, Callable[..., tuple[tuple[float, ...], ...]]] = {

@@ -10,7 +10,7 @@ import math
 from collections.abc import Sequence
 from typing import Any
 
-from ..errors import ModelError, shown
+from ..errors import ModelError, brief
 
 # directions by their letters
 AXES = {
@@ -46,8 +46,8 @@ def number(owner: str, name: str, value: Any) -> Any:
     """
     if is_expression(value) and not hasattr(value, "tolist"):
         return value
-    truth = isinstance(value, bool) or getattr(getattr(value, "dtype", None), "kind", "") == "b"
-    if not truth and not isinstance(value, str | bytes | None):
+    boolean = isinstance(value, bool) or getattr(getattr(value, "dtype", None), "kind", "") == "b"
+    if not boolean and not isinstance(value, str | bytes | None):
         try:
             result = float(value)
         except (TypeError, ValueError, OverflowError):
@@ -55,7 +55,7 @@ def number(owner: str, name: str, value: Any) -> Any:
         if math.isfinite(result):
             return result
     raise ModelError(
-        f"{owner}: {name} is {shown(value)}; give a finite number, a parameter or an expression"
+        f"{owner}: {name} is {brief(value)}; give a finite number, a parameter or an expression"
     )
 
 
@@ -65,22 +65,22 @@ def positive(owner: str, name: str, value: Any) -> Any:
     Raises:
         ModelError: anything else.
     """
-    found = number(owner, name, value)
-    if not is_expression(found) and found <= 0:
-        raise ModelError(f"{owner}: {name} is {found}; give a number above 0")
-    return found
+    value_checked = number(owner, name, value)
+    if not is_expression(value_checked) and value_checked <= 0:
+        raise ModelError(f"{owner}: {name} is {value_checked}; give a number above 0")
+    return value_checked
 
 
 def vector(owner: str, name: str, value: Any, length: int | None = None) -> tuple[Any, ...]:
     """Numbers or expressions in order, from any sequence, array or column matrix.
 
     Raises:
-        ModelError: wrong length, or an entry that is no number.
+        ModelError: wrong length, or an entry that is not a number.
     """
     value = value.tolist() if hasattr(value, "tolist") else value
     if isinstance(value, str | bytes) or not isinstance(value, Sequence):
         raise ModelError(
-            f"{owner}: {name} is {shown(value)}; give {length or 'a sequence of'} numbers, "
+            f"{owner}: {name} is {brief(value)}; give {length or 'a sequence of'} numbers, "
             f"such as {tuple(range(length or 2))}"
         )
     entries = [x[0] if isinstance(x, Sequence) and len(x) == 1 else x for x in value]
@@ -98,7 +98,7 @@ def axis(owner: str, name: str, value: Any) -> tuple[Any, ...]:
     if isinstance(value, str):
         if value not in AXES:
             raise ModelError(
-                f"{owner}: {name} {shown(value)} is no direction; give 'x', 'y', 'z', "
+                f"{owner}: {name} {brief(value)} is not a direction; give 'x', 'y', 'z', "
                 "'-x', '-y', '-z' "
                 "or three numbers"
             )

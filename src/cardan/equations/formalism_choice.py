@@ -55,11 +55,11 @@ def chosen_by(
         return replace(plain, method="composite", reason=f"{counted(system.depth(), 'joint')} deep")
     best = min(counts, key=lambda m: counts[m].cycles)
     other = next(m for m in counts if m != best)
-    reason = f"{_told(counts[best])}; by {other} {_told(counts[other])}"
+    reason = f"{_counts_text(counts[best])}; by {other} {_counts_text(counts[other])}"
     return replace(both[best], reason=reason)
 
 
-def _told(counts: Counts) -> str:
+def _counts_text(counts: Counts) -> str:
     return f"{counted(counts.total, 'operation')}, {counts.critical_path:.0f} in a row"
 
 
@@ -86,9 +86,9 @@ def check_chooses(method: str) -> None:
     """
     check_method(method)
     if not FORMALISMS[method].chooses:
-        others = ", ".join(f"'{name}'" for name, other in FORMALISMS.items() if other.chooses)
+        choosing = ", ".join(f"'{name}'" for name, other in FORMALISMS.items() if other.chooses)
         raise DerivationError(
-            f"speeds= goes with method={others}, not '{method}', which eliminates the speeds of "
+            f"speeds= goes with method={choosing}, not '{method}', which eliminates the speeds of "
             "one joint after the other"
         )
 
@@ -102,7 +102,7 @@ def predicted(system: System) -> tuple[str | None, str]:
     if system.closed:
         return "composite", "its constraints need M"
     if system.closures:
-        return "composite", "circuits tie joints together"
+        return "composite", "loops tie joints together"
     if system.written:
         return WRITTEN, "its equations are written with M"
     coupled = [j.name for j in system.joints if j.coupling is not None]
@@ -111,11 +111,11 @@ def predicted(system: System) -> tuple[str | None, str]:
     factor, joints = factorization(system), sum(j.u >= 0 for j in system.joints)
     ratio = factor / (ELIMINATION * max(joints, 1))
     depth = system.depth()
-    told = counted(factor, "operation")
+    cost = counted(factor, "operation")
     if ratio < UNCLEAR[0]:
-        return "composite", f"{counted(depth, 'joint')} deep: solving with M takes {told}"
+        return "composite", f"{counted(depth, 'joint')} deep: solving with M takes {cost}"
     if ratio > UNCLEAR[1]:
-        return "articulated", f"{counted(depth, 'joint')} deep: solving with M would take {told}"
+        return "articulated", f"{counted(depth, 'joint')} deep: solving with M would take {cost}"
     return None, ""
 
 
@@ -127,9 +127,9 @@ def factorization(system: System) -> int:
     total, above = 0, list[int]()
     for body, joint in zip(system.bodies, system.joints, strict=True):
         inner = above[body.parent] if body.parent >= 0 else 0
-        own = len(joint.element.speeds) if joint.u >= 0 else 0
+        speeds = len(joint.element.speeds) if joint.u >= 0 else 0
         # row by row: divide, subtract the products, and once each way through for the solution
-        for n in range(inner, inner + own):
+        for n in range(inner, inner + speeds):
             total += n * (n + 1) + 5 * n + 1
-        above.append(inner + own)
+        above.append(inner + speeds)
     return total

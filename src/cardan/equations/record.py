@@ -18,8 +18,8 @@ from ..schema.functions import FUNCTIONS
 from ..schema.request import Request
 from ..topology.system import Named, System
 from .constraints.constraints import Row, rows
-from .constraints.kinematic_coefficients import Following
-from .constraints.reaction_friction import pressed
+from .constraints.kinematic_coefficients import KinematicCoefficients
+from .constraints.reaction_friction import friction_forces
 from .constraints.treatments import Multipliers, Treatment
 from .formalisms import FORMALISMS
 from .formalisms.formalism import Formalism
@@ -30,7 +30,7 @@ from .functions.recipes import RECIPES, about, blocks_of, c_name, check, is_rewr
 from .kinematics.kinematics import Kinematics
 from .reading.counts import Counts, overview
 from .recursion.looped import FOLDED, LOOPED, by_bodies, repeats
-from .rewrites import Told, candidates
+from .rewrites import Rewritten, candidates
 
 if TYPE_CHECKING:
     import sympy
@@ -63,10 +63,10 @@ class EquationRecord:
     rewrites: tuple[str, ...] | None = None
     free: System | None = None
     treatment: Treatment = field(default_factory=Multipliers)
-    _systems: dict[bool, list[Told]] = field(default_factory=dict, compare=False)
-    _told: dict[str, tuple[str, ...]] = field(default_factory=dict, compare=False)
+    _systems: dict[bool, list[Rewritten]] = field(default_factory=dict, compare=False)
+    _rewrites_of: dict[str, tuple[str, ...]] = field(default_factory=dict, compare=False)
     _counts: dict[str, Counts] = field(default_factory=dict, compare=False)
-    _made: dict[str, Function] = field(default_factory=dict, compare=False)
+    _functions: dict[str, Function] = field(default_factory=dict, compare=False)
     _read: dict[str, Any] = field(default_factory=dict, compare=False)
 
     @cached_property
@@ -87,7 +87,7 @@ class EquationRecord:
 
     @property
     def formalism(self) -> Formalism:
-        """What derives them."""
+        """The formalism that derives them."""
         return FORMALISMS[self.method]
 
     @property
@@ -117,19 +117,19 @@ class EquationRecord:
 
     @cached_property
     def constraint_rows(self) -> tuple[Row, ...]:
-        """What binds the speeds: name, unit and level of every constraint."""
+        """Constraints on the speeds: name, unit and level of each."""
         return rows(self.system)
 
     @property
     def sources(self) -> tuple[str, ...]:
         """Literature behind the formalism, the joints and the force elements."""
-        found = [self.formalism.source]
-        found += [joint.element.source for joint in self.system.joints]
-        found += [cut.element.source for cut in self.system.cuts]
-        found += [force.element.source for force in self.system.forces]
+        texts = [self.formalism.source]
+        texts += [joint.element.source for joint in self.system.joints]
+        texts += [cut.element.source for cut in self.system.cuts]
+        texts += [force.element.source for force in self.system.forces]
         if self.system.closed:
-            found.append(self.treatment.source)
-        return tuple(dict.fromkeys(s for s in found if s))
+            texts.append(self.treatment.source)
+        return tuple(dict.fromkeys(s for s in texts if s))
 
     def names(self) -> list[str]:
         """Functions that :meth:`function` can derive; those of frames and joints take ``of``."""
@@ -155,43 +155,46 @@ class EquationRecord:
         if missing(self.system, name):
             raise DerivationError(missing(self.system, name))
         symbol = self.c_name(name, of)
-        if symbol not in self._made:
+        if symbol not in self._functions:
             with collector_paused():
-                self._made[symbol], self._told[symbol] = self._fewest(name, symbol, of)
-        return self._made[symbol]
+                self._functions[symbol], self._rewrites_of[symbol] = self._fewest(name, symbol, of)
+        return self._functions[symbol]
 
     @checked
     def rewritten(self, name: str, of: str | None = None) -> tuple[str, ...]:
         """Rewrites of the system graph from which a function was derived; see :func:`derive`."""
         self.function(name, of)
-        return self._told[self.c_name(name, of)]
+        return self._rewrites_of[self.c_name(name, of)]
 
     def notes(self, name: str, of: str | None, form: Function | Recursion) -> list[str]:
-        """What the head of a generated file says about how its function was derived."""
-        told = self.rewritten(name, of) if isinstance(form, Function) else ()
-        return [f"formalism: {self.method}", *([f"rewrites: {', '.join(told)}"] if told else [])]
+        """Remarks for the head of a generated file on the derivation of its function."""
+        rewrites = self.rewritten(name, of) if isinstance(form, Function) else ()
+        return [
+            f"formalism: {self.method}",
+            *([f"rewrites: {', '.join(rewrites)}"] if rewrites else []),
+        ]
 
-    def ways(self, name: str, of: str | None) -> list[Told]:
-        """How the system may be told for a function."""
+    def ways(self, name: str, of: str | None) -> list[Rewritten]:
+        """Rewritten systems that a function may be derived from."""
         # friction that follows from reactions: regrouped inertia has others
-        if not is_rewritable(name, of) or pressed(self.system) or self.system.written:
+        if not is_rewritable(name, of) or friction_forces(self.system) or self.system.written:
             return [((), self.system)]
         rigid = FUNCTIONS[name].displaces
         if rigid not in self._systems:
-            wanted = () if self.chosen else self.rewrites
-            self._systems[rigid] = candidates(self.system, self.formalism, wanted, rigid)
+            rewrites = () if self.chosen else self.rewrites
+            self._systems[rigid] = candidates(self.system, self.formalism, rewrites, rigid)
         return self._systems[rigid]
 
     def _fewest(self, name: str, symbol: str, of: str | None) -> tuple[Function, tuple[str, ...]]:
         """A function by the rewrites that leave the fewest operations."""
         chosen = () if FUNCTIONS[name].joint_speeds else self.chosen
-        made = [
+        candidates_by_way = [
             (self._derive(name, symbol, of, Kinematics(system, chosen)), names)
             for names, system in self.ways(name, of)
         ]
-        if len(made) == 1:
-            return made[0]
-        return min(made, key=lambda pair: sum(stage(pair[0]).operations().values()))
+        if len(candidates_by_way) == 1:
+            return candidates_by_way[0]
+        return min(candidates_by_way, key=lambda pair: sum(stage(pair[0]).operations().values()))
 
     @checked
     def derivative(
@@ -226,7 +229,7 @@ class EquationRecord:
         check(name, None)
         if not self.loops(name):
             raise DerivationError(
-                f"function '{name}' by method '{self.method}' is no recursion over the bodies. "
+                f"function '{name}' by method '{self.method}' is not a recursion over the bodies. "
                 f"Those that are: {', '.join(n for n in FUNCTIONS if self.loops(n)) or 'none'}"
             )
         with collector_paused():
@@ -246,27 +249,27 @@ class EquationRecord:
         """
         many = len(self.system.bodies) > LOOPED if loops is None else loops
         if many and of is None and self.loops(name):
-            found = self.recursion(name)
-            if loops or repeats(found):
-                return found
+            recursion = self.recursion(name)
+            if loops or repeats(recursion):
+                return recursion
         return self.function(name, of)
 
     def loops(self, name: str) -> bool:
-        """Whether a function can be derived as a recursion."""
+        """True when a function can be derived as a recursion."""
         return not self.chosen and not self.system.closed and name in self.formalism.loops
 
     @property
     def follows(self) -> bool:
-        """Whether circuits determine coordinates that :meth:`named` has names for."""
+        """True when loops determine coordinates that :meth:`named` has names for."""
         return bool(self.system.closures) and not self.chosen
 
-    def named_function(self, name: str) -> tuple[Function, Following]:
-        """A function with what closed circuits determine under names; see :meth:`named`."""
-        following = Following.of(self.system, self.blocks)
+    def named_function(self, name: str) -> tuple[Function, KinematicCoefficients]:
+        """A function with what closed loops determine under names; see :meth:`named`."""
+        coefficients = KinematicCoefficients.of(self.system, self.blocks)
         # a method that differentiates energies would have to differentiate what has names
-        plain = replace(self.as_described.fresh, method="composite")
-        k = Kinematics(self.system, following=following)
-        return plain._derive(name, self.c_name(name), None, k), following
+        plain = replace(self.without_rewrites.fresh, method="composite")
+        k = Kinematics(self.system, coefficients=coefficients)
+        return plain._derive(name, self.c_name(name), None, k), coefficients
 
     def _derive(self, name: str, symbol: str, of: str | None, k: Kinematics) -> Function:
         labels = blocks.labels(self.blocks)
@@ -321,21 +324,23 @@ class EquationRecord:
         if self.free is None:
             return {}
         before = replace(self.fresh, system=self.free, free=None).operations
-        return {name: (own.total, before[name].total) for name, own in self.operations.items()}
+        return {
+            name: (counts.total, before[name].total) for name, counts in self.operations.items()
+        }
 
     @property
     def fresh(self) -> Self:
         """The same with nothing derived."""
-        return replace(self, _systems={}, _told={}, _counts={}, _made={}, _read={})
+        return replace(self, _systems={}, _rewrites_of={}, _counts={}, _functions={}, _read={})
 
-    def told(self, rewrites: tuple[str, ...]) -> Self:
+    def with_rewrites(self, rewrites: tuple[str, ...]) -> Self:
         """The same equations by these rewrites only."""
         return replace(self.fresh, rewrites=rewrites)
 
     @cached_property
-    def as_described(self) -> Self:
+    def without_rewrites(self) -> Self:
         """The same without rewrites: in the frames and numbers of the user, for reading."""
-        return self if self.rewrites == () else self.told(())
+        return self if self.rewrites == () else self.with_rewrites(())
 
     def __repr__(self) -> str:
         bodies = counted(len(self.system.bodies), "body", "bodies")

@@ -1,18 +1,18 @@
-"""Which rewrites of the system graph a function is derived from."""
+"""Choose the rewrites of the system graph for a function."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
-from ..errors import DerivationError, near, shown
+from ..errors import DerivationError, brief, near
 from ..ir.matrix import Matrix
 from ..spatial.moments import inertia_tensor
 from ..topology.rewrites import REWRITES
 from ..topology.system import System
 from .formalisms.formalism import Formalism
 
-Told = tuple[tuple[str, ...], System]
+Rewritten = tuple[tuple[str, ...], System]
 # rewrites that save where much passes between bodies, and cost where their inertia has many zeros:
 # both ways are counted
 COUNTED = ("axes", "parallel")
@@ -29,7 +29,7 @@ def check_names(names: Sequence[str]) -> tuple[str, ...]:
     names = (names,) if isinstance(names, str) else names
     if not isinstance(names, Iterable):
         raise DerivationError(
-            f"rewrites: names are wanted, () for none, not {shown(names)}. Known: "
+            f"rewrites: names are wanted, () for none, not {brief(names)}. Known: "
             f"{', '.join(REWRITES)}"
         )
     names = tuple(names)
@@ -41,7 +41,7 @@ def check_names(names: Sequence[str]) -> tuple[str, ...]:
 
 def candidates(
     system: System, formalism: Formalism, names: tuple[str, ...] | None, rigid: bool = False
-) -> list[Told]:
+) -> list[Rewritten]:
     """The ways to tell a system from which the one with the fewest operations is taken.
 
     Args:
@@ -58,30 +58,30 @@ def candidates(
         DerivationError: asked for what the formalism does not take.
     """
     if system.closures:
-        # circuits are solved in the axes in which they are described
+        # loops are solved in the axes in which they are described
         return [((), system)]
-    wanted = formalism.rewrites(system) if names is None else names
+    chosen = formalism.rewrites(system) if names is None else names
     for name in formalism.refused:
-        if name in wanted:
+        if name in chosen:
             raise DerivationError(
                 f"rewrite '{name}': method '{formalism.name}' needs axes that turn with their "
                 "bodies; leave it out or use another method"
             )
     if rigid:
-        wanted = tuple(name for name in wanted if name != "parallel")
-        return [_with_one_inertia(_rewritten(system, wanted))]
-    found = [_rewritten(system, wanted)]
+        chosen = tuple(name for name in chosen if name != "parallel")
+        return [_with_one_inertia(_rewritten(system, chosen))]
+    systems = [_rewritten(system, chosen)]
     if names is None:
         counted = (*COUNTED, "origins") if len(system.bodies) <= FEW else COUNTED
-        found += [
-            _rewritten(system, tuple(n for n in wanted if n != name))
+        systems += [
+            _rewritten(system, tuple(n for n in chosen if n != name))
             for name in counted
-            if name in found[0][0]
+            if name in systems[0][0]
         ]
-    return found
+    return systems
 
 
-def _rewritten(system: System, names: tuple[str, ...]) -> Told:
+def _rewritten(system: System, names: tuple[str, ...]) -> Rewritten:
     applied = []
     for name in names:
         changed = REWRITES[name](system)
@@ -91,11 +91,11 @@ def _rewritten(system: System, names: tuple[str, ...]) -> Told:
     return tuple(applied), system
 
 
-def _with_one_inertia(told: Told) -> Told:
+def _with_one_inertia(rewritten: Rewritten) -> Rewritten:
     """Inertia tensors that belong to the second moments."""
-    names, system = told
+    names, system = rewritten
     if "base_parameters" not in names:
-        return told
+        return rewritten
     graph = system.graph.fork()
     bodies = []
     for body in system.bodies:

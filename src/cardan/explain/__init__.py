@@ -46,8 +46,8 @@ def explain(
     ending = ending_of(path)
     from .writers import WRITERS
 
-    made = document(equations, progress)
-    for suffix, text in WRITERS[ending].write(made, path).items():
+    page = document(equations, progress)
+    for suffix, text in WRITERS[ending].write(page, path).items():
         publish(path if suffix == ending else path.with_suffix(suffix), text)
     return path
 
@@ -69,7 +69,7 @@ def ending_of(path: Path) -> str:
 def document(
     equations: Explained | FiniteElementRecord, progress: Callable[[str], object] | None = None
 ) -> Document:
-    """What a page says, before it is written."""
+    """Contents of a page, before it is written."""
     from . import sheets
 
     return sheets.document(equations, progress or (lambda _: None))

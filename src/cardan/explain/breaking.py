@@ -21,8 +21,8 @@ SMALL = 0.7
 
 
 @dataclass(frozen=True)
-class Piece:
-    """What stays together on a line.
+class Segment:
+    """A part of a formula that stays together on a line.
 
     Attributes:
         before: Signs, brackets and names of functions that stand before it.
@@ -48,7 +48,7 @@ class Breaker:
         self._room = room
         self._widths: dict[Any, float] = {}
 
-    def pieces(self, expression: Any) -> list[Piece]:
+    def segments(self, expression: Any) -> list[Segment]:
         """The pieces of an expression in order."""
         return list(self._broken(short(expression)))
 
@@ -80,9 +80,9 @@ class Breaker:
     def _line(self, factors: Sequence[Any]) -> float:
         return float(sum(self.width(f) + 0.4 + 2.0 * f.is_Add for f in factors))
 
-    def _broken(self, e: Any) -> Iterator[Piece]:
+    def _broken(self, e: Any) -> Iterator[Segment]:
         if self.width(e) <= self._room or not e.args:
-            yield Piece((), e)
+            yield Segment((), e)
         elif e.is_Add:
             yield from self._sum(e.as_ordered_terms())
         elif e.is_Mul:
@@ -99,14 +99,14 @@ class Breaker:
         else:
             yield from self._call(e)
 
-    def _sum(self, terms: Sequence[Any]) -> Iterator[Piece]:
+    def _sum(self, terms: Sequence[Any]) -> Iterator[Segment]:
         for n, term in enumerate(terms):
             minus = term.could_extract_minus_sign()
             inner = self._broken(_negated(term) if minus else term)
             sign = "−" if minus else "+" if n else ""
             yield from _led(sign, inner) if sign else inner
 
-    def _product(self, e: Any) -> Iterator[Piece]:
+    def _product(self, e: Any) -> Iterator[Segment]:
         if e.could_extract_minus_sign():
             yield from _led("−", self._broken(_negated(e)))
             return
@@ -116,13 +116,13 @@ class Breaker:
             sympy.Mul(*(f for f in e.args if not f.is_Rational), evaluate=False)
         )
         upper = [*([number] if number != 1 else []), *upper]
-        yield from self._factors(upper) if upper else (Piece((), sympy.Integer(1)),)
+        yield from self._factors(upper) if upper else (Segment((), sympy.Integer(1)),)
         if len(lower) == 1 and not lower[0].is_Add:
             yield from _led("/", self._broken(lower[0]))
         elif lower:
             yield from _led("/", _closed(_led("(", self._factors(lower, bare=True)), None))
 
-    def _factors(self, factors: Sequence[Any], bare: bool = False) -> Iterator[Piece]:
+    def _factors(self, factors: Sequence[Any], bare: bool = False) -> Iterator[Segment]:
         """Factors side by side as far as there is room; ``bare``: they have brackets already."""
         group: list[Any] = []
         for factor in [*factors, None]:
@@ -131,10 +131,12 @@ class Breaker:
                 group.append(factor)
                 continue
             if group:
-                piece = Piece((), sympy.Mul(*group, evaluate=False) if group[1:] else group[0])
+                segment = Segment((), sympy.Mul(*group, evaluate=False) if group[1:] else group[0])
                 alone = group[0].is_Add and not group[1:] and not (bare and len(factors) == 1)
-                made: Iterator[Piece] = self._enclosed(group[0], None) if alone else iter((piece,))
-                yield from made
+                segments: Iterator[Segment] = (
+                    self._enclosed(group[0], None) if alone else iter((segment,))
+                )
+                yield from segments
                 group = []
             if factor is None:
                 return
@@ -161,23 +163,23 @@ class Breaker:
                 upper.append(factor)
         return upper, lower
 
-    def _enclosed(self, e: Any, power: Any) -> Iterator[Piece]:
+    def _enclosed(self, e: Any, power: Any) -> Iterator[Segment]:
         return _closed(_led("(", self._broken(e)), power)
 
-    def _call(self, e: Any) -> Iterator[Piece]:
+    def _call(self, e: Any) -> Iterator[Segment]:
         name = NAMES.get(type(e).__name__, type(e).__name__.lower())
         for n, arg in enumerate(e.args):
             inner = self._broken(arg)
             inner = _led(f"{name}(", inner) if n == 0 else inner
             yield from _closed(inner, None, ")" if n == len(e.args) - 1 else ",")
 
-    def _cases(self, e: Any) -> Iterator[Piece]:
+    def _cases(self, e: Any) -> Iterator[Segment]:
         for n, (value, condition) in enumerate(e.args):
             yield from _closed(_led("{", self._broken(value)) if n == 0 else self._broken(value),
                                None, "")  # fmt: skip
             last = n == len(e.args) - 1
             inner = (
-                iter((Piece(("otherwise",), None),))
+                iter((Segment(("otherwise",), None),))
                 if condition == sympy.true
                 else _led("if", self._broken(condition))
             )
@@ -200,23 +202,23 @@ def _negated(e: Any) -> Any:
     """-e, with the brackets of e."""
     if e.is_Mul and e.args[0].is_Number:
         number = -e.args[0]
-        rest = e.args[1:]
-        factors = rest if number == 1 else (number, *rest)
+        remaining = e.args[1:]
+        factors = remaining if number == 1 else (number, *remaining)
         return factors[0] if len(factors) == 1 else sympy.Mul(*factors, evaluate=False)
     return -e
 
 
-def _led(sign: str, pieces: Iterator[Piece]) -> Iterator[Piece]:
+def _led(sign: str, segments: Iterator[Segment]) -> Iterator[Segment]:
     """A sign before the first piece."""
-    first = next(pieces)
+    first = next(segments)
     yield replace(first, before=(sign, *first.before))
-    yield from pieces
+    yield from segments
 
 
-def _closed(pieces: Iterator[Piece], power: Any, sign: str = ")") -> Iterator[Piece]:
+def _closed(segments: Iterator[Segment], power: Any, sign: str = ")") -> Iterator[Segment]:
     """A bracket, with its power, behind the last piece."""
-    last = next(pieces)
-    for piece in pieces:
+    last = next(segments)
+    for segment in segments:
         yield last
-        last = piece
+        last = segment
     yield replace(last, after=(*last.after, (sign, power))) if sign else last

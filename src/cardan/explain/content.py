@@ -1,4 +1,4 @@
-"""What a page says before anybody decides how it looks: text, formulas, tables, figures.
+"""Contents of a page, independent of its looks: text, formulas, tables, figures.
 
 Strings are whatever users called their things; every writer escapes what it writes.
 """
@@ -67,7 +67,7 @@ class Formula:
 
     @property
     def text(self) -> str:
-        """As plain text."""
+        """The formula as plain text."""
         dots = {"q": "qdot"}.get(self.left.letter, self.left.letter) if self.left.dots else ""
         index = f"[{self.left.index}]" if self.left.index else ""
         return f"{dots or self.left.letter}{index} = {self.right}"
@@ -134,6 +134,6 @@ class Document:
 
 
 def is_negative(expression: Any) -> bool:
-    """Whether an expression is written with a minus before it."""
+    """True when an expression is written with a leading minus."""
     first = expression.as_ordered_terms()[0] if expression.is_Add else expression
     return bool(first.could_extract_minus_sign())

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from ..ir.function import Function
 from . import content as d
-from .formulas import HELD
+from .formulas import CONSTRAINT_LEVELS
 
 if TYPE_CHECKING:
     from ..equations.finite_elements.record import BlockKind, FiniteElementRecord
@@ -16,7 +16,7 @@ NAMED = 12
 
 
 def sections(scene: FiniteElementRecord) -> Iterator[d.Section]:
-    """What there is to say beyond graph, parameters and frames."""
+    """Sections beyond graph, parameters and frames."""
     yield _places(scene)
     yield _elements(scene)
     yield _energy(scene)
@@ -24,7 +24,7 @@ def sections(scene: FiniteElementRecord) -> Iterator[d.Section]:
 
 
 def _places(scene: FiniteElementRecord) -> d.Section:
-    """Where coordinates and speeds live."""
+    """Table of the nodes that own the coordinates and speeds."""
     places, rows = scene.places, []
     for n, kind in enumerate(places.kinds):
         members = [places.names[k] for k in range(len(places)) if places.kind[k] == n]
@@ -43,25 +43,25 @@ def _entries(kind: BlockKind) -> str:
 
 
 def _elements(scene: FiniteElementRecord) -> d.Section:
-    rows, held = [], []
+    rows, massed = [], []
     for group in scene.groups:
         kind = group.kind
         places = " and ".join(block.name for block in kind.blocks) or "ground"
         rows.append((kind.name, float(len(group)), some(group.members), places, float(kind.m)))
         if kind.m:
             names = ", ".join(name or "itself" for name, _ in kind.rows)
-            held.append((kind.name, float(kind.m), float(kind.mp), names))
+            massed.append((kind.name, float(kind.m), float(kind.mp), names))
     said: d.Text = (
-        SUM, " and ", HELD, ": every element adds its part to the rows of its places, and has rows "
-        "of its own where it holds something.",
+        SUM, " and ", CONSTRAINT_LEVELS, ": every element adds its part to the rows of its "
+        "places, and has rows of its own where it imposes constraints.",
     )  # fmt: skip
     blocks: list[d.Block] = [
         d.Paragraph(said),
         d.Table(("element", "members", "names", "between", "rows"), tuple(rows)),
     ]
-    if held:
+    if massed:
         head = ("element", "rows", "of positions", "what it holds")
-        blocks.append(d.Table(head, tuple(held)))
+        blocks.append(d.Table(head, tuple(massed)))
     return d.Section("Elements", tuple(blocks))
 
 
@@ -114,5 +114,5 @@ def _operations(scene: FiniteElementRecord) -> d.Section:
 def some(names: Iterable[str]) -> str:
     """A few names, and how many more there are."""
     listed = list(names)
-    shown = ", ".join(listed[:NAMED])
-    return shown + (f", ... ({len(listed)})" if len(listed) > NAMED else "")
+    listing = ", ".join(listed[:NAMED])
+    return listing + (f", ... ({len(listed)})" if len(listed) > NAMED else "")

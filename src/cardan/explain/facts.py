@@ -1,4 +1,4 @@
-"""What a program wants to know about equations: plain data for JSON and for tables."""
+"""Facts about equations as plain data, for JSON and for tables."""
 
 from __future__ import annotations
 
@@ -26,17 +26,17 @@ def facts(equations: EquationRecord) -> dict[str, Any]:
     stated = manifest.base(equations, ()).data
     left_out = ("abi", "available", "functions", "scene", "sha256", "shapes")
     data = {key: part for key, part in vars(stated).items() if key not in left_out}
-    data["frames"] = placed(equations.system, stated.frames)
+    data["frames"] = frame_rows(equations.system, stated.frames)
     data["operations"] = {
         name: {"total": counts.total, "operators": dict(counts), "blocks": counts.blocks}
         for name, counts in equations.operations.items()
     }
     data["sources"] = list(equations.sources)
-    found: dict[str, Any] = json.loads(dumped(data))
-    return found
+    tree: dict[str, Any] = json.loads(dumped(data))
+    return tree
 
 
-def placed(system: System, frames: Sequence[FrameRow]) -> list[dict[str, Any]]:
+def frame_rows(system: System, frames: Sequence[FrameRow]) -> list[dict[str, Any]]:
     """Frames with position (3) and rotation (3, 3) in body axes at the defaults of parameters."""
     return [
         {**vars(frame), "position": p.tolist(), "rotation": r.tolist()}
@@ -49,7 +49,7 @@ def placed(system: System, frames: Sequence[FrameRow]) -> list[dict[str, Any]]:
 def poses(system: System) -> tuple[Numbers, Numbers]:
     """Positions (n, 3) and rotations (n, 3, 3) of all frames in axes of their bodies."""
     defaults = [parameter.value for parameter in system.parameters]
-    found = evaluate(flat_scene.scene(system), {"p": defaults})
+    values = evaluate(flat_scene.scene(system), {"p": defaults})
     count = len(system.frames)
-    positions = np.reshape(found["frame_position"], (count, 3)).astype(np.float64)
-    return positions, np.reshape(found["frame_rotation"], (count, 3, 3)).astype(np.float64)
+    positions = np.reshape(values["frame_position"], (count, 3)).astype(np.float64)
+    return positions, np.reshape(values["frame_rotation"], (count, 3, 3)).astype(np.float64)

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from ..equations.reading.contributions import LETTERS, TURNING, WEIGHT, Contribution
+from ..equations.reading.contributions import LETTERS, VELOCITIES, WEIGHT, Contribution
 from ..equations.reading.formula import LONGEST, SIMPLIFIED, rates_are_speeds
 from ..equations.reading.notation import GREEK, Notation, notation
 from ..errors import DerivationError
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Limits:
-    """How much is simplified and shown.
+    """Limits on simplification and on the length of formulas.
 
     Attributes:
         simplified: Operations of a function, written out in full, that is simplified.
@@ -44,14 +44,14 @@ NOTEBOOK = Limits(simplified=SIMPLIFIED, read=LONGEST, listed=40, entries=0, own
 FUNCTIONS = (
     ("mass_matrix", "M", 0, "mass matrix"),
     ("bias", "h", 0, "velocity products and gravity"),
-    ("applied", "f", 0, "generalized applied forces of the model"),
+    ("applied_forces", "f", 0, "generalized applied forces of the model"),
     ("constraints", "g", 0, "what vanishes at position level"),
     ("constraint_jacobian", "G", 0, "constraint Jacobian"),
     ("constraint_bias", "gamma", 0, "velocity terms of the constraints"),
     ("qdot", "q", 1, "rates of the coordinates"),
 )
 # parts of h that are told apart
-CAUSES = (TURNING, WEIGHT)
+CAUSES = (VELOCITIES, WEIGHT)
 
 
 _RATE = d.letter("u", 1).mathml
@@ -64,7 +64,7 @@ BALANCE = d.Written(
 BOUND = d.Written(
     BALANCE.mathml + _FORCE, BALANCE.latex + r" + G^T \lambda", BALANCE.text + " + Gᵀ lam"
 )
-HELD = d.Written(
+CONSTRAINT_LEVELS = d.Written(
     "<mi>G</mi>" + _RATE + "<mo>=</mo><mi>γ</mi>", r"G \dot u = \gamma", "G udot = gamma"
 )
 RATES = d.Written(d.letter("q", 1).mathml + "<mo>=</mo><mi>u</mi>", r"\dot q = u", "qdot = u")
@@ -86,10 +86,10 @@ class Formulas:
         if not self.equations.speeds:
             said = "Nothing moves freely: there are no equations of motion."
             return d.Section("Equations of motion", (d.Paragraph((said,)),))
-        known = self.equations.names()
+        names = self.equations.names()
         blocks: list[d.Block] = [d.Paragraph(self._general())]
         for name, letter, dots, about in FUNCTIONS:
-            if name in known:
+            if name in names:
                 blocks += self._function(name, letter, dots, about)
         return d.Section("Equations of motion", (*blocks, *self._determined()))
 
@@ -97,15 +97,15 @@ class Formulas:
         if not self.equations.system.closed:
             return (BALANCE, ", where ", TAU, " is what is applied from outside.")
         said = " is what is applied from outside and "
-        return (BOUND, " and ", HELD, ", where ", TAU, said, LAMBDA, " are the forces of "
-                "constraint.")  # fmt: skip
+        where = (", where ", TAU, said, LAMBDA, " are the constraint forces.")
+        return (BOUND, " and ", CONSTRAINT_LEVELS, *where)
 
     def _function(self, name: str, letter: str, dots: int, about: str) -> Iterator[d.Block]:
         try:
             matrix = self._readable(name)
         except DerivationError as problem:
-            told = str(problem).rstrip(".")
-            yield d.Paragraph((d.letter(letter, dots), f", {about}. {told}."))
+            reason = str(problem).rstrip(".")
+            yield d.Paragraph((d.letter(letter, dots), f", {about}. {reason}."))
             yield from self._intermediates(name, letter, dots)
             return
         if name == "qdot" and rates_are_speeds(self.equations, matrix):
@@ -114,7 +114,7 @@ class Formulas:
         entries = self._entries(name, letter, matrix)
         nonzero = [(k, index, value) for k, index, value in entries if value != 0]
         if not nonzero:
-            if name in ("bias", "applied"):
+            if name in ("bias", "applied_forces"):
                 yield d.Paragraph((d.letter(letter, dots), f", {about}: zero."))
             return
         absent = "; entries that are not listed are zero" * (len(nonzero) < len(entries))
@@ -129,13 +129,13 @@ class Formulas:
             yield from self._owners(name, [(k, index) for k, index, _ in nonzero], letter)
 
     def _readable(self, name: str) -> Any:
-        """A function as a SymPy matrix; what circuits determine keeps its names in it.
+        """A function as a SymPy matrix; what loops determine keeps its names in it.
 
         Raises:
             DerivationError: nobody would read it.
         """
         equations = self.equations
-        function = equations.as_described.function
+        function = equations.without_rewrites.function
         size = length(equations.named_function(name)[0] if equations.follows else function(name))
         if size <= self.limits.simplified:
             definitions, matrix = equations.named(name)
@@ -143,13 +143,13 @@ class Formulas:
         if size > self.limits.read:
             raise DerivationError(f"Written out it has {size:,} operations")
         self._definitions |= dict(definitions)
-        self.symbols |= {symbol.name: following(symbol.name) for symbol, _ in definitions}
+        self.symbols |= {symbol.name: parameter_notation(symbol.name) for symbol, _ in definitions}
         return matrix
 
     def _determined(self) -> Iterator[d.Block]:
-        """What circuits determine, by the names that formulas use."""
+        """Quantities that kinematic loops determine, under the names that formulas use."""
         if self._definitions:
-            yield d.Paragraph(("With what the circuits determine:",))
+            yield d.Paragraph(("With what the loops determine:",))
         longer = 0
         for symbol, value in self._definitions.items():
             if value.count_ops() > self.limits.read:
@@ -183,16 +183,16 @@ class Formulas:
         return equations.coordinates if letter == "q" else speeds
 
     def _shares(self, name: str, matrix: Any) -> tuple[Contribution, ...] | None:
-        """What adds up to a matrix; None where that is too much to write out."""
+        """Contributions that add up to a matrix; None where they are too long to write out."""
         if name not in LETTERS:
             return ()
         owners = len(self.equations.system.bodies) + len(self.equations.system.forces)
         # what follows has its name in a matrix, but not in what is added up to it
         if len(matrix) * owners > self.limits.entries or self.equations.follows:
             return None
-        found = self.equations.contributions(name)
+        contributions = self.equations.contributions(name)
         try:
-            return found if all(one.matrix is not None for one in found) else None
+            return contributions if all(one.matrix is not None for one in contributions) else None
         except DerivationError:
             return None
 
@@ -202,10 +202,10 @@ class Formulas:
         """Who contributes to which entry, where the contributions are too long to be written."""
         if len(self.equations.speeds) > self.limits.owners:
             return
-        found = self.equations.contributions(name)
+        contributions = self.equations.contributions(name)
         rows = []
         for k, index in entries:
-            who = [_who(one) for one in found if one.function.roots[k]]
+            who = [_who(one) for one in contributions if one.function.roots[k]]
             rows.append((f"{letter}[{index}]", ", ".join(dict.fromkeys(who))))
         table = d.Table(("entry", "comes from"), tuple(rows))
         yield d.Folded(f"Where the terms of {letter} come from", (table,))
@@ -227,7 +227,7 @@ class Formulas:
             yield from self._owners(name, [(k, index) for k, index, _ in entries], letter)
 
     def _sign(self, symbol: Any) -> Notation:
-        """How a named intermediate is set, from now on in all formulas."""
+        """Choose the notation of a named intermediate for all formulas that follow."""
         return self.symbols.setdefault(symbol.name, intermediate(symbol.name))
 
 
@@ -236,17 +236,17 @@ def _who(one: Contribution) -> str:
     return f"{one.owner}, {one.cause}" if one.cause in CAUSES else one.owner
 
 
-def following(name: str) -> Notation:
-    """How what circuits determine is set: ``phi.theta.theta`` is a φ with the index θθ."""
+def parameter_notation(name: str) -> Notation:
+    """Notation of a quantity that loops determine: ``phi.theta.theta`` is a φ with the index θθ."""
     head, *by = name.split(".")
     first, index = notation(head), "".join(notation(part).character for part in by)
     return Notation(first.letter, ", ".join(filter(None, (first.index, index))))
 
 
 def intermediate(name: str) -> Notation:
-    """How a named intermediate is set: ``lower.omega_y`` is an ω with the index lower, y."""
+    """Notation of a named intermediate: ``lower.omega_y`` is an ω with the index lower, y."""
     owner, _, quantity = name.rpartition(".")
-    letter, _, rest = quantity.partition("_")
+    letter, _, component = quantity.partition("_")
     if letter and (letter in GREEK or len(letter) == 1) and owner:
-        return Notation(letter, ", ".join(filter(None, (owner, rest))))
+        return Notation(letter, ", ".join(filter(None, (owner, component))))
     return Notation(quantity, owner) if owner else notation(name)

@@ -25,18 +25,18 @@ def drawn(bodies: Sequence[str], arcs: Sequence[Arc]) -> d.Figure:
 
 
 def caption(arcs: Sequence[Arc]) -> str:
-    """What the lines of the figure mean."""
+    """Legend of the lines in the figure."""
     styles = {arc.style for arc in arcs}
     said = "Bodies on their joints, the ground at the bottom"
-    said += "; dashed: joints that close circuits" * ("closing" in styles)
+    said += "; dashed: joints that close loops" * ("closing" in styles)
     return said + "; thick: beams" * ("beam" in styles) + "."
 
 
 def _arcs(system: System) -> Iterator[Arc]:
     yield from _fixed(system.ground_parts)
-    carried = {cut.carrier for cut in system.cuts}
+    carriers = {cut.carrier for cut in system.cuts}
     for i, (body, joint) in enumerate(zip(system.bodies, system.joints, strict=True)):
-        if not joint.implicit and i not in carried:
+        if not joint.implicit and i not in carriers:
             yield Arc(joint.name, joint.element.kind, _part(system, joint.parent_frame), body.name)
         yield from _fixed(body.parts)
     for cut in system.closing:
@@ -60,8 +60,8 @@ def _fixed(parts: tuple[Part, ...]) -> Iterator[Arc]:
 
 def _part(system: System, frame: int) -> str:
     """The user's body to which a frame belongs."""
-    own = system.frames[frame]
-    if own.body < 0:
-        return system.ground_parts[own.part].name if system.ground_parts else "ground"
-    parts = system.bodies[own.body].parts
-    return parts[own.part].name if parts else system.bodies[own.body].name
+    row = system.frames[frame]
+    if row.body < 0:
+        return system.ground_parts[row.part].name if system.ground_parts else "ground"
+    parts = system.bodies[row.body].parts
+    return parts[row.part].name if parts else system.bodies[row.body].name

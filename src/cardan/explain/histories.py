@@ -42,10 +42,10 @@ def _panels(motion: TrajectoryRecord) -> Iterator[d.Block]:
         q = motion.at(t)[:, : motion.nq]
     coordinates = motion.manifest.coordinates
     for unit in dict.fromkeys(row.unit for row in coordinates):
-        own = [(row.name, q[:, k]) for k, row in enumerate(coordinates) if row.unit == unit]
-        yield d.Figure(panel(t, own[: len(COLORS)], unit), "", "")
-        if len(own) > len(COLORS):
-            yield d.Paragraph((f"and {len(own) - len(COLORS)} more, motion.plot()",))
+        curves = [(row.name, q[:, k]) for k, row in enumerate(coordinates) if row.unit == unit]
+        yield d.Figure(panel(t, curves[: len(COLORS)], unit), "", "")
+        if len(curves) > len(COLORS):
+            yield d.Paragraph((f"and {len(curves) - len(COLORS)} more, motion.plot()",))
 
 
 def panel(t: Array, histories: list[tuple[str, Array]], unit: str) -> str:
@@ -78,9 +78,9 @@ def panel(t: Array, histories: list[tuple[str, Array]], unit: str) -> str:
     )
 
 
-def _text(x: float, y: float, words: str, anchor: str, color: str = "currentColor") -> str:
+def _text(x: float, y: float, label: str, anchor: str, color: str = "currentColor") -> str:
     place = f'x="{x}" y="{y}" text-anchor="{anchor}" fill="{color}"'
-    return f"<text {place}>{escape(words)}</text>"
+    return f"<text {place}>{escape(label)}</text>"
 
 
 def _lines(t: Array, y: Array, low: float, high: float) -> list[str]:
@@ -94,12 +94,12 @@ def _lines(t: Array, y: Array, low: float, high: float) -> list[str]:
             continue
         picked += sorted({a + int(inside.argmin()), a + int(inside.argmax())})
     span = float(t[-1] - t[0]) or 1.0
-    found, points = list[str](), list[str]()
+    paths, points = list[str](), list[str]()
     for k in (*picked, -1):
         if k >= 0:
             x = LEFT + (WIDTH - 4 - LEFT) * float(t[k] - t[0]) / span
             points.append(f"{x:.1f} {HEIGHT - (HEIGHT - 8) * (y[k] - low) / (high - low):.1f}")
         elif points:
-            found.append("M" + "L".join(points))
+            paths.append("M" + "L".join(points))
             points = []
-    return found
+    return paths

@@ -1,4 +1,4 @@
-"""What motions keep, and what of the inertia they depend on."""
+"""Conserved quantities of motions, and the inertia parameters they depend on."""
 
 from __future__ import annotations
 
@@ -27,26 +27,27 @@ def conserved(equations: Explained) -> Iterator[d.Section]:
     """Momenta and energy that stay constant."""
     if not 0 < len(equations.speeds) <= LARGEST:
         return
-    found = equations.conserved()
+    integrals = equations.conserved()
     blocks: list[d.Block] = []
-    for one in found.quantities:
+    for one in integrals.quantities:
         blocks += _quantity(one)
     sentences = []
-    if "energy" not in found.names:
-        told = found.told()
-        sentences.append(told[0].upper() + told[1:] + ".")
-    if not found.quantities and found.count:
+    if "energy" not in integrals.names:
+        explanation = integrals.energy_statement()
+        sentences.append(explanation[0].upper() + explanation[1:] + ".")
+    if not integrals.quantities and integrals.count:
         sentences.append("No momentum is conserved.")
-    if found.cyclic:
-        sentences.append(f"Nothing depends on {', '.join(found.cyclic)}.")
-    if found.events and found.quantities:
+    if integrals.cyclic:
+        sentences.append(f"Nothing depends on {', '.join(integrals.cyclic)}.")
+    if integrals.events and integrals.quantities:
         sentences.append("All this holds between events: an impact may change it.")
     if sentences:
         blocks.append(d.Paragraph((" ".join(sentences),)))
-    if found.count:
+    if integrals.count:
         said = (
-            f"Rates looked at in {found.count} states drawn by chance; those taken for zero are "
-            f"below {max(found.residual, 1e-16):.0e} of their terms."
+            f"Rates looked at in {integrals.count} states drawn by chance; those taken for zero "
+            "are "
+            f"below {max(integrals.residual, 1e-16):.0e} of their terms."
         )
         blocks.append(d.Paragraph((said,), quiet=True))
     yield d.Section("Conserved quantities", tuple(blocks))
@@ -69,13 +70,13 @@ def _quantity(one: Quantity) -> Iterator[d.Block]:
 
 
 def _letter(name: str) -> Notation:
-    words = name.split()
+    parts = name.split()
     if name == "energy":
         return Notation("E")
     if name.startswith("linear"):
-        return Notation("P", words[3] if len(words) == 4 else "")
+        return Notation("P", parts[3] if len(parts) == 4 else "")
     if name.startswith("angular"):
-        return Notation("L", words[3] + (", c" if name.endswith("mass") else ""))
+        return Notation("L", parts[3] + (", c" if name.endswith("mass") else ""))
     return Notation("p", name.removeprefix("momentum of "))
 
 
@@ -84,29 +85,29 @@ def base_parameters(equations: Explained) -> Iterator[d.Section]:
     if len(equations.system.bodies) > LARGEST:
         return
     try:
-        found = combinations_of(equations)
+        parameters = combinations_of(equations)
     except DerivationError:
         return
-    if found.combinations:
+    if parameters.combinations:
         of = "the joint forces of the tree" if equations.system.closed else "the joint forces"
-        yield d.Section("Base parameters", combinations(found, of))
+        yield d.Section("Base parameters", combinations(parameters, of))
 
 
-def combinations(found: BaseParameters, of: str) -> tuple[d.Block, ...]:
+def combinations(parameters: BaseParameters, of: str) -> tuple[d.Block, ...]:
     """Base parameters, and what has no effect alone."""
     said = (
-        f"{len(found.combinations)} combinations of masses (μ), first moments (σ) and second "
+        f"{len(parameters.combinations)} combinations of masses (μ), first moments (σ) and second "
         f"moments (J) about the joints determine {of}:"
     )
     blocks: list[d.Block] = [d.Paragraph((said,))]
     formulas: list[d.Block] = [
-        d.Formula(_base(name), expression) for name, expression in found.combinations.items()
+        d.Formula(_base(name), expression) for name, expression in parameters.combinations.items()
     ]
     blocks += formulas if len(formulas) <= 24 else [d.Folded("All of them", tuple(formulas))]
     for title, names in (
-        ("Their names", tuple(found.combinations)),
-        ("Without any effect", found.without_effect),
-        ("Only in combination with others", found.only_combined),
+        ("Their names", tuple(parameters.combinations)),
+        ("Without any effect", parameters.without_effect),
+        ("Only in combination with others", parameters.only_combined),
     ):
         if names:
             blocks.append(d.Paragraph((f"{title}: {', '.join(names)}.",), quiet=True))

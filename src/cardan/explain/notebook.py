@@ -1,4 +1,4 @@
-"""What the cells of notebooks show: what pages say, as far as it is quickly made."""
+"""Cells of notebooks: the parts of a page that are quick to derive."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def html(result: object) -> str:
 
 @singledispatch
 def document(result: object) -> d.Document:
-    """What a cell says, before it is written."""
+    """Contents of a cell, before it is written."""
     raise TypeError(f"notebooks show {type(result).__name__} as text")
 
 

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING
 
 from ..equations.finite_elements.record import FiniteElementRecord
-from ..equations.reading.loop_report import circuits_told
+from ..equations.reading.loop_report import loop_lines
 from ..equations.reading.notation import Notation, notation, symbols
 from . import content as d
 from . import elements, motion, tables
@@ -16,10 +16,10 @@ from .graph import figure
 if TYPE_CHECKING:
     from ..equations.reading.explained import Explained
 
-Told = Callable[[str], object]
+Progress = Callable[[str], object]
 
 
-def document(equations: Explained | FiniteElementRecord, progress: Told) -> d.Document:
+def document(equations: Explained | FiniteElementRecord, progress: Progress) -> d.Document:
     """The page of equations in whatever coordinates."""
     if isinstance(equations, FiniteElementRecord):
         names = {p: notation(p) for p in (*equations.parameters, *equations.inputs)}
@@ -30,15 +30,15 @@ def document(equations: Explained | FiniteElementRecord, progress: Told) -> d.Do
 
 
 def cell(equations: Explained | FiniteElementRecord) -> d.Document:
-    """What of a page a notebook shows: what is quickly derived, tables folded."""
+    """The parts of a page that a notebook shows: those quick to derive, tables folded."""
     formulas: list[d.Section] = []
     names: dict[str, Notation] = {}
     if isinstance(equations, FiniteElementRecord):
         tables_of = [*tables.parameters(equations.system), *elements.sections(equations)]
     else:
-        own = Formulas(equations, NOTEBOOK)
-        formulas = [d.Section("", _circuits(equations)), own.section()]
-        names = dict(symbols(equations)) | own.symbols
+        formulas_drawn = Formulas(equations, NOTEBOOK)
+        formulas = [d.Section("", _circuits(equations)), formulas_drawn.section()]
+        names = dict(symbols(equations)) | formulas_drawn.symbols
         tables_of = [*tables.coordinates(equations), *tables.parameters(equations.system)]
         tables_of += tables.operations(equations)
     folded = tuple(d.Folded(section.title, section.blocks) for section in tables_of)
@@ -76,7 +76,7 @@ def _many(count: int, one: str, several: str = "") -> str:
     return f"{count} {one if count == 1 else several or one + 's'}"
 
 
-def _relative(equations: Explained, formulas: Formulas, progress: Told) -> Iterator[d.Section]:
+def _relative(equations: Explained, formulas: Formulas, progress: Progress) -> Iterator[d.Section]:
     progress("drawing the graph")
     yield _graph(equations, _circuits(equations))
     yield from tables.coordinates(equations)
@@ -93,7 +93,7 @@ def _relative(equations: Explained, formulas: Formulas, progress: Told) -> Itera
     yield _sources(equations)
 
 
-def _absolute(equations: FiniteElementRecord, progress: Told) -> Iterator[d.Section]:
+def _absolute(equations: FiniteElementRecord, progress: Progress) -> Iterator[d.Section]:
     progress("drawing the graph")
     yield _graph(equations)
     yield from tables.parameters(equations.system)
@@ -110,7 +110,7 @@ def _graph(
 
 
 def _circuits(equations: Explained) -> tuple[d.Block, ...]:
-    lines = tuple((_sentence(" ".join(line.split())),) for line in circuits_told(equations))
+    lines = tuple((_sentence(" ".join(line.split())),) for line in loop_lines(equations))
     return (d.Listing(lines),) if lines else ()
 
 

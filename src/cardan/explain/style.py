@@ -1,4 +1,4 @@
-"""How pages look: the measure, the type and the tables of a book, by day and by night."""
+"""Style of pages: the measure, the type and the tables of a book, for light and dark screens."""
 
 from __future__ import annotations
 

@@ -22,21 +22,21 @@ UNTURNED = np.eye(3)
 def coordinates(equations: EquationRecord) -> Iterator[d.Section]:
     """Coordinates and speeds with the symbols that formulas use for them."""
     system = equations.system
-    found = blocks.coordinates(system)
-    if not found:
+    rows_of_blocks = blocks.coordinates(system)
+    if not rows_of_blocks:
         return
     kinds = _by_coordinate(system)
-    made: list[d.Block] = [
+    content: list[d.Block] = [
         d.Table(
             ("coordinate", "symbol", "joint", "unit", "default"),
             tuple(
                 (name, _symbol(name), kinds[name], unit(of), float(default))
-                for name, of, default in found
+                for name, of, default in rows_of_blocks
             ),
         )
     ]
     block = equations.blocks["u"]
-    made.append(
+    content.append(
         d.Table(
             ("speed", "symbol", "unit"),
             tuple(
@@ -48,20 +48,20 @@ def coordinates(equations: EquationRecord) -> Iterator[d.Section]:
     states = blocks.internals(system)
     if states:
         rows = tuple((name, unit(of), float(default)) for name, of, default in states)
-        made.append(d.Table(("internal state", "unit", "default"), rows))
+        content.append(d.Table(("internal state", "unit", "default"), rows))
     modes = blocks.discrete(system)
     if modes:
         rows = tuple(
             (name, ", ".join(f"{n} {word}" for n, word in mode.labels), float(mode.default))
             for name, mode in modes
         )
-        made.append(d.Table(("mode", "values", "default"), rows))
-    yield d.Section("Coordinates and speeds", tuple(made))
+        content.append(d.Table(("mode", "values", "default"), rows))
+    yield d.Section("Coordinates and speeds", tuple(content))
 
 
 def parameters(system: System) -> Iterator[d.Section]:
     """Numbers that can be changed, and inputs."""
-    made: list[d.Block] = []
+    content: list[d.Block] = []
     if system.parameters:
         rows = tuple(
             (p.name, _symbol(p.name), unit(p.unit), float(p.value)) for p in system.parameters
@@ -70,19 +70,19 @@ def parameters(system: System) -> Iterator[d.Section]:
         if declared < len(rows):
             said = "numbers of the scene, under the names of what they belong to"
             said = f"The first {declared} are declared, the others " * bool(declared) + said
-            made.append(d.Paragraph((said[0].upper() + said[1:] + ".",), quiet=True))
-        made.append(d.Table(("parameter", "symbol", "unit", "default"), rows))
+            content.append(d.Paragraph((said[0].upper() + said[1:] + ".",), quiet=True))
+        content.append(d.Table(("parameter", "symbol", "unit", "default"), rows))
     if system.inputs:
         rows = tuple(
             (r.name, _symbol(r.name), unit(r.unit), float(r.default)) for r in system.inputs
         )
-        made.append(d.Table(("input", "symbol", "unit", "default"), rows))
-    if made:
-        yield d.Section("Parameters", tuple(made))
+        content.append(d.Table(("input", "symbol", "unit", "default"), rows))
+    if content:
+        yield d.Section("Parameters", tuple(content))
 
 
 def frames(system: System) -> Iterator[d.Section]:
-    """Where frames are fixed to bodies, in the axes in which the equations are told."""
+    """Poses of frames on their bodies, in the axes in which the equations are written."""
     rows = tuple(
         (frame.name, _body(system, frame.body), _vector(position), _axes(rotation))
         for frame, position, rotation in zip(system.frames, *poses(system), strict=True)
@@ -98,7 +98,7 @@ def frames(system: System) -> Iterator[d.Section]:
 
 
 def operations(equations: EquationRecord) -> Iterator[d.Section]:
-    """How many operations functions take, and on whose account."""
+    """Operation counts of functions by owner."""
     counts = equations.operations
     names = tuple(counts)
     heads = tuple(name.replace("_", " ") for name in names)
@@ -148,13 +148,13 @@ def _symbol(name: str) -> d.Math:
 
 def _by_coordinate(system: System) -> dict[str, str]:
     """Coordinate -> its joint, and of what kind that is."""
-    found = {}
+    kinds = {}
     for joint in system.joints:
         if joint.q >= 0:
             for name in entries(joint.name, joint.element.coordinates):
                 kind = joint.element.kind.replace("_", " ")
-                found[name] = kind if name == joint.name else f"{joint.name}, {kind}"
-    return found
+                kinds[name] = kind if name == joint.name else f"{joint.name}, {kind}"
+    return kinds
 
 
 def _body(system: System, body: int) -> str:

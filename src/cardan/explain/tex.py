@@ -39,12 +39,12 @@ class TeX:
         }
         return str(sympy.latex(expression, symbol_names=names, mul_symbol=r" \, "))
 
-    def piece(self, piece: Any, style: str = "") -> str:
+    def segment(self, segment: Any, style: str = "") -> str:
         """A piece as :mod:`.breaking` makes them."""
-        parts = [_operator(mark) for mark in piece.before]
-        if piece.body is not None:
-            parts.append(style + self.expression(piece.body))
-        for mark, power in piece.after:
+        parts = [_operator(mark) for mark in segment.before]
+        if segment.body is not None:
+            parts.append(style + self.expression(segment.body))
+        for mark, power in segment.after:
             raised = f"^{{{self.expression(power)}}}" if power is not None else ""
             parts.append(_operator(mark) + raised)
         return " ".join(parts)

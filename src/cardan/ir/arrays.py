@@ -29,11 +29,11 @@ class Arrays(Numbers):
     def table(self, table: Table, derivative: int, x: Any) -> Any:
         """Derivative of a table at x."""
         breaks, coefficients = np.array(table.breaks), np.array(table.coefficients)
-        piece = np.searchsorted(breaks, np.real(x), side="right") - 1
-        piece = np.clip(piece, 0, len(coefficients) - 1)
-        h, total = x - breaks[piece], np.zeros_like(x)
+        interval = np.searchsorted(breaks, np.real(x), side="right") - 1
+        interval = np.clip(interval, 0, len(coefficients) - 1)
+        h, total = x - breaks[interval], np.zeros_like(x)
         for j, factor in enumerate(table.factors(derivative)):
-            total = total * h + coefficients[piece, j] * factor
+            total = total * h + coefficients[interval, j] * factor
         return total
 
     def solve(self, kind: str, n: int, m: int, entries: list[Any]) -> list[Any]:

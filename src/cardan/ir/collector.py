@@ -15,10 +15,10 @@ def collector_paused() -> Iterator[None]:
     collector would scan them again and again and free nothing. Measured on an arm and on a chain
     of 100 bodies, pausing it saves 6 to 12 % of a derivation.
     """
-    running = gc.isenabled()
+    was_enabled = gc.isenabled()
     gc.disable()
     try:
         yield
     finally:
-        if running:
+        if was_enabled:
             gc.enable()

@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 
 from .function import live, operands
-from .graph import MADE_BY_NOBODY, ONE, ZERO, Graph
+from .graph import NO_ORIGIN, ONE, ZERO, Graph
 from .matrix import Matrix, inner
 from .ops import LEAVES
 from .partials import PARTIALS, choice
@@ -111,11 +111,11 @@ def _origins(graph: Graph) -> Iterator[Callable[[int], None]]:
     def inherit(i: int) -> None:
         graph.origin = graph.origins[i]
 
-    def keep(i: int) -> None:
+    def leave(i: int) -> None:
         graph.origin = before
 
     try:
-        yield inherit if before == MADE_BY_NOBODY else keep
+        yield inherit if before == NO_ORIGIN else leave
     finally:
         graph.origin = before
 
@@ -165,7 +165,7 @@ def _depends(graph: Graph, order: Sequence[int], independent: set[int]) -> set[i
 def _pull_chosen(
     graph: Graph, i: int, bar: int, active: set[int], items: dict[int, dict[int, int]]
 ) -> list[tuple[int, int]]:
-    """As :func:`_pull`, with choices kept outermost.
+    """Same as :func:`_pull`, with choices kept outermost.
 
     A side that is not taken may be infinite, and 0 times infinity would spoil the side that is.
     """
@@ -190,7 +190,7 @@ def _sum(graph: Graph, a: int, b: int) -> int:
 def _pull(
     graph: Graph, i: int, bar: int, active: set[int], items: dict[int, dict[int, int]]
 ) -> list[tuple[int, int]]:
-    """What a node hands on to its operands: (operand, its share of the derivative)."""
+    """Derivative contributions of a node to its operands: (operand, share)."""
     node = graph.nodes[i]
     op, x = node[0], node[1:]
     if op == "item":
@@ -220,10 +220,10 @@ def _solve_reverse(graph: Graph, i: int, bars: Mapping[int, int]) -> list[tuple[
     """A X = B: B_bar solves Aᵀ B_bar = X_bar, and A_bar = -B_bar Xᵀ."""
     kind, a, b, x = _system(graph, i)
     n, m = b.rows, b.columns
-    given = Matrix(graph, n, m, [bars.get(k, ZERO) for k in range(n * m)])
-    if given.is_zero:
+    adjoint = Matrix(graph, n, m, [bars.get(k, ZERO) for k in range(n * m)])
+    if adjoint.is_zero:
         return []
-    b_bar = solve(kind, a.T if kind in UNSYMMETRIC else a, given)
+    b_bar = solve(kind, a.T if kind in UNSYMMETRIC else a, adjoint)
     a_bar = -(b_bar @ x.T)
     return [*zip(b.nodes, b_bar.nodes, strict=True), *zip(a.nodes, a_bar.nodes, strict=True)]
 
@@ -232,7 +232,7 @@ def directional(
     graph: Graph,
     roots: Sequence[int],
     directions: Sequence[Mapping[int, int]],
-    words: Sequence[str] = (),
+    labels: Sequence[str] = (),
 ) -> list[list[int]]:
     """Derivatives of all roots along all directions: column by column, one per direction.
 
@@ -244,13 +244,13 @@ def directional(
         directions: Node -> node of its derivative, as :func:`forward` takes them.
         words: For the names of derivatives by columns, one per direction.
     """
-    wanted = [root for root in dict.fromkeys(roots) if graph.value(root) is None]
-    if len(wanted) >= len(directions):
-        each = words or [""] * len(directions)
+    variable_roots = [root for root in dict.fromkeys(roots) if graph.value(root) is None]
+    if len(variable_roots) >= len(directions):
+        each = labels or [""] * len(directions)
         return [forward(graph, roots, *one) for one in zip(directions, each, strict=True)]
     leaves = list(dict.fromkeys(node for seeds in directions for node in seeds))
     place = {node: n for n, node in enumerate(leaves)}
-    rows = {root: gradient(graph, root, leaves) for root in wanted}
+    rows = {root: gradient(graph, root, leaves) for root in variable_roots}
     return [
         [
             inner(graph, [rows[root][place[n]] for n in seeds], list(seeds.values()))

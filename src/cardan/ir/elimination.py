@@ -124,7 +124,7 @@ def _semidefinite(a: Rows, b: Rows) -> Rows:
     """Elimination along the diagonal, of the rows that are independent."""
     n = len(a)
     size, left, taken = [a[i][i].real for i in range(n)], list(range(n)), list[int]()
-    size = [max(own, VANISHED * max(size)) for own in size]
+    size = [max(diagonal, VANISHED * max(size)) for diagonal in size]
     while left:
         # the largest of the rows that depend least on those before it
         shares = {i: _share(a[i][i], size[i]) for i in left}
@@ -151,7 +151,7 @@ def _semidefinite(a: Rows, b: Rows) -> Rows:
 
 
 def _share(pivot: Any, size: Any) -> Any:
-    """What is left of a diagonal entry; of complex numbers the real parts count."""
+    """Remaining part of a diagonal entry; of complex numbers the real parts count."""
     return pivot.real / size if size > 0 else 0
 
 

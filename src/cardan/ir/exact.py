@@ -15,7 +15,7 @@ def exact(value: float) -> Fraction:
 
 
 def is_fraction(value: Fraction) -> bool:
-    """Whether a book would write p/q: halves, thirds, 1/12, 3/128, but 0.05 and not 1/20."""
+    """True when a book would write p/q: halves, thirds, 1/12, 3/128, but 0.05 and not 1/20."""
     q = value.denominator
     if q <= 9 or (q & (q - 1) == 0 and q <= 1024):
         return True

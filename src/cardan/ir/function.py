@@ -130,28 +130,28 @@ def live(graph: Graph, roots: Iterable[int], stop: Collection[int] = ()) -> list
     """
     roots = tuple(roots)
     last = max(roots, default=-1)
-    few = _reached(graph, roots, stop, last // 8)
+    few = _reachable(graph, roots, stop, last // 8)
     return _swept(graph, roots, stop, last) if few is None else sorted(few)
 
 
-def _reached(
+def _reachable(
     graph: Graph, roots: Iterable[int], stop: Collection[int], most: int
 ) -> set[int] | None:
     """The nodes that the roots need; None where they are more than ``most``."""
     nodes, leaves = graph.nodes, LEAVES
-    stack, reached = list(roots), set[int]()
+    stack, visited = list(roots), set[int]()
     while stack:
         i = stack.pop()
-        if i in reached:
+        if i in visited:
             continue
-        reached.add(i)
-        if len(reached) > most:
+        visited.add(i)
+        if len(visited) > most:
             return None
         node = nodes[i]
         op = node[0]
         if op not in leaves and i not in stop:
             stack.extend(node[1:2] if op == "item" else node[4:] if op == "solve" else node[1:])
-    return reached
+    return visited
 
 
 def _swept(graph: Graph, roots: Iterable[int], stop: Collection[int], last: int) -> list[int]:
@@ -217,13 +217,13 @@ def critical_path(graph: Graph, nodes: Iterable[int]) -> float:
     depth: dict[int, float] = {}
     for i in nodes:
         node = graph.nodes[i]
-        own = OPERATORS[node[0]].cost if node[0] in OPERATORS else 0.0
-        depth[i] = own + max((depth.get(k, 0.0) for k in operands(node)), default=0.0)
+        latency = OPERATORS[node[0]].cost if node[0] in OPERATORS else 0.0
+        depth[i] = latency + max((depth.get(k, 0.0) for k in operands(node)), default=0.0)
     return max(depth.values(), default=0.0)
 
 
 def count(graph: Graph, nodes: Iterable[int]) -> dict[str, int]:
-    """Number of nodes per operator; leaves and entries of solutions are no operations."""
+    """Number of nodes per operator; leaves and entries of solutions are not operations."""
     counts: dict[str, int] = {}
     for i in nodes:
         op = graph.nodes[i][0]

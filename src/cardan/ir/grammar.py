@@ -40,12 +40,14 @@ def check(function: Function) -> Function:
             if not 0 <= k < i:
                 raise _broken(function, i, f"operand {k} does not stand before it")
             if nodes[k][0] == "solve" and op != "item":
-                raise _broken(function, i, f"it reads the solve node {k}, which is no single value")
+                raise _broken(
+                    function, i, f"it reads the solve node {k}, which is not a single value"
+                )
     return function
 
 
 def _live(function: Function) -> list[int]:
-    """Live nodes; an operand that is no node at all is found here."""
+    """Live nodes; an operand that is not a node at all is found here."""
     try:
         return function.live()
     except (IndexError, TypeError):
@@ -70,16 +72,16 @@ def _check_results(function: Function) -> None:
         where = f"function '{function.name}', result '{output.name}'"
         if math.prod(output.shape) != len(output.nodes):
             raise ValueError(f"{where}: {len(output.nodes)} nodes do not fill {output.shape}")
-        for given in (output.entries, output.units):
-            if given and len(given) != len(output.nodes):
+        for texts in (output.entries, output.units):
+            if texts and len(texts) != len(output.nodes):
                 raise ValueError(
-                    f"{where}: {len(given)} names or units for {len(output.nodes)} nodes"
+                    f"{where}: {len(texts)} names or units for {len(output.nodes)} nodes"
                 )
         for k in output.nodes:
             if not 0 <= k < size:
                 raise ValueError(f"{where}: node {k} does not exist")
             if function.graph.nodes[k][0] == "solve":
-                raise ValueError(f"{where}: the solve node {k} is no single value")
+                raise ValueError(f"{where}: the solve node {k} is not a single value")
     for block in function.inputs:
         if len(block.units) != len(block.entries):
             raise ValueError(
@@ -135,7 +137,7 @@ def _item_problem(graph: Graph, node: Node) -> str:
         return "an item names a solve node and the number of an entry"
     solution = graph.nodes[node[1]]
     if solution[0] != "solve":
-        return f"node {node[1]} is no solve node"
+        return f"node {node[1]} is not a solve node"
     return "" if 0 <= node[2] < solution[2] * solution[3] else "the solution has no such entry"
 
 

@@ -24,7 +24,7 @@ Origin = tuple[str, str]
 ZERO, ONE, MINUS_ONE = 0, 1, 2
 # sines and cosines are called after their angles
 NAMED_ALREADY = frozenset({"const", "var", "atom", "sin", "cos"})
-MADE_BY_NOBODY: Origin = ("", "")
+NO_ORIGIN: Origin = ("", "")
 # of a docstring: ``omega = Rᵀ omega_parent + S_w u``
 FORMULA = re.compile(r"``(\w+) = ([^`]+)``")
 
@@ -46,17 +46,17 @@ class Table:
         """Number of coefficients of a piece; this derivative and higher ones are zero."""
         return len(self.coefficients[0])
 
-    def piece(self, x: float) -> int:
+    def interval(self, x: float) -> int:
         """Number of the piece in which x lies; a break belongs to the piece it begins."""
         return min(max(bisect_right(self.breaks, x) - 1, 0), len(self.coefficients) - 1)
 
     def factors(self, derivative: int) -> list[int]:
-        """What the powers x^j, highest first, leave as factors when they are differentiated."""
+        """Factors that the powers x^j, highest first, leave when they are differentiated."""
         return [math.perm(j, derivative) for j in range(self.order - 1, derivative - 1, -1)]
 
 
 class SystemNames(NamedTuple):
-    """What a linear system is about: its matrix, its unknowns and its right sides."""
+    """Names of a linear system: its matrix, its unknowns and its right sides."""
 
     name: str
     rows: tuple[str, ...]
@@ -93,8 +93,8 @@ class Graph:
     def __init__(self) -> None:
         self.nodes: list[Node] = [("const", 0.0), ("const", 1.0), ("const", -1.0)]
         self._index: dict[Node, int] = {node: i for i, node in enumerate(self.nodes)}
-        self.origin: Origin = MADE_BY_NOBODY
-        self.origins: list[Origin] = [MADE_BY_NOBODY] * 3
+        self.origin: Origin = NO_ORIGIN
+        self.origins: list[Origin] = [NO_ORIGIN] * 3
         self.shared: dict[int, set[Origin]] = {}
         self.labels: dict[int, Origin] = {}
         self.hints: dict[int, Origin] = {}
@@ -137,7 +137,7 @@ class Graph:
             self.formulas.setdefault(kind or left, text)
         return self
 
-    def described(self, name: str) -> str:
+    def description_of(self, name: str) -> str:
         """The quantity with a formula that begins a name, ``G`` of ``G_px_rod``; "" for none."""
         while name and name not in self.formulas:
             name = name.rpartition("_")[0]

@@ -17,10 +17,7 @@ ARITHMETICS = ("float", "complex", "numpy", "mp")
 
 
 def evaluate(
-    function: Function,
-    values: Mapping[str, Any],
-    arithmetic: str = "float",
-    digits: int = 40,
+    function: Function, values: Mapping[str, Any], arithmetic: str = "float", digits: int = 40
 ) -> dict[str, Any]:
     """Results of a function.
 
@@ -43,14 +40,14 @@ def evaluate(
     graph, order = function.graph, function.live()
     inputs = _inputs(function, values, numbers, order)
     if arithmetic != "numpy":
-        found = nodes_of(graph, order, inputs, numbers)
-        return {o.name: [found[i] for i in o.nodes] for o in function.outputs}
+        values_by_node = nodes_of(graph, order, inputs, numbers)
+        return {o.name: [values_by_node[i] for i in o.nodes] for o in function.outputs}
     import numpy as np
 
     with np.errstate(all="ignore"):
-        found = nodes_of(graph, order, inputs, numbers)
+        values_by_node = nodes_of(graph, order, inputs, numbers)
     batch = np.broadcast_shapes(*(x[..., 0].shape for x in inputs.values() if x.shape[-1]))
-    return {o.name: _stacked(o, found, batch, numbers.number) for o in function.outputs}
+    return {o.name: _stacked(o, values_by_node, batch, numbers.number) for o in function.outputs}
 
 
 def nodes_of(
@@ -58,41 +55,41 @@ def nodes_of(
 ) -> dict[int, Any]:
     """Value of every node of a topological order."""
     nodes, operators, number = graph.nodes, numbers.operators, numbers.number
-    found: dict[int, Any] = {}
+    values_by_node: dict[int, Any] = {}
     for i in order:
         node = nodes[i]
         op = node[0]
         if op == "const":
-            found[i] = number(node[1])
+            values_by_node[i] = number(node[1])
         elif op == "var":
-            found[i] = (
+            values_by_node[i] = (
                 inputs[node[1]][..., node[2]]
                 if numbers.name == "numpy"
                 else inputs[node[1]][node[2]]
             )
         elif op in operators and op not in _SPECIAL:
-            found[i] = operators[op](*[found[k] for k in node[1:]])
+            values_by_node[i] = operators[op](*[values_by_node[k] for k in node[1:]])
         else:
-            found[i] = _special(graph, node, found, numbers)
-    return found
+            values_by_node[i] = _special(graph, node, values_by_node, numbers)
+    return values_by_node
 
 
 # nodes with operands that are not values
 _SPECIAL = frozenset({"solve", "item", "stumpff", "table", "atom"})
 
 
-def _special(graph: Graph, node: Node, found: Mapping[int, Any], numbers: Numbers) -> Any:
+def _special(graph: Graph, node: Node, values_by_node: Mapping[int, Any], numbers: Numbers) -> Any:
     """Nodes whose operands are not all numbers."""
     op = node[0]
     if op == "solve":
-        return numbers.solve(node[1], node[2], node[3], [found[k] for k in node[4:]])
+        return numbers.solve(node[1], node[2], node[3], [values_by_node[k] for k in node[4:]])
     if op == "item":
-        return found[node[1]][node[2]]
+        return values_by_node[node[1]][node[2]]
     if op == "stumpff":
-        return numbers.operators[op](int(graph.nodes[node[1]][1]), found[node[2]])
+        return numbers.operators[op](int(graph.nodes[node[1]][1]), values_by_node[node[2]])
     if op == "table":
         table = graph.tables[int(graph.nodes[node[1]][1])]
-        return numbers.table(table, int(graph.nodes[node[2]][1]), found[node[3]])
+        return numbers.table(table, int(graph.nodes[node[2]][1]), values_by_node[node[3]])
     raise ValueError(f"node {node} cannot be evaluated: placeholders must be replaced first")
 
 
@@ -122,14 +119,14 @@ def _inputs(
     result: dict[str, Any] = {}
     for name in sorted(read):
         if name not in values:
-            given = ", ".join(sorted(values)) or "none"
-            raise ValueError(f"function '{function.name}' reads block '{name}'; given: {given}")
+            names = ", ".join(sorted(values)) or "none"
+            raise ValueError(f"function '{function.name}' reads block '{name}'; given: {names}")
         result[name] = _block(values[name], numbers)
         length = result[name].shape[-1] if numbers.name == "numpy" else len(result[name])
-        wanted = sizes.get(name, length)
-        if length != wanted:
+        expected = sizes.get(name, length)
+        if length != expected:
             raise ValueError(
-                f"block '{name}' of function '{function.name}' has {wanted} entries, not {length}"
+                f"block '{name}' of function '{function.name}' has {expected} entries, not {length}"
             )
     return result
 
@@ -142,11 +139,13 @@ def _block(entries: Any, numbers: Numbers) -> Any:
     return np.asarray(entries, dtype=cast("type[Any]", numbers.number))
 
 
-def _stacked(output: Output, found: Mapping[int, Any], batch: tuple[int, ...], kind: Any) -> object:
+def _stacked(
+    output: Output, values_by_node: Mapping[int, Any], batch: tuple[int, ...], kind: Any
+) -> object:
     """The entries of an output as one array (..., *shape)."""
     import numpy as np
 
     flat = np.empty((*batch, len(output.nodes)), dtype=kind)
     for k, i in enumerate(output.nodes):
-        flat[..., k] = found[i]
+        flat[..., k] = values_by_node[i]
     return flat.reshape((*batch, *output.shape))

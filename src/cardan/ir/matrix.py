@@ -165,11 +165,7 @@ class Matrix:
             g,
             3,
             1,
-            (
-                sub(mul(b, z), mul(c, y)),
-                sub(mul(c, x), mul(a, z)),
-                sub(mul(a, y), mul(b, x)),
-            ),
+            (sub(mul(b, z), mul(c, y)), sub(mul(c, x), mul(a, z)), sub(mul(a, y), mul(b, x))),
         )
 
     @property

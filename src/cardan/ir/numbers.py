@@ -42,10 +42,10 @@ class Numbers:
 
     def table(self, table: Table, derivative: int, x: Any) -> Any:
         """Derivative of a table at x."""
-        piece = table.piece(self.real(x))
-        h = x - self.number(table.breaks[piece])
+        interval = table.interval(self.real(x))
+        h = x - self.number(table.breaks[interval])
         total = self.number(0.0)
-        coefficients = table.coefficients[piece]
+        coefficients = table.coefficients[interval]
         for c, factor in zip(coefficients, table.factors(derivative), strict=False):
             total = total * h + self.number(c) * factor
         return total
@@ -53,8 +53,8 @@ class Numbers:
     def solve(self, kind: str, n: int, m: int, entries: list[Any]) -> list[Any]:
         """X (n m, row by row) of A X = B, from the entries of A and B row by row."""
         a = [entries[i * n : (i + 1) * n] for i in range(n)]
-        rest = entries[n * n :]
-        b = [rest[i * m : (i + 1) * m] for i in range(n)]
+        right = entries[n * n :]
+        b = [right[i * m : (i + 1) * m] for i in range(n)]
         return [x for row in elimination.solve(kind, a, b, self.eps) for x in row]
 
 
@@ -101,7 +101,7 @@ def _unit(b: float) -> float:
 
 
 def _power_outside(a: float, b: float) -> float:
-    """What C's pow gives where Python's raises."""
+    """Result of C's pow where Python's raises."""
     if a < 0 and b != math.floor(b):
         return math.nan
     odd = b % 2 == 1
@@ -201,11 +201,11 @@ def digits_of(n: int) -> Numbers:
     def of_real(f: Callable[..., Any]) -> Callable[..., Any]:
         guarded = _or(f, nan)
 
-        def kept(*operands: Any) -> Any:
+        def real_only(*operands: Any) -> Any:
             value = guarded(*operands)
             return value if isinstance(value, context.mpf) else nan
 
-        return kept
+        return real_only
 
     operators: Operators = {name: OPERATORS[name].value for name in ("add", "sub", "mul", "neg")}
     operators |= {name: of_real(getattr(context, name)) for name in (*_FUNCTIONS, "atan2", "floor")}

@@ -39,23 +39,25 @@ class Owners:
 
     def of(self, i: int) -> Owner:
         """Owner of a node. Nodes of several owners stand in the section "shared"."""
-        graph, made = self._graph, self._alone
+        graph, owners = self._graph, self._alone
         origin = graph.labels.get(i)
         if origin is None:
             origin = graph.origins[i]
             if i in graph.shared:
                 origin, several = self._first(i)
-                made = self._several if several else made
-        found = made.get(origin)
-        if found is None:
+                owners = self._several if several else owners
+        owner = owners.get(origin)
+        if owner is None:
             name, quantity = origin
-            section = name or quantity if made is self._alone else SHARED
-            found = made[origin] = Owner(section, quantity)
-        return found
+            section = name or quantity if owners is self._alone else SHARED
+            owner = owners[origin] = Owner(section, quantity)
+        return owner
 
     def _first(self, i: int) -> tuple[Origin, bool]:
         """First origin of a node in graph numbering, and whether owners differ."""
         last = len(self._rank)
         origins = {*self._graph.shared[i], self._graph.origins[i]}
-        known = sorted(origins, key=lambda o: (o[0] == "", self._rank.get(o[0], last), not o[1], o))
-        return known[0], len({owner for owner, _ in known if owner}) > 1
+        ranked = sorted(
+            origins, key=lambda o: (o[0] == "", self._rank.get(o[0], last), not o[1], o)
+        )
+        return ranked[0], len({owner for owner, _ in ranked if owner}) > 1

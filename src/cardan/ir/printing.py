@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from .function import Function, operands
-from .graph import MADE_BY_NOBODY, Graph, Node
+from .graph import NO_ORIGIN, Graph, Node
 
 INFIX = {"add": "+", "sub": "-", "mul": "*", "div": "/"}
 RELATIONS = {"lt": "<", "le": "<=", "eq": "=="}
@@ -33,7 +33,7 @@ def text(function: Function) -> str:
 
 
 def _leaf(graph: Graph, i: int) -> str:
-    """How a node is called where it is read."""
+    """Text of a leaf where it is read."""
     node = graph.nodes[i]
     if node[0] == "const":
         return f"{node[1]:g}" if float(f"{node[1]:g}") == node[1] else repr(node[1])
@@ -74,7 +74,7 @@ def dot(function: Function) -> str:
         named = node[0] in ("const", "var", "atom")
         title = _leaf(graph, i) if named else _title(node)
         origin = graph.origins[i]
-        group = "" if named or origin == MADE_BY_NOBODY else origin[0]
+        group = "" if named or origin == NO_ORIGIN else origin[0]
         groups.setdefault(group, []).append(f"n{i} [label={quoted(title)}];")
         edges += [f"  n{k} -> n{i};" for k in operands(node)]
     for output in function.outputs:

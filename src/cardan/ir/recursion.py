@@ -155,11 +155,11 @@ class Recursion:
 
 def _places(step: Function, visit: Visit, store: list[int], graph: Graph) -> dict[int, int]:
     """Local input entry -> what stands for it in the whole."""
-    found: dict[int, int] = {}
+    places_by_node: dict[int, int] = {}
     for i in step.live():
         node = step.graph.nodes[i]
         if node[0] == "var":
             block, k = node[1], node[2]
             place = visit.reads[block][k]
-            found[i] = store[place] if block == STORE else graph.var(block, place)
-    return found
+            places_by_node[i] = store[place] if block == STORE else graph.var(block, place)
+    return places_by_node

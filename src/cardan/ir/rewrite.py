@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import TypeAlias
 
 from .function import Function, Output, live
-from .graph import MADE_BY_NOBODY, Graph, Node
+from .graph import NO_ORIGIN, Graph, Node
 from .ops import COMMUTATIVE, LEAVES
 
 # makes the copy of node i in the target, given where its operands went; None: copy it as usual
@@ -96,9 +96,9 @@ def copy(
         op = node[0]
         target.origin = origins[i]
         if rule is not None:
-            made = rule(target, i, copies)
-            if made is not None:
-                copies[i] = made
+            replacement = rule(target, i, copies)
+            if replacement is not None:
+                copies[i] = replacement
                 changed.add(i)
                 continue
         if op in LEAVES:
@@ -144,6 +144,6 @@ def _key(node: Node, copies: Mapping[int, int]) -> Node:
 
 def _share(target: Graph, copy: int, graph: Graph, i: int) -> None:
     """Further owners of node i go with its copy."""
-    more = graph.shared[i] - {target.origins[copy], MADE_BY_NOBODY}
+    more = graph.shared[i] - {target.origins[copy], NO_ORIGIN}
     if more:
         target.shared.setdefault(copy, set()).update(more)

@@ -136,15 +136,19 @@ def _read(saved: Any, number: int, place: Sequence[int]) -> Node:
     where = f"node {number} of a saved function"
     if not isinstance(saved, list) or not saved or not isinstance(saved[0], str):
         raise ValueError(f"{where}: expected a list that begins with an operator, not {saved!r}")
-    op, rest = saved[0], saved[1:]
+    op, arguments = saved[0], saved[1:]
     if op == "const":
-        if len(rest) != 1 or isinstance(rest[0], bool) or not isinstance(rest[0], int | float):
+        if (
+            len(arguments) != 1
+            or isinstance(arguments[0], bool)
+            or not isinstance(arguments[0], int | float)
+        ):
             raise ValueError(f"{where}: a constant holds one number")
-        return (op, float(rest[0]) + 0.0)
+        return (op, float(arguments[0]) + 0.0)
     if op in LEAVES:
-        return (op, *rest) if all(isinstance(x, str | int) for x in rest) else (op,)
-    data = rest[:3] if op == "solve" else rest[1:] if op == "item" else []
-    indices = rest[3:] if op == "solve" else rest[:1] if op == "item" else rest
+        return (op, *arguments) if all(isinstance(x, str | int) for x in arguments) else (op,)
+    data = arguments[:3] if op == "solve" else arguments[1:] if op == "item" else []
+    indices = arguments[3:] if op == "solve" else arguments[:1] if op == "item" else arguments
     for k in indices:
         if type(k) is not int or not 0 <= k < number:
             raise ValueError(f"{where}: operand {k!r} does not stand before it")
@@ -208,10 +212,10 @@ def _stride(saved: Any, visit: Visit) -> Visit:
             tuple(outs),
         )
         ahead(visit, move, 1)
-        whole = [*move.stores, *move.outs, *(k for row in move.reads.values() for k in row)]
+        entries = [*move.stores, *move.outs, *(k for row in move.reads.values() for k in row)]
     except (TypeError, ValueError, KeyError) as problem:
         raise ValueError(f"a saved stride does not fit its visit: {problem}") from problem
-    if not all(type(k) is int for k in whole):
+    if not all(type(k) is int for k in entries):
         raise ValueError("a saved stride consists of whole numbers")
     return move
 
@@ -224,12 +228,14 @@ def _visit(saved: Any, steps: Sequence[Function], lengths: Mapping[str, int], ro
     if type(step) is not int or not 0 <= step < len(steps):
         raise ValueError(f"a saved visit names step {step!r}; there are {len(steps)}")
     function = steps[step]
-    wanted = [(b.name, reads.get(b.name), len(b), lengths.get(b.name, 0)) for b in function.inputs]
+    expected = [
+        (b.name, reads.get(b.name), len(b), lengths.get(b.name, 0)) for b in function.inputs
+    ]
     stored, out = function.outputs if len(function.outputs) == 2 else (None, None)
     if stored is None or out is None:
         raise ValueError("a saved step has two outputs: what it stores, what it gives out")
-    wanted += [(STORE, stores, stored.size, lengths[STORE]), (OUT, outs, out.size, room)]
-    for block, places, count, length in wanted:
+    expected += [(STORE, stores, stored.size, lengths[STORE]), (OUT, outs, out.size, room)]
+    for block, places, count, length in expected:
         if not isinstance(places, list) or len(places) != count:
             raise ValueError(f"a saved visit needs {count} places of '{block}'")
         if not all(type(k) is int and 0 <= k < length for k in places):
@@ -261,12 +267,12 @@ def _output(saved: Any, place: Sequence[int]) -> Output:
 def _table(saved: Any) -> Table:
     breaks = tuple(map(_number, _list(saved, "breaks", MOST_ENTRIES)))
     rows = _list(saved, "coefficients", MOST_ENTRIES)
-    pieces = tuple(tuple(map(_number, row)) for row in rows if isinstance(row, list))
-    orders = {len(piece) for piece in pieces}
+    coefficients = tuple(tuple(map(_number, row)) for row in rows if isinstance(row, list))
+    orders = {len(segment) for segment in coefficients}
     rising = all(a < b for a, b in pairwise(breaks))
-    if len(pieces) != len(breaks) - 1 or len(orders) != 1 or 0 in orders or not rising:
+    if len(coefficients) != len(breaks) - 1 or len(orders) != 1 or 0 in orders or not rising:
         raise ValueError("a saved table needs rising breaks and one row of coefficients per piece")
-    return Table(breaks, pieces)
+    return Table(breaks, coefficients)
 
 
 def _number(x: Any) -> float:

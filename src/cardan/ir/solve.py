@@ -159,7 +159,7 @@ Factor = tuple[list[list[int]], list[int]]
 
 
 def factored(a: Matrix, names: SystemNames | None = None) -> Factor:
-    """As :func:`ltl`, with names for the entries of the factors."""
+    """Same as :func:`ltl`, with names for the entries of the factors."""
     namer = _Namer(a.graph, a.rows, 0, names)
     lower, inverse = ltl(a, namer.factor)
     for k in range(a.rows):

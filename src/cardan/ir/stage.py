@@ -16,7 +16,7 @@ def stage(function: Function, block: str = "p") -> Staged:
     nodes, order = function.graph.nodes, function.live()
     # 0: a number, 1: of p only, 2: of anything else
     level = bytearray(len(nodes))
-    wanted: set[int] = set()
+    results_used: set[int] = set()
     for i in order:
         node = nodes[i]
         op = node[0]
@@ -37,6 +37,6 @@ def stage(function: Function, block: str = "p") -> Staged:
         if highest == 2:
             for k in read:
                 if level[k] == 1:
-                    wanted.add(k)
-    wanted.update(i for i in function.roots if level[i] == 1)
-    return Staged(function, tuple(sorted(wanted)), tuple(order))
+                    results_used.add(k)
+    results_used.update(i for i in function.roots if level[i] == 1)
+    return Staged(function, tuple(sorted(results_used)), tuple(order))

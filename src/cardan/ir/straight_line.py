@@ -91,7 +91,7 @@ def _call(name: str, operands: Sequence[ast.expr]) -> ast.expr:
 
 
 def _term(function: Function, i: int, node: Node) -> ast.expr:
-    """What computes a node from those before it."""
+    """Statement that computes a node from those before it."""
     op = node[0]
     value = partial(_value, function)
     if op == "var":

@@ -17,10 +17,10 @@ def as_turns(visits: Sequence[Visit]) -> tuple[Visit | Turns, ...]:
     parts: list[Visit | Turns] = []
     at = 0
     while at < len(visits):
-        found = max((_turns(visits, at, n) for n in range(1, LONGEST + 1)), key=_length)
-        if found.times >= FEWEST:
-            parts.append(found)
-            at += _length(found)
+        longest = max((_turns(visits, at, n) for n in range(1, LONGEST + 1)), key=_length)
+        if longest.times >= FEWEST:
+            parts.append(longest)
+            at += _length(longest)
         else:
             parts.append(visits[at])
             at += 1
@@ -35,26 +35,26 @@ def _turns(visits: Sequence[Visit], at: int, n: int) -> Turns:
     """The turns of n visits that begin at one."""
     first = tuple(visits[at : at + n])
     strides = tuple(
-        stride_between(a, b) for a, b in zip(first, visits[at + n : at + 2 * n], strict=False)
+        visit_stride(a, b) for a, b in zip(first, visits[at + n : at + 2 * n], strict=False)
     )
     if len(strides) < n or None in strides:
         return Turns(first, (), 1)
-    known = tuple(s for s in strides if s is not None)
+    complete = tuple(s for s in strides if s is not None)
     times, end = 2, at + 3 * n
     while end <= len(visits) and all(
-        ahead(visits[end - 2 * n + k], known[k], 1) == visits[end - n + k] for k in range(n)
+        ahead(visits[end - 2 * n + k], complete[k], 1) == visits[end - n + k] for k in range(n)
     ):
         times, end = times + 1, end + n
-    return Turns(first, known, times)
+    return Turns(first, complete, times)
 
 
-def stride_between(a: Visit, b: Visit) -> Visit | None:
-    """What leads from one visit to the next; None where they are of different steps."""
+def visit_stride(a: Visit, b: Visit) -> Visit | None:
+    """Offset from one visit to the next; None where they are of different steps."""
     if a.step != b.step:
         return None
 
-    def apart(x: Sequence[int], y: Sequence[int]) -> tuple[int, ...]:
+    def differences(x: Sequence[int], y: Sequence[int]) -> tuple[int, ...]:
         return tuple([k - j for j, k in zip(x, y, strict=True)])
 
-    reads = {block: apart(a.reads[block], b.reads[block]) for block in a.reads}
-    return Visit(a.step, reads, apart(a.stores, b.stores), apart(a.outs, b.outs))
+    reads = {block: differences(a.reads[block], b.reads[block]) for block in a.reads}
+    return Visit(a.step, reads, differences(a.stores, b.stores), differences(a.outs, b.outs))

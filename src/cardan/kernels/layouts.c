@@ -5,27 +5,26 @@
 #include <stddef.h>
 
 #if CARDAN_LANES > 1
-#include "abreast.h"
+#include "simd_steps.h"
 
-extern const size_t cardan_abreast_layout[46];
-const size_t cardan_abreast_layout[46] = {
-    sizeof(cardan_abreast), offsetof(cardan_abreast, rhs), offsetof(cardan_abreast, w),
-    offsetof(cardan_abreast, owner), offsetof(cardan_abreast, inputs), offsetof(cardan_abreast,
-    alone), offsetof(cardan_abreast, quaternions), offsetof(cardan_abreast, quaternion_count),
-    offsetof(cardan_abreast, n), offsetof(cardan_abreast, nq), offsetof(cardan_abreast, nu),
-    offsetof(cardan_abreast, nr), offsetof(cardan_abreast, trial_step), offsetof(cardan_abreast,
-    dense), offsetof(cardan_abreast, worst), offsetof(cardan_abreast, rtol),
-    offsetof(cardan_abreast, atol), offsetof(cardan_abreast, max_step), offsetof(cardan_abreast,
-    order), offsetof(cardan_abreast, known), offsetof(cardan_abreast, t), offsetof(cardan_abreast,
-    size), offsetof(cardan_abreast, until), offsetof(cardan_abreast, span), offsetof(cardan_abreast,
-    idle), offsetof(cardan_abreast, rejected), offsetof(cardan_abreast, steps),
-    offsetof(cardan_abreast, rejections), offsetof(cardan_abreast, evaluations),
-    offsetof(cardan_abreast, h), offsetof(cardan_abreast, t_new), offsetof(cardan_abreast, at),
-    offsetof(cardan_abreast, error), offsetof(cardan_abreast, culprit), offsetof(cardan_abreast,
-    taken), offsetof(cardan_abreast, failed), offsetof(cardan_abreast, ended),
-    offsetof(cardan_abreast, y), offsetof(cardan_abreast, trial), offsetof(cardan_abreast, next),
-    offsetof(cardan_abreast, k), offsetof(cardan_abreast, spread), offsetof(cardan_abreast, r),
-    offsetof(cardan_abreast, s), offsetof(cardan_abreast, at_rest), offsetof(cardan_abreast, work)
+extern const size_t cardan_simd_layout[46];
+const size_t cardan_simd_layout[46] = {
+    sizeof(cardan_simd), offsetof(cardan_simd, rhs), offsetof(cardan_simd, w), offsetof(cardan_simd,
+    owner), offsetof(cardan_simd, inputs), offsetof(cardan_simd, alone), offsetof(cardan_simd,
+    quaternions), offsetof(cardan_simd, quaternion_count), offsetof(cardan_simd, n),
+    offsetof(cardan_simd, nq), offsetof(cardan_simd, nu), offsetof(cardan_simd, nr),
+    offsetof(cardan_simd, trial_step), offsetof(cardan_simd, dense), offsetof(cardan_simd, worst),
+    offsetof(cardan_simd, rtol), offsetof(cardan_simd, atol), offsetof(cardan_simd, max_step),
+    offsetof(cardan_simd, order), offsetof(cardan_simd, last_stage), offsetof(cardan_simd, t),
+    offsetof(cardan_simd, size), offsetof(cardan_simd, until), offsetof(cardan_simd, span),
+    offsetof(cardan_simd, idle), offsetof(cardan_simd, rejected), offsetof(cardan_simd, steps),
+    offsetof(cardan_simd, rejections), offsetof(cardan_simd, evaluations), offsetof(cardan_simd, h),
+    offsetof(cardan_simd, t_new), offsetof(cardan_simd, at), offsetof(cardan_simd, error),
+    offsetof(cardan_simd, culprit), offsetof(cardan_simd, taken), offsetof(cardan_simd, failed),
+    offsetof(cardan_simd, ended), offsetof(cardan_simd, y), offsetof(cardan_simd, trial),
+    offsetof(cardan_simd, next), offsetof(cardan_simd, k), offsetof(cardan_simd, interpolant),
+    offsetof(cardan_simd, r), offsetof(cardan_simd, s), offsetof(cardan_simd, zeros),
+    offsetof(cardan_simd, work)
 };
 
 extern const size_t cardan_lane_method_layout[4];
@@ -67,9 +66,9 @@ const size_t cardan_run_layout[139] = {
     offsetof(cardan_run, ne), offsetof(cardan_run, watched), offsetof(cardan_run, tick_count),
     offsetof(cardan_run, y), offsetof(cardan_run, y_old), offsetof(cardan_run, trial),
     offsetof(cardan_run, k), offsetof(cardan_run, f), offsetof(cardan_run, r), offsetof(cardan_run,
-    s), offsetof(cardan_run, spread), offsetof(cardan_run, at_rest), offsetof(cardan_run, work),
-    offsetof(cardan_run, closing), offsetof(cardan_run, chart), offsetof(cardan_run, holding),
-    offsetof(cardan_run, passing), offsetof(cardan_run, own), offsetof(cardan_run, e),
+    s), offsetof(cardan_run, interpolant), offsetof(cardan_run, zeros), offsetof(cardan_run, work),
+    offsetof(cardan_run, closing), offsetof(cardan_run, chart), offsetof(cardan_run, rank_memory),
+    offsetof(cardan_run, crossing), offsetof(cardan_run, method_memory), offsetof(cardan_run, e),
     offsetof(cardan_run, board), offsetof(cardan_run, ledger), offsetof(cardan_run, stages),
     offsetof(cardan_run, dense_rows), offsetof(cardan_run, stops), offsetof(cardan_run, stop_count),
     offsetof(cardan_run, next_stop), offsetof(cardan_run, t), offsetof(cardan_run, t_old),
@@ -78,21 +77,21 @@ const size_t cardan_run_layout[139] = {
     offsetof(cardan_run, in_segment), offsetof(cardan_run, rtol), offsetof(cardan_run, atol),
     offsetof(cardan_run, max_step), offsetof(cardan_run, h), offsetof(cardan_run, moment),
     offsetof(cardan_run, correction), offsetof(cardan_run, fresh), offsetof(cardan_run, is_dense),
-    offsetof(cardan_run, rejected), offsetof(cardan_run, on_grid), offsetof(cardan_run, hold),
-    offsetof(cardan_run, best_hold), offsetof(cardan_run, pass_start), offsetof(cardan_run,
-    pass_length), offsetof(cardan_run, held), offsetof(cardan_run, ranks), offsetof(cardan_run,
-    pass_points), offsetof(cardan_run, pass_part), offsetof(cardan_run, pass_parts),
-    offsetof(cardan_run, rows), offsetof(cardan_run, nlam), offsetof(cardan_run, spreads),
-    offsetof(cardan_run, times), offsetof(cardan_run, time_count), offsetof(cardan_run, next_time),
-    offsetof(cardan_run, capacity), offsetof(cardan_run, count), offsetof(cardan_run, row_open),
-    offsetof(cardan_run, log), offsetof(cardan_run, log_capacity), offsetof(cardan_run, log_count),
-    offsetof(cardan_run, happened), offsetof(cardan_run, at_once), offsetof(cardan_run, occurred),
-    offsetof(cardan_run, steps), offsetof(cardan_run, rejections), offsetof(cardan_run,
-    evaluations), offsetof(cardan_run, budget), offsetof(cardan_run, culprit), offsetof(cardan_run,
-    model_status), offsetof(cardan_run, open_row), offsetof(cardan_run, projections),
-    offsetof(cardan_run, passed), offsetof(cardan_run, looked), offsetof(cardan_run, limited),
-    offsetof(cardan_run, jacobians), offsetof(cardan_run, factorizations), offsetof(cardan_run,
-    stop)
+    offsetof(cardan_run, rejected), offsetof(cardan_run, on_grid), offsetof(cardan_run,
+    rank_margin), offsetof(cardan_run, best_rank_margin), offsetof(cardan_run, pass_start),
+    offsetof(cardan_run, pass_length), offsetof(cardan_run, constraint_rank), offsetof(cardan_run,
+    ranks), offsetof(cardan_run, pass_points), offsetof(cardan_run, pass_part), offsetof(cardan_run,
+    pass_parts), offsetof(cardan_run, rows), offsetof(cardan_run, nlam), offsetof(cardan_run,
+    spreads), offsetof(cardan_run, times), offsetof(cardan_run, time_count), offsetof(cardan_run,
+    next_time), offsetof(cardan_run, capacity), offsetof(cardan_run, count), offsetof(cardan_run,
+    row_open), offsetof(cardan_run, log), offsetof(cardan_run, log_capacity), offsetof(cardan_run,
+    log_count), offsetof(cardan_run, event_pending), offsetof(cardan_run, at_once),
+    offsetof(cardan_run, occurred), offsetof(cardan_run, steps), offsetof(cardan_run, rejections),
+    offsetof(cardan_run, evaluations), offsetof(cardan_run, budget), offsetof(cardan_run, culprit),
+    offsetof(cardan_run, model_status), offsetof(cardan_run, open_row), offsetof(cardan_run,
+    projections), offsetof(cardan_run, passed), offsetof(cardan_run, looked), offsetof(cardan_run,
+    limited), offsetof(cardan_run, jacobians), offsetof(cardan_run, factorizations),
+    offsetof(cardan_run, stop)
 };
 
 extern const size_t cardan_method_layout[8];
@@ -115,10 +114,10 @@ const size_t cardan_tick_layout[6] = {
     offsetof(cardan_tick, phase), offsetof(cardan_tick, count), offsetof(cardan_tick, next)
 };
 
-extern const size_t cardan_own_layout[4];
-const size_t cardan_own_layout[4] = {
-    sizeof(cardan_own), offsetof(cardan_own, offset), offsetof(cardan_own, base),
-    offsetof(cardan_own, stride)
+extern const size_t cardan_run_pointer_layout[4];
+const size_t cardan_run_pointer_layout[4] = {
+    sizeof(cardan_run_pointer), offsetof(cardan_run_pointer, offset), offsetof(cardan_run_pointer,
+    base), offsetof(cardan_run_pointer, stride)
 };
 
 extern const size_t cardan_lane_layout[7];
@@ -130,11 +129,11 @@ const size_t cardan_lane_layout[7] = {
 
 extern const size_t cardan_ensemble_layout[24];
 const size_t cardan_ensemble_layout[24] = {
-    sizeof(cardan_ensemble), offsetof(cardan_ensemble, lanes), offsetof(cardan_ensemble, abreast),
+    sizeof(cardan_ensemble), offsetof(cardan_ensemble, lanes), offsetof(cardan_ensemble, simd),
     offsetof(cardan_ensemble, attempt), offsetof(cardan_ensemble, move), offsetof(cardan_ensemble,
     lane_count), offsetof(cardan_ensemble, memory_length), offsetof(cardan_ensemble, x0),
-    offsetof(cardan_ensemble, r), offsetof(cardan_ensemble, own), offsetof(cardan_ensemble, w),
-    offsetof(cardan_ensemble, count), offsetof(cardan_ensemble, own_count),
+    offsetof(cardan_ensemble, r), offsetof(cardan_ensemble, pointers), offsetof(cardan_ensemble, w),
+    offsetof(cardan_ensemble, count), offsetof(cardan_ensemble, pointer_count),
     offsetof(cardan_ensemble, w_size), offsetof(cardan_ensemble, timed), offsetof(cardan_ensemble,
     rows), offsetof(cardan_ensemble, x), offsetof(cardan_ensemble, numbers),
     offsetof(cardan_ensemble, ends), offsetof(cardan_ensemble, answers), offsetof(cardan_ensemble,
@@ -197,11 +196,11 @@ const size_t cardan_sparse_layout[27] = {
     offsetof(cardan_sparse, row), offsetof(cardan_sparse, column), offsetof(cardan_sparse, at),
     offsetof(cardan_sparse, stride), offsetof(cardan_sparse, order), offsetof(cardan_sparse,
     multiplier), offsetof(cardan_sparse, start), offsetof(cardan_sparse, panel),
-    offsetof(cardan_sparse, width), offsetof(cardan_sparse, later), offsetof(cardan_sparse, turned),
-    offsetof(cardan_sparse, open_start), offsetof(cardan_sparse, open), offsetof(cardan_sparse,
-    load_start), offsetof(cardan_sparse, load), offsetof(cardan_sparse, run_start),
-    offsetof(cardan_sparse, run), offsetof(cardan_sparse, target_start), offsetof(cardan_sparse,
-    target)
+    offsetof(cardan_sparse, width), offsetof(cardan_sparse, later), offsetof(cardan_sparse,
+    transposed), offsetof(cardan_sparse, open_start), offsetof(cardan_sparse, open),
+    offsetof(cardan_sparse, load_start), offsetof(cardan_sparse, load), offsetof(cardan_sparse,
+    run_start), offsetof(cardan_sparse, run), offsetof(cardan_sparse, target_start),
+    offsetof(cardan_sparse, target)
 };
 
 extern const size_t cardan_sparse_factors_layout[16];
@@ -227,23 +226,24 @@ const size_t cardan_target_layout[10] = {
 extern const size_t cardan_position_layout[44];
 const size_t cardan_position_layout[44] = {
     sizeof(cardan_position), offsetof(cardan_position, nq), offsetof(cardan_position, nu),
-    offsetof(cardan_position, positions), offsetof(cardan_position, kept_count),
-    offsetof(cardan_position, kept), offsetof(cardan_position, rows), offsetof(cardan_position,
+    offsetof(cardan_position, positions), offsetof(cardan_position, hard_count),
+    offsetof(cardan_position, hard_rows), offsetof(cardan_position, rows), offsetof(cardan_position,
     columns), offsetof(cardan_position, quaternions), offsetof(cardan_position, quaternion_count),
     offsetof(cardan_position, constraints.function), offsetof(cardan_position, constraints.w),
     offsetof(cardan_position, constraint_jacobian.function), offsetof(cardan_position,
     constraint_jacobian.w), offsetof(cardan_position, integrate.function), offsetof(cardan_position,
     integrate.w), offsetof(cardan_position, qdot.function), offsetof(cardan_position, qdot.w),
     offsetof(cardan_position, kinematics.function), offsetof(cardan_position, kinematics.w),
-    offsetof(cardan_position, facing.function), offsetof(cardan_position, facing.w),
-    offsetof(cardan_position, facings), offsetof(cardan_position, t), offsetof(cardan_position, z),
-    offsetof(cardan_position, s), offsetof(cardan_position, r), offsetof(cardan_position, targets),
-    offsetof(cardan_position, target_count), offsetof(cardan_position, rank),
-    offsetof(cardan_position, slack), offsetof(cardan_position, hard), offsetof(cardan_position,
-    soft), offsetof(cardan_position, iteration), offsetof(cardan_position, damping),
-    offsetof(cardan_position, q), offsetof(cardan_position, residuals), offsetof(cardan_position,
-    jacobian), offsetof(cardan_position, memory), offsetof(cardan_position, work),
-    offsetof(cardan_position, open), offsetof(cardan_position, cost), offsetof(cardan_position,
-    freedoms), offsetof(cardan_position, turned)
+    offsetof(cardan_position, assembly_signs.function), offsetof(cardan_position, assembly_signs.w),
+    offsetof(cardan_position, assembly_sign_count), offsetof(cardan_position, t),
+    offsetof(cardan_position, z), offsetof(cardan_position, s), offsetof(cardan_position, r),
+    offsetof(cardan_position, targets), offsetof(cardan_position, target_count),
+    offsetof(cardan_position, rank), offsetof(cardan_position, residual_noise),
+    offsetof(cardan_position, hard), offsetof(cardan_position, soft), offsetof(cardan_position,
+    iteration), offsetof(cardan_position, damping), offsetof(cardan_position, q),
+    offsetof(cardan_position, residuals), offsetof(cardan_position, jacobian),
+    offsetof(cardan_position, memory), offsetof(cardan_position, work), offsetof(cardan_position,
+    open), offsetof(cardan_position, cost), offsetof(cardan_position, freedoms),
+    offsetof(cardan_position, wrong_sign)
 };
 #endif

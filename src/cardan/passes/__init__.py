@@ -66,8 +66,8 @@ def optimize(function: Function, passes: Sequence[str] | None = None) -> Staged:
     names = standard(function) if passes is None else passes
     for name in names:
         if name in PASSES:
-            made = PASSES[name](function)
-            function = made if made is function else check(made)
+            rewritten = PASSES[name](function)
+            function = rewritten if rewritten is function else check(rewritten)
     staged = stage(function)
     for name in names:
         if name in ORDERS:

@@ -17,7 +17,7 @@ from __future__ import annotations
 from heapq import heapify, heappop, heapreplace
 
 from ..ir.function import Function, operands
-from ..ir.graph import MADE_BY_NOBODY, Graph, Node
+from ..ir.graph import NO_ORIGIN, Graph, Node
 from ..ir.ops import LEAVES
 from ..ir.rewrite import with_roots
 
@@ -80,13 +80,13 @@ class _Copier:
         self.target = Graph()
         self.target.tables, self.target.formulas = graph.tables.copy(), graph.formulas.copy()
         self.copies = [0] * len(graph.nodes)
-        self.known: list[float] = []
+        self.depth: list[float] = []
         self.plain: set[int] = set()
 
     def run(self, order: list[int]) -> None:
         """Copy nodes in topological order."""
         graph, target = self.graph, self.target
-        copies, known, inner, plain = self.copies, self.known, self.inner, self.plain
+        copies, depth, inner, plain = self.copies, self.depth, self.inner, self.plain
         intern, latency = target.intern, LATENCY
         nodes, origins, shared = graph.nodes, graph.origins, graph.shared
         named = graph.labels.keys() | graph.hints.keys() | graph.systems.keys()
@@ -99,6 +99,7 @@ class _Copier:
             target.origin = origins[i]
             if op not in INFIX:
                 copy = self._other(i, node)
+            # root of a sum of several terms: added again in order of depth
             elif op != "mul" and (inner[node[1]] or inner[node[2]]):
                 copy = self._combine(_terms(graph, i, inner))
             else:
@@ -106,16 +107,17 @@ class _Copier:
                 if a == b or a in plain or b in plain:
                     copy = self._simplified(op, (a, b))
                 else:
+                    # commutative operands in one order, so that equal nodes are shared
                     copy = intern((op, b, a) if b < a and op != "sub" else (op, a, b))
-                    if copy == len(known):
-                        last = known[a] if known[a] > known[b] else known[b]
-                        known.append(last if last < 0 else last + latency[op])
+                    if copy == len(depth):
+                        last = depth[a] if depth[a] > depth[b] else depth[b]
+                        depth.append(last if last < 0 else last + latency[op])
             copies[i] = copy
             if i in named:
                 target.adopt(copy, graph, i)
             if i in shared:
                 target.shared.setdefault(copy, set()).update(shared[i])
-        target.origin = MADE_BY_NOBODY
+        target.origin = NO_ORIGIN
 
     def _other(self, i: int, node: Node) -> int:
         """Copy of anything but a sum, a difference or a product."""
@@ -144,19 +146,19 @@ class _Copier:
 
     def _learn(self) -> None:
         """When the latest copies are known."""
-        known, nodes = self.known, self.target.nodes
-        for i in range(len(known), len(nodes)):
+        depth, nodes = self.depth, self.target.nodes
+        for i in range(len(depth), len(nodes)):
             node = nodes[i]
             if node[0] in LEAVES:
-                known.append(-1.0 if node[0] == "const" or node[1] == self.block else 0.0)
+                depth.append(-1.0 if node[0] == "const" or node[1] == self.block else 0.0)
             else:
-                last = max([known[k] for k in operands(node)])
-                known.append(last if last < 0 else last + LATENCY.get(node[0], LONG))
+                last = max([depth[k] for k in operands(node)])
+                depth.append(last if last < 0 else last + LATENCY.get(node[0], LONG))
 
     def _combine(self, terms: list[tuple[int, int]]) -> int:
         """The sum of (term, sign), the two known first added first."""
-        graph, known, copies = self.target, self.known, self.copies
-        ready = [(known[copies[k]], n, copies[k], sign) for n, (k, sign) in enumerate(terms)]
+        graph, depth, copies = self.target, self.depth, self.copies
+        ready = [(depth[copies[k]], n, copies[k], sign) for n, (k, sign) in enumerate(terms)]
         heapify(ready)
         number = len(ready)
         while len(ready) > 1:
@@ -169,7 +171,7 @@ class _Copier:
             else:
                 total = graph.add(a, b)
             self._learn()
-            heapreplace(ready, (known[total], number, total, sign))
+            heapreplace(ready, (depth[total], number, total, sign))
             number += 1
         _, _, total, sign = ready[0]
         total = total if sign > 0 else graph.neg(total)

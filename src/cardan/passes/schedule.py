@@ -32,13 +32,14 @@ def schedule(staged: Staged) -> Staged:
         for k in reads[i]:
             readers[k].append(i)
     # results wait to the end
-    kept = set(staged.function.roots)
-    left = {i: len(readers[i]) + (i in kept) for i in steps}
+    roots = set(staged.function.roots)
+    left = {i: len(readers[i]) + (i in roots) for i in steps}
     missing = {i: len(reads[i]) for i in steps}
     ends = dict.fromkeys(steps, 0)
     for i in steps:
         if left[i] == 1 and readers[i]:
             ends[readers[i][0]] += 1
+    # list scheduling: of the ready statements the one that ends the most live values
     ready = [(-ends[i], i) for i in steps if not missing[i]]
     ready.sort()
     done, order = set[int](), []
@@ -51,7 +52,7 @@ def schedule(staged: Staged) -> Staged:
         order.append(i)
         for k in reads[i]:
             left[k] -= 1
-            if left[k] == 1 and k not in kept:
+            if left[k] == 1 and k not in roots:
                 last = next(r for r in readers[k] if r not in done)
                 ends[last] += 1
                 if not missing[last]:

@@ -60,16 +60,18 @@ def _find(function: Function, partner: Mapping[int, int]) -> dict[int, list[int]
     for i in function.live():
         node = nodes[i]
         op = node[0]
+        # a product of few sines and cosines may take part in an addition formula
         if op == "mul":
-            found = marks.get(node[1], ()) + marks.get(node[2], ())
-            if found and len(found) <= MOST:
-                marks[i] = found
+            angle_marks = marks.get(node[1], ()) + marks.get(node[2], ())
+            if angle_marks and len(angle_marks) <= MOST:
+                marks[i] = angle_marks
         elif op == "add" and node[1] in marks and node[2] in marks:
             uses = uses or _uses(function)
             factors = _met(function.graph, node, marks, partner, products, uses)
             if factors is not None:
                 products[i] = factors
                 marks[i] = tuple(x for k in factors for x in marks.get(k, ()))
+        # 1 - sin^2 is cos^2, and the reverse
         elif op == "sub" and node[1] == ONE and len(set(marks.get(node[2], ()))) == 1:
             x = marks[node[2]][0]
             if _factors(function.graph, node[2], products) == [x, x]:
@@ -82,7 +84,7 @@ def _find(function: Function, partner: Mapping[int, int]) -> dict[int, list[int]
 
 
 def _uses(function: Function) -> dict[int, int]:
-    """How often each node is read."""
+    """Number of reads of each node."""
     uses = dict.fromkeys(function.roots, 1)
     for i in function.live():
         for k in operands(function.graph.nodes[i]):

@@ -20,20 +20,20 @@ LARGE, SEVERAL = 250_000, 8
 
 
 def straight(kind: str, n: int, m: int) -> bool:
-    """Whether a system with n rows and m columns is written out."""
+    """True when a system with n rows and m columns is written out."""
     return kind == "spd" and (m < SEVERAL or n * n * m < LARGE)
 
 
 def unroll(function: Function) -> Function:
     """The function without ``spd`` solve nodes that are small; other kinds stay."""
     nodes, live = function.graph.nodes, function.live()
-    found = [i for i in live if nodes[i][0] == "solve" and straight(*nodes[i][1:4])]
-    if not found:
+    solves = [i for i in live if nodes[i][0] == "solve" and straight(*nodes[i][1:4])]
+    if not solves:
         return function
     # solutions that nothing but results read are written behind what is there
-    if all(nodes[i][0] == "item" for i in live if i > found[0]):
-        return _appended(function, found[0])
-    return _rebuilt(function, set(found))
+    if all(nodes[i][0] == "item" for i in live if i > solves[0]):
+        return _appended(function, solves[0])
+    return _rebuilt(function, set(solves))
 
 
 def _appended(function: Function, i: int) -> Function:
@@ -51,7 +51,7 @@ def _appended(function: Function, i: int) -> Function:
     return with_roots(function, graph, roots)
 
 
-def _rebuilt(function: Function, found: set[int]) -> Function:
+def _rebuilt(function: Function, solves: set[int]) -> Function:
     """The function in a new graph, with the solve nodes written out where they stand."""
     nodes = function.graph.nodes
     solutions: dict[int, list[int]] = {}
@@ -59,7 +59,7 @@ def _rebuilt(function: Function, found: set[int]) -> Function:
 
     def rule(target: Graph, i: int, copies: Mapping[int, int]) -> int | None:
         node = nodes[i]
-        if i in found:
+        if i in solves:
             entries = [copies[k] for k in node[4:]]
             names = function.graph.systems.get(i)
             solutions[i] = unrolled(target, node[2], node[3], entries, factors, names)

@@ -11,18 +11,13 @@ from importlib import import_module
 from .peer import Peer
 
 # peer -> module of this package
-PEERS = {
-    "pinocchio": ".pinocchio",
-    "casadi": ".casadi",
-    "mujoco": ".mujoco",
-    "pydy": ".pydy",
-}
+PEERS = {"pinocchio": ".pinocchio", "casadi": ".casadi", "mujoco": ".mujoco", "pydy": ".pydy"}
 
 
 def peer(name: str) -> Peer:
     """A peer by its name in ``PEERS``."""
-    found: Peer = import_module(PEERS[name], __package__).PEER
-    return found
+    adapter: Peer = import_module(PEERS[name], __package__).PEER
+    return adapter
 
 
 __all__ = ["PEERS", "Peer", "peer"]

@@ -19,11 +19,11 @@ double peer_loop(void *self, int function, const double *q, const double *u, con
 {
     const peer *p = self;
     (void)function;
-    integer args = 0, results = 0, whole = 0, reals = 0;
-    casadi_peer_work(&args, &results, &whole, &reals);
+    integer args = 0, results = 0, integers = 0, reals = 0;
+    casadi_peer_work(&args, &results, &integers, &reals);
     const double **arg = malloc(sizeof(double *) * (size_t)(args + 3));
     double **res = malloc(sizeof(double *) * (size_t)(results + 1));
-    integer *iw = malloc(sizeof(integer) * (size_t)(whole + 1));
+    integer *iw = malloc(sizeof(integer) * (size_t)(integers + 1));
     double *w = malloc(sizeof(double) * (size_t)(reals + 1));
     struct timespec start = {0, 0}, stop;
     /* the first round fills `out` and is not timed */

@@ -15,9 +15,8 @@ from typing import Any
 
 import numpy as np
 
+from ..api.comparison import Scene, build
 from ..arrays import Array
-from ..runtime.build.cache import build
-from ..runtime.verification.newton_euler import Scene
 from .coordinates import SIZES, Convention, Coordinates, after_each_other, coordinates, refusal
 from .loop import HERE, Loop, peer_loop
 from .peer import Contender, Peer, States, installed
@@ -34,7 +33,7 @@ class Lengths(ctypes.Structure):
 
 
 def missing() -> str:
-    """What keeps it from being called, "" where nothing does."""
+    """Reason why it cannot be called, "" where there is none."""
     return installed("casadi", "casadi")
 
 
@@ -45,17 +44,17 @@ class Program:
     scene: Scene
     map: Coordinates
     lengths: Lengths
-    made: dict[str, Loop] = field(default_factory=dict)
+    loops: dict[str, Loop] = field(default_factory=dict)
 
     def loop(self, function: str) -> Loop:
         """One function, compiled."""
-        if function not in self.made:
+        if function not in self.loops:
             with tempfile.TemporaryDirectory() as folder:
                 path = Path(folder) / "casadi_peer.c"
                 path.write_text(text(self.scene, function), "utf-8")
                 library = build([path, HERE / "casadi.c"]).load()
-            self.made[function] = Loop(peer_loop(library), ctypes.byref(self.lengths), self.map)
-        return self.made[function]
+            self.loops[function] = Loop(peer_loop(library), ctypes.byref(self.lengths), self.map)
+        return self.loops[function]
 
     def start(self, function: str, states: States) -> Callable[[int], float]:
         """See :class:`.peer.Contender`."""
@@ -71,9 +70,9 @@ def text(scene: Scene, function: str) -> str:
     import casadi as ca
 
     expression, symbols = _expression(ca, scene, function)
-    made = ca.Function("casadi_peer", symbols, [ca.densify(expression)], {"cse": True})
+    function_object = ca.Function("casadi_peer", symbols, [ca.densify(expression)], {"cse": True})
     generator = ca.CodeGenerator("casadi_peer", {"with_header": False})
-    generator.add(made)
+    generator.add(function_object)
     return str(generator.dump())
 
 

@@ -13,7 +13,7 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
-from ..runtime.verification.newton_euler import Scene
+from ..api.comparison import Scene
 from .coordinates import SIZES
 from .tree import directions
 
@@ -53,8 +53,8 @@ def tree(scene: Scene, q: Any) -> Tree:
     start = first = 0
     for i, kind in enumerate(scene.kinds):
         nq, nu = SIZES[kind]
-        own = q[start : start + nq]
-        turn, shift, subspace = joint(kind, axes[i], own)
+        coordinates = q[start : start + nq]
+        turn, shift, subspace = joint(kind, axes[i], coordinates)
         rotation = exact(n["rotation"][i])
         r = ca.mtimes(rotation, turn).T
         place = exact(n["position"][i]) + ca.mtimes(rotation, shift)
@@ -98,9 +98,9 @@ def velocities(t: Tree, u: Any) -> tuple[list[Any], list[Any]]:
     v: list[Any] = []
     c: list[Any] = []
     for i, parent in enumerate(t.parents):
-        own = ca.mtimes(t.s[i], u[t.slots[i]])
-        v.append(ca.mtimes(t.x[i], v[parent]) + own if parent >= 0 else ca.SX(own))
-        c.append(ca.mtimes(across(v[i]), own))
+        relative = ca.mtimes(t.s[i], u[t.slots[i]])
+        v.append(ca.mtimes(t.x[i], v[parent]) + relative if parent >= 0 else ca.SX(relative))
+        c.append(ca.mtimes(across(v[i]), relative))
     return v, c
 
 
@@ -129,9 +129,9 @@ def articulated(t: Tree, u: Any, tau: Any) -> Any:
     a: list[Any] = []
     udot: list[Any] = []
     for i, parent in enumerate(t.parents):
-        carried = ca.mtimes(t.x[i], a[parent] if parent >= 0 else t.lift) + c[i]
-        udot.append(solved[i](push[i] - ca.mtimes(reach[i].T, carried)))
-        a.append(carried + ca.mtimes(t.s[i], udot[i]))
+        propagated = ca.mtimes(t.x[i], a[parent] if parent >= 0 else t.lift) + c[i]
+        udot.append(solved[i](push[i] - ca.mtimes(reach[i].T, propagated)))
+        a.append(propagated + ca.mtimes(t.s[i], udot[i]))
     return ca.vertcat(*udot)
 
 
@@ -148,8 +148,8 @@ def factorized(d: Any) -> Any:
     for j in range(n):
         pivots.append(d[j, j] - sum(low[j, k] ** 2 * pivots[k] for k in range(j)))
         for i in range(j + 1, n):
-            rest = sum(low[i, k] * low[j, k] * pivots[k] for k in range(j))
-            low[i, j] = (d[i, j] - rest) / pivots[j]
+            remaining = sum(low[i, k] * low[j, k] * pivots[k] for k in range(j))
+            low[i, j] = (d[i, j] - remaining) / pivots[j]
 
     def solve(b: Any) -> Any:
         rows = [b[i, :] for i in range(n)]
@@ -171,8 +171,8 @@ def newton_euler(t: Tree, u: Any, udot: Any) -> Any:
     a: list[Any] = []
     f: list[Any] = []
     for i, parent in enumerate(t.parents):
-        carried = ca.mtimes(t.x[i], a[parent] if parent >= 0 else t.lift) + c[i]
-        a.append(carried + ca.mtimes(t.s[i], udot[t.slots[i]]))
+        propagated = ca.mtimes(t.x[i], a[parent] if parent >= 0 else t.lift) + c[i]
+        a.append(propagated + ca.mtimes(t.s[i], udot[t.slots[i]]))
         momentum = ca.mtimes(t.inertia[i], v[i])
         f.append(ca.mtimes(t.inertia[i], a[i]) - ca.mtimes(across(v[i]).T, momentum))
     tau: list[Any] = [None] * len(t.parents)

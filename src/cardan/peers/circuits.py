@@ -1,6 +1,6 @@
-"""Circuits for programs that close them by points or whole bodies held together.
+"""Loops for programs that close them by points or whole bodies held together.
 
-A ball joint that closes a circuit holds two points together, a weld two bodies. Any other one is
+A ball joint that closes a loop holds two points together, a weld two bodies. Any other one is
 put back into the tree: the body behind it is split, one part stays where it is, the other hangs on
 the joint, and both are held together. The masses of the parts add up to that of the body, so the
 motion is the same.
@@ -14,14 +14,22 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from ..api.compiled_model import CompiledModel
+from ..api.comparison import (
+    CompiledModel,
+    CutRow,
+    KindNumbers,
+    Moving,
+    Scene,
+    cross,
+    frames,
+    joint_data,
+    joint_motions,
+    joint_rows,
+    pose_of,
+    scene_of,
+    times,
+)
 from ..arrays import Array
-from ..runtime.trajectory.joint_poses import KindNumbers, pose_of
-from ..runtime.verification.flat_scene import scene_of
-from ..runtime.verification.joint_motion import cross, joint_data, joint_motions, times
-from ..runtime.verification.loop_constraints import Moving, frames
-from ..runtime.verification.newton_euler import Scene, own
-from ..schema.mechanism import CutRow
 from .peer import States
 
 # what can hang on a joint of a split body: coordinates and speeds
@@ -36,7 +44,7 @@ BY_BODY = (
 
 
 @dataclass(frozen=True)
-class Held:
+class Connection:
     """Two frames that are held together.
 
     Attributes:
@@ -45,7 +53,7 @@ class Held:
         rotations, positions: The frames in axes of their bodies, (2, 3, 3) and (2, 3).
     """
 
-    whole: bool
+    aligned: bool
     bodies: tuple[int, int]
     rotations: Array
     positions: Array
@@ -57,13 +65,13 @@ class Circuits:
 
     Attributes:
         scene: The tree, parts of split bodies last.
-        held: What closes the circuits.
+        held: What closes the loops.
         bodies, nq, nu: Of the system without parts.
         seats: For every part the frame it must meet: body, rotation, position.
     """
 
     scene: Scene
-    held: tuple[Held, ...]
+    connections: tuple[Connection, ...]
     bodies: int
     nq: int
     nu: int
@@ -75,8 +83,8 @@ class Circuits:
         n, q, u = self.scene.numbers, [states.q], [states.u]
         for part, (body, rotation, position) in enumerate(self.seats, self.bodies):
             kind, parent = self.scene.kinds[part], motions[self.scene.parents[part] + 1]
-            outer = parent.carried(n["rotation"][part], n["position"][part])
-            relative = _seen(outer, motions[body + 1].carried(rotation, position))
+            outer = parent.on_body(n["rotation"][part], n["position"][part])
+            relative = _relative_motion(outer, motions[body + 1].on_body(rotation, position))
             axes = np.stack([n["axis"][part], n["axis2"][part]])
             q.append(_coordinates(kind, axes, relative))
             u.append(_speeds(kind, axes, relative))
@@ -86,20 +94,20 @@ class Circuits:
 
 def _bodies(scene: Scene, count: int, q: Array, u: Array) -> list[Moving]:
     """The ground and the first bodies."""
-    rows = [own(scene, i, q, (u,), None) for i in range(count)]
+    rows = [joint_rows(scene, i, q, (u,), None) for i in range(count)]
     qs, us = [row[0] for row in rows], [row[1] for row in rows]
     return frames(scene, joint_motions(scene.joints[:count], qs, us), us)
 
 
-def _seen(frame: Moving, other: Moving) -> Moving:
+def _relative_motion(frame: Moving, other: Moving) -> Moving:
     """Another frame in axes of one; velocities relative to it."""
     back = np.swapaxes(frame.rotation, -1, -2)
     arm = other.position - frame.position
-    moving = other.moving - frame.moving - cross(frame.turning, arm)
+    moving = other.moving - frame.moving - cross(frame.omega, arm)
     return Moving(
         back @ other.rotation,
         times(back, arm),
-        times(back, other.turning - frame.turning),
+        times(back, other.omega - frame.omega),
         times(back, moving),
     )
 
@@ -112,8 +120,8 @@ def _coordinates(kind: str, axes: Array, relative: Moving) -> Array:
     if kind == "revolute":
         # any direction across the axis, and how far it is turned
         x = np.cross(e, np.eye(3)[np.argmin(np.abs(e))])
-        turned = relative.rotation @ x
-        return np.asarray(np.arctan2(turned @ np.cross(e, x), turned @ x))[:, None]
+        rotated = relative.rotation @ x
+        return np.asarray(np.arctan2(rotated @ np.cross(e, x), rotated @ x))[:, None]
     # R e2 is turned about the first axis alone, R^T e1 about the second one
     g = np.cross(e, f)
     first = relative.rotation @ f
@@ -128,33 +136,33 @@ def _speeds(kind: str, axes: Array, relative: Moving) -> Array:
     if kind == "prismatic":
         return np.asarray(relative.moving @ e)[:, None]
     if kind == "revolute":
-        return np.asarray(relative.turning @ e)[:, None]
+        return np.asarray(relative.omega @ e)[:, None]
     # the second axis as the first angle has turned it; perpendicular to the first one
-    turned = relative.rotation @ f
-    return np.stack([relative.turning @ e, np.sum(relative.turning * turned, axis=1)], axis=1)
+    rotated = relative.rotation @ f
+    return np.stack([relative.omega @ e, np.sum(relative.omega * rotated, axis=1)], axis=1)
 
 
 def circuits(model: CompiledModel) -> Circuits | str:
-    """The circuits of a model, or why they cannot be handed over."""
+    """The loops of a model, or why they cannot be handed over."""
     scene, cuts = scene_of(model), model.manifest.cuts
     rows: Mapping[str, int] = {}
     for row in model.manifest.multipliers:
         if row.joint not in {cut.name for cut in cuts} or row.level != "position":
-            return f"'{row.name}' is no closing condition of a joint"
-        turning = row.name.rpartition(".")[2].startswith("r")
-        rows = {**rows, row.joint: rows.get(row.joint, 0) + turning}
+            return f"'{row.name}' is not a closing condition of a joint"
+        rotational_rows = row.name.rpartition(".")[2].startswith("r")
+        rows = {**rows, row.joint: rows.get(row.joint, 0) + rotational_rows}
     bodies = {body.name: k for k, body in enumerate(model.manifest.bodies)}
     frames = {f.name: (k, bodies.get(f.body, -1)) for k, f in enumerate(model.manifest.frames)}
-    held: list[Held] = []
+    connections: list[Connection] = []
     parts: list[Part] = []
     for number, cut in enumerate(cuts):
         axes = np.stack([scene.numbers[name][number] for name in ("cut_axis", "cut_axis2")])
         ends = [frames[cut.parent_frame], frames[cut.child_frame]]
-        found = _closed(cut, rows.get(cut.name, 0), scene, axes, ends)
-        if isinstance(found, str):
-            return found
-        (held if isinstance(found, Held) else parts).append(found)  # type: ignore[arg-type]
-    return _with_parts(scene, held, parts, model.nq, model.nu)
+        closure = _closed(cut, rows.get(cut.name, 0), scene, axes, ends)
+        if isinstance(closure, str):
+            return closure
+        (connections if isinstance(closure, Connection) else parts).append(closure)  # type: ignore[arg-type]
+    return _with_parts(scene, connections, parts, model.nq, model.nu)
 
 
 @dataclass(frozen=True)
@@ -167,33 +175,31 @@ class Part:
 
 
 def _closed(
-    cut: CutRow,
-    turning: int,
-    scene: Scene,
-    axes: Array,
-    ends: Sequence[tuple[int, int]],
-) -> Held | Part | str:
-    """How a cut joint is closed: its frames held together, or a part of its body on it."""
+    cut: CutRow, rotational_rows: int, scene: Scene, axes: Array, ends: Sequence[tuple[int, int]]
+) -> Connection | Part | str:
+    """Closure of a cut joint: two connected frames, or an additional joint in the tree."""
     n, kind = scene.numbers, cut.kind
-    placed = tuple((body, n["frame_rotation"][k], n["frame_position"][k]) for k, body in ends)
-    # a hinge of which only points have to be held, as in planar circuits, is a ball to others
-    if kind in ("spherical", "fixed") or (kind == "revolute" and not turning):
-        return Held(
+    attachments = tuple((body, n["frame_rotation"][k], n["frame_position"][k]) for k, body in ends)
+    # a hinge of which only points have to be held, as in planar loops, is a ball to others
+    if kind in ("spherical", "fixed") or (kind == "revolute" and not rotational_rows):
+        return Connection(
             kind == "fixed",
-            (placed[0][0], placed[1][0]),
-            np.stack([end[1] for end in placed]),
-            np.stack([end[2] for end in placed]),
+            (attachments[0][0], attachments[1][0]),
+            np.stack([end[1] for end in attachments]),
+            np.stack([end[2] for end in attachments]),
         )
     if kind not in SPLIT:
-        return f"joint '{cut.name}' that closes a circuit is {kind}"
-    if placed[1][0] < 0:
+        return f"joint '{cut.name}' that closes a loop is {kind}"
+    if attachments[1][0] < 0:
         if kind == "universal":
             return f"joint '{cut.name}' ends at the ground"
-        placed, axes = placed[::-1], -axes
-    return Part(kind, axes, placed)
+        attachments, axes = attachments[::-1], -axes
+    return Part(kind, axes, attachments)
 
 
-def _with_parts(scene: Scene, held: list[Held], parts: list[Part], nq: int, nu: int) -> Circuits:
+def _with_parts(
+    scene: Scene, connections: list[Connection], parts: list[Part], nq: int, nu: int
+) -> Circuits:
     """The tree with split bodies."""
     n = {name: np.array(block) for name, block in scene.numbers.items()}
     count = len(scene.parents)
@@ -209,8 +215,8 @@ def _with_parts(scene: Scene, held: list[Held], parts: list[Part], nq: int, nu: 
     for part in parts:
         (outer, rotation, position), (body, seat, at) = part.ends
         size = SPLIT[part.kind]
-        held.append(
-            Held(
+        connections.append(
+            Connection(
                 True, (len(parents), body), np.stack([np.eye(3), seat]), np.stack([np.zeros(3), at])
             )
         )
@@ -244,7 +250,7 @@ def _with_parts(scene: Scene, held: list[Held], parts: list[Part], nq: int, nu: 
         nu=u,
         joints=tuple(joints),
     )
-    return Circuits(tree, tuple(held), count, nq, nu, tuple(part.ends[1] for part in parts))
+    return Circuits(tree, tuple(connections), count, nq, nu, tuple(part.ends[1] for part in parts))
 
 
 def _mass(mass: Array, first: Array, inertia: Array, seat: Array, at: Array) -> dict[str, Array]:

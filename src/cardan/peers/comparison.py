@@ -7,10 +7,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..api.compiled_model import CompiledModel
+from ..api.comparison import CompiledModel, scene_of
 from ..arrays import Array
 from ..errors import CardanError
-from ..runtime.verification.flat_scene import scene_of
 from . import PEERS, peer
 from .circuits import Circuits, circuits
 from .contest import ROUNDS, Run, Time, contest, few, relative
@@ -19,7 +18,7 @@ from .peer import Contender, States
 
 SEED = 3
 # of a loop, of a batch, and judged with 40 digits
-LOOP, BATCH, JUDGED = 64, 2048, 3
+LOOP, BATCH, EXACT_STATES = 64, 2048, 3
 OURS, LANES = "cardan", "cardan, batch"
 JUDGE = "pinocchio"
 # states of closed systems: how far from the start [rad or m], steps back onto the constraints, and
@@ -51,7 +50,7 @@ class Row:
 
 @dataclass(frozen=True)
 class Comparison:
-    """What was found.
+    """Rows of a comparison and the peers left out.
 
     Attributes:
         rows: By function, ours first.
@@ -81,7 +80,7 @@ def compare(
     """Time functions of a model against peers, round by round, and judge everybody's numbers.
 
     Args:
-        model: Has ``mass_matrix``, ``applied`` and the functions.
+        model: Has ``mass_matrix``, ``applied_forces`` and the functions.
         functions: Of ``FUNCTIONS``.
         chosen: Peers, of ``PEERS``.
         show: Receives what is being done.
@@ -92,7 +91,7 @@ def compare(
     for function in functions:
         able = {name: c for name, c in contenders.items() if function in c.functions}
         rows += _measured(ours, able, function, rounds, show)
-    place = model.mass_matrix(drawn(model, JUDGED).q)
+    place = model.mass_matrix(drawn(model, EXACT_STATES).q)
     return Comparison(tuple(rows), absent, float(np.linalg.cond(place).max()))
 
 
@@ -106,29 +105,29 @@ def _measured(
     shared = ours.model.nq == ours.model.nu and theirs is states
     show(f"{function}: compiling")
     runs: dict[str, Run] = {}
-    found: dict[str, Array] = {}
+    values_of: dict[str, Array] = {}
     # the batch draws the same states first
     if function in ours.functions:
         runs = {OURS: ours.start(function, states), LANES: ours.batch(function, batch)}
-        found = {OURS: ours.results(function, states), LANES: ours.results(function, batch)}
+        values_of = {OURS: ours.results(function, states), LANES: ours.results(function, batch)}
     runs |= {name: contender.start(function, theirs) for name, contender in able.items()}
     for name, contender in able.items():
         values = contender.results(function, theirs)
         if function == "inverse_dynamics":
-            values = values - ours.model.applied(states.q, states.u)
+            values = values - ours.model.applied_forces(states.q, states.u)
         if function != "derivatives" or shared:
-            found[name] = values
+            values_of[name] = values
     show(f"{function}: measuring")
     times = contest(runs, rounds)
-    exact = ours.exact(function, few(states, JUDGED)) if function in ours.functions else None
+    exact = ours.exact(function, few(states, EXACT_STATES)) if function in ours.functions else None
     return [
         Row(
             name,
             able[name].title if name in able else name,
             function,
             times[name],
-            _difference(found.get(name), exact),
-            _difference(found.get(name), found.get(JUDGE)),
+            _difference(values_of.get(name), exact),
+            _difference(values_of.get(name), values_of.get(JUDGE)),
         )
         for name in runs
     ]
@@ -150,19 +149,17 @@ def taking_part(
     closed = circuits(model) if model.manifest.multipliers else None
     contenders, absent = {}, {}
     for name in chosen:
-        found = peer(name)
-        why = found.missing() or found.refusal(scene, joints)
+        adapter = peer(name)
+        why = adapter.missing() or adapter.refusal(scene, joints)
         if not why and closed is not None:
-            why = (
-                closed if isinstance(closed, str) else "" if found.closed else "there are circuits"
-            )
+            why = closed if isinstance(closed, str) else "" if adapter.closed else "there are loops"
         if not why:
-            show(f"preparing {found.name}")
+            show(f"preparing {adapter.name}")
             try:
-                if found.closed and isinstance(closed, Circuits):
-                    contenders[name] = found.closed(closed)
+                if adapter.closed and isinstance(closed, Circuits):
+                    contenders[name] = adapter.closed(closed)
                 else:
-                    contenders[name] = found.contender(scene)
+                    contenders[name] = adapter.contender(scene)
             except (CardanError, ValueError, ImportError) as problem:
                 why = str(problem).splitlines()[0]
         if why:
@@ -202,5 +199,9 @@ def pushed(model: CompiledModel, function: str, states: States) -> States:
     """The states for programs that know nothing of the model's forces: they are part of tau."""
     if function == "inverse_dynamics":
         return states
-    own = model.applied(states.q, states.u)
-    return States(states.q, states.u, states.third + own) if np.any(own) else states
+    internal_forces = model.applied_forces(states.q, states.u)
+    return (
+        States(states.q, states.u, states.third + internal_forces)
+        if np.any(internal_forces)
+        else states
+    )

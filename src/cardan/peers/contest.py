@@ -52,10 +52,10 @@ def _repeats(run: Run) -> int:
     return max(1, round(RUN / max(perf_counter() - began, 1e-9)))
 
 
-def relative(found: Array, expected: Array) -> float:
+def relative(values: Array, expected: Array) -> float:
     """max|error| / max|value|, the worst of all states."""
     rows = len(expected)
-    error = np.abs(found - expected).reshape(rows, -1).max(axis=1)
+    error = np.abs(values - expected).reshape(rows, -1).max(axis=1)
     size = np.abs(expected).reshape(rows, -1).max(axis=1)
     return float((error / np.where(size > 0, size, 1.0)).max())
 

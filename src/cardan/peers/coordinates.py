@@ -12,9 +12,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..api.comparison import PARAMETERS, Scene
 from ..arrays import Array
-from ..runtime.verification.newton_euler import Scene
-from ..runtime.verification.rotations import PARAMETERS
 
 SIZES = {
     "revolute": (1, 1),
@@ -50,7 +49,7 @@ def refusal(scene: Scene, joints: Sequence[str], kinds: Container[str] = COMMON)
 
 @dataclass(frozen=True)
 class Convention:
-    """How a program writes free and spherical joints.
+    """Conventions of a program for free and spherical joints.
 
     Attributes:
         scalar_last: Quaternions are (x, y, z, w).
@@ -82,15 +81,15 @@ class Coordinates:
 
     def q(self, q: Array) -> Array:
         """Their coordinates (n, nq)."""
-        found = np.zeros_like(q)
-        found[:, self.q_theirs] = q[:, self.q_ours]
-        return found
+        theirs = np.zeros_like(q)
+        theirs[:, self.q_theirs] = q[:, self.q_ours]
+        return theirs
 
     def speeds(self, q: Array, u: Array) -> Array:
         """Their speeds X u, and forces X tau, which is a rotation (n, nu)."""
-        found = np.empty_like(u)
-        found[:, self.u_theirs] = self._turned(q, u, inverse=False)[:, self.u_ours]
-        return found
+        theirs = np.empty_like(u)
+        theirs[:, self.u_theirs] = self._rotated(q, u, inverse=False)[:, self.u_ours]
+        return theirs
 
     def accelerations(self, q: Array, u: Array, udot: Array) -> Array:
         """Their accelerations X udot + Xdot u (n, nu)."""
@@ -98,9 +97,9 @@ class Coordinates:
 
     def back(self, q: Array, x: Array) -> Array:
         """Our forces of theirs, X^T x (n, nu)."""
-        found = np.empty_like(x)
-        found[:, self.u_ours] = x[:, self.u_theirs]
-        return self._turned(q, found, inverse=True)
+        ours = np.empty_like(x)
+        ours[:, self.u_ours] = x[:, self.u_theirs]
+        return self._rotated(q, ours, inverse=True)
 
     def accelerations_back(self, q: Array, u: Array, x: Array) -> Array:
         """Our accelerations of theirs (n, nu)."""
@@ -112,24 +111,24 @@ class Coordinates:
         half = np.stack(rows, axis=2)
         return np.stack([self.back(q, half[:, i, :]) for i in range(m.shape[1])], axis=1)
 
-    def _turned(self, q: Array, x: Array, inverse: bool) -> Array:
+    def _rotated(self, q: Array, x: Array, inverse: bool) -> Array:
         """Linear entries of free joints in axes of the body, or back in those of the parent."""
-        found = x.copy()
+        rotated = x.copy()
         for start, first in self.free:
             r = PARAMETERS["quaternion"].matrix(q[:, start : start + 4])
             r = r if inverse else np.swapaxes(r, 1, 2)
             linear = x[:, first + 3 : first + 6]
-            found[:, first + 3 : first + 6] = (r @ linear[..., None])[..., 0]
-        return found
+            rotated[:, first + 3 : first + 6] = (r @ linear[..., None])[..., 0]
+        return rotated
 
     def _drift(self, q: Array, u: Array) -> Array:
         """X^T Xdot u: -omega x v of free joints, v in axes of the parent."""
-        found = np.zeros_like(u)
+        drift = np.zeros_like(u)
         for start, first in self.free:
             r = PARAMETERS["quaternion"].matrix(q[:, start : start + 4])
             omega = (r @ u[:, first : first + 3, None])[..., 0]
-            found[:, first + 3 : first + 6] = -np.cross(omega, u[:, first + 3 : first + 6])
-        return found
+            drift[:, first + 3 : first + 6] = -np.cross(omega, u[:, first + 3 : first + 6])
+        return drift
 
 
 def after_each_other(scene: Scene, order: Sequence[int]) -> list[tuple[int, int]]:

@@ -21,7 +21,7 @@ NUMBER["derivatives"] = 3
 
 
 def address(array: NDArray[Any]) -> ctypes.c_void_p:
-    """Where an array starts."""
+    """Address of the first entry of an array."""
     return ctypes.c_void_p(array.ctypes.data)
 
 
@@ -86,8 +86,8 @@ class Loop:
 
 def peer_loop(library: ctypes.CDLL) -> Callable[..., float]:
     """The loop of a library."""
-    found = library.peer_loop
-    found.restype = ctypes.c_double
-    found.argtypes = [ctypes.c_void_p, ctypes.c_int, *[ctypes.c_void_p] * 4, *[ctypes.c_int] * 3]
-    call: Callable[..., float] = found
+    function = library.peer_loop
+    function.restype = ctypes.c_double
+    function.argtypes = [ctypes.c_void_p, ctypes.c_int, *[ctypes.c_void_p] * 4, *[ctypes.c_int] * 3]
+    call: Callable[..., float] = function
     return call

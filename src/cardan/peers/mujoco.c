@@ -40,10 +40,10 @@ double peer_loop(void *self, int function, const double *q, const double *u, con
     const peer *p = self;
     struct timespec start, stop;
     for (int k = 0; k < count; ++k) {
-        double *own = out + k * size;
-        once(p, function, q + k * p->nq, u + k * p->nv, x + k * p->nv, own);
-        if (function == FORWARD) memcpy(own, p->result, sizeof(double) * (size_t)size);
-        if (function == MASS) p->full(p->model, p->data, own);
+        double *answer = out + k * size;
+        once(p, function, q + k * p->nq, u + k * p->nv, x + k * p->nv, answer);
+        if (function == FORWARD) memcpy(answer, p->result, sizeof(double) * (size_t)size);
+        if (function == MASS) p->full(p->model, p->data, answer);
     }
     clock_gettime(CLOCK_MONOTONIC, &start);
     for (int r = 0; r < repeats; ++r)

@@ -14,8 +14,7 @@ from typing import Any
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from ..runtime.build.cache import build
-from ..runtime.verification.newton_euler import Scene
+from ..api.comparison import Scene, build
 from . import coordinates
 from .coordinates import Convention
 from .loop import HERE, Loop, peer_loop
@@ -49,7 +48,7 @@ class Program(ctypes.Structure):
 
 
 def missing() -> str:
-    """What keeps it from being called, "" where nothing does."""
+    """Reason why it cannot be called, "" where there is none."""
     why = installed("mujoco", "mujoco")
     if why:
         return why
@@ -63,8 +62,8 @@ def refusal(scene: Scene, joints: Sequence[str]) -> str:
     """Free joints give the pose in ground axes there."""
     for i, kind in enumerate(scene.kinds):
         n = scene.numbers
-        placed = np.any(n["position"][i]) or np.any(n["rotation"][i] != np.eye(3))
-        if kind == "free" and (scene.parents[i] >= 0 or placed):
+        displaced = np.any(n["position"][i]) or np.any(n["rotation"][i] != np.eye(3))
+        if kind == "free" and (scene.parents[i] >= 0 or displaced):
             return f"joint '{joints[i]}' is free, but not at the origin of the ground"
     return coordinates.refusal(scene, joints)
 
@@ -131,8 +130,8 @@ def contender(scene: Scene) -> Contender:
     model, data = model_and_data(mujoco, scene)
     joints = [model.joint(f"j{body}") for body in range(len(scene.parents))]
     places = [(int(j.qposadr[0]), int(j.dofadr[0])) for j in joints]
-    found = next(Path(mujoco.__file__).parent.glob("libmujoco*.so*"))
-    own, shared = build([HERE / "mujoco.c"]).load(), ctypes.CDLL(str(found))
+    library_file = next(Path(mujoco.__file__).parent.glob("libmujoco*.so*"))
+    adapter, shared = build([HERE / "mujoco.c"]).load(), ctypes.CDLL(str(library_file))
 
     def at(name: str) -> int | None:
         return ctypes.cast(shared[name], ctypes.c_void_p).value
@@ -148,11 +147,11 @@ def contender(scene: Scene) -> Contender:
         model.nq,
         model.nv,
     )
-    own_map = coordinates.coordinates(scene, CONVENTION, places)
-    loop = Loop(peer_loop(own), ctypes.byref(program), own_map)
+    coordinate_map = coordinates.coordinates(scene, CONVENTION, places)
+    loop = Loop(peer_loop(adapter), ctypes.byref(program), coordinate_map)
     title = f"MuJoCo {importlib.metadata.version('mujoco')}"
-    held = (model, data, program, own, shared)
-    return Contender(title, tuple(STEPS), loop.start, loop.results, held)
+    references = (model, data, program, adapter, shared)
+    return Contender(title, tuple(STEPS), loop.start, loop.results, references)
 
 
 PEER = Peer("MuJoCo", "mujoco", missing, refusal, contender)

@@ -10,18 +10,21 @@ from typing import Any
 
 import numpy as np
 
-from ..api.compiled_model import CompiledModel
+from ..api.comparison import (
+    ORDER,
+    SLOT,
+    CompiledModel,
+    Derivative,
+    LoadedFunction,
+    build,
+    evaluate,
+    from_dict,
+    kernel_files,
+    one_by_one,
+    samples,
+)
+from ..api.comparison import States as Many
 from ..arrays import Array
-from ..ir.interpreter import evaluate
-from ..ir.serialize import from_dict
-from ..runtime.build import prebuilt
-from ..runtime.build.cache import build
-from ..runtime.calls import samples
-from ..runtime.calls.batch import one_by_one
-from ..runtime.calls.lanes import States as Many
-from ..runtime.calls.loaded_function import LoadedFunction
-from ..runtime.models.derivatives import Derivative
-from ..schema.blocks import ORDER, SLOT
 from .loop import HERE, NUMBER, address, output_size, peer_loop
 from .peer import FUNCTIONS, States
 
@@ -42,7 +45,7 @@ class Program(ctypes.Structure):
 
 def library() -> ctypes.CDLL:
     """The loop in C."""
-    return build([HERE / "ours.c"], [prebuilt.DIRECTORY]).load()
+    return build([HERE / "ours.c"], kernel_files.includes()).load()
 
 
 @dataclass(frozen=True)
@@ -57,13 +60,13 @@ class Ours:
 
     @property
     def functions(self) -> tuple[str, ...]:
-        """What the model was compiled with, of ``FUNCTIONS``."""
-        known = self.model.manifest.available
-        return tuple(f for f in FUNCTIONS if {"derivatives": "derivative"}.get(f, f) in known)
+        """Functions of ``FUNCTIONS`` that the model was compiled with."""
+        available = self.model.manifest.available
+        return tuple(f for f in FUNCTIONS if {"derivatives": "derivative"}.get(f, f) in available)
 
     @property
     def derivative(self) -> Derivative:
-        """Of forward dynamics, by q and u."""
+        """Derivative of forward dynamics by q and u."""
         return self.model.derivative("forward_dynamics", wrt=("q", "u"))
 
     def function(self, name: str) -> LoadedFunction:
@@ -78,13 +81,13 @@ class Ours:
 
     def method(self, name: str) -> Callable[..., Any]:
         """A function as people call it."""
-        found: Callable[..., Any] = (
+        bound: Callable[..., Any] = (
             self.derivative if name == "derivatives" else getattr(self.model, name)
         )
-        return found
+        return bound
 
     def arguments(self, name: str, states: States) -> tuple[tuple[Any, ...], dict[str, Any]]:
-        """What the method of a model takes."""
+        """Arguments of the model's method."""
         if name == "mass_matrix":
             return (states.q,), {}
         if name == "inverse_dynamics":
@@ -94,16 +97,19 @@ class Ours:
     def results(self, name: str, states: States) -> Array:
         """See :class:`.peer.Contender`."""
         args, more = self.arguments(name, states)
-        found = self.method(name)(*args, **more)
-        return np.stack(found, axis=1) if name == "derivatives" else np.asarray(found)
+        values = self.method(name)(*args, **more)
+        return np.stack(values, axis=1) if name == "derivatives" else np.asarray(values)
 
     def _still(self) -> dict[str, Array]:
-        """What is the same at all states: inputs, internal states and modes as they start."""
-        own = {block: self.model._layout.start(block) for block in ("r", "z", "s")}
-        return own | {"t": np.zeros(1), "wrench": np.zeros(6 * len(self.model.bodies))}
+        """Values that are the same at all states: inputs, internal states and modes at the start.
+
+        inputs, internal states and modes at the start.
+        """
+        defaults = {block: self.model._layout.start(block) for block in ("r", "z", "s")}
+        return defaults | {"t": np.zeros(1), "wrench": np.zeros(6 * len(self.model.bodies))}
 
     def blocks(self, name: str, states: States) -> dict[str, Array]:
-        """What a call reads besides the parameters, by block."""
+        """Blocks that a call reads besides the parameters."""
         third = {"inverse_dynamics": "udot"}.get(name, "tau")
         moving = {"q": states.q, "u": states.u, third: states.third}
         return self._still() | {key: np.ascontiguousarray(block) for key, block in moving.items()}
@@ -111,9 +117,9 @@ class Ours:
     def start(self, name: str, states: States) -> Callable[[int], float]:
         """One state after the other, in a loop in C."""
         function, nu = self.function(name), self.model.nu
-        given = {**self.blocks(name, states), "w": function.w}
+        arrays = {**self.blocks(name, states), "w": function.w}
         work, out = np.empty(function.work_size + 1), np.empty((len(states), output_size(name, nu)))
-        places = [given[key].ctypes.data if key in given else None for key in ORDER]
+        places = [arrays[key].ctypes.data if key in arrays else None for key in ORDER]
         program = Program(
             function.address, (ctypes.c_void_p * len(ORDER))(*places), work.ctypes.data,
             self.model.nq, nu,
@@ -122,7 +128,7 @@ class Ours:
         blocks = [np.ascontiguousarray(block) for block in moving]
         where = [address(block) for block in (*blocks, out)]
 
-        def run(repeats: int, held: Any = (given, work, out, blocks)) -> float:
+        def run(repeats: int, references: Any = (arrays, work, out, blocks)) -> float:
             me = ctypes.byref(program)
             return float(loop(me, NUMBER[name], *where, out.shape[1], len(states), repeats))
 
@@ -139,7 +145,7 @@ class Ours:
             strides[SLOT[key]] = block.shape[1] if block.ndim == 2 else 0
         out = np.empty((len(states), output_size(name, self.model.nu)))
         many, caller = Many(blocks, strides, out), function.caller
-        way = caller.batch.found(False, many) or one_by_one(caller.call, many)
+        way = caller.batch.lane_run(False, many) or one_by_one(caller.call, many)
 
         # the call knows addresses alone: the arrays stay with it
         def run(repeats: int, arrays: object = blocks) -> float:
@@ -157,8 +163,8 @@ class Ours:
         rows = []
         for q, u, x in zip(states.q, states.u, states.third, strict=True):
             blocks: dict[str, Any] = {**still, "q": q, "u": u, "udot": x, "tau": x}
-            found = evaluate(function, {k: list(v) for k, v in blocks.items()}, "mp", DIGITS)
-            rows.append([float(x) for o in function.outputs for x in found[o.name]])
+            values = evaluate(function, {k: list(v) for k, v in blocks.items()}, "mp", DIGITS)
+            rows.append([float(x) for o in function.outputs for x in values[o.name]])
         nu = self.model.nu
         shape = {"mass_matrix": (nu, nu), "derivatives": (2, nu, nu)}.get(name, (nu,))
         return np.array(rows).reshape(len(states), *shape)

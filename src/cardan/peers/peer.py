@@ -1,4 +1,4 @@
-"""What a peer is, and what takes part in a contest."""
+"""Adapters of other programs, and the contestants they give."""
 
 from __future__ import annotations
 
@@ -6,8 +6,8 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
+from ..api.comparison import Scene
 from ..arrays import Array
-from ..runtime.verification.newton_euler import Scene
 
 # what is compared; derivatives are those of forward dynamics by q and u
 FUNCTIONS = ("forward_dynamics", "inverse_dynamics", "mass_matrix", "derivatives")
@@ -15,7 +15,7 @@ FUNCTIONS = ("forward_dynamics", "inverse_dynamics", "mass_matrix", "derivatives
 
 @dataclass(frozen=True)
 class States:
-    """Where functions are called, in our coordinates.
+    """States at which functions are called, in our coordinates.
 
     Attributes:
         q: (n, nq). u: (n, nu).
@@ -48,7 +48,7 @@ class Contender:
     functions: tuple[str, ...]
     start: Callable[[str, States], Callable[[int], float]] = field(repr=False)
     results: Callable[[str, States], Array] = field(repr=False)
-    held: tuple[Any, ...] = field(default=(), repr=False)
+    references: tuple[Any, ...] = field(default=(), repr=False)
 
 
 @dataclass(frozen=True)
@@ -61,7 +61,7 @@ class Peer:
         missing: Why it cannot take part here, "" if it can.
         refusal: Why it cannot take part on a tree with joints of these names, "" if it can.
         contender: Makes the program for a mechanism.
-        closed: Makes it for a mechanism with circuits; None where it has none.
+        closed: Makes it for a mechanism with loops; None where it has none.
     """
 
     name: str
@@ -73,7 +73,7 @@ class Peer:
 
 
 def installed(module: str, package: str) -> str:
-    """What to say where a module is not there, "" where it is."""
+    """Message where a module is missing, "" where it is installed."""
     from importlib.util import find_spec
 
     return "" if find_spec(module) else f"not installed: pip install {package}"

@@ -15,12 +15,9 @@ from pathlib import Path
 
 import numpy as np
 
+from ..api.comparison import Scene, build, toolchain
 from ..arrays import Array
 from ..errors import BuildError
-from ..runtime.build import toolchain
-from ..runtime.build.cache import build
-from ..runtime.build.toolchain import Compiler
-from ..runtime.verification.newton_euler import Scene
 from . import coordinates
 from .circuits import Circuits
 from .coordinates import Convention, Coordinates
@@ -62,14 +59,14 @@ def _include() -> dict[str, Path | None]:
 
 
 def missing() -> str:
-    """What keeps the program from being built, "" where nothing does."""
+    """Reason why the program cannot be built, "" where there is none."""
     for cure, place in _include().items():
         if place is None:
             return f"no headers: {cure}"
     return "" if cpp_compilers(()) else "no C++ compiler: pip install ziglang"
 
 
-def _compilers() -> list[Compiler]:
+def _compilers() -> list[toolchain.Compiler]:
     """Compilers with all they need, among it what changes with the version of the headers."""
     places = [str(place) for place in _include().values() if place is not None]
     places[-1] += "/eigen3"
@@ -79,7 +76,7 @@ def _compilers() -> list[Compiler]:
 
 
 @cache
-def _library(source: str) -> tuple[ctypes.CDLL, Compiler]:
+def _library(source: str) -> tuple[ctypes.CDLL, toolchain.Compiler]:
     """The fastest build of a file: tried once on a chain of seven hinges."""
     compilers = _compilers()
     with ThreadPoolExecutor() as pool:
@@ -111,9 +108,9 @@ def _model(
     """A model made from arrays."""
     make = library.peer_model
     make.restype = ctypes.c_void_p
-    whole = [np.array(block, dtype=np.int32) for block in (parents, kinds)]
+    integers = [np.array(block, dtype=np.int32) for block in (parents, kinds)]
     arrays = [np.ascontiguousarray(block, dtype=np.float64) for block in numbers]
-    places = [*map(address, whole), *map(address, arrays)]
+    places = [*map(address, integers), *map(address, arrays)]
     return ctypes.c_void_p(make(len(parents), *places))
 
 
@@ -145,8 +142,8 @@ def contender(scene: Scene) -> Contender:
         BuildError: the compiler does not take its headers.
     """
     library, by = _library("pinocchio.cpp")
-    self, own_map, _ = _tree(library, scene)
-    loop = Loop(peer_loop(library), self, own_map)
+    self, coordinate_map, _ = _tree(library, scene)
+    loop = Loop(peer_loop(library), self, coordinate_map)
     return Contender(_title(by), FUNCTIONS, loop.start, loop.results, (library,))
 
 
@@ -157,13 +154,15 @@ def closed_contender(circuits: Circuits) -> Contender:
         BuildError: the compiler does not take its headers.
     """
     library, by = _library("pinocchio_closed.cpp")
-    self, own_map, place = _tree(library, circuits.scene)
-    for held in circuits.held:
-        bodies = np.array([place[body] for body in held.bodies], dtype=np.int32)
-        rotations, positions = map(np.ascontiguousarray, (held.rotations, held.positions))
+    self, coordinate_map, place = _tree(library, circuits.scene)
+    for connection in circuits.connections:
+        bodies = np.array([place[body] for body in connection.bodies], dtype=np.int32)
+        rotations, positions = map(
+            np.ascontiguousarray, (connection.rotations, connection.positions)
+        )
         places = (address(bodies), address(rotations), address(positions))
-        library.peer_hold(self, int(held.whole), *places)
-    loop = Loop(peer_loop(library), self, own_map)
+        library.peer_hold(self, int(connection.aligned), *places)
+    loop = Loop(peer_loop(library), self, coordinate_map)
 
     def results(function: str, states: States) -> Array:
         return loop.results(function, circuits.states(states))[:, : circuits.nu]
@@ -174,7 +173,7 @@ def closed_contender(circuits: Circuits) -> Contender:
     return Contender(_title(by), FUNCTIONS[:1], start, results, (library,))
 
 
-def _title(by: Compiler) -> str:
+def _title(by: toolchain.Compiler) -> str:
     return f"Pinocchio {importlib.metadata.version('libpinocchio')}, {_compiler_version(by)}"
 
 
@@ -184,30 +183,32 @@ PEER = Peer("Pinocchio", "pin", missing, refusal, contender, closed_contender)
 NAMES = ("clang++", "g++")
 
 
-def cpp_compilers(options: tuple[str, ...]) -> list[Compiler]:
+def cpp_compilers(options: tuple[str, ...]) -> list[toolchain.Compiler]:
     """Compilers that answer, clang before gcc: it makes the faster code of templates.
 
     Args:
         options: Language, level, processor, headers.
     """
-    commands = [(*found.command[:-1], "c++") for found in toolchain.ziglang()]
+    commands = [(*candidate.command[:-1], "c++") for candidate in toolchain.ziglang()]
     binaries = [found.binary for found in toolchain.ziglang()]
     for name in NAMES:
         path = shutil.which(name)
         if path:
             commands.append((path,))
             binaries.append(Path(path).resolve())
-    made = []
+    compilers = []
     for command, binary in zip(commands, binaries, strict=True):
         try:
-            made.append(Compiler(command, binary, toolchain.ask_version(command), options))
+            compilers.append(
+                toolchain.Compiler(command, binary, toolchain.ask_version(command), options)
+            )
         except BuildError:
             # one that does not answer is as good as none
             continue
-    return made
+    return compilers
 
 
-def _compiler_version(compiler: Compiler) -> str:
+def _compiler_version(compiler: toolchain.Compiler) -> str:
     """Family and version, such as ``gcc 12.2.0``."""
     first = compiler.identity.splitlines()[0]
     numbers = [word for word in first.split() if word[:1].isdigit()]

@@ -1,4 +1,4 @@
-"""What the processor can do at most, so that figures can be given as a share of it."""
+"""Peak speed of the processor, so that figures can be given as a share of it."""
 
 from __future__ import annotations
 
@@ -30,20 +30,20 @@ class Peak:
 
 def peak() -> Peak:
     """Measured now, by chains of multiply-adds in registers."""
-    found = library()
+    probe = library()
 
     def rate(call: Any) -> float:
         call.restype, call.argtypes = ctypes.c_double, [ctypes.c_int]
         return max(float(call(ROUNDS)) for _ in range(TRIES))
 
-    return Peak(rate(found.peak_scalar), rate(found.peak_vector), int(found.peak_lanes()))
+    return Peak(rate(probe.peak_scalar), rate(probe.peak_vector), int(probe.peak_lanes()))
 
 
 def name() -> str:
-    """What the processor calls itself."""
+    """Model name of the processor."""
     try:
         lines = CPUINFO.read_text("utf-8", errors="replace").splitlines()
     except OSError:
         lines = []
-    found = [line.partition(":")[2].strip() for line in lines if line.startswith("model name")]
-    return found[0] if found else "unknown processor"
+    names = [line.partition(":")[2].strip() for line in lines if line.startswith("model name")]
+    return names[0] if names else "unknown processor"

@@ -16,8 +16,8 @@ from typing import Any
 
 import numpy as np
 
+from ..api.comparison import Scene
 from ..arrays import Array
-from ..runtime.verification.newton_euler import Scene
 from . import coordinates
 from .peer import Contender, Peer, States, installed
 from .tree import central, directions
@@ -29,7 +29,7 @@ PULL = "pull"
 
 
 def missing() -> str:
-    """What keeps it from being called, "" where nothing does."""
+    """Reason why it cannot be called, "" where there is none."""
     return installed("pydy", "pydy") or installed("Cython", "cython")
 
 
@@ -63,33 +63,33 @@ def _kane(scene: Scene) -> tuple[Any, list[Any], list[Any], list[Any]]:
 
     for i, parent in enumerate(scene.parents):
         base, at = frames[parent + 1], points[parent + 1]
-        side, own = me.ReferenceFrame(f"J{i}"), me.ReferenceFrame(f"B{i}")
+        side, body_frame = me.ReferenceFrame(f"J{i}"), me.ReferenceFrame(f"B{i}")
         side.orient_dcm(base, Matrix(3, 3, [_plain(x) for x in n["rotation"][i].T.flat]))
         axis = vector(side, axes[i])
         point = at.locatenew(f"P{i}", vector(base, n["position"][i]))
         point.v2pt_theory(at, ground, base)
         force = tau[i] * axis
         if scene.kinds[i] == "revolute":
-            own.orient_axis(side, axis, q[i])
-            own.set_ang_vel(side, u[i] * axis)
-            loads += [(own, force), (base, -force)]
+            body_frame.orient_axis(side, axis, q[i])
+            body_frame.set_ang_vel(side, u[i] * axis)
+            loads += [(body_frame, force), (base, -force)]
         else:
-            own.orient_axis(side, axis, 0)
+            body_frame.orient_axis(side, axis, 0)
             moved = point.locatenew(f"Q{i}", q[i] * axis)
             moved.set_vel(
                 ground, point.vel(ground) + u[i] * axis + base.ang_vel_in(ground) ^ (q[i] * axis)
             )
             loads += [(moved, force), (point, -force)]
             point = moved
-        center = point.locatenew(f"C{i}", vector(own, com[i]))
-        center.v2pt_theory(point, ground, own)
+        center = point.locatenew(f"C{i}", vector(body_frame, com[i]))
+        center.v2pt_theory(point, ground, body_frame)
         i_xx, i_yy, i_zz = (_plain(inertia[i][k, k]) for k in range(3))
         i_xy, i_yz, i_zx = (_plain(inertia[i][a, b]) for a, b in ((0, 1), (1, 2), (2, 0)))
-        tensor = me.inertia(own, i_xx, i_yy, i_zz, i_xy, i_yz, i_zx)
+        tensor = me.inertia(body_frame, i_xx, i_yy, i_zz, i_xy, i_yz, i_zx)
         mass = _plain(n["mass"][i])
-        bodies.append(me.RigidBody(f"b{i}", center, own, mass, (tensor, center)))
+        bodies.append(me.RigidBody(f"b{i}", center, body_frame, mass, (tensor, center)))
         loads.append((center, mass * Symbol(PULL) * vector(ground, n["gravity"])))
-        frames.append(own)
+        frames.append(body_frame)
         points.append(point)
     rates = [a.diff() - b for a, b in zip(q, u, strict=True)]
     kane = me.KanesMethod(ground, q_ind=q, u_ind=u, kd_eqs=rates)
@@ -135,11 +135,11 @@ def contender(scene: Scene) -> Contender:
 
     def results(function: str, states: States) -> Array:
         x, forces = rows(states)
-        found = np.empty_like(states.u)
+        accelerations = np.empty_like(states.u)
         # it returns the same array every time
         both = zip(x, forces, strict=True)
-        found[:, place] = [rhs(a, 0.0, b, pull)[len(q) :].copy() for a, b in both]
-        return found
+        accelerations[:, place] = [rhs(a, 0.0, b, pull)[len(q) :].copy() for a, b in both]
+        return accelerations
 
     title = f"PyDy {importlib.metadata.version('pydy')}, called from Python"
     return Contender(title, ("forward_dynamics",), start, results)

@@ -1,11 +1,11 @@
-"""What several peers want to know about a tree of bodies."""
+"""Facts about a tree of bodies that several peers need."""
 
 from __future__ import annotations
 
 import numpy as np
 
+from ..api.comparison import Scene
 from ..arrays import Array
-from ..runtime.verification.newton_euler import Scene
 
 
 def depth_first(scene: Scene) -> list[int]:

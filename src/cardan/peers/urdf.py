@@ -8,9 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from ..api.faces import face
+from ..api.comparison import face, load
 from ..pipeline import compile
-from ..scene import load
 
 STATES = 20
 SEED = 4
@@ -58,8 +57,8 @@ def _forward(
     place, speed, torque = np.zeros(peer.nq), np.zeros(peer.nv), np.zeros(peer.nv)
     velocities = [peer.idx_vs[j] for j in joints]
     for j, angle in zip(joints, state[0], strict=True):
-        own = [np.cos(angle), np.sin(angle)] if peer.nqs[j] == 2 else [angle]
-        place[peer.idx_qs[j] : peer.idx_qs[j] + len(own)] = own
+        entries = [np.cos(angle), np.sin(angle)] if peer.nqs[j] == 2 else [angle]
+        place[peer.idx_qs[j] : peer.idx_qs[j] + len(entries)] = entries
     speed[velocities], torque[velocities] = state[1], state[2]
-    found: np.ndarray = pinocchio.aba(peer, data, place, speed, torque)[velocities]
-    return found
+    accelerations: np.ndarray = pinocchio.aba(peer, data, place, speed, torque)[velocities]
+    return accelerations

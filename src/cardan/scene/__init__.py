@@ -1,4 +1,4 @@
-"""What the user writes: bodies, frames, joints, forces, parameters, inputs, outputs; and files."""
+"""The user's scene: bodies, frames, joints, forces, parameters, inputs, outputs; and files."""
 
 from __future__ import annotations
 

@@ -121,14 +121,16 @@ class Beam:
                 f"beam '{self.name}': at({where:g}) lies outside; s runs from 0 (start) to 1 (end) "
                 "of its length"
             )
-        known = {0.0: "start", 1.0: "end"}.get(where)
-        if known is not None and name is None:
-            return self.start if known == "start" else self.end
-        if known is not None:
-            raise ModelError(f"beam '{self.name}': at({where:g}) is called '{self.name}.{known}'")
-        for given, stop in self.stops.items():
-            if stop == where and name in (None, given):
-                return self.model.nodes[given]
+        end_name = {0.0: "start", 1.0: "end"}.get(where)
+        if end_name is not None and name is None:
+            return self.start if end_name == "start" else self.end
+        if end_name is not None:
+            raise ModelError(
+                f"beam '{self.name}': at({where:g}) is called '{self.name}.{end_name}'"
+            )
+        for stop_name, stop in self.stops.items():
+            if stop == where and name in (None, stop_name):
+                return self.model.nodes[stop_name]
         if name is None:
             count = len(self.stops) + 1
             while f"{self.name}.at{count}" in self.model.nodes:
@@ -136,8 +138,8 @@ class Beam:
             name = f"{self.name}.at{count}"
         self.model.new_place("node", name)
         self.stops[name] = where
-        self.model.nodes[name] = made = node(self.model, name)
-        return made
+        self.model.nodes[name] = place = node(self.model, name)
+        return place
 
     def releases(self) -> dict[str, JointElement]:
         """The joints of ends that are not clamped, by name."""

@@ -1,4 +1,4 @@
-"""What a user may write about a beam, checked where it is written."""
+"""Arguments of beams, checked where they are written."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from ..elements.flexible import BEAMS, INERTIAS
 from ..elements.material import Material
 from ..elements.sections import Section
 from ..elements.validation import axis, is_expression, number, vector
-from ..errors import ModelError, near, shown
+from ..errors import ModelError, brief, near
 from . import checks
 from .beam import RELEASED, Beam, End, node
 from .body import Body
@@ -34,7 +34,7 @@ def add_beam(
     model: SceneRecord,
     name: str,
     ends: Sequence[tuple[Any, Any]],
-    made_of: tuple[Any, Any],
+    section_and_material: tuple[Any, Any],
     elements: Any,
     up: Any,
     line: Any,
@@ -51,17 +51,15 @@ def add_beam(
     """
     checks.new("beam", name, model.beams)
     who = f"beam '{name}'"
-    first, last = (
-        end_of(model, who, role, *given) for role, given in zip(ROLES, ends, strict=True)
-    )
-    section, material = materialized(who, *made_of)
+    first, last = (end_of(model, who, role, *end) for role, end in zip(ROLES, ends, strict=True))
+    section, material = materialized(who, *section_and_material)
     rise = number(who, "temperature", temperature)
     if not _zero(rise) and _zero(material.expansion):
         raise ModelError(
             f"{who}: temperature= acts through the expansion of the material; give "
             "cd.material(expansion=...)"
         )
-    made = Beam(
+    beam = Beam(
         model,
         name,
         (first, last),
@@ -75,8 +73,8 @@ def add_beam(
         rise,
         prestrain_of(who, prestrain),
     )
-    add_nodes(made)
-    return made
+    add_nodes(beam)
+    return beam
 
 
 def add_nodes(beam: Beam) -> None:
@@ -98,7 +96,7 @@ def add_nodes(beam: Beam) -> None:
     model.beams[beam.name] = beam
 
 
-def end_of(model: SceneRecord, who: str, role: str, given: Any, released: Any) -> End:
+def end_of(model: SceneRecord, who: str, role: str, value: Any, released: Any) -> End:
     """An end as written: a frame, a body, a name, or three numbers for a free end.
 
     Raises:
@@ -108,35 +106,35 @@ def end_of(model: SceneRecord, who: str, role: str, given: Any, released: Any) -
     if letting and frozenset(letting) not in RELEASED:
         listed = ", ".join("+".join(sorted(directions)) for directions in RELEASED)
         raise ModelError(
-            f"{who}: release_{role} of {'+'.join(letting)} is no joint. Known: {listed}. For all "
-            "six let the end be free: give its point"
+            f"{who}: release_{role} of {'+'.join(letting)} is not a joint. Known: {listed}. For "
+            "all six let the end be free: give its point"
         )
-    if isinstance(given, (Body, Frame, str)):
-        return End(model.place(who, given, role), None, letting)
+    if isinstance(value, (Body, Frame, str)):
+        return End(model.place(who, value, role), None, letting)
     if letting:
         raise ModelError(f"{who}: release_{role}: that end is free, nothing holds it; leave it out")
-    return End(None, _triple(who, role, given))
+    return End(None, _triple(who, role, value))
 
 
-def _released(who: str, role: str, given: Any) -> tuple[str, ...]:
+def _released(who: str, role: str, value: Any) -> tuple[str, ...]:
     """Directions in which an end is let go; one may stand alone."""
-    listed = (given,) if isinstance(given, str) else given
+    listed = (value,) if isinstance(value, str) else value
     if not isinstance(listed, (tuple, list, set, frozenset)):
         raise ModelError(
-            f"{who}: release_{role} is {shown(given)}; give directions, such as 'ry' "
+            f"{who}: release_{role} is {brief(value)}; give directions, such as 'ry' "
             "or ('ry', 'rz')"
         )
     for one in listed:
         if one not in RELEASES:
             raise ModelError(
-                f"{who}: release_{role} has no direction {shown(one)}." + near(one, RELEASES)
+                f"{who}: release_{role} has no direction {brief(one)}." + near(one, RELEASES)
             )
     return tuple(listed)
 
 
-def _triple(who: str, role: str, given: Any) -> tuple[Any, Any, Any]:
+def _triple(who: str, role: str, value: Any) -> tuple[Any, Any, Any]:
     try:
-        x, y, z = vector(who, role, given, 3)
+        x, y, z = vector(who, role, value, 3)
     except ModelError as problem:
         raise ModelError(
             f"{problem}. An end is a frame, a body, a name or three numbers in ground axes"
@@ -152,21 +150,21 @@ def count_of(who: str, elements: Any) -> int:
     """
     number = checks.is_number(elements) and not isinstance(elements, bool)
     if not (number and elements >= 1 and elements % 1 == 0):
-        raise ModelError(f"{who}: elements is {shown(elements)}; give a whole number, 1 or more")
+        raise ModelError(f"{who}: elements is {brief(elements)}; give a whole number, 1 or more")
     if elements > MOST_ELEMENTS:
-        raise ModelError(f"{who}: {shown(elements)} elements; a beam has at most {MOST_ELEMENTS}")
+        raise ModelError(f"{who}: {brief(elements)} elements; a beam has at most {MOST_ELEMENTS}")
     return int(elements)
 
 
-def chosen(who: str, what: str, given: Any, known: Collection[str]) -> str:
+def chosen(who: str, what: str, value: Any, choices: Collection[str]) -> str:
     """A word of a list.
 
     Raises:
         ModelError: another one, with the near ones.
     """
-    if not isinstance(given, str) or given not in known:
-        raise ModelError(f"{who}: {what} {shown(given)} does not exist." + near(given, known))
-    return str(given)
+    if not isinstance(value, str) or value not in choices:
+        raise ModelError(f"{who}: {what} {brief(value)} does not exist." + near(value, choices))
+    return str(value)
 
 
 def line_of(who: str, line: Any) -> Centerline:
@@ -179,7 +177,7 @@ def line_of(who: str, line: Any) -> Centerline:
         return Straight()
     if not isinstance(line, Centerline):
         raise ModelError(
-            f"{who}: line is {shown(line)}; give cd.arc(...), cd.spline(points) or nothing"
+            f"{who}: line is {brief(line)}; give cd.arc(...), cd.spline(points) or nothing"
         )
     return line
 
@@ -192,14 +190,14 @@ def materialized(who: str, section: Any, material: Any) -> tuple[Section, Materi
     """
     if not isinstance(section, Section):
         raise ModelError(
-            f"{who}: section is {shown(section)}; give one of cd.section, such as "
+            f"{who}: section is {brief(section)}; give one of cd.section, such as "
             "cd.section.circle(radius=0.01)"
         )
     if material is None and not section.shaped:
         material = Material()
     if not isinstance(material, Material):
         raise ModelError(
-            f"{who}: material is {shown(material)}; give cd.material(E=..., nu=..., rho=...)"
+            f"{who}: material is {brief(material)}; give cd.material(E=..., nu=..., rho=...)"
         )
     if section.shaped and not material.elastic:
         raise ModelError(f"{who}: its section is a shape; the material must say E and nu (or G)")
@@ -211,22 +209,22 @@ def materialized(who: str, section: Any, material: Any) -> tuple[Section, Materi
     return section, material
 
 
-def prestrain_of(who: str, given: Mapping[str, Any] | None) -> dict[str, Any]:
+def prestrain_of(who: str, strains_named: Mapping[str, Any] | None) -> dict[str, Any]:
     """Strains by name.
 
     Raises:
-        ModelError: an unknown name, or what is no number.
+        ModelError: an unknown name, or what is not a number.
     """
-    if given is not None and not isinstance(given, Mapping):
+    if strains_named is not None and not isinstance(strains_named, Mapping):
         raise ModelError(
-            f"{who}: prestrain is {shown(given)}; give strains by name, {{'twist': 0.1}}"
+            f"{who}: prestrain is {brief(strains_named)}; give strains by name, {{'twist': 0.1}}"
         )
-    found = {}
-    for name, value in (given or {}).items():
+    strains = {}
+    for name, value in (strains_named or {}).items():
         if name not in STRAINS:
             raise ModelError(f"{who}: prestrain has no '{name}'." + near(name, STRAINS))
-        found[name] = number(who, f"prestrain {name}", value)
-    return found
+        strains[name] = number(who, f"prestrain {name}", value)
+    return strains
 
 
 def _zero(value: Any) -> bool:

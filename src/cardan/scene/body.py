@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
-from ..errors import ModelError, shown
+from ..errors import ModelError, brief
 from .checks import triple
 from .frame import Frame, Located, rows_of
 from .shape import Shape
@@ -80,7 +80,7 @@ def tensor(value: Any, name: str) -> tuple[Any, ...]:
         unknown = [key for key in value if key not in INERTIA_ENTRIES]
         if unknown:
             raise ModelError(
-                f"body '{name}': inertia has no entry {shown(unknown[0])}. "
+                f"body '{name}': inertia has no entry {brief(unknown[0])}. "
                 f"Entries: {', '.join(INERTIA_ENTRIES)}"
             )
         return tuple(value.get(key, 0) for key in INERTIA_ENTRIES)
@@ -90,7 +90,7 @@ def tensor(value: Any, name: str) -> tuple[Any, ...]:
     if len(rows) != 3 or any(len(rows_of(row)) != 3 for row in rows):
         raise ModelError(
             f"body '{name}': inertia is 3x3, three principal values or dict(xx=, yy=, zz=, xy=, "
-            f"yz=, xz=), not {shown(value)}"
+            f"yz=, xz=), not {brief(value)}"
         )
     return _symmetric(rows, name)
 
@@ -112,7 +112,7 @@ def _symmetric(rows: list[list[Any]], name: str) -> tuple[Any, ...]:
     return rows[0][0], rows[0][1], rows[0][2], rows[1][1], rows[1][2], rows[2][2]
 
 
-def placed(pose: Any, name: str) -> tuple[tuple[Any, Any, Any], Any] | None:
+def read_pose(pose: Any, name: str) -> tuple[tuple[Any, Any, Any], Any] | None:
     """Position and orientation of ``pose=``: (x, y, z), (position, rotation) or a 4x4 matrix.
 
     Raises:
@@ -129,18 +129,18 @@ def placed(pose: Any, name: str) -> tuple[tuple[Any, Any, Any], Any] | None:
     return triple(pose, f"body '{name}': pose"), None
 
 
-def shapes_of(name: str, given: Any) -> tuple[Shape, ...]:
+def shapes_of(name: str, shape: Any) -> tuple[Shape, ...]:
     """The shapes of a body.
 
     Raises:
         ModelError: what is given is neither a shape nor several.
     """
-    if given is None or isinstance(given, Shape):
-        return () if given is None else (given,)
-    shapes = tuple(given) if isinstance(given, list | tuple) else (None,)
+    if shape is None or isinstance(shape, Shape):
+        return () if shape is None else (shape,)
+    shapes = tuple(shape) if isinstance(shape, list | tuple) else (None,)
     if not all(isinstance(one, Shape) for one in shapes):
         raise ModelError(
-            f"body '{name}': shape={shown(given)}: give a shape such as cd.shape.sphere(0.1), or a "
+            f"body '{name}': shape={brief(shape)}: give a shape such as cd.shape.sphere(0.1), or a "
             "list of some"
         )
     return shapes

@@ -8,7 +8,7 @@ from numbers import Real
 from typing import Any
 
 from ..arguments import UNIT
-from ..errors import ImpossibleWarning, ModelError, looks, points, shown, warn
+from ..errors import ImpossibleWarning, ModelError, brief, looks, points, warn
 
 LONGEST_NAME = 200
 ROUNDED = 1e-6  # of the largest moment: what a file loses by rounding
@@ -21,7 +21,7 @@ def name(what: str, text: Any) -> str:
         ModelError: not text, empty, too long or with characters that cannot be printed.
     """
     if not isinstance(text, str) or not text.strip():
-        raise ModelError(f"{what}: a name must be text that is not empty, not {shown(text)}")
+        raise ModelError(f"{what}: a name must be text that is not empty, not {brief(text)}")
     if len(text) > LONGEST_NAME or not text.isprintable():
         raise ModelError(
             f"{what} {text[:40]!r}: a name has at most {LONGEST_NAME} printable characters"
@@ -29,32 +29,35 @@ def name(what: str, text: Any) -> str:
     return text
 
 
-def new(what: str, text: str, known: Container[str]) -> None:
+def new(what: str, text: str, taken: Container[str]) -> None:
     """A usable name that is not taken.
 
     Raises:
         ModelError: it is taken or not usable.
     """
     name(what, text)
-    if text in known:
+    if text in taken:
         raise ModelError(f"{what} '{text}': the name is taken; names of this sort must differ")
 
 
-def apart(model: Any) -> None:
+def check_distinguishable(model: Any) -> None:
     """Refuse names that only a program can tell from each other.
 
     Raises:
         ModelError: two names of a scene look the same.
     """
-    seen: dict[str, tuple[str, str]] = {}
+    first_of_look: dict[str, tuple[str, str]] = {}
     named = {"body": model.bodies, "frame": model.frames, "node": model.nodes}
     named |= {"beam": model.beams, "joint": model.joints, "force": model.forces}
     named |= {"parameter": model.parameters, "input": model.inputs, "output": model.outputs}
     for kind, text in ((kind, text) for kind, names in named.items() for text in names):
-        known, other = seen.setdefault(text if text.isascii() else looks(text), (kind, text))
+        kind_of_other, other = first_of_look.setdefault(
+            text if text.isascii() else looks(text), (kind, text)
+        )
         if other != text:
             raise ModelError(
-                f"{kind} '{text}' looks like another name: {points(text)} is not the {known} "
+                f"{kind} '{text}' looks like another name: {points(text)} is not the "
+                f"{kind_of_other} "
                 f"{points(other)}, and the eye cannot tell them apart; rename one of them"
             )
 
@@ -68,13 +71,13 @@ def number(who: str, value: Any) -> float:
     try:
         result = float(value)
     except (TypeError, ValueError, RecursionError) as problem:
-        raise ModelError(f"{who}: a number is wanted, not {shown(value)}") from problem
+        raise ModelError(f"{who}: a number is wanted, not {brief(value)}") from problem
     except OverflowError as problem:
         raise ModelError(
-            f"{who}: the number {shown(value)} is too large for the machine"
+            f"{who}: the number {brief(value)} is too large for the machine"
         ) from problem
     if not math.isfinite(result):
-        raise ModelError(f"{who}: a number must be finite, not {result} ({shown(value)})")
+        raise ModelError(f"{who}: a number must be finite, not {result} ({brief(value)})")
     return result
 
 
@@ -103,7 +106,7 @@ def quantity(who: str, value: Any) -> Any:
         return value
     text = "the text " if isinstance(value, str) else ""
     raise ModelError(
-        f"{who}: a number or an expression is wanted, not {text}{shown(value)}; expressions are "
+        f"{who}: a number or an expression is wanted, not {text}{brief(value)}; expressions are "
         "SymPy's, of symbols such as scene.q('elbow') or scene.parameter('m', 1.0)"
     )
 
@@ -132,15 +135,15 @@ def initial(
     entries: tuple[Any, ...] = (value,) if one else tuple(value)  # type: ignore[arg-type]
     if len(entries) != count:
         raise ModelError(f"{who}: {what} has {len(entries)} entries, but {count} are wanted")
-    found = tuple(number(f"{who}: {what}", entry) for entry in entries)
+    numbers = tuple(number(f"{who}: {what}", entry) for entry in entries)
     if quaternion is not None:
-        length = math.hypot(*found[quaternion : quaternion + 4])
+        length = math.hypot(*numbers[quaternion : quaternion + 4])
         if abs(length - 1) > UNIT:
             raise ModelError(
                 f"{who}: the quaternion in {what} has length {length:.9g}: a rotation has length "
                 "1. Divide its four components by that"
             )
-    return found
+    return numbers
 
 
 def mass(body: str, value: Any, inertia: Sequence[Any], robot: bool = False) -> None:
@@ -188,7 +191,7 @@ def smallest_moment(inertia: Sequence[float]) -> float:
     xx, xy, xz, yy, yz, zz = inertia
     moments = np.linalg.eigvalsh([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
     least = float(moments[0])
-    # files are rounded: so much that it could be 0 is no sign
+    # files are rounded: so much that it could be 0 is not a sign
     return 0.0 if abs(least) <= ROUNDED * float(np.abs(moments).max()) else least
 
 
@@ -229,5 +232,5 @@ def triple(value: Any, what: str) -> tuple[Any, Any, Any]:
     except TypeError:
         entries = ()
     if len(entries) != 3:
-        raise ModelError(f"{what}: three entries are wanted, not {shown(value)}")
+        raise ModelError(f"{what}: three entries are wanted, not {brief(value)}")
     return tuple(quantity(what, entry) for entry in entries)

@@ -11,7 +11,7 @@ from ..arguments import kinds_of, read
 from ..elements.forces.force import ForceElement
 from ..elements.joints.joint import Joint as JointElement
 from ..elements.joints.joint import Reversed
-from ..errors import ModelError, ModelWarning, near, outside, shown, warn
+from ..errors import ModelError, ModelWarning, brief, near, outside, warn
 from . import checks
 from .beam import Beam
 from .body import Body
@@ -37,21 +37,21 @@ class Joint:
         name: Its name.
         kind: The joint element.
         parent, child: The frames (or bodies) it joins.
-        motion: Prescribed coordinate as an expression in t or an input, or None.
+        prescribed: Its coordinate as an expression in t or an input, or None.
         q0, u0: Initial values, None where not named.
         limits: Lower, upper, speed, effort, as far as given.
         at: Its place in ground axes at the reference configuration, or None.
         couple: What it follows, or None.
         base: Body in whose axes ``at`` is given, None for the ground.
         friction: Dry friction of a file [N m or N]; it does not act.
-        cut: Asked to close a circuit.
+        cut: Asked to close a loop.
     """
 
     name: str
     kind: JointElement
     parent: Place
     child: Place
-    motion: Any = None
+    prescribed: Any = None
     q0: tuple[float, ...] | None = None
     u0: tuple[float, ...] | None = None
     limits: Limits = (None, None, None, None)
@@ -79,7 +79,7 @@ def element_of(name: str, kind: JointElement | type[JointElement], axis: Any) ->
     if isinstance(kind, type) and issubclass(kind, JointElement):
         kind = _plain(name, kind)
     if not isinstance(kind, JointElement):
-        raise ModelError(f"joint '{name}': {shown(kind)} is not a joint kind such as Revolute('y')")
+        raise ModelError(f"joint '{name}': {brief(kind)} is not a joint kind such as Revolute('y')")
     if isinstance(kind, Reversed):
         raise ModelError(
             f"joint '{name}' ({kind.kind}): give the kind itself, and exchange parent and child"
@@ -89,8 +89,8 @@ def element_of(name: str, kind: JointElement | type[JointElement], axis: Any) ->
         return kind
     if "axis" not in kind.quantities():
         raise ModelError(f"joint '{name}' ({kind.kind}): this kind takes no axis=")
-    made: JointElement = dataclasses.replace(kind, axis=axis)  # type: ignore[type-var]
-    return made
+    element: JointElement = dataclasses.replace(kind, axis=axis)  # type: ignore[type-var]
+    return element
 
 
 def _plain(name: str, kind: type[JointElement]) -> JointElement:
@@ -114,13 +114,13 @@ Element = TypeVar("Element", JointElement, ForceElement)
 
 def by_names(element: Element) -> Element:
     """An element that keeps the names of the joints and beams it was given."""
-    given = {f.name: getattr(element, f.name) for f in dataclasses.fields(element)}  # type: ignore[arg-type]
-    names = {key: value.name for key, value in given.items() if isinstance(value, Joint | Beam)}
+    values = {f.name: getattr(element, f.name) for f in dataclasses.fields(element)}  # type: ignore[arg-type]
+    names = {key: value.name for key, value in values.items() if isinstance(value, Joint | Beam)}
     for field in dataclasses.fields(element):  # type: ignore[arg-type]
-        value = names.get(field.name, given[field.name])
+        value = names.get(field.name, values[field.name])
         if field.type == "JointName" and not isinstance(value, str):
             raise ModelError(
-                f"{element.kind}: {field.name} is {shown(value)}; give a joint or its name"
+                f"{element.kind}: {field.name} is {brief(value)}; give a joint or its name"
             )
         if field.type == "bool":
             read(element.kind, field.name, value, kinds_of(field.type))
@@ -131,7 +131,7 @@ def limits_of(who: str, limits: Mapping[str, float] | Sequence[float] | None) ->
     """Lower, upper, speed and effort as far as given.
 
     Raises:
-        ModelError: an unknown entry, one that is no number, or lower above upper.
+        ModelError: an unknown entry, one that is not a number, or lower above upper.
     """
     if limits is None:
         return (None, None, None, None)
@@ -139,7 +139,7 @@ def limits_of(who: str, limits: Mapping[str, float] | Sequence[float] | None) ->
     if not isinstance(limits, Mapping):
         rows = isinstance(limits, list | tuple) or getattr(limits, "ndim", 0) == 1
         if not rows or not 2 <= len(limits) <= 4:
-            raise ModelError(f"{who}: limits are (lower, upper) or a mapping, not {shown(limits)}")
+            raise ModelError(f"{who}: limits are (lower, upper) or a mapping, not {brief(limits)}")
         limits = dict(zip(names, limits, strict=False))
     for key in limits:
         if key not in names:
@@ -147,7 +147,7 @@ def limits_of(who: str, limits: Mapping[str, float] | Sequence[float] | None) ->
     values = [limits.get(key) for key in names]
     for key, value in zip(names, values, strict=True):
         if value is not None and (not checks.is_real(value)):
-            raise ModelError(f"{who}: limits: limit '{key}' is not a number but {shown(value)}")
+            raise ModelError(f"{who}: limits: limit '{key}' is not a number but {brief(value)}")
     lower, upper, speed, effort = (None if v is None else float(v) for v in values)
     if lower is not None and upper is not None and lower > upper:
         raise ModelError(f"{who}: the lower limit {lower} is above the upper limit {upper}")
@@ -163,22 +163,22 @@ def check_start(joint: Joint) -> None:
 
 
 def check_cut(who: str, cut: Any, moved: bool) -> None:
-    """Whether a joint may be cut as asked.
+    """Check that a joint may be cut as requested.
 
     Raises:
         ModelError: neither True nor False, or a joint that something moves.
     """
     if not isinstance(cut, bool):
-        raise ModelError(f"{who}: cut is True or False, not {shown(cut)}")
+        raise ModelError(f"{who}: cut is True or False, not {brief(cut)}")
     if cut and moved:
         raise ModelError(
-            f"{who}: a cut joint has no coordinate that motion= or couple= could move; cut "
-            "another joint of the circuit"
+            f"{who}: a cut joint has no coordinate that prescribed= or couple= could move; cut "
+            "another joint of the loop"
         )
 
 
 def couple_of(who: str, kind: JointElement, couple: tuple[Any, ...] | None) -> Couple | None:
-    """What a joint follows by its kind or by ``couple``, checked.
+    """The joint that a joint follows by its kind or by ``couple``, checked.
 
     Raises:
         ModelError: not a leader (a joint or its name) with a ratio, or two of them.

@@ -16,13 +16,13 @@ from math import isfinite
 from typing import Any
 
 from ..arguments import checked
-from ..elements.forces.damping import Damping
 from ..elements.forces.drive import Drive
+from ..elements.forces.joint_damper import JointDamper
 from ..elements.joints.fixed import Fixed
 from ..elements.joints.prismatic import Prismatic
 from ..elements.joints.revolute import Revolute
 from ..elements.validation import is_expression
-from ..errors import ModelError, near, shown
+from ..errors import ModelError, brief, near
 from ..spatial.numbers import cosine_sine
 from .checks import is_number
 from .files.angles import snap as quarter
@@ -118,7 +118,7 @@ def add_dh(
         )
     # an array of no dimension has the method, but no entries
     if isinstance(rows, str | bytes | Mapping) or not hasattr(rows, "__iter__") or _single(rows):
-        raise ModelError(f"dh: rows={shown(rows)} is no table; give a list of rows")
+        raise ModelError(f"dh: rows={brief(rows)} is not a table; give a list of rows")
     table = [_row(k, row) for k, row in enumerate(rows, 1)]
     inner = scene.ground if parent is None else parent
     if isinstance(inner, Frame):
@@ -136,27 +136,27 @@ def _single(rows: Any) -> bool:
     return getattr(rows, "shape", None) == ()
 
 
-def _row(k: int, given: Mapping[str, Any] | Sequence[Any]) -> Row:
+def _row(k: int, entries: Mapping[str, Any] | Sequence[Any]) -> Row:
     """A checked row."""
     who = f"dh: row {k}"
-    if not isinstance(given, Mapping):
-        if not isinstance(given, Sequence) or isinstance(given, str | bytes):
-            raise ModelError(f"{who}: {shown(given)}; give (a, alpha, d, theta) or a mapping")
-        values = list(given)
+    if not isinstance(entries, Mapping):
+        if not isinstance(entries, Sequence) or isinstance(entries, str | bytes):
+            raise ModelError(f"{who}: {brief(entries)}; give (a, alpha, d, theta) or a mapping")
+        values = list(entries)
         if len(values) != len(GEOMETRY):
             raise ModelError(f"{who}: {len(values)} values; give (a, alpha, d, theta) or a mapping")
-        given = dict(zip(GEOMETRY, values, strict=True))
-    for key in given:
+        entries = dict(zip(GEOMETRY, values, strict=True))
+    for key in entries:
         if key not in Row.__dataclass_fields__:
             raise ModelError(f"{who}: '{key}' does not exist.{near(key, Row.__dataclass_fields__)}")
-    row = Row(**given)
+    row = Row(**entries)
     for key in ("type", "name", "link"):
         if not isinstance(getattr(row, key), str):
             raise ModelError(f"{who}: {key} is {getattr(row, key)!r}; give a text")
     for key in GEOMETRY:
         value = getattr(row, key)
         if isinstance(value, bool) or not (is_number(value) or is_expression(value)):
-            raise ModelError(f"{who}: {key} is {shown(value)}; give a number or an expression")
+            raise ModelError(f"{who}: {key} is {brief(value)}; give a number or an expression")
         if is_number(value) and not isfinite(value):
             raise ModelError(f"{who}: {key} is {value}; give a finite number or an expression")
     if row.type not in KINDS:
@@ -194,7 +194,7 @@ def _add(scene: SceneRecord, joint: str, link: str, row: Row, convention: str, i
         drive = Drive(joint, row.rotor_inertia, ratio=row.gear_ratio, friction=row.friction)
         scene.force(f"{joint}.drive", drive)
     if row.damping is not None:
-        scene.force(f"{joint}.damping", Damping(joint, row.damping))
+        scene.force(f"{joint}.damping", JointDamper(joint, row.damping))
     return body
 
 

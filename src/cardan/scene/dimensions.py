@@ -12,10 +12,10 @@ from typing import Any
 from ..errors import ModelError
 from .units import NONE, Dimension, unit
 
-Known = Mapping[str, "str | None"]
+Units = Mapping[str, "str | None"]
 
 
-def check(expression: Any, wanted: str, units: Known, name: str) -> None:
+def check(expression: Any, expected: str, units: Units, name: str) -> None:
     """The expression is measured in the unit that is wanted.
 
     Args:
@@ -27,15 +27,15 @@ def check(expression: Any, wanted: str, units: Known, name: str) -> None:
     Raises:
         ModelError: it is not, or it adds what cannot be added.
     """
-    found = dimension(expression, units, name)
-    if wanted and found is not None and found != unit(wanted).dimension:
+    actual = dimension(expression, units, name)
+    if expected and actual is not None and actual != unit(expected).dimension:
         raise ModelError(
-            f"'{name}': {expression} is measured in {written(found)}, "
-            f"but {wanted} is wanted; check the unit= of its parameters"
+            f"'{name}': {expression} is measured in {written(actual)}, "
+            f"but {expected} is wanted; check the unit= of its parameters"
         )
 
 
-def dimension(expression: Any, units: Known, name: str) -> Dimension | None:
+def dimension(expression: Any, units: Units, name: str) -> Dimension | None:
     """Exponents of the base units; None where anything fits.
 
     Raises:
@@ -52,32 +52,32 @@ def dimension(expression: Any, units: Known, name: str) -> Dimension | None:
         return _product(expression, units, name)
     if expression.is_Pow:
         base, exponent = expression.as_base_exp()
-        found = dimension(base, units, name)
-        if found is None or not exponent.is_Number:
+        base_dimension = dimension(base, units, name)
+        if base_dimension is None or not exponent.is_Number:
             return None
-        return _scaled(found, float(exponent))
+        return _scaled(base_dimension, float(exponent))
     for argument in expression.args:
         if getattr(argument, "is_Boolean", False) is not True and hasattr(argument, "is_Add"):
             dimension(argument, units, name)
     return None
 
 
-def _sum(expression: Any, units: Known, name: str) -> Dimension | None:
-    found = None
+def _sum(expression: Any, units: Units, name: str) -> Dimension | None:
+    common = None
     for term in expression.args:
-        own = dimension(term, units, name)
-        if own is None:
+        term_dimension = dimension(term, units, name)
+        if term_dimension is None:
             continue
-        if found is not None and own != found:
+        if common is not None and term_dimension != common:
             raise ModelError(
-                f"'{name}': {expression} adds {written(found)} and {written(own)}; "
+                f"'{name}': {expression} adds {written(common)} and {written(term_dimension)}; "
                 "check the unit= of its parameters"
             )
-        found = own
-    return found
+        common = term_dimension
+    return common
 
 
-def _product(expression: Any, units: Known, name: str) -> Dimension | None:
+def _product(expression: Any, units: Units, name: str) -> Dimension | None:
     total: Dimension = NONE
     for factor in expression.args:
         if factor.is_Rational or factor.is_NumberSymbol:
@@ -85,24 +85,24 @@ def _product(expression: Any, units: Known, name: str) -> Dimension | None:
         # a decimal may be a measured thing, such as the length in m * 0.3**2
         if factor.is_Float:
             return None
-        found = dimension(factor, units, name)
-        if found is None:
+        factor_dimension = dimension(factor, units, name)
+        if factor_dimension is None:
             return None
-        a, b, c, d, e = (x + y for x, y in zip(total, found, strict=True))
+        a, b, c, d, e = (x + y for x, y in zip(total, factor_dimension, strict=True))
         total = (a, b, c, d, e)
     return total
 
 
-def _scaled(found: Dimension, power: float) -> Dimension:
-    a, b, c, d, e = (x * power for x in found)
+def _scaled(base: Dimension, power: float) -> Dimension:
+    a, b, c, d, e = (x * power for x in base)
     return a, b, c, d, e
 
 
-def written(found: Dimension) -> str:
+def written(exponents: Dimension) -> str:
     """A dimension in base units."""
     parts = [
         name if power == 1 else f"{name}^{power:g}"
-        for name, power in zip(("kg", "m", "s", "A", "K"), found, strict=True)
+        for name, power in zip(("kg", "m", "s", "A", "K"), exponents, strict=True)
         if power
     ]
     return " ".join(parts) or "a number without unit"

@@ -44,11 +44,11 @@ class Included:
 
 def include(model: SceneRecord, other: SceneRecord, prefix: str, at: Place) -> Included:
     """The work of :meth:`Model.include`: all of it is done, or nothing."""
-    kept = {name: shallow(x) for name, x in vars(model).items() if isinstance(x, (dict, list))}
+    backup = {name: shallow(x) for name, x in vars(model).items() if isinstance(x, (dict, list))}
     try:
         return _include(model, other, prefix, at)
     except BaseException:
-        vars(model).update(kept)
+        vars(model).update(backup)
         raise
 
 
@@ -125,8 +125,8 @@ class _Copy:
             return value
         from sympy import Symbol
 
-        kept = self.local | {"t"}
-        names = {s: self.name(s.name) for s in symbols if s.name not in kept}
+        untouched = self.local | {"t"}
+        names = {s: self.name(s.name) for s in symbols if s.name not in untouched}
         return value.xreplace({old: Symbol(new) for old, new in names.items()})
 
     def place(self, place: Place) -> Place:
@@ -138,10 +138,10 @@ class _Copy:
 
     def ground(self, at: Place) -> Body:
         """The old ground: a massless body fixed where the new model wants it."""
-        made = self.model.body(self.name("ground"))
-        self.bodies["ground"] = made
-        self.model.joint(self.name("ground"), Fixed(), at, made)
-        return made
+        copied = self.model.body(self.name("ground"))
+        self.bodies["ground"] = copied
+        self.model.joint(self.name("ground"), Fixed(), at, copied)
+        return copied
 
     def body(self, old: Body) -> None:
         base = self.bodies["ground"] if old.base is None else self.bodies[old.base.name]
@@ -154,28 +154,28 @@ class _Copy:
             )
             for shape in old.shapes
         )
-        made = self.model.body(self.name(old.name), shape=shapes)
-        made = dataclasses.replace(
-            made,
+        copied = self.model.body(self.name(old.name), shape=shapes)
+        copied = dataclasses.replace(
+            copied,
             mass=self.value(old.mass),
             com=self.value(old.com),
             inertia=self.value(old.inertia),
             pose=self.value(old.pose),
             base=None if old.pose is None else base,
         )
-        self.model.bodies[made.name] = self.bodies[old.name] = made
+        self.model.bodies[copied.name] = self.bodies[old.name] = copied
 
     def frame(self, old: Frame) -> None:
         name = self.name(old.name)
         self.model.new_place("frame", name)
-        made = Frame(
+        copied = Frame(
             self.bodies[old.body.name],
             self.value(old.coordinates),
             self.value(old.orientation),
             name,
             old.named,
         )
-        self.model.frames[name] = self.frames[old.name] = made
+        self.model.frames[name] = self.frames[old.name] = copied
 
     def beam(self, old: Beam) -> None:
         """The beam with its nodes; points and directions stay in axes of the old ground."""
@@ -188,7 +188,7 @@ class _Copy:
             )
             for end in old.ends
         )
-        made = dataclasses.replace(
+        copied = dataclasses.replace(
             old,
             model=self.model,
             name=name,
@@ -202,7 +202,7 @@ class _Copy:
             base=self.bodies["ground" if old.base is None else old.base.name],
             stops={self.name(node): s for node, s in old.stops.items()},
         )
-        add_nodes(made)
+        add_nodes(copied)
         for node in (f"{old.name}.start", f"{old.name}.end", *old.stops):
             place = self.model.nodes[self.name(node)]
             if place.name == self.name(node):
@@ -218,7 +218,7 @@ class _Copy:
         if couple is not None:
             ratio, offset = self.value(couple.ratio), self.value(couple.offset)
             couple = Couple(self.name(couple.leader), ratio, offset)
-        made = dataclasses.replace(
+        copied = dataclasses.replace(
             old,
             name=name,
             kind=self.record(old.kind, leader),
@@ -228,13 +228,13 @@ class _Copy:
             base=None if old.at is None else base,
             couple=couple,
         )
-        self.model.joints[name] = self.joints[old.name] = made
+        self.model.joints[name] = self.joints[old.name] = copied
 
     def motions(self) -> None:
         for name, joint in self.joints.items():
-            if joint.motion is not None:
-                made = dataclasses.replace(joint, motion=self.value(joint.motion))
-                self.model.joints[made.name] = self.joints[name] = made
+            if joint.prescribed is not None:
+                copied = dataclasses.replace(joint, prescribed=self.value(joint.prescribed))
+                self.model.joints[copied.name] = self.joints[name] = copied
 
     def placeholders(self) -> None:
         """Placeholders of the old model, as those of the new frames and joints."""
@@ -259,19 +259,19 @@ class _Copy:
         places = [p for p in element.frames().values() if isinstance(p, str)]
         places += [element.beam] if isinstance(element, LineLoad) else []
         names = frozenset([*element.joints().values(), *places])
-        made: ForceElement = self.record(element, names)
-        return made
+        copied: ForceElement = self.record(element, names)
+        return copied
 
     def record(self, element: Any, names: frozenset[str] = frozenset()) -> Any:
         """A joint kind or force element with its fields copied; ``names``: those to change."""
         # symbols that stand for the element's own coordinates keep their names
         self.local = frozenset(n for q in element.quantities().values() for n in q.local)
         # the fields are checked and normalized already: copied as they are
-        made = shallow(element)
+        copied = shallow(element)
         for entry in dataclasses.fields(element):
             value = getattr(element, entry.name)
             named = isinstance(value, str) and value in names
             new = self.name(value) if named else self.value(value)
-            object.__setattr__(made, entry.name, new)
+            object.__setattr__(copied, entry.name, new)
         self.local = frozenset()
-        return made
+        return copied

@@ -12,7 +12,7 @@ from __future__ import annotations
 from typing import Any
 
 from ..arguments import checked
-from ..errors import ModelError, shown
+from ..errors import ModelError, brief
 from .checks import is_number, quantity
 
 LARGEST = 1e100  # whose square is a number too
@@ -76,7 +76,7 @@ def _numbers(solid: str, **given: Any) -> list[Any]:
     for name, value in given.items():
         quantity(f"inertia.{solid}: {name}", value)
         if is_number(value) and not abs(value) < LARGEST:
-            raise ModelError(f"inertia.{solid}: {name} is {shown(value)}; give a smaller number")
+            raise ModelError(f"inertia.{solid}: {name} is {brief(value)}; give a smaller number")
     return list(given.values())
 
 
@@ -87,6 +87,6 @@ def _square(length: Any) -> Any:
 
 def _around(axis: str, along: Any, across: Any) -> Moments:
     if axis not in ("x", "y", "z"):
-        raise ModelError(f"axis of an inertia must be 'x', 'y' or 'z', not {shown(axis)}")
+        raise ModelError(f"axis of an inertia must be 'x', 'y' or 'z', not {brief(axis)}")
     x, y, z = (along if axis == name else across for name in "xyz")
     return x, y, z

@@ -21,24 +21,24 @@ def pulled(model: SceneRecord, force: Force) -> tuple[Body, ...]:
             at all, or beams where all that has mass is meant.
     """
     element = force.element
-    who, given = f"force '{force.name}' ({element.kind})", element.masses()
+    who, named_bodies = f"force '{force.name}' ({element.kind})", element.masses()
     ends = {model.place(who, place, role).body for role, place in element.frames().items()}
-    if given:
-        return tuple(_named(model, who, body, ends) for body in given)
+    if named_bodies:
+        return tuple(_named(model, who, body, ends) for body in named_bodies)
     if model.beams:
         raise ModelError(
             f"{who}: it acts on rigid bodies, and beam '{next(iter(model.beams))}' has mass too; "
             "say with bodies= which it acts on"
         )
-    found = tuple(b for b in model.bodies.values() if has_mass(b) and b not in ends)
-    if not found:
+    attracted = tuple(b for b in model.bodies.values() if has_mass(b) and b not in ends)
+    if not attracted:
         raise ModelError(f"{who}: no body but that of its frame has mass; give one a mass")
-    return found
+    return attracted
 
 
-def _named(model: SceneRecord, who: str, given: Any, ends: set[Body]) -> Body:
+def _named(model: SceneRecord, who: str, body_named: Any, ends: set[Body]) -> Body:
     """One body that the user named."""
-    body = model.place(who, given, "body")
+    body = model.place(who, body_named, "body")
     if not isinstance(body, Body):
         raise ModelError(f"{who}: '{body.name}' is a frame; give its body, '{body.body.name}'")
     if body is model.ground:
@@ -49,5 +49,5 @@ def _named(model: SceneRecord, who: str, given: Any, ends: set[Body]) -> Body:
 
 
 def has_mass(body: Body) -> bool:
-    """Whether a body has mass or inertia; expressions count."""
+    """True when a body has mass or inertia; expressions count."""
     return not all(is_number(x) and x == 0 for x in (body.mass, *body.inertia))

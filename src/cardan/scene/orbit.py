@@ -12,7 +12,7 @@ from ..arguments import checked
 from ..elements.joints.fixed import Fixed
 from ..elements.joints.revolute import Revolute
 from ..elements.validation import is_expression, positive
-from ..errors import ModelError, shown
+from ..errors import ModelError, brief
 from .frame import Frame, Located, Place
 
 if TYPE_CHECKING:
@@ -62,9 +62,9 @@ def circular(
     mu, radius = (positive(f"orbit '{name}'", k, x) for k, x in (("mu", mu), ("radius", radius)))
     rate = sympy.sqrt(mu / radius**3) if is_expression(mu / radius) else (mu / radius**3) ** 0.5
     plane, carrier = scene.body(f"{name}.plane"), scene.body(f"{name}.carrier")
-    turned = plane.at(rotation=("ZXZ", 0, -inclination, -node))
-    scene.joint(f"{name}.plane", Fixed(), scene.ground if center is None else center, turned)
-    scene.joint(name, Revolute("z"), plane, carrier, motion=rate * sympy.Symbol("t") + phase)
+    orbit_frame = plane.at(rotation=("ZXZ", 0, -inclination, -node))
+    scene.joint(f"{name}.plane", Fixed(), scene.ground if center is None else center, orbit_frame)
+    scene.joint(name, Revolute("z"), plane, carrier, prescribed=rate * sympy.Symbol("t") + phase)
     return carrier.at(radius, 0, 0, rotation=LOCAL, name=name)
 
 
@@ -82,7 +82,7 @@ def axes(body: Place, center: Place | None = None) -> Any:
 
     for name, place in (("body", body), ("center", center or body)):
         if not isinstance(place, Located):
-            raise ModelError(f"orbit: {name} is {shown(place)}; give a body or a frame")
+            raise ModelError(f"orbit: {name} is {brief(place)}; give a body or a frame")
     r, v = body.position(wrt=center), body.velocity()
     if center is not None:
         v = v - center.velocity()

@@ -1,4 +1,4 @@
-"""Where the items of a model stand in its file, for errors that show later."""
+"""Places of the items of a model in its file, for errors that show later."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ KINDS = ("body", "frame", "beam", "joint", "force", "output", "parameter", "inpu
 # items that make others, whose names begin with theirs
 MAKERS = ("include", "dh")
 _DOUBT = re.compile(rf"({'|'.join(KINDS)}) '([^']*)': (.*)", re.S)
-SHOWN = 6  # names in one warning
+MAX_PRINTED = 6  # names in one warning
 _NAMED = re.compile(rf"^()'([^']*)'|\b({'|'.join(KINDS)}) '([^']*)'")
 
 
@@ -29,10 +29,10 @@ def located(problem: CardanError, origins: Origins) -> CardanError:
 
 def place_of(text: str, origins: Origins) -> str | None:
     """Place of the item that a message names first, if it names one of the file."""
-    found = _NAMED.search(text) if origins else None
-    if found is None:
+    match = _NAMED.search(text) if origins else None
+    if match is None:
         return None
-    kind, name = found.group(3), found.group(4) if found.group(3) else found.group(2)
+    kind, name = match.group(3), match.group(4) if match.group(3) else match.group(2)
     return _place(kind, name, origins)
 
 
@@ -41,19 +41,20 @@ def gathered(said: Iterable[WarningMessage], origins: Origins) -> list[Warning]:
     alike: dict[tuple[type[Warning], str, str], list[str]] = {}
     for one in said:
         text = str(one.message)
-        found = _DOUBT.match(text)
-        kind, name, doubt = found.groups() if found else ("", "", text)
+        match = _DOUBT.match(text)
+        kind, name, doubt = match.groups() if match else ("", "", text)
         alike.setdefault((one.category, kind, doubt), []).append(name)
     return [
-        made(_together(kind, names, doubt, origins)) for (made, kind, doubt), names in alike.items()
+        category(_joined_warning(kind, names, doubt, origins))
+        for (category, kind, doubt), names in alike.items()
     ]
 
 
-def _together(kind: str, names: list[str], doubt: str, origins: Origins) -> str:
+def _joined_warning(kind: str, names: list[str], doubt: str, origins: Origins) -> str:
     if not kind:
         return doubt
-    listed = ", ".join(f"'{name}'" for name in names[:SHOWN])
-    more = f" and {len(names) - SHOWN} more" if len(names) > SHOWN else ""
+    listed = ", ".join(f"'{name}'" for name in names[:MAX_PRINTED])
+    more = f" and {len(names) - MAX_PRINTED} more" if len(names) > MAX_PRINTED else ""
     many = kind if len(names) == 1 else {"body": "bodies"}.get(kind, f"{kind}s")
     place = place_of(f"{kind} '{names[0]}'", origins)
     return (

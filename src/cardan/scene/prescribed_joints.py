@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 def several(motion: Any) -> bool:
-    """Whether ``motion=`` says a value for each of several coordinates."""
+    """True when ``prescribed=`` says a value for each of several coordinates."""
     return isinstance(motion, Sequence) and not isinstance(motion, str)
 
 
@@ -28,7 +28,7 @@ def chain(
     kind: JointElement,
     ends: tuple[Place | str, Place | str],
     motion: Sequence[Any],
-    rest: Mapping[str, Any],
+    further: Mapping[str, Any],
 ) -> Joint:
     """The joints ``<name>.<coordinate>`` and bodies without mass between them, all or none.
 
@@ -42,36 +42,36 @@ def chain(
         The last of the joints, whose child is the child.
 
     Raises:
-        ModelError: the kind is no turning and sliding one after the other, or another number.
+        ModelError: the kind is not a turning and sliding one after the other, or another number.
     """
     who = f"joint '{name}' ({kind.kind})"
-    for key, value in rest.items():
+    for key, value in further.items():
         if value is not None:
             raise ModelError(
-                f"{who}: {key}= does not go with motion= for several coordinates; make a chain of "
-                "joints with one coordinate each"
+                f"{who}: {key}= does not go with prescribed= for several coordinates; make a chain "
+                "of joints with one coordinate each"
             )
     names = [component.name for component in kind.coordinates]
     if not kind.steps():
         raise ModelError(
-            f"{who}: motion= can prescribe the coordinates of universal, cylindrical and planar "
+            f"{who}: prescribed= moves the coordinates of universal, cylindrical and planar "
             'joints, and of spherical and free ones in angles, such as cd.Free("ZYX"); else make '
             "a chain of joints with one coordinate each"
         )
     if len(motion) != len(names):
         raise ModelError(
-            f"{who}: motion= has {len(motion)} values; give {len(names)}, for {', '.join(names)}; "
-            "None where it moves freely"
+            f"{who}: prescribed= has {len(motion)} values; give {len(names)}, for "
+            f"{', '.join(names)}; None where it moves freely"
         )
     before = dict(scene.bodies), dict(scene.joints)
     try:
-        return _made(scene, name, kind.steps(), ends, dict(zip(names, motion, strict=True)))
+        return _build_chain(scene, name, kind.steps(), ends, dict(zip(names, motion, strict=True)))
     except ModelError:
         scene.bodies, scene.joints = before
         raise
 
 
-def _made(
+def _build_chain(
     scene: SceneRecord,
     name: str,
     steps: Sequence[Step],
@@ -80,9 +80,11 @@ def _made(
 ) -> Joint:
     place = ends[0]
     for k, step in enumerate(steps):
-        own = f"{name}.{step.component}"
-        following = ends[1] if k == len(steps) - 1 else scene.body(own)
+        step_name = f"{name}.{step.component}"
+        child_of_step = ends[1] if k == len(steps) - 1 else scene.body(step_name)
         element = Prismatic(step.axis) if step.slides else Revolute(step.axis)
-        made = scene.joint(own, element, place, following, motion=motion[step.component])
-        place = following
-    return made
+        joint = scene.joint(
+            step_name, element, place, child_of_step, prescribed=motion[step.component]
+        )
+        place = child_of_step
+    return joint

@@ -9,12 +9,12 @@ from typing import TYPE_CHECKING, Any
 from ..arguments import checked
 from ..elements.forces.force import ForceElement
 from ..elements.joints.joint import Joint as JointElement
-from ..errors import ModelError, counted, near, shown
+from ..errors import ModelError, brief, counted, near
 from ..notebooks import html
 from . import checks
 from .beam import Beam
 from .beam_arguments import ELEMENT, INERTIA, add_beam
-from .body import Body, placed, shapes_of, tensor
+from .body import Body, read_pose, shapes_of, tensor
 from .checks import triple
 from .connections import (
     Force,
@@ -127,10 +127,10 @@ class SceneRecord(Vocabulary):
             checks.quantity(f"body '{name}': mass", mass)
         for entry in entries:
             checks.quantity(f"body '{name}': inertia", entry)
-        made = Body(self, name, 0 if mass is None else mass, center, entries, None, shapes)
-        made = dataclasses.replace(made, pose=placed(pose, name))
-        self.bodies[name] = made
-        return made
+        body = Body(self, name, 0 if mass is None else mass, center, entries, None, shapes)
+        body = dataclasses.replace(body, pose=read_pose(pose, name))
+        self.bodies[name] = body
+        return body
 
     def add_frame(
         self, body: Body, position: Sequence[Any], rotation: Any, name: str | None
@@ -173,15 +173,15 @@ class SceneRecord(Vocabulary):
             return place
         if isinstance(place, str) and place == "ground":
             return self.ground
-        found = None
+        located = None
         for named in (self.bodies, self.frames, self.nodes) if isinstance(place, str) else ():
-            found = found or named.get(str(place))
-        if found is None:
-            known = ["ground", *self.bodies, *self.nodes]
-            listed = near(place, known).replace(" Known:", " Bodies:")
-            given = f"'{place}'" if isinstance(place, str) else shown(place)
-            raise ModelError(f"{who}: {role} {given} does not exist.{listed}")
-        return found
+            located = located or named.get(str(place))
+        if located is None:
+            names = ["ground", *self.bodies, *self.nodes]
+            listed = near(place, names).replace(" Known:", " Bodies:")
+            place_text = f"'{place}'" if isinstance(place, str) else brief(place)
+            raise ModelError(f"{who}: {role} {place_text} does not exist.{listed}")
+        return located
 
     # joints and forces
 
@@ -191,7 +191,7 @@ class SceneRecord(Vocabulary):
         kind: JointElement | type[JointElement],
         parent: Place | str,
         child: Place | str,
-        motion: Any = None,
+        prescribed: Any = None,
         cut: bool = False,
         q0: float | Sequence[float] | None = None,
         u0: float | Sequence[float] | None = None,
@@ -209,52 +209,49 @@ class SceneRecord(Vocabulary):
                 q = 0 unless the kind says otherwise (:class:`Distance`, :class:`Wheel`,
                 :class:`RollingDisk`, :class:`PointOnCurve`). Where the child has ``pose=`` and the
                 parent is a body, the frame on the parent follows from the poses. The child may be
-                nearer to the ground than the parent.
-            motion: The coordinate as an expression in ``cardan.t`` or an input: prescribed. One
-                for each coordinate of a joint with several: that becomes a chain of joints
+                the one nearer to the ground.
+            prescribed: Its coordinate as an expression in ``cardan.t`` or an input. One for each
+                coordinate of a joint with several: that becomes a chain of joints
                 ``<name>.<coordinate>``; None in it moves freely.
-            cut: Ask for this joint to close a circuit; without it circuits are cut where that
+            cut: Ask for this joint to close a loop; without it loops are cut where that
                 leaves the fewest speeds.
             q0, u0: Initial values.
             limits: (lower, upper), or a mapping with lower, upper, speed, effort.
             at: Place of the joint in ground axes at the reference configuration; its frames are
-                then parallel to the ground axes there. A child without ``pose=`` has its origin
-                there.
+                then parallel to the ground axes. A child without ``pose=`` has its origin there.
             axis: Direction of the kind's axis; in ground axes where ``at`` is given.
-            couple: ``(leader, ratio)`` or ``(leader, ratio, offset)``: the coordinate follows
-                that of another joint.
-
-        Returns:
-            The joint.
+            couple: ``(leader, ratio[, offset])``: the coordinate follows that of another joint.
 
         Raises:
             ModelError: unknown or foreign bodies, wrong lengths or a name that is taken.
         """
         checks.new("joint", name, self.joints)
         element = element_of(name, kind, axis)
-        if several(motion):
-            rest = {"q0": q0, "u0": u0, "limits": limits, "at": at, "couple": couple}
-            return chain(self, name, element, (parent, child), motion, rest | {"cut": cut or None})
+        if several(prescribed):
+            further = {"q0": q0, "u0": u0, "limits": limits, "at": at, "couple": couple}
+            return chain(
+                self, name, element, (parent, child), prescribed, further | {"cut": cut or None}
+            )
         who = f"joint '{name}' ({element.kind})"
-        if motion is not None:
-            checks.quantity(f"{who}: motion", motion)
+        if prescribed is not None:
+            checks.quantity(f"{who}: prescribed", prescribed)
         inboard, outboard = self.place(who, parent, "parent"), self.place(who, child, "child body")
         if inboard.body is outboard.body:
             raise ModelError(f"{who}: parent and child are the same body '{inboard.body.name}'")
         follows = couple_of(who, element, couple)
-        if motion is not None and follows is not None:
+        if prescribed is not None and follows is not None:
             raise ModelError(
-                f"{who}: it cannot both follow motion= and another joint; leave out one"
+                f"{who}: it cannot follow prescribed= and another joint; leave out one"
             )
-        check_cut(who, cut, motion is not None or couple is not None)
+        check_cut(who, cut, prescribed is not None or couple is not None)
         if at is not None and (isinstance(inboard, Frame) or isinstance(outboard, Frame)):
             raise ModelError(f"{who}: at= needs bodies, not frames: it makes the frames itself")
-        made = Joint(
+        joint = Joint(
             name,
             element,
             inboard,
             outboard,
-            motion,
+            prescribed,
             checks.initial(who, "q0", q0, len(element.coordinates), element.quaternion),
             checks.initial(who, "u0", u0, len(element.speeds)),
             limits_of(who, limits),
@@ -262,9 +259,9 @@ class SceneRecord(Vocabulary):
             follows,
             cut=cut,
         )
-        check_start(made)
-        self.joints[name] = made
-        return made
+        check_start(joint)
+        self.joints[name] = joint
+        return joint
 
     def force(self, name: str, element: ForceElement) -> Force:
         """Add a force element such as ``Force``, ``SpringDamper`` or ``JointForce``.
@@ -274,16 +271,16 @@ class SceneRecord(Vocabulary):
         """
         checks.new("force", name, self.forces)
         if not isinstance(element, ForceElement):
-            raise ModelError(f"force '{name}': {shown(element)} is not a force element")
+            raise ModelError(f"force '{name}': {brief(element)} is not a force element")
         beam = getattr(element, "beam", None)
         if isinstance(beam, Beam) and beam.model is not self:
             raise ModelError(
                 f"force '{name}': beam '{beam.name}' belongs to model '{beam.model.name}', not to "
                 f"'{self.name}'"
             )
-        made = Force(name, by_names(element))
-        self.forces[name] = made
-        return made
+        force = Force(name, by_names(element))
+        self.forces[name] = force
+        return force
 
     def beam(
         self,

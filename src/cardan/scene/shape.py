@@ -110,6 +110,6 @@ def _shape(
                 f"shape.{kind}: color has {len(color)} entries; give red, green, blue, 0 to 1, and "
                 "the opacity behind them if you like"
             )
-        red, green, blue, *rest = (float(c) for c in color)
-        paint = (red, green, blue, rest[0] if rest else 1.0)
+        red, green, blue, *alpha = (float(c) for c in color)
+        paint = (red, green, blue, alpha[0] if alpha else 1.0)
     return Shape(kind, size, (x, y, z), rotation, paint)

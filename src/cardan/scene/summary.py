@@ -17,13 +17,13 @@ WIDEST = 28
 
 
 def notes_of(model: SceneRecord) -> list[str]:
-    """What a user should know: notes of files, and what joints are said to have without effect."""
-    held, rubbing = (
+    """Notes for a user: notes of files, and joint properties without effect."""
+    stopped, rubbing = (
         {f.element.joint for f in model.forces.values() if isinstance(f.element, kind)}
         for kind in (Stop, Friction)
     )
     joints = model.joints.values()
-    ends = [j.name for j in joints if j.limits[:2] != (None, None) and j.name not in held]
+    ends = [j.name for j in joints if j.limits[:2] != (None, None) and j.name not in stopped]
     rates = [j.name for j in joints if j.limits[2:] != (None, None) and j.name not in ends]
     dry = [j.name for j in joints if j.friction and j.name not in rubbing]
     without_effect = (
@@ -31,8 +31,8 @@ def notes_of(model: SceneRecord) -> list[str]:
         ("limits do not act in a run; add a Stop to hold a joint inside them", ends),
         ("limits of speed and effort do not act", rates),
     )
-    told = (f"joints {', '.join(names)}: {what}" for what, names in without_effect if names)
-    return [*model.notes, *told]
+    sentences = (f"joints {', '.join(names)}: {what}" for what, names in without_effect if names)
+    return [*model.notes, *sentences]
 
 
 def summary(model: SceneRecord) -> str:
@@ -88,8 +88,8 @@ def beam_rows(model: SceneRecord) -> list[list[str]]:
 
 
 def _remark(joint: Joint) -> str:
-    if joint.motion is not None:
-        return f"prescribed: {joint.motion}"
+    if joint.prescribed is not None:
+        return f"prescribed: {joint.prescribed}"
     if joint.couple is not None:
         return f"follows {joint.couple.leader}"
     return ""
@@ -105,11 +105,11 @@ def force_rows(model: SceneRecord) -> list[str]:
 
 def _table(rows: Sequence[Sequence[str]]) -> list[str]:
     hidden = len(rows) - 1 - MOST_ROWS
-    shown = [[_fit(cell, WIDEST) for cell in row] for row in rows[: MOST_ROWS + 1]]
-    widths = [max(len(row[k]) for row in shown) for k in range(len(shown[0]))]
+    cells = [[_fit(cell, WIDEST) for cell in row] for row in rows[: MOST_ROWS + 1]]
+    widths = [max(len(row[k]) for row in cells) for k in range(len(cells[0]))]
     lines = [
         "  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)).rstrip()
-        for row in shown
+        for row in cells
     ]
     return [*lines, f"... and {hidden} more"] if hidden > 0 else lines
 

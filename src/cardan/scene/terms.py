@@ -1,4 +1,4 @@
-"""What expressions of a scene are made of: parameters, inputs, coordinates, motions of frames."""
+"""Terms of the expressions of a scene: parameters, inputs, coordinates, motions of frames."""
 
 from __future__ import annotations
 
@@ -154,48 +154,52 @@ class Vocabulary(ABC):
         """Kinds of the joints by name, those of released ends and of free rotors included."""
         released = (beam.releases() for beam in self.beams.values())
         named = {name: kind for kinds in released for name, kind in kinds.items()}
-        turning = {f"{n}.rotor": Revolute() for n, f in self.forces.items() if _turns(f.element)}
-        return named | turning | {name: joint.kind for name, joint in self.joints.items()}
+        rotors = {f"{n}.rotor": Revolute() for n, f in self.forces.items() if _turns(f.element)}
+        return named | rotors | {name: joint.kind for name, joint in self.joints.items()}
 
-    def _coordinate(self, quantity: str, given: str, symbol: str) -> Any:
+    def _coordinate(self, quantity: str, full_name: str, symbol: str) -> Any:
         kinds = self.joint_kinds()
         for joint, kind in kinds.items():
             # names of written equations stand alone
             for part in kind.coordinates if quantity == "q" else kind.speeds:
-                if part.alone and part.name == given:
-                    self.atoms[given] = Placeholder(quantity, joint, None, None, given)
-                    return _symbol(given)
-        fitting = [j for j in kinds if given == j or given.startswith(j + ".")]
+                if part.alone and part.name == full_name:
+                    self.atoms[full_name] = Placeholder(quantity, joint, None, None, full_name)
+                    return _symbol(full_name)
+        fitting = [j for j in kinds if full_name == j or full_name.startswith(j + ".")]
         name = max(fitting, key=len, default="")
         if not name:
-            raise ModelError(f"{quantity}('{given}'): no such joint." + near(given, kinds))
+            raise ModelError(f"{quantity}('{full_name}'): no such joint." + near(full_name, kinds))
         kind = kinds[name]
         parts = [c.name for c in (kind.coordinates if quantity == "q" else kind.speeds)]
-        component = given[len(name) + 1 :]
+        component = full_name[len(name) + 1 :]
         if component not in parts:
-            known = [f"{name}.{c}" if c else name for c in parts]
-            raise ModelError(f"{quantity}('{given}'): no such component." + near(given, known))
+            components = [f"{name}.{c}" if c else name for c in parts]
+            raise ModelError(
+                f"{quantity}('{full_name}'): no such component." + near(full_name, components)
+            )
         self.atoms[symbol] = Placeholder(quantity, name, None, None, component)
         return _symbol(symbol)
 
     def placeholders(
-        self, place: Located, quantity: str, count: int, others: Sequence[Any]
+        self, place: Located, quantity: str, count: int, observers: Sequence[Any]
     ) -> list[Any]:
         """Symbols that stand for the motion of a frame, see :class:`Located`."""
-        names = [self.place(f"{place.name}.{quantity}", o) if o is not None else "" for o in others]
+        names = [
+            self.place(f"{place.name}.{quantity}", o) if o is not None else "" for o in observers
+        ]
         suffix = "".join(f"@{n}" if n else "" for n in names)
         if names[1] and not names[0]:
             suffix = "@" + suffix
         symbols = []
         for k, component in enumerate(COMPONENTS[count]):
             text = f"{place.name}.{quantity}{suffix}.{component}"
-            self.atoms[text] = Placeholder(quantity, place, others[0], others[1], k)
+            self.atoms[text] = Placeholder(quantity, place, observers[0], observers[1], k)
             symbols.append(_symbol(text))
         return symbols
 
 
 def _turns(element: ForceElement) -> bool:
-    """Whether an element has a rotor with a coordinate of its own."""
+    """True when an element has a rotor with a coordinate of its own."""
     rotor = element.rotor()
     return rotor is not None and rotor.ratio is None and rotor.speed is None
 

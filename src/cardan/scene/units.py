@@ -7,7 +7,7 @@ import re
 from dataclasses import dataclass
 from functools import lru_cache
 
-from ..errors import ModelError, near, shown
+from ..errors import ModelError, brief, near
 
 # exponents of kg, m, s, A, K
 Dimension = tuple[float, float, float, float, float]
@@ -93,7 +93,7 @@ def unit(text: str) -> Unit:
         ModelError: no text, or a part of it is unknown.
     """
     if not isinstance(text, str):
-        raise ModelError(f"unit {shown(text)}: a unit is text such as 'kg m^2'")
+        raise ModelError(f"unit {brief(text)}: a unit is text such as 'kg m^2'")
     return _unit(text)
 
 
@@ -106,12 +106,12 @@ def _unit(text: str) -> Unit:
         if part.strip() in ("", "*", "·", "/"):
             sign = -1 if part.strip() == "/" else 1
             continue
-        found, power = _factor(part, text)
+        base, power = _factor(part, text)
         exponent = sign * power
-        factor *= found.factor**exponent
-        a, b = dimension, found.dimension
+        factor *= base.factor**exponent
+        a, b = dimension, base.dimension
         dimension = tuple(x + exponent * y for x, y in zip(a, b, strict=True))  # type: ignore[assignment]
-        names += _named(found.si, sign, power)
+        names += _named(base.si, sign, power)
         sign = 1
     return Unit(factor, dimension, _joined(names))
 
@@ -121,10 +121,10 @@ def _factor(part: str, text: str) -> tuple[Unit, int]:
     match = re.fullmatch(r"([A-Za-z]+|1)(?:\^?(-?\d+)|([²³]))?", part)
     name = match.group(1) if match else part
     if match is None or name not in UNITS:
-        raise ModelError(f"unit {shown(text)}: '{name}' is unknown." + near(name, UNITS))
+        raise ModelError(f"unit {brief(text)}: '{name}' is unknown." + near(name, UNITS))
     power = int(match.group(2) or {"²": 2, "³": 3}.get(match.group(3) or "", 1))
     if abs(power) > 12:
-        raise ModelError(f"unit {shown(text)}: powers go up to 12")
+        raise ModelError(f"unit {brief(text)}: powers go up to 12")
     return UNITS[name], power
 
 

@@ -1,1 +1,1 @@
-"""What the compiler and what runs share as data, each said once."""
+"""Data shared by compiler and runtime, each in one place."""

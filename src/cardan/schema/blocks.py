@@ -91,7 +91,7 @@ SLOT = {name: k for k, name in enumerate(ORDER)}
 
 
 def of_rate(speed: str) -> str:
-    """What ``elbow.u`` and ``ball.u.x`` are rates of by name: ``elbow``, ``ball.x``.
+    """Coordinate of which ``elbow.u`` or ``ball.u.x`` is the rate: ``elbow``, ``ball.x``.
 
     Names of another form stay as they are.
     """

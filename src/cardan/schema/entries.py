@@ -70,7 +70,7 @@ class OutputRow(Entry):
 
 
 class LimitRow(Record):
-    """What a parameter may be that is a number of a force element."""
+    """Limits of a parameter that is a number of a force element."""
 
     parameter: str = field(text, "what the limit is of")
     element: str = field(text, "the element it belongs to, in words")
@@ -103,7 +103,7 @@ class EventRow(Record):
     beyond: str = field(text, "what is said about a start behind it", default="")
     decides: Mapping[str, float] = field(
         table(number),
-        "mode -> value from which it is no event but the first decision about that mode",
+        "mode -> value from which it is not an event but the first decision about that mode",
         default=NOTHING,
     )
 

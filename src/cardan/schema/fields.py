@@ -4,7 +4,7 @@ A record is a class whose fields are declared by :func:`field`. Its objects are 
 under attributes; they are made when a file is read, which checks every entry, or by the compiler,
 by keywords. What has its default does not stand in the file.
 
-These are no dataclasses: nothing is generated when the package is imported.
+These are not dataclasses: nothing is generated when the package is imported.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ Read = Callable[[Any, bool], Any]
 
 
 class Kind(NamedTuple):
-    """What an entry may be.
+    """Kind of the values of an entry.
 
     Attributes:
         read: Entry of JSON, whether it is of a saved run -> what records have of it.
@@ -68,24 +68,24 @@ def kind(what: str, good: Callable[[Any], bool], **schema: Any) -> Kind:
 
 
 def is_text(value: Any) -> bool:
-    """Whether a value is a text that can be printed and written."""
+    """True when a value is a text that can be printed and written."""
     return isinstance(value, str) and (
         value.isascii() or not any("\ud800" <= letter <= "\udfff" for letter in value)
     )
 
 
 def is_integer(value: Any) -> bool:
-    """Whether a value is an integer that is a number as well."""
+    """True when a value is an integer that is a number as well."""
     return isinstance(value, int) and not isinstance(value, bool) and abs(value) < NUMBERS
 
 
 def is_number(value: Any) -> bool:
-    """Whether a value is a number."""
+    """True when a value is a number."""
     return isinstance(value, float) or is_integer(value)
 
 
 def integer_from(least: int, end: int) -> Callable[[Any], bool]:
-    """Whether values are integers from the least one on, below the end."""
+    """Kind of integers from the least one on, below the end."""
     return lambda value: type(value) is int and least <= value < end
 
 
@@ -237,17 +237,17 @@ class Record:
     _about: ClassVar[dict[str, Field]] = {}
 
     def __init_subclass__(cls) -> None:
-        own = {name: x for name, x in vars(cls).items() if isinstance(x, Field)}
-        cls._about = {**cls._about, **own}
+        entries_of_class = {name: x for name, x in vars(cls).items() if isinstance(x, Field)}
+        cls._about = {**cls._about, **entries_of_class}
         cls._rows = tuple((name, x.kind.read, x.default, x.run) for name, x in cls._about.items())
-        for name, one in own.items():
+        for name, one in entries_of_class.items():
             if one.default is REQUIRED:
                 delattr(cls, name)
             else:
                 setattr(cls, name, one.default)
 
     def __init__(self, **entries: Any) -> None:
-        own = vars(self)
+        attributes = vars(self)
         for name, _, default, _ in self._rows:
             value = entries.pop(name, default)
             if value is REQUIRED:
@@ -255,7 +255,7 @@ class Record:
             # what is empty is the default where that is empty
             empty = default is not None and not default and not value
             if not (empty or value is default):
-                own[name] = value
+                attributes[name] = value
         if entries:
             raise TypeError(f"{type(self).__name__} has no {', '.join(entries)}")
 
@@ -292,7 +292,7 @@ class Record:
 
     @classmethod
     def lacking(cls, name: str) -> Any:
-        """What an entry is where a saved run says nothing; true where it has to say something."""
+        """Default of an entry that a saved run leaves out; true where it must not."""
         return cls._about[name].run
 
     @classmethod
@@ -366,7 +366,7 @@ class Record:
 
 
 def plain(part: Any) -> Any:
-    """What JSON holds of a record or rows.
+    """JSON form of a record or rows.
 
     Raises:
         TypeError: it is neither.

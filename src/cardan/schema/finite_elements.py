@@ -22,7 +22,7 @@ class Plane(Record):
 
 
 class PlaceKind(Record):
-    """What a place holds."""
+    """Kind of a place."""
 
     name: str = field(text, "node, plane_node, line<k> or that of a joint")
     nq: int = field(count, "number of coordinates")
@@ -37,12 +37,12 @@ class PlaceKind(Record):
 
     @property
     def node(self) -> bool:
-        """Whether it is a node, which moves by itself."""
+        """True when it is a node, which moves by itself."""
         return self.name == "node" or self.plane is not None
 
 
 class ElementKind(Record):
-    """What elements share."""
+    """Kind of an element."""
 
     name: str = field(text, "C identifier")
     nq: int = field(count, "number of local coordinates")
@@ -66,7 +66,7 @@ class GroupRow(Record):
 
 
 class FiniteElements(Record):
-    """Of a model in absolute coordinates: what its elements are."""
+    """Elements of a model in finite-element coordinates."""
 
     places: Sequence[PlaceKind] = field(listed(PlaceKind), "kinds of places")
     kinds: Sequence[ElementKind] = field(listed(ElementKind), "kinds of elements")

@@ -43,7 +43,7 @@ gravity | t q r | nu | N m or N | causes of forces | rewritable
     part of h that is left at rest
 coriolis | t q u r | nu | N m or N | causes of forces | rewritable
     h without gravity
-applied | t q u r z s | nu | N m or N
+applied_forces | t q u r z s | nu | N m or N
     f: generalized forces of the model's elements
 qdot | t q u r | nq | rad/s, 1/s or m/s | | elements
     qdot = N(q) u + n(t, q)
@@ -68,7 +68,7 @@ frame_jacobian(frame) | t q r | 6 nu | 1, m or 1/m | bodies | elements
     velocity = J u, ground axes
     also: in_ parameters out
     Rows are [omega, v] of the frame origin. Where joints are prescribed, their part of the
-    velocity is no part of J u.
+    velocity is not a part of J u.
 com | t q r | 3 | m | bodies
     center of mass in ground axes
     Of everything that moves.
@@ -96,7 +96,7 @@ power | t q u r z s | nsources | W | | elements
     power of everything that has no potential, by source
     like: sources
 dependents | t q u r | ndependent | of the coordinates and speeds | closed form
-    coordinates, then speeds, of joints that circuits determine
+    coordinates, then speeds, of joints that loops determine
 constraints | t q r | npositions | m or rad | constraints | elements
     g: what vanishes at position level
     like: positions
@@ -108,7 +108,7 @@ constraint_jacobian | t q r s | nlam nu | 1, m or 1/m | constraints | elements
 closure | t q r | nclosing | m or 1 | constraints
     closing conditions of all cut joints, dependent ones too
     Also those that follow from others.
-facing | t q r | ncosines | 1 | constraints
+assembly_signs | t q r | ncosines | 1 | constraints
     cosines, all positive where no cut joint is turned round
     Closing conditions vanish too where an axis is turned round; then one of these does not
     exceed 0. They are named in the manifest after their joints.
@@ -173,9 +173,9 @@ rhs_jacobian | t x r s | nx*nx+nx+nx*nr | of rhs per x, s and r | | \
     A unit quaternion counts by its direction alone: along itself nothing changes.
     Derivatives along the speeds instead: ``derivative("rhs", wrt="q")``. Three arrays:
     (..., nx, nx), (..., nx) and (..., nx, nr).
-constraint_bias | t q u r z s | nlam | m/s^2 or rad/s^2 | constraints | for_reading
+constraint_bias | t q u r z s | nlam | m/s^2 or rad/s^2 | constraints | for_display
     gamma: G udot = gamma
-wrenches | t q u r z s | | N m or N | | for_reading
+wrenches | t q u r z s | | N m or N | | for_display
     what elements do on every body, at its origin in its axes, and along joints
 """
 
@@ -205,7 +205,7 @@ class ModelFunction(NamedTuple):
         rare: Whether only some analyses call it: pickles have it if it was used.
         internal: Whether a compiled model has no method that follows from this row.
         no_derivative: Whether it has no derivatives by blocks and parameters.
-        for_reading: Whether it is derived for people and checks alone, never written as C.
+        for_display: Whether it is derived for people and checks alone, never written as C.
     """
 
     name: str
@@ -228,7 +228,7 @@ class ModelFunction(NamedTuple):
     rare: bool = False
     internal: bool = False
     no_derivative: bool = False
-    for_reading: bool = False
+    for_display: bool = False
 
     @property
     def arguments(self) -> list[str]:
@@ -274,7 +274,7 @@ def _rows(table: str) -> Iterator[ModelFunction]:
 
 FUNCTIONS = {row.name: row for row in _rows(TABLE)}
 # what compile() may be asked for unless functions= says otherwise
-STANDARD = tuple(name for name, row in FUNCTIONS.items() if not row.for_reading)
+STANDARD = tuple(name for name, row in FUNCTIONS.items() if not row.for_display)
 # what elements in tables have
 OF_ELEMENTS = tuple(name for name, row in FUNCTIONS.items() if row.elements)
 # those that have derivatives by blocks and parameters

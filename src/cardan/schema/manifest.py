@@ -62,13 +62,16 @@ BLOCKS = {
 
 def _version(form: Format) -> Kind:
     """The version of a format; saved runs, which have their own, may have been written by any."""
-    own = one_of(form.version)
-    return Kind(lambda value, run: (count if run else own).read(value, run), own.schema)
+    exact = one_of(form.version)
+    return Kind(lambda value, run: (count if run else exact).read(value, run), exact.schema)
 
 
 class Manifest(Record):
-    """What a model directory holds: names and units in the order of the arrays, the tree, and one
-    entry per C function. Within a version of the interface, entries are only added."""
+    """Contents of a model directory:
+
+    names and units in the order of the arrays, the tree, and one entry per C function. Within a
+    version of the interface, entries are only added.
+    """
 
     abi: int = field(_version(ABI), "version of the calling convention in cardan.h", run=0)
     schema: int = field(_version(MANIFEST), "version of this schema", run=0)
@@ -141,12 +144,12 @@ class Manifest(Record):
 
     @property
     def absolute(self) -> bool:
-        """Whether its coordinates are those of nodes, its equations those of finite elements."""
+        """True when its coordinates are those of nodes, its equations those of finite elements."""
         return self.method == "absolute"
 
     @property
     def elements(self) -> FiniteElements:
-        """What is said of its elements; of a model in absolute coordinates only."""
+        """Elements of the model; only in finite-element coordinates."""
         assert self.finite_elements is not None
         return self.finite_elements
 
@@ -161,7 +164,7 @@ class Manifest(Record):
         return rows
 
     @property
-    def held(self) -> int:
+    def position_rows(self) -> int:
         """Number of constraints of positions."""
         return sum(row.level == "position" for row in self.multipliers)
 
@@ -207,13 +210,13 @@ def _bodies(m: Manifest) -> Iterator[str]:
     """Bodies, frames, beams and shapes."""
     nq, nu = len(m.coordinates), len(m.speeds)
     bodies, frames = ({row.name for row in rows} for rows in (m.bodies, m.frames))
-    carrying = {row.body for row in m.frames}
+    with_frames = {row.body for row in m.frames}
     if len(frames) != len(m.frames):
         yield "two frames have one name"
     for body in m.bodies:
         if body.parent not in bodies and body.parent != GROUND:
             yield f"body '{body.name}' is nowhere"
-        if body.parts and not ({*body.parts} <= frames and body.name in carrying):
+        if body.parts and not ({*body.parts} <= frames and body.name in with_frames):
             yield f"body '{body.name}' has no frame"
     for frame in m.frames:
         if frame.body not in bodies and frame.body != GROUND:
@@ -242,7 +245,7 @@ def _places(m: Manifest) -> Iterator[str]:
 
 
 def _tree(m: Manifest) -> Iterator[str]:
-    """What poses follow from."""
+    """Checks of the data from which poses follow."""
     tree, joints = m.scene, len(m.joints)
     if m.absolute or tree.empty:
         return
@@ -254,17 +257,17 @@ def _tree(m: Manifest) -> Iterator[str]:
 
 
 def _functions(m: Manifest) -> Iterator[str]:
-    """What the functions of a model agree with."""
+    """Checks of the functions of the model."""
     if m.absolute != (m.finite_elements is not None):
         yield "its method and its finite elements do not fit each other"
     if len(m.beams) != (m.elements.segments if m.absolute else 0):
         yield "its beams are not those of its finite elements"
     closed = m.functions.get("constraints")
-    if closed is not None and closed.output_size != m.held:
-        yield f"{m.held} rows tell of {closed.output_size} constraints of positions"
+    if closed is not None and closed.output_size != m.position_rows:
+        yield f"{m.position_rows} rows tell of {closed.output_size} constraints of positions"
 
 
-def opened(plain: Any, where: str) -> Manifest:
+def checked_manifest(plain: Any, where: str) -> Manifest:
     """The manifest of a model that came from outside.
 
     Args:
@@ -296,9 +299,9 @@ def from_file(content: bytes, where: str) -> Manifest:
 
     Raises:
         ValueError: it is damaged.
-        ModelError: as :func:`opened`.
+        ModelError: as :func:`checked_manifest`.
     """
-    return opened(unsealed(content), where)
+    return checked_manifest(unsealed(content), where)
 
 
 def json_schema() -> str:

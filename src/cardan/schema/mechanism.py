@@ -43,7 +43,7 @@ class WeldRow(Record):
 
 
 class ConditionRow(Record):
-    """A condition that always holds where a kinematic loop moves, and is no constraint."""
+    """A condition that always holds where a kinematic loop moves, and is not a constraint."""
 
     name: str = field(text)
     unit: str = field(text, "of its force")
@@ -67,14 +67,14 @@ class CutRow(Record):
     )
     left_out: Sequence[ConditionRow] = field(
         listed(ConditionRow),
-        "conditions that hold all over the group in which the loop moves, and are no constraints "
+        "conditions that hold all over the group in which the loop moves, and are not constraints "
         "of the model",
         default=(),
     )
 
 
 class Coupling(Record):
-    """What a joint follows."""
+    """Coupling of a joint to another."""
 
     leader: str = field(text)
 
@@ -126,8 +126,8 @@ class JointRow(Record):
 
     def fit(self, run: bool) -> None:
         """A start has one number for each coordinate, also where the loop of a joint solves it."""
-        for block, own, start in (("q", self.q, self.q0), ("u", self.u, self.u0)):
-            size = own[1] if own else len(self.solved.names(block)) if self.solved else None
+        for block, slot, start in (("q", self.q, self.q0), ("u", self.u, self.u0)):
+            size = slot[1] if slot else len(self.solved.names(block)) if self.solved else None
             if start is not None and size not in (None, len(start)):
                 raise Misfit(f"has {len(start)} numbers, not {size}").within(f".{block}0")
 

@@ -1,4 +1,4 @@
-"""What is planned for a model of elements before a run, for exports of it."""
+"""Data computed for a model of elements before a run, for exports of it."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ Fields: TypeAlias = Mapping[str, int | NDArray[Any] | None]
 
 @dataclass(frozen=True, eq=False)
 class Planned:
-    """What programs without Python are told of elements in tables.
+    """Tables of elements for programs without Python.
 
     Attributes:
         mesh, groups, plan: Fields of ``cardan_mesh``, of every ``cardan_group``, and of
@@ -34,6 +34,6 @@ class Planned:
     movers: Sequence[tuple[Fields, Mapping[str, str]]]
     plan: Fields
     start: NDArray[np.float64]
-    held: NDArray[np.bool_]
+    locked: NDArray[np.bool_]
     size: float
     columns: NDArray[np.float64]

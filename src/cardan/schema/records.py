@@ -10,12 +10,11 @@ import ctypes
 import re
 import textwrap
 from functools import cache
-from pathlib import Path
 from typing import Any
 
 from ..errors import BuildError
+from . import kernel_files
 
-KERNELS = Path(__file__).resolve().parent.parent / "kernels"
 POINTER, COUNT, REAL = ctypes.c_void_p, ctypes.c_ssize_t, ctypes.c_double
 KINDS: dict[str, Any] = {
     "ptrdiff_t": COUNT,
@@ -33,7 +32,7 @@ RECORDS = {
     "cardan_method": "run.h",
     "cardan_signal": "run.h",
     "cardan_tick": "run.h",
-    "cardan_own": "ensemble.h",
+    "cardan_run_pointer": "ensemble.h",
     "cardan_lane": "ensemble.h",
     "cardan_ensemble": "ensemble.h",
     "cardan_form": "mesh.h",
@@ -46,7 +45,7 @@ RECORDS = {
     "cardan_target": "position.h",
     "cardan_position": "position.h",
 }
-LANE_RECORDS = {"cardan_abreast": "abreast.h", "cardan_lane_method": "abreast.h"}
+LANE_RECORDS = {"cardan_simd": "simd_steps.h", "cardan_lane_method": "simd_steps.h"}
 # what the functions of an element give, in the order of mesh.h
 FORMS = (
     "balance",
@@ -63,7 +62,7 @@ FORMS = (
 )
 # the matrices of a tangent
 PARTS = ("K", "C", "M", "R", "G")
-# fields of Abreast that are one number per lane: of its run, of its trial
+# fields of SimdSteps that are one number per lane: of its run, of its trial
 PER_LANE = (
     *("t", "size", "until", "span", "idle", "rejected", "steps", "rejections", "evaluations"),
     *("h", "t_new", "at", "error", "culprit", "taken", "failed", "ended"),
@@ -77,12 +76,12 @@ _ARRAY = re.compile(r"(\w+)\[(\w+)\]$")
 @cache
 def _text(header: str) -> str:
     """A header without its comments."""
-    return _COMMENT.sub("", (KERNELS / header).read_text("utf-8"))
+    return _COMMENT.sub("", kernel_files.text(header))
 
 
 @cache
 def constants(header: str) -> dict[str, int]:
-    """What the enumerations of a header call numbers, such as ``CARDAN_MORE``."""
+    """Values of the enumerations of a header, such as ``CARDAN_MORE``."""
     values: dict[str, int] = {}
     for body in re.findall(r"enum \{(.*?)\}", _text(header), re.DOTALL):
         number = 0
@@ -134,111 +133,130 @@ def fields(record: str, **nested: type[ctypes.Structure]) -> list[tuple[str, Any
     return listed
 
 
+# __slots__: setting a name that is not a field is an error
 class Run(ctypes.Structure):
-    """``cardan_run``; see ``kernels/run.h`` for the meaning of every field."""
+    """``cardan_run``; see ``kernels/run/run.h`` for the meaning of every field."""
 
+    __slots__ = ()
     _fields_ = fields("cardan_run")
 
 
 class Method(ctypes.Structure):
     """``cardan_method``: the functions of an integrator, and how much it keeps."""
 
+    __slots__ = ()
     _fields_ = fields("cardan_method")
 
 
 class LaneMethod(ctypes.Structure):
     """``cardan_lane_method``: the functions of one whose trial steps go side by side."""
 
+    __slots__ = ()
     _fields_ = fields("cardan_lane_method")
 
 
 class Signal(ctypes.Structure):
     """``cardan_signal``: an input given by pieces."""
 
+    __slots__ = ()
     _fields_ = fields("cardan_signal")
 
 
 class Tick(ctypes.Structure):
     """``cardan_tick``: an event at known times."""
 
+    __slots__ = ()
     _fields_ = fields("cardan_tick")
 
 
-class Abreast(ctypes.Structure):
-    """``cardan_abreast``: trial steps side by side."""
+class SimdSteps(ctypes.Structure):
+    """``cardan_simd``: trial steps side by side."""
 
-    _fields_ = fields("cardan_abreast")
+    __slots__ = ()
+    _fields_ = fields("cardan_simd")
 
 
-class Own(ctypes.Structure):
-    """``cardan_own``: numbers of a run that a pointer of its record shall point to."""
+class RunPointer(ctypes.Structure):
+    """``cardan_run_pointer``: numbers of a run that a pointer of its record shall point to."""
 
-    _fields_ = fields("cardan_own")
+    __slots__ = ()
+    _fields_ = fields("cardan_run_pointer")
 
 
 class Lane(ctypes.Structure):
     """``cardan_lane``: the record at work, and how each run begins."""
 
+    __slots__ = ()
     _fields_ = fields("cardan_lane")
 
 
 class Driver(ctypes.Structure):
     """``cardan_ensemble``: many runs by one thread."""
 
+    __slots__ = ()
     _fields_ = fields("cardan_ensemble")
 
 
 class Form(ctypes.Structure):
     """``cardan_form``: a function of a kind with the prepared data of its elements."""
 
+    __slots__ = ()
     _fields_ = fields("cardan_form")
 
 
 class Group(ctypes.Structure):
     """``cardan_group``: the elements of one kind."""
 
+    __slots__ = ()
     _fields_ = fields("cardan_group", forms=Form)
 
 
 class Movers(ctypes.Structure):
     """``cardan_movers``: places that move by functions of their own."""
 
+    __slots__ = ()
     _fields_ = fields("cardan_movers")
 
 
 class MeshRecord(ctypes.Structure):
     """``cardan_mesh``."""
 
+    __slots__ = ()
     _fields_ = fields("cardan_mesh")
 
 
 class StateRecord(ctypes.Structure):
     """``cardan_state``: what elements are asked at."""
 
+    __slots__ = ()
     _fields_ = fields("cardan_state")
 
 
 class PlanRecord(ctypes.Structure):
     """``cardan_sparse``."""
 
+    __slots__ = ()
     _fields_ = fields("cardan_sparse")
 
 
 class FactorsRecord(ctypes.Structure):
     """``cardan_sparse_factors``."""
 
+    __slots__ = ()
     _fields_ = fields("cardan_sparse_factors")
 
 
 class TargetRecord(ctypes.Structure):
     """``cardan_target``: what a position is to reach."""
 
+    __slots__ = ()
     _fields_ = fields("cardan_target")
 
 
 class PositionRecord(ctypes.Structure):
     """``cardan_position``: a search for a position."""
 
+    __slots__ = ()
     _fields_ = fields("cardan_position")
 
 

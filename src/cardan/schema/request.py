@@ -1,4 +1,4 @@
-"""How a derivative is asked for, as one line of text: ``forward_dynamics: q u``.
+"""Request for a derivative, as one line of text: ``forward_dynamics: q u``.
 
 Names that are more than letters, digits, dots and underscores stand in quotes:
 ``pose("left hand"): q "upper mass"``.
@@ -37,14 +37,14 @@ class Request:
         Raises:
             ValueError: it is none.
         """
-        found = _LINE.fullmatch(text)
-        if found is None or not found[3].strip():
+        match = _LINE.fullmatch(text)
+        if match is None or not match[3].strip():
             raise ValueError(
                 f"'{text}' names no derivative: write it like 'forward_dynamics: q u' or "
                 "'pose(hand): q'"
             )
-        wrt = tuple(_plain(name) for name in re.findall(_NAME, found[3]))
-        return Request(found[1], _plain(found[2]) if found[2] else None, wrt)
+        wrt = tuple(_plain(name) for name in re.findall(_NAME, match[3]))
+        return Request(match[1], _plain(match[2]) if match[2] else None, wrt)
 
     def __str__(self) -> str:
         of = "" if self.of is None else f"({_quoted(self.of)})"

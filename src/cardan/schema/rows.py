@@ -150,7 +150,7 @@ class Run(Generic[R]):
         return [self.row(k) for k in (*range(kinds), *range(len(self) - kinds, len(self)))]
 
     def plain(self) -> dict[str, Any]:
-        """As JSON has it: values are the bytes of little-endian doubles in base 64."""
+        """JSON form: values are the bytes of little-endian doubles in base 64."""
         values = base64.b64encode(self.values.astype("<f8").tobytes()).decode()
         return {"count": self.count, "pattern": list(self.pattern), "values": values}
 
@@ -237,7 +237,7 @@ class Rows(Sequence[R]):
         return [*self.listed, *(row for run in self.runs for row in run.ends)]
 
     def plain(self) -> dict[str, Any]:
-        """As JSON has it."""
+        """JSON form."""
         return {"listed": self.listed, "runs": self.runs}
 
 

@@ -24,15 +24,15 @@ HEAD = 200
 def sealed(data: Mapping[str, Any], **options: Any) -> str:
     """The JSON text of data with its hash as the first entry."""
     text = dumped({KEY: ZEROS.decode(), **data}, **options) + "\n"
-    found = hashlib.sha256(text.encode()).hexdigest()
-    return text.replace(ZEROS.decode(), found, 1)
+    digest = hashlib.sha256(text.encode()).hexdigest()
+    return text.replace(ZEROS.decode(), digest, 1)
 
 
 def unsealed(content: bytes) -> Any:
     """The data of a text, without its hash; one that was written by hand may have none.
 
     Raises:
-        ValueError: it is no JSON, or not what its hash is of.
+        ValueError: it is not JSON, or not what its hash is of.
     """
     seal = SEAL.search(content, 0, HEAD)
     if seal:

@@ -24,14 +24,14 @@ from .fields import (
 
 
 class Treatment(Record):
-    """How accelerations are made to obey constraints."""
+    """Treatment of the constraints in the accelerations."""
 
     name: str = field(text)
     exact: bool = field(flag, "whether accelerations fulfil the constraints to rounding")
 
 
 class CloserRow(Record):
-    """How a joint that closes a kinematic loop moves."""
+    """Motion of a joint that closes a kinematic loop."""
 
     pose: str = field(text, "the saved Function of its pose by its coordinates and p, as declared")
     rotation: str | None = field(
@@ -42,7 +42,7 @@ class CloserRow(Record):
 
 
 class SampleRow(Record):
-    """What SymPy says of written equations at a state."""
+    """Reference values by SymPy of written equations at a state."""
 
     held: Sequence[str] = field(listed(text), "constraints")
     t: float = field(number)
@@ -106,12 +106,12 @@ class Tree(Record):
 
     @classmethod
     def read(cls, plain: Any, run: bool = False) -> Self:
-        """As :meth:`Record.read`; a saved run says all of it or nothing."""
+        """Same as :meth:`Record.read`; a saved run says all of it or nothing."""
         return super().read(plain, run and not plain)
 
     @property
     def empty(self) -> bool:
-        """Whether a file says nothing of it."""
+        """True when a file says nothing of it."""
         return self.kinds == ()
 
 
@@ -123,8 +123,8 @@ def _is_curve(value: Any) -> bool:
     numbers = listed(number)
     try:
         numbers.read(breaks, False)
-        pieces = listed(listed(numbers, len(breaks) - 1), 3).read(components, False)
+        interval_coefficients = listed(listed(numbers, len(breaks) - 1), 3).read(components, False)
     except Misfit:
         return False
-    powers = {len(powers) for component in pieces for powers in component}
+    powers = {len(powers) for component in interval_coefficients for powers in component}
     return len(breaks) > 1 and len(powers) == 1 and min(powers) > 0 and is_number(period)

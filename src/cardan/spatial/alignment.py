@@ -1,4 +1,4 @@
-"""How far a rotation is from leaving a direction, or everything, as it is.
+"""Deviation of a rotation from leaving a direction, or everything, as it is.
 
 All entries are sums of products of entries of R, so that structural zeros of plane motion stay
 zeros, and are small rotation angles [rad] to first order.
@@ -20,11 +20,11 @@ def tilt(R: Matrix, n: Matrix) -> Matrix:
         n: Unit vector, (3, 1).
     """
     first, second = complement(n)
-    turned = R @ n
-    return Matrix.vector(R.graph, [-second.dot(turned), first.dot(turned)])
+    rotated = R @ n
+    return Matrix.vector(R.graph, [-second.dot(rotated), first.dot(rotated)])
 
 
-def turning(R: Matrix) -> Matrix:
+def rotation_vector(R: Matrix) -> Matrix:
     """Rotation of R about x, y and z, (3, 1): R = 1 + [turning] to first order.
 
     Vanishes where R = 1, and at seven rotations that map the axes to axes or their opposites.

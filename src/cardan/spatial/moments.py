@@ -125,8 +125,8 @@ def moved(inertia: Inertia, p: Matrix) -> Inertia:
     """The same body about a point from which its origin is seen at p."""
     m, g = inertia.mass, p.graph
     if not any(inertia.moment.nodes):
-        s, spread = _of_mass(m, p)
-        shift = Matrix.identity(g, 3) * s.dot(p) - spread
+        s, second = _of_mass(m, p)
+        shift = Matrix.identity(g, 3) * s.dot(p) - second
         return Inertia(m, s, inertia.tensor + shift)
     s = (inertia.moment + p * (m * 0.5)).note("mean_moment")
     twice = s.dot(p) * 2

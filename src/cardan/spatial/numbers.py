@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from ..errors import ModelError, shown
+from ..errors import ModelError, brief
 
 Rows = list[list[float]]
 Vector = tuple[float, float, float]
@@ -22,7 +22,7 @@ def check_axes(axes: str, who: str) -> None:
     if len(axes) != 3 or axes.lower().strip("xyz") or not (axes.islower() or axes.isupper()):
         raise ModelError(
             f"'{who}': a sequence is three letters of XYZ (body-fixed) or xyz (fixed axes), "
-            f"not {shown(axes)}"
+            f"not {brief(axes)}"
         )
 
 
@@ -56,7 +56,7 @@ def cosine_sine(angle: float) -> tuple[float, float]:
 
 
 def quarter_turns(angle: float) -> int | None:
-    """How many quarter turns an angle is, None where it is no whole number of them."""
+    """Number of quarter turns of an angle, None where it is not an integer."""
     turns = round(angle / QUARTER)
     # two roundings: that of the constant and that of the product
     return turns if abs(angle - turns * QUARTER) <= 4e-16 * abs(angle) else None
@@ -75,10 +75,11 @@ def check_orthonormal(rows: Rows, who: str) -> None:
     """
     for i in range(3):
         for j in range(3):
-            found = sum(rows[i][k] * rows[j][k] for k in range(3))
-            if not abs(found - (i == j)) < 1e-6:
+            product = sum(rows[i][k] * rows[j][k] for k in range(3))
+            if not abs(product - (i == j)) < 1e-6:
                 raise ModelError(
-                    f"'{who}': not a rotation: rows {i + 1} and {j + 1} have the product {found:g}"
+                    f"'{who}': not a rotation: rows {i + 1} and {j + 1} have the product "
+                    f"{product:g}"
                 )
     (a, b, c), (d, e, f), (g, h, k) = rows
     if a * (e * k - f * h) - b * (d * k - f * g) + c * (d * h - e * g) < 0:
@@ -100,7 +101,7 @@ def congruent(rotation: Rows, tensor: Rows) -> Rows:
     return product(product(rotation, tensor), transposed(rotation))
 
 
-def turned(rotation: Rows, vector: Sequence[float]) -> Vector:
+def rotated(rotation: Rows, vector: Sequence[float]) -> Vector:
     """R v."""
     x, y, z = (sum(a * b for a, b in zip(row, vector, strict=True)) for row in rotation)
     return x, y, z
@@ -135,9 +136,9 @@ def to_quaternion(rotation: Rows) -> tuple[float, float, float, float]:
     a, b, c = r[0][1] + r[1][0], r[0][2] + r[2][0], r[1][2] + r[2][1]
     table = ((squares[0], w, x, y), (w, squares[1], a, b), (x, a, squares[2], c))
     rows = (*table, (y, b, c, squares[3]))
-    found = rows[max(range(4), key=squares.__getitem__)]
-    size = math.hypot(*found) * (1 if found[0] >= 0 else -1)
-    w, x, y, z = (entry / size for entry in found)
+    largest_row = rows[max(range(4), key=squares.__getitem__)]
+    size = math.hypot(*largest_row) * (1 if largest_row[0] >= 0 else -1)
+    w, x, y, z = (entry / size for entry in largest_row)
     return w, x, y, z
 
 

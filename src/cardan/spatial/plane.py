@@ -20,7 +20,7 @@ NORMALS = ("x", "y", "z")
 
 @dataclass(frozen=True)
 class Plane:
-    """How a node of a plane stands in space.
+    """Plane of a node in space.
 
     Attributes:
         normal: Axis of the ground across the plane, 0, 1 or 2.
@@ -42,7 +42,7 @@ class Plane:
         return np.array(self.axes).reshape(3, 3)
 
     @cached_property
-    def spread(self) -> Array:
+    def to_space(self) -> Array:
         """Speeds in space, angular ones in axes of the node first, from those here (6, 3)."""
         E = np.zeros((6, 3))
         E[:3, 2] = self.rotation[self.normal]
@@ -52,7 +52,7 @@ class Plane:
 
     @cached_property
     def across(self) -> Array:
-        """What of the speeds of a node in space leaves the plane (6, 3)."""
+        """Components of the speeds of a node in space that leave the plane (6, 3)."""
         E = np.zeros((6, 3))
         E[3 + self.normal, 2] = 1.0
         for k, axis in enumerate(self.along):
@@ -69,25 +69,25 @@ class Plane:
 
     def pose(self, q: Array) -> Array:
         """Unit quaternions and positions (n, 7) from x, y, angle (n, 3)."""
-        (w, *v), n = self.home, self.spread[:3, 2]
+        (w, *v), n = self.home, self.to_space[:3, 2]
         c, s = np.cos(0.5 * q[:, 2:]), np.sin(0.5 * q[:, 2:])
-        turned = np.hstack([c * w - s * (n @ v), c * v + s * (w * n + np.cross(v, n))])
-        return np.hstack([turned, q[:, :2] @ self.spread[3:, :2].T])
+        rotated = np.hstack([c * w - s * (n @ v), c * v + s * (w * n + np.cross(v, n))])
+        return np.hstack([rotated, q[:, :2] @ self.to_space[3:, :2].T])
 
-    def told(self, poses: Array) -> Array:
+    def coordinates_of(self, poses: Array) -> Array:
         """x, y, angle (n, 3) at unit quaternions and positions (n, 7) that turn gradually."""
-        (w, *v), n = self.home, self.spread[:3, 2]
-        own, p = poses[:, 1:4], poses[:, :1]
-        cosine = p[:, 0] * w + own @ v
-        sine = (own * w - p * np.array(v) - np.cross(v, own)) @ n
+        (w, *v), n = self.home, self.to_space[:3, 2]
+        vector_parts, p = poses[:, 1:4], poses[:, :1]
+        cosine = p[:, 0] * w + vector_parts @ v
+        sine = (vector_parts * w - p * np.array(v) - np.cross(v, vector_parts)) @ n
         angle = np.unwrap(2 * np.arctan2(sine, cosine))
         if len(angle):
             angle -= 2 * np.pi * np.round(angle[0] / (2 * np.pi))
-        return np.column_stack([poses[:, 4:] @ self.spread[3:, :2], angle])
+        return np.column_stack([poses[:, 4:] @ self.to_space[3:, :2], angle])
 
     def first(self, pose: Sequence[float]) -> tuple[float, ...]:
         """x, y, angle of a node at a unit quaternion and a position (7,)."""
-        return tuple(self.told(np.array([pose], dtype=np.float64))[0].tolist())
+        return tuple(self.coordinates_of(np.array([pose], dtype=np.float64))[0].tolist())
 
 
 def upright(normal: int, rotation: Array, tolerance: float) -> Plane | None:

@@ -74,8 +74,8 @@ def slopes(coefficients: Sequence[float], x: Scalar, word: str) -> Slopes:
     """A polynomial and its derivatives, called ``word``, ``word_slope`` and ``word_bend``."""
     first = [k * c for k, c in enumerate(coefficients)][1:]
     second = [k * c for k, c in enumerate(first)][1:]
-    words = (word, f"{word}_slope", f"{word}_bend")
-    rows = zip((coefficients, first, second), words, strict=True)
+    labels = (word, f"{word}_slope", f"{word}_bend")
+    rows = zip((coefficients, first, second), labels, strict=True)
     return Slopes(*(polynomial(c, x).note(name) for c, name in rows))
 
 

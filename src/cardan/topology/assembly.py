@@ -97,15 +97,15 @@ class Assembly:
         with self.graph.made_by(joint.name, "placement"):
             sides = self.reference.sides(
                 joint,
-                self.placed(joint.parent, joint.name),
-                self.placed(joint.child, f"{joint.name}.child"),
-                lambda: self._rest(joint),
+                self.placement_of(joint.parent, joint.name),
+                self.placement_of(joint.child, f"{joint.name}.child"),
+                lambda: self._joint_default(joint),
             )
         self.parent_side[joint.name] = sides[0]
         return sides
 
     def _data(self, joint: UserJoint) -> dict[str, tuple[int, int, Nodes]]:
-        """What the user wrote about a joint, converted once."""
+        """The user's values for a joint, converted once."""
         if joint.name not in self.data:
             with self.graph.made_by(joint.name, "data"):
                 self.data[joint.name] = {
@@ -114,7 +114,7 @@ class Assembly:
                 }
         return self.data[joint.name]
 
-    def _rest(self, joint: UserJoint) -> Placement:
+    def _joint_default(self, joint: UserJoint) -> Placement:
         """Pose of the child frame in the parent frame at the default coordinates."""
         if joint.kind.coincident:
             return HERE
@@ -123,22 +123,22 @@ class Assembly:
         rotation, position = joint.kind.pose(q, **data)
         return Placement(rotation.nodes, position.nodes)
 
-    def placed(self, place: Place, name: str) -> Placement:
+    def placement_of(self, place: Place, name: str) -> Placement:
         """A frame in its user body; the parameters take the name of the first who uses it."""
         if isinstance(place, UserBody):
             return HERE
-        found = self.local.get(place)
-        if found is None:
-            own = place.name if place.named else name
-            position = self.convert.vector(place.coordinates, f"{own}.position", "m")
-            rotation = self.convert.rotation(place.orientation, f"{own}.rotation")
-            found = Placement(rotation, position)
-            self.local[place] = found
-        return found
+        placement = self.local.get(place)
+        if placement is None:
+            label = place.name if place.named else name
+            position = self.convert.vector(place.coordinates, f"{label}.position", "m")
+            rotation = self.convert.rotation(place.orientation, f"{label}.rotation")
+            placement = Placement(rotation, position)
+            self.local[place] = placement
+        return placement
 
     def _pose(self, place: Place, name: str) -> Placement:
         """Pose of a frame in the reference configuration."""
-        return self.reference.poses[place.body].then(self.graph, self.placed(place, name))
+        return self.reference.poses[place.body].then(self.graph, self.placement_of(place, name))
 
     def _merge(self, branch: Branch, near_side: Placement, far_side: Placement) -> None:
         """Fix the outer body to the rigid body of the inner one."""
@@ -174,8 +174,8 @@ class Assembly:
             for role, place in (("parent", joint.parent), ("child", joint.child))
         }
         near, far = ("child", "parent") if branch.reversed else ("parent", "child")
-        made = self._moving(joint, frames[near], frames[far], outer_side)
-        self._enter(self._reversed(made) if branch.reversed else made)
+        new_joint = self._moving(joint, frames[near], frames[far], outer_side)
+        self._enter(self._reversed(new_joint) if branch.reversed else new_joint)
 
     def _moving(self, joint: UserJoint, near: int, far: int, place: Placement) -> Joint:
         """A joint of the tree as declared, without slots.
@@ -216,7 +216,7 @@ class Assembly:
                 self.joints[i] = prescribed_motion.replaced(joint, closure=circuit[i])
                 continue
             user = self.model.joints[joint.name]
-            if user.motion is not None or user.couple is not None:
+            if user.prescribed is not None or user.couple is not None:
                 continue
             coordinates, speeds = joint.element.coordinates, joint.element.speeds
             self.joints[i] = prescribed_motion.replaced(joint, q=self.nq, u=self.nu)
@@ -237,14 +237,14 @@ class Assembly:
         return prescribed_motion.replaced(joint, element=element, data=data, reversed=True)
 
     def close(self, closing: Closing) -> None:
-        """A joint of a circuit between bodies that are in the tree already."""
+        """A joint of a loop between bodies that are in the tree already."""
         g, joint = self.graph, closing.joint
         with g.made_by(joint.name, "placement"):
             sides = self.reference.closing(
                 joint,
-                self.placed(joint.parent, joint.name),
-                self.placed(joint.child, f"{joint.name}.child"),
-                lambda: self._rest(joint),
+                self.placement_of(joint.parent, joint.name),
+                self.placement_of(joint.child, f"{joint.name}.child"),
+                lambda: self._joint_default(joint),
             )
             (parent, inner), (child, outer) = (
                 self.home[place.body] for place in (joint.parent, joint.child)
@@ -253,13 +253,13 @@ class Assembly:
         self.parent_side[joint.name] = sides[0]
         if parent == child:
             raise TopologyError(
-                f"joint '{joint.name}' ({joint.kind.kind}) closes a circuit in which nothing "
+                f"joint '{joint.name}' ({joint.kind.kind}) closes a loop in which nothing "
                 f"moves: '{joint.parent.body.name}' and '{joint.child.body.name}' are fixed to "
-                "each other. Leave it out, or let another joint of the circuit move"
+                "each other. Leave it out, or let another joint of the loop move"
             )
         near = self._joint_frame(joint.parent, f"{joint.name}.parent", parent, places[0])
         far = self._joint_frame(joint.child, f"{joint.name}.child", child, places[1])
-        if closing.carried:
+        if closing.keeps_coordinates:
             carrier = self._carry(joint, parent, near, places[0])
             self._cut(closing, Fixed(), {}, (self.joints[carrier].child_frame, far), carrier)
         else:
@@ -281,7 +281,7 @@ class Assembly:
         frames: tuple[int, int],
         carrier: int | None = None,
     ) -> None:
-        """What closes a circuit between two frames."""
+        """Cut joint that closes a loop between two frames."""
         ends = (self.frames[frame].body for frame in frames)
         base, path = circuit([body.parent for body in self.bodies], *ends)
         cut = Cut(
@@ -292,7 +292,7 @@ class Assembly:
             child_frame=frames[1],
             base=base,
             path=path,
-            rows=tuple(range(len(element.held))),
+            rows=tuple(range(len(element.locked))),
             reason=closing.reason,
             carrier=carrier,
         )
@@ -324,9 +324,9 @@ class Assembly:
         if joint:
             user = branch.joint.parent if branch.reversed else branch.joint.child
             side = self._joint_frame(user, f"{joint}.child", number, where)
-        turned = bool(joint) and branch.reversed
+        reversed_joint = bool(joint) and branch.reversed
         rigid.parts.append(
-            Part(body.name, inboard, joint, mass, first, tensor, frame, side, turned)
+            Part(body.name, inboard, joint, mass, first, tensor, frame, side, reversed_joint)
         )
 
     def _mass(self, body: UserBody, placement: Placement) -> tuple[int, Nodes, Nodes]:
@@ -338,9 +338,13 @@ class Assembly:
             mass = convert.scalar(body.mass, f"{name}.mass", "kg")
             com = convert.vector(body.com, f"{name}.com", "m")
             entries = convert.vector(body.inertia, f"{name}.inertia", "kg m^2", labels=ENTRIES)
-            own = symmetric(entries)
-            first, tensor = moved_mass(self.graph, placement, mass, com, own)
-        self.weights[body] = {"mass": (1, 1, (mass,)), "com": (3, 1, com), "inertia": (3, 3, own)}
+            center_tensor = symmetric(entries)
+            first, tensor = moved_mass(self.graph, placement, mass, com, center_tensor)
+        self.weights[body] = {
+            "mass": (1, 1, (mass,)),
+            "com": (3, 1, com),
+            "inertia": (3, 3, center_tensor),
+        }
         if not all(is_number(entry) for entry in (body.mass, *body.inertia)):
             self.unchecked.append((name, (mass, *entries)))
         return mass, first, tensor
@@ -353,16 +357,16 @@ class Assembly:
 
     def _joint_frame(self, place: Place, name: str, body: int, placement: Placement) -> int:
         """Number of the frame of one side of a joint."""
-        known = self.numbers.get(place)
-        if known is not None:
-            frame = self.frames[known]
+        existing = self.numbers.get(place)
+        if existing is not None:
+            frame = self.frames[existing]
             if (frame.rotation, frame.position) == (placement.rotation, placement.position):
-                return known
+                return existing
         part = self.rigid(body).index[place.body.name]
-        own = isinstance(place, UserFrame) and place.named and not known
-        named = place.name if own else self.unwritten(name)
+        named_frame = isinstance(place, UserFrame) and place.named and not existing
+        named = place.name if named_frame else self.unwritten(name)
         # a joint placed by at= has a frame of its own on a body that stands for another
-        return self.new_frame(name if known is not None else place, named, body, part, placement)
+        return self.new_frame(name if existing is not None else place, named, body, part, placement)
 
     def unwritten(self, name: str) -> str:
         """A made name, or one like it where the user gave that to something else."""
@@ -372,15 +376,15 @@ class Assembly:
 
     def frame(self, place: Place, name: str) -> int:
         """Number of a frame of the user, made where it is not known yet."""
-        known = self.numbers.get(place)
-        if known is None:
+        frame_number = self.numbers.get(place)
+        if frame_number is None:
             number, home = self.home[place.body]
-            placement = home.then(self.graph, self.placed(place, name))
+            placement = home.then(self.graph, self.placement_of(place, name))
             part = self.rigid(number).index[place.body.name]
-            own = isinstance(place, UserBody) or place.named
-            named = place.name if own else self.unwritten(name)
-            known = self.new_frame(place, named, number, part, placement)
-        return known
+            has_name = isinstance(place, UserBody) or place.named
+            named = place.name if has_name else self.unwritten(name)
+            frame_number = self.new_frame(place, named, number, part, placement)
+        return frame_number
 
     def couple(self) -> None:
         """Couplings, now that every joint has its number."""

@@ -24,7 +24,7 @@ from .drawing.shapes import pictures
 from .loops.circuits import Numbers, independent
 from .loops.closed_forms import closed_forms
 from .loops.legs import Axes
-from .rotors import with_carried, with_rotors
+from .rotors import with_rotors, with_rotors_on
 from .structural_parameters import BuiltIn
 from .system import Atom, Closure, Cut, Force, Named, System
 from .tree import rooted_tree
@@ -45,31 +45,31 @@ def build(
         model: The scene; it is not changed.
         specialize: Parameters that become numbers of the equations: names, or values by name;
             True for all.
-        branches: Solve circuits in closed form where that can be: joint that closes one -> "+" or
+        branches: Solve loops in closed form where that can be: joint that closes one -> "+" or
             "-". None: solve none.
-        independent: Joints that no circuit is solved for; a single one may be a name alone.
+        independent: Joints that no loop is solved for; a single one may be a name alone.
 
     Returns:
         The system, with notes on what does not act.
 
     Raises:
-        TopologyError: circuits, loose bodies, reversed joints; ``independent`` names no joint.
+        TopologyError: loops, loose bodies, reversed joints; ``independent`` names no joint.
         ModelError: quantities that cannot be what they say.
     """
     try:
-        kept = (independent,) if isinstance(independent, str) else independent or ()
-        checks.apart(model)
-        return _build(model, BuiltIn.of(specialize), branches, kept)
+        independent_joints = (independent,) if isinstance(independent, str) else independent or ()
+        checks.check_distinguishable(model)
+        return _build(model, BuiltIn.of(specialize), branches, independent_joints)
     except ZeroDivisionError as problem:
         raise ModelError(
             f"{problem}. With specialize= a number that is built in may be 0: leave it free, or "
             "give another value"
         ) from problem
     except (ModelError, TopologyError) as problem:
-        found = located(problem, model.origins)
-        if found is problem:
+        located_problem = located(problem, model.origins)
+        if located_problem is problem:
             raise
-        raise found from problem
+        raise located_problem from problem
 
 
 def _build(
@@ -98,14 +98,14 @@ def _build(
         if frame.named:
             assembly.frame(frame, frame.name)
 
-    told = announcements.check_masses(assembly.unchecked, convert)
+    expression_inertias = announcements.check_masses(assembly.unchecked, convert)
     beams = segments(scene, assembly)
     if assembly.beams.geometry:
         # where beams are is numbers: so are the parameters that say it
         placing = assembly.beams.geometry
         names = BuiltIn.with_names(built_in, placing)
         return _build(model, names, branches, independent, placing)
-    announcements.check_lone_moments(model, assembly, told)
+    announcements.check_lone_moments(model, assembly, expression_inertias)
 
     # what expressions may speak of, then the expressions
     convert.moving = True
@@ -116,15 +116,17 @@ def _build(
     joints = prescribed_motion.prescribed(
         scene, assembly.joints, assembly.joint_number, convert, inputs
     )
-    held = (*cuts, *(closure.cut for closure in closures))
+    all_cuts = (*cuts, *(closure.cut for closure in closures))
     parents = [rigid.parent for rigid in assembly.bodies]
-    scene_warnings.check_meeting(model, forces, assembly.frames, joints, parents, held, convert)
-    scene_warnings.check_prescribed(model, joints, held)
+    scene_warnings.check_concurrent_forces(
+        model, forces, assembly.frames, joints, parents, all_cuts, convert
+    )
+    scene_warnings.check_prescribed(model, joints, all_cuts)
     outputs = tuple([_output(scene, convert, name) for name in scene.outputs])
     constraints = tuple([_constraint(scene, convert, name) for name in scene.constraints])
     bodies = tuple([rigid.body(convert.graph) for rigid in assembly.bodies])
     convert.finish()
-    made = System(
+    system = System(
         name=scene.name,
         graph=convert.graph,
         gravity=gravity,
@@ -149,15 +151,17 @@ def _build(
         snaps=tuple(scene.snaps),
         structural=convert.structural,
     )
-    return announcements.announce(made, scene, convert, placing)
+    return announcements.announce(system, scene, convert, placing)
 
 
 def _grown(assembly: Assembly) -> Assembly:
     """All bodies and joints of its scene."""
     tree, closing = rooted_tree(assembly.model)
-    carried = {joint.joint.name for joint in closing if joint.carried}
+    keeping_coordinates = {joint.joint.name for joint in closing if joint.keeps_coordinates}
     # rotors sit where the joints do that they drive
-    late = [branch for branch in tree if assembly.rotors.get(branch.joint.name) in carried]
+    late = [
+        branch for branch in tree if assembly.rotors.get(branch.joint.name) in keeping_coordinates
+    ]
     for branch in tree:
         if branch not in late:
             assembly.add(branch)
@@ -170,7 +174,7 @@ def _grown(assembly: Assembly) -> Assembly:
 
 
 def _circuits(
-    assembly: Assembly, branches: Mapping[str, str] | None, kept: Collection[str]
+    assembly: Assembly, branches: Mapping[str, str] | None, independent_joints: Collection[str]
 ) -> tuple[tuple[Cut, ...], tuple[Closure, ...]]:
     """The cuts that are left, and those that are or could be solved in closed form.
 
@@ -182,20 +186,22 @@ def _circuits(
     Raises:
         TopologyError: one of these does not exist.
     """
-    for name in kept:
+    for name in independent_joints:
         if name not in assembly.model.joints:
-            known = near(name, assembly.model.joints)
-            raise TopologyError(f"independent: joint '{name}' does not exist.{known}")
+            hint = near(name, assembly.model.joints)
+            raise TopologyError(f"independent: joint '{name}' does not exist.{hint}")
     parents = [rigid.parent for rigid in assembly.bodies]
     convert, joints = assembly.convert, assembly.joints
     cuts = independent(assembly.cuts, joints, parents, assembly.frames, convert)
     if not cuts and not branches:
         return cuts, ()
-    own = assembly.model.joints
-    free = [own[j.name].motion is None and j.name not in kept for j in joints]
+    user_joints = assembly.model.joints
+    free = [
+        user_joints[j.name].prescribed is None and j.name not in independent_joints for j in joints
+    ]
     axes = Axes(joints, parents, Numbers(convert))
-    solved, rest = closed_forms(cuts, axes, free, branches or {})
-    return (cuts if branches is None else rest), solved
+    solved, open_cuts = closed_forms(cuts, axes, free, branches or {})
+    return (cuts if branches is None else open_cuts), solved
 
 
 def _atoms(scene: SceneRecord, assembly: Assembly) -> dict[str, Atom]:
@@ -246,7 +252,7 @@ def _forces(
             data=force.data | assembly.weights[body],
             frames=force.frames | {"body": assembly.frame(body, body.name)},
         )
-        for body in with_carried(assembly.model, pulled(model, user))
+        for body in with_rotors_on(assembly.model, pulled(model, user))
     )
 
 
@@ -271,16 +277,16 @@ def _force(model: SceneRecord, assembly: Assembly, name: str, slots: tuple[int, 
 
 def _joints(assembly: Assembly, force: str, element: ForceElement) -> dict[str, int]:
     """Numbers of the joints an element acts on, by role; the rotor of a drive included."""
-    found: dict[str, int] = {}
+    numbers: dict[str, int] = {}
     for role, name in element.joints().items():
         if name not in assembly.joint_number:
             what = "is fixed" if name in assembly.model.joints else "does not exist"
             listed = near(name, assembly.joint_number).replace(" Known:", " Joints:")
             raise ModelError(f"force '{force}' ({element.kind}): joint '{name}' {what}.{listed}")
-        found[role] = assembly.joint_number[name]
+        numbers[role] = assembly.joint_number[name]
     if element.rotor() is not None:
-        found["rotor"] = assembly.joint_number[f"{force}.rotor"]
-    return found
+        numbers["rotor"] = assembly.joint_number[f"{force}.rotor"]
+    return numbers
 
 
 def _constraint(scene: SceneRecord, convert: Converter, name: str) -> Named:

@@ -1,4 +1,7 @@
-"""What was written becomes expressions: numbers parameters, SymPy expressions nodes."""
+"""Conversion of the user's values to expressions:
+
+numbers to parameters, SymPy expressions to nodes.
+"""
 
 from __future__ import annotations
 
@@ -9,7 +12,7 @@ from typing import Any
 
 from ..elements.quantity import Quantity, Ready, written_unit
 from ..elements.validation import TOO_DEEP
-from ..errors import ModelError, near, shown
+from ..errors import ModelError, brief, near
 from ..ir.function import Function, Output, live
 from ..ir.graph import MINUS_ONE, ONE, ZERO, Graph
 from ..ir.interpreter import evaluate
@@ -113,8 +116,10 @@ class Converter:
         """
         values = {"p": self._defaults}
         output = Output("values", (len(nodes),), tuple(nodes))
-        found = evaluate(Function("values", graph or self.graph, (), (output,)), values)["values"]
-        return [float(x) for x in found]
+        values_at_defaults = evaluate(
+            Function("values", graph or self.graph, (), (output,)), values
+        )["values"]
+        return [float(x) for x in values_at_defaults]
 
     def expression(self, value: Any, name: str, unit: str = "") -> int:
         """A SymPy expression -> node.
@@ -127,30 +132,32 @@ class Converter:
         except RecursionError:
             raise ModelError(f"'{name}' {TOO_DEEP}") from None
         if symbols is None:
-            raise ModelError(f"'{name}': a number or an expression is wanted, not {shown(value)}")
+            raise ModelError(f"'{name}': a number or an expression is wanted, not {brief(value)}")
         if hasattr(value, "shape"):
             raise ModelError(
                 f"'{name}': one expression is wanted, not a matrix of shape {value.shape}; take "
                 "its entries one by one, such as m[0]"
             )
-        known = {
+        nodes_of_symbols = {
             symbol: self.symbols[symbol.name] for symbol in symbols if symbol.name in self.symbols
         }
         self.used.update(symbol.name for symbol in symbols)
         if not self.moving:
-            self._check_fixed(known, name)
-        if value.is_Symbol and value in known:
-            node = known[value]
+            self._check_fixed(nodes_of_symbols, name)
+        if value.is_Symbol and value in nodes_of_symbols:
+            node = nodes_of_symbols[value]
         else:
             from sympy import Symbol
 
             from ..ir.forms.sympy_bridge import from_sympy
 
-            if len(known) < len(symbols):
+            if len(nodes_of_symbols) < len(symbols):
                 # the whole list, so that the message can suggest a near name
-                known = {Symbol(key): n for key, n in self.symbols.items()} | known
+                nodes_of_symbols = {
+                    Symbol(key): n for key, n in self.symbols.items()
+                } | nodes_of_symbols
             try:
-                node = from_sympy(self.graph, value, known)
+                node = from_sympy(self.graph, value, nodes_of_symbols)
             except ModelError as problem:
                 raise ModelError(f"'{name}': {problem}") from problem
             except RecursionError:
@@ -161,12 +168,12 @@ class Converter:
             raise ModelError(f"'{name}' {TOO_DEEP}") from None
         return node
 
-    def _check_fixed(self, known: Mapping[Any, int], name: str) -> None:
-        for symbol in known:
+    def _check_fixed(self, nodes_of_symbols: Mapping[Any, int], name: str) -> None:
+        for symbol in nodes_of_symbols:
             if symbol.name not in self._fixed:
                 raise ModelError(
                     f"'{name}' may depend on parameters only; it has '{symbol.name}'. What moves a "
-                    "body is a joint, with motion= where it is prescribed"
+                    "body is a joint, with prescribed= where it is prescribed"
                 )
 
     def vector(
@@ -235,9 +242,9 @@ class Converter:
             yield
             return
         before = self.symbols, self.units, self._fixed
-        own = {name: self.graph.atom(name) for name in names}
-        self.symbols, self._fixed = self.symbols | own, self._fixed | set(own)
-        self.units = {name: u for name, u in self.units.items() if name not in own}
+        local_symbols = {name: self.graph.atom(name) for name in names}
+        self.symbols, self._fixed = self.symbols | local_symbols, self._fixed | set(local_symbols)
+        self.units = {name: u for name, u in self.units.items() if name not in local_symbols}
         try:
             yield
         finally:
@@ -252,8 +259,8 @@ class Converter:
         if self.built_in is not None:
             self.built_in.finish(self.parameters, self.structural)
         for name in self.values:
-            known = [*(parameter.name for parameter in self.parameters), *self.structural]
-            listed = near(name, known).replace(" Known:", " Parameters:")
+            names = [*(parameter.name for parameter in self.parameters), *self.structural]
+            listed = near(name, names).replace(" Known:", " Parameters:")
             raise ModelError(f"parameters: no number of the scene is called '{name}'.{listed}")
 
     # rotations
@@ -268,14 +275,14 @@ class Converter:
             return IDENTITY
         if hasattr(value, "as_matrix"):
             value = value.as_matrix()
-        given = rows_of(value)
-        if len(given) == 4 and isinstance(given[0], str):
-            return self.sequence(given[0], given[1:], name)
-        rows = [rows_of(row) for row in given]
+        entries = rows_of(value)
+        if len(entries) == 4 and isinstance(entries[0], str):
+            return self.sequence(entries[0], entries[1:], name)
+        rows = [rows_of(row) for row in entries]
         if len(rows) != 3 or any(len(row) != 3 for row in rows):
             raise ModelError(
                 f"'{name}': a rotation is 3x3, a SciPy Rotation or like ('XYZ', a, b, c), "
-                f"not {shown(value)}"
+                f"not {brief(value)}"
             )
         flat = [entry for row in rows for entry in row]
         labels = [i + j for i in "xyz" for j in "xyz"]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from ..elements.internal_states import Event, Internal, Mode
+from ..elements.internal_states import EventSpec, Internal, Mode
 from ..errors import ModelError, near
 from ..scene.scene import SceneRecord
 from .conversion import Converter
@@ -17,11 +17,11 @@ def numbered(model: SceneRecord, convert: Converter) -> dict[str, tuple[int, int
     Raises:
         ModelError: the name of a state is that of something else.
     """
-    found: dict[str, tuple[int, int, int]] = {}
+    numbers: dict[str, tuple[int, int, int]] = {}
     z = s = e = 0
     for name, force in model.forces.items():
         element = force.element
-        found[name] = z, s, e
+        numbers[name] = z, s, e
         for state in element.internals():
             _define(convert, full_name(name, state), "z", z)
             z += 1
@@ -29,26 +29,28 @@ def numbered(model: SceneRecord, convert: Converter) -> dict[str, tuple[int, int
             _define(convert, full_name(name, mode), "s", s)
             s += 1
         e += len(element.events())
-    return found
+    return numbers
 
 
 def check_state(name: str, model: SceneRecord, convert: Converter) -> None:
-    """Whether an element keeps a state of this name.
+    """Check that an element has a state of this name.
 
     Raises:
         ModelError: none does.
     """
-    known: list[str] = []
+    names: list[str] = []
     for force, entry in model.forces.items():
-        known += [full_name(force, state) for state in entry.element.internals()]
-        known += [full_name(force, mode) for mode in entry.element.modes()]
-    if name not in known:
-        listed = near(name, known).replace(" Known:", " States:")
+        names += [full_name(force, state) for state in entry.element.internals()]
+        names += [full_name(force, mode) for mode in entry.element.modes()]
+    if name not in names:
+        listed = near(name, names).replace(" Known:", " States:")
         raise ModelError(f"state('{name}'): no force element keeps such a state.{listed}")
 
 
 def slides(joints: Sequence[Joint], numbers: Iterable[int]) -> bool:
-    """Whether an element belongs to a joint that slides: of units with two forms the second holds.
+    """True when an element belongs to a joint that slides:
+
+    of units with two forms the second holds.
 
     Args:
         joints: Those of the system.
@@ -62,7 +64,7 @@ def dotted(owner: str, quantity: str) -> str:
     return owner if owner.endswith(f".{quantity}") else f"{owner}.{quantity}"
 
 
-def full_name(owner: str, part: Internal | Mode | Event) -> str:
+def full_name(owner: str, part: Internal | Mode | EventSpec) -> str:
     """Name of a state, mode or event of an element."""
     return f"{owner}.{part.name}" if part.name else owner
 

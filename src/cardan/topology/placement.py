@@ -21,7 +21,7 @@ class Placement:
         """F's own frame G, seen from A."""
         if inner is HERE:
             return self
-        moved = turned(graph, self.rotation, inner.position)
+        moved = rotated(graph, self.rotation, inner.position)
         position = tuple([graph.add(a, b) for a, b in zip(self.position, moved, strict=True)])
         return Placement(compose(graph, self.rotation, inner.rotation), position)
 
@@ -31,14 +31,14 @@ class Placement:
             return HERE
         r = self.rotation
         back = (r[0], r[3], r[6], r[1], r[4], r[7], r[2], r[5], r[8])
-        moved = turned(graph, back, self.position)
+        moved = rotated(graph, back, self.position)
         return Placement(back, tuple([graph.neg(x) for x in moved]))
 
 
 HERE = Placement()
 
 
-def turned(graph: Graph, rotation: Nodes, vector: Nodes) -> Nodes:
+def rotated(graph: Graph, rotation: Nodes, vector: Nodes) -> Nodes:
     """R v (3)."""
     if rotation == IDENTITY or vector == ORIGIN:
         return vector

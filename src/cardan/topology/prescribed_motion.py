@@ -22,8 +22,11 @@ def declare_inputs(model: SceneRecord, convert: Converter) -> tuple[Input, ...]:
     """Slots of the inputs; one in a motion or constraint takes value, rate and acceleration."""
     prescribing: set[str] = set()
     # constraints are differentiated, like prescribed motions
-    told = [joint.motion for joint in model.joints.values()]
-    for value in (*told, *(constraint.expression for constraint in model.constraints.values())):
+    expressions = [joint.prescribed for joint in model.joints.values()]
+    for value in (
+        *expressions,
+        *(constraint.expression for constraint in model.constraints.values()),
+    ):
         for symbol in getattr(value, "free_symbols", ()):
             prescribing.add(symbol.name)
     inputs: list[Input] = []
@@ -34,15 +37,16 @@ def declare_inputs(model: SceneRecord, convert: Converter) -> tuple[Input, ...]:
         inputs.append(Input(entry.name, unit, entry.value, entry.name in prescribing))
         if entry.name in prescribing:
             for suffix, per in (("rate", "/s"), ("acceleration", "/s^2")):
-                own = f"{entry.name}.{suffix}"
-                if own in model.inputs:
+                rate_name = f"{entry.name}.{suffix}"
+                if rate_name in model.inputs:
                     raise ModelError(
-                        f"input '{own}': input '{entry.name}' prescribes a motion, so that its "
+                        f"input '{rate_name}': input '{entry.name}' prescribes a motion, so that "
+                        "its "
                         f"{suffix} has this name; rename one of them"
                     )
-                if own not in convert.symbols:
-                    convert.define(own, convert.graph.var("r", len(inputs)))
-                inputs.append(Input(own, unit + per if unit else ""))
+                if rate_name not in convert.symbols:
+                    convert.define(rate_name, convert.graph.var("r", len(inputs)))
+                inputs.append(Input(rate_name, unit + per if unit else ""))
     return tuple(inputs)
 
 
@@ -88,16 +92,16 @@ def prescribed(
     convert: Converter,
     inputs: Sequence[Input],
 ) -> list[Joint]:
-    """The joints, those with ``motion=`` with value, rate and acceleration."""
-    found = list(joints)
+    """The joints, those with ``prescribed=`` with value, rate and acceleration."""
+    joints_done = list(joints)
     for user in model.joints.values():
-        if user.motion is not None and user.name in numbers:
+        if user.prescribed is not None and user.name in numbers:
             k = numbers[user.name]
-            found[k] = replaced(found[k], motion=prescribe(convert, user, inputs))
-    for k, joint in enumerate(found):
+            joints_done[k] = replaced(joints_done[k], motion=prescribe(convert, user, inputs))
+    for k, joint in enumerate(joints_done):
         if joint.coupling is not None:
-            found[k] = _followed(convert, found, joint)
-    return found
+            joints_done[k] = _followed(convert, joints_done, joint)
+    return joints_done
 
 
 def _followed(convert: Converter, joints: Sequence[Joint], joint: Joint) -> Joint:
@@ -127,20 +131,20 @@ def prescribe(convert: Converter, joint: UserJoint, inputs: Sequence[Input]) -> 
     g, who = convert.graph, f"joint '{joint.name}' ({joint.kind.kind})"
     if len(joint.kind.coordinates) != 1:
         raise ModelError(
-            f"{who}: motion= prescribes one coordinate, this kind has "
+            f"{who}: prescribed= prescribes one coordinate, this kind has "
             f"{len(joint.kind.coordinates)}; give a value for each"
         )
     allowed = {"t"} | {entry.name for entry in inputs}
     allowed |= {p.name for p in convert.parameters if p.declared}
-    for symbol in sorted(getattr(joint.motion, "free_symbols", ()), key=str):
+    for symbol in sorted(getattr(joint.prescribed, "free_symbols", ()), key=str):
         if symbol.name not in allowed:
             raise ModelError(
-                f"{who}: motion= is a function of t, inputs and parameters; it has "
+                f"{who}: prescribed= is a function of t, inputs and parameters; it has "
                 f"'{symbol.name}'." + near(symbol.name, allowed)
             )
     with g.made_by(joint.name, "motion"):
         unit = joint.kind.coordinates[0].unit
-        value = convert.scalar(joint.motion, f"{joint.name}.motion", unit)
+        value = convert.scalar(joint.prescribed, f"{joint.name}.prescribed", unit)
         seeds = {g.var("t", 0): ONE} | input_rates(g, inputs)
         (rate,) = forward(g, [value], seeds)
         (acceleration,) = forward(g, [rate], seeds)
@@ -150,7 +154,7 @@ def prescribe(convert: Converter, joint: UserJoint, inputs: Sequence[Input]) -> 
 def coupling(
     convert: Converter, joint: UserJoint, numbers: Mapping[str, int], joints: Sequence[Joint]
 ) -> Coupling:
-    """What a coupled joint follows.
+    """Coupling of a joint to its leader.
 
     Raises:
         ModelError: an unknown or fixed leader, or joints with several coordinates.
@@ -180,13 +184,13 @@ def check_couplings(joints: Sequence[Joint]) -> None:
         ModelError: they follow each other in a ring.
     """
     for joint in joints:
-        seen, leader = [joint.name], joint.coupling
+        chain, leader = [joint.name], joint.coupling
         while leader is not None:
             follower = joints[leader.leader]
-            if follower.name in seen:
-                ring = ", ".join(f"'{name}'" for name in seen)
+            if follower.name in chain:
+                ring = ", ".join(f"'{name}'" for name in chain)
                 raise ModelError(f"joints {ring} follow each other in a ring; let one move freely")
-            seen.append(follower.name)
+            chain.append(follower.name)
             leader = follower.coupling
 
 

@@ -20,7 +20,7 @@ from ..scene.scene import SceneRecord
 
 @dataclass(frozen=True)
 class Rotors:
-    """What the build must know about added rotors.
+    """Data of added rotors for the build.
 
     Attributes:
         place: Joint of a rotor -> the driven joint, whose place it shares.
@@ -37,24 +37,24 @@ def with_rotors(model: SceneRecord) -> tuple[SceneRecord, Rotors]:
     Returns:
         The model itself where no element needs one, else a copy; and what was added.
     """
-    wanted = [
+    rotor_forces = [
         (force, rotor)
         for force in model.forces.values()
         if (rotor := force.element.rotor()) is not None
     ]
-    if not wanted:
+    if not rotor_forces:
         return model, Rotors()
     extended = copy.copy(model)
     extended.bodies, extended.joints = dict(model.bodies), dict(model.joints)
     extended.parameters = dict(model.parameters)
     rotors = Rotors()
-    for force, rotor in wanted:
+    for force, rotor in rotor_forces:
         parent = None if rotor.joint else model.place(f"force '{force.name}'", rotor.frame)
         _add(extended, force, rotor, parent, rotors)
     return extended, rotors
 
 
-def with_carried(model: SceneRecord, bodies: Sequence[Body]) -> tuple[Body, ...]:
+def with_rotors_on(model: SceneRecord, bodies: Sequence[Body]) -> tuple[Body, ...]:
     """Bodies and the rotors that they carry.
 
     Args:
@@ -62,36 +62,38 @@ def with_carried(model: SceneRecord, bodies: Sequence[Body]) -> tuple[Body, ...]
         bodies: Bodies of the user.
     """
     added = (f"{force.name}.rotor" for force in model.forces.values() if force.element.rotor())
-    carried = (model.bodies[n] for n in added if model.joints[n].parent.body in bodies)
-    return (*bodies, *carried)
+    rotor_bodies = (model.bodies[n] for n in added if model.joints[n].parent.body in bodies)
+    return (*bodies, *rotor_bodies)
 
 
 def _add(
     model: SceneRecord, force: Force, rotor: RotorBody, parent: Place | None, rotors: Rotors
 ) -> None:
     """The rotor, and the joint that carries it; ``parent`` where it is on no joint."""
-    who, own = f"force '{force.name}' ({force.element.kind})", f"{force.name}.rotor"
-    if own in model.bodies or own in model.joints:
-        raise ModelError(f"{who}: the name '{own}' of its rotor is taken")
+    who, rotor_name = f"force '{force.name}' ({force.element.kind})", f"{force.name}.rotor"
+    if rotor_name in model.bodies or rotor_name in model.joints:
+        raise ModelError(f"{who}: the name '{rotor_name}' of its rotor is taken")
     if rotor.joint and rotor.joint not in model.joints:
         # the build names it
         return
     axis = _axis_of(model, who, rotor.joint) if rotor.joint else rotor.axis
-    body = Body(model, own, 0, (0, 0, 0), _about(axis, rotor.inertia))
-    model.bodies[own] = body
+    body = Body(model, rotor_name, 0, (0, 0, 0), _about(axis, rotor.inertia))
+    model.bodies[rotor_name] = body
     couple = motion = None
     if parent is None:
         parent = model.joints[rotor.joint].parent
-        rotors.place[own] = rotor.joint
+        rotors.place[rotor_name] = rotor.joint
     if rotor.ratio is not None:
         couple = Couple(rotor.joint, rotor.ratio, 0)
-        rotors.same[f"{own}.ratio"] = f"{force.name}.ratio"
+        rotors.same[f"{rotor_name}.ratio"] = f"{force.name}.ratio"
     if rotor.speed is not None:
-        motion = _turning(model, f"{force.name}.speed", rotor.speed)
-    model.joints[own] = Joint(own, Revolute(axis), parent, body, motion=motion, couple=couple)
+        motion = _angle_of(model, f"{force.name}.speed", rotor.speed)
+    model.joints[rotor_name] = Joint(
+        rotor_name, Revolute(axis), parent, body, prescribed=motion, couple=couple
+    )
     for k, key in ((0, "xx"), (3, "yy"), (5, "zz")):
         if body.inertia[k] is rotor.inertia:
-            rotors.same[f"{own}.inertia.{key}"] = f"{force.name}.inertia"
+            rotors.same[f"{rotor_name}.inertia.{key}"] = f"{force.name}.inertia"
 
 
 def _axis_of(model: SceneRecord, who: str, name: str) -> Any:
@@ -106,7 +108,7 @@ def _axis_of(model: SceneRecord, who: str, name: str) -> Any:
     return axis
 
 
-def _turning(model: SceneRecord, name: str, speed: Any) -> Any:
+def _angle_of(model: SceneRecord, name: str, speed: Any) -> Any:
     """Angle of a rotor at constant speed; a number is a parameter of that name."""
     from sympy import Symbol
 
@@ -118,7 +120,7 @@ def _turning(model: SceneRecord, name: str, speed: Any) -> Any:
     elif not {symbol.name for symbol in speed.free_symbols} <= set(model.parameters):
         raise ModelError(
             f"'{name}' is constant: an expression of parameters. Join a body by a Revolute joint "
-            "with motion= for a wheel whose speed is prescribed otherwise"
+            "with prescribed= for a wheel whose speed is prescribed otherwise"
         )
     return speed * Symbol("t")
 

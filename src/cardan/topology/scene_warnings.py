@@ -1,4 +1,4 @@
-"""What in a whole system may not be meant: said when it is built."""
+"""Warnings about a complete system, given when it is built."""
 
 from __future__ import annotations
 
@@ -17,13 +17,13 @@ from .system import Cut, Force, Frame, Joint
 MEET = 1e-9  # of the free length of a spring: its ends are at one point
 
 
-def tell(text: str, model: SceneRecord, category: type[ModelWarning] = ModelWarning) -> None:
+def warn_about(text: str, model: SceneRecord, category: type[ModelWarning] = ModelWarning) -> None:
     """Warn, with the place in its file of what the text names first."""
     place = place_of(text, model.origins)
     warn(f"{place}: {text}" if place else text, category)
 
 
-def check_meeting(
+def check_concurrent_forces(
     model: SceneRecord,
     forces: Sequence[Force],
     frames: Sequence[Frame],
@@ -35,7 +35,7 @@ def check_meeting(
     """Warn of springs that push where their ends meet, in which they have no direction.
 
     Where they start is known of joints that move by themselves: what is prescribed, follows others
-    or closes a circuit is found when a run starts.
+    or closes a loop is found when a run starts.
 
     Args:
         model: The scene.
@@ -63,30 +63,30 @@ def check_meeting(
                 steps[i] = numbers.start(joints[i])
             at[i] = at[parents[i]].then(steps[i])
         one, other = (at[e.body].then(numbers.pose(e.rotation, e.position)).position for e in ends)
-        if dist(one, other) <= MEET * abs(numbers.values(*force.data["length"][2])[0]):
-            tell(
+        if dist(one, other) <= MEET * abs(numbers.values(*force.data["rest_length"][2])[0]):
+            warn_about(
                 f"force '{force.name}' ({force.element.kind}): its ends meet where the motion "
                 f"starts, so that its force there, {push:g} N, has no direction: none acts, or one "
                 "along what rounding leaves. Start elsewhere (q0=), move one of the ends, or give "
-                "length=0",
+                "rest_length=0",
                 model,
             )
 
 
 def _push(force: Force, numbers: Numbers) -> float:
-    """The force of a straight spring without length, as far as parameters tell [N]."""
-    given = [force.data[name][2] for name in ("stiffness", "length")]
-    if not all(constant(Matrix.vector(numbers.graph, nodes)) for nodes in given):
+    """The force of a straight spring at length 0, as far as parameters tell [N]."""
+    quantities = [force.data[name][2] for name in ("stiffness", "rest_length")]
+    if not all(constant(Matrix.vector(numbers.graph, nodes)) for nodes in quantities):
         return 0.0
-    stiffness, length = (float(numbers.values(*nodes)[0]) for nodes in given)
+    stiffness, length = (float(numbers.values(*nodes)[0]) for nodes in quantities)
     return abs(stiffness * length)
 
 
 def check_prescribed(model: SceneRecord, joints: Sequence[Joint], cuts: Sequence[Cut]) -> None:
-    """Warn of circuits in which more joints are prescribed than the circuit has freedoms.
+    """Warn of loops in which more joints are prescribed than the loop has freedoms.
 
     Their number is that of the joints less the closing conditions that are independent on the
-    group of the circuit; where that leaves none, only the lengths say whether it moves.
+    group of the loop; where that leaves none, only the lengths say whether it moves.
 
     Args:
         model: The scene.
@@ -101,9 +101,9 @@ def check_prescribed(model: SceneRecord, joints: Sequence[Joint], cuts: Sequence
             names = ", ".join(f"'{name}'" for name in moved)
             ring = ", ".join(f"'{name}'" for name in dict.fromkeys(j.name for j in around))
             ways = "1 freedom" if freedoms == 1 else f"{freedoms} freedoms"
-            tell(
+            warn_about(
                 f"joints {names} are prescribed, but the loop of {ring} that joint "
                 f"'{cut.name}' closes has {ways}: unless their motions agree at all times, no run "
-                "stays closed. Leave out motion= of one of them",
+                "stays closed. Leave out prescribed= of one of them",
                 model,
             )

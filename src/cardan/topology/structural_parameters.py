@@ -6,14 +6,14 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from math import isfinite
 
-from ..errors import ModelError, near, shown
+from ..errors import ModelError, brief, near
 from ..scene.checks import is_number
 from .system import Parameter
 
 
 @dataclass
 class BuiltIn:
-    """What ``specialize=`` asks for.
+    """Values built into the equations by ``specialize=``.
 
     Attributes:
         wanted: Names; None for all parameters.
@@ -21,47 +21,47 @@ class BuiltIn:
         found: Names that were met.
     """
 
-    wanted: frozenset[str] | None
+    names: frozenset[str] | None
     values: dict[str, float] = field(default_factory=dict)
-    found: set[str] = field(default_factory=set)
+    used: set[str] = field(default_factory=set)
 
     @staticmethod
-    def of(asked: bool | Sequence[str] | Mapping[str, float]) -> BuiltIn | None:
+    def of(requested: bool | Sequence[str] | Mapping[str, float]) -> BuiltIn | None:
         """From what the user wrote; None for nothing.
 
         Raises:
             ModelError: it is neither names nor finite numbers by name.
         """
-        if isinstance(asked, bool):
-            return BuiltIn(None) if asked else None
-        names = (asked,) if isinstance(asked, str) else asked
+        if isinstance(requested, bool):
+            return BuiltIn(None) if requested else None
+        names = (requested,) if isinstance(requested, str) else requested
         if not isinstance(names, Iterable) or not all(isinstance(name, str) for name in names):
             raise ModelError(
                 f"specialize: names, numbers by name, or True for all are wanted, not "
-                f"{shown(asked)}"
+                f"{brief(requested)}"
             )
-        if not isinstance(asked, Mapping):
+        if not isinstance(requested, Mapping):
             return BuiltIn(frozenset(names)) if names else None
-        for name, value in asked.items():
+        for name, value in requested.items():
             if not is_number(value) or not isfinite(value):
                 raise ModelError(
-                    f"specialize: '{name}' must be a finite number, not {shown(value)}"
+                    f"specialize: '{name}' must be a finite number, not {brief(value)}"
                 )
-        return BuiltIn(frozenset(asked), {name: float(x) for name, x in asked.items()})
+        return BuiltIn(frozenset(requested), {name: float(x) for name, x in requested.items()})
 
     @staticmethod
-    def with_names(asked: BuiltIn | None, names: Iterable[str]) -> BuiltIn:
+    def with_names(requested: BuiltIn | None, names: Iterable[str]) -> BuiltIn:
         """The same and more names."""
-        if asked is None:
+        if requested is None:
             return BuiltIn(frozenset(names))
-        wanted = None if asked.wanted is None else asked.wanted | frozenset(names)
-        return BuiltIn(wanted, asked.values)
+        all_names = None if requested.names is None else requested.names | frozenset(names)
+        return BuiltIn(all_names, requested.values)
 
     def takes(self, name: str) -> bool:
-        """Whether a parameter becomes a number."""
-        if self.wanted is not None and name not in self.wanted:
+        """True when a parameter becomes a number."""
+        if self.names is not None and name not in self.names:
             return False
-        self.found.add(name)
+        self.used.add(name)
         return True
 
     def finish(self, left: Sequence[Parameter], structural: Collection[str]) -> None:
@@ -70,7 +70,7 @@ class BuiltIn:
         Raises:
             ModelError: a name that no parameter has.
         """
-        for name in sorted((self.wanted or frozenset()) - self.found - set(structural)):
-            known = [*self.found, *(parameter.name for parameter in left)]
-            listed = near(name, known).replace(" Known:", " Parameters:")
+        for name in sorted((self.names or frozenset()) - self.used - set(structural)):
+            candidates = [*self.used, *(parameter.name for parameter in left)]
+            listed = near(name, candidates).replace(" Known:", " Parameters:")
             raise ModelError(f"specialize: no parameter is called '{name}'.{listed}")

@@ -12,7 +12,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from ..elements.forces.force import ForceElement
-from ..elements.internal_states import Event
+from ..elements.internal_states import EventSpec
 from ..elements.joints.joint import Joint as JointElement
 from ..ir.graph import ZERO, Graph
 from .beams.segment_tables import Segment
@@ -73,7 +73,7 @@ class Part:
 
 @dataclass(frozen=True)
 class Turn:
-    """How the axes of a body lie in those its quantities are told in.
+    """Rotation from the axes of a body to those its quantities are written in.
 
     Attributes:
         axis: Index of the coordinate axis they are turned about.
@@ -92,7 +92,7 @@ class Body:
         name: Name of its first part.
         parent: Body it is jointed to, -1 for the ground.
         parts: Bodies of the user; none where it only stands for the far side of a joint that closes
-            a circuit with coordinates of its own.
+            a loop with coordinates of its own.
         mass, first_moment, inertia: Sums over its parts, or what the equations of motion need of
             them where inertia was regrouped.
         second_moment: The integral of x xᵀ dm (9) where regrouping gave it; else it follows from
@@ -157,7 +157,7 @@ class Joint:
         q0, u0: Initial values as named in the model.
         limits: (lower, upper, speed, effort) as far as given.
         offset: Added to the angle of a joint along a line.
-        closure: Index in ``System.closures`` of the circuit that determines its coordinates, -1
+        closure: Index in ``System.closures`` of the loop that determines its coordinates, -1
             for none.
         follows: Turns about the line about which the parent does, from the same axes at angle 0.
         reversed: Declared with the outer body as parent; element and data are told the other way.
@@ -189,18 +189,18 @@ class Joint:
 
 @dataclass(frozen=True)
 class Cut:
-    """A joint that closes a circuit.
+    """A joint that closes a loop.
 
     Attributes:
         name, element, data: As of a :class:`Joint`.
         parent_frame, child_frame: Indices in ``System.frames``.
-        base: The body from which both branches of the circuit start, -1 for the ground.
-        path: (joint, sign) of the tree joints of the circuit: 1 on the branch of the child, -1 on
+        base: The body from which both branches of the loop start, -1 for the ground.
+        path: (joint, sign) of the tree joints of the loop: 1 on the branch of the child, -1 on
             that of the parent.
         rows: Which of its closing conditions are independent of each other, whatever the motion
-            of the circuit; the others hold by themselves.
+            of the loop; the others hold by themselves.
         reason: Why this joint was cut.
-        group: What the circuit moves in: "planar", "spherical" or "".
+        group: What the loop moves in: "planar", "spherical" or "".
         carrier: Number of the tree joint of this name: it keeps its coordinates and moves a body
             without mass or parts, which ``element`` holds on the child. None where the joint
             itself is ``element``.
@@ -219,15 +219,15 @@ class Cut:
     carrier: int | None = None
 
 
-def own_lengths(joint: Joint | Cut) -> Nodes:
+def joint_lengths(joint: Joint | Cut) -> Nodes:
     """Lengths of a rod, or radii of a wheel and of its crown: two nodes, 0 where there are none."""
-    own = [joint.data[name][2][0] for name in LENGTHS if name in joint.data]
-    return (*own, ZERO, ZERO)[:2]
+    lengths = [joint.data[name][2][0] for name in LENGTHS if name in joint.data]
+    return (*lengths, ZERO, ZERO)[:2]
 
 
 @dataclass(frozen=True)
 class Closure:
-    """A circuit whose joints follow from the others in closed form.
+    """A loop whose joints follow from the others in closed form.
 
     Attributes:
         cut: The joint that closes it.
@@ -295,7 +295,7 @@ class System:
     """A scene as a graph with expressions.
 
     ``graph`` holds the expressions; copy it with ``graph.fork()`` before adding to it.
-    ``cuts`` close the circuits of the tree, but for ``closures``, which are solved in closed form;
+    ``cuts`` close the loops of the tree, but for ``closures``, which are solved in closed form;
     ``closable`` says which of the cuts could be, where that was not asked for;
     ``constraints`` are expressions that are kept at 0. ``segments`` are the beams: their ends are
     frames of bodies, and nodes that are on no body of the user are bodies without mass.
@@ -341,7 +341,7 @@ class System:
 
     @property
     def closing(self) -> tuple[Cut, ...]:
-        """The joints that close circuits, those that are solved in closed form first."""
+        """The joints that close loops, those that are solved in closed form first."""
         return (*(closure.cut for closure in self.closures), *self.cuts)
 
     @property
@@ -356,14 +356,14 @@ class System:
 
     @property
     def closed(self) -> bool:
-        """Whether its speeds are bound by anything beyond the tree."""
+        """True when its speeds are bound by anything beyond the tree."""
         rolling = any(joint.element.slips for joint in self.joints)
-        holding = any(force.element.holding() for force in self.forces)
-        return bool(self.cuts or self.constraints) or rolling or holding
+        locking = any(force.element.locked_velocities() for force in self.forces)
+        return bool(self.cuts or self.constraints) or rolling or locking
 
     @property
     def written(self) -> bool:
-        """Whether equations that were derived elsewhere move it, and not bodies."""
+        """True when equations that were derived elsewhere move it, and not bodies."""
         return any(joint.element.bodiless for joint in self.joints)
 
     @property
@@ -377,7 +377,7 @@ class System:
         return sum(len(force.element.modes()) for force in self.forces)
 
     @property
-    def events(self) -> tuple[tuple[Force, Event], ...]:
+    def events(self) -> tuple[tuple[Force, EventSpec], ...]:
         """Everything that can happen, with the element it happens to."""
         return tuple((force, event) for force in self.forces for event in force.element.events())
 

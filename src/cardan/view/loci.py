@@ -56,7 +56,7 @@ def plot_locus(
 
 
 def plot_campbell(
-    title: str, label: str, speed: Array, frequencies: Array, whirl: Array, growing: Any,
+    title: str, label: str, speed: Array, frequencies: Array, whirl: Array, unstable: Any,
     critical: Mapping[int, Sequence[float]], path: Any,
 ) -> Any:  # fmt: skip
     """Draw frequencies over a speed, with lines of its multiples.
@@ -86,8 +86,8 @@ def plot_campbell(
         here = chosen & np.isfinite(frequencies)
         if here.any():
             axis.plot(across[here], frequencies[here], mark, color=color, markersize=4, label=name)
-    if np.any(growing):
-        axis.plot(across[growing], frequencies[growing], "x", color="crimson", label="grows")
+    if np.any(unstable):
+        axis.plot(across[unstable], frequencies[unstable], "x", color="crimson", label="grows")
     top = float(np.nanmax(frequencies, initial=0.0)) * 1.05
     for order, places in critical.items():
         axis.plot(speed, order * np.abs(speed), "--", color="black", linewidth=0.8)

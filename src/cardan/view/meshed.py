@@ -1,4 +1,4 @@
-"""What the page draws of a motion in absolute coordinates: beams as tubes, and bodies."""
+"""Drawing of a motion in finite-element coordinates: beams as tubes, and bodies."""
 
 from __future__ import annotations
 
@@ -26,14 +26,14 @@ def tubes(motion: TrajectoryRecord) -> list[dict[str, Any]]:
     ends = np.concatenate([line[0] for line in lines.values()])
     least = THIN * float(np.ptp(ends, axis=0).max())
     room = MOST_NUMBERS // (3 * len(motion) * len(lines))
-    found = []
+    drawn = []
     for name, line in lines.items():
         count = int(np.clip(room, 2, min(MOST_POINTS, line.shape[1])))
         chosen = np.unique(np.linspace(0, line.shape[1] - 1, count).round().astype(int))
         points = np.round(line[:, chosen].reshape(len(motion), -1), 5).tolist()
         e2, e3, _ = rows[name].outline
-        found.append({"name": name, "r": max((e2 + e3) / 2, least), "path": points})
-    return found
+        drawn.append({"name": name, "r": max((e2 + e3) / 2, least), "path": points})
+    return drawn
 
 
 def drawing(motion: TrajectoryRecord) -> dict[str, Any]:
@@ -49,14 +49,14 @@ def drawing(motion: TrajectoryRecord) -> dict[str, Any]:
             shapes.setdefault(shape.frame, []).append(shape)
     bodies = []
     for body in manifest.bodies:
-        name, own = body.name, frames[body.name]
-        pose = motion.pose(own[0])
-        places = {frame: inverse(pose[0]) @ motion.pose(frame)[0] for frame in own}
+        name, frame_names = body.name, frames[body.name]
+        pose = motion.pose(frame_names[0])
+        places = {frame: inverse(pose[0]) @ motion.pose(frame)[0] for frame in frame_names}
         # a node of beams with nothing on it is drawn with its beams
         bare = all(np.linalg.norm(place[:3, 3]) < 1e-9 for place in places.values())
         if bare and body.parts == [name] and name in nodes:
             continue
-        solids = [solid(row, places[f]) for f in own for row in shapes.get(f, ())]
+        solids = [solid(row, places[f]) for f in frame_names for row in shapes.get(f, ())]
         flat = np.concatenate([pose[:, :3, :3].reshape(-1, 9), pose[:, :3, 3]], axis=1)
         bodies.append(
             {"name": name, "solids": solids, "arms": places, "pose": np.round(flat, 5).tolist()}

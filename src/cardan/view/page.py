@@ -12,10 +12,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..arguments import checked
+from ..atomic_file import folder, written
 from ..errors import ModelError
 from ..runtime.trajectory import frame_history
 from ..runtime.trajectory.trajectory import TrajectoryRecord
-from ..whole_file import folder, written
 from . import meshed, scene
 
 PICTURES = 1500  # a longer motion gets fewer pictures per second
@@ -45,9 +45,9 @@ def animate(
     absent = motion.manifest.absent
     if "pose" in absent:
         raise ModelError(f"a page shows bodies: {absent['pose']}; plot() draws coordinates")
-    shown = _resampled(motion, fps)
-    drawn = (meshed if shown.manifest.method == "absolute" else scene).drawing(shown)
-    data = {"t": np.round(shown.t, 6).tolist(), **drawn}
+    resampled = _resampled(motion, fps)
+    drawn = (meshed if resampled.manifest.method == "absolute" else scene).drawing(resampled)
+    data = {"t": np.round(resampled.t, 6).tolist(), **drawn}
     # names are the user's: nothing in them may end the script or open a tag
     try:
         text = json.dumps(data, separators=(",", ":"), allow_nan=False)
@@ -70,7 +70,7 @@ def _resampled(motion: TrajectoryRecord, fps: float) -> TrajectoryRecord:
     span = float(motion.t[-1] - motion.t[0])
     count = int(min(PICTURES, max(2.0, abs(span) * fps + 1.5)))
     times = np.linspace(motion.t[0], motion.t[-1], count)
-    if motion.dense is not None and (motion.model is not None or frame_history.told(motion)):
+    if motion.dense is not None and (motion.model is not None or frame_history.is_recorded(motion)):
         return motion.resample(times)
     if motion.dense is None and len(motion) <= PICTURES:
         return motion
@@ -82,7 +82,7 @@ def _resampled(motion: TrajectoryRecord, fps: float) -> TrajectoryRecord:
 def _some(motion: TrajectoryRecord, rows: NDArray[np.intp]) -> TrajectoryRecord:
     """The motion at some of its rows, with what is stored of them."""
     poses = {k: v[rows] for k, v in motion.stored.items() if k.startswith("pose ")}
-    parts = {name: getattr(motion, name)[rows] for name in ("t", "x", "r", "given")}
+    parts = {name: getattr(motion, name)[rows] for name in ("t", "x", "r", "work_done")}
     return replace(motion, **parts, dense=None, stored=poses)
 
 
@@ -90,7 +90,7 @@ def publish(path: Path, page: str) -> Path:
     """Write a page, in a directory that is made if need be.
 
     Raises:
-        ModelError: as :func:`cardan.whole_file.replaced`.
+        ModelError: as :func:`cardan.atomic_file.replaced`.
     """
     folder(path)
     return written(path, page)

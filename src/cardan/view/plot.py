@@ -11,9 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..arguments import checked
-from ..errors import ModelError, listed, near, shown
+from ..atomic_file import folder, replaced
+from ..errors import ModelError, brief, listed, near
 from ..runtime.trajectory.trajectory import TrajectoryRecord
-from ..whole_file import folder, replaced
 
 POINTS = 1500
 CURVES = 12  # a panel with more names them no longer
@@ -24,9 +24,7 @@ Panels = list[tuple[str, dict[str, Curve]]]
 
 @checked
 def plot(
-    motion: TrajectoryRecord,
-    path: str | Path | None = None,
-    names: Iterable[str] | None = None,
+    motion: TrajectoryRecord, path: str | Path | None = None, names: Iterable[str] | None = None
 ) -> Any:
     """Histories over time as a Matplotlib figure, written to ``path`` if given.
 
@@ -39,11 +37,11 @@ def plot(
     Raises:
         ModelError: unknown names, no picture file. ModuleNotFoundError: no Matplotlib.
     """
-    chosen = None if names is None else asked(names)
+    chosen = None if names is None else checked_names(names)
     motion = _smooth(motion)
     panels = _everything(motion) if chosen is None else _chosen(motion, chosen)
-    held = {str(row.name) for row in motion.manifest.s}
-    return _figure(str(motion.manifest.name), "t [s]", motion.t, panels, path, held)
+    stepwise = {str(row.name) for row in motion.manifest.s}
+    return _figure(str(motion.manifest.name), "t [s]", motion.t, panels, path, stepwise)
 
 
 def plot_over(title: str, label: str, over: Curve, curves: dict[str, Curve], path: Any) -> Any:
@@ -62,16 +60,16 @@ def plot_over(title: str, label: str, over: Curve, curves: dict[str, Curve], pat
     return _figure(title, label, over, panels, path)
 
 
-def asked(names: Any) -> list[str]:
+def checked_names(names: Any) -> list[str]:
     """Names of histories to draw; one alone stands for itself.
 
     Raises:
-        ModelError: they are no names, or there are none.
+        ModelError: they are not names, or there are none.
     """
-    found = listed("plot: names", names, "elbow")
-    if not found:
+    entries = listed("plot: names", names, "elbow")
+    if not entries:
         raise ModelError("plot: names is empty; leave it out to draw everything")
-    return found
+    return entries
 
 
 def plot_points(title: str, points: Curve, path: Any) -> Any:
@@ -116,14 +114,14 @@ def plot_lines(title: str, label: str, other: str, lines: dict[str, Any], path: 
 
 
 def _figure(
-    title: str, label: str, over: Curve, panels: Panels, path: Any, held: Collection[str] = ()
+    title: str, label: str, over: Curve, panels: Panels, path: Any, stepwise: Collection[str] = ()
 ) -> Any:
     """Panels below each other, written to a file if there is one; what is held as stairs."""
     figure = empty((9, 2.4 * len(panels) + 0.6))
     axes = np.atleast_1d(figure.subplots(len(panels), 1, sharex=True))
     for axis, (name, curves) in zip(axes, panels, strict=True):
         for curve, values in curves.items():
-            style = "steps-post" if curve in held else "default"
+            style = "steps-post" if curve in stepwise else "default"
             axis.plot(over, values, label=curve, linewidth=1.2, drawstyle=style)
         axis.set_ylabel(name)
         axis.grid(alpha=0.3)
@@ -157,12 +155,12 @@ def done(figure: Any, title: str, path: Any) -> Any:
         return figure
     if not isinstance(path, str | PathLike):
         raise ModelError(
-            f"plot({shown(path)}): the first argument is the picture file; give names="
+            f"plot({brief(path)}): the first argument is the picture file; give names="
         )
-    file, known = Path(path), figure.canvas.get_supported_filetypes()
+    file, formats = Path(path), figure.canvas.get_supported_filetypes()
     ending = file.suffix[1:].lower()
-    if ending and ending not in known:
-        raise ModelError(f"plot: '{file}' has no ending of a picture.{near(ending, known)}")
+    if ending and ending not in formats:
+        raise ModelError(f"plot: '{file}' has no ending of a picture.{near(ending, formats)}")
     folder(file)
     with replaced(file) as new:
         figure.savefig(new, dpi=130, format=ending or None)
@@ -173,8 +171,8 @@ def _smooth(motion: TrajectoryRecord) -> TrajectoryRecord:
     """The motion with points between its rows, where it knows them: curves, not polygons."""
     if motion.dense is None or len(motion.t) >= POINTS:
         return motion
-    between = np.linspace(motion.t[0], motion.t[-1], POINTS)
-    times = np.unique(np.concatenate([motion.t, between]))
+    dense_times = np.linspace(motion.t[0], motion.t[-1], POINTS)
+    times = np.unique(np.concatenate([motion.t, dense_times]))
     return motion.resample(times if motion.t[-1] >= motion.t[0] else times[::-1])
 
 

@@ -1,4 +1,4 @@
-"""What the page draws: for every body its solids in body axes, and its pose over time."""
+"""Drawing of a scene: for every body its solids in body axes and its pose over time."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from ..schema.mechanism import BodyRow, ShapeRow
 
 THICK = 0.08  # radius of a drawn link, relative to the mean length of the links
 TAPER = 0.7
-LOOSE = ("free", "planar")  # joints that hold nothing together: no link leads to them
+UNLINKED = ("free", "planar")  # joints that hold nothing together: no link leads to them
 SOLIDS = ("box", "cylinder", "sphere", "capsule")
 
 
@@ -49,7 +49,7 @@ def _bodies(manifest: Manifest) -> list[tuple[int, BodyRow]]:
 def _poses(motion: TrajectoryRecord, body: str) -> list[list[float]]:
     """Pose of the rigid body (nt, 12): rotation row by row, then position."""
     frame = next(r.name for r in motion.manifest.frames if r.body == body)
-    pose = motion.pose(frame) @ inverse(motion.placed(frame))
+    pose = motion.pose(frame) @ inverse(motion.frame_on_body(frame))
     flat = np.concatenate([pose[:, :3, :3].reshape(-1, 9), pose[:, :3, 3]], axis=1)
     rows: list[list[float]] = np.round(flat, 5).tolist()
     return rows
@@ -64,14 +64,16 @@ def _links(motion: TrajectoryRecord) -> dict[str, list[tuple[Array, Array]]]:
     names = [row.name for row in manifest.frames]
     position = np.reshape(motion.scene["position"], (-1, 3))
     for k, body in bodies:
-        if manifest.joints[k].kind not in LOOSE and body.parent in links:
+        if manifest.joints[k].kind not in UNLINKED and body.parent in links:
             links[str(body.parent)].append((np.zeros(3), position[k]))
     for k, body in bodies:
         rows = links[str(body.name)]
         if not rows or all(np.linalg.norm(b) == 0 for _, b in rows):
             # nothing hangs on it: its farthest frame, or twice the way to its center of mass
-            own = [n for n in names if motion.manifest.frames[names.index(n)].body == body.name]
-            tips = [motion.placed(n)[:3, 3] for n in own] + [2 * _com(motion, k)]
+            frame_names = [
+                n for n in names if motion.manifest.frames[names.index(n)].body == body.name
+            ]
+            tips = [motion.frame_on_body(n)[:3, 3] for n in frame_names] + [2 * _com(motion, k)]
             rows.append((np.zeros(3), max(tips, key=lambda tip: float(np.linalg.norm(tip)))))
     return links
 
@@ -123,7 +125,7 @@ def _shapes(motion: TrajectoryRecord, body: str) -> list[dict[str, Any]]:
     solids = []
     for row in motion.manifest.shapes:
         if row.kind in SOLIDS and bodies.get(row.frame) == body:
-            solids.append(solid(row, motion.placed(row.frame)))
+            solids.append(solid(row, motion.frame_on_body(row.frame)))
     return solids
 
 
@@ -139,8 +141,8 @@ def solid(row: ShapeRow, place: Array) -> dict[str, Any]:
         return {"kind": "sphere", "a": short(at[:3, 3]), "r": row.radius, "color": color}
     if row.kind == "box":
         size = [row.x, row.y, row.z]
-        turned = {"R": short(at[:3, :3].ravel()), "a": short(at[:3, 3])}
-        return {"kind": "box", "size": size, "color": color, **turned}
+        orientation = {"R": short(at[:3, :3].ravel()), "a": short(at[:3, 3])}
+        return {"kind": "box", "size": size, "color": color, **orientation}
     axis = at[:3, "xyz".index(row.axis or "z")] * ((row.length or 0.0) / 2)
     ends = {"a": short(at[:3, 3] - axis), "b": short(at[:3, 3] + axis)}
     kind = "cylinder" if row.kind == "cylinder" else "link"

@@ -18,7 +18,7 @@ def crank() -> cd.CompiledModel:
     scene = cd.Scene("crank", gravity=(0, 0, -9.81))
     speed = scene.parameter("speed", 20.0)
     arm = scene.body("arm", mass=0.5, com=(0.075, 0, 0), inertia=(1e-3, 1e-3, 1e-3))
-    scene.joint("drive", cd.Revolute("y"), scene.ground, arm, motion=speed * cd.t)
+    scene.joint("drive", cd.Revolute("y"), scene.ground, arm, prescribed=speed * cd.t)
     slider = scene.body("slider", mass=0.3)
     scene.joint("guide", cd.Prismatic("x"), scene.ground.at(0.45, 0, 0), slider)
     steel = cd.material(E=2.1e11, nu=0.3, rho=7850, damping=1e-5)

@@ -37,7 +37,7 @@ def lanes(model: cd.CompiledModel, t: Any, **options: Any) -> EnsembleRecord:
     if width() == 1:
         pytest.skip("no vectors here")
     # those of runs with parameters of their own would be built where they pay
-    width_of(model, job.how, job.may, job.varied.own_parameters, np.inf)
+    width_of(model, job.how, job.event_table, job.varied.varies_parameters, np.inf)
     return model.ensemble(t, **options)
 
 

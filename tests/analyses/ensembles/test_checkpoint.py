@@ -33,7 +33,7 @@ def computed(monkeypatch: pytest.MonkeyPatch) -> list[int]:
     found: list[int] = []
     usual = job.compute
 
-    def compute(*arguments: Any) -> job.Piece:
+    def compute(*arguments: Any) -> job.BlockResult:
         found.append(arguments[2])
         return usual(*arguments)
 
@@ -145,7 +145,7 @@ def test_other_runs_are_refused(case: str, double: cd.CompiledModel, tmp_path: P
 def test_what_is_no_checkpoint(double: cd.CompiledModel, tmp_path: Path) -> None:
     path = tmp_path / "notes.txt"
     path.write_text("dear diary")
-    with pytest.raises(cd.ModelError, match="is no file of an ensemble"):
+    with pytest.raises(cd.ModelError, match="is not a file of an ensemble"):
         double.ensemble(**OPTIONS, checkpoint=path)
     assert path.read_text() == "dear diary"
     with pytest.raises(cd.ModelError, match="cannot be opened: No such file or directory"):

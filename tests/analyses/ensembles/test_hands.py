@@ -68,7 +68,7 @@ def test_another_build_is_refused(double: cd.CompiledModel) -> None:
     made = double.ensemble(**options())
     job = replace(made.job, build="0123-4567")
     with pytest.raises(cd.BuildError) as told:
-        list(executors.Client(Here()).pieces(job, [(0, 8)], executors.threading.Event()))
+        list(executors.Client(Here()).block_results(job, [(0, 8)], executors.threading.Event()))
     assert "0123-4567" in str(told.value)
     assert build_key(double) in str(told.value)
     assert "model 'double'" in str(told.value)

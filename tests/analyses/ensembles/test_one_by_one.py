@@ -1,4 +1,4 @@
-"""Runs with circuits, events or Python on the way: one after the other, as ``simulate`` does."""
+"""Runs with loops, events or Python on the way: one after the other, as ``simulate`` does."""
 
 from __future__ import annotations
 
@@ -93,7 +93,7 @@ def test_auto_looks_at_the_first_run() -> None:
     scene = cd.Scene("stiff", gravity=(0, 0, -9.81))
     bob = scene.body("bob", mass=1.0, com=(0, 0, 0), inertia=(1, 1, 1))
     scene.joint("slide", cd.Prismatic("z"), scene.ground, bob)
-    scene.force("damper", cd.Damping("slide", 1e5))
+    scene.force("damper", cd.JointDamper("slide", 1e5))
     model = cd.compile(scene, functions=["rhs", "power", "rhs_jacobian"])
     made = model.ensemble(10.0, q={"slide": np.linspace(0, 1, 5)})
     assert made.job.how.method.name == "Rosenbrock"

@@ -82,8 +82,8 @@ def test_no_run_reaches_its_end(edge: cd.CompiledModel) -> None:
 
 
 REFUSED = {
-    "max elbow": "is no reduction: it may be 'states'",
-    "median of elbow": "is no reduction",
+    "max elbow": "is not a reduction: it may be 'states'",
+    "median of elbow": "is not a reduction",
     "max of ellbow": "no history 'ellbow'.*Did you mean 'elbow'",
     "rms of elbow over runs": "there is no rms over runs",
     "histogram of elbow from 1 to 0 in 5": "from a lower to a higher number",

@@ -75,7 +75,7 @@ CASES: dict[str, tuple[dict[str, Any], type[Exception], str]] = {
     "threads": (
         {"vary": {"elbow": VALUES}, "threads": 0},
         cd.ModelError,
-        "threads=0 is no number of",
+        "threads=0 is not a number of",
     ),
     "threads below 0": ({"vary": {"elbow": VALUES}, "threads": -1}, cd.ModelError, "all cores"),
     "threads in words": ({"vary": {"elbow": VALUES}, "threads": "2"}, cd.ArgumentError, "='2'"),
@@ -115,7 +115,7 @@ def test_said_beforehand(case: str, double: cd.CompiledModel) -> None:
 def test_a_rotation_of_length_0(ball: cd.CompiledModel) -> None:
     states = np.tile(ball.initial(), (3, 1))
     states[1, :4] = 0
-    with pytest.raises(cd.SolveError, match=r"run 1: the quaternion at 'base.w' has length 0"):
+    with pytest.raises(cd.SolveError, match=r"run 1: the quaternion at 'base.qw' has length 0"):
         ball.ensemble(1.0, x0=states)
 
 

@@ -70,9 +70,9 @@ def test_a_data_set_has_labels(runs: cd.Ensemble, tmp_path: Path) -> None:
 
 def test_what_is_no_ensemble(runs: cd.Ensemble, tmp_path: Path) -> None:
     motion = runs.run(0).save(tmp_path / "run.nc")
-    with pytest.raises(cd.ModelError, match="is no ensemble that cardan can read"):
+    with pytest.raises(cd.ModelError, match="is not an ensemble that cardan can read"):
         cd.load_ensemble(motion)
-    with pytest.raises(cd.ModelError, match="is no run of cardan"):
+    with pytest.raises(cd.ModelError, match="is not a run of cardan"):
         cd.load_motion(runs.save(tmp_path / "runs.nc"))
     with pytest.raises(cd.ModelError, match="there is no such file"):
         cd.load_ensemble(tmp_path / "none.nc")

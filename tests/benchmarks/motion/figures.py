@@ -94,7 +94,7 @@ def panda(found: Measured) -> Iterator[Figure]:
 def andrews(found: Measured) -> Iterator[Figure]:
     outcome = found.outcomes.get("andrews")
     for who in OTHERS:
-        # MuJoCo has no such circuits
+        # MuJoCo has no such loops
         if outcome and who in outcome.absent:
             continue
         errors = [r.error for r in outcome.rows if r.program == who] if outcome else []

@@ -14,8 +14,8 @@ from numpy.typing import NDArray
 from cardan.codegen import generate
 from cardan.ir.function import Function
 from cardan.runtime.build import cache
-from cardan.runtime.build.prebuilt import DIRECTORY
 from cardan.runtime.calls import abi_ctypes
+from cardan.schema import kernel_files
 from cardan.schema.blocks import ORDER
 
 Array = NDArray[np.float64]
@@ -33,7 +33,7 @@ class Compiled:
         with tempfile.TemporaryDirectory(prefix="cardan-element-") as folder:
             text = Path(folder) / f"{made.name}.c"
             text.write_text(made.text, encoding="utf-8")
-            self._library = cache.build([text], [DIRECTORY], False).load()
+            self._library = cache.build([text], kernel_files.includes(), False).load()
         self.function, self._entry = function, made.entry
         names = (function.name, f"prepare_{function.name}")
         found = [ctypes.cast(self._library[name], ctypes.c_void_p).value or 0 for name in names]

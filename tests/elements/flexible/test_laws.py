@@ -88,7 +88,7 @@ def test_rigid_motions_of_the_reference_shape_need_no_force(name: str) -> None:
     s = state(ELEMENTS[name], **SHAPED, **UNLOADED, **follower)
     # the data of a reference shape that is this very pose
     shape = s.element.rows([0.0, s.numbers.get("length", 1.0)], s.q[None])[0]
-    numbers = s.numbers | dict(zip(s.element.own, shape, strict=True))
+    numbers = s.numbers | dict(zip(s.element.geometric, shape, strict=True))
     for turn in (Rotation.identity(), TURN, Rotation.from_rotvec([0, 0, 3.0])):
         moved = State(**{**vars(s), "numbers": numbers}).turned(turn, SHIFT)
         assert moved.value("balance", "balance") == pytest.approx(np.zeros(12), abs=ROUNDING)

@@ -63,8 +63,8 @@ class Reference:
         if group.common is not None:
             common = evaluate(group.common, {"p": self.p}, "numpy")["data"]
             found.append(np.broadcast_to(common, (n, common.shape[-1])))
-        if group.own is not None:
-            found.append(group.own)
+        if group.attributes is not None:
+            found.append(group.attributes)
         return np.concatenate(found, axis=1) if found else np.zeros((n, 0))
 
     def entries(self, group: Group, letter: str) -> Array:

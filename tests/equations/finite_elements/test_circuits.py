@@ -1,4 +1,4 @@
-"""Circuits, every kind of joint in the tree and cut, wheels: the same as in joint coordinates."""
+"""Loops, every kind of joint in the tree and cut, wheels: the same as in joint coordinates."""
 
 from __future__ import annotations
 

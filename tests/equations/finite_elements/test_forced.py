@@ -31,9 +31,9 @@ def arm(name: str, **more: object) -> cd.Scene:
 
 def prescribed() -> cd.Scene:
     """A driven joint with a spring, a damper and a motor on it."""
-    scene = arm("prescribed", motion=0.3 * sp.sin(2 * t) + 0.1)
-    scene.force("spring", cd.TorsionSpring("shoulder", stiffness=4.0, rest=0.2))
-    scene.force("damper", cd.Damping("shoulder", 0.7))
+    scene = arm("prescribed", prescribed=0.3 * sp.sin(2 * t) + 0.1)
+    scene.force("spring", cd.JointSpring("shoulder", stiffness=4.0, rest=0.2))
+    scene.force("damper", cd.JointDamper("shoulder", 0.7))
     scene.force("motor", cd.JointForce("shoulder", 3 * sp.cos(t)))
     scene.force("rotor", cd.Drive("shoulder", inertia=0.02, ratio=5.0, friction=0.1))
     return scene
@@ -46,7 +46,7 @@ def followed() -> cd.Scene:
     disc = scene.body("disc", mass=0.4, inertia=INERTIA)
     scene.joint("gear", cd.Gear("elbow", -1.5, "x", 0.1), scene.ground.at(1, 0, 0), wheel)
     scene.joint("belt", cd.Gear("gear", 0.5, "y"), wheel.at(0, 0.3, 0), disc)
-    scene.force("brake", cd.Damping("gear", 0.3))
+    scene.force("brake", cd.JointDamper("gear", 0.3))
     scene.force("rotor", cd.Drive("belt", inertia=0.01, ratio=3.0, torque=0.2))
     return scene
 
@@ -55,7 +55,7 @@ def by_input() -> cd.Scene:
     """An input prescribes a joint, another one pushes."""
     scene = arm("by_input")
     length, push = scene.input("length", 0.1, unit="m"), scene.input("push", 2.5, unit="N")
-    scene.joints["slide"] = dataclasses.replace(scene.joints["slide"], motion=length)
+    scene.joints["slide"] = dataclasses.replace(scene.joints["slide"], prescribed=length)
     scene.force("hand", cd.Force(scene.bodies["lower"].at(0, 0, -0.3), (push, 0, push * t)))
     return scene
 

@@ -46,7 +46,7 @@ def test_trees(name: str) -> None:
     relative, absolute = (cd.compile(build(), coordinates=c) for c in ("relative", "absolute"))
     given = {"q": state.q, "u": state.u}
     if relative.manifest["multipliers"]:
-        # as they are named: speeds that come apart are no start of a run
+        # as they are named: speeds that come apart are not start of a run
         q, u = relative.split(start_of(relative, state.q, state.u)[0])
         u = relative.close_velocity(q, u)[: relative.nu]
         given["u"] = dict(zip(relative.speeds, u.tolist(), strict=True))

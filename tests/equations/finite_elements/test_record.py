@@ -33,7 +33,7 @@ def test_a_node_gives_way_to_a_joint_of_its_name() -> None:
     arm = model.body("arm", mass=1.0, inertia=(1, 1, 1))
     model.joint("arm", cd.Revolute("z"), model.ground, arm)
     found = cd.derive(model, coordinates="absolute")
-    assert found.coordinates[:2] == ("arm", "arm.node.w")
+    assert found.coordinates[:2] == ("arm", "arm.node.qw")
 
 
 def test_a_free_joint_is_its_node() -> None:

@@ -59,7 +59,7 @@ def test_manifest_and_header_do_not_grow(tmp_path: Path, monkeypatch: pytest.Mon
         kept = [told[key]["listed"] for key in ("coordinates", "speeds", "joints")]
         sizes.append([*map(len, kept), (tmp_path / str(n) / "model.h").read_text().count("\n")])
         assert model.nq == 7 * n
-        assert model.coordinates[-7] == f"beam.node{n - 1}.w"
+        assert model.coordinates[-7] == f"beam.node{n - 1}.qw"
     assert sizes[0] == sizes[1]
     # they answer as models whose rows are written out
     written = cd.compile(elastica(100), directory=tmp_path / "written")
@@ -148,7 +148,7 @@ def test_functions_that_cannot_be_published_are_forgotten(
     cache_directory: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     model, kept = cd.compile(elastica(2)), []
-    found, keep = mesh_of(model), model._objects.keep
+    found, keep = mesh_of(model), model._objects.publish
 
     def full(symbol: str) -> object:
         kept.append(symbol)
@@ -157,7 +157,7 @@ def test_functions_that_cannot_be_published_are_forgotten(
         return keep(symbol)
 
     with monkeypatch.context() as patch:
-        patch.setattr(model._objects, "keep", full)
+        patch.setattr(model._objects, "publish", full)
         with pytest.raises(cd.BuildError, match="no space left"):
             found.connect("energy", "momentum")
     assert list(cache_directory.glob(".new-*")) == []

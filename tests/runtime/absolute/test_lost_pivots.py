@@ -28,7 +28,7 @@ def test_redundant_constraints_leave_bounded_multipliers(name: str) -> None:
     by = solver(drawn)
     by.factor(values(drawn, a))
     x = solution(by, a @ wanted)
-    # speeds are unique, multipliers are not; together they are no larger than need be
+    # speeds are unique, multipliers are not; together they are not larger than need be
     speeds = np.repeat(~drawn.pattern.multiplier, drawn.pattern.sizes)
     singular = np.linalg.svd(a, compute_uv=False)
     condition = singular[0] / singular[singular > 1e-10 * singular[0]].min()

@@ -49,7 +49,7 @@ def test_solutions(name: str, skew: float) -> None:
         np.abs(better).max(), 1
     )
     assert not len(by.weak)
-    assert by.carried(b[:, 0], better) == (0.0, -1)
+    assert by.perturbation(b[:, 0], better) == (0.0, -1)
 
 
 @pytest.mark.parametrize("place", [0, -1])

@@ -17,10 +17,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ...arguments import Count, Seed, checked
-from ...errors import CardanError, ModelError, SolveError, SolveWarning, shown, warn
+from ...errors import CardanError, ModelError, SolveError, SolveWarning, brief, warn
 from ...runtime.calls.batch import threads as threads_of
 from ...runtime.models.loaded_model import LoadedModel
-from ..simulation.events import happenings
+from ..simulation.events import event_table_of
 from ..simulation.files.append_log import build_key, digest, model_key
 from ..simulation.method_choice import Limited
 from ..simulation.progress import showing
@@ -86,13 +86,13 @@ def ensemble(
         model: The compiled model.
         t: End, ``(start, end)`` or output times [s], which ``t_eval`` takes too.
         vary: A plan of :mod:`cardan.analyses.ensembles.sampling`, or name -> values (runs,) or
-            distribution;            names of coordinates, speeds, parameters or inputs.
+            distribution; names of coordinates, speeds, parameters or inputs.
         x0: States (runs, nx); or q, u, z: arrays (runs, nq), (runs, nu) or by names,
             ``{"elbow": values}``. One number or state is that of all runs; a distribution such as
             ``cd.sample.normal(0, 0.1)`` is drawn for every run.
         parameters, inputs: Name -> number, values (runs,) or a distribution; inputs of all runs
             alike also ``(times, values)`` or ``f(t, x)``, which ``sample`` [s] holds.
-        events: As of ``simulate``. Runs with them, with circuits or with Python on the way are
+        events: As of ``simulate``. Runs with them, with loops or with Python on the way are
             done one after the other in every thread, the others in lanes.
         runs: How many, where nothing else says so.
         seed: Of the distributions; every name is drawn on its own.
@@ -117,47 +117,47 @@ def ensemble(
             the checkpoint; a run that failed, with ``check``.
         BuildError: a client whose machine builds other bits.
     """
-    over, may = span(t, t_eval), happenings(model, events)
-    may.forward(over.start, over.end)
+    over, event_table = span(t, t_eval), event_table_of(model, events)
+    event_table.forward(over.start, over.end)
     how = settings(method, rtol, atol, step, max_step, over.length)
-    kept = reductions(reduce, histories_of(model), over.times is not None)
-    over = _observed(over, bool(kept))
-    made, given = varied(
+    reductions_by_name = reductions(reduce, histories_of(model), over.times is not None)
+    over = _observed(over, bool(reductions_by_name))
+    variations, input_signals = varied(
         model, x0=x0, q=q, u=u, z=z, parameters=parameters, inputs=inputs, sample_time=sample,
         vary=vary, runs=runs, seed=seed, over=(over.start, over.end),
     )  # fmt: skip
-    hands, file = _hands(client, threads), _file(checkpoint)
-    job = Job(model, watched(how, given, over.length, max_step), given, may, over, made, kept)
+    executor, file = _executor(client, threads), _file(checkpoint)
+    how = watched(how, input_signals, over.length, max_step)
+    job = Job(model, how, input_signals, event_table, over, variations, reductions_by_name)
     job = _settled(job, rtol) if method == "auto" else job
-    job = replace(job, width=_width(job, lanes), build=build_key(model))
-    return _judged(*_computed(job, hands, file, progress), check)
+    return _reported(*_computed(_sized(job, lanes), executor, file, progress), check)
 
 
-def _hands(client: Any, threads: Any) -> Threads | Client:
+def _executor(client: Any, threads: Any) -> Threads | Client:
     """Who computes.
 
     Raises:
         ModelError: no number of threads. ArgumentError: no client.
     """
-    whole = isinstance(threads, int | np.integer) and not isinstance(threads, bool)
-    if threads is not None and (not whole or threads < 1):
+    integer = isinstance(threads, int | np.integer) and not isinstance(threads, bool)
+    if threads is not None and (not integer or threads < 1):
         raise ModelError(
-            f"threads={shown(threads)} is no number of threads: 1, 2, ..., or leave "
+            f"threads={brief(threads)} is not a number of threads: 1, 2, ..., or leave "
             "it out for all cores"
         )
     return Client(client) if client is not None else Threads(threads_of(threads))
 
 
 def _file(checkpoint: Any) -> Path | None:
-    """Where finished runs are kept."""
+    """File in which finished runs are kept; None without one."""
     if checkpoint is None or isinstance(checkpoint, str | Path):
         return None if checkpoint is None else Path(checkpoint)
-    raise ModelError(f"checkpoint={shown(checkpoint)}: name a file, such as 'runs.part'")
+    raise ModelError(f"checkpoint={brief(checkpoint)}: name a file, such as 'runs.part'")
 
 
-def _observed(over: Span, kept: bool) -> Span:
+def _observed(over: Span, with_reductions: bool) -> Span:
     """A span with output times where something is made of them, and without where not."""
-    if not kept:
+    if not with_reductions:
         return replace(over, times=None)
     usual = np.linspace(over.start, over.end, POINTS) if over.times is None else over.times
     return replace(over, times=usual)
@@ -165,10 +165,18 @@ def _observed(over: Span, kept: bool) -> Span:
 
 def _settled(job: Job, rtol: float) -> Job:
     """With the method that ``simulate`` takes for the first run, for all of them."""
-    case = case_of(job.model, rtol, job.over, job.given, job.may)
+    case = case_of(job.model, rtol, job.over, job.input_signals, job.event_table)
     how, first = chosen(job.how, case), job.varied.part(0, 1)
     try:
-        motion(job.model, how, job.given, job.may, replace(job.over, times=None), first, case)
+        motion(
+            job.model,
+            how,
+            job.input_signals,
+            job.event_table,
+            replace(job.over, times=None),
+            first,
+            case,
+        )
     except Limited as found:
         how = chosen(job.how, found.case)
     except CardanError:
@@ -177,19 +185,24 @@ def _settled(job: Job, rtol: float) -> Job:
     return replace(job, how=how)
 
 
+def _sized(job: Job, lanes: int | None) -> Job:
+    """The job with its lanes and the build of the model."""
+    return replace(job, width=_width(job, lanes), build=build_key(job.model))
+
+
 def _width(job: Job, lanes: int | None) -> int:
     """Lanes side by side; the first run tells whether they pay."""
     if lanes not in (None, 1):
         raise ModelError(f"lanes={lanes}: give 1 for none, or leave it out for those that pay")
-    if lanes == 1 or not suits(job.model, job.how, job.given, job.may):
+    if lanes == 1 or not suits(job.model, job.how, job.input_signals, job.event_table):
         return 1
-    crew, first = job.crew(), job.varied.part(0, 1)
-    crew.run(first)
+    runner, first = job.runner(), job.varied.part(0, 1)
+    runner.run(first)
     before = time.perf_counter()
-    crew.run(first)
+    runner.run(first)
     spent = time.perf_counter() - before
-    own = job.varied.own_parameters
-    return width_of(job.model, job.how, job.may, own, spent * job.varied.runs)
+    per_run = job.varied.varies_parameters
+    return width_of(job.model, job.how, job.event_table, per_run, spent * job.varied.runs)
 
 
 def blocks(job: Job) -> list[Block]:
@@ -197,7 +210,7 @@ def blocks(job: Job) -> list[Block]:
     runs, times = job.varied.runs, 0 if job.over.times is None else len(job.over.times)
     row = 8 * (1 + job.model.nx + job.model.nr)
     most = min(LARGEST, ROOM / max(1, row * times), runs / SHARES)
-    if not suits(job.model, job.how, job.given, job.may):
+    if not suits(job.model, job.how, job.input_signals, job.event_table):
         most = ALONE
     size = max(8, int(most) // 8 * 8)
     return [(first, min(first + size, runs)) for first in range(0, runs, size)]
@@ -205,52 +218,56 @@ def blocks(job: Job) -> list[Block]:
 
 def whose(job: Job) -> dict[str, str]:
     """Hashes of everything that decides about the answers."""
-    model, given = job.model, job.given
+    model, input_signals = job.model, job.input_signals
     columns = [x for c in job.varied.columns for x in (c.block, c.name, repr(c.place), c.values)]
-    pieces = [x for p in given.pieces for x in (p.input, p.breaks, p.coefficients)]
+    tables = [x for p in input_signals.tabulated for x in (p.input, p.breaks, p.coefficients)]
     times = np.empty(0) if job.over.times is None else job.over.times
-    functions = sorted(given.functions), given.sample
+    functions = sorted(input_signals.functions), input_signals.sample
     return {
         "model": model_key(model),
         "build": job.build,
-        "plan": digest(job.varied.runs, *columns, given.constants, *pieces, functions),
-        "settings": digest(job.how, job.over.start, job.over.end, times, job.may.described),
-        "reductions": digest({name: _told(one) for name, one in job.kept.items()}),
+        "plan": digest(job.varied.runs, *columns, input_signals.constants, *tables, functions),
+        "settings": digest(
+            job.how, job.over.start, job.over.end, times, job.event_table.descriptions
+        ),
+        "reductions": digest({name: _reduction_key(one) for name, one in job.reductions.items()}),
     }
 
 
-def _told(reduction: Any) -> str:
+def _reduction_key(reduction: Any) -> str:
     """A reduction in words that are the same in every process."""
     function = getattr(reduction, "function", None)
     return repr(reduction) if function is None else f"{function.__module__}.{function.__qualname__}"
 
 
 def _computed(
-    job: Job, hands: Threads | Client, checkpoint: Path | None, progress: Any
+    job: Job, executor: Threads | Client, checkpoint: Path | None, progress: Any
 ) -> tuple[EnsembleRecord, dict[int, str]]:
     """All blocks, those of the checkpoint first; what finished runs in lanes miss."""
     gathered, left = Gathered(job), blocks(job)
     clock = time.perf_counter()
     file = Checkpoint(checkpoint, whose(job)) if checkpoint is not None else None
     with closing(file) if file else nullcontext(), interruptible() as stop:
-        for piece in file.pieces(job, left) if file else ():
-            gathered.add(piece)
-            left.remove((piece.first, piece.last))
+        for block_result in file.block_results(job, left) if file else ():
+            gathered.add(block_result)
+            left.remove((block_result.first, block_result.last))
         restored = gathered.done
         with showing(progress, job.model.name) as show:
-            for piece in hands.pieces(job, left, stop) if left else ():
-                if file and not np.isin(piece.status, UNFINISHED).any():
-                    file.add(piece)
-                gathered.add(piece)
+            for block_result in executor.block_results(job, left, stop) if left else ():
+                if file and not np.isin(block_result.status, UNFINISHED).any():
+                    file.add(block_result)
+                gathered.add(block_result)
                 show(gathered.done / job.varied.runs)
     missed = unaccounted(job, gathered.x, gathered.numbers, gathered.finished)
-    gathered.tell(missed)
-    kept = f"{file.runs} runs are kept in {file.path}, {AGAIN}" if file else CURE
-    found = EnsembleRecord.of(gathered, time.perf_counter() - clock, repr(hands), restored, kept)
-    return found, missed
+    gathered.add_messages(missed)
+    saved_message = f"{file.runs} runs are kept in {file.path}, {AGAIN}" if file else CURE
+    record = EnsembleRecord.of(
+        gathered, time.perf_counter() - clock, repr(executor), restored, saved_message
+    )
+    return record, missed
 
 
-def _judged(result: EnsembleRecord, missed: Mapping[int, str], check: bool) -> EnsembleRecord:
+def _reported(result: EnsembleRecord, missed: Mapping[int, str], check: bool) -> EnsembleRecord:
     """The result; with warnings of runs that did not reach their end, or cannot account for it.
 
     Args:
@@ -259,11 +276,14 @@ def _judged(result: EnsembleRecord, missed: Mapping[int, str], check: bool) -> E
         check: Whether to raise instead.
     """
     failed = len(result) - int(result.finished.sum())
-    kept = {k: text for k, text in result.messages.items() if result.finished[k]}
-    missing = {**kept, **missed}
+    messages = {k: text for k, text in result.messages.items() if result.finished[k]}
+    missing = {**messages, **missed}
     said = []
     if failed and result.interrupted:
-        said += [f"interrupted when {result.done} of {len(result)} runs were done; {result.kept}"]
+        said += [
+            f"interrupted when {result.done} of {len(result)} runs were done; "
+            f"{result.saved_message}"
+        ]
     elif failed:
         first = int(np.argmin(result.finished))
         why = result.message(first)

@@ -12,9 +12,9 @@ import numpy as np
 
 from ...errors import ModelError
 from ...version import ENSEMBLE_FILE
-from ..simulation.files.append_log import Growing, packed, text, unpacked
+from ..simulation.files.append_log import AppendLog, packed, text, unpacked
 from .executors import Block
-from .job import Job, Piece
+from .job import BlockResult, Job
 from .lane_runner import NUMBERS
 from .reductions import FREE
 
@@ -47,13 +47,13 @@ class Checkpoint:
             ModelError: it belongs to other runs or another process, or is no such file.
         """
         self.path, self.runs = path, 0
-        self._file = Growing(path, ENSEMBLE_FILE, whose, CURES)
+        self._file = AppendLog(path, ENSEMBLE_FILE, whose, CURES)
 
     def close(self) -> None:
         """Let others have the file."""
         self._file.close()
 
-    def pieces(self, job: Job, left: Collection[Block]) -> Iterator[Piece]:
+    def block_results(self, job: Job, left: Collection[Block]) -> Iterator[BlockResult]:
         """The blocks that are in the file; what was cut off behind them is removed.
 
         Args:
@@ -65,48 +65,48 @@ class Checkpoint:
         """
         for content in self._file.contents():
             try:
-                piece = _piece(unpacked(content))
-                _check(piece, job, left)
+                block_result = _block_result(unpacked(content))
+                _check(block_result, job, left)
             except (ValueError, KeyError, TypeError, IndexError, RecursionError) as error:
                 raise ModelError(
                     f"checkpoint {self.path} holds a block that is none of these runs: {error}. "
                     "Name another file, or remove it to begin anew"
                 ) from None
-            self.runs += len(piece.x)
-            yield piece
+            self.runs += len(block_result.x)
+            yield block_result
 
-    def add(self, piece: Piece) -> None:
+    def add(self, block_result: BlockResult) -> None:
         """Put a finished block on the disk.
 
         Raises:
             SolveError: there is no room for it.
         """
-        self._file.add(packed(_arrays(piece)))
-        self.runs += len(piece.x)
+        self._file.add(packed(_arrays(block_result)))
+        self.runs += len(block_result.x)
 
 
-def _arrays(piece: Piece) -> dict[str, Any]:
+def _arrays(block_result: BlockResult) -> dict[str, Any]:
     """A block as arrays by name."""
     arrays: dict[str, Any] = {
-        "first": np.array(piece.first),
-        "x": piece.x,
-        "status": piece.status,
-        "numbers": piece.numbers,
-        "messages": text(piece.messages),
-        "names": text(list(piece.parts)),
+        "first": np.array(block_result.first),
+        "x": block_result.x,
+        "status": block_result.status,
+        "numbers": block_result.numbers,
+        "messages": text(block_result.messages),
+        "names": text(list(block_result.parts)),
     }
-    for k, parts in enumerate(piece.parts.values()):
+    for k, parts in enumerate(block_result.parts.values()):
         arrays |= {f"part {k} {name}": value for name, value in parts.items()}
     return arrays
 
 
-def _piece(arrays: dict[str, Any]) -> Piece:
+def _block_result(arrays: dict[str, Any]) -> BlockResult:
     names = json.loads(arrays["names"].tobytes())
     parts: dict[str, dict[str, Any]] = {name: {} for name in names}
     for key, value in arrays.items():
-        word, _, rest = key.partition(" ")
+        word, _, label = key.partition(" ")
         if word == "part":
-            k, _, name = rest.partition(" ")
+            k, _, name = label.partition(" ")
             parts[names[int(k)]][name] = value
     messages = json.loads(arrays["messages"].tobytes())
     if not isinstance(messages, dict) or not isinstance(names, list):
@@ -114,40 +114,40 @@ def _piece(arrays: dict[str, Any]) -> Piece:
     first = arrays["first"]
     if first.dtype.kind != "i" or first.size != 1:
         raise ValueError("it has no place")
-    return Piece(
+    return BlockResult(
         int(first),
         arrays["x"],
         arrays["status"],
         arrays["numbers"],
-        {int(k): told for k, told in messages.items()},
+        {int(k): message for k, message in messages.items()},
         parts,
     )
 
 
-def _check(piece: Piece, job: Job, left: Collection[Block]) -> None:
+def _check(block_result: BlockResult, job: Job, left: Collection[Block]) -> None:
     """Refuse what no block of a job is.
 
     Raises:
         ValueError: it is elsewhere, or has arrays of another size or kind.
     """
-    count, nx = len(piece.x), job.model.nx
+    count, nx = len(block_result.x), job.model.nx
     times = 0 if job.over.times is None else len(job.over.times)
-    if (piece.first, piece.last) not in left:
-        raise ValueError(f"it has runs {piece.first} to {piece.last - 1}")
-    _array("x", piece.x, (count, nx))
-    _array("numbers", piece.numbers, (count, len(NUMBERS)))
-    status = piece.status
-    words = status.tolist() if status.dtype.kind == "U" and status.shape == (count,) else [""]
-    if not all(isinstance(word, str) and WORD.fullmatch(word) for word in words):
+    if (block_result.first, block_result.last) not in left:
+        raise ValueError(f"it has runs {block_result.first} to {block_result.last - 1}")
+    _array("x", block_result.x, (count, nx))
+    _array("numbers", block_result.numbers, (count, len(NUMBERS)))
+    status = block_result.status
+    statuses = status.tolist() if status.dtype.kind == "U" and status.shape == (count,) else [""]
+    if not all(isinstance(word, str) and WORD.fullmatch(word) for word in statuses):
         raise ValueError("its status is none")
-    for k, told in piece.messages.items():
-        if not piece.first <= k < piece.last or not isinstance(told, str):
+    for k, message in block_result.messages.items():
+        if not block_result.first <= k < block_result.last or not isinstance(message, str):
             raise ValueError("a message is of none of its runs")
-        told.encode()
-    if list(piece.parts) != list(job.kept):
+        message.encode()
+    if list(block_result.parts) != list(job.reductions):
         raise ValueError("it keeps other reductions")
-    for name, reduction in job.kept.items():
-        parts, shapes = piece.parts[name], reduction.shapes(count, times, nx)
+    for name, reduction in job.reductions.items():
+        parts, shapes = block_result.parts[name], reduction.shapes(count, times, nx)
         if set(parts) != set(shapes):
             raise ValueError(f"'{name}' has other parts")
         for part, shape in shapes.items():
@@ -156,7 +156,7 @@ def _check(piece: Piece, job: Job, left: Collection[Block]) -> None:
 
 def _array(name: str, array: Any, shape: tuple[int, ...]) -> None:
     """Refuse what is not numbers of a shape, which may go on where it ends in ``FREE``."""
-    found = array.shape
-    whole = found[: len(shape) - 1] + shape[-1:] if shape[-1:] == (FREE,) else found
-    if array.dtype != np.float64 or whole != shape:
-        raise ValueError(f"{name} has shape {found}")
+    actual = array.shape
+    fixed = actual[: len(shape) - 1] + shape[-1:] if shape[-1:] == (FREE,) else actual
+    if array.dtype != np.float64 or fixed != shape:
+        raise ValueError(f"{name} has shape {actual}")

@@ -11,7 +11,7 @@ import numpy as np
 
 from ...arrays import Array, Booleans
 from ...errors import ArgumentError, ModelError
-from .job import Job, Piece
+from .job import BlockResult, Job
 from .lane_runner import NUMBERS
 from .reductions import Parts, States
 
@@ -26,7 +26,7 @@ class Gathered:
 
     Attributes:
         x: Last states (runs, nx).
-        codes: Status per run as an index in ``words``.
+        codes: Status per run as an index in ``status_names``.
         numbers: (runs, 4).
         messages: The first ones, by number of the run.
         per_run: Reductions with a value per run.
@@ -37,7 +37,7 @@ class Gathered:
         self.job, self.done = job, 0
         _refuse_too_much(job)
         self.x = _room((runs, job.model.nx))
-        self.words = ["not_run", "finished"]
+        self.status_names = ["not_run", "finished"]
         self.codes = np.zeros(runs, dtype=np.int8)
         self.numbers = np.zeros((runs, len(NUMBERS)))
         self.numbers[:, 0] = np.nan
@@ -48,21 +48,21 @@ class Gathered:
         self._early: dict[int, tuple[int, dict[str, Parts]]] = {}
         self._next = 0
 
-    def add(self, piece: Piece) -> None:
+    def add(self, block_result: BlockResult) -> None:
         """A block."""
-        here = slice(piece.first, piece.last)
-        self.x[here], self.numbers[here] = piece.x, piece.numbers
-        for word in np.unique(piece.status).tolist():
-            if word not in self.words:
-                self.words.append(word)
-            self.codes[here][piece.status == word] = self.words.index(word)
-        self.tell(piece.messages)
-        self.done += int(np.isin(piece.status, UNFINISHED, invert=True).sum())
-        rest: dict[str, Parts] = {}
-        for name, reduction in self.job.kept.items():
-            parts = piece.parts[name]
+        here = slice(block_result.first, block_result.last)
+        self.x[here], self.numbers[here] = block_result.x, block_result.numbers
+        for word in np.unique(block_result.status).tolist():
+            if word not in self.status_names:
+                self.status_names.append(word)
+            self.codes[here][block_result.status == word] = self.status_names.index(word)
+        self.add_messages(block_result.messages)
+        self.done += int(np.isin(block_result.status, UNFINISHED, invert=True).sum())
+        partial: dict[str, Parts] = {}
+        for name, reduction in self.job.reductions.items():
+            parts = block_result.parts[name]
             if not reduction.per_run:
-                rest[name] = parts
+                partial[name] = parts
                 continue
             value = parts["value"]
             if name not in self.per_run:
@@ -70,21 +70,22 @@ class Gathered:
                 self.per_run[name] = _room(shape)
             if value.shape[1:] != self.per_run[name].shape[1:]:
                 raise ArgumentError(
-                    f"reduce: '{name}' has shape {value.shape[1:]} for run {piece.first}, "
+                    f"reduce: '{name}' has shape {value.shape[1:]} for run {block_result.first}, "
                     f"{self.per_run[name].shape[1:]} for others; it must be the same for all"
                 )
             self.per_run[name][here] = value
-        self._early[piece.first] = piece.last, rest
+        self._early[block_result.first] = block_result.last, partial
+        # merged in order of runs, whichever thread was first: sums have the same bits
         while self._next in self._early:
             self._merge(self._next)
 
     @property
     def finished(self) -> Booleans:
-        """Which runs reached their end (runs,)."""
-        done: Booleans = self.codes == self.words.index("finished")
+        """Mask of the runs that reached their end (runs,)."""
+        done: Booleans = self.codes == self.status_names.index("finished")
         return done
 
-    def tell(self, messages: Mapping[int, str]) -> None:
+    def add_messages(self, messages: Mapping[int, str]) -> None:
         """Keep what is to be said of runs, by their numbers."""
         for k, text in messages.items():
             if len(self.messages) < MESSAGES:
@@ -94,7 +95,7 @@ class Gathered:
         self._next, parts = self._early.pop(first)
         for name, part in parts.items():
             before = self._merged.get(name)
-            merged = part if before is None else self.job.kept[name].merged(before, part)
+            merged = part if before is None else self.job.reductions[name].merged(before, part)
             self._merged[name] = merged
 
     def results(self) -> Mapping[str, Any]:
@@ -102,13 +103,13 @@ class Gathered:
         # after an interruption there are gaps
         for first in sorted(self._early):
             self._merge(first)
-        found: dict[str, Any] = {}
-        for name, reduction in self.job.kept.items():
+        results: dict[str, Any] = {}
+        for name, reduction in self.job.reductions.items():
             if reduction.per_run and name in self.per_run:
-                found[name] = self.per_run[name]
+                results[name] = self.per_run[name]
             elif name in self._merged:
-                found[name] = reduction.result(self._merged[name])
-        return found
+                results[name] = reduction.result(self._merged[name])
+        return results
 
 
 def _room(shape: tuple[int, ...]) -> Array:
@@ -129,8 +130,8 @@ def _room(shape: tuple[int, ...]) -> Array:
 def _refuse_too_much(job: Job) -> None:
     """Refuse to keep more states than the memory can hold, before anything is computed."""
     times = 0 if job.over.times is None else len(job.over.times)
-    wanted = any(isinstance(one, States) for one in job.kept.values())
-    size = 8 * job.varied.runs * job.model.nx * (1 + wanted * times)
+    with_states = any(isinstance(one, States) for one in job.reductions.values())
+    size = 8 * job.varied.runs * job.model.nx * (1 + with_states * times)
     memory = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
     if size > SHARE * memory:
         raise ModelError(

@@ -20,7 +20,7 @@ from .lane_runner import NUMBERS
 from .reductions import Bins
 
 if TYPE_CHECKING:
-    from .result import Asked, EnsembleRecord
+    from .result import EnsembleRecord, Request
 
 FEWER = "Keep reductions instead of states"
 # what a name in a file may have beside letters of ASCII and digits
@@ -29,23 +29,26 @@ OTHER = re.compile(r"[^A-Za-z0-9_.]")
 
 def variables(ensemble: EnsembleRecord) -> dict[str, Variable]:
     """Name -> array. The attribute ``kind`` says what it is, ``name`` what it is called here."""
-    asked, found = ensemble.asked, dict[str, Variable]()
+    request, variables = ensemble.request, dict[str, Variable]()
 
-    def add(name: str, kind: str, own: str, axes: Sequence[str], values: Any, **more: str) -> None:
-        safe = _safe(name, found)
+    def add(
+        name: str, kind: str, label: str, axes: Sequence[str], values: Any, **more: str
+    ) -> None:
+        # netCDF allows fewer characters in names than cardan; the attribute keeps the name
+        safe = _safe(name, variables)
         shape = np.shape(values)
-        known = [a if a in ("run", "time", "entry") else f"{safe}_{a}" for a in axes]
-        known += [f"{safe}_axis_{k}" for k in range(len(known), len(shape))]
-        told = {"kind": kind, "name": json.dumps(own), **more}
+        dimensions = [a if a in ("run", "time", "entry") else f"{safe}_{a}" for a in axes]
+        dimensions += [f"{safe}_axis_{k}" for k in range(len(dimensions), len(shape))]
+        attributes = {"kind": kind, "name": json.dumps(label), **more}
         array = np.asarray(values, dtype=np.float64)
-        found[safe] = Variable(tuple(known), array, told)
+        variables[safe] = Variable(tuple(dimensions), array, attributes)
 
     add("final", "final", "final", ("run", "entry"), ensemble.final)
     for name, values in ensemble.statistics.items():
         units = {"units": "s"} if name == "t" else {}
         add(name, "statistic", name, ("run",), values, **units)
-    if len(asked.times):
-        add("time", "time", "time", ("time",), asked.times, units="s")
+    if len(request.times):
+        add("time", "time", "time", ("time",), request.times, units="s")
     for name, values in ensemble.varied.items():
         add(f"varied {name}", "varied", name, ("run",), values)
     for name, value in ensemble.results.items():
@@ -54,19 +57,19 @@ def variables(ensemble: EnsembleRecord) -> dict[str, Variable]:
             add(name, "bins", name, ("bin",), value.counts, below_and_above=outside)
             add(f"edges of {name}", "edges", name, ("edge",), value.edges)
         else:
-            add(name, "reduction", name, asked.axes.get(name, ()), value)
-    return found
+            add(name, "reduction", name, request.axes.get(name, ()), value)
+    return variables
 
 
 def _safe(name: str, taken: Mapping[str, Any]) -> str:
     """A name that every reader takes, and no other variable has."""
     safe = OTHER.sub("_", name)
     safe = safe if safe[:1].isalpha() else f"_{safe}"
-    found, k = safe, 1
-    while found in (*taken, "status", "entry", "run"):
+    candidate, k = safe, 1
+    while candidate in (*taken, "status", "entry", "run"):
         k += 1
-        found = f"{safe}_{k}"
-    return found
+        candidate = f"{safe}_{k}"
+    return candidate
 
 
 def to_xarray(ensemble: EnsembleRecord) -> Any:
@@ -86,12 +89,16 @@ def to_xarray(ensemble: EnsembleRecord) -> Any:
         ) from error
     parts = {}
     for name, one in variables(ensemble).items():
-        told = {**one.attributes, "name": json.loads(one.attributes["name"])}
-        parts[name] = (one.dimensions, one.values, told)
+        attributes = {**one.attributes, "name": json.loads(one.attributes["name"])}
+        parts[name] = (one.dimensions, one.values, attributes)
     times = {"time": parts.pop("time")} if "time" in parts else {}
-    coordinates = {"run": np.arange(len(ensemble)), "entry": list(ensemble.asked.entries), **times}
+    coordinates = {
+        "run": np.arange(len(ensemble)),
+        "entry": list(ensemble.request.entries),
+        **times,
+    }
     parts["status"] = (("run",), ensemble.status, {})
-    return xarray.Dataset(parts, coordinates, {"model": ensemble.asked.model})
+    return xarray.Dataset(parts, coordinates, {"model": ensemble.request.model})
 
 
 @arguments.checked
@@ -107,37 +114,37 @@ def save(ensemble: EnsembleRecord, path: str | Path) -> Path:
     Raises:
         ModelError: a variable too large for the format, or a file that cannot be written.
     """
-    found = variables(ensemble)
-    found["entry"] = letters(ensemble.asked.entries, "entry")
-    found["status"] = letters(ensemble.status, "run", "status")
+    content = variables(ensemble)
+    content["entry"] = letters(ensemble.request.entries, "entry")
+    content["status"] = letters(ensemble.status, "run", "status")
     notes = {
-        "title": f"ensemble of {ensemble.asked.model}".encode("ascii", "replace").decode(),
+        "title": f"ensemble of {ensemble.request.model}".encode("ascii", "replace").decode(),
         "messages": json.dumps({str(k): text for k, text in ensemble.messages.items()}),
-        "ensemble": json.dumps(_told(ensemble)),
+        "ensemble": json.dumps(_notes(ensemble)),
     }
-    return formats.save(Path(path), ENSEMBLE, Contents(found, notes), FEWER)
+    return formats.save(Path(path), ENSEMBLE, Contents(content, notes), FEWER)
 
 
-def _told(ensemble: EnsembleRecord) -> dict[str, Any]:
-    """What the ensemble says about itself."""
-    asked = ensemble.asked
+def _notes(ensemble: EnsembleRecord) -> dict[str, Any]:
+    """Description of the ensemble for its file."""
+    request = ensemble.request
     return {
-        "model": asked.model,
-        "entries": asked.entries,
-        "counts": asked.counts,
-        "start": asked.start,
-        "end": asked.end,
-        "names": asked.names,
-        "method": asked.method,
-        "settings": asked.settings,
-        "reason": asked.reason,
-        "lanes": asked.lanes,
-        "axes": dict(asked.axes),
-        "words": ensemble.words,
+        "model": request.model,
+        "entries": request.entries,
+        "counts": request.counts,
+        "start": request.start,
+        "end": request.end,
+        "names": request.names,
+        "method": request.method,
+        "settings": request.settings,
+        "reason": request.reason,
+        "lanes": request.lanes,
+        "axes": dict(request.axes),
+        "words": ensemble.status_names,
         "seconds": ensemble.seconds,
-        "hands": ensemble.hands,
+        "hands": ensemble.executor,
         "restored": ensemble.restored,
-        "kept": ensemble.kept,
+        "kept": ensemble.saved_message,
     }
 
 
@@ -159,47 +166,47 @@ def load(path: str | Path) -> EnsembleRecord:
     from .result import EnsembleRecord
 
     path = Path(path)
-    held = formats.load(path, ENSEMBLE, ("title", *NOTES))
+    contents = formats.load(path, ENSEMBLE, ("title", *NOTES))
     try:
-        read = checked(held)
-        asked = _asked(read)
+        read = checked(contents)
+        request = _request(read)
     except (ValueError, MemoryError, RecursionError) as error:
         raise ModelError(
-            f"{path} is no ensemble that cardan can read: {error or 'it is too large'}. Save the "
-            "ensemble again"
+            f"{path} is not an ensemble that cardan can read: {error or 'it is too large'}. Save "
+            "the ensemble again"
         ) from None
-    told = read.told
+    notes = read.notes
     return EnsembleRecord(
-        asked=asked,
+        request=request,
         final=read.final,
         results=read.results,
         codes=read.codes,
-        words=tuple(told.words),
+        status_names=tuple(notes.words),
         numbers=np.stack([read.statistics[name] for name in NUMBERS], axis=1),
         messages=read.messages,
-        seconds=float(told.seconds),
-        hands=told.hands,
-        restored=told.restored,
-        kept=told.kept,
+        seconds=float(notes.seconds),
+        executor=notes.hands,
+        restored=notes.restored,
+        saved_message=notes.kept,
     )
 
 
-def _asked(read: Read) -> Asked:
-    from .result import Asked
+def _request(read: Read) -> Request:
+    from .result import Request
 
-    told = read.told
-    return Asked(
-        model=told.model,
-        entries=tuple(told.entries),
-        counts=None if told.counts is None else (told.counts[0], told.counts[1]),
-        start=float(told.start),
-        end=float(told.end),
+    notes = read.notes
+    return Request(
+        model=notes.model,
+        entries=tuple(notes.entries),
+        counts=None if notes.counts is None else (notes.counts[0], notes.counts[1]),
+        start=float(notes.start),
+        end=float(notes.end),
         times=read.times,
-        names=tuple(told.names),
-        method=told.method,
-        settings=told.settings,
-        reason=told.reason,
-        lanes=told.lanes,
+        names=tuple(notes.names),
+        method=notes.method,
+        settings=notes.settings,
+        reason=notes.reason,
+        lanes=notes.lanes,
         varied=read.varied,
-        axes={name: tuple(axes) for name, axes in told.axes.items()},
+        axes={name: tuple(axes) for name, axes in notes.axes.items()},
     )

@@ -16,12 +16,12 @@ from typing import Any
 
 import numpy as np
 
-from ...errors import ArgumentError, BuildError, CardanError, SolveError, shown
+from ...errors import ArgumentError, BuildError, CardanError, SolveError, brief
 from ...processes import on_interrupt
 from ...runtime.models.loaded_model import LoadedModel
 from ...runtime.models.saved_models import parts, restore
 from ..simulation.files.append_log import build_key
-from .job import Job, Piece, compute
+from .job import BlockResult, Job, compute
 from .lane_runner import suits, width_of
 
 Block = tuple[int, int]
@@ -38,38 +38,40 @@ class Threads:
     def __repr__(self) -> str:
         return f"{self.count} thread{'s' * (self.count > 1)}"
 
-    def pieces(self, job: Job, blocks: Sequence[Block], stop: threading.Event) -> Iterator[Piece]:
-        """What became of the blocks, as they get ready; after ``stop`` what there is.
+    def block_results(
+        self, job: Job, blocks: Sequence[Block], stop: threading.Event
+    ) -> Iterator[BlockResult]:
+        """Results of the blocks as they become ready; after ``stop`` those that are ready already.
 
         Raises:
             CardanError: what a block raised.
         """
         left, lock = iter(blocks), threading.Lock()
-        ready: queue.Queue[Piece | BaseException] = queue.Queue(2 * self.count)
-        crews = [job.crew() for _ in range(min(self.count, len(blocks)))]
+        ready: queue.Queue[BlockResult | BaseException] = queue.Queue(2 * self.count)
+        crews = [job.runner() for _ in range(min(self.count, len(blocks)))]
         over = threading.Event()
 
-        def work(crew: Any) -> None:
+        def work(runner: Any) -> None:
             try:
                 while not (over.is_set() or stop.is_set()):
                     with lock:
                         block = next(left, None)
                     if block is None:
                         return
-                    ready.put(compute(job, crew, *block))
+                    ready.put(compute(job, runner, *block))
             except BaseException as problem:
                 # the thread that waits raises it
                 over.set()
                 ready.put(problem)
 
-        team = [threading.Thread(target=work, args=(crew,), daemon=True) for crew in crews]
+        team = [threading.Thread(target=work, args=(runner,), daemon=True) for runner in crews]
         for one in team:
             one.start()
         try:
-            while found := _next(ready, team, stop, crews):
-                if isinstance(found, BaseException):
-                    raise found
-                yield found
+            while answer := _next(ready, team, stop, crews):
+                if isinstance(answer, BaseException):
+                    raise answer
+                yield answer
         finally:
             # nobody listens any more: the threads end, and nothing they wait for is missing
             over.set()
@@ -86,14 +88,14 @@ def _next(
 ) -> Any:
     """The next thing that comes; None once all threads have ended."""
     while True:
-        alive = any(one.is_alive() for one in team)
+        any_thread = any(one.is_alive() for one in team)
         if stop.is_set():
-            for crew in crews:
-                crew.stop()
+            for runner in crews:
+                runner.stop()
         try:
-            return ready.get(timeout=PATIENCE) if alive else ready.get_nowait()
+            return ready.get(timeout=PATIENCE) if any_thread else ready.get_nowait()
         except queue.Empty:
-            if not alive:
+            if not any_thread:
                 return None
 
 
@@ -117,7 +119,7 @@ class Client:
     def __init__(self, client: Any) -> None:
         if not callable(getattr(client, "submit", None)):
             raise ArgumentError(
-                f"client={shown(client)} has no submit: give a client of dask.distributed, or an "
+                f"client={brief(client)} has no submit: give a client of dask.distributed, or an "
                 "executor of concurrent.futures"
             )
         self.client = client
@@ -126,13 +128,15 @@ class Client:
     def __repr__(self) -> str:
         return f"client {type(self.client).__name__}"
 
-    def pieces(self, job: Job, blocks: Sequence[Block], stop: threading.Event) -> Iterator[Piece]:
-        """What became of the blocks, as they get ready; after ``stop`` nothing more.
+    def block_results(
+        self, job: Job, blocks: Sequence[Block], stop: threading.Event
+    ) -> Iterator[BlockResult]:
+        """Results of the blocks as they become ready; after ``stop`` nothing more.
 
         Raises:
             CardanError: what a block raised there; another build on the other side.
         """
-        rest = {f.name: getattr(job, f.name) for f in fields(job) if f.name != "model"}
+        job_fields = {f.name: getattr(job, f.name) for f in fields(job) if f.name != "model"}
         # source and manifest travel, never a binary; once to every worker
         model: object = type(job.model), parts(job.model)
         options = {"pure": False} if self.is_dask else {}
@@ -142,12 +146,15 @@ class Client:
         waiting: dict[Any, Block] = {}
         try:
             while not stop.is_set():
+                # a few blocks ahead keep all workers busy without queuing everything at once
                 while len(waiting) < AHEAD * self._workers():
                     block = next(left, None)
                     if block is None:
                         break
-                    own = rest | {"varied": job.varied.part(*block)}
-                    waiting[self.client.submit(remote, model, own, *block, **options)] = block
+                    block_fields = job_fields | {"varied": job.varied.part(*block)}
+                    waiting[self.client.submit(remote, model, block_fields, *block, **options)] = (
+                        block
+                    )
                 if not waiting:
                     return
                 done = [future for future in waiting if future.done()]
@@ -166,9 +173,9 @@ class Client:
         return max(1, int(getattr(self.client, "_max_workers", 1)))
 
 
-def _answer(future: Any, block: Block) -> Piece:
+def _answer(future: Any, block: Block) -> BlockResult:
     try:
-        piece = future.result()
+        block_result = future.result()
     except CardanError:
         raise
     except Exception as problem:
@@ -176,9 +183,12 @@ def _answer(future: Any, block: Block) -> Piece:
             f"runs {block[0]} to {block[1] - 1} failed on the client: "
             f"{type(problem).__name__}: {problem}"
         ) from problem
-    if not isinstance(piece, Piece) or (piece.first, piece.last) != block:
-        raise SolveError(f"the client gave {piece!r} for runs {block[0]} to {block[1] - 1}")
-    return piece
+    if (
+        not isinstance(block_result, BlockResult)
+        or (block_result.first, block_result.last) != block
+    ):
+        raise SolveError(f"the client gave {block_result!r} for runs {block[0]} to {block[1] - 1}")
+    return block_result
 
 
 # the last models that this process was sent, by their content
@@ -199,8 +209,11 @@ def _model(kind: type[LoadedModel], parts: tuple[Any, ...]) -> LoadedModel:
 
 
 def remote(
-    sent: tuple[type[LoadedModel], tuple[Any, ...]], rest: dict[str, Any], first: int, last: int
-) -> Piece:
+    sent: tuple[type[LoadedModel], tuple[Any, ...]],
+    job_fields: dict[str, Any],
+    first: int,
+    last: int,
+) -> BlockResult:
     """A block on another process.
 
     Args:
@@ -212,7 +225,7 @@ def remote(
         BuildError: this machine builds other bits.
     """
     model = _model(*sent)
-    job = Job(model=model, **rest)
+    job = Job(model=model, **job_fields)
     key = build_key(model)
     if key != job.build:
         raise BuildError(
@@ -221,9 +234,16 @@ def remote(
             "versions differ, and so would the last digits. Use equal machines"
         )
     width = 1
-    if job.width > 1 and suits(model, job.how, job.given, job.may):
-        width = width_of(model, job.how, job.may, job.varied.own_parameters, np.inf)
+    if job.width > 1 and suits(model, job.how, job.input_signals, job.event_table):
+        width = width_of(model, job.how, job.event_table, job.varied.varies_parameters, np.inf)
     job = Job(**{f.name: getattr(job, f.name) for f in fields(job)} | {"width": width})
-    piece = compute(job, job.crew(), 0, last - first)
-    messages = {first + k: text for k, text in piece.messages.items()}
-    return Piece(first, piece.x, piece.status, piece.numbers, messages, piece.parts)
+    block_result = compute(job, job.runner(), 0, last - first)
+    messages = {first + k: text for k, text in block_result.messages.items()}
+    return BlockResult(
+        first,
+        block_result.x,
+        block_result.status,
+        block_result.numbers,
+        messages,
+        block_result.parts,
+    )

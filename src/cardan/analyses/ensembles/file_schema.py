@@ -1,4 +1,4 @@
-"""What the file of an ensemble must be before anything of it is used."""
+"""Checks of an ensemble file before anything of it is used."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ AXES = ("run", "time", "entry", "bin")
 
 
 class Notes(Record):
-    """What an ensemble says about itself."""
+    """Description of an ensemble in its file."""
 
     model: str = field(text)
     method: str = field(text)
@@ -55,7 +55,7 @@ class Read:
         messages, statistics, varied, results: The same, by name.
     """
 
-    told: Notes
+    notes: Notes
     final: Array
     codes: NDArray[np.int8]
     messages: dict[int, str]
@@ -65,97 +65,102 @@ class Read:
     results: dict[str, Any] = dataclasses.field(default_factory=dict)
 
 
-def checked(held: Contents) -> Read:
+def checked(contents: Contents) -> Read:
     """The parts of a file, which fit each other.
 
     Raises:
         ValueError: a part is missing, or does not fit the others.
     """
-    variables = dict(held.variables)
-    if "ensemble" not in held.notes:
-        return _filled(*_older(held))
-    told = Notes.read(json.loads(held.notes["ensemble"]))
-    words = told.words
-    _require(0 < len(words) <= MOST, "it has no words for a status")
+    variables = dict(contents.variables)
+    if "ensemble" not in contents.notes:
+        return _filled(*_older(contents))
+    notes = Notes.read(json.loads(contents.notes["ensemble"]))
+    statuses = notes.words
+    _require(0 < len(statuses) <= MOST, "it has no words for a status")
     for name in ("final", "status", "entry"):
         _require(name in variables, f"it has no '{name}'")
     status = _texts(variables.pop("status"))
-    _require(set(status) <= set(words), "a status is none of its words")
-    _require(_texts(variables.pop("entry")) == told.entries, "its entries have other names")
-    places = {word: k for k, word in enumerate(words)}
+    _require(set(status) <= set(statuses), "a status is none of its words")
+    _require(_texts(variables.pop("entry")) == notes.entries, "its entries have other names")
+    places = {word: k for k, word in enumerate(statuses)}
     codes = np.array([places[word] for word in status], dtype=np.int8)
-    return _filled(held, told, codes, variables)
+    return _filled(contents, notes, codes, variables)
 
 
 def _filled(
-    held: Contents, told: Notes, codes: NDArray[np.int8], variables: dict[str, Variable]
+    contents: Contents, notes: Notes, codes: NDArray[np.int8], variables: dict[str, Variable]
 ) -> Read:
     final = variables.pop("final").values
     runs = len(codes)
-    _require(final.shape == (runs, len(told.entries)), f"'final' has shape {final.shape}")
+    _require(final.shape == (runs, len(notes.entries)), f"'final' has shape {final.shape}")
     _require(final.dtype.kind == "f", "'final' is a text")
-    counts = told.counts
+    counts = notes.counts
     _require(counts is None or sum(counts) <= final.shape[1], "it has too many speeds")
-    read = Read(told, final, codes, _messages(held.notes.get("messages", "{}"), runs))
+    read = Read(notes, final, codes, _messages(contents.notes.get("messages", "{}"), runs))
     edges: dict[str, Array] = {}
     # times first, which others are as long as
     for name, one in sorted(variables.items(), key=lambda item: item[0] != "time"):
         kind = one.attributes.get("kind")
         if kind is None:
             continue
-        own = json.loads(one.attributes.get("name", "null"))
-        _require(is_text(own) and one.values.dtype.kind == "f", f"'{name}' is damaged")
-        _put(read, edges, kind, own, one)
-    for name, found in read.results.items():
-        if isinstance(found, Bins):
-            own = edges.get(name, np.empty(0))
-            _require(own.shape == (len(found.counts) + 1,), f"'{name}' has no edges")
-            read.results[name] = Bins(found.counts, own, found.below, found.above)
+        label = json.loads(one.attributes.get("name", "null"))
+        _require(is_text(label) and one.values.dtype.kind == "f", f"'{name}' is damaged")
+        _put(read, edges, kind, label, one)
+    for name, value in read.results.items():
+        if isinstance(value, Bins):
+            label = edges.get(name, np.empty(0))
+            _require(label.shape == (len(value.counts) + 1,), f"'{name}' has no edges")
+            read.results[name] = Bins(value.counts, label, value.below, value.above)
     _require(set(read.statistics) == set(NUMBERS), "it has other statistics")
     # files have their own order
-    read.results = _ordered(read.results, told.axes)
-    read.varied = _ordered(read.varied, told.names)
+    read.results = _ordered(read.results, notes.axes)
+    read.varied = _ordered(read.varied, notes.names)
     return read
 
 
-def _ordered(found: dict[str, Any], names: Iterable[str]) -> dict[str, Any]:
-    """Those with these names first, in this order."""
-    return {name: found[name] for name in dict.fromkeys([*names, *found]) if name in found}
+def _ordered(values: dict[str, Any], names: Iterable[str]) -> dict[str, Any]:
+    """Reorder entries: those with these names first, in this order."""
+    return {name: values[name] for name in dict.fromkeys([*names, *values]) if name in values}
 
 
-def _put(read: Read, edges: dict[str, Array], kind: str, own: str, one: Variable) -> None:
+def _put(read: Read, edges: dict[str, Array], kind: str, label: str, one: Variable) -> None:
     """One array to its place."""
     values, runs = one.values, len(read.final)
     if kind in ("statistic", "varied"):
-        _require(len(values.shape) in (1, 2) and len(values) == runs, f"'{own}' has another length")
-        _require(kind == "varied" or values.ndim == 1, f"'{own}' has another shape")
-        (read.statistics if kind == "statistic" else read.varied)[own] = values
+        _require(
+            len(values.shape) in (1, 2) and len(values) == runs, f"'{label}' has another length"
+        )
+        _require(kind == "varied" or values.ndim == 1, f"'{label}' has another shape")
+        (read.statistics if kind == "statistic" else read.varied)[label] = values
     elif kind == "time":
         _require(values.ndim == 1, "its times are damaged")
         read.times = values
     elif kind == "edges":
-        edges[own] = values
+        edges[label] = values
     elif kind == "bins":
-        whole = values.ndim == 1 and bool(((values >= 0) & (values < 2**53)).all())
+        counts = values.ndim == 1 and bool(((values >= 0) & (values < 2**53)).all())
         outside = json.loads(one.attributes.get("below_and_above", "[0, 0]"))
-        _require(whole, f"'{own}' is damaged")
+        _require(counts, f"'{label}' is damaged")
         listed(count, 2).read(outside, False)
-        read.results[own] = Bins(values.astype(np.intp), np.empty(0), *outside)
+        read.results[label] = Bins(values.astype(np.intp), np.empty(0), *outside)
     elif kind == "reduction":
         sizes = {"run": runs, "time": len(read.times), "entry": read.final.shape[1]}
-        axes = read.told.axes.get(own, ())
-        told = tuple(sizes.get(axis, -1) for axis in axes)
-        _require(values.shape[: len(axes)] == told, f"'{own}' has shape {values.shape}")
-        read.results[own] = values
+        axes = read.notes.axes.get(label, ())
+        expected = tuple(sizes.get(axis, -1) for axis in axes)
+        _require(values.shape[: len(axes)] == expected, f"'{label}' has shape {values.shape}")
+        read.results[label] = values
 
 
-def _messages(told: str, runs: int) -> dict[int, str]:
-    found = json.loads(told)
+def _messages(text: str, runs: int) -> dict[int, str]:
+    messages_by_key = json.loads(text)
     _require(
-        isinstance(found, dict) and all(map(is_text, found.values())), "its messages are damaged"
+        isinstance(messages_by_key, dict) and all(map(is_text, messages_by_key.values())),
+        "its messages are damaged",
     )
-    _require(all(k.isdecimal() and k.isascii() and len(k) < 16 for k in found), "of no run")
-    messages = {int(k): words for k, words in found.items()}
+    _require(
+        all(k.isdecimal() and k.isascii() and len(k) < 16 for k in messages_by_key), "of no run"
+    )
+    messages = {int(k): message for k, message in messages_by_key.items()}
     _require(all(k < runs for k in messages), "a message is of no run")
     return dict(sorted(messages.items()))
 
@@ -177,34 +182,35 @@ def _require(good: bool, what: str) -> None:
 # files of older versions
 
 
-def _older(
-    held: Contents,
-) -> tuple[Contents, Notes, NDArray[np.int8], dict[str, Variable]]:
+def _older(contents: Contents) -> tuple[Contents, Notes, NDArray[np.int8], dict[str, Variable]]:
     """The parts of a file whose variables have the names of reductions, with blanks."""
-    variables = dict(held.variables)
+    variables = dict(contents.variables)
     for name in ("final", "status"):
         _require(name in variables, f"it has no '{name}'")
     names = json.loads(variables["final"].attributes.get("names", "null"))
     entries = listed(text).read(names, False)
     status = variables.pop("status")
-    words = listed(text).read(json.loads(status.attributes.get("words", "null")), False)
-    _require(0 < len(words) <= MOST and status.values.ndim == 1, "it has no status")
-    known = bool(np.isin(status.values, np.arange(len(words))).all())
-    _require(known and status.values.dtype.kind == "f", "a status is none of its words")
+    statuses = listed(text).read(json.loads(status.attributes.get("words", "null")), False)
+    _require(0 < len(statuses) <= MOST and status.values.ndim == 1, "it has no status")
+    # codes index the list of statuses: check before they are used
+    complete = bool(np.isin(status.values, np.arange(len(statuses))).all())
+    _require(complete and status.values.dtype.kind == "f", "a status is none of its words")
     end = variables["t"].values if "t" in variables else np.empty(0)
     last = float(end[np.isfinite(end)].max(initial=0.0))
-    found: dict[str, Variable] = {"final": variables.pop("final")}
+    renamed: dict[str, Variable] = {"final": variables.pop("final")}
     varied: list[str] = []
     axes: dict[str, list[str]] = {}
     for name, one in variables.items():
-        kind, own = _older_kind(name, variables)
+        kind, label = _older_kind(name, variables)
         if kind == "varied":
-            varied.append(own)
+            varied.append(label)
         shared = list(takewhile(lambda axis: axis in ("run", "time"), one.dimensions))
-        axes |= {own: shared} if kind == "reduction" else {}
-        found[name] = Variable(one.dimensions, one.values, {"kind": kind, "name": json.dumps(own)})
-    told = Notes(
-        model=held.notes.get("title", "").removeprefix("ensemble of "),
+        axes |= {label: shared} if kind == "reduction" else {}
+        renamed[name] = Variable(
+            one.dimensions, one.values, {"kind": kind, "name": json.dumps(label)}
+        )
+    notes = Notes(
+        model=contents.notes.get("title", "").removeprefix("ensemble of "),
         method="not told",
         settings="not told",
         hands="not told",
@@ -216,18 +222,18 @@ def _older(
         names=varied,
         lanes=1,
         axes=axes,
-        words=words,
+        words=statuses,
         seconds=math.nan,
         restored=0,
     )
-    return held, told, status.values.astype(np.int8), found
+    return contents, notes, status.values.astype(np.int8), renamed
 
 
 def _older_kind(name: str, variables: Mapping[str, Variable]) -> tuple[str, str]:
     if name in (*NUMBERS, "time"):
         return ("time" if name == "time" else "statistic"), name
     for kind, word in (("varied", "varied "), ("edges", "edges of ")):
-        own = name.removeprefix(word)
-        if own != name and (kind == "varied" or own in variables):
-            return kind, own
+        label = name.removeprefix(word)
+        if label != name and (kind == "varied" or label in variables):
+            return kind, label
     return ("bins" if f"edges of {name}" in variables else "reduction"), name

@@ -1,4 +1,4 @@
-"""What an ensemble is asked to do, and one block of it: the same on every thread and machine."""
+"""The task of an ensemble and one block of it: the same on every thread and machine."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ from ...arrays import Array
 from ...runtime.models.loaded_model import LoadedModel
 from ...runtime.trajectory.solver_info import EVENT, FINISHED
 from ...runtime.trajectory.trajectory import TrajectoryRecord
-from ..simulation.events import Happenings
+from ..simulation.events import EventTable
 from ..simulation.settings import Settings
 from ..simulation.signals import Signals
 from ..simulation.times import Span
-from .lane_runner import Crew, Ends, suits
+from .lane_runner import Ends, LaneRunner, suits
 from .reductions import Histories, Parts, Reduction
 from .single_runs import Single, motion
 from .variations import Varied
@@ -40,32 +40,37 @@ class Job:
 
     model: LoadedModel
     how: Settings
-    given: Signals
-    may: Happenings
+    input_signals: Signals
+    event_table: EventTable
     over: Span
     varied: Varied
-    kept: Mapping[str, Reduction]
+    reductions: Mapping[str, Reduction]
     width: int = 1
     build: str = ""
 
-    def crew(self) -> Crew | Single:
-        """What a thread computes with."""
-        asked = self.model, self.how, self.given, self.may
-        if suits(*asked):
-            return Crew(*asked, self.over, self.width)
-        return Single(*asked, self.over)
+    def runner(self) -> LaneRunner | Single:
+        """The runner of one thread."""
+        arguments = self.model, self.how, self.input_signals, self.event_table
+        if suits(*arguments):
+            return LaneRunner(*arguments, self.over, self.width)
+        return Single(*arguments, self.over)
 
     def motion(self, k: int, times: Array | None) -> TrajectoryRecord:
         """One run as a trajectory, at times or dense."""
         over = replace(self.over, times=times)
-        return motion(self.model, self.how, self.given, self.may, over, self.varied.part(k, k + 1))[
-            0
-        ]
+        return motion(
+            self.model,
+            self.how,
+            self.input_signals,
+            self.event_table,
+            over,
+            self.varied.part(k, k + 1),
+        )[0]
 
 
 @dataclass(frozen=True)
-class Piece:
-    """What became of a block of runs.
+class BlockResult:
+    """Result of a block of runs.
 
     Attributes:
         first: Number of its first run.
@@ -90,13 +95,13 @@ class Piece:
         return self.first + len(self.x)
 
 
-def compute(job: Job, crew: Crew | Single, first: int, last: int) -> Piece:
+def compute(job: Job, runner: LaneRunner | Single, first: int, last: int) -> BlockResult:
     """Runs from ``first`` to before ``last``."""
     part = job.varied.part(first, last)
-    ends = crew.run(part)
+    ends = runner.run(part)
     block = histories(job, part, ends)
-    parts = {name: reduction.part(block) for name, reduction in job.kept.items()}
-    return Piece(
+    parts = {name: reduction.part(block) for name, reduction in job.reductions.items()}
+    return BlockResult(
         first,
         ends.x,
         np.array(ends.status),
@@ -107,7 +112,7 @@ def compute(job: Job, crew: Crew | Single, first: int, last: int) -> Piece:
 
 
 def histories(job: Job, part: Varied, ends: Ends) -> Histories:
-    """What reductions see of a block."""
+    """Histories of a block, for the reductions."""
     model = job.model
     t = np.empty(0) if job.over.times is None else job.over.times
     x = ends.rows[:, :, 1 : 1 + model.nx]
@@ -115,15 +120,15 @@ def histories(job: Job, part: Varied, ends: Ends) -> Histories:
     columns = {name: x[:, :, k] for k, name in enumerate(entries(model))}
     columns |= {name: r[:, :, k] for k, name in enumerate(model.inputs)}
     outputs = [row.name for row in model.manifest.outputs]
-    found: dict[str, Array] = {}
+    histories: dict[str, Array] = {}
 
     def of(name: str) -> Array:
         if name in columns:
             return columns[name]
-        if not found:
+        if not histories:
             values = _outputs(model, part, ends.rows)
-            found.update((n, values[:, :, k]) for k, n in enumerate(outputs))
-        return found[name]
+            histories.update((n, values[:, :, k]) for k, n in enumerate(outputs))
+        return histories[name]
 
     status = np.array(ends.status)
     return Histories(t, x, status == FINISHED, status == EVENT, of)
@@ -132,16 +137,16 @@ def histories(job: Job, part: Varied, ends: Ends) -> Histories:
 def _outputs(model: LoadedModel, part: Varied, rows: Array) -> Array:
     """The user's outputs (runs, nt, ny); NaN where a run had ended."""
     there = np.isfinite(rows[:, :, : 1 + model.nx]).all(axis=2)
-    run, own = np.nonzero(there)[0], None
-    if part.own_parameters:
+    run, parameters = np.nonzero(there)[0], None
+    if part.varies_parameters:
         p = part.block("p")
         changed = [c.name for c in part.columns if c.block == "p"]
         names = list(model.parameters)
-        own = {name: p[run, names.index(name)] for name in changed}
+        parameters = {name: p[run, names.index(name)] for name in changed}
     sizes = np.cumsum([1, model.nq, model.nu, model.nz, model.nr, model.ns])
     t, q, u, z, r, s, _ = np.split(rows[there], sizes, axis=1)
-    given: dict[str, Array] = {k: v for k, v in (("r", r), ("z", z), ("s", s)) if v.shape[1]}
-    values = model.outputs(q, u, t=t[:, 0], parameters=own, **given)
+    blocks: dict[str, Array] = {k: v for k, v in (("r", r), ("z", z), ("s", s)) if v.shape[1]}
+    values = model.outputs(q, u, t=t[:, 0], parameters=parameters, **blocks)
     result = np.full((*there.shape, values.shape[1]), np.nan)
     result[there] = values
     return result

@@ -1,4 +1,4 @@
-"""The records of ``kernels/ensemble.h`` and ``kernels/abreast.h`` for Python."""
+"""The records of ``kernels/lanes/ensemble.h`` and ``kernels/lanes/simd_steps.h`` for Python."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import numpy as np
 
 from ...arrays import Array
 from ...runtime.build import kernels
-from ...schema.records import Abreast, Driver, Lane, LaneMethod, Own, check
+from ...schema.records import Driver, Lane, LaneMethod, RunPointer, SimdSteps, check
 
 
 @lru_cache(maxsize=4)
@@ -20,7 +20,7 @@ def driver(library: ctypes.CDLL) -> Any:
     Raises:
         BuildError: its record differs from the one here.
     """
-    for name, structure in (("own", Own), ("lane", Lane), ("ensemble", Driver)):
+    for name, structure in (("run_pointer", RunPointer), ("lane", Lane), ("ensemble", Driver)):
         check(library, f"cardan_{name}", structure)
     library.cardan_ensemble_drive.argtypes = [ctypes.POINTER(Driver)]
     library.cardan_ensemble_drive.restype = None
@@ -35,7 +35,7 @@ def trials(reproducible: bool, width: int) -> ctypes.CDLL:
         BuildError: the compiler failed.
     """
     library = kernels.library(reproducible, width)
-    check(library, "cardan_abreast", Abreast)
+    check(library, "cardan_simd", SimdSteps)
     check(library, "cardan_lane_method", LaneMethod)
     return library
 

@@ -1,4 +1,4 @@
-"""What is kept of the histories of runs: numbers per run, and statistics over runs.
+"""Reductions of the histories of runs: numbers per run, and statistics over runs.
 
 A reduction sees one block of runs at a time. Statistics of blocks are merged in the order of the
 blocks, so that they have the same bits whoever computed which block, and when.
@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 
 from ...arrays import Array, Booleans, Integers
-from ...errors import ArgumentError, FunctionError, ModelError, near, shown
+from ...errors import ArgumentError, FunctionError, ModelError, brief, near
 
 Parts = dict[str, Array]
 FREE = -1  # in a shape: any axes from here on
@@ -44,7 +44,7 @@ FORMS = (
 
 @dataclass(frozen=True)
 class Histories:
-    """What a block of runs did.
+    """Histories of a block of runs.
 
     Attributes:
         t: Output times (nt,).
@@ -56,7 +56,7 @@ class Histories:
 
     t: Array
     x: Array
-    whole: Booleans
+    completed: Booleans
     ended: Booleans
     of: Callable[[str], Array]
 
@@ -73,7 +73,7 @@ class Reduction(ABC):
 
     @abstractmethod
     def part(self, block: Histories) -> Parts:
-        """What a block gives."""
+        """Contribution of a block."""
 
     @abstractmethod
     def shapes(self, runs: int, times: int, nx: int) -> dict[str, tuple[int, ...]]:
@@ -84,7 +84,7 @@ class Reduction(ABC):
         raise AssertionError("values per run are not merged")
 
     def result(self, parts: Parts) -> Any:
-        """What the user gets of all parts."""
+        """The user's result from all parts."""
         return parts["value"]
 
 
@@ -96,7 +96,7 @@ class States(Reduction):
     axes = ("run", "time", "entry")
 
     def shapes(self, runs: int, times: int, nx: int) -> dict[str, tuple[int, ...]]:
-        """As :meth:`Reduction.shapes`."""
+        """Same as :meth:`Reduction.shapes`."""
         return {"value": (runs, times, nx)}
 
     def part(self, block: Histories) -> Parts:
@@ -114,7 +114,7 @@ class OverTime(Reduction):
     axes = ("run",)
 
     def shapes(self, runs: int, times: int, nx: int) -> dict[str, tuple[int, ...]]:
-        """As :meth:`Reduction.shapes`."""
+        """Same as :meth:`Reduction.shapes`."""
         return {"value": (runs,)}
 
     def part(self, block: Histories) -> Parts:
@@ -122,14 +122,14 @@ class OverTime(Reduction):
         y = block.of(self.name)
         value = OVER_TIME[self.kind](y)
         for k in np.flatnonzero(block.ended):
-            reached = y[k : k + 1, np.isfinite(y[k])]
-            value[k] = OVER_TIME[self.kind](reached)[0] if reached.size else np.nan
+            finite = y[k : k + 1, np.isfinite(y[k])]
+            value[k] = OVER_TIME[self.kind](finite)[0] if finite.size else np.nan
         return {"value": value}
 
 
 @dataclass(frozen=True)
-class Own(Reduction):
-    """What a function of the user makes of states (runs, nt, nx): (runs, ...)."""
+class UserFunction(Reduction):
+    """A user function of states (runs, nt, nx) -> (runs, ...)."""
 
     name: str
     function: Callable[[Array, Array], Any]
@@ -137,7 +137,7 @@ class Own(Reduction):
     axes = ("run",)
 
     def shapes(self, runs: int, times: int, nx: int) -> dict[str, tuple[int, ...]]:
-        """As :meth:`Reduction.shapes`."""
+        """Same as :meth:`Reduction.shapes`."""
         return {"value": (runs, FREE)}
 
     def part(self, block: Histories) -> Parts:
@@ -171,12 +171,12 @@ class OverRuns(Reduction):
     axes = ("time",)
 
     def shapes(self, runs: int, times: int, nx: int) -> dict[str, tuple[int, ...]]:
-        """As :meth:`Reduction.shapes`."""
+        """Same as :meth:`Reduction.shapes`."""
         return {"count": (1,), **dict.fromkeys(("mean", "squares", "min", "max"), (times,))}
 
     def part(self, block: Histories) -> Parts:
         """Number of runs, mean, sum of squares about it, least and largest value."""
-        y = block.of(self.name)[block.whole]
+        y = block.of(self.name)[block.completed]
         mean = y.mean(axis=0) if len(y) else np.zeros(y.shape[1])
         return {
             "count": np.array([float(len(y))]),
@@ -190,11 +190,11 @@ class OverRuns(Reduction):
         """Moments of both about the common mean."""
         count = one["count"] + other["count"]
         share = other["count"] / np.maximum(count, 1.0)
-        apart = other["mean"] - one["mean"]
+        difference = other["mean"] - one["mean"]
         return {
             "count": count,
-            "mean": one["mean"] + apart * share,
-            "squares": one["squares"] + other["squares"] + apart**2 * one["count"] * share,
+            "mean": one["mean"] + difference * share,
+            "squares": one["squares"] + other["squares"] + difference**2 * one["count"] * share,
             "min": np.minimum(one["min"], other["min"]),
             "max": np.maximum(one["max"], other["max"]),
         }
@@ -228,7 +228,7 @@ class Bins:
 
 @dataclass(frozen=True)
 class Histogram(Reduction):
-    """How many runs end with a value in each bin."""
+    """Number of runs that end with a value in each bin."""
 
     name: str
     low: float
@@ -238,12 +238,12 @@ class Histogram(Reduction):
     axes = ("bin",)
 
     def shapes(self, runs: int, times: int, nx: int) -> dict[str, tuple[int, ...]]:
-        """As :meth:`Reduction.shapes`."""
+        """Same as :meth:`Reduction.shapes`."""
         return {"value": (self.bins + 2,)}
 
     def part(self, block: Histories) -> Parts:
         """Counts."""
-        y = block.of(self.name)[block.whole, -1]
+        y = block.of(self.name)[block.completed, -1]
         counts, _ = np.histogram(y, self.bins, (self.low, self.high))
         outside = [(y < self.low).sum(), (y > self.high).sum()]
         return {"value": np.concatenate([counts, outside]).astype(np.float64)}
@@ -260,9 +260,11 @@ class Histogram(Reduction):
 
 
 def reductions(
-    asked: str | Sequence[str] | Mapping[str, Any] | None, known: Sequence[str], listed: bool
+    requested: str | Sequence[str] | Mapping[str, Any] | None,
+    histories: Sequence[str],
+    listed: bool,
 ) -> dict[str, Reduction]:
-    """What is kept, by name.
+    """Reductions by name.
 
     Args:
         asked: Words; several; or name -> words or a function of (t, x).
@@ -272,56 +274,58 @@ def reductions(
     Raises:
         ModelError: words that mean nothing, an unknown name. ArgumentError: not a reduction.
     """
-    if asked is None:
-        asked = ["states"] if listed else []
-    if isinstance(asked, str):
-        asked = [asked]
-    if not isinstance(asked, Iterable):
-        raise ArgumentError(f"reduce={shown(asked)}: it may be {FORMS}")
-    rows = asked if isinstance(asked, Mapping) else {str(word): word for word in asked}
-    found: dict[str, Reduction] = {}
+    if requested is None:
+        requested = ["states"] if listed else []
+    if isinstance(requested, str):
+        requested = [requested]
+    if not isinstance(requested, Iterable):
+        raise ArgumentError(f"reduce={brief(requested)}: it may be {FORMS}")
+    rows = requested if isinstance(requested, Mapping) else {str(word): word for word in requested}
+    reductions: dict[str, Reduction] = {}
     for name, what in rows.items():
         if callable(what):
-            found[name] = Own(name, what)
+            reductions[name] = UserFunction(name, what)
         elif not isinstance(what, str):
-            raise ArgumentError(f"reduce: '{name}' is {shown(what)}; it may be {FORMS}")
+            raise ArgumentError(f"reduce: '{name}' is {brief(what)}; it may be {FORMS}")
         elif what != "final":
             # the last states are kept anyway
-            found[name] = _read(what, known)
-    return found
+            reductions[name] = _read(what, histories)
+    return reductions
 
 
-def _read(words: str, known: Sequence[str]) -> Reduction:
-    text = " ".join(words.split())
+def _read(phrase: str, histories: Sequence[str]) -> Reduction:
+    text = " ".join(phrase.split())
     if text == "states":
         return States()
     histogram, spoken = HISTOGRAM.fullmatch(text), SPOKEN.fullmatch(text)
     if histogram:
         name, low, high, bins = histogram.groups()
-        return _histogram(words, _known(words, name, known), low, high, int(bins))
+        return _histogram(phrase, _checked_name(phrase, name, histories), low, high, int(bins))
     if not spoken or spoken[1] not in (*OVER_TIME, *OVER_RUNS):
-        raise ModelError(f"reduce: '{words}' is no reduction: it may be {FORMS}")
+        raise ModelError(f"reduce: '{phrase}' is not a reduction: it may be {FORMS}")
     kind, name, axis = spoken.groups()
     axis = axis or USUAL.get(kind, "time")
     if kind not in (OVER_TIME if axis == "time" else OVER_RUNS):
-        raise ModelError(f"reduce: '{words}': there is no {kind} over {axis}. It may be {FORMS}")
-    name = _known(words, name, known)
+        raise ModelError(f"reduce: '{phrase}': there is no {kind} over {axis}. It may be {FORMS}")
+    name = _checked_name(phrase, name, histories)
     return OverTime(kind, name) if axis == "time" else OverRuns(kind, name)
 
 
-def _known(words: str, name: str, known: Sequence[str]) -> str:
-    if name not in known:
-        raise ModelError(f"reduce: '{words}': there is no history '{name}'.{near(name, known)}")
+def _checked_name(phrase: str, name: str, histories: Sequence[str]) -> str:
+    if name not in histories:
+        raise ModelError(
+            f"reduce: '{phrase}': there is no history '{name}'.{near(name, histories)}"
+        )
     return name
 
 
-def _histogram(words: str, name: str, low: str, high: str, bins: int) -> Histogram:
+def _histogram(phrase: str, name: str, low: str, high: str, bins: int) -> Histogram:
     try:
         ends = float(low), float(high)
     except ValueError:
         ends = math.nan, math.nan
     if not (math.isfinite(ends[0]) and ends[0] < ends[1] < math.inf and 1 <= bins <= 1_000_000):
         raise ModelError(
-            f"reduce: '{words}': bins go from a lower to a higher number, in 1 or more"
+            f"reduce: '{phrase}': bins go from a lower to a higher number, in 1 or more"
         )
     return Histogram(name, *ends, bins)

@@ -1,4 +1,4 @@
-"""What came out of an ensemble."""
+"""Results of an ensemble."""
 
 from __future__ import annotations
 
@@ -21,8 +21,8 @@ from .lane_runner import NUMBERS
 
 
 @dataclass(frozen=True)
-class Asked:
-    """What an ensemble was asked for, as a file tells it.
+class Request:
+    """The request that an ensemble answers, as its file states it.
 
     Attributes:
         model: Its name.
@@ -53,8 +53,8 @@ class Asked:
     axes: Mapping[str, tuple[str, ...]]
 
     @classmethod
-    def of(cls, job: Job) -> Asked:
-        """What a job asks for."""
+    def of(cls, job: Job) -> Request:
+        """The request of a job."""
         model, times = job.model, job.over.times
         columns = [c for c in job.varied.columns if len(c.values) == job.varied.runs]
         varied: dict[str, Array] = {}
@@ -71,11 +71,11 @@ class Asked:
             times=np.empty(0) if times is None else times,
             names=job.varied.names,
             method=job.how.method.name,
-            settings=job.how.words,
+            settings=job.how.description,
             reason=job.how.reason,
             lanes=job.width,
             varied=varied,
-            axes={name: one.axes for name, one in job.kept.items()},
+            axes={name: one.axes for name, one in job.reductions.items()},
         )
 
 
@@ -98,38 +98,38 @@ class EnsembleRecord:
         source: What runs are computed again from; None for an ensemble of a file.
     """
 
-    asked: Asked = field(repr=False)
+    request: Request = field(repr=False)
     final: Array = field(repr=False)
     results: Mapping[str, Any] = field(repr=False)
     codes: NDArray[np.int8] = field(repr=False)
-    words: tuple[str, ...] = field(repr=False)
+    status_names: tuple[str, ...] = field(repr=False)
     numbers: Array = field(repr=False)
     messages: Mapping[int, str] = field(repr=False)
     seconds: float
-    hands: str
+    executor: str
     restored: int = 0
-    kept: str = field(default="", repr=False)
+    saved_message: str = field(default="", repr=False)
     source: Job | None = field(default=None, repr=False)
 
     @classmethod
     def of(
-        cls, gathered: Gathered, seconds: float, hands: str, restored: int, kept: str
+        cls, gathered: Gathered, seconds: float, executor: str, restored: int, saved_message: str
     ) -> EnsembleRecord:
         """The result of what was gathered."""
         g = gathered
         messages = dict(sorted(g.messages.items()))
         return cls(
-            asked=Asked.of(g.job),
+            request=Request.of(g.job),
             final=g.x,
             results=g.results(),
             codes=g.codes,
-            words=tuple(g.words),
+            status_names=tuple(g.status_names),
             numbers=g.numbers,
             messages=messages,
             seconds=seconds,
-            hands=hands,
+            executor=executor,
             restored=restored,
-            kept=kept,
+            saved_message=saved_message,
             source=g.job,
         )
 
@@ -141,7 +141,7 @@ class EnsembleRecord:
 
     @property
     def job(self) -> Job:
-        """What was asked for, with the model.
+        """The request together with the model.
 
         Raises:
             ModelError: the ensemble comes from a file, which holds no model.
@@ -161,16 +161,16 @@ class EnsembleRecord:
         """
         if name in self.results:
             return self.results[name]
-        names = self.asked.entries
+        names = self.request.entries
         if name not in names:
-            known = [*self.results, *names]
-            raise ModelError(f"ensemble['{name}']: it was not kept.{near(name, known)}")
+            names_available = [*self.results, *names]
+            raise ModelError(f"ensemble['{name}']: it was not kept.{near(name, names_available)}")
         return self.final[:, names.index(name)]
 
     @property
     def t(self) -> Array:
         """Output times (nt,) [s]."""
-        return self.asked.times
+        return self.request.times
 
     @property
     def q(self) -> Array:
@@ -186,42 +186,45 @@ class EnsembleRecord:
     @property
     def _counts(self) -> tuple[int, int]:
         """Numbers of coordinates and speeds."""
-        if self.asked.counts is None:
+        if self.request.counts is None:
             raise ModelError(
                 "this older file does not say which entries are coordinates: ensemble['elbow'] "
                 "and ensemble.final have them by name and place"
             )
-        return self.asked.counts
+        return self.request.counts
 
     @property
     def status(self) -> NDArray[np.str_]:
-        """Of every run: ``finished``, or what stopped it; ``not_run`` after an interruption."""
-        return np.array(self.words)[self.codes]
+        """Status of every run:
+
+        ``finished``, or the reason why it stopped; ``not_run`` after an interruption.
+        """
+        return np.array(self.status_names)[self.codes]
 
     @property
     def success(self) -> bool:
-        """Whether all runs reached their end."""
+        """True when all runs reached their end."""
         return bool(self.finished.all())
 
     @property
     def finished(self) -> Booleans:
-        """Which runs reached their end, or one that an event made, (runs,)."""
+        """Mask of the runs that reached their end, or one that an event made, (runs,)."""
         return np.isin(self.status, (FINISHED, EVENT))
 
     @property
     def done(self) -> int:
-        """How many runs came to an end, of whatever kind."""
+        """Number of runs that came to an end of any kind."""
         return int(np.isin(self.status, UNFINISHED, invert=True).sum())
 
     @property
     def interrupted(self) -> bool:
-        """Whether Ctrl-C came before all runs were done."""
+        """True when Ctrl-C came before all runs were done."""
         return self.done < len(self)
 
     @property
     def varied(self) -> Mapping[str, Array]:
         """Name -> values (runs,), or (runs, n) for several entries: what the runs differ by."""
-        return self.asked.varied
+        return self.request.varied
 
     @property
     def statistics(self) -> dict[str, Array]:
@@ -230,35 +233,35 @@ class EnsembleRecord:
 
     @checked
     def message(self, i: int) -> str:
-        """What happened to a run, as a sentence.
+        """Outcome of a run as a sentence.
 
         Raises:
             ModelError: the ensemble comes from a file, which has no sentence about that run.
         """
-        known = self.messages.get(i % len(self))
-        return known or str(run(self, i).message)
+        stored = self.messages.get(i % len(self))
+        return stored or str(run(self, i).message)
 
 
 def _summary(ensemble: EnsembleRecord) -> str:
-    """How the runs went."""
-    asked = ensemble.asked
+    """Summary of all runs as text."""
+    request = ensemble.request
     counts = Counter(dict(enumerate(np.bincount(ensemble.codes).tolist())))
-    names = ", ".join(asked.names) or "nothing"
-    lanes = f", {asked.lanes} lanes" if asked.lanes > 1 else ""
+    names = ", ".join(request.names) or "nothing"
+    lanes = f", {request.lanes} lanes" if request.lanes > 1 else ""
     lines = [
-        f"ensemble of {asked.model}: {counted(len(ensemble), 'run')} from {asked.start:g} s to "
-        f"{asked.end:g} s",
+        f"ensemble of {request.model}: {counted(len(ensemble), 'run')} from {request.start:g} s to "
+        f"{request.end:g} s",
         f"  varied: {names}",
-        f"  {asked.method}, {asked.settings}; {ensemble.hands}{lanes}",
-        *([f"  auto: {asked.reason}"] if asked.reason else []),
+        f"  {request.method}, {request.settings}; {ensemble.executor}{lanes}",
+        *([f"  auto: {request.reason}"] if request.reason else []),
     ]
-    width = max(map(len, ensemble.words))
+    width = max(map(len, ensemble.status_names))
     for code, count in counts.most_common():
         first = int(np.argmax(ensemble.codes == code))
-        told = ensemble.messages.get(first, "")
-        line = f"  {ensemble.words[code]:{width}} {count:9d}"
+        message = ensemble.messages.get(first, "")
+        line = f"  {ensemble.status_names[code]:{width}} {count:9d}"
         if count:
-            lines.append(f"{line}   first run {first}: {told}" if told else line)
+            lines.append(f"{line}   first run {first}: {message}" if message else line)
     begun = np.isfinite(ensemble.numbers[:, 0])
     if begun.any():
         steps, rejections, evaluations = ensemble.numbers[begun, 1:].mean(axis=0)
@@ -271,7 +274,7 @@ def _summary(ensemble: EnsembleRecord) -> str:
 
 
 def _speed(ensemble: EnsembleRecord) -> str:
-    """What it took; runs that a checkpoint had took nothing."""
+    """Computing time; runs taken from a checkpoint count as nothing."""
     computed = ensemble.done - ensemble.restored
     rate = f", {computed / max(ensemble.seconds, 1e-9):.3g} runs per second" if computed else ""
     before = f", {ensemble.restored} runs from the checkpoint" if ensemble.restored else ""

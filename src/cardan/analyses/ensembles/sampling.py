@@ -21,7 +21,7 @@ import numpy as np
 
 from ...arguments import Count, Seed, checked
 from ...arrays import Array
-from ...errors import ArgumentError, ModelError, SolveError, counted, shown
+from ...errors import ArgumentError, ModelError, SolveError, brief, counted
 from ...runtime.calls.calling import numbers
 
 MOST = 1 << 31  # runs of a plan
@@ -29,7 +29,10 @@ MOST = 1 << 31  # runs of a plan
 
 @runtime_checkable
 class Distribution(Protocol):
-    """What has quantiles: the frozen distributions of ``scipy.stats``, and those of this module."""
+    """Anything with quantiles:
+
+    the frozen distributions of ``scipy.stats``, and those of this module.
+    """
 
     def ppf(self, q: Any) -> Any:
         """Values below which fractions q of all values lie."""
@@ -129,7 +132,7 @@ class Plan:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """What is varied."""
+        """Names of the varied quantities."""
         return tuple(self.values)
 
     def __len__(self) -> int:
@@ -154,7 +157,9 @@ def grid(values: Mapping[str, Any] | None = None, **named: Any) -> Plan:
     Raises:
         ModelError: nothing to vary, or too many runs. ArgumentError: neither of the two forms.
     """
-    axes = {name: _axis(name, value) for name, value in _given("grid", values, named).items()}
+    axes = {
+        name: _axis(name, value) for name, value in _merged_values("grid", values, named).items()
+    }
     runs = math.prod(map(len, axes.values()))
     if runs > MOST:
         raise ModelError(f"grid: {runs} runs are more than {MOST}; take fewer values per name")
@@ -227,7 +232,7 @@ def distribution(name: str, value: Any) -> Distribution:
     if isinstance(value, Distribution):
         return value
     raise ArgumentError(
-        f"'{name}' is {shown(value)}; give (low, high), sample.normal(mean, deviation), "
+        f"'{name}' is {brief(value)}; give (low, high), sample.normal(mean, deviation), "
         "sample.uniform(low, high) or a distribution of scipy.stats with its numbers"
     )
 
@@ -236,31 +241,31 @@ def checked_seed(seed: Any) -> int:
     """A seed.
 
     Raises:
-        ModelError: it is no whole number from 0 on.
+        ModelError: it is not a whole number from 0 on.
     """
     if not isinstance(seed, int | np.integer) or seed < 0:
-        raise ModelError(f"seed={shown(seed)}: a whole number from 0 on is wanted")
+        raise ModelError(f"seed={brief(seed)}: a whole number from 0 on is wanted")
     return int(seed)
 
 
 def _reals(where: str, first: Any, second: Any) -> tuple[float, float]:
     """The two numbers of a distribution."""
-    array = numbers(f"{where}({shown(first)}, {shown(second)})", [first, second])
+    array = numbers(f"{where}({brief(first)}, {brief(second)})", [first, second])
     return float(array[0]), float(array[1])
 
 
-def _given(where: str, values: Mapping[str, Any] | None, named: Mapping[str, Any]) -> Any:
+def _merged_values(where: str, values: Mapping[str, Any] | None, named: Mapping[str, Any]) -> Any:
     if values is not None and not isinstance(values, Mapping):
         raise ModelError(
-            f"{where}: {shown(values)} does not say what is varied: give names with values, "
+            f"{where}: {brief(values)} does not say what is varied: give names with values, "
             f"{where}({{'m': ...}})"
         )
-    given = {**(values or {}), **named}
-    if not given:
+    merged = {**(values or {}), **named}
+    if not merged:
         raise ModelError(
             f"{where}: name what is varied and its values, such as {where}(m=(1, 2, 100))"
         )
-    return given
+    return merged
 
 
 def _axis(name: str, value: Any) -> Array:
@@ -269,11 +274,11 @@ def _axis(name: str, value: Any) -> Array:
     if isinstance(value, tuple) and array.shape == (3,):
         low, high, count = array.tolist()
         if count != int(count) or not 1 <= count <= MOST:
-            raise ModelError(f"grid: '{name}': {count:g} is no number of values: 1, 2, ...")
+            raise ModelError(f"grid: '{name}': {count:g} is not a number of values: 1, 2, ...")
         return np.linspace(low, high, int(count))
     if array.ndim != 1 or not array.size:
         raise ArgumentError(
-            f"grid: '{name}' is {shown(value)}; give (low, high, count) or an array of values"
+            f"grid: '{name}' is {brief(value)}; give (low, high, count) or an array of values"
         )
     return array
 
@@ -287,8 +292,8 @@ def _finite(name: str, array: Array) -> Array:
 
 def _distributions(where: str, runs: int, values: Mapping[str, Any]) -> dict[str, Distribution]:
     if not isinstance(runs, int | np.integer) or not 1 <= runs <= MOST:
-        raise ModelError(f"{where}: {shown(runs)} is no number of runs: 1, 2, ...")
-    return {n: distribution(n, v) for n, v in _given(where, values, {}).items()}
+        raise ModelError(f"{where}: {brief(runs)} is not a number of runs: 1, 2, ...")
+    return {n: distribution(n, v) for n, v in _merged_values(where, values, {}).items()}
 
 
 def _filled(kind: str, kinds: Mapping[str, Distribution], cube: Array) -> Plan:

@@ -1,4 +1,4 @@
-"""Runs one after the other, each as ``simulate`` makes it: circuits, events, Python on the way."""
+"""Runs one after the other, each as ``simulate`` makes it: loops, events, Python on the way."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from ...runtime.calls.parameters import Parameters
 from ...runtime.models.constraint_projection import Closing
 from ...runtime.models.loaded_model import LoadedModel
 from ...runtime.trajectory.trajectory import TrajectoryRecord
-from ..simulation.events import Happenings
+from ..simulation.events import EventTable
 from ..simulation.method_choice import Case
 from ..simulation.run import Runner
 from ..simulation.settings import Settings, Start, start
@@ -27,8 +27,8 @@ PARTS = (0.0, 0.13, 0.29, 0.41, 0.57, 0.71, 0.86, 1.0)
 def motion(
     model: LoadedModel,
     how: Settings,
-    given: Signals,
-    may: Happenings,
+    input_signals: Signals,
+    event_table: EventTable,
     over: Span,
     part: Varied,
     case: Case | None = None,
@@ -36,14 +36,20 @@ def motion(
     """The only run of a part, and what made it.
 
     Raises:
-        ModelError: its circuits cannot be assembled.
+        ModelError: its loops cannot be assembled.
         FunctionError: a function of the caller raised.
         Limited: with ``case``: another method would be chosen.
     """
-    if part.own_parameters:
+    if part.varies_parameters:
         model = model._with(Parameters(model.manifest, part.block("p")[0]))
     constants = part.block("r")[0]
-    own = Signals(constants, given.pieces, given.functions, given.sample, given.defaulted)
+    run_signals = Signals(
+        constants,
+        input_signals.tabulated,
+        input_signals.functions,
+        input_signals.sample,
+        input_signals.defaulted,
+    )
     named = part.named("q", 0), part.named("u", 0)
     if model.manifest.absolute:
         # what is not named goes where its own parameters and what is named carry it
@@ -51,8 +57,8 @@ def motion(
     else:
         begin = Start(part.states()[0], ())
     if Closing.of(model).rows or model.manifest.absolute:
-        begin = closed_start(model, begin, *named, over.start, own.first(over.start))
-    runner = runner_of(model, how, own, may)
+        begin = closed_start(model, begin, *named, over.start, run_signals.first(over.start))
+    runner = runner_of(model, how, run_signals, event_table)
     return driven(runner, over, begin, False, case), runner
 
 
@@ -67,9 +73,20 @@ class Single:
     """Used as a :class:`.crew.Crew` is."""
 
     def __init__(
-        self, model: LoadedModel, how: Settings, given: Signals, may: Happenings, over: Span
+        self,
+        model: LoadedModel,
+        how: Settings,
+        input_signals: Signals,
+        event_table: EventTable,
+        over: Span,
     ) -> None:
-        self.model, self.how, self.given, self.may, self.over = model, how, given, may, over
+        self.model, self.how, self.input_signals, self.event_table, self.over = (
+            model,
+            how,
+            input_signals,
+            event_table,
+            over,
+        )
         self.stopped = False
 
     def stop(self) -> None:
@@ -96,27 +113,29 @@ class Single:
                 break
             try:
                 one = part.part(k, k + 1)
-                made, runner = motion(self.model, self.how, self.given, self.may, over, one)
+                trajectory, runner = motion(
+                    self.model, self.how, self.input_signals, self.event_table, over, one
+                )
             except FunctionError:
                 # the function is at fault, not this run
                 raise
             except CardanError as problem:
-                # such as circuits that do not close with the parameters of this run
+                # such as loops that do not close with the parameters of this run
                 ends.status[k], ends.messages[k] = "not_begun", f"not begun: {problem}"
                 continue
-            self._keep(ends, k, made, runner)
+            self._store(ends, k, trajectory, runner)
         return ends
 
-    def _keep(self, ends: Ends, k: int, made: TrajectoryRecord, runner: Runner) -> None:
-        """What became of one run."""
-        nx, reached = self.model.nx, len(made)
+    def _store(self, ends: Ends, k: int, trajectory: TrajectoryRecord, runner: Runner) -> None:
+        """Store the result of one run."""
+        nx, rows = self.model.nx, len(trajectory)
         ends.x[k] = runner.views["y"][:nx]
-        ends.status[k] = made.status
-        if not made.success or made.conduct.warning:
-            said = [made.message] if not made.success else []
-            said += [made.conduct.warning] if made.conduct.warning else []
+        ends.status[k] = trajectory.status
+        if not trajectory.success or trajectory.solver_info.warning:
+            said = [trajectory.message] if not trajectory.success else []
+            said += [trajectory.solver_info.warning] if trajectory.solver_info.warning else []
             ends.messages[k] = "; ".join(said)
-        ends.numbers[k] = runner.record.t, *(made.statistics[name] for name in NUMBERS[1:])
+        ends.numbers[k] = runner.record.t, *(trajectory.statistics[name] for name in NUMBERS[1:])
         if ends.rows.shape[1]:
-            parts = [made.t[:, None], made.x, made.r, made.s]
-            ends.rows[k, :reached] = np.concatenate(parts, axis=1)
+            parts = [trajectory.t[:, None], trajectory.x, trajectory.r, trajectory.s]
+            ends.rows[k, :rows] = np.concatenate(parts, axis=1)

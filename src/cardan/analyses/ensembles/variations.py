@@ -1,4 +1,4 @@
-"""What the runs of an ensemble differ by, from the words of the user to numbers per run."""
+"""Differences between the runs of an ensemble, from the user's arguments to numbers per run."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from ...arrays import Array
-from ...errors import ArgumentError, ModelError, SolveError, named, near, shown
+from ...errors import ArgumentError, ModelError, SolveError, brief, named, near
 from ...runtime.calls.calling import numbers
 from ...runtime.models.initial import entries, initial_state, missing
 from ...runtime.models.loaded_model import LoadedModel
@@ -45,7 +45,7 @@ class Column:
 
 @dataclass(frozen=True)
 class Varied:
-    """Where every run starts, and with which numbers.
+    """Start and parameters of every run.
 
     Attributes:
         runs: How many there are.
@@ -61,7 +61,7 @@ class Varied:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """What differs between runs."""
+        """Names of the quantities that differ between runs."""
         return tuple(c.name for c in self.columns if len(c.values) > 1)
 
     def part(self, first: int, last: int) -> Varied:
@@ -70,20 +70,20 @@ class Varied:
         return replace(self, runs=last - first, columns=columns)
 
     def states(self) -> Array:
-        """Where all runs start (runs, nx)."""
+        """Initial states of all runs (runs, nx)."""
         return np.concatenate([self.block(letter) for letter in "quz"], axis=1)
 
     def block(self, letter: str) -> Array:
         """q (runs, nq), u (runs, nu), z, p (runs, np) or r (runs, nr) of all runs."""
-        block = self.given(letter)
+        block = self.raw_block(letter)
         for start in self.quaternions if letter == "q" else ():
             # entry by entry: every run gets the bits it would get alone
             w, x, y, z = (block[:, start + k] for k in range(4))
             block[:, start : start + 4] /= np.sqrt(w * w + x * x + y * y + z * z)[:, None]
         return block
 
-    def given(self, letter: str) -> Array:
-        """As :meth:`block`, quaternions as they were given."""
+    def raw_block(self, letter: str) -> Array:
+        """Same as :meth:`block`, quaternions as they were given."""
         block = np.tile(self.base[letter], (self.runs, 1))
         for column in self.columns:
             if column.block == letter:
@@ -91,14 +91,14 @@ class Varied:
         return block
 
     @property
-    def own_parameters(self) -> bool:
-        """Whether any run has parameters of its own."""
+    def varies_parameters(self) -> bool:
+        """True when any run has parameters of its own."""
         return any(column.block == "p" for column in self.columns)
 
     def named(self, letter: str, k: int) -> Any:
-        """What was given for q, u or z of run ``k``: by names, a whole block, or None."""
-        given = {c.name: c.values[k % len(c.values)] for c in self.columns if c.block == letter}
-        return given.get(letter, given or None)
+        """Values named for q, u or z of run ``k``: by names, a whole block, or None."""
+        values = {c.name: c.values[k % len(c.values)] for c in self.columns if c.block == letter}
+        return values.get(letter, values or None)
 
 
 class Reader:
@@ -112,7 +112,7 @@ class Reader:
         self.runs: tuple[int, str] | None = None
         if runs is not None:
             if not isinstance(runs, int | np.integer) or runs < 1:
-                raise ModelError(f"runs={shown(runs)} is no number of runs: 1, 2, ...")
+                raise ModelError(f"runs={brief(runs)} is not a number of runs: 1, 2, ...")
             self.runs = int(runs), "runs="
         self.covered: dict[tuple[str, int], str] = {}
 
@@ -171,7 +171,7 @@ class Reader:
             raise SolveError(f"{where}: '{name}'{which} is {array[run, k]}; it must be finite")
 
     def total(self) -> int:
-        """How many runs there are; what was waiting for it is drawn."""
+        """Number of runs; draw the samples that were waiting for it."""
         if self.runs is None:
             raise ModelError(
                 "nothing differs between the runs, or nothing says how many they are: give lists "
@@ -208,7 +208,7 @@ def varied(
     seed: int,
     over: tuple[float, float],
 ) -> tuple[Varied, Signals]:
-    """What differs between runs, and the inputs that do not.
+    """Variations between runs, and the inputs that do not vary.
 
     Args: as :func:`cardan.analyses.ensembles.ensemble` takes them; ``over`` is the span.
 
@@ -231,15 +231,15 @@ def varied(
     for name, column in _plan(vary).items():
         _named(reader, name, column)
     total = reader.total()
-    given = signals(model.manifest.inputs, shared, sample_time, over)
+    input_signals = signals(model.manifest.inputs, shared, sample_time, over)
     start, _ = initial_state(model.manifest, {}, {})
     base = dict(zip("quz", np.split(start, ends), strict=True))
-    base |= {"p": model._parameters.vector, "r": given.constants}
-    made = Varied(total, base, tuple(model.manifest.quaternions), tuple(reader.columns))
-    _check_rotations(model, made)
-    for first in range(0, total if made.own_parameters else 0, SOME):
-        model._parameters.judge(made.part(first, min(first + SOME, total)).block("p"))
-    return made, given
+    base |= {"p": model._parameters.vector, "r": input_signals.constants}
+    variations = Varied(total, base, tuple(model.manifest.quaternions), tuple(reader.columns))
+    _check_rotations(model, variations)
+    for first in range(0, total if variations.varies_parameters else 0, SOME):
+        model._parameters.judge(variations.part(first, min(first + SOME, total)).block("p"))
+    return variations, input_signals
 
 
 def _plan(vary: Any) -> Mapping[str, Any]:
@@ -250,7 +250,7 @@ def _plan(vary: Any) -> Mapping[str, Any]:
         raise ModelError(f"vary= is a function; call it, {SUCH}")
     if vary is not None and not isinstance(vary, Mapping):
         raise ModelError(
-            f"vary={shown(vary)} says not what differs: give names with values, {SUCH}"
+            f"vary={brief(vary)} says not what differs: give names with values, {SUCH}"
         )
     return named("vary", vary, "'mass': values")
 
@@ -266,17 +266,17 @@ def _state(reader: Reader, letter: str, value: Any, where: str) -> None:
             reader.add(letter, letter, where, slice(0, size), value)
         return
     places = entries(model.manifest, letter)
-    for name, given in value.items():
+    for name, entry in value.items():
         here = f"{where}={{'{name}': ...}}"
         if name not in places:
             raise ModelError(f"{here}: {missing(model.manifest, letter, name, places)}")
-        reader.add(letter, name, here, places[name], given)
+        reader.add(letter, name, here, places[name], entry)
 
 
 def _parameter(reader: Reader, name: str, where: str, value: Any) -> None:
-    known = reader.model._parameters
+    parameters = reader.model._parameters
     # unknown and structural names are explained there
-    k = list(known).index(name) if name in known else known.checked(name, 0.0).size
+    k = list(parameters).index(name) if name in parameters else parameters.checked(name, 0.0).size
     reader.add("p", name, where, slice(k, k + 1), value)
 
 
@@ -284,12 +284,12 @@ def _inputs(reader: Reader, inputs: Mapping[str, Any] | None) -> dict[str, Any]:
     """Inputs that all runs share; those with a value per run become columns."""
     shared = {}
     for name, value in named("inputs", inputs, "'force': values").items():
-        own = (isinstance(value, np.ndarray) and value.ndim > 0) or _is_row(value)
-        known = reader.model.inputs
-        if own or isinstance(value, sampling.Distribution):
-            if name not in known:
-                raise ModelError(f"inputs: there is no input '{name}'.{near(name, known)}")
-            k = known.index(name)
+        per_run = (isinstance(value, np.ndarray) and value.ndim > 0) or _is_row(value)
+        input_names = reader.model.inputs
+        if per_run or isinstance(value, sampling.Distribution):
+            if name not in input_names:
+                raise ModelError(f"inputs: there is no input '{name}'.{near(name, input_names)}")
+            k = input_names.index(name)
             reader.add("r", name, f"inputs={{'{name}': ...}}", slice(k, k + 1), value)
         else:
             shared[name] = value
@@ -297,7 +297,7 @@ def _inputs(reader: Reader, inputs: Mapping[str, Any] | None) -> dict[str, Any]:
 
 
 def _is_row(value: Any) -> bool:
-    """Whether it is a list of numbers, one per run; (times, values) are two lists."""
+    """True when it is a list of numbers, one per run; (times, values) are two lists."""
     return isinstance(value, list | tuple) and bool(value) and all(map(np.isscalar, value))
 
 
@@ -312,37 +312,38 @@ def _named(reader: Reader, name: str, column: Array) -> None:
         "r": lambda: {n: slice(k, k + 1) for k, n in enumerate(model.inputs)},
     }
     places = {block: table() for block, table in tables.items()}
-    found = [block for block, table in places.items() if name in table]
-    if len(found) > 1:
-        words = " and a ".join(WHAT[block] for block in found)
+    # a name may be a coordinate and a parameter at once: never guess
+    matches = [block for block, table in places.items() if name in table]
+    if len(matches) > 1:
+        options = " and a ".join(WHAT[block] for block in matches)
         raise ModelError(
-            f"vary: '{name}' is a {words} here. Say which by q=, u=, z=, parameters= or inputs="
+            f"vary: '{name}' is a {options} here. Say which by q=, u=, z=, parameters= or inputs="
         )
-    if not found and name in model.manifest.structural:
+    if not matches and name in model.manifest.structural:
         model._parameters.checked(name, 0.0)
-    if not found:
+    if not matches:
         part = component(model.manifest, name)
         if part:
             raise ModelError(f"vary: {part}")
-        known = [name for table in places.values() for name in table]
+        names = [name for table in places.values() for name in table]
         raise ModelError(
-            f"vary: there is no coordinate, speed, parameter or input '{name}'.{near(name, known)}"
+            f"vary: there is no coordinate, speed, parameter or input '{name}'.{near(name, names)}"
         )
-    reader.add(found[0], name, f"vary '{name}'", places[found[0]][name], column)
+    reader.add(matches[0], name, f"vary '{name}'", places[matches[0]][name], column)
 
 
 def _single(places: Mapping[str, slice]) -> dict[str, slice]:
     return {name: place for name, place in places.items() if place.stop - place.start == 1}
 
 
-def _check_rotations(model: LoadedModel, made: Varied) -> None:
+def _check_rotations(model: LoadedModel, variations: Varied) -> None:
     """Refuse single components of quaternions, and quaternions whose length is not 1."""
     covered = {
-        k for c in made.columns if c.block == "q" for k in range(c.place.start, c.place.stop)
+        k for c in variations.columns if c.block == "q" for k in range(c.place.start, c.place.stop)
     }
     refuse_components(model.manifest, "q, vary", covered)
-    if not covered.intersection(made.quaternions):
+    if not covered.intersection(variations.quaternions):
         return
-    for first in range(0, made.runs, SOME):
-        part = made.part(first, min(first + SOME, made.runs))
-        check_units(model.manifest, part.given("q"), first=first)
+    for first in range(0, variations.runs, SOME):
+        part = variations.part(first, min(first + SOME, variations.runs))
+        check_units(model.manifest, part.raw_block("q"), first=first)

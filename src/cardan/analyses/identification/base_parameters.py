@@ -20,7 +20,7 @@ from numpy.typing import ArrayLike, NDArray
 from ...arguments import Seed, checked
 from ...arrays import Array
 from ...errors import ArgumentError, ModelError, SolveError
-from .triangular_factor import triangle
+from .estimate import triangle
 
 if TYPE_CHECKING:
     from ...runtime.models.loaded_model import LoadedModel
@@ -31,7 +31,7 @@ RANK = 1e-9
 EACH, FAST, JERKY = 2, 3.0, 10.0
 # of the ten numbers of a body: what goes into others comes last, first of all the mass
 TURNS = (7, 8, 9, 6, 4, 5, 1, 2, 3, 0)
-WANTED = ("regressor", "inverse_dynamics", "inertial_parameters")
+REQUIRED = ("regressor", "inverse_dynamics", "inertial_parameters")
 # coefficients below this part of the largest are rounding
 ROUNDED = 1e-9
 
@@ -57,7 +57,7 @@ class Base:
     columns: NDArray[np.intp]
     matrix: Array = field(repr=False)
     without_effect: tuple[str, ...]
-    kept: float
+    least_independent: float
     dropped: float
 
     def __len__(self) -> int:
@@ -116,14 +116,14 @@ def base_parameters(
     """Base parameters of a model.
 
     Args:
-        model: A tree; with circuits ``rows`` are needed.
+        model: A tree; with loops ``rows`` are needed.
         rows: Regressors (..., n) to judge by, such as those of a motion; by default at random
             states.
         seed: Of the states.
         rank: What must be left of a column, relative to it, to be independent.
 
     Raises:
-        SolveError: a system with circuits and no rows; a rank that is not certain.
+        SolveError: a system with loops and no rows; a rank that is not certain.
     """
     names = tuple(model.inertial_parameters())
     if rows is None:
@@ -144,7 +144,7 @@ def _random_rows(model: LoadedModel, count: int, seed: int) -> Array:
     """Regressors (k, nu, n) at random states of a tree."""
     if circuits(model):
         raise SolveError(
-            f"model '{model.name}' has circuits, whose states are not random: give "
+            f"model '{model.name}' has loops, whose states are not random: give "
             "base_parameters(rows=) of a motion, or identify(...), which does"
         )
     rng = np.random.default_rng(seed)
@@ -155,7 +155,7 @@ def _random_rows(model: LoadedModel, count: int, seed: int) -> Array:
 
 
 def needed(model: LoadedModel, who: str, functions: Sequence[str]) -> None:
-    """Whether the model has what it takes.
+    """Check that the model has the functions that identification needs.
 
     Raises:
         ModelError: it does not.
@@ -169,28 +169,31 @@ def needed(model: LoadedModel, who: str, functions: Sequence[str]) -> None:
 
 
 def circuits(model: LoadedModel) -> bool:
-    """Whether constraints bind a model always; those of sticking friction do not."""
+    """True when constraints bind a model always; those of sticking friction do not."""
     return any(not row.switched for row in model.manifest.multipliers)
 
 
 def _independent_columns(name: str, names: tuple[str, ...], rows: Array, rank: float) -> Base:
     # a triangle has the same relations between its columns as the rows
+    # R of a QR factorization has the dependencies of all rows
     factor = triangle(rows)
     sizes = np.linalg.norm(factor, axis=0)
     effect = sizes > rank * sizes.max(initial=0.0)
     scaled = factor / np.where(effect, sizes, 1.0)
     directions = np.zeros((len(factor), 0))
-    chosen, smallest_kept, dropped = list[int](), 1.0, 0.0
+    chosen, least_independent, dropped = list[int](), 1.0, 0.0
     for k in _turns(names):
         if not effect[k]:
             continue
         column = scaled[:, k]
+        # Gram-Schmidt, twice for orthogonality to rounding
         for _ in range(2):
             column = column - directions @ (directions.T @ column)
         left = float(np.linalg.norm(column))
+        # independent of the columns before it: a base parameter
         if left > rank:
-            smallest_kept, directions = (
-                min(smallest_kept, left),
+            least_independent, directions = (
+                min(least_independent, left),
                 np.column_stack([directions, column / left]),
             )
             chosen.append(k)
@@ -200,7 +203,7 @@ def _independent_columns(name: str, names: tuple[str, ...], rows: Array, rank: f
     matrix = _combined(scaled, chosen, effect, sizes)
     without = tuple(n for n, has in zip(names, effect, strict=True) if not has)
     return Base(
-        name, names, np.array(chosen, dtype=np.intp), matrix, without, smallest_kept, dropped
+        name, names, np.array(chosen, dtype=np.intp), matrix, without, least_independent, dropped
     )
 
 

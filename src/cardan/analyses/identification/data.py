@@ -1,4 +1,4 @@
-"""What was measured: times, coordinates, forces, and what follows from them."""
+"""Measured data: times, coordinates, forces, and quantities derived from them."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ import numpy as np
 
 from ... import regular_file
 from ...arrays import Array
+from ...atomic_file import written
 from ...errors import ArgumentError, near
 from ...runtime import formats
 from ...runtime.calls.calling import numbers
 from ...runtime.trajectory.storage import load
 from ...runtime.trajectory.trajectory import TrajectoryRecord
-from ...whole_file import written
 from . import smoothing
 
 if TYPE_CHECKING:
@@ -82,7 +82,7 @@ def read(path: Path) -> dict[str, Array]:
     except OSError as error:
         raise ArgumentError(f"{path} cannot be read: {error.strerror}") from error
     except (UnicodeDecodeError, csv.Error):
-        raise ArgumentError(f"{path} is no table of text") from None
+        raise ArgumentError(f"{path} is not a table of text") from None
     names = [name.strip() for name in rows[0]] if rows else []
     try:
         values = np.array([[float(x) for x in row] for row in rows[1:]])
@@ -167,7 +167,7 @@ def _of_table(model: LoadedModel, data: Any) -> dict[str, Array]:
     names = ["t", *BLOCKS, *(name for block in BLOCKS for name in named[block])]
     for key in samples:
         if key not in names:
-            raise ArgumentError(f"data: '{key}' is no column of this model.{near(key, names)}")
+            raise ArgumentError(f"data: '{key}' is not a column of this model.{near(key, names)}")
         if key not in BLOCKS and samples[key].shape != samples["t"].shape:
             raise ArgumentError(
                 f"data: '{key}' has shape {samples[key].shape}, t has {samples['t'].shape}"
@@ -215,7 +215,7 @@ def _complete(
     if period is not None:
         if not plain:
             raise ArgumentError(
-                f"period=: model '{model.name}' has coordinates that are no angles or lengths, "
+                f"period=: model '{model.name}' has coordinates that are not angles or lengths, "
                 "and no Fourier series; give cutoff= or measured speeds"
             )
         q, u, udot = smoothing.series(t, blocks["q"], period, harmonics)
@@ -226,15 +226,15 @@ def _complete(
         blocks[word] = smoothing.lowpass(t, blocks[word], cutoff)
     u = blocks["u"] if "u" in blocks else speeds(model, t, blocks["q"], blocks["r"])
     udot = blocks["udot"] if "udot" in blocks else smoothing.derivative(t, u)
-    made = Data(t, blocks["q"], u, udot, blocks["tau"], blocks["r"])
+    data = Data(t, blocks["q"], u, udot, blocks["tau"], blocks["r"])
     if complete or (ends and cutoff is None):
-        return made
+        return data
     cut = ENDS if cutoff is None else max(ENDS, int(1 / (cutoff * smoothing.step_of(t, "cutoff="))))
-    return made.only(slice(cut, -cut))
+    return data.only(slice(cut, -cut))
 
 
 def is_plain(model: LoadedModel) -> bool:
-    """Whether speeds are the rates of coordinates, one by one."""
+    """True when speeds are the rates of coordinates, one by one."""
     if model.nq != model.nu:
         return False
     rng = np.random.default_rng(0)

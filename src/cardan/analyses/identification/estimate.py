@@ -12,11 +12,11 @@ import numpy as np
 
 from ...arrays import Array
 from ...errors import SolveError
-from .triangular_factor import triangle
 
 PASSES = 3  # of weights by residuals: the second changes them by parts of a thousand
 LEAST = 1e-12  # noise relative to what was measured: less is rounding
 EXACT = 1e-4  # noise of a channel beside that of others: no force at all is known that well
+REGULAR = 1e6  # condition up to which the first of two Cholesky factors is near enough
 SINGULAR = 1e10  # condition of scaled columns beyond which data tell nothing about some
 
 
@@ -103,3 +103,24 @@ def _solved(rows: Array, right: Array, names: tuple[str, ...]) -> tuple[Array, A
     for _ in range(2):
         y = y + back @ (back.T @ (scaled.T @ (right - scaled @ y)))
     return y / sizes, back / sizes[:, None], condition
+
+
+def triangle(rows: Array) -> Array:
+    """R (n, n) with Rᵀ R = Aᵀ A of rows A (m, n): it stands for them in least squares.
+
+    Source: Yamamoto, Nakatsukasa, Yanagisawa and Fukaya, Roundoff Error Analysis of the CholeskyQR2
+    Algorithm, Electronic Transactions on Numerical Analysis 44 (2015).
+    """
+    try:
+        first = np.linalg.cholesky(rows.T @ rows).T
+        if np.linalg.cond(first) < REGULAR:
+            # what is left to do is nearly orthogonal already
+            nearly = rows @ np.linalg.inv(first)
+            return np.asarray(np.linalg.cholesky(nearly.T @ nearly).T @ first)
+    except np.linalg.LinAlgError:
+        pass
+    # fewer rows than columns leave zeros below
+    R = np.zeros((rows.shape[1], rows.shape[1]))
+    factor = np.linalg.qr(rows, mode="r")
+    R[: len(factor)] = factor
+    return R

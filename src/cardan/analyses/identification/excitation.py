@@ -20,7 +20,7 @@ from ...arrays import Array
 from ...errors import ArgumentError, SolveError, near
 from ..mechanisms.actuation import named_speeds
 from ..simulation.progress import showing
-from .base_parameters import WANTED, Base, base_parameters, circuits, needed
+from .base_parameters import REQUIRED, Base, base_parameters, circuits, needed
 from .data import is_plain, named_columns, write
 from .fourier import Limits, Series, feasible
 
@@ -60,12 +60,12 @@ class ExcitationRecord:
 
     @property
     def period(self) -> float:
-        """Of the motion [s]."""
+        """Period of the motion [s]."""
         return self.series.period
 
     @property
     def harmonics(self) -> int:
-        """Of the series: ``identify(..., period=, harmonics=)`` takes both."""
+        """Number of harmonics of the series: ``identify(..., period=, harmonics=)`` takes both."""
         return int(self.series.a.shape[-1])
 
     @checked
@@ -151,9 +151,9 @@ def excitation(
 
     Raises:
         ArgumentError: limits or words that do not exist.
-        SolveError: joints that are not moved one by one: circuits, a free base, ball joints.
+        SolveError: joints that are not moved one by one: loops, a free base, ball joints.
     """
-    needed(model, "excitation", WANTED)
+    needed(model, "excitation", REQUIRED)
     _refuse(model)
     if criterion not in CRITERIA:
         raise ArgumentError(f"criterion='{criterion}' does not exist.{near(criterion, CRITERIA)}")
@@ -182,13 +182,13 @@ def _refuse(model: LoadedModel) -> None:
     """
     if circuits(model):
         raise SolveError(
-            f"excitation: model '{model.name}' has circuits, whose joints do not move one by one. "
+            f"excitation: model '{model.name}' has loops, whose joints do not move one by one. "
             "Sweep its drivers through motions of your own and give these to identify(...)"
         )
     if not model.nu or not is_plain(model):
         wide = [row.name for row in model.manifest.joints if (row.q or (0, 0))[1] > 1]
         raise SolveError(
-            f"excitation: model '{model.name}' has coordinates that are no angles or lengths of "
+            f"excitation: model '{model.name}' has coordinates that are not angles or lengths of "
             f"driven joints{' (' + ', '.join(wide) + ')' if wide else ''}. Excite the joints of a "
             "free or ball-jointed robot with its base fixed: load(..., base='fixed')"
         )
@@ -208,6 +208,7 @@ def _limits(model: LoadedModel, position: Any, speed: Any, acceleration: Any) ->
     for name, (low, high) in position.items():
         (k,) = named_speeds(model, [name])
         lower[k], upper[k] = low, high
+    # unlimited angles take one turn; slides have no such natural range
     for k, name in enumerate(model.coordinates):
         if not np.isnan(lower[k] + upper[k]):
             continue
@@ -268,7 +269,7 @@ class _Search:
         return np.array([limit.get("effort") or 1.0 for limit in limits])
 
     def measures(self, numbers: Array) -> Array:
-        """What is to be made small (...)."""
+        """Quantities to be minimized (...)."""
         matrix = self.information(numbers)
         if self.criterion == "determinant":
             return np.asarray(-np.linalg.slogdet(matrix)[1] / len(self.base))
@@ -288,7 +289,7 @@ class _Search:
         return np.asarray(0.5 * np.log(values[..., -1] / least))
 
     def condition(self, numbers: Array) -> float:
-        """Of the scaled regressor."""
+        """Condition number of the scaled regressor."""
         values = np.linalg.eigvalsh(_scaled(self.information(numbers)))
         return float(np.sqrt(values[-1] / max(values[0], 1e-15 * values[-1])))
 

@@ -16,12 +16,15 @@ import numpy as np
 from ...arrays import Array
 
 # points per wave of the highest harmonic at which limits are kept, and what lies between them
-FINE, BETWEEN = 40, 0.005
+FINE, MARGIN = 40, 0.005
 
 
 @dataclass(frozen=True)
 class Limits:
-    """Of every joint (n,): positions, speeds, accelerations; infinite where there are none."""
+    """Limits of every joint (n,):
+
+    positions, speeds, accelerations; infinite where there are none.
+    """
 
     lower: Array
     upper: Array
@@ -44,8 +47,8 @@ class Series:
         sine, cosine = np.sin(np.outer(t, rates)), np.cos(np.outer(t, rates))
 
         def total(sines: Array, cosines: Array) -> Array:
-            found = sines @ sine.T + cosines @ cosine.T
-            return np.asarray(np.swapaxes(found, -1, -2))
+            values = sines @ sine.T + cosines @ cosine.T
+            return np.asarray(np.swapaxes(values, -1, -2))
 
         q = self.c[..., None, :] + total(self.a / rates, -self.b / rates)
         return q, total(self.b, self.a), total(-self.a * rates, self.b * rates)
@@ -64,10 +67,10 @@ def feasible(numbers: Array, period: float, harmonics: int, limits: Limits) -> S
     span = (limits.upper - limits.lower) / np.maximum(np.ptp(q, axis=-2), 1e-300)
     fastest = limits.speed / np.maximum(np.abs(u).max(axis=-2), 1e-300)
     hardest = limits.acceleration / np.maximum(np.abs(udot).max(axis=-2), 1e-300)
-    most = np.minimum(np.minimum(span, fastest), hardest) * (1 - BETWEEN)
+    most = np.minimum(np.minimum(span, fastest), hardest) * (1 - MARGIN)
     size = most * _part(numbers[..., -2])
     low, high = size * q.min(axis=-2), size * q.max(axis=-2)
-    margin = BETWEEN * (high - low)
+    margin = MARGIN * (high - low)
     room = np.maximum(limits.upper - limits.lower - (high - low) - margin, 0.0)
     c = limits.lower + margin / 2 - low + room * _part(numbers[..., -1])
     return Series(period, c, a * size[..., None], b * size[..., None])

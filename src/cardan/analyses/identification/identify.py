@@ -18,7 +18,7 @@ from ...arrays import Array
 from ...errors import ArgumentError, near
 from ...runtime.calls.calling import numbers
 from ..mechanisms.actuation import named_speeds
-from .base_parameters import WANTED, Base, base_parameters, circuits, needed
+from .base_parameters import REQUIRED, Base, base_parameters, circuits, needed
 from .data import Data, columns, measured
 from .estimate import fitted
 from .regression_rows import Rows, of_energy, of_forces
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from ...runtime.models.loaded_model import LoadedModel
 
 FORMS = ("torque", "energy")
-# columns that circuits make dependent, seen at measured positions
+# columns that loops make dependent, seen at measured positions
 RANK = 1e-6
 # of the forces that the nominal model could take: rounding
 NOTHING = 1e-9
@@ -62,7 +62,7 @@ def identify(
         cutoff: [Hz] of a low-pass filter without delay on positions, forces and regressor.
         period, harmonics: Of a periodic motion [s]: positions become a Fourier series.
         actuators: Speeds or joints whose forces were measured; all by default. Those of others are
-            0 and tell nothing here. With circuits as many as freedoms.
+            0 and tell nothing here. With loops as many as freedoms.
         base: Of an earlier call, for the same combinations.
         stretch: Steps of a row of energy, an even number.
 
@@ -73,10 +73,11 @@ def identify(
     if form not in FORMS:
         raise ArgumentError(f"form='{form}' does not exist.{near(form, FORMS)}")
     energies = ("energy_regressor", "energy", "power") if form == "energy" else ()
-    needed(model, "identify", (*energies, *WANTED))
+    needed(model, "identify", (*energies, *REQUIRED))
     chosen = named_speeds(model, actuators)
     samples = measured(model, data, cutoff=cutoff, period=period, harmonics=harmonics)
     sigma = _noise(model, noise)
+    # regressor rows of all samples, weighted by the noise of their channels
     rows = _rows(model, samples, form, cutoff, chosen, stretch, sigma)
     _acting(model, rows)
     if base is None:
@@ -87,7 +88,7 @@ def identify(
         deviations = None if sigma is None else np.ones(1)
     else:
         deviations = None if sigma is None else sigma[chosen]
-    fit = fitted(base.regressor(rows.A), rows.b, rows.spread, deviations, base.names)
+    fit = fitted(base.regressor(rows.A), rows.b, rows.relative_noise, deviations, base.names)
     return IdentificationRecord(
         model,
         base,

@@ -71,7 +71,7 @@ def _slope(model: LoadedModel, p: Array, free: Booleans) -> Array:
 
 
 def _sizes(model: LoadedModel) -> Array:
-    """How large changes of parameters are small (np,)."""
+    """Scale of every parameter, below which changes count as small (np,)."""
     values = np.abs(model.parameters.vector)
     units = [model.parameters.unit(name) for name in model.parameters]
     usual = dict.fromkeys(units, 0.0)

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 # singular values of constraints below this part of the largest are those of redundant ones
 RANK = 1e-9
 # actuators that have less hold of a freedom than this have none
-HOLD = 1e-6
+MIN_SINGULAR_VALUE = 1e-6
 
 
 @dataclass(frozen=True)
@@ -44,7 +44,7 @@ class Rows:
     t: Array
     A: Array
     b: Array
-    spread: Array
+    relative_noise: Array
 
 
 def time_and_inputs(model: LoadedModel, data: Data) -> dict[str, Any]:
@@ -79,7 +79,7 @@ def of_forces(model: LoadedModel, data: Data, cutoff: float | None, actuators: l
 
 
 def _through_circuits(model: LoadedModel, data: Data, actuators: list[int]) -> Array:
-    """What turns generalized forces into those of the actuators (nt, na, nu).
+    """Matrix that turns generalized forces into those of the actuators (nt, na, nu).
 
     Forces of constraint do no work along the motions Z that are left: Zᵀ tau is what they cannot
     bear, and the actuators must supply it.
@@ -101,7 +101,7 @@ def _through_circuits(model: LoadedModel, data: Data, actuators: list[int]) -> A
         )
     Z = np.swapaxes(right[:, rank:], -1, -2)
     actuation = np.swapaxes(Z[:, actuators], -1, -2)
-    if np.linalg.svd(actuation, compute_uv=False).min(initial=1.0) < HOLD:
+    if np.linalg.svd(actuation, compute_uv=False).min(initial=1.0) < MIN_SINGULAR_VALUE:
         raise SolveError(f"model '{model.name}': these actuators lose hold of the motion")
     return np.asarray(np.linalg.solve(actuation, np.swapaxes(Z, -1, -2)))
 

@@ -1,4 +1,4 @@
-"""What identification found."""
+"""Results of an identification."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ class IdentificationRecord:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """Of the base parameters (nb,); ``base.expressions`` says what they are."""
+        """Names of the base parameters (nb,); ``base.expressions`` holds their definitions."""
         return self.base.names
 
     @property
@@ -72,7 +72,7 @@ class IdentificationRecord:
 
     @property
     def well(self) -> Booleans:
-        """Which are known to a tenth of themselves (nb,)."""
+        """Mask of the parameters known to within a tenth of their value (nb,)."""
         return np.asarray(self.relative < WELL)
 
     @cached_property
@@ -87,12 +87,12 @@ class IdentificationRecord:
             ArgumentError: there is none of that name.
         """
         if name not in self.names:
-            raise ArgumentError(f"'{name}' is no base parameter here.{near(name, self.names)}")
+            raise ArgumentError(f"'{name}' is not a base parameter here.{near(name, self.names)}")
         return float(self.estimates[self.names.index(name)])
 
     @checked
     def interval(self, name: str, deviations: float = 1.96) -> tuple[float, float]:
-        """Where a base parameter lies, to 95 % by default."""
+        """Confidence interval of a base parameter, 95 % by default."""
         value = self[name]
         width = deviations * float(self.deviations[self.names.index(name)])
         return value - width, value + width
@@ -115,7 +115,7 @@ class IdentificationRecord:
 
     @property
     def missed(self) -> float:
-        """How far the identified model is from the estimates: root mean square of deviations."""
+        """Distance of the identified model from the estimates: root mean square of deviations."""
         identified = self.base.of(list(self.model.inertial_parameters().values()))
         return float(np.sqrt(np.mean(((identified - self.estimates) / self.deviations) ** 2)))
 
@@ -165,7 +165,7 @@ def _explained(part: float) -> str:
 
 
 def _consistent(phi: dict[str, Any], body: str) -> bool:
-    """Whether some distribution of mass has these ten numbers: the pseudo-inertia is positive.
+    """True when some distribution of mass has these ten numbers: the pseudo-inertia is positive.
 
     Source: Wensing, Kim and Slotine, IEEE Robotics and Automation Letters 3 (2018).
     """

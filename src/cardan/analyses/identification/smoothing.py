@@ -14,7 +14,7 @@ from ...errors import ArgumentError
 
 ORDER = 4  # of the filter, which runs forward and backward
 DEGREE = 5  # of splines
-WHOLE = 0.9  # of a period: the least data for a series
+FULL_PERIOD = 0.9  # of a period: the least data for a series
 EVEN = 1e-6  # steps of time that differ by less, relative to them, are equal
 PASSED = 1.8  # samples per period of the cutoff that are left: their noise is independent
 
@@ -53,7 +53,7 @@ def lowpass(t: Array, values: Array, cutoff: float) -> Array:
 
 
 def every(t: Array, cutoff: float) -> int:
-    """Of how many filtered samples one is kept, so that noise of those left is independent."""
+    """Stride between the filtered samples that are kept, so that their noise is independent."""
     return max(1, int(1 / (step_of(t, "cutoff=") * PASSED * cutoff)))
 
 
@@ -80,7 +80,7 @@ def series(t: Array, values: Array, period: float, harmonics: int) -> tuple[Arra
         raise ArgumentError(
             f"period={period:g} s: give the period of the motion, longer than a step of the data"
         )
-    if t[-1] - t[0] < WHOLE * period:
+    if t[-1] - t[0] < FULL_PERIOD * period:
         raise ArgumentError(
             f"period={period:g} s: the data are of {t[-1] - t[0]:.4g} s, less than a period"
         )

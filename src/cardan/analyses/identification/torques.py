@@ -53,7 +53,7 @@ class TorquesRecord:
     def _place(self, name: str) -> int:
         names = [*self.actuators, *(of_rate(a) for a in self.actuators)]
         if name not in names:
-            raise ArgumentError(f"'{name}' is no actuator here.{near(name, names)}")
+            raise ArgumentError(f"'{name}' is not an actuator here.{near(name, names)}")
         return names.index(name) % len(self.actuators)
 
     def __getitem__(self, name: str) -> Array:
@@ -73,12 +73,12 @@ class TorquesRecord:
 
     @property
     def power(self) -> Array:
-        """What every actuator supplies (nt, na) [W]."""
+        """Power that every actuator supplies (nt, na) [W]."""
         return np.asarray(self.forces * self.u[:, named_speeds(self.model, self.actuators)])
 
     @property
     def work(self) -> Array:
-        """What every actuator has supplied over the motion (na,) [J]."""
+        """Work that every actuator has supplied over the motion (na,) [J]."""
         from scipy.integrate import trapezoid
 
         return np.asarray(trapezoid(self.power, self.t, axis=0))
@@ -135,14 +135,14 @@ def torques(
     """Forces that make a motion, beside those that the model's own elements supply.
 
     Args:
-        model: With or without circuits; other parameters than those of the motion may be its own.
+        model: With or without loops; other parameters than those of the motion may be its own.
         motion: A Trajectory; or a mapping with ``t`` (nt,) and ``q`` (nt, nq), or a coordinate by
             name, ``{"t": t, "elbow": values}``: an array (nt,), or a spline or table, which is
             called with the times. ``u`` and ``udot`` are found by differentiation where they are
             missing, and from the equations of motion where a run knows them. Of a mechanism with
-            circuits the motion must keep them closed, as runs and :meth:`sweep` do.
+            loops the motion must keep them closed, as runs and :meth:`sweep` do.
         actuators: Joints or speeds along which they act; by default every speed.
-        norm: Where circuits leave a choice: ``"minimum"`` or weights, as for ``actuation``.
+        norm: Where loops leave a choice: ``"minimum"`` or weights, as for ``actuation``.
         inputs: Values of inputs in place of those of the motion: ``{"motor": 0}`` asks what it
             takes without the motor.
         cutoff, period, harmonics: How positions are smoothed; see
@@ -161,6 +161,7 @@ def torques(
         r[:, model.inputs.index(name)] = value
     arguments: dict[str, Any] = {"t": data.t, "r": r if model.nr else None}
     chosen = named_speeds(model, actuators)
+    # loops or passive joints: constraint forces share the load with the actuators
     if circuits(model) or len(chosen) < model.nu:
         shares = actuation(
             model,

@@ -22,9 +22,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.optimize import brentq
 
-from ...arguments import Count, Hold, checked
+from ...arguments import Count, LockedValues, checked
 from ...arrays import Array
-from ...errors import ModelError, SolveWarning, shown, warn
+from ...errors import ModelError, SolveWarning, brief, warn
 from .family import Member, family
 from .root_locus import END, LocusRecord, locus
 
@@ -32,7 +32,7 @@ Complex = NDArray[np.complex128]
 OSCILLATES = 1e-6  # of the largest modulus: imaginary parts of what does
 SYNCHRONOUS = 1e-7  # of the largest speed: frequencies this near to a line lie on it
 ROUND = 0.1  # whirl of motions that go round
-SHOWN = 8
+MAX_PRINTED = 8
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -51,7 +51,7 @@ class CampbellRecord:
     locus: LocusRecord
     speed: Array
     label: str
-    turning: bool
+    corotating: bool
     frequencies: Array
     whirl: Array
     columns: NDArray[np.intp] = field(repr=False)
@@ -63,7 +63,7 @@ class CampbellRecord:
 
     @property
     def stable(self) -> NDArray[np.bool_]:
-        """Whether no small motion grows exponentially (n,)."""
+        """Mask of the speeds at which no small motion grows exponentially (n,)."""
         return self.locus.stable
 
     @checked
@@ -74,13 +74,14 @@ class CampbellRecord:
             order: The multiple: 1 for unbalance.
 
         Raises:
-            ModelError: it is no whole number above 0.
+            ModelError: it is not a whole number above 0.
         """
         if not isinstance(order, int | np.integer) or order < 1:
-            raise ModelError(f"critical({shown(order)}): a multiple of the speed, 1, 2, ...")
+            raise ModelError(f"critical({brief(order)}): a multiple of the speed, 1, 2, ...")
         speeds = list[float]()
         off = self.frequencies - order * np.abs(self.speed)[:, None]
-        # a motion that keeps to the line, as turns of the whole do in axes at rest, is no crossing
+        # a motion that keeps to the line, as turns of the whole do in axes at rest, is not a
+        # crossing
         nonzero = np.abs(off) > SYNCHRONOUS * order * np.abs(self.speed).max()
         for k in range(off.shape[1]):
             for i in np.flatnonzero(
@@ -89,10 +90,10 @@ class CampbellRecord:
                 # both at the end and at the next begin it is one
                 if off[i, k] == 0 and (i > 0 or self.speed[i] == 0):
                     continue
-                speeds.append(self._between(int(i), k, int(order)))
+                speeds.append(self._crossing(int(i), k, int(order)))
         return sorted(speeds)
 
-    def _between(self, i: int, k: int, order: int) -> float:
+    def _crossing(self, i: int, k: int, order: int) -> float:
         """A critical speed between two rows."""
         members = self.locus.family
         low, high = (self.locus.members[j].s for j in (i, i + 1))
@@ -102,13 +103,13 @@ class CampbellRecord:
             share = (s - low) / (high - low)
             value = (1 - share) * self.values[i, k] + share * self.values[i + 1, k]
             member = members.at(s, self.locus.members[i])
-            speed = members.told(s)[self.label]
+            speed = members.values_at(s)[self.label]
             return _frequency_and_whirl(self, member, _place(member, value), speed)[
                 0
             ] - order * abs(speed)
 
         s = brentq(off, low, high, xtol=1e-14, rtol=1e-14)
-        return members.told(float(s))[self.label]
+        return members.values_at(float(s))[self.label]
 
     @cached_property
     def rotor(self) -> tuple[Array, tuple[str, ...]]:
@@ -122,10 +123,10 @@ class CampbellRecord:
             f"{len(self.speed)} linear models, {self.locus.message}",
             "  frequencies [rad/s] at the ends; whirl at the last (1 forward, -1 backward)",
         ]
-        for k in range(min(SHOWN, self.frequencies.shape[1])):
+        for k in range(min(MAX_PRINTED, self.frequencies.shape[1])):
             ends = "".join(f"{f:14.6g}" for f in self.frequencies[[0, -1], k])
             lines.append(f"  {ends}{self.whirl[-1, k]:9.2f}")
-        more = self.frequencies.shape[1] - SHOWN
+        more = self.frequencies.shape[1] - MAX_PRINTED
         lines += [f"  ... {more} more"] if more > 0 else []
         critical = ", ".join(f"{speed:.9g}" for speed in self.critical())
         lines.append(f"  critical speeds: {critical or 'none'}")
@@ -141,11 +142,11 @@ def campbell(
     swept: Mapping[str, Any] | None = None,
     *,
     count: Count | None = None,
-    turning: bool | None = None,
+    corotating: bool | None = None,
     q: Mapping[str, ArrayLike] | ArrayLike | None = None,
     u: Mapping[str, Any] | None = None,
-    hold: Hold | None = None,
-    wanted: Mapping[str, Any] | None = None,
+    locked: LockedValues | None = None,
+    targets: Mapping[str, Any] | None = None,
     free: Iterable[str] | None = None,
     inputs: Mapping[str, float] | None = None,
     parameters: Mapping[str, float] | None = None,
@@ -162,20 +163,21 @@ def campbell(
         count: Members of a range; 31 if left out.
         turning: Whether coordinates turn along with the rotor; by default those of scenes with
             beams do, others do not.
-        q, u, hold, wanted, free, inputs, parameters, t: As ``root_locus`` takes them.
+        q, u, locked, targets, free, inputs, parameters, t: As ``root_locus`` takes them.
         check: Raise where the end is not reached, instead of warning.
 
     Raises:
         As ``root_locus``.
     """
-    arguments = {"q": q, "u": u, "hold": hold, "wanted": wanted, "free": free, "inputs": inputs,
+    arguments = {"q": q, "u": u, "locked": locked, "targets": targets, "free": free,
+                 "inputs": inputs,
              "parameters": parameters, "t": t}  # fmt: skip
     members = family(model, {**(swept or {}), **named}, arguments, count)
     loci = locus(members, check)
     if loci.message != END:
         warn(loci.message, SolveWarning)
     label = next(iter(members.columns))
-    along = model.manifest.absolute if turning is None else bool(turning)
+    along = model.manifest.absolute if corotating is None else bool(corotating)
     return _record(loci, label, along)
 
 
@@ -208,10 +210,10 @@ def _frequency_and_whirl(
     """Frequency from the ground [rad/s], NaN where it does not oscillate, and whirl of a motion."""
     value = member.values[place]
     if abs(value.imag) <= OSCILLATES * member.spectrum.size:
-        return (np.nan, 0.0) if not diagram.turning else (abs(speed), 0.0)
+        return (np.nan, 0.0) if not diagram.corotating else (abs(speed), 0.0)
     shape = member.spectrum.right[:, place]
     way = _whirl(member, shape if value.imag > 0 else shape.conj(), *diagram.rotor)
-    if not diagram.turning or abs(way) < ROUND:
+    if not diagram.corotating or abs(way) < ROUND:
         return abs(value.imag), way
     frequency = abs(value.imag) * np.sign(way) + abs(speed)
     return abs(frequency), float(abs(way) * np.sign(frequency))
@@ -268,7 +270,7 @@ def plot(
         orders: Multiples of the speed that are drawn, with the critical speeds.
 
     Raises:
-        ModelError: a path that is no picture file.
+        ModelError: a path that is not a picture file.
         ModuleNotFoundError: Matplotlib is not installed (extra ``plot``).
     """
     from ...view.loci import plot_campbell

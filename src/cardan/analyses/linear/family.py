@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...arrays import Array
-from ...errors import ArgumentError, ModelError, listed, near, shown
+from ...errors import ArgumentError, ModelError, brief, listed, near
 from ..statics.equilibrium import equilibrium
 from ..statics.load_path import TIME, column
 from ..systems import dynamic_system_of
@@ -57,13 +57,13 @@ class Member:
 
     @property
     def still(self) -> NDArray[np.bool_]:
-        """Which eigenvalues are 0 (k,)."""
+        """Mask of the eigenvalues that are 0 (k,)."""
         return np.asarray(np.abs(self.values) <= STILL * self.spectrum.size)
 
     @property
     def stable(self) -> bool:
-        """Whether none does."""
-        return not self.spectrum.growing.any()
+        """True when none does."""
+        return not self.spectrum.unstable.any()
 
 
 @dataclass(frozen=True, eq=False)
@@ -81,7 +81,7 @@ class Family:
     model: Any
     columns: Mapping[str, Array]
     kinds: Mapping[str, str]
-    given: Mapping[str, Any]
+    fixed: Mapping[str, Any]
     coordinates: tuple[str, ...] | None = None
 
     @cached_property
@@ -94,8 +94,8 @@ class Family:
         """Places (n,) of the values that were given."""
         return np.linspace(0, 1, len(next(iter(self.columns.values()))))
 
-    def told(self, s: float) -> dict[str, float]:
-        """What changes, at a place."""
+    def values_at(self, s: float) -> dict[str, float]:
+        """Values of the varied quantities at a place of the family."""
         places = self.stations
         return {name: float(np.interp(s, places, column)) for name, column in self.columns.items()}
 
@@ -110,7 +110,7 @@ class Family:
         Raises:
             SolveError: no equilibrium or steady motion there.
         """
-        return self.member(s, self.told(s), neighbor, choice)
+        return self.member(s, self.values_at(s), neighbor, choice)
 
     def member(
         self, s: float, values: Mapping[str, float], neighbor: Member | None = None,
@@ -118,7 +118,7 @@ class Family:
     ) -> Member:  # fmt: skip
         """The member with given values of what changes."""
         arguments = {
-            name: dict(v) if isinstance(v, Mapping) else v for name, v in self.given.items()
+            name: dict(v) if isinstance(v, Mapping) else v for name, v in self.fixed.items()
         }
         if neighbor is not None:
             self._begun(arguments, neighbor)
@@ -128,7 +128,7 @@ class Family:
                 arguments[TIME] = value
             else:
                 arguments[place] = {**(arguments.get(place) or {}), name: value}
-        find: Any = trim if "wanted" in arguments else equilibrium
+        find: Any = trim if "targets" in arguments else equilibrium
         state = find(self.model, **arguments, check=True)
         linear = linearize(state.model, state, choice=choice)
         spectrum = linear.spectrum if self.coordinates is None else self._closed(linear)
@@ -170,7 +170,7 @@ class Family:
 def family(
     model: Any,
     swept: Mapping[str, Any],
-    given: Mapping[str, Any],
+    fixed: Mapping[str, Any],
     count: int | None = None,
     coordinates: Any = None,
 ) -> Family:
@@ -179,8 +179,8 @@ def family(
     Args:
         model: The compiled model.
         swept: Parameter, input, ``t``, or joint whose speed it is -> (start, end) or values (n,).
-        given: As ``equilibrium`` takes it, with ``wanted`` or ``free`` as ``trim`` does; values in
-            ``u``, ``hold`` and ``wanted`` may be arrays, and are swept then.
+        given: As ``equilibrium`` takes it, with ``targets`` or ``free`` as ``trim`` does; values in
+            ``u``, ``locked`` and ``targets`` may be arrays, and are swept then.
         count: Members of a range.
         coordinates: Whose motions count.
 
@@ -189,12 +189,14 @@ def family(
         SolveError: values that are not finite.
     """
     kinds, columns = dict[str, str](), dict[str, Any]()
-    stays = {name: value for name, value in given.items() if value is not None}
-    if stays.get("free") and "wanted" not in stays:
-        stays["wanted"] = {}
+    stays = {name: value for name, value in fixed.items() if value is not None}
+    if stays.get("free") and "targets" not in stays:
+        stays["targets"] = {}
+    # keywords of the call sweep parameters, inputs, coordinates or speeds by name
     for name, values in swept.items():
         kinds[name], columns[name] = _kind(model, name), values
-    for place in ("u", "hold", "wanted"):
+    # rows of numbers inside u=, locked= and targets= are swept as well; single numbers stay
+    for place in ("u", "locked", "targets"):
         named = stays.get(place)
         if not isinstance(named, Mapping):
             continue
@@ -202,7 +204,7 @@ def family(
         stays[place] = {n: v for n, v in named.items() if n not in moved}
         for name, values in moved.items():
             kinds[name], columns[name] = place, values
-    if "wanted" in stays:
+    if "targets" in stays:
         stays["u"] = by_entry(model, stays.get("u", {}))
     if not columns:
         raise ModelError(
@@ -210,10 +212,11 @@ def family(
             "campbell(spin=(0, 300))"
         )
     if not (count is None or (isinstance(count, int) and count > 1)):
-        raise ModelError(f"count={shown(count)}: a number of members, at least 2")
+        raise ModelError(f"count={brief(count)}: a number of members, at least 2")
     columns_of_values = {
         name: column(name, values, count or COUNT) for name, values in columns.items()
     }
+    # members take one value of every column, so columns must match
     if len({len(column) for column in columns_of_values.values()}) > 1:
         said = ", ".join(
             f"'{name}' has {len(column)}" for name, column in columns_of_values.items()
@@ -224,7 +227,7 @@ def family(
 
 
 def _single(model: Any, name: str) -> bool:
-    """Whether a name has one value, so that several are a sweep."""
+    """True when a name has one value, so that several are a sweep."""
     single = {*model.coordinates, *model.speeds}
     single |= {row.name for row in model.manifest.outputs}
     single |= {name.removesuffix(".u") for name in model.speeds}
@@ -232,7 +235,7 @@ def _single(model: Any, name: str) -> bool:
 
 
 def _kind(model: Any, name: str) -> str:
-    """Where what changes belongs."""
+    """Block to which a varied quantity belongs."""
     if name in model.parameters:
         return "parameters"
     if name in model.inputs:
@@ -244,5 +247,5 @@ def _kind(model: Any, name: str) -> str:
     names = (*model.inputs, *model.speeds, *model.parameters)
     raise ModelError(
         f"there is no parameter, input or speed '{name}' to change; coordinates are moved by "
-        f"hold={{'...': (0, 1)}}.{near(name, names)}"
+        f"locked={{'...': (0, 1)}}.{near(name, names)}"
     )

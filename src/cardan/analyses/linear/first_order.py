@@ -52,7 +52,7 @@ class FirstOrder:
 
     @property
     def choice(self) -> Choice:
-        """Which are independent, for others to choose alike."""
+        """Choice of independent coordinates, for others to use as well."""
         return self.e, self.v
 
 
@@ -82,11 +82,13 @@ def first_order(
             f"full, and more than {FULL} speeds are too many. model.modes() and "
             "model.equilibrium() take sparse ones; or let beams have fewer elements"
         )
+    # scaled linear constraints: R e + G v = 0
     tangents = system.tangents(at)
     G, R = (dense(x) / system.rows[:, None] * columns for x in (tangents.G, tangents.R))
     lock_rows = np.eye(nu)[list(locked)]
     weights = np.where(system.leading, LEADING, 1.0)
     independent_e, independent_v = (None, None) if choice is None else choice
+    # null spaces of the position and of all constraint rows: independent increments e, speeds v
     allowed, e = chosen(np.concatenate([G[system.positions], lock_rows]), weights, independent_e)
     moving, v = chosen(np.concatenate([G, lock_rows]), weights, independent_v)
     # speeds that keep R e + G v = 0 where increments change, with the independent ones as they are
@@ -99,12 +101,14 @@ def first_order(
     unit = np.concatenate([columns[e], columns[v], np.ones(nz)])
     increments, speeds = (x * columns[:, None] / unit for x in (increments, speeds))
     states = np.eye(nz, len(unit), len(unit) - nz)
+    # chain rule: accelerations and internal rates along the chosen basis
     internal = system.rates(at, tau)
     rates = internal.along @ increments + internal.by_u @ speeds + internal.by_z @ states
     by_r = internal.by_r
     if len(locked):
         answer = unit_force_accelerations(system, at, locked, tangents)
         rates, by_r = (_with_lock_forces(answer, locked, x) for x in (rates, by_r))
+    # in the axes of the observer: e' = E e + v and v' + W v
     E, W = system.observer(at)
     kinematic = E @ increments + speeds
     A = np.concatenate([kinematic[e], (rates[:nu] - W @ speeds)[v], rates[nu:]])
@@ -113,7 +117,7 @@ def first_order(
 
 
 def eigenvalues(system: DynamicSystem, at: Moment, locked: Sequence[int], tau: Array) -> Any:
-    """How small motions grow (n,) [1/s]; None where accelerations are not determined."""
+    """Growth rates of small motions (n,) [1/s]; None where accelerations are not determined."""
     try:
         return np.linalg.eigvals(first_order(system, at, locked, tau).A)
     except (SolveError, Singular, np.linalg.LinAlgError):

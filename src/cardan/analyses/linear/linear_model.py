@@ -20,7 +20,7 @@ from .second_order import SecondOrder, reduced
 from .spectrum import Spectrum, spectrum
 
 RESTS = 1e-9  # accelerations below this are none
-SHOWN = 10
+MAX_PRINTED = 10
 POINTS = 600  # of a plot
 ROUNDED = 1e-13  # real parts below this part of the modulus are printed as 0
 DRIFTING = 1e-7  # real parts, over the largest modulus, that are rounding where none decays
@@ -36,7 +36,7 @@ class LinearModelRecord:
         name: Of the model.
         A, B, C, D: (nx, nx), (nx, nr), (ny, nx), (ny, nr).
         states: Names of x: independent increments, independent speeds, internal states.
-            ``along base.u.x`` is an increment along a speed that is no rate of a coordinate.
+            ``along base.u.x`` is an increment along a speed that is not a rate of a coordinate.
         inputs, outputs: Names of r and y.
         n: Number of independent increments.
         z: Number of internal states.
@@ -79,7 +79,9 @@ class LinearModelRecord:
 
     @property
     def eigenvalues(self) -> Complex:
-        """Of A (nx,) [1/s], those that grow fastest first, of pairs that above the axis first."""
+        """Eigenvalues of A (nx,) [1/s], fastest growth first, of pairs the one above the axis
+        first.
+        """
         return self.spectrum.values
 
     @property
@@ -113,12 +115,12 @@ class LinearModelRecord:
 
     @property
     def stable(self) -> bool:
-        """Whether no small motion grows exponentially."""
-        return not self.spectrum.growing.any()
+        """True when no small motion grows exponentially."""
+        return not self.spectrum.unstable.any()
 
     @property
     def drifts(self) -> bool:
-        """Whether some small motion grows with time, as one at constant speed does."""
+        """True when some small motion grows with time, as one at constant speed does."""
         spectrum = self.spectrum
         return bool(
             np.any(spectrum.defective & (spectrum.values.real >= -DRIFTING * spectrum.size))
@@ -136,7 +138,7 @@ class LinearModelRecord:
 
     @property
     def damping(self) -> Array:
-        """What multiplies y' (n, n): damping and gyroscopic forces; see :attr:`M`."""
+        """Factor of y' (n, n): damping and gyroscopic forces; see :attr:`M`."""
         return self._second.damping
 
     @property
@@ -151,7 +153,7 @@ class LinearModelRecord:
 
     @property
     def K(self) -> Array:
-        """What multiplies y (n, n): stiffness and circulatory forces; see :attr:`M`."""
+        """Factor of y (n, n): stiffness and circulatory forces; see :attr:`M`."""
         return self._second.K
 
     @property
@@ -166,7 +168,7 @@ class LinearModelRecord:
 
     @property
     def forces(self) -> Array:
-        """What multiplies the inputs (n, nr) in the equations of :attr:`M`."""
+        """Factor of the inputs (n, nr) in the equations of :attr:`M`."""
         return self._second.forces
 
     @cached_property
@@ -203,6 +205,7 @@ class LinearModelRecord:
         places = self._along(names)
         rows = self.increments[places]
         by_y, by_rate, left = reduced(rows, self.A, self.z)
+        # inverse mass of the named coordinates: J M^-1 J^T, singular where they are dependent
         reach = rows @ self.A[:, self.n : self.n + nv]
         lighter = reach @ np.linalg.solve(self.mass, self.speeds[places, self.n : self.n + nv].T)
         if np.linalg.cond(lighter) > SINGULAR:
@@ -289,7 +292,7 @@ class LinearModelRecord:
             f"  outputs {_listed(self.outputs)}",
             "  eigenvalue [1/s]               frequency [Hz]   damping ratio",
         ]
-        printed = [v for v in self.eigenvalues if v.imag >= 0][:SHOWN]
+        printed = [v for v in self.eigenvalues if v.imag >= 0][:MAX_PRINTED]
         for value in printed:
             size = abs(value)
             value = complex(0.0 if abs(value.real) < ROUNDED * size else value.real, value.imag)
@@ -323,8 +326,8 @@ def _plain(names: tuple[str, ...]) -> dict[str, str]:
 
 
 def _listed(names: tuple[str, ...]) -> str:
-    more = ", ..." if len(names) > SHOWN else ""
-    return (", ".join(names[:SHOWN]) or "none") + more
+    more = ", ..." if len(names) > MAX_PRINTED else ""
+    return (", ".join(names[:MAX_PRINTED]) or "none") + more
 
 
 @checked
@@ -343,7 +346,7 @@ def plot(
         inputs, outputs: Of which; all if left out.
 
     Raises:
-        ModelError: unknown names, nothing to draw, or a path that is no picture file.
+        ModelError: unknown names, nothing to draw, or a path that is not a picture file.
         ModuleNotFoundError: Matplotlib is not installed (extra ``plot``).
     """
     from ...view.loci import plot_response
@@ -369,6 +372,7 @@ def plot(
             f"plot: omega has the shape {over.shape}; give a row of angular frequencies [rad/s]"
         )
     response = linear_model.frequency_response(over)
+    # one curve for each pair of output and input
     curves = {
         f"{y} by {r}": response[:, linear_model.outputs.index(y), linear_model.inputs.index(r)]
         for y in chosen[1]

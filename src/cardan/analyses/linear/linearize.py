@@ -60,11 +60,12 @@ def linearize(
         Independent increments, speeds, then internal states; with names.
 
     Raises:
-        ModelError: unknown names, circuits that cannot be assembled.
+        ModelError: unknown names, loops that cannot be assembled.
         SolveError: accelerations are not determined there.
     """
     about = stance(model, x, q, u, z, r, t, parameters)
-    at, locked = about.at, about.held
+    at, locked = about.at, about.locked
+    # one interface to relative and finite-element coordinates from here on
     system = dynamic_system_of(about.model)
     first = first_order(system, at, locked, about.tau, choice or about.choice)
     B, driven = _inputs(system, at, first, inputs)
@@ -107,7 +108,7 @@ class Stance(NamedTuple):
 
     model: Any
     at: Moment
-    held: list[int]
+    locked: list[int]
     tau: Array
     choice: Choice | None
 
@@ -122,7 +123,7 @@ def stance(model: Any, x: Any, q: Any, u: Any, z: Any, r: Any, t: float, paramet
         values = dict(zip(model.inputs, inputs.tolist(), strict=True))
         x = equilibrium(model, inputs=values, parameters=parameters, t=t, check=True)
     if isinstance(x, Equilibrium):
-        locked, tau = Problem(dynamic_system_of(x.model)).held(x.point, x.load)
+        locked, tau = Problem(dynamic_system_of(x.model)).locked_forces(x.point, x.load)
         return Stance(x.model, x.point.at, locked, tau, None)
     if isinstance(x, SteadyMotionRecord):
         return Stance(x.model, x.at, [], x.tau, x.choice)
@@ -186,15 +187,16 @@ def _outputs(
     inner = np.eye(nz, count, count - nz)
     places = np.zeros((0, count))
     C, D = np.zeros((len(chosen), count)), np.zeros((len(chosen), len(system.inputs)))
-    jacobians = system.seen(at) if any(n in system.outputs for n in chosen) else None
+    jacobians = system.output_jacobians(at) if any(n in system.outputs for n in chosen) else None
     for k, name in enumerate(chosen):
+        # declared outputs depend on positions, speeds, internal states and inputs
         if jacobians is not None and name in system.outputs:
             i = system.outputs.index(name)
             C[k] = jacobians.along[i] @ first.increments + jacobians.by_u[i] @ first.speeds
             C[k] += jacobians.by_z[i] @ inner
             D[k] = jacobians.by_r[i]
         elif name in system.coordinates:
-            places = places if len(places) else system.turning(at) @ first.increments
+            places = places if len(places) else system.kinematic_matrix(at) @ first.increments
             C[k] = places[system.coordinates.index(name)]
         elif name in system.speeds:
             C[k] = first.speeds[system.speeds.index(name)]

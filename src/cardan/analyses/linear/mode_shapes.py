@@ -12,9 +12,9 @@ import numpy as np
 from ...arguments import Count, checked
 from ...arrays import Array, Booleans, Complex
 from ...errors import ArgumentError, ModelError, near
-from ...runtime.trajectory.solver_info import FINISHED, Conduct
+from ...runtime.trajectory.solver_info import FINISHED, SolverInfo
 from ...runtime.trajectory.trajectory import TrajectoryRecord
-from ..statics.static_path import SHOWN
+from ..statics.static_path import MAX_PRINTED
 from ..systems import dynamic_system_of
 from ..systems.dynamic_system import Moment
 
@@ -23,7 +23,7 @@ ROUNDED = 1e-13  # damping ratios below this are none
 PICTURES = 120  # per play
 MOST_PERIODS = 1000  # of a play
 AXES = ("about x", "about y", "about z", "x", "y", "z")
-TOLD = 0.15  # entries below this part of the largest are not printed
+PRINTED_PART = 0.15  # entries below this part of the largest are not printed
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -55,7 +55,7 @@ class ModesRecord:
 
     @property
     def frequencies(self) -> Array:
-        """Of the oscillations (k,) [Hz]; 0 of what does not oscillate."""
+        """Frequencies of the oscillations (k,) [Hz]; 0 for motions that do not oscillate."""
         return self.values.imag / (2 * np.pi)
 
     @property
@@ -72,7 +72,7 @@ class ModesRecord:
 
     @property
     def rigid(self) -> Booleans:
-        """Which of them nothing holds (k,)."""
+        """Mask of the free motions (k,)."""
         return np.asarray(self.values == 0)
 
     @property
@@ -98,7 +98,7 @@ class ModesRecord:
 
     @checked
     def twist(self, k: int, frame: str) -> Any:
-        """How a frame moves in a mode (6,): rotation, then displacement, in ground axes."""
+        """Motion of a frame in a mode (6,): rotation, then displacement, in ground axes."""
         J = self.model.frame_jacobian(frame, self.at.q, t=self.at.t, r=self.at.r)
         return J @ self.shapes[:, self._number(k)]
 
@@ -113,17 +113,21 @@ class ModesRecord:
             f"'{self.model.name}': {len(self)} mode{'s' if len(self) != 1 else ''}",
             "        frequency [Hz]  damping ratio  shape",
         ]
-        for k in range(min(len(self), SHOWN)):
+        for k in range(min(len(self), MAX_PRINTED)):
             ratio = "rigid" if self.rigid[k] else f"{self.damping[k]:.5g}"
-            lines.append(f"  {k:>3} {self.frequencies[k]:>17.8g} {ratio:>14}  {self._told(k)}")
-        lines += [f"  ... {len(self) - SHOWN} more"] if len(self) > SHOWN else []
+            lines.append(
+                f"  {k:>3} {self.frequencies[k]:>17.8g} {ratio:>14}  {self._shape_text(k)}"
+            )
+        lines += [f"  ... {len(self) - MAX_PRINTED} more"] if len(self) > MAX_PRINTED else []
         return "\n".join(lines)
 
-    def _told(self, k: int) -> str:
+    def _shape_text(self, k: int) -> str:
         """The largest entries of a shape."""
         shape = self.shapes[:, k]
         size = np.abs(shape)
-        largest = [int(i) for i in np.argsort(-size)[:4] if size[i] >= TOLD * size.max() > 0]
+        largest = [
+            int(i) for i in np.argsort(-size)[:4] if size[i] >= PRINTED_PART * size.max() > 0
+        ]
         entries = []
         for i in largest:
             # half a turn is one angle, and so is none
@@ -139,7 +143,7 @@ def plot(modes: ModesRecord, path: str | Path | None = None, count: Count = 6) -
     """Shapes of the first modes over the numbers of their entries as a Matplotlib figure.
 
     Raises:
-        ModelError: a path that is no picture file.
+        ModelError: a path that is not a picture file.
         ModuleNotFoundError: Matplotlib is not installed (extra ``plot``).
     """
     from ...view.plot import plot_over
@@ -182,7 +186,7 @@ def motion(
     r = np.broadcast_to(modes.at.r, (len(t), len(modes.at.r)))
     description = f"mode {k} at {modes.frequencies[k]:.6g} Hz"
     counts = dict.fromkeys(("steps", "rejections", "evaluations", "milliseconds"), 0.0)
-    info = Conduct(description, "played, not integrated", {}, (), FINISHED, description, counts)
+    info = SolverInfo(description, "played, not integrated", {}, (), FINISHED, description, counts)
     manifest = modes.model.manifest
     return TrajectoryRecord(t, x, r, np.zeros((len(t), 0)), None, manifest, info, modes.model)
 

@@ -79,12 +79,12 @@ def modes(
     """
     if count is not None and (not isinstance(count, int | np.integer) or count < 1):
         raise ModelError(f"modes: count={count!r}: a number of modes, at least 1")
-    model, at, held, tau, choice = stance(model, x, q, u, None, r, t, parameters)
+    model, at, locked, tau, choice = stance(model, x, q, u, None, r, t, parameters)
     system = dynamic_system_of(model)
     if choice is None:
-        _steady(system, at, held)
+        _steady(system, at, locked)
     still = not np.any(at.u)
-    values, shapes = _found(system, at, held, tau, choice, count, damped, still)
+    values, shapes = _solved(system, at, locked, tau, choice, count, damped, still)
     momentum = _momentum(model, at)
     return ModesRecord(
         model, at, values, shapes, system.increments, system.owners, momentum, system.size
@@ -95,17 +95,17 @@ def _momentum(model: Any, at: Moment) -> Array:
     """Momentum by speeds (6, nu); (0, nu) of equations without bodies."""
     if "momentum" in model.manifest.absent:
         return np.zeros((0, len(at.u)))
-    found = np.asarray(model.momentum(at.q, np.eye(len(at.u)), t=at.t, r=at.r)).T
-    rest = np.asarray(model.momentum(at.q, 0 * at.u, t=at.t, r=at.r))
-    return np.asarray(found - rest[:, None])
+    columns = np.asarray(model.momentum(at.q, np.eye(len(at.u)), t=at.t, r=at.r)).T
+    offset = np.asarray(model.momentum(at.q, 0 * at.u, t=at.t, r=at.r))
+    return np.asarray(columns - offset[:, None])
 
 
-def _steady(system: DynamicSystem, at: Moment, held: list[int]) -> None:
+def _steady(system: DynamicSystem, at: Moment, locked: list[int]) -> None:
     """Warn where a state neither rests nor moves steadily."""
-    left = np.delete((at.udot - system.steady(at)) / system.columns, held)
+    left = np.delete((at.udot - system.steady(at)) / system.columns, locked)
     worst = float(np.abs(left).max(initial=0.0))
     if worst > RESTS * max(1.0, float(np.abs(at.u / system.columns).max(initial=0.0)) ** 2):
-        name = np.delete(np.array(system.speeds), held)[int(np.abs(left).argmax())]
+        name = np.delete(np.array(system.speeds), locked)[int(np.abs(left).argmax())]
         warn(
             f"modes of '{system.name}' about a state that accelerates ('{name}' by {worst:.3g}): "
             "they hold for an instant only. Take model.equilibrium(...), or hold what is held",
@@ -113,28 +113,38 @@ def _steady(system: DynamicSystem, at: Moment, held: list[int]) -> None:
         )
 
 
-def _found(
-    system: DynamicSystem, at: Moment, held: list[int], tau: Array, choice: Choice | None,
+def _solved(
+    system: DynamicSystem, at: Moment, locked: list[int], tau: Array, choice: Choice | None,
     count: int | None, damped: bool, still: bool,
 ) -> tuple[Complex, Any]:  # fmt: skip
     """Eigenvalues (k,) [1/s] and shapes (nu, k), from the lowest frequency."""
-    found = system.tangents(at)
-    K, C, M = (scaled(x, system.columns, system.columns) for x in (found.K, found.C, found.M))
-    G = scaled(found.G, 1.0 / system.rows, system.columns)
+    tangents = system.tangents(at)
+    K, C, M = (
+        scaled(x, system.columns, system.columns) for x in (tangents.K, tangents.C, tangents.M)
+    )
+    G = scaled(tangents.G, 1.0 / system.rows, system.columns)
+    # small systems: dense solvers are faster and find all modes
     if issparse(K) and is_small(G):
         K, C, M, G = (x.toarray() for x in (K, C, M, G))
-    if held:
-        shape = (len(held), len(system.columns))
-        kept = csr_array((np.ones(len(held)), (np.arange(len(held)), held)), shape)
-        G = csr_array(vstack([G, kept])) if issparse(G) else np.concatenate([G, kept.toarray()])
+    # locked speeds are further constraint rows
+    if locked:
+        shape = (len(locked), len(system.columns))
+        locked_rows = csr_array((np.ones(len(locked)), (np.arange(len(locked)), locked)), shape)
+        G = (
+            csr_array(vstack([G, locked_rows]))
+            if issparse(G)
+            else np.concatenate([G, locked_rows.toarray()])
+        )
     by = system.saddle.factored if isinstance(system.saddle, Sparse) else factored
     values: Complex
     shapes: Any
     quiet = still and (not damped or not _size(C)) and not system.internals
     small = len(system.columns) <= FULL
     try:
+        # undamped and symmetric: K x = omega^2 M x with real modes
         if quiet and _size(K - K.T) <= ALIKE * _size(K):
             values, shapes = _undamped(K, M, G, count, by)
+        # sparse and damped or spinning: shift and invert on the quadratic eigenvalue problem
         elif issparse(K) and (still or system.uniform(at)):
             E, W = (
                 csr_array(scaled(csr_array(x), 1 / system.columns, system.columns))
@@ -142,17 +152,17 @@ def _found(
             )
             # v = e' - E e, and M (v' + W v) + C v + K e
             damping = C + M @ W
-            turned = (K - damping @ E, damping - M @ E)
+            shifted = (K - damping @ E, damping - M @ E)
             # a part of the speeds: nearer to rotations that nothing holds others would be lost
             shift = SHIFT * max(1.0, 100 * float(np.abs(at.u / system.columns).max(initial=0.0)))
             try:
-                values, shapes = near_quadratic(*turned, M, G, shift, 2 * (count or FEW), by)
+                values, shapes = near_quadratic(*shifted, M, G, shift, 2 * (count or FEW), by)
             except ArpackError:
                 if not small:
                     raise
-                values, shapes = _first(system, at, held, tau, choice)
+                values, shapes = _first(system, at, locked, tau, choice)
         else:
-            values, shapes = _first(system, at, held, tau, choice)
+            values, shapes = _first(system, at, locked, tau, choice)
     except ArpackError:
         raise SolveError(
             f"modes of '{system.name}': the search for {count or FEW} modes next to 0 did not end, "
@@ -166,6 +176,7 @@ def _found(
         ) from None
     chosen = _chosen(values, count, np.iscomplexobj(shapes))
     shapes = shapes[:, chosen]
+    # unit modal mass, and a phase that makes the largest entries real
     weight = np.sqrt(np.abs(np.einsum("ik,ik->k", shapes.conj(), M @ shapes)))
     shapes = shapes / np.where(weight > 0, weight, 1.0)
     return values[chosen], _phased(shapes) * system.columns[:, None]
@@ -202,10 +213,10 @@ def _real(
 
 
 def _first(
-    system: DynamicSystem, at: Moment, held: list[int], tau: Array, choice: Choice | None
+    system: DynamicSystem, at: Moment, locked: list[int], tau: Array, choice: Choice | None
 ) -> tuple[Complex, Complex]:
     """Modes of the equations of first order, without units."""
-    small = first_order(system, at, held, tau, choice)
+    small = first_order(system, at, locked, tau, choice)
     values, vectors = np.linalg.eig(small.A.astype(np.complex128))
     shapes = (small.increments @ vectors) / system.columns[:, None]
     return values, shapes

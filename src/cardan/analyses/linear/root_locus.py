@@ -20,7 +20,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ...arguments import Count, Hold, checked
+from ...arguments import Count, LockedValues, checked
 from ...arrays import Array, Booleans, Complex, Integers
 from ...errors import SolveError, SolveWarning, warn
 from .family import Family, Member, family
@@ -28,7 +28,7 @@ from .stability_change import Interval, StabilityChange, follow
 
 DOUBT = 0.4  # costs of an eigenvalue to be another one above which members between are looked at
 DEEPEST = 6  # halvings of a step
-SHOWN = 6
+MAX_PRINTED = 6
 END = "reached the end"
 
 
@@ -62,12 +62,12 @@ class LocusRecord:
 
     @property
     def stable(self) -> Booleans:
-        """Whether no small motion grows exponentially (n,)."""
+        """Mask of the members about which no small motion grows exponentially (n,)."""
         return np.array([member.stable for member in self.members])
 
     @property
     def moving(self) -> Booleans:
-        """Which columns are not 0 all the way (k,)."""
+        """Mask of the columns that are not 0 all the way (k,)."""
         size = np.array([member.spectrum.size for member in self.members])[:, None]
         return np.asarray((np.abs(self.eigenvalues) > 1e-6 * size).any(axis=0))
 
@@ -79,8 +79,10 @@ class LocusRecord:
             said = ", ".join(f"{n} = {v[row] + 0.0:.6g}" for n, v in self.values.items())
             least = 1e-9 * self.members[row].spectrum.size
             printed = [v for v in eigenvalues[row] if v.imag >= 0 and abs(v) > least]
-            numbers = [_number(v) for v in sorted(printed, key=lambda v: (-v.real, v.imag))[:SHOWN]]
-            more = ", ..." if len(printed) > SHOWN else ""
+            numbers = [
+                _number(v) for v in sorted(printed, key=lambda v: (-v.real, v.imag))[:MAX_PRINTED]
+            ]
+            more = ", ..." if len(printed) > MAX_PRINTED else ""
             kind = "stable" if self.members[row].stable else "unstable"
             lines.append(f"  {said}: {kind}; {', '.join(numbers)}{more}")
         for change in self.changes:
@@ -100,8 +102,8 @@ def root_locus(
     coordinates: Iterable[str] | None = None,
     q: Mapping[str, ArrayLike] | ArrayLike | None = None,
     u: Mapping[str, Any] | None = None,
-    hold: Hold | None = None,
-    wanted: Mapping[str, Any] | None = None,
+    locked: LockedValues | None = None,
+    targets: Mapping[str, Any] | None = None,
     free: Iterable[str] | None = None,
     inputs: Mapping[str, float] | None = None,
     parameters: Mapping[str, float] | None = None,
@@ -118,10 +120,10 @@ def root_locus(
         count: Members of a range; 31 if left out.
         coordinates: Those whose motions count, if their equations are closed: lean and steer of a
             bicycle. All if left out.
-        q, u, hold, inputs, parameters, t: As ``equilibrium`` takes them; arrays in ``u`` and
-            ``hold`` are swept too.
-        wanted, free: As ``trim`` takes them, which finds the members then (no ``hold``); arrays in
-            ``wanted`` are swept too.
+        q, u, locked, inputs, parameters, t: As ``equilibrium`` takes them; arrays in ``u`` and
+            ``locked`` are swept too.
+        targets, free: As ``trim`` takes them, which finds the members then (no ``locked``);
+            arrays in ``targets`` are swept too.
         check: Raise where the end is not reached, instead of warning.
 
     Returns:
@@ -131,7 +133,8 @@ def root_locus(
         ModelError: unknown names, nothing that changes. ArgumentError: values of a wrong shape.
         SolveError: no equilibrium or steady motion at the start; with ``check``, further on.
     """
-    arguments = {"q": q, "u": u, "hold": hold, "wanted": wanted, "free": free, "inputs": inputs,
+    arguments = {"q": q, "u": u, "locked": locked, "targets": targets, "free": free,
+                 "inputs": inputs,
              "parameters": parameters, "t": t}  # fmt: skip
     loci = locus(family(model, {**(swept or {}), **named}, arguments, count, coordinates), check)
     if loci.message != END:
@@ -158,11 +161,11 @@ def locus(members: Family, check: bool = False) -> LocusRecord:
         for low, high in pairwise(rows):
             changes += Interval(members, rate).changes(low, high)
     except SolveError as failed:
-        said = ", ".join(f"{n} = {v:.6g}" for n, v in members.told(rows[-1].s).items())
+        said = ", ".join(f"{n} = {v:.6g}" for n, v in members.values_at(rows[-1].s).items())
         message = f"ends behind {said}: {failed}"
         if check:
             raise SolveError(message) from failed
-    values = {n: np.array([members.told(row.s)[n] for row in rows]) for n in members.columns}
+    values = {n: np.array([members.values_at(row.s)[n] for row in rows]) for n in members.columns}
     eigenvalues = np.array([row.values[order] for row, order in zip(rows, orders, strict=True)])
     return LocusRecord(members.model.name, values, eigenvalues, rows, changes, message, members)
 
@@ -195,7 +198,7 @@ def plot(locus: LocusRecord, path: str | Path | None = None) -> Any:
         The Matplotlib figure.
 
     Raises:
-        ModelError: a path that is no picture file.
+        ModelError: a path that is not a picture file.
         ModuleNotFoundError: Matplotlib is not installed (extra ``plot``).
     """
     from ...view.loci import plot_locus

@@ -16,7 +16,7 @@ import numpy as np
 
 from ...arrays import Array
 
-SHOWN = 6
+MAX_PRINTED = 6
 
 
 @final
@@ -63,15 +63,19 @@ class SecondOrder:
         return 0.5 * (self.K - self.K.T)
 
     def __repr__(self) -> str:
-        more = ", ..." if len(self.coordinates) > SHOWN else ""
-        lines = [f"'{self.name}' of second order in {', '.join(self.coordinates[:SHOWN])}{more}"]
+        more = ", ..." if len(self.coordinates) > MAX_PRINTED else ""
+        lines = [
+            f"'{self.name}' of second order in {', '.join(self.coordinates[:MAX_PRINTED])}{more}"
+        ]
         parts = ("M", "dissipative", "gyroscopic", "conservative", "circulatory")
         for part in parts:
             matrix = getattr(self, part)
             if part != "M" and not np.any(np.abs(matrix) > 0):
                 continue
             lines.append(f"  {part}")
-            lines += ["".join(f"{x:14.6g}" for x in row[:SHOWN]) for row in matrix[:SHOWN]]
+            lines += [
+                "".join(f"{x:14.6g}" for x in row[:MAX_PRINTED]) for row in matrix[:MAX_PRINTED]
+            ]
         return "\n".join(lines)
 
 

@@ -1,4 +1,4 @@
-"""How eigenvalues change with parameters: wᴴ dA/dp v / wᴴ v, the motion moving along.
+"""Derivatives of eigenvalues by parameters: wᴴ dA/dp v / wᴴ v, the motion moving along.
 
 The linear model is that of the equilibrium, steady motion or trim at the changed parameter: dA/dp
 is the whole derivative. It comes from central differences at three steps, extrapolated to step 0
@@ -28,7 +28,7 @@ from .steady_motion import SteadyMotionRecord
 
 STEP = 0.02  # of a parameter, the longest; of 1 where it is 0
 LEVELS = 3
-SHOWN = 10
+MAX_PRINTED = 10
 
 
 @final
@@ -61,12 +61,12 @@ class Sensitivity:
         names = list(self.parameters)
         lines.append(f"  {'eigenvalue':<24}" + "".join(f"{name:>24}" for name in names))
         upper = np.flatnonzero(self.eigenvalues.imag >= 0)
-        for k in upper[:SHOWN]:
+        for k in upper[:MAX_PRINTED]:
             row = f"  {_number(self.eigenvalues[k]):<24}"
             scaled = self.values[k] * np.array([*self.parameters.values()])
             row += "".join(f"{_number(x):>24}" for x in scaled)
             lines.append(row)
-        lines += [f"  ... {len(upper) - SHOWN} more"] if len(upper) > SHOWN else []
+        lines += [f"  ... {len(upper) - MAX_PRINTED} more"] if len(upper) > MAX_PRINTED else []
         if np.isnan(self.values).any():
             lines.append("  '-': the eigenvalue is defective and has no derivative")
         return "\n".join(lines)
@@ -113,10 +113,10 @@ def _neighbors(state: Any, names: list[str]) -> Family:
     """The motions beside one, as parameters change."""
     kinds = dict.fromkeys(names, "parameters")
     if isinstance(state, SteadyMotionRecord):
-        return Family(state.model, {}, kinds, state.asked)
+        return Family(state.model, {}, kinds, state.trim_arguments)
     if isinstance(state, Equilibrium):
         load = state.load
-        arguments = {"q": state.q, "hold": dict(load.hold), "inputs": dict(state.inputs),
+        arguments = {"q": state.q, "locked": dict(load.locked), "inputs": dict(state.inputs),
                  "t": state.t}  # fmt: skip
         return Family(state.model, {}, kinds, arguments | ({} if load.u is None else {"u": load.u}))
     raise ModelError(

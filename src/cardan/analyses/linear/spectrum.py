@@ -20,7 +20,9 @@ from ...arrays import Array, Booleans, Complex, Integers
 ROUNDED = 4e-15
 ALIKE = 1e-9  # of the largest modulus: eigenvalues that meet
 DEFECTIVE = 1e-6  # cosines between left and right vectors of values without vectors of their own
-KNOWN = 1e-10  # of the largest modulus: what states that were searched for leave of matrices
+RELATIVE_ERROR = (
+    1e-10  # of the largest modulus: what states that were searched for leave of matrices
+)
 NONE = 1e-13  # of the largest entry of a vector: entries that are none
 
 
@@ -34,7 +36,8 @@ class Spectrum:
         left: wᴴ A = value wᴴ, columns (n, n), with wᴴ v = 1; NaN where defective.
         defective: Which of them have no vectors of their own (n,).
         groups: Places of eigenvalues that meet, of one each where they do not.
-        rounding: How far eigenvalues may be off (n,) where matrices are known to :data:`KNOWN`:
+        rounding: How far eigenvalues may be off (n,) where matrices are known to
+        :data:`RELATIVE_ERROR`:
             much where they are nearly defective.
     """
 
@@ -46,8 +49,8 @@ class Spectrum:
     rounding: Array
 
     @property
-    def growing(self) -> Booleans:
-        """Which motions grow exponentially (n,), beyond all rounding."""
+    def unstable(self) -> Booleans:
+        """Mask of the motions that grow exponentially (n,), beyond all rounding."""
         return np.asarray(self.values.real > self.rounding)
 
     @property
@@ -56,7 +59,7 @@ class Spectrum:
         return float(np.abs(self.values).max(initial=0.0))
 
     def derivative(self, dA: Array) -> Complex:
-        """How eigenvalues change (n,) with a matrix; NaN where defective.
+        """Derivatives of the eigenvalues (n,) with respect to a matrix; NaN where defective.
 
         Args:
             dA: Derivative of the matrix (n, n).
@@ -97,7 +100,7 @@ def spectrum(A: Array, units: Array) -> Spectrum:
             left, defective = _paired(left, right, group, defective)
     weight = np.einsum("ik,ik->k", left.conj(), right)
     left = np.where(defective, np.nan, left / np.where(defective, 1.0, weight.conj()))
-    off = KNOWN * float(np.abs(values).max()) / np.maximum(cosines, 1e-300)
+    off = RELATIVE_ERROR * float(np.abs(values).max()) / np.maximum(cosines, 1e-300)
     # back to the units of the matrix, the largest entry of a right vector 1
     right, left = right * units[:, None], left / units[:, None]
     top = np.take_along_axis(right, np.abs(right).argmax(axis=0)[None], axis=0)

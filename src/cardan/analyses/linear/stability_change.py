@@ -27,7 +27,7 @@ REAL = 1e-6  # of the largest modulus: imaginary parts that are none
 
 @dataclass(frozen=True, eq=False)
 class StabilityChange:
-    """Where stability changes.
+    """A change of stability along a family.
 
     Attributes:
         values: What changes, there.
@@ -43,7 +43,7 @@ class StabilityChange:
 
     @property
     def frequency(self) -> float:
-        """Of the motion that begins to grow [rad/s]."""
+        """Frequency of the motion that begins to grow [rad/s]."""
         return abs(self.eigenvalue.imag)
 
 
@@ -77,51 +77,51 @@ class Interval:
     members: Family
     rate: float
 
-    def growing(self, member: Member) -> int:
-        """How many motions grow."""
+    def n_unstable(self, member: Member) -> int:
+        """Number of growing motions."""
         off = member.spectrum.rounding * self.rate / max(member.spectrum.size, 1e-300)
         return int(np.sum(member.values.real > off))
 
     def changes(self, low: Member, high: Member) -> list[StabilityChange]:
-        """Where stability changes between two members, in their order."""
-        changes_found = list[StabilityChange]()
-        while self.growing(low) != self.growing(high) and high.s - low.s > CLOSE:
+        """Changes of stability between two members, in their order."""
+        changes = list[StabilityChange]()
+        while self.n_unstable(low) != self.n_unstable(high) and high.s - low.s > CLOSE:
             near = self._bisected(low, high, 0.01 * NARROW)
             # a little further apart, where real parts are more than what counts as growth
             wide = (self.members.at(max(0.0, near[0].s - NARROW), near[0]),
                     self.members.at(min(1.0, near[1].s + NARROW), near[1]))  # fmt: skip
             change = None
-            if self.growing(wide[0]) != self.growing(wide[1]):
+            if self.n_unstable(wide[0]) != self.n_unstable(wide[1]):
                 change = self._crossing_of_axis(*wide) or self._coalescence(*wide)
-            changes_found.append(change or self._somewhere(*self._bisected(*near, CLOSE)))
+            changes.append(change or self._somewhere(*self._bisected(*near, CLOSE)))
             low = near[1]
-        return changes_found
+        return changes
 
     def _bisected(self, below: Member, above: Member, width: float) -> tuple[Member, Member]:
         """Members this close, of which the first is like the one below and the other is not."""
-        like = self.growing(below)
+        like = self.n_unstable(below)
         while above.s - below.s > width:
             middle = self.members.at(0.5 * (below.s + above.s), below)
             if middle.s in (below.s, above.s):
                 break
-            same = self.growing(middle) == like
+            same = self.n_unstable(middle) == like
             below, above = (middle, above) if same else (below, middle)
         return below, above
 
     def _sides(self, below: Member, above: Member) -> tuple[Member, Member, bool]:
         """The member in which more motions grow, the other one, and whether that is the former."""
-        lost = self.growing(above) > self.growing(below)
+        lost = self.n_unstable(above) > self.n_unstable(below)
         return (above, below, lost) if lost else (below, above, lost)
 
     def _crossing_of_axis(self, below: Member, above: Member) -> StabilityChange | None:
-        """Where an eigenvalue passes the axis at a finite rate.
+        """Locate an eigenvalue that passes the imaginary axis at a finite rate.
 
         None where eigenvalues meet on the axis first, as those of conservative systems do.
         """
         grown, shrunk, lost = self._sides(below, above)
         places, _ = follow(grown, shrunk)
         decays = shrunk.values.real < -shrunk.spectrum.rounding
-        through = grown.spectrum.growing & decays[places]
+        through = grown.spectrum.unstable & decays[places]
         if not through.any():
             return None
         k = int(np.flatnonzero(through)[0])
@@ -135,9 +135,9 @@ class Interval:
         return self._change(s, value, lost, abs(value.imag) > REAL * self.rate)
 
     def _coalescence(self, below: Member, above: Member) -> StabilityChange | None:
-        """Where two eigenvalues meet on the axis; None where they do not."""
+        """Locate two eigenvalues that meet on the axis; None where they do not."""
         grown, _, lost = self._sides(below, above)
-        k = int(np.where(grown.spectrum.growing, grown.values.real, -np.inf).argmax())
+        k = int(np.where(grown.spectrum.unstable, grown.values.real, -np.inf).argmax())
         center = complex(0.0, grown.values[k].imag)
 
         def nearest(s: float) -> Complex:
@@ -156,7 +156,7 @@ class Interval:
         return self._change(s, met, lost, abs(center.imag) > grown.spectrum.rounding[k])
 
     def _somewhere(self, below: Member, above: Member) -> StabilityChange:
-        """What happens between two members that are next to each other."""
+        """The change between two members that are next to each other."""
         grown, shrunk, lost = self._sides(below, above)
         places, _ = follow(grown, shrunk)
         rise = grown.values.real - shrunk.values[places].real
@@ -167,7 +167,7 @@ class Interval:
     def _change(self, s: float, value: complex, lost: bool, flutter: bool) -> StabilityChange:
         axis = complex(0.0, abs(value.imag) if flutter else 0.0)
         kind = "flutter" if flutter else "divergence"
-        return StabilityChange(self.members.told(s), axis, lost, kind)
+        return StabilityChange(self.members.values_at(s), axis, lost, kind)
 
 
 def _root(f: Callable[[float], float], low: float, high: float) -> float:

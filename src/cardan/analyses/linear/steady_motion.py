@@ -10,13 +10,13 @@ from ...arrays import Array
 from ..systems.dynamic_system import Moment, NamedState
 from .first_order import Choice
 
-SHOWN = 24
+MAX_PRINTED = 24
 ROUNDED = 1e-12  # values below this are printed as none
 
 
 @dataclass(frozen=True, repr=False, eq=False)
 class SteadyMotionRecord(NamedState):
-    """A steady motion with wanted values, or a rest: ``found["steer"]`` is a value by name.
+    """A steady motion with target values, or a rest: ``found["steer"]`` is a value by name.
 
     A run starts there, ``found.model.simulate(10, x0=found, inputs=found.inputs)``; so do
     ``linearize`` and ``modes``.
@@ -25,10 +25,10 @@ class SteadyMotionRecord(NamedState):
         model: The model, with the parameters that were found.
         x: State [q, u, z] (nx,).
         free: What was free and its value: inputs, parameters, speeds, forces.
-        wanted: What was asked for, by name.
+        targets: Requested values, by name.
         inputs: All inputs by name.
         t: Time [s].
-        loose: Coordinates of which any value would do: they stay as they started.
+        free_motions: Coordinates of which any value would do: they stay as they started.
         iterations: Linear systems solved.
         converged: Whether it is one.
         message: The same as a sentence.
@@ -39,14 +39,14 @@ class SteadyMotionRecord(NamedState):
     model: Any
     x: Array
     free: Mapping[str, float]
-    wanted: Mapping[str, float]
+    targets: Mapping[str, float]
     inputs: Mapping[str, float]
     t: float
-    loose: tuple[str, ...]
+    free_motions: tuple[str, ...]
     iterations: int
     converged: bool
     message: str
-    asked: Mapping[str, Any] = field(repr=False)
+    trim_arguments: Mapping[str, Any] = field(repr=False)
     at: Moment = field(repr=False)
     tau: Array = field(repr=False)
     choice: Choice = field(repr=False)
@@ -60,13 +60,15 @@ class SteadyMotionRecord(NamedState):
 
     def __repr__(self) -> str:
         lines = [f"'{self.model.name}': {self.message}"]
-        named_values = {**self.wanted, **self.free}
+        named_values = {**self.targets, **self.free}
         values = {
-            n: v for n, v in self.named.items() if n not in named_values and n not in self.loose
+            n: v
+            for n, v in self.named.items()
+            if n not in named_values and n not in self.free_motions
         }
         stop = self.model.nq + self.model.nu
-        printed = [(n, v) for n, v in list(values.items())[:stop] if abs(v) > ROUNDED][:SHOWN]
-        lines += [f"  {name} = {value:.10g}  (wanted)" for name, value in self.wanted.items()]
+        printed = [(n, v) for n, v in list(values.items())[:stop] if abs(v) > ROUNDED][:MAX_PRINTED]
+        lines += [f"  {name} = {value:.10g}  (target)" for name, value in self.targets.items()]
         lines += [f"  {name} = {value:.10g}  (free)" for name, value in self.free.items()]
         lines += [f"  {name} = {value:.10g}" for name, value in printed]
         return "\n".join(lines)

@@ -1,8 +1,8 @@
-"""Trim: inputs, parameters, forces and speeds with which a wanted steady motion holds.
+"""Trim: inputs, parameters, forces and speeds with which a required steady motion holds.
 
 Unknowns are independent increments and speeds, internal states and what is free. Accelerations
-along the independent speeds, rates of internal states and what is wanted less its value are 0;
-speeds that are neither wanted nor free stay as they were given. Newton's method takes the first-
+along the independent speeds, rates of internal states and the targets less their values are 0;
+speeds that are neither targets nor free stay as they were given. Newton's method takes the first-
 order equations of the motion that is reached for its matrix, and steps of least size where values
 are left open. A motion is steady where its accelerations do not change as it goes on.
 
@@ -33,7 +33,7 @@ TIGHT = 1e-11  # steps without units that end the search
 MET = 1e-9  # of what a unit step changes: conditions that hold
 NEWTON, HALVINGS = 60, 14
 OPEN = 1e-9  # singular values, of the largest, of directions in which nothing changes
-OWN = 1e-6  # of a direction: parts in what is free
+FREE_PART = 1e-6  # of a direction: parts in what is free
 STEADY = 1e-8  # of the rates at which accelerations change
 AGAIN = 4  # speeds that are set to 0 one after the other
 
@@ -41,7 +41,7 @@ AGAIN = 4  # speeds that are set to 0 one after the other
 @checked
 def trim(
     model: Any,
-    wanted: Mapping[str, float] | None = None,
+    targets: Mapping[str, float] | None = None,
     *,
     free: Iterable[str] = (),
     q: Mapping[str, ArrayLike] | ArrayLike | None = None,
@@ -51,11 +51,11 @@ def trim(
     t: float = 0.0,
     check: bool = False,
 ) -> SteadyMotionRecord:
-    """A steady motion, or a rest, with wanted values, and what it takes.
+    """A steady motion, or a rest, with target values, and what it takes.
 
     Args:
         model: The compiled model, in relative coordinates.
-        wanted: Coordinates, speeds and outputs by name -> the value they are to have.
+        targets: Coordinates, speeds and outputs by name -> the value they are to have.
         free: What may change for that: inputs, parameters, speeds (``"spin.u"``), and forces along
             speeds (``"elbow.force"``). Coordinates are free anyway.
         q: Coordinates to start from, by name or (nq,).
@@ -68,25 +68,25 @@ def trim(
         The motion; where none was found what the search reached, ``converged`` False.
 
     Raises:
-        ModelError: unknown names, circuits that cannot be assembled, beams.
+        ModelError: unknown names, loops that cannot be assembled, beams.
         SolveError: with ``check``, there is none, or free values are left over.
     """
     system = dynamic_system_of(model)
     if not isinstance(system, JointSystem):
         raise ModelError(
-            f"trim (wanted=, free=): '{model.name}' has coordinates='absolute'. Its steady "
-            "motions: model.equilibrium(u={'...': speed}, hold={'...': 0}) tells the force in "
+            f"trim (targets=, free=): '{model.name}' has coordinates='absolute'. Its steady "
+            "motions: model.equilibrium(u={'...': speed}, locked={'...': 0}) tells the force in "
             "holding"
         )
-    problem = trimming(system, wanted, free, u, inputs, parameters, t)
+    problem = trimming(system, targets, free, u, inputs, parameters, t)
     problem, guess, spent, met, moving = _from(problem, q)
-    if not met and (resting_q := _rest_position(model, problem, q)) is not None:
+    if not met and (equilibrium_q := _equilibrium_position(model, problem, q)) is not None:
         # forces of what is wanted lead further than the first guess of what is free
-        other = _from(problem, resting_q)
+        other = _from(problem, equilibrium_q)
         if other[3]:
             problem, guess, spent, met, moving = other
     message = _said(problem, guess, met, moving)
-    steady = _record(problem, guess, spent, message, wanted or {})
+    steady = _record(problem, guess, spent, message, targets or {})
     if not steady.converged:
         if check:
             raise SolveError(steady.message)
@@ -108,21 +108,25 @@ def _from(problem: Trimming, q: Any) -> tuple[Trimming, Guess, int, bool, str]:
     return problem, guess, spent, met, moving
 
 
-def _rest_position(model: Any, problem: Trimming, q: Any) -> Array | None:
+def _equilibrium_position(model: Any, problem: Trimming, q: Any) -> Array | None:
     """The position in which forces hold wanted coordinates; None where there is none."""
     places = problem.system.speeds
-    locked = {name: value for name, value in problem.wanted.items() if f"{name}.u" in places}
+    locked = {name: value for name, value in problem.targets.items() if f"{name}.u" in places}
     inputs = dict(zip(problem.system.inputs, problem.r.tolist(), strict=True))
-    arguments: dict[str, Any] = {"hold": locked, "inputs": inputs, "parameters": dict(problem.base)}
-    if problem.given:
-        arguments["u"] = dict(problem.given)
+    arguments: dict[str, Any] = {
+        "locked": locked,
+        "inputs": inputs,
+        "parameters": dict(problem.base),
+    }
+    if problem.fixed_speeds:
+        arguments["u"] = dict(problem.fixed_speeds)
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", SolveWarning)
-            rest = equilibrium(model, q=q, t=problem.t, **arguments)
+            equilibrium_record = equilibrium(model, q=q, t=problem.t, **arguments)
     except (ModelError, SolveError):
         return None
-    return rest.q if rest.converged else None
+    return equilibrium_record.q if equilibrium_record.converged else None
 
 
 def _search(problem: Trimming, guess: Guess) -> tuple[Guess, int, bool]:
@@ -162,7 +166,7 @@ def _moved(
 
 
 def _units(J: Array) -> Array:
-    """What a unit step changes of every condition."""
+    """Change of every condition by a unit step."""
     size = np.abs(J).max(axis=1, initial=0.0)
     largest = float(size.max(initial=1e-300))
     return np.asarray(np.where(size > OPEN * largest, size, largest))
@@ -177,14 +181,14 @@ def _open(problem: Trimming, guess: Guess) -> Array:
 
 
 def _ran_away(problem: Trimming, guess: Guess) -> bool:
-    """Whether forces grew until what is wanted counts for nothing beside them."""
+    """True when forces grew until what is wanted counts for nothing beside them."""
     size = np.abs(problem.matrix(guess)).max(axis=1, initial=0.0)
     wishes = size[problem.wishes(guess)]
     return bool(np.any((wishes > 0) & (wishes <= OPEN * size.max(initial=0.0))))
 
 
 def _said(problem: Trimming, guess: Guess, met: bool, moving: str) -> str:
-    """Why it is no steady motion, or "" where it is one."""
+    """Why it is not a steady motion, or "" where it is one."""
     if not met:
         miss, J = problem.miss(guess), problem.matrix(guess)
         worst = int(np.abs(miss / _units(J)).argmax())
@@ -195,7 +199,7 @@ def _said(problem: Trimming, guess: Guess, met: bool, moving: str) -> str:
             "axis, a speed that would have to be 0?). Give other speeds, or simulate it"
         )
     surplus = problem.left_over(guess, _open(problem, guess))
-    names = [name for name, size in surplus.items() if size > OWN]
+    names = [name for name, size in surplus.items() if size > FREE_PART]
     if names and _ran_away(problem, guess):
         values = problem.values(guess)
         said = ", ".join(f"'{name}' = {values.get(name, 0.0):.3g}" for name in names)
@@ -215,23 +219,25 @@ def _said(problem: Trimming, guess: Guess, met: bool, moving: str) -> str:
 def _record(
     problem: Trimming, guess: Guess, spent: int, message: str, requested: Mapping[str, float]
 ) -> SteadyMotionRecord:
-    """What was found, as users see it."""
+    """The result as users see it."""
     moving = bool(np.abs(guess.at.u).max(initial=0.0) > 0)
     kind = f"{'steady motion' if moving else 'rest'}, after {counted(spent, 'iteration')}"
-    free_motions = problem.loose(guess, _open(problem, guess), OWN) if not message else ()
+    free_motions = (
+        problem.free_motions(guess, _open(problem, guess), FREE_PART) if not message else ()
+    )
     at = guess.at
     return SteadyMotionRecord(
         model=problem.model(guess),
         x=np.concatenate([at.q, at.u, at.z]),
         free=problem.values(guess),
-        wanted={name: float(value) for name, value in requested.items()},
+        targets={name: float(value) for name, value in requested.items()},
         inputs=dict(zip(problem.system.inputs, at.r.tolist(), strict=True)),
         t=at.t,
-        loose=free_motions,
+        free_motions=free_motions,
         iterations=spent,
         converged=not message,
         message=message or kind,
-        asked=_restart_arguments(problem, guess, requested),
+        trim_arguments=_restart_arguments(problem, guess, requested),
         at=at,
         tau=guess.tau,
         choice=problem.first(guess).choice,
@@ -241,14 +247,14 @@ def _record(
 def _restart_arguments(
     problem: Trimming, guess: Guess, requested: Mapping[str, float]
 ) -> dict[str, Any]:
-    """How the same is asked for, beginning where it was found."""
+    """Arguments that repeat the trim from its solution."""
     system, values = problem.system, problem.values(guess)
     speeds = {name: value for name, value in values.items() if name in system.speeds}
     return {
-        "wanted": {name: float(value) for name, value in requested.items()},
+        "targets": {name: float(value) for name, value in requested.items()},
         "free": list(problem.kinds),
         "q": guess.at.q,
-        "u": {**problem.given, **speeds},
+        "u": {**problem.fixed_speeds, **speeds},
         "inputs": dict(zip(system.inputs, guess.at.r.tolist(), strict=True)),
         "t": guess.at.t,
     }

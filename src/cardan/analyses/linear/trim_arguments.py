@@ -1,4 +1,4 @@
-"""What a user asks of a trim, checked."""
+"""Checked arguments of a trim."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from .trim_problem import FORCE, Trimming
 
 
 def trimming(
-    system: JointSystem, wanted: Any, free: Iterable[str], u: Any, inputs: Any, parameters: Any,
+    system: JointSystem, targets: Any, free: Iterable[str], u: Any, inputs: Any, parameters: Any,
     t: float,
 ) -> Trimming:  # fmt: skip
     """The trim that a user described, checked.
@@ -22,19 +22,19 @@ def trimming(
     Raises:
         ModelError: unknown names, a name in both. SolveError: values that are not finite.
     """
-    aims = {n: float(v) for n, v in named("wanted", wanted, "'steer': 0.1").items()}
+    aims = {n: float(v) for n, v in named("targets", targets, "'steer': 0.1").items()}
     names = (*system.coordinates, *system.speeds, *system.outputs)
     for name, value in aims.items():
         if name not in names:
             raise ModelError(
-                f"trim: '{name}' is no coordinate, speed or output to want.{near(name, names)}"
+                f"trim: targets '{name}' is not a coordinate, speed or output.{near(name, names)}"
             )
         if not np.isfinite(value):
-            raise SolveError(f"trim: '{name}' is wanted at {value!r}; it must be finite")
+            raise SolveError(f"trim: '{name}' has the target {value!r}; it must be finite")
     kinds = {name: _kind(system, name) for name in listed("free", free, "torque")}
     both = next((name for name in kinds if name in aims), None)
     if both is not None:
-        raise ModelError(f"trim: '{both}' is wanted and free: leave one out")
+        raise ModelError(f"trim: '{both}' is a target and free: leave one out")
     start = by_entry(system.model, named("u", u, "'spin': 30"))
     base = dict(named("parameters", parameters, "'mass': 2"))
     system.changed(base)
@@ -54,7 +54,7 @@ def by_entry(model: Any, speeds: Mapping[str, Any]) -> dict[str, float]:
 
 
 def _kind(system: JointSystem, name: str) -> str:
-    """What something free is.
+    """Kind of a free quantity.
 
     Raises:
         ModelError: there is nothing of the kind.

@@ -1,4 +1,4 @@
-"""What is unknown in a trim, and what has to hold."""
+"""Unknowns and conditions of a trim."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ class Trimming:
 
     Attributes:
         system: The system.
-        wanted: Coordinate, speed or output -> value.
+        targets: Coordinate, speed or output -> value.
         free: Name -> ``"input"``, ``"parameter"``, ``"force"`` or ``"speed"``; speeds last but
             they are unknown anyway.
         given: Speeds that keep a value or start there.
@@ -53,9 +53,9 @@ class Trimming:
     """
 
     system: JointSystem
-    wanted: Mapping[str, float]
+    targets: Mapping[str, float]
     kinds: Mapping[str, str]
-    given: Mapping[str, Any]
+    fixed_speeds: Mapping[str, Any]
     base: Mapping[str, float]
     r: Array
     t: float
@@ -68,7 +68,7 @@ class Trimming:
 
     @cached_property
     def free(self) -> tuple[str, ...]:
-        """What is free besides states."""
+        """Free quantities other than states."""
         return tuple(n for n, kind in self.kinds.items() if kind != "speed")
 
     def model(self, guess: Guess) -> Any:
@@ -79,21 +79,21 @@ class Trimming:
     def begin(self, q: Any) -> Guess:
         """The start, assembled, with the speeds that were given."""
         at = self.system.start(self.t, q, self.r, {}, dict(self.base) or None)
-        start = dict(self.given)
-        for name, value in self.wanted.items():
-            if name in self.system.speeds and not self._told(start, name):
+        start = dict(self.fixed_speeds)
+        for name, value in self.targets.items():
+            if name in self.system.speeds and not self._prescribes(start, name):
                 start[name] = value
         free = {n: 0.0 for n in self.system.speeds if self.kinds.get(n) == "speed"}
-        allowed = {**{n: v for n, v in free.items() if not self._told(start, n)}, **start}
+        allowed = {**{n: v for n, v in free.items() if not self._prescribes(start, n)}, **start}
         m = self._mechanism(at)
         try:
             u = speeds(m, at.q, allowed, np.zeros(len(self.system.speeds)))
         except ModelError:
             # what is wanted need not fit the position where the search begins
-            u = speeds(m, at.q, dict(self.given), np.zeros(len(self.system.speeds)))
+            u = speeds(m, at.q, dict(self.fixed_speeds), np.zeros(len(self.system.speeds)))
         return self._accelerated(replace(at, u=u), np.zeros(len(u)))
 
-    def _told(self, start: Mapping[str, Any], name: str) -> bool:
+    def _prescribes(self, start: Mapping[str, Any], name: str) -> bool:
         return self.system.speeds.index(name) in self._places(start)
 
     def _places(self, start: Mapping[str, Any]) -> list[int]:
@@ -127,8 +127,8 @@ class Trimming:
     @cached_property
     def _named(self) -> list[int]:
         """Speeds that are spoken of."""
-        named = self._places(self.given)
-        spoken = {*self.wanted, *self.kinds}
+        named = self._places(self.fixed_speeds)
+        spoken = {*self.targets, *self.kinds}
         return named + [k for k, name in enumerate(self.system.speeds) if name in spoken]
 
     # conditions
@@ -139,20 +139,20 @@ class Trimming:
         columns = self.system.columns
         return np.concatenate([columns[first.e], columns[first.v], np.ones(len(guess.at.z))])
 
-    def kept(self, guess: Guess) -> list[int]:
-        """Independent speeds that are neither wanted nor free."""
+    def constant_speeds(self, guess: Guess) -> list[int]:
+        """Independent speeds that are neither targets nor free."""
         names = self.system.speeds
-        return [k for k in self.first(guess).v if names[k] not in {*self.wanted, *self._open}]
+        return [k for k in self.first(guess).v if names[k] not in {*self.targets, *self._open}]
 
     @property
     def _open(self) -> set[str]:
         return {n for n, kind in self.kinds.items() if kind == "speed"}
 
     def miss(self, guess: Guess) -> Array:
-        """Accelerations, rates of internal states, what is wanted, speeds that are kept."""
+        """Accelerations, rates of internal states, targets, speeds that stay."""
         at, system = guess.at, self.system
         accelerations = at.udot[self.first(guess).v] / system.columns[self.first(guess).v]
-        free_speeds = self.kept(guess)
+        free_speeds = self.constant_speeds(guess)
         stay = (at.u - self._start)[free_speeds] / system.columns[free_speeds]
         parts = [accelerations, system.internal_rates(at), self._off(guess), stay]
         return np.concatenate(parts)
@@ -160,32 +160,32 @@ class Trimming:
     @cached_property
     def _start(self) -> Array:
         """Speeds that are kept have these values (nu,)."""
-        places, values = read("u", self.system.model, self.given)
+        places, values = read("u", self.system.model, self.fixed_speeds)
         speeds_at_start = np.zeros(len(self.system.speeds))
         speeds_at_start[places] = values
         return speeds_at_start
 
     def _off(self, guess: Guess) -> Array:
-        """What is wanted, less its value, without units of length."""
-        values = self._seen(guess)
-        return np.array([(values[n] - v) / self._unit(n) for n, v in self.wanted.items()])
+        """Requested values less their targets, without units of length."""
+        values = self._named_values(guess)
+        return np.array([(values[n] - v) / self._unit(n) for n, v in self.targets.items()])
 
     def _unit(self, name: str) -> float:
         system = self.system
         speed = name if name in system.speeds else f"{name}.u"
         return float(system.columns[system.speeds.index(speed)]) if speed in system.speeds else 1.0
 
-    def _seen(self, guess: Guess) -> dict[str, float]:
+    def _named_values(self, guess: Guess) -> dict[str, float]:
         system, at = self.system, guess.at
         values = dict(zip(system.coordinates, at.q.tolist(), strict=True))
         values |= dict(zip(system.speeds, at.u.tolist(), strict=True))
-        if any(name in system.outputs for name in self.wanted):
-            outputs = system.model.outputs(at.q, at.u, **system._rest(at))
+        if any(name in system.outputs for name in self.targets):
+            outputs = system.model.outputs(at.q, at.u, **system._arguments(at))
             values |= dict(zip(system.outputs, np.ravel(outputs).tolist(), strict=False))
         return values
 
     def matrix(self, guess: Guess) -> Array:
-        """How conditions change with the unknowns (m, n), without units."""
+        """Derivatives of the conditions by the unknowns (m, n), without units."""
         return self._matrices(guess)
 
     @cached_property
@@ -198,7 +198,7 @@ class Trimming:
         units, columns = self.states(guess), system.columns
         accelerations = first.A[n : n + len(v)] / columns[v][:, None]
         rows = [accelerations, first.A[n + len(v) :], self._target_rows(guess)]
-        constant = self.kept(guess)
+        constant = self.constant_speeds(guess)
         rows.append(first.speeds[constant] / columns[constant][:, None])
         by_states = np.concatenate(rows) * units
         by_free = [self._by(guess, name) for name in self.free]
@@ -207,10 +207,14 @@ class Trimming:
     def _target_rows(self, guess: Guess) -> Array:
         system, first, nz = self.system, self.first(guess), len(guess.at.z)
         count = len(first.A)
-        rows, inner = np.zeros((len(self.wanted), count)), np.eye(nz, count, count - nz)
-        jacobians = system.seen(guess.at) if any(n in system.outputs for n in self.wanted) else None
-        kinematic_matrix = system.turning(guess.at)
-        for k, name in enumerate(self.wanted):
+        rows, inner = np.zeros((len(self.targets), count)), np.eye(nz, count, count - nz)
+        jacobians = (
+            system.output_jacobians(guess.at)
+            if any(n in system.outputs for n in self.targets)
+            else None
+        )
+        kinematic_matrix = system.kinematic_matrix(guess.at)
+        for k, name in enumerate(self.targets):
             if name in system.coordinates:
                 rows[k] = kinematic_matrix[system.coordinates.index(name)] @ first.increments
             elif name in system.speeds:
@@ -223,7 +227,7 @@ class Trimming:
         return rows
 
     def _by(self, guess: Guess, name: str) -> Array:
-        """How conditions change with something that is free."""
+        """Derivatives of the conditions by a free quantity."""
         if self.kinds[name] == "force":
             system, first = self.system, self.first(guess)
             answer = unit_force_accelerations(system, guess.at, [self._speed(name)])[:, 0]
@@ -247,7 +251,7 @@ class Trimming:
         return max(abs(self.values(guess).get(name, 0.0)), 1.0)
 
     def values(self, guess: Guess) -> dict[str, float]:
-        """What is free and its value."""
+        """Free quantities and their values."""
         at, system, values_by_name = guess.at, self.system, dict[str, float]()
         for name, kind in self.kinds.items():
             if kind == "input":
@@ -274,20 +278,20 @@ class Trimming:
             else:
                 tau[self._speed(name)] = value
         v = self.first(guess).v
-        return self._placed(replace(at, r=r, parameters=parameters or None), tau, v)
+        return self._guess(replace(at, r=r, parameters=parameters or None), tau, v)
 
-    def _placed(self, at: Moment, tau: Array, v: Any) -> Guess:
+    def _guess(self, at: Moment, tau: Array, v: Any) -> Guess:
         """A motion on the constraints next to one, with its independent speeds."""
         m = self._mechanism(at)
         q, u = at.q, at.u
         if len(self.system.positions):
             end = PositionSolver(m).search(q)
             if not end.met:
-                raise SolveError("trim: circuits do not close there")
+                raise SolveError("trim: loops do not close there")
             q = end.q
         if len(self.system.rows):
-            kept = {self.system.speeds[k]: u[k] for k in v}
-            u = speeds(m, q, kept, u)
+            independent = {self.system.speeds[k]: u[k] for k in v}
+            u = speeds(m, q, independent, u)
         return self._accelerated(replace(at, q=q, u=u), tau)
 
     def moved(self, guess: Guess, step: Array) -> Guess:
@@ -298,7 +302,7 @@ class Trimming:
         at = system.retract(guess.at, first.increments @ x)
         at = replace(at, u=at.u + first.speeds @ x, z=at.z + x[count - nz :])
         change = dict(zip(self.free, step[count:].tolist(), strict=True))
-        start = self._placed(at, guess.tau, first.v)
+        start = self._guess(at, guess.tau, first.v)
         return self._with(start, change, guess) if change else start
 
     # what is told
@@ -317,20 +321,20 @@ class Trimming:
         scale += np.abs(by_u).max(initial=0.0) * np.abs(at.udot).max(initial=0.0)
         if np.abs(jerk).max(initial=0.0) <= tolerance * scale:
             return ""
-        # by independent increments: of others alone circuits would not stay closed
+        # by independent increments: of others alone loops would not stay closed
         n = len(first.e)
         shares = np.abs(along @ first.increments[:, :n] * at.u[first.e]).max(axis=0)
         return system.speeds[int(first.e[shares.argmax()])]
 
     def settled(self, name: str) -> bool:
-        """Whether a speed has a value that was asked for."""
-        return name in {*self.wanted, *self.kinds} or self._told(self.given, name)
+        """True when a speed has a value that was asked for."""
+        return name in {*self.targets, *self.kinds} or self._prescribes(self.fixed_speeds, name)
 
     def with_zero_speed(self, name: str) -> Trimming:
         """The same with a speed that is 0."""
-        return replace(self, wanted={**self.wanted, name: 0.0}, v=None)
+        return replace(self, targets={**self.targets, name: 0.0}, v=None)
 
-    def loose(self, guess: Guess, directions: Array, tolerance: float) -> tuple[str, ...]:
+    def free_motions(self, guess: Guess, directions: Array, tolerance: float) -> tuple[str, ...]:
         """Coordinates of which any value would do, by directions in which nothing changes."""
         first = self.first(guess)
         moved = first.increments @ (directions[:, : len(first.A)] * self.states(guess)).T
@@ -338,7 +342,7 @@ class Trimming:
         return tuple(n for n, x in zip(self.system.increments, sizes, strict=True) if x > tolerance)
 
     def left_over(self, guess: Guess, directions: Array) -> dict[str, float]:
-        """How much what is free takes part in directions (k, n) in which nothing changes."""
+        """Share of the free quantities in directions (k, n) in which nothing changes."""
         first, names = self.first(guess), self.system.speeds
         count = len(first.A)
         sizes = np.abs(directions).max(axis=0, initial=0.0)[count:]
@@ -350,20 +354,20 @@ class Trimming:
         return shares
 
     def cure(self) -> str:
-        """What to do where what is free does not help."""
+        """Advice for the case that the free quantities do not help."""
         inputs = [name for name in self.system.inputs if name not in self.kinds]
         candidates = ", ".join([*inputs, f"<joint>{FORCE}", "<joint>.u"])
         return f"Free something that does: {candidates}; or want something else, start nearer"
 
     def wishes(self, guess: Guess) -> slice:
-        """The conditions that are what is wanted."""
+        """The conditions of the targets."""
         first = len(self.first(guess).v) + len(guess.at.z)
-        return slice(first, first + len(self.wanted))
+        return slice(first, first + len(self.targets))
 
     def complaint(self, guess: Guess, row: int, miss: float) -> str:
-        """What a condition says that does not hold, and what to do."""
+        """Message about a condition that does not hold, with a remedy."""
         first = self.first(guess)
-        nv, nz, nw = len(first.v), len(guess.at.z), len(self.wanted)
+        nv, nz, nw = len(first.v), len(guess.at.z), len(self.targets)
         cure = self.cure()
         if row < nv:
             name = self.system.speeds[first.v[row]]
@@ -373,8 +377,8 @@ class Trimming:
             name = self.system.internals[row - nv]
             return f"'{name}' changes at {miss:.3g}, and nothing that is free stops it. {cure}"
         if row < nv + nz + nw:
-            name = list(self.wanted)[row - nv - nz]
-            value = self.wanted[name] + miss * self._unit(name)
-            return f"'{name}' is {value:.6g}, not {self.wanted[name]:.6g}, at the nearest. {cure}"
-        name = self.system.speeds[self.kept(guess)[row - nv - nz - nw]]
+            name = list(self.targets)[row - nv - nz]
+            value = self.targets[name] + miss * self._unit(name)
+            return f"'{name}' is {value:.6g}, not {self.targets[name]:.6g}, at the nearest. {cure}"
+        name = self.system.speeds[self.constant_speeds(guess)[row - nv - nz - nw]]
         return f"'{name}' cannot stay as it is given (0 if it is not). Free '{name}', or: {cure}"

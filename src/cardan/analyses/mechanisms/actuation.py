@@ -55,7 +55,7 @@ class Actuation:
 
     @property
     def unique(self) -> NDArray[np.bool_]:
-        """Whether no other forces of the actuators make the same motion (...)."""
+        """True where no other forces of the actuators make the same motion (...)."""
         return np.asarray(self.rank == len(self.actuators))
 
     def __getitem__(self, actuator: str) -> Array:
@@ -68,7 +68,7 @@ class Actuation:
             actuator = f"{actuator}.u"
         if actuator not in self.actuators:
             raise ArgumentError(
-                f"'{actuator}' is no actuator here.{near(actuator, self.actuators)}"
+                f"'{actuator}' is not an actuator here.{near(actuator, self.actuators)}"
             )
         return np.asarray(self.forces[..., self.actuators.index(actuator)])
 
@@ -97,18 +97,18 @@ class _Place:
     model: LoadedModel
     q: Array
     u: Array
-    rest: Mapping[str, Any]
+    arguments: Mapping[str, Any]
 
     @property
     def jacobian(self) -> Array:
         """G (..., m, nu)."""
         if not self.model.nlam:
             return np.zeros((0, self.model.nu))
-        return self.model.constraint_jacobian(self.q, **self.rest)
+        return self.model.constraint_jacobian(self.q, **self.arguments)
 
     def force(self, udot: Array) -> Array:
         """M udot + h - f (..., nu)."""
-        return self.model.inverse_dynamics(self.q, self.u, udot, **self.rest)
+        return self.model.inverse_dynamics(self.q, self.u, udot, **self.arguments)
 
 
 @checked
@@ -127,7 +127,7 @@ def actuation(
     """Forces of actuators that make a motion: inverse dynamics of closed systems.
 
     Args:
-        model: With or without circuits.
+        model: With or without loops.
         q, u, udot: A motion that the constraints allow (..., nq), (..., nu), (..., nu), as
             ``assemble`` and ``sweep`` give it.
         actuators: Joints or speeds along which they act; by default every speed.
@@ -169,7 +169,7 @@ def hybrid_dynamics(
     """Some accelerations are given, the others follow, and so do the forces that it takes.
 
     Args:
-        model: With or without circuits.
+        model: With or without loops.
         q, u: States on the constraints (..., nq), (..., nu).
         udot: Joint or speed -> its acceleration; actuators there provide what it takes.
         tau: Other generalized applied forces (..., nu).
@@ -186,20 +186,21 @@ def hybrid_dynamics(
     chosen, prescribed = _prescribed_accelerations(model, udot)
     applied = np.zeros(model.nu) if tau is None else model._vector("tau", tau)
     # accelerations that keep to the constraints, corrected to those that are wanted
-    known = model.forward_dynamics(place.q, place.u, tau=applied, **time_and_inputs)
+    unforced = model.forward_dynamics(place.q, place.u, tau=applied, **time_and_inputs)
+    # least-norm correction that meets the constraints and the prescribed rows at once
     rows = np.eye(model.nu)[chosen]
     G = place.jacobian
-    lead = np.broadcast_shapes(known.shape[:-1], G.shape[:-2], prescribed.shape[:-1])
-    G, rows, known, prescribed = (
+    lead = np.broadcast_shapes(unforced.shape[:-1], G.shape[:-2], prescribed.shape[:-1])
+    G, rows, unforced, prescribed = (
         np.broadcast_to(x, (*lead, *x.shape[-k:]))
-        for x, k in ((G, 2), (rows, 2), (known, 1), (prescribed, 1))
+        for x, k in ((G, 2), (rows, 2), (unforced, 1), (prescribed, 1))
     )
     both = np.concatenate([G, rows], axis=-2)
-    change = np.concatenate([np.zeros(G.shape[:-1]), prescribed - known[..., chosen]], axis=-1)
+    change = np.concatenate([np.zeros(G.shape[:-1]), prescribed - unforced[..., chosen]], axis=-1)
     back = np.linalg.pinv(both, rcond=RANK)
-    one = known + times(back, change)
+    one = unforced + times(back, change)
     left = one[..., chosen] - prescribed
-    if not _small(np.concatenate([left, times(G, one - known)], axis=-1), prescribed, known):
+    if not _small(np.concatenate([left, times(G, one - unforced)], axis=-1), prescribed, unforced):
         names = [model.speeds[i] for i in chosen]
         raise SolveError(
             f"model '{model.name}': the constraints do not allow these accelerations of "
@@ -233,6 +234,7 @@ def _shared(
     left = times(free, load - tau)
     if not _small(left, load, tau) and not _rounded(place, udot, left):
         raise SolveError(_too_few(model, left, load, chosen))
+    # the multipliers carry the rest, with the least norm
     lam = times(np.linalg.pinv(np.swapaxes(G, -1, -2), rcond=RANK), load - tau)
     size = np.linalg.norm(along, ord=2, axis=(-2, -1)) if chosen else np.zeros(lead)
     return Actuation(
@@ -249,8 +251,8 @@ def _shared(
 
 
 def _rounded(place: _Place, udot: Array, left: Array) -> bool:
-    """Whether what is left is rounding of elastic forces, which are large where they rest too."""
-    model, arguments = place.model, place.rest
+    """True when what is left is rounding of elastic forces, which are large where they rest too."""
+    model, arguments = place.model, place.arguments
     system = dynamic_system_of(model.with_parameters(arguments["parameters"] or {}))
     lead, nu = left.shape[:-1], model.nu
     count = int(np.prod(lead))
@@ -341,7 +343,7 @@ def _refuse_impossible(place: _Place, udot: Array) -> None:
     model = place.model
     if not model.nlam:
         return
-    possible = model.forward_dynamics(place.q, place.u, **place.rest)
+    possible = model.forward_dynamics(place.q, place.u, **place.arguments)
     G = place.jacobian
     left = times(G, udot - possible)
     if not _small(left, times(np.abs(G), np.abs(udot)), times(np.abs(G), np.abs(possible))):
@@ -357,7 +359,7 @@ def _refuse_impossible(place: _Place, udot: Array) -> None:
 
 
 def _too_few(model: LoadedModel, left: Array, load: Array, chosen: list[int]) -> str:
-    """Which motions the actuators have no hold on."""
+    """Message about motions that the actuators cannot influence."""
     worst = left.reshape(-1, model.nu)[np.argmax(np.abs(left).reshape(-1, model.nu).max(axis=1))]
     size = np.abs(worst).max()
     names = [n for n, x in zip(model.speeds, worst, strict=True) if abs(x) > SHARE * size]
@@ -370,7 +372,7 @@ def _too_few(model: LoadedModel, left: Array, load: Array, chosen: list[int]) ->
 
 
 def _small(left: Array, *terms: Array) -> bool:
-    """Whether a rest is nothing beside the largest term of its state."""
+    """True when a rest is nothing beside the largest term of its state."""
     most = [np.abs(term).max(axis=-1, initial=0.0) for term in terms]
     size = np.maximum.reduce(np.broadcast_arrays(*most))
     return bool(np.all(np.abs(left).max(axis=-1, initial=0.0) <= MET * np.maximum(size, 1e-12)))

@@ -1,4 +1,4 @@
-"""Assembly: positions at which all circuits close and targets are met, and consistent speeds."""
+"""Assembly: positions at which all loops close and targets are met, and consistent speeds."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from .assembly_diagnosis import actual_value, explain
 from .branches import branches
 from .consistent_rates import accelerations, speeds
 from .mechanism import Mechanism, refuse_nodes
-from .nearest_position import REACHED, choose, nearest
+from .nearest_position import COST_TOL, choose, nearest
 from .position_solver import Solution, missed
 from .rounded_loops import closure_tolerance, rounded
 from .searches import search
@@ -38,7 +38,7 @@ def assemble(
     u: Mapping[str, Any] | None = None,
     udot: Mapping[str, Any] | None = None,
     weights: Mapping[str, float] | None = None,
-    hold: Iterable[str] | None = None,
+    locked: Iterable[str] | None = None,
     branch: Mapping[str, Any] | None = None,
     start: Mapping[str, ArrayLike] | ArrayLike | None = None,
     starts: Count = STARTS,
@@ -46,17 +46,17 @@ def assemble(
     t: float = 0.0,
     r: State | None = None,
 ) -> Assembly:
-    """A position at which all circuits close, next to a start, with some of it given.
+    """A position at which all loops close, next to a start, with some of it given.
 
     Args:
-        model: The compiled model; without circuits this is inverse kinematics.
+        model: The compiled model; without loops this is inverse kinematics.
         targets: Coordinate or joint -> value, frame -> its position (3,) or pose (4, 4) in the
             ground. All are held exactly but for those in ``weights``.
         u, udot: Given speeds and accelerations by name; the other speeds are those of least kinetic
             energy, the other accelerations those under the forces of the scene.
         weights: Target -> weight; such targets are met as well as the rest allows: the weighted sum
             of squares is least, lengths in sizes of the mechanism, angles in radians.
-        hold: Names of the targets that are held, instead of all without a weight.
+        locked: Names of the targets that are held, instead of all without a weight.
         branch: Coordinate -> ``"+"``, ``"-"`` or ``(low, high)``: which of several positions.
         start: Coordinates to start from, by name or (nq,); the position next to them is chosen.
         starts: Searches: the first from ``start``, the others from random coordinates.
@@ -64,7 +64,7 @@ def assemble(
         t, r: Time [s] and inputs, where something is prescribed.
 
     Raises:
-        ModelError: the circuits cannot be assembled, targets that cannot hold together, no position
+        ModelError: the loops cannot be assembled, targets that cannot hold together, no position
             on the branch, unknown names.
         ArgumentError, SolveError: values of a wrong shape, or not finite.
 
@@ -74,24 +74,27 @@ def assemble(
     """
     refuse_nodes(model, "assemble")
     m = Mechanism(model, t, r)
-    goals, requested_branches = read(m, targets or {}, weights, hold), branches(model, branch or {})
+    goals, requested_branches = (
+        read(m, targets or {}, weights, locked),
+        branches(model, branch or {}),
+    )
     if starts < 1:
         raise ModelError(f"starts={starts}: at least one search is needed")
     begin = _begin(model, start)
-    found = search(m, goals, begin, starts, seed)
-    met = [one for one in found if one.met]
+    candidates = search(m, goals, begin, starts, seed)
+    met = [one for one in candidates if one.met]
     if not met:
-        found = rounded(m, goals, begin, starts, seed)
-        met = [one for one in found if one.met]
+        candidates = rounded(m, goals, begin, starts, seed)
+        met = [one for one in candidates if one.met]
     if not met:
-        explain(m, goals, found, lambda n, some: search(n, some, begin, min(starts, 6), seed))
+        explain(m, goals, candidates, lambda n, some: search(n, some, begin, min(starts, 6), seed))
     different = _different(m, met)
     chosen = choose(m, different, requested_branches, begin)
     if not requested_branches and all(goal.weight is None for goal in goals):
         chosen = nearest(m, goals, begin, chosen)
     many = chosen.freedoms > sum(len(t.value) for t in goals if t.weight is not None)
     solutions = None if many and not any(t.weight is not None for t in goals) else len(different)
-    return finish(m, goals, chosen, u or {}, udot or {}, solutions, len(found))
+    return finish(m, goals, chosen, u or {}, udot or {}, solutions, len(candidates))
 
 
 def _begin(model: LoadedModel, start: Any) -> Array:
@@ -111,7 +114,9 @@ def _different(m: Mechanism, solutions: Sequence[Solution]) -> list[Solution]:
     """Positions that are not the same up to whole turns; of equal ones the first."""
     different: list[Solution] = []
     for one in solutions:
-        away = (np.abs(m.between(k.q, m.nearest(one.q, k.q))).max(initial=0.0) for k in different)
+        away = (
+            np.abs(m.difference(k.q, m.nearest(one.q, k.q))).max(initial=0.0) for k in different
+        )
         if not any(distance < SAME for distance in away):
             different.append(one)
     return different
@@ -128,7 +133,7 @@ def finish(
 ) -> Assembly:
     """The record, with consistent speeds and accelerations."""
     model, q = m.model, chosen.q
-    m.slack = m.slack or closure_tolerance(m, q)
+    m.closure_tol = m.closure_tol or closure_tolerance(m, q)
     start_speeds = start_of(model, {}, {})[0][model.nq : model.nx - model.nz]
     velocities, rates = speeds(m, q, u, start_speeds), None
     if "forward_dynamics" in model.manifest.available:
@@ -137,7 +142,8 @@ def finish(
         raise ModelError(
             "udot= needs the function 'forward_dynamics': compile(..., functions=[...])"
         )
-    away = {t.name: t for t in targets if np.abs(missed(m, t, q)).max() > REACHED}
+    # weighted targets that the nearest position does not reach
+    away = {t.name: t for t in targets if np.abs(missed(m, t, q)).max() > COST_TOL}
     return Assembly(
         name=model.name,
         coordinates=model.coordinates,
@@ -146,7 +152,9 @@ def finish(
         u=velocities,
         udot=rates,
         gaps=m.gaps(q),
-        unreached={name: f"asked {t.asked}, {actual_value(m, t, q)}" for name, t in away.items()},
+        unreached={
+            name: f"asked {t.description}, {actual_value(m, t, q)}" for name, t in away.items()
+        },
         freedoms=chosen.freedoms,
         solutions=solutions,
         starts=starts,

@@ -17,7 +17,7 @@ LISTED = 24
 @final
 @dataclass(frozen=True, repr=False, eq=False)
 class Assembly:
-    """A consistent state of a mechanism: positions, speeds and accelerations that circuits allow.
+    """A consistent state of a mechanism: positions, speeds and accelerations that loops allow.
 
     Attributes:
         name: Of the model.
@@ -26,7 +26,7 @@ class Assembly:
             model has no function ``forward_dynamics``.
         gaps: Cut joint or constraint -> what is left open: a distance [m], and anything else [1].
         unreached: Target that need not be held -> what is reached instead, in words.
-        freedoms: Degrees of freedom that circuits and held targets leave.
+        freedoms: Degrees of freedom that loops and held targets leave.
         solutions: Different positions found; None where a freedom is left, as there are many.
         starts: Searches begun.
     """
@@ -74,7 +74,7 @@ class Assembly:
             lines += _values("u", self.speeds, self.u)
         for joint, (length, other) in self.gaps.items():
             angle_text = f" and {other:.1e}" if other else ""
-            lines.append(f"  circuit of '{joint}' closed to {length:.1e} m{angle_text}")
+            lines.append(f"  loop of '{joint}' closed to {length:.1e} m{angle_text}")
         lines += [f"  target '{name}' not reached: {said}" for name, said in self.unreached.items()]
         return "\n".join(lines)
 

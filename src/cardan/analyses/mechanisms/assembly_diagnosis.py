@@ -55,7 +55,9 @@ def _any_met(solutions: Sequence[Solution]) -> bool:
 
 
 def _smallest(required: Sequence[T], holds: Callable[[Sequence[T]], bool]) -> list[T]:
-    """What cannot hold together, any of which could if the others were left out."""
+    """Smallest set of conditions that cannot hold together, any of which could without the
+    others.
+    """
     conflicting = list(required)
     for one in required:
         remaining = [other for other in conflicting if other is not one]
@@ -72,7 +74,7 @@ def _wished(targets: Sequence[Target]) -> list[Target]:
 def _conflict(
     m: Mechanism, targets: Sequence[Target], solutions: Sequence[Solution], remedy: str
 ) -> str:
-    """What is reached where all of them are only wished for."""
+    """Message about the position found when all targets are only wished for."""
 
     def away(one: Solution) -> float:
         return sum(float(np.sum(missed(m, target, one.q) ** 2)) for target in targets)
@@ -81,14 +83,14 @@ def _conflict(
     q = min(ends, key=away).q
     if len(targets) == 1 and targets[0].kind == "coordinate":
         q = _farthest(m, targets[0], q)
-    said = [f"'{t.name}' (asked {t.asked}; reached {actual_value(m, t, q)})" for t in targets]
+    said = [f"'{t.name}' (asked {t.description}; reached {actual_value(m, t, q)})" for t in targets]
     if len(said) == 1:
         return f"{said[0]} is out of reach{moment(m)}. {remedy}"
     return f"{', '.join(said[:-1])} and {said[-1]} cannot hold together{moment(m)}. {remedy}"
 
 
 def actual_value(m: Mechanism, target: Target, q: Array) -> str:
-    """What a position (nq,) gives instead of a target, in words."""
+    """Value that a position (nq,) gives instead of a target, in words."""
     if target.kind == "coordinate":
         numbers = [f"{x:.6g}" for x in q[target.place]]
         return numbers[0] if len(numbers) == 1 else f"({', '.join(numbers)})"
@@ -119,9 +121,9 @@ def _farthest(m: Mechanism, target: Target, q: Array) -> Array:
 
 
 def reversed_axis_message(joint: str) -> str:
-    """What to say about a joint that closes with an axis the wrong way."""
+    """Message about a joint that closes with an axis reversed."""
     return (
-        f"joint '{joint}' closes its circuit here only with an axis turned round, as it is not "
+        f"joint '{joint}' closes its loop here only with an axis turned round, as it is not "
         "built: start nearer to the position that is meant, or turn the axis in the scene"
     )
 
@@ -144,7 +146,7 @@ def _culprits(m: Mechanism, again: Search) -> str:
     if not relations or not holds([]):
         return ""
     names = [f"'{name}'" for name in _smallest(relations, holds)]
-    circuits = " with the circuits" if m.cuts else ""
+    circuits = " with the loops" if m.cuts else ""
     if len(names) == 1:
         return (
             f"constraint {names[0]} cannot hold together{circuits}{moment(m)}: without it "
@@ -157,7 +159,7 @@ def _culprits(m: Mechanism, again: Search) -> str:
 
 
 def _open(m: Mechanism, solutions: Sequence[Solution]) -> str:
-    """What has the largest residual where the search came nearest."""
+    """Message about the largest residual at the nearest position of the search."""
     if not m.closing.rows:
         return (
             f"beams of '{m.model.name}' do not fit without strain between the places that are "
@@ -167,10 +169,12 @@ def _open(m: Mechanism, solutions: Sequence[Solution]) -> str:
     def gap_of(one: Solution) -> float:
         return max(max(length / m.size, other) for length, other in m.gaps(one.q).values())
 
-    straight = [one for one in solutions if not m.turned(one.q)]
-    reversed_joints = [one.turned for one in solutions if one.closed and one.turned]
+    # a position with a reversed axis closes the loop, but not the way the joint is drawn
+    straight = [one for one in solutions if not m.reversed_axis(one.q)]
+    reversed_joints = [one.reversed_axis for one in solutions if one.closed and one.reversed_axis]
     if reversed_joints and not any(gap_of(one) < NEAR for one in straight):
         return reversed_axis_message(reversed_joints[0])
+    # the constraint with the largest residual at the best position found
     gaps = m.gaps(min(straight or solutions, key=gap_of).q)
     name = max(gaps, key=lambda one: max(gaps[one][0] / m.size, gaps[one][1]))
     length, other = gaps[name]
@@ -186,18 +190,19 @@ def _open(m: Mechanism, solutions: Sequence[Solution]) -> str:
         )
     gap = f"{length:.3g} m" if length / m.size >= other else f"{other:.3g} (of an angle)"
     near = ""
+    # nearly closed: rounded geometry is the likely cause
     if max(length / m.size, other) < NEAR:
         near = (
             f". Redundant conditions of rounded numbers leave such residuals: up to {ROUNDED:g} of "
             "the size of the mechanism they are ignored, so give lengths and axes more digits"
         )
     path = ", ".join(f"'{joint}'" for joint in cut.loop if joint != name)
-    between = f"frames '{cut.parent_frame}' and '{cut.child_frame}'"
+    ends = f"frames '{cut.parent_frame}' and '{cut.child_frame}'"
     if name in cut.loop:
-        between = f"frame '{cut.child_frame}' and where the joint would have it"
+        ends = f"frame '{cut.child_frame}' and where the joint would have it"
     return (
-        f"the circuit that joint '{name}' closes ({path}) cannot be assembled{moment(m)}: the "
-        f"least residual found is {gap}, between {between}, from {many}. Check lengths and places "
+        f"the loop that joint '{name}' closes ({path}) cannot be assembled{moment(m)}: the "
+        f"least residual found is {gap}, between {ends}, from {many}. Check lengths and places "
         "of its joints"
         f"{', the prescribed motion' if 'prescribed' in moment(m) else ''}, or give start= near "
         f"the position that is meant{near}"

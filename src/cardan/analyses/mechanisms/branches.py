@@ -1,4 +1,4 @@
-"""Which of several ways to assemble a mechanism is meant."""
+"""Choose between several ways to assemble a mechanism."""
 
 from __future__ import annotations
 
@@ -10,13 +10,13 @@ from typing import Any, NoReturn
 import numpy as np
 
 from ...arrays import Array
-from ...errors import ArgumentError, ModelError, near, shown
+from ...errors import ArgumentError, ModelError, brief, near
 from ...runtime.models.loaded_model import LoadedModel
 from .mechanism import Mechanism
 from .position_solver import PositionSolver
 from .redundancy import rank_of
 
-BESIDE = 1e-3  # of the size, and radians: beside a start that may be singular
+OFFSET = 1e-3  # of the size, and radians: beside a start that may be singular
 SIGNS = {"+": (0.0, math.inf), "-": (-math.inf, 0.0)}
 
 
@@ -43,7 +43,7 @@ class Branch:
         return math.remainder(value, 2 * math.pi) if self.angle else value
 
     def holds(self, q: Array) -> bool:
-        """Whether coordinates (nq,) lie on it."""
+        """True when coordinates (nq,) lie on it."""
         value = self.value(q)
         turns = (-1, 0, 1) if self.angle and math.isfinite(self.low + self.high) else (0,)
         return any(self.low <= value + 2 * math.pi * k <= self.high for k in turns)
@@ -74,7 +74,7 @@ def branches(model: LoadedModel, named: Mapping[str, Any]) -> list[Branch]:
         elif not isinstance(value, str) and np.shape(value) == (2,) and value[0] < value[1]:
             low, high = float(value[0]), float(value[1])
         else:
-            raise ArgumentError(f"branch: '{name}' is {shown(value)}; give '+', '-' or (low, high)")
+            raise ArgumentError(f"branch: '{name}' is {brief(value)}; give '+', '-' or (low, high)")
         ranges.append(Branch(name, k, low, high, model.manifest.coordinates[k].unit == "rad"))
     return ranges
 
@@ -108,7 +108,7 @@ def refuse_singular(m: Mechanism, q: Array) -> None:
     rank = rank_of(s)
     if rank == len(U):
         return
-    aside = np.random.default_rng(0).uniform(-BESIDE, BESIDE, m.nu)
+    aside = np.random.default_rng(0).uniform(-OFFSET, OFFSET, m.nu)
     neighbor = PositionSolver(m).search(m.advance(q, aside)).q
     usual = rank_of(np.linalg.svd(m.jacobian(neighbor), compute_uv=False))
     if usual <= rank:

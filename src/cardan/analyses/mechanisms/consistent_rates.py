@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...arrays import Array
-from ...errors import ArgumentError, ModelError, SolveError, miscounted, shown
+from ...errors import ArgumentError, ModelError, SolveError, brief, miscounted
 from ...runtime.models.initial import entries, missing
 from ...runtime.models.loaded_model import LoadedModel
 from .mechanism import Mechanism
@@ -63,7 +63,7 @@ def accelerations(m: Mechanism, q: Array, u: Array, named: Mapping[str, Any]) ->
 
 
 def read(what: str, model: LoadedModel, named: Mapping[str, Any]) -> tuple[NDArray[np.intp], Array]:
-    """Which speeds are given, and their values.
+    """Places of the named speeds, and their values.
 
     Args:
         what: ``"u"`` or ``"udot"``, for messages.
@@ -80,7 +80,7 @@ def read(what: str, model: LoadedModel, named: Mapping[str, Any]) -> tuple[NDArr
         if array.size != place.stop - place.start:
             raise ArgumentError(miscounted(where, array.size, model.speeds[place]))
         if not np.isfinite(array).all():
-            raise SolveError(f"{where} is {shown(value)}; it must be finite")
+            raise SolveError(f"{where} is {brief(value)}; it must be finite")
         if set(chosen) & set(range(place.start, place.stop)):
             raise ModelError(f"{where}: given twice, once by joint, once by entry")
         chosen += range(place.start, place.stop)
@@ -109,7 +109,7 @@ def _meet(
     left = right - G @ v
     scale = max(1.0, float(np.abs(desired).max(initial=0.0)))
     worst = int(np.abs(left).argmax()) if len(left) else 0
-    if len(left) and not abs(left[worst]) <= max(CONSISTENT, m.slack) * scale:
+    if len(left) and not abs(left[worst]) <= max(CONSISTENT, m.closure_tol) * scale:
         said = ", ".join(f"'{name}'" for name in names) or "prescribed motions"
         kind = "speeds" if what == "u" else "accelerations"
         raise ModelError(
@@ -120,7 +120,7 @@ def _meet(
 
 
 def _separation(m: Mechanism, row: int, residual: float) -> str:
-    """Which joint would come apart, in words; "" where a row is not one of constraints."""
+    """Name the joint that would come apart; "" where a row is not a constraint."""
     if row >= len(m.closing.rows):
         return ""
     multiplier = m.closing.rows[row]

@@ -38,7 +38,7 @@ class Drive:
         hold: Coordinates and frames that keep their values.
         """
         self.m, self.names = m, list(names)
-        self.held = read(m, locked)
+        self.locked = read(m, locked)
         self.inputs = [name for name in self.names if name not in m.model.coordinates]
 
     @cached_property
@@ -51,7 +51,7 @@ class Drive:
         """Speeds of all that is driven or held, by name, where they are derivatives of q."""
         rows = entries(self.m.model.manifest, "u")
         rates_by_name = dict(zip(self.names, rates, strict=True))
-        rates_by_name |= {target.name: 0.0 for target in self.held if target.kind == "coordinate"}
+        rates_by_name |= {target.name: 0.0 for target in self.locked if target.kind == "coordinate"}
         speeds: dict[str, float] = {}
         for name, value in rates_by_name.items():
             place = rows.get(name, rows.get(f"{name}.u"))
@@ -75,22 +75,22 @@ class Drive:
         return self.m.moved_to(self.m.t, r)
 
     def targets(self, values: Array) -> list[Target]:
-        """What is held at values of the drivers."""
+        """Targets at given values of the drivers."""
         driven = {
             name: float(value)
             for name, value in zip(self.names, values, strict=True)
             if name not in self.inputs
         }
-        return [*self.held, *read(self.m, driven)]
+        return [*self.locked, *read(self.m, driven)]
 
     # how well it holds
 
     def matrix(self, m: Mechanism, q: Array) -> Array:
-        """Jacobian (n, nu) of circuits and of all that is held."""
+        """Jacobian (n, nu) of loops and of all that is held."""
         values = np.zeros(len(self.names))
         return PositionSolver(m, self.targets(values)).hard_jacobian(q)
 
-    def hold(self, m: Mechanism, q: Array) -> tuple[float, float]:
+    def rank_margin(self, m: Mechanism, q: Array) -> tuple[float, float]:
         """Smallest singular value of the driven mechanism, and the sign of its determinant."""
         K = self.matrix(m, q)
         s = np.linalg.svd(K, compute_uv=False)
@@ -116,7 +116,7 @@ class Drive:
             raise ModelError(
                 f"the mechanism has {freedoms} degrees of freedom, {who} "
                 f"{'drive' if len(self.names) > 1 else 'drives'} {conditions}: give the "
-                "others by hold="
+                "others by locked="
             )
         raise ModelError(
             f"{who} cannot drive the mechanism from here: the position is singular. Start from "
@@ -152,8 +152,8 @@ class Drive:
         solution = PositionSolver(m, self.targets(there)).follow(q)
         if solution is None:
             return None
-        quality, sign = self.hold(m, solution.q)
-        if quality < SINGULAR or sign != self.hold(old, q)[1]:
+        quality, sign = self.rank_margin(m, solution.q)
+        if quality < SINGULAR or sign != self.rank_margin(old, q)[1]:
             return None
         return m.nearest(solution.q, q)
 

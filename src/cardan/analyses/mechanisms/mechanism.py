@@ -1,4 +1,4 @@
-"""Circuits of a model at one instant, in numbers without units, for analyses in NumPy.
+"""Loops of a model at one instant, in numbers without units, for analyses in NumPy.
 
 Lengths count in sizes of the mechanism and angles in radians, so that rows and columns of Jacobians
 can be compared, and a rank says something.
@@ -26,8 +26,8 @@ from .mechanism_record import Connection, connect
 if TYPE_CHECKING:
     from ...runtime.models.loaded_model import LoadedModel
 
-REACHED = 1e-9  # beyond limits that counts as on them
-TIGHT, LOOSE = 1e-10, 3e-5  # the latter as kernels/dependent.h has it
+LIMIT_TOL = 1e-9  # beyond limits that counts as on them
+TIGHT, ROUNDED_TOL = 1e-10, 3e-5  # the latter as kernels/solve/dependent.h has it
 NEARBY = 1e-5  # of a central difference; its error of 1e-10 slows no search
 
 
@@ -45,7 +45,7 @@ class Mechanism:
     """
 
     released: frozenset[str] = frozenset()
-    slack: float = 0.0
+    closure_tol: float = 0.0
     searches: int = 16
 
     def __init__(self, model: LoadedModel, t: float = 0.0, r: Any = None) -> None:
@@ -60,16 +60,16 @@ class Mechanism:
         self.r: Array | None = None if r is None else np.asarray(r, dtype=np.float64)
         self.size = size_of(model)
         self.columns = columns_of(model, self.size)
-        self._known: dict[str, tuple[bytes, Any]] = {}
+        self._cache: dict[str, tuple[bytes, Any]] = {}
 
     @classmethod
     def at(cls, model: LoadedModel, t: float, r: Array | None) -> Mechanism:
-        """As the class itself; what is the same at all times is found once for a model."""
+        """Same as the class; everything that is constant in time is computed once for a model."""
         cached = model._derived.get(cls)
         if cached is None:
             cached = cls(model)
             # what copies share
-            _ = cached.rows, cached.turning, cached.connection, cached._bounds, cached._unreleased
+            _ = cached.rows, cached.angular, cached.connection, cached._bounds, cached._unreleased
             model._derived[cls] = cached
         assert isinstance(cached, cls)
         return cached.moved_to(t, r)
@@ -77,14 +77,14 @@ class Mechanism:
     def moved_to(self, t: float, r: Array | None) -> Mechanism:
         """The same mechanism at another time, with other inputs (nr,)."""
         other = copy.copy(self)
-        other.t, other.r, other._known = float(t), r, {}
+        other.t, other.r, other._cache = float(t), r, {}
         return other
 
     def _once(self, what: str, q: Array, function: Callable[[Array], Any]) -> Any:
         """A function of the position, found again only at another one."""
-        key, cached = q.tobytes(), self._known.get(what)
+        key, cached = q.tobytes(), self._cache.get(what)
         if cached is None or cached[0] != key:
-            cached = self._known[what] = key, function(q)
+            cached = self._cache[what] = key, function(q)
         return cached[1]
 
     # constraints
@@ -102,7 +102,7 @@ class Mechanism:
 
     @property
     def cuts(self) -> list[CutRow]:
-        """The joints that close circuits, from the manifest."""
+        """The joints that close loops, from the manifest."""
         return list(self.model.manifest.cuts)
 
     def evaluate(self, name: str, *values: ArrayLike) -> Array:
@@ -115,17 +115,17 @@ class Mechanism:
         if count == 0:
             return np.zeros(0)
         residuals: Array = self.evaluate("constraints", q) / self.rows[:count]
-        return residuals[self._kept[:count]]
+        return residuals[self._required[:count]]
 
-    def turned(self, q: Array) -> str:
+    def reversed_axis(self, q: Array) -> str:
         """The cut joint whose closing conditions hold with an axis turned round; "" if none."""
-        if not self.cuts or "facing" not in self.model.manifest.available:
+        if not self.cuts or "assembly_signs" not in self.model.manifest.available:
             return ""
-        values = self.evaluate("facing", q)
+        values = self.evaluate("assembly_signs", q)
         wrong = np.flatnonzero(values <= 0)
         if not len(wrong):
             return ""
-        entries = self.model.manifest.functions["facing"].outputs[0].entries
+        entries = self.model.manifest.functions["assembly_signs"].outputs[0].entries
         return str(entries[wrong[0]]).rpartition(".")[0]
 
     @property
@@ -142,7 +142,7 @@ class Mechanism:
         if not self.closing.rows:
             return np.zeros((0, self.nu))
         G: Array = self.evaluate("constraint_jacobian", q) * self.columns / self.rows[:, None]
-        return G[self._kept]
+        return G[self._required]
 
     def decomposition(self, q: Array) -> tuple[Array, Array]:
         """Left singular vectors (m, m) and singular values of G."""
@@ -154,17 +154,17 @@ class Mechanism:
     @property
     def rank(self) -> float:
         """Singular values below this part of the largest are those of dependent conditions."""
-        return LOOSE if self.slack else TIGHT
+        return ROUNDED_TOL if self.closure_tol else TIGHT
 
     @property
     def positions(self) -> int:
         """Rows of :meth:`jacobian` that belong to :meth:`residuals`."""
-        return int(self._kept[: self.closing.positions].sum())
+        return int(self._required[: self.closing.positions].sum())
 
     @cached_property
     def connection(self) -> Connection:
         """The mechanism as searches in C know it."""
-        return connect(self, self._kept[: self.closing.positions])
+        return connect(self, self._required[: self.closing.positions])
 
     def without(self, relations: Iterable[str]) -> Mechanism:
         """The same mechanism with relations of the user released."""
@@ -172,7 +172,7 @@ class Mechanism:
         other.released = frozenset(relations)
         for name in ("connection", "_unreleased"):
             other.__dict__.pop(name, None)
-        other._known = {}
+        other._cache = {}
         return other
 
     @property
@@ -186,8 +186,8 @@ class Mechanism:
         return np.array([row.name not in self.released for row in self.closing.rows], bool)
 
     @property
-    def _kept(self) -> NDArray[np.bool_]:
-        """Which rows must hold."""
+    def _required(self) -> NDArray[np.bool_]:
+        """Mask of the rows that must hold."""
         return self._unreleased
 
     def rates(self, q: Array, u: Array) -> Array:
@@ -209,7 +209,7 @@ class Mechanism:
             along = self._joint_speeds(q) @ along
         return np.asarray(self.model.integrate(q, along))
 
-    def between(self, q0: Array, q1: Array) -> Array:
+    def difference(self, q0: Array, q1: Array) -> Array:
         """The step (nu,) without units from q0 to q1."""
         difference: Array = self.model.difference(q0, q1)
         if self.chosen:
@@ -221,7 +221,7 @@ class Mechanism:
 
     @cached_property
     def chosen(self) -> bool:
-        """Whether the speeds are not those of the joints, along which coordinates are moved."""
+        """True when the speeds are not those of the joints, along which coordinates are moved."""
         return any(row.joint is None for row in self.model.manifest.speeds)
 
     def _joint_speeds(self, q: Array) -> Array:
@@ -266,7 +266,9 @@ class Mechanism:
     def locked_speeds(
         self, q: Array, chosen: NDArray[np.intp], values: Array
     ) -> tuple[NDArray[np.intp], Array, Array]:
-        """What given speeds say about steps: those held, and rows R with R steps = right.
+        """Conditions on steps from prescribed speeds:
+
+        locked entries, and rows R with R steps = right.
 
         Args:
             q: Position (nq,).
@@ -282,8 +284,11 @@ class Mechanism:
         return M * np.outer(self.columns, self.columns)
 
     @cached_property
-    def turning(self) -> Array:
-        """Which coordinates are angles that come back after a turn (nq,): of free joints alone."""
+    def angular(self) -> Array:
+        """Mask of the coordinates that are angles and return after a turn (nq,):
+
+        of free joints alone.
+        """
         manifest = self.model.manifest
         kinds = ("revolute", "cylindrical", "universal", "planar")
         leaders = {j.coupled.leader for j in manifest.joints if j.coupled}
@@ -293,10 +298,10 @@ class Mechanism:
 
     def nearest(self, q: Array, to: Array) -> Array:
         """The same position with every angle within half a turn of that of another one."""
-        away = (q - to)[self.turning]
+        away = (q - to)[self.angular]
         if not len(away) or abs(away).max() < np.pi:
             return q
-        turns = np.where(self.turning, np.round((q - to) / (2 * np.pi)), 0.0)
+        turns = np.where(self.angular, np.round((q - to) / (2 * np.pi)), 0.0)
         unwrapped: Array = q - 2 * np.pi * turns
         if self._open(unwrapped) <= self._open(q) + TIGHT:
             return unwrapped
@@ -326,12 +331,12 @@ class Mechanism:
         return table[:, 0].astype(np.intp), table[:, 1], table[:, 2]
 
     def outside(self, q: Array) -> int:
-        """How many coordinates are outside their limits."""
+        """Number of coordinates outside their limits."""
         limited, low, high = self._bounds
         if not len(limited):
             return 0
         values = q[limited]
-        return int(np.sum((values < low - REACHED) | (values > high + REACHED)))
+        return int(np.sum((values < low - LIMIT_TOL) | (values > high + LIMIT_TOL)))
 
     def gaps(self, q: Array) -> dict[str, tuple[float, float]]:
         """Cut joint or constraint -> what is left open: a distance [m] and anything else [1]."""
@@ -363,8 +368,8 @@ def refuse_nodes(model: LoadedModel, what: str) -> None:
     cure = "its bodies are nodes. Compile it with coordinates='relative', which has joints for it"
     if model.manifest.beams:
         cure = (
-            "it has beams, whose shape follows from forces. model.equilibrium(hold={'...': value}) "
-            "gives a position with a joint held, model.statics(hold={'...': (start, end)}) many"
+            "it has beams, which forces bend. model.equilibrium(locked={'...': value}) "
+            "gives a position with a locked joint, model.statics(locked={'...': (start, end)}) many"
         )
     raise ModelError(
         f"{what}: model '{model.name}' is in absolute coordinates, where kinematics alone does not "

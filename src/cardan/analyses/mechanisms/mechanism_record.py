@@ -1,4 +1,4 @@
-"""A mechanism as searches in C know it: the record of ``kernels/position.h`` without targets."""
+"""A mechanism for the searches in C: ``kernels/solve/position.h`` without targets."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False)
 class Connection:
-    """What searches in C know of a mechanism at any time.
+    """Time-independent data of a mechanism for searches in C.
 
     Attributes:
         library: The kernels.
@@ -34,7 +34,7 @@ class Connection:
 
     library: ctypes.CDLL
     record: PositionRecord
-    kept: list[Any]
+    references: list[Any]
     rows: int
     work: int = 0
     called_back: bool = False
@@ -85,7 +85,7 @@ def connect(m: Mechanism, required: NDArray[np.bool_]) -> Connection:
     layout = model._layout
     arrays = {
         **{letter: layout.start(letter).copy() for letter in "zsr"},
-        "kept": np.flatnonzero(required),
+        "hard_rows": np.flatnonzero(required),
         "rows": m.rows[: len(required)].copy(),
         "columns": m.columns,
         "quaternions": np.array(model.manifest.quaternions, dtype=np.intp),
@@ -93,20 +93,24 @@ def connect(m: Mechanism, required: NDArray[np.bool_]) -> Connection:
     for name, array in arrays.items():
         setattr(record, name, array.ctypes.data)
     record.nq, record.nu, record.positions = model.nq, m.nu, len(required)
-    record.kept_count, record.quaternion_count = len(arrays["kept"]), len(arrays["quaternions"])
+    record.hard_count, record.quaternion_count = (
+        len(arrays["hard_rows"]),
+        len(arrays["quaternions"]),
+    )
     names = ["constraints", "constraint_jacobian"] if len(required) else []
-    names += ["facing"] if m.cuts and "facing" in model.manifest.available else []
+    names += ["assembly_signs"] if m.cuts and "assembly_signs" in model.manifest.available else []
     names += [] if m.chosen else ["integrate"]
     # a start goes on with these: one run of the compiler makes all
     later = ("constraint_rates", *(("difference", "qdot") if m.cuts else ()))
     more = [name for name in later if name in model.manifest.available]
     functions = model._load([(name, None) for name in (*names, *more)])[: len(names)]
     references: list[Any] = [arrays, functions]
+    # C reads addresses; Python keeps the arrays and functions alive in `references`
     for name, function in zip(names, functions, strict=True):
         setattr(record, name, function.address)
         setattr(record, f"{name}_w", function.w.ctypes.data)
-        if name == "facing":
-            record.facings = function.caller.size
+        if name == "assembly_signs":
+            record.assembly_sign_count = function.caller.size
     if m.chosen:
         moved = called(m.moved, model.nq, q=model.nq, du=m.nu)
         record.integrate = moved.address

@@ -44,7 +44,7 @@ WEIGHTS = WEIGHTS / comb(2 * COUNT, COUNT)
 
 @final
 class Partition:
-    """Which coordinates and speeds are independent, and where the others were last.
+    """A partition into independent and dependent coordinates, with the last values of the latter.
 
     The dependent ones are sought next to those found before: a partition belongs to one motion.
 
@@ -58,12 +58,12 @@ class Partition:
         """Choose at a position.
 
         Args:
-            model: A model; without circuits everything is independent.
-            q: Coordinates (nq,) that close its circuits.
+            model: A model; without loops everything is independent.
+            q: Coordinates (nq,) that close its loops.
             t, r: Time [s] and inputs.
 
         Raises:
-            ArgumentError: a wrong shape. SolveError: circuits are open at this position.
+            ArgumentError: a wrong shape. SolveError: loops are open at this position.
         """
         self.model, self._inputs = model, r
         place = np.array(q, dtype=np.float64)
@@ -73,7 +73,7 @@ class Partition:
         gap = float(np.abs(m.residuals(place)).max(initial=0.0))
         if not gap <= 1e3 * CLOSED:
             raise SolveError(
-                f"partition: circuits are open by {gap:.3g} at this position; take one from "
+                f"partition: loops are open by {gap:.3g} at this position; take one from "
                 "model.assemble(...) or from a motion"
             )
         self._last = place
@@ -102,7 +102,7 @@ class Partition:
 
     @checked
     def full(self, t: float, y: ArrayLike) -> Array:
-        """The state x (nx,) with independent parts y (n,): all circuits closed.
+        """The state x (nx,) with independent parts y (n,): all loops closed.
 
         Raises:
             ArgumentError: a wrong shape.
@@ -174,7 +174,7 @@ class Partition:
         return Mechanism(self.model, t, self._inputs)
 
     def _singular(self, m: Mechanism, q: Array) -> bool:
-        """Whether constraints of positions nearly lose rank."""
+        """True when constraints of positions nearly lose rank."""
         s = np.linalg.svd(m.jacobian(q)[: m.closing.positions], compute_uv=False)
         return self._rank > 0 and bool(s[self._rank - 1] < SINGULAR * s[0])
 
@@ -183,7 +183,7 @@ class Partition:
         done, part, start = 0.0, 1.0, q[self._q]
         while part >= 0.5**HALVINGS:
             share = min(1.0, done + part)
-            solution = PositionSolver(m, [self._held(start + share * (goal - start))]).follow(q)
+            solution = PositionSolver(m, [self._target(start + share * (goal - start))]).follow(q)
             if solution is None:
                 part *= 0.5
                 continue
@@ -196,7 +196,7 @@ class Partition:
             "model.partition(...) anew between steps"
         )
 
-    def _held(self, values: Array) -> Target:
+    def _target(self, values: Array) -> Target:
         """The independent coordinates at given values."""
         return Coordinates(
             "",
@@ -230,15 +230,15 @@ def partition(
     """Independent coordinates and speeds, chosen at a position: the minimal form.
 
     Args:
-        model: The compiled model; without circuits everything is independent.
-        q: Coordinates (nq,) that close all circuits.
+        model: The compiled model; without loops everything is independent.
+        q: Coordinates (nq,) that close all loops.
         t, r: Time [s] and inputs.
 
     Returns:
         A :class:`Partition`: ``reduce(x)`` gives y, ``full(t, y)`` gives x.
 
     Raises:
-        ArgumentError: a wrong shape. SolveError: circuits are open at this position.
+        ArgumentError: a wrong shape. SolveError: loops are open at this position.
     """
     return Partition(model, q, t, r)
 

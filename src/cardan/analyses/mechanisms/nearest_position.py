@@ -28,7 +28,7 @@ NAMED = "Name fewer coordinates at the start: loops determine the others"
 NEAR = 0.3  # a position not farther away is the nearest without further searches
 LOOKS = 6  # searches for others where it is farther away
 EQUAL = 1e-6  # distances that differ by less are equal
-REACHED = 1e-9
+COST_TOL = 1e-9
 QUATERNION = 0.5  # what its components count in: they change by half of the angle
 
 
@@ -94,11 +94,11 @@ def nearest(m: Mechanism, goals: list[Target], q: Array, first: Solution) -> Sol
 
 
 def _around(m: Mechanism, q: Array, solution: Array) -> Iterator[Array]:
-    """Where to look for positions nearer to a start (nq,) than the one that was found.
+    """Candidate starts for positions nearer to a start (nq,) than the solution at hand.
 
     A branch as near as this one lies on the other side of the start; others lie anywhere.
     """
-    step = m.between(q, solution)
+    step = m.difference(q, solution)
     yield m.advance(q, -step)
     rng, away = np.random.default_rng(0), float(np.linalg.norm(step))
     for _ in range(min(LOOKS, m.searches) - 1):
@@ -107,7 +107,7 @@ def _around(m: Mechanism, q: Array, solution: Array) -> Iterator[Array]:
 
 
 def wished(m: Mechanism, goals: Sequence[Target], q: Array) -> Coordinates:
-    """What is not named of the joints that are moved, at its start."""
+    """Target that keeps the coordinates that are not named at their start."""
     named = {k for g in goals if g.kind == "coordinate" for k in range(g.place.start, g.place.stop)}
     manifest = m.model.manifest
     quaternion_entries = {k for start in manifest.quaternions for k in range(start, start + 4)}
@@ -125,7 +125,7 @@ def wished(m: Mechanism, goals: Sequence[Target], q: Array) -> Coordinates:
 def _drawn_near(
     near: Callable[[], PositionSolver], wish: Coordinates, solution: Solution
 ) -> Solution:
-    """Where freedoms are left: the nearest of the positions beside one."""
+    """Move along remaining freedoms to the position nearest to a start."""
     if not solution.freedoms or wish.distance(solution.q) <= EQUAL:
         return solution
     end = near().search(solution.q)
@@ -134,7 +134,7 @@ def _drawn_near(
 
 
 def _same(m: Mechanism, one: Array, other: Array) -> bool:
-    """Whether two positions are one."""
+    """True when two positions are one."""
     return bool(np.abs(one[m.led] - other[m.led]).max(initial=0.0) < EQUAL)
 
 
@@ -173,8 +173,8 @@ def choose(
     best = min(one.cost for one in allowed)
 
     def order(one: Solution) -> tuple[bool, int, bool, float]:
-        worse = one.cost > best + REACHED
-        away = math.hypot(*m.between(begin, one.q))
+        worse = one.cost > best + COST_TOL
+        away = math.hypot(*m.difference(begin, one.q))
         return worse, m.outside(one.q), not one.first, float(np.rint(away / EQUAL))
 
     return min(allowed, key=order)

@@ -17,9 +17,9 @@ from numpy.typing import NDArray
 from ...arrays import Array
 from ...runtime.models.constraint_projection import Closing
 from ...runtime.models.finite_elements.assembled import Assembled
-from ...runtime.models.finite_elements.carried_nodes import Carrier, leading
 from ...runtime.models.finite_elements.elements import State
 from ...runtime.models.finite_elements.frames import rotation_vectors
+from ...runtime.models.finite_elements.joint_driven_nodes import Carrier, leading
 from ...runtime.models.loaded_model import LoadedModel
 from ...runtime.models.random_states import random_state
 from ...runtime.verification.rotations import unit
@@ -128,7 +128,7 @@ class NodalMechanism(Mechanism):
 
     @cached_property
     def closing(self) -> Closing:
-        """As :attr:`Mechanism.closing`, less what holds wherever joints stand."""
+        """Same as :attr:`Mechanism.closing`, less what holds wherever joints stand."""
         rows = (self._every[k] for k in self._rows)
         with_units = (row.replaced(unit=FORCES.get(row.unit, row.unit)) for row in rows)
         return Closing(tuple(with_units), self.size)
@@ -137,18 +137,18 @@ class NodalMechanism(Mechanism):
         return super().evaluate(name, *values)
 
     def evaluate(self, name: str, *values: Any) -> Array:
-        """As :meth:`Mechanism.evaluate`; of constraints those that joints do not fulfill."""
-        found = super().evaluate(name, *values)
+        """Same as :meth:`Mechanism.evaluate`; of constraints those that joints do not fulfill."""
+        result = super().evaluate(name, *values)
         if name in ("constraints", "constraint_rates"):
-            found = found[self._rows[self._rows < len(found)]]
-        return found
+            result = result[self._rows[self._rows < len(result)]]
+        return result
 
     def residuals(self, q: Array) -> Array:
-        """As :meth:`Mechanism.residuals`, and what beams between two carried bodies miss."""
+        """Same as :meth:`Mechanism.residuals`, and what beams between two carried bodies miss."""
         return np.concatenate([super().residuals(q), self._missed(q)])
 
     def _jacobian(self, q: Array) -> Array:
-        """As :meth:`Mechanism.jacobian`, along speeds of joints."""
+        """Same as :meth:`Mechanism.jacobian`, along speeds of joints."""
         rows, steps = self._probe
         G = np.zeros((len(rows), self.nu))
         if len(rows):
@@ -156,29 +156,29 @@ class NodalMechanism(Mechanism):
             G[:, steps] = self._gradient(q)[rows] @ (T[1:] - T[0]).T / self.rows[:, None]
         count = self.closing.positions
         G = np.concatenate([G[:count], self._missed_jacobian(q), G[count:]])
-        return G[self._kept]
+        return G[self._required]
 
     @property
-    def _kept(self) -> NDArray[np.bool_]:
+    def _required(self) -> NDArray[np.bool_]:
         rows, count = self._unreleased, self.closing.positions
         links = np.ones(6 * len(self.links), dtype=bool)
         return np.concatenate([rows[:count], links, rows[count:]])
 
     @property
     def positions(self) -> int:
-        """As :attr:`Mechanism.positions`."""
+        """Same as :attr:`Mechanism.positions`."""
         count = self.closing.positions
         return int(self._unreleased[:count].sum()) + 6 * len(self.links)
 
-    def turned(self, q: Array) -> str:
-        """As :meth:`Mechanism.turned`."""
-        return self.carrier.turned(q)
+    def reversed_axis(self, q: Array) -> str:
+        """Same as :meth:`Mechanism.reversed_axis`."""
+        return self.carrier.reversed_axis(q)
 
     @cached_property
     def connection(self) -> Connection:
-        """As :attr:`Mechanism.connection`: everything goes with the joints."""
+        """Same as :attr:`Mechanism.connection`: everything goes with the joints."""
         nq, nu, rows = self.model.nq, self.nu, self.positions
-        record = PositionRecord(nq=nq, nu=nu, positions=rows, kept_count=rows)
+        record = PositionRecord(nq=nq, nu=nu, positions=rows, hard_count=rows)
         functions = {
             "constraints": called(self.residuals, rows, q=nq),
             "constraint_jacobian": called(lambda q: self.jacobian(q)[:rows], rows * nu, q=nq),
@@ -229,25 +229,25 @@ class NodalMechanism(Mechanism):
         return u
 
     def advance(self, q: Array, step: Array) -> Array:
-        """As :meth:`Mechanism.advance`; nodes go along."""
+        """Same as :meth:`Mechanism.advance`; nodes go along."""
         moved = np.asarray(self.model.integrate(q, self._along(step)), dtype=np.float64)
         return self.carry(unit(moved, self.model.manifest.quaternions))
 
     def drawn(self, rng: np.random.Generator) -> Array:
-        """As :meth:`Mechanism.drawn`: the same joints are drawn in any kind of coordinates."""
+        """Same as :meth:`Mechanism.drawn`: the same joints are drawn in any kind of coordinates."""
         q = self._start.copy()
         q[self.led] = random_state(self._tree, rng)[: len(self.led)]
         return q
 
     @cached_property
     def led(self) -> NDArray[np.intp]:
-        """As :attr:`Mechanism.led`: joints of the tree."""
+        """Same as :attr:`Mechanism.led`: joints of the tree."""
         places = [np.arange(row.slot("q")[0], sum(row.slot("q"))) for row in self._joints]
         return np.concatenate([np.zeros(0, dtype=np.intp), *places])
 
     @cached_property
     def _tree(self) -> Manifest:
-        """What the manifest of a tree says about the joints that are moved."""
+        """Manifest of the tree of the joints that are moved."""
         manifest = self.model.manifest
         at = {int(k): n for n, k in enumerate(self.led)}
         slots = [row.slot("q") for row in self._joints]
@@ -263,9 +263,11 @@ class NodalMechanism(Mechanism):
             scene=manifest.scene.replaced(rotations=[row.rotation for row in self._joints]),
         )
 
-    def between(self, q0: Array, q1: Array) -> Array:
-        """As :meth:`Mechanism.between`: the shortest step along which joints change so, to first
-        order."""
+    def difference(self, q0: Array, q1: Array) -> Array:
+        """Same as :meth:`Mechanism.difference`:
+
+        the shortest step along which joints change so, to first order.
+        """
         shortest, *_ = np.linalg.lstsq(
             self.kinematics(q0)[self.led], (q1 - q0)[self.led], rcond=None
         )
@@ -277,7 +279,7 @@ class NodalMechanism(Mechanism):
         return False
 
     def _kinematics(self, q: Array) -> Array:
-        """As :meth:`Mechanism._kinematics`."""
+        """Same as :meth:`Mechanism._kinematics`."""
         rates = self._results.mesh.rates
         if self.nodes_named:
             T = self.along(q)
@@ -305,23 +307,23 @@ class NodalMechanism(Mechanism):
         return [row for row in rows if row.u and row.u[1] and row.u[0] in moved]
 
     def frame_jacobian(self, frame: str, q: Array) -> Array:
-        """As :meth:`Mechanism.frame_jacobian`."""
+        """Same as :meth:`Mechanism.frame_jacobian`."""
         J = self.model.frame_jacobian(frame, q, t=self.t, r=self.r)
         T = self.along(q)
         return np.asarray(J @ (T[1:] - T[0]).T)
 
     def steps_of(self, u: Array) -> Array:
-        """As :meth:`Mechanism.steps_of`."""
+        """Same as :meth:`Mechanism.steps_of`."""
         return np.asarray(u[self.lead] / self.columns)
 
     def speeds_at(self, q: Array, steps: Array) -> Array:
-        """As :meth:`Mechanism.speeds_at`: nodes move with the joints."""
+        """Same as :meth:`Mechanism.speeds_at`: nodes move with the joints."""
         return self.state(q, self._along(steps))[1]
 
     def locked_speeds(
         self, q: Array, chosen: NDArray[np.intp], values: Array
     ) -> tuple[NDArray[np.intp], Array, Array]:
-        """As :meth:`Mechanism.held_speeds`: speeds of nodes follow from those of joints."""
+        """Same as :meth:`Mechanism.locked_speeds`: speeds of nodes follow from those of joints."""
         at = {int(k): n for n, k in enumerate(self.lead)}
         of_joints = np.array([int(k) in at for k in chosen], dtype=bool)
         locked = np.array([at[int(k)] for k in chosen[of_joints]], dtype=np.intp)
@@ -331,7 +333,7 @@ class NodalMechanism(Mechanism):
         return locked, (T[1:] - T[0]).T[of_nodes], values[~of_joints] - T[0][of_nodes]
 
     def mass(self, q: Array) -> Array | None:
-        """As :meth:`Mechanism.mass`."""
+        """Same as :meth:`Mechanism.mass`."""
         T = self.along(q)
         moves = T[1:] - T[0]
         return np.asarray(moves @ (self._results.mesh.tangent(self._at(q))["M"] @ moves.T))

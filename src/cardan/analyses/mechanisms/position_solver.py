@@ -1,6 +1,7 @@
 """Positions that meet conditions: what must hold exactly, what should as well as it can.
 
-One solver for starts, assemblies, sweeps and paths, in C: ``kernels/position.c`` says how. Models
+One solver for starts, assemblies, sweeps and paths, in C: ``kernels/solve/position.c`` says how.
+Models
 whose joints alone are moved, and values of joints that follow from loops, are asked from there.
 """
 
@@ -27,14 +28,14 @@ from .targets import Target
 
 MET = 1e-11  # residuals without units that count as zero
 FARTHEST, ASIDE = 0.5, 0.3  # a step along a tangent; a part of it by which it may miss
-REACHED = 1e-9
+TARGET_TOL = 1e-9
 LOST = 1e-8  # singular values that hold nothing
 EFFORT = 4_000_000  # numbers squared of a slice of it: some hundredths of a second
 
 
 @dataclass(frozen=True)
 class Solution:
-    """Where a search ended.
+    """End of a search.
 
     Attributes:
         q: Coordinates (nq,).
@@ -50,23 +51,23 @@ class Solution:
     open: float
     cost: float
     freedoms: int
-    turned: str = ""
+    reversed_axis: str = ""
     first: bool = False
-    slack: float = 0.0
+    closure_tol: float = 0.0
 
     @property
     def closed(self) -> bool:
-        """Whether all residuals that must vanish do."""
-        return self.open <= max(MET, self.slack)
+        """True when all residuals that must vanish do."""
+        return self.open <= max(MET, self.closure_tol)
 
     @property
     def met(self) -> bool:
-        """Whether all that must hold does."""
-        return self.closed and not self.turned
+        """True when all that must hold does."""
+        return self.closed and not self.reversed_axis
 
 
 class PositionSolver:
-    """Circuits and targets of a mechanism, and the search for positions that meet them."""
+    """Loops and targets of a mechanism, and the search for positions that meet them."""
 
     def __init__(self, m: Mechanism, targets: Sequence[Target] = ()) -> None:
         """Connect.
@@ -78,27 +79,29 @@ class PositionSolver:
         self.m, self.targets = m, list(targets)
         parts = m.connection
         self._library = parts.library
-        self._keep: list[Any] = [parts]
+        self._references: list[Any] = [parts]
         self.record = PositionRecord.from_buffer_copy(parts.record)
         self._work, self._interpreted = parts.work, parts.called_back
         record = self.record
         record.t = m.t
         if m.r is not None:
             record.r = self._pointer(np.ascontiguousarray(m.r))
-        record.hard = record.kept_count
+        record.hard = record.hard_count
         rows = (TargetRecord * max(1, len(self.targets)))()
+        # targets with a weight are minimized, the others are met exactly
         for row, target in zip(rows, self.targets, strict=False):
             self._connect(row, target)
             if target.weight is None:
                 record.hard += row.rows
             else:
                 record.soft += row.rows
-        self._keep.append(rows)
+        self._references.append(rows)
         record.targets, record.target_count = ctypes.addressof(rows), len(self.targets)
         self._allocate(parts.rows)
         # held values that single coordinates have to the bit
         exact = [t for t in self.targets if t.kind == "coordinate" and t.weight is None]
-        self._held = [(t.place, t.value) for t in exact]
+        self._exact = [(t.place, t.value) for t in exact]
+        # the cost of an iteration grows with the size of the matrix, so the budget falls
         cost = max(1, (record.hard + record.soft + record.nu) * max(1, record.nu)) ** 1.5
         self._budget = max(1, int(EFFORT / cost))
 
@@ -119,7 +122,7 @@ class PositionSolver:
             return
         for name, size in (("residual", row.rows), ("jacobian", row.rows * m.nu)):
             callback = called(partial(getattr(target, name), m), size, q=m.model.nq)
-            self._keep.append(callback)
+            self._references.append(callback)
             setattr(row, name, callback.address)
         self._interpreted = True
 
@@ -134,7 +137,7 @@ class PositionSolver:
             "work": self._work,
         }
         block, start = np.zeros(sum(sizes.values()) + 1), 0
-        self._keep.append(block)
+        self._references.append(block)
         for name, size in sizes.items():
             setattr(record, name, block.ctypes.data + 8 * start)
             if name in ("q", "residuals", "jacobian"):
@@ -147,11 +150,11 @@ class PositionSolver:
 
     def _pointer(self, array: NDArray[Any]) -> int:
         """Address of an array that must live as long as this."""
-        self._keep.append(array)
+        self._references.append(array)
         return array.ctypes.data
 
     def _around(self) -> AbstractContextManager[None]:
-        """What stands around a call of the kernel."""
+        """Context of a call of the kernel."""
         return called_back() if self._interpreted else nullcontext()
 
     # residuals
@@ -167,7 +170,7 @@ class PositionSolver:
             status = kernel(self.record)
         if status:
             raise SolveError(
-                f"circuits of '{self.m.model.name}' have no residual at a position that a search "
+                f"loops of '{self.m.model.name}' have no residual at a position that a search "
                 f"came to (status {status})"
             )
 
@@ -184,16 +187,23 @@ class PositionSolver:
         """The position next to a start (nq,) that meets the conditions, as well as it can."""
         record, m = self.record, self.m
         self._q[:] = q
-        record.rank, record.slack = m.rank, m.slack
+        record.rank, record.residual_noise = m.rank, m.closure_tol
         with self._around():
             self._library.cardan_position_begin(record)
             while self._library.cardan_position_solve(record, self._budget) == MORE:
                 pass
         reversed_joint = ""
-        if record.open <= max(MET, m.slack) and (record.turned >= 0 or not record.facings):
-            reversed_joint = m.turned(self._q)
+        if record.open <= max(MET, m.closure_tol) and (
+            record.wrong_sign >= 0 or not record.assembly_sign_count
+        ):
+            reversed_joint = m.reversed_axis(self._q)
         return Solution(
-            self._q.copy(), record.open, record.cost, record.freedoms, reversed_joint, slack=m.slack
+            self._q.copy(),
+            record.open,
+            record.cost,
+            record.freedoms,
+            reversed_joint,
+            closure_tol=m.closure_tol,
         )
 
     def near(self, guess: Array, length: float) -> Solution | None:
@@ -204,8 +214,8 @@ class PositionSolver:
             length: Of the step along it, without units.
         """
         end = self.solve(guess)
-        off = float(np.linalg.norm(self.m.between(guess, end.q)))
-        return end if end.met and off <= ASIDE * length + REACHED else None
+        off = float(np.linalg.norm(self.m.difference(guess, end.q)))
+        return end if end.met and off <= ASIDE * length + TARGET_TOL else None
 
     def follow(self, q: Array) -> Solution | None:
         """The position that the tangent at another one (nq,) leads to; None where it is far."""
@@ -215,13 +225,13 @@ class PositionSolver:
         return self.near(self.m.advance(q, ahead), length) if length < FARTHEST else None
 
     def search(self, begin: Array) -> Solution:
-        """Where a search from a start (nq,) ends; held coordinates have their values to the bit."""
+        """End of a search from a start (nq,); locked coordinates have their values to the bit."""
         q = begin.copy()
-        for place, value in self._held:
+        for place, value in self._exact:
             q[place] = value
         end = self.solve(q)
         if end.met:
-            for place, value in self._held:
+            for place, value in self._exact:
                 if len(value) == 1:
                     end.q[place] = value
         end.q[:] = self.m.nearest(end.q, begin)
@@ -229,6 +239,6 @@ class PositionSolver:
 
 
 def missed(m: Mechanism, target: Target, q: Array) -> Array:
-    """What a position (nq,) misses of a target, without units (n,)."""
+    """Distance of a position (nq,) from a target, without units (n,)."""
     solver = PositionSolver(m, [replace(target, weight=None)])
-    return solver.hard(q)[solver.record.kept_count :]
+    return solver.hard(q)[solver.record.hard_count :]

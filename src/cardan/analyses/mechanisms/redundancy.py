@@ -33,15 +33,15 @@ ELASTIC = "with a beam in place of one of its bodies elasticity shares the other
 @final
 @dataclass(frozen=True, repr=False, eq=False)
 class Redundancy:
-    """How many conditions are independent at a position.
+    """Rank and redundancy of the constraints at a position.
 
     Attributes:
         name: Of the model.
         freedoms: Degrees of freedom: speeds that all constraints allow.
         constraints: Number of constraints.
         rank: How many of them are independent here.
-        circuits: Cut joint or constraint -> (constraints, rank of them alone).
-        left_out: Those of the constraints that the motion of their circuit fulfills by itself: the
+        loops: Cut joint or constraint -> (constraints, rank of them alone).
+        left_out: Those of the constraints that the motion of their loop fulfills by itself: the
             model has no multipliers for them.
         directions: What is held twice, in words, one for each redundant constraint.
         vectors: The same as combinations of the multipliers, then of what is left out
@@ -76,10 +76,10 @@ class Redundancy:
 
     @property
     def undetermined(self) -> list[str]:
-        """Which components of which reactions are not determined, a line for those alike."""
+        """Reaction components that are not determined, one line for joints alike."""
         alike: dict[str, list[str]] = {}
         for name in self.components:
-            alike.setdefault(self.loose(name), []).append(name)
+            alike.setdefault(self.released(name), []).append(name)
         alike.pop("", None)
         return [
             f"reactions not determined: {', '.join(names)} ({components})"
@@ -87,7 +87,7 @@ class Redundancy:
         ]
 
     @checked
-    def loose(self, joint: str) -> str:
+    def released(self, joint: str) -> str:
         """Components of the reaction of a joint that are not determined: ``"Mx, My, Fz"``.
 
         Returns:
@@ -120,7 +120,7 @@ def redundancy(
     t: float = 0.0,
     r: State | None = None,
 ) -> Redundancy:
-    """Which constraints of a closed system are redundant at a position.
+    """Find the redundant constraints of a closed system at a position.
 
     Args:
         model: The compiled model.
@@ -159,7 +159,8 @@ def doubt(model: LoadedModel, joint: str, q: Any, t: Any, r: Any) -> None:
     if len(states):
         elastic = rests or model.manifest.absolute
         warn(
-            f"the reaction of '{joint}' is not determined ({redundancy.loose(joint)}): constraints "
+            f"the reaction of '{joint}' is not determined ({redundancy.released(joint)}): "
+            "constraints "
             f"of its loop say the same twice, {redundancy.directions[0]}. One of the possible "
             "wrenches is given. model.redundancy(q) tells which components are determined; "
             f"{ELASTIC if elastic else SHARED}",
@@ -173,7 +174,7 @@ def undetermined(model: LoadedModel, q: Array, t: float = 0.0) -> tuple[str, ...
 
 
 def bound(model: LoadedModel) -> bool:
-    """Whether constraints bind a model whose rows are known."""
+    """True when constraints bind a model whose rows are known."""
     rows, available = model.manifest.multipliers, model.manifest.available
     return bool(model.manifest.cuts) or bool(rows and "constraint_jacobian" in available)
 
@@ -187,7 +188,7 @@ def position(model: LoadedModel, q: Any) -> Array:
 
 
 def rank_of(singular_values: NDArray[Any]) -> int:
-    """How many singular values are not zero."""
+    """Number of singular values that are not zero."""
     largest = float(singular_values.max(initial=0.0))
     return int(np.sum(singular_values > RANK * largest))
 
@@ -200,6 +201,7 @@ def report(m: Mechanism, q: Array) -> Redundancy:
     rows = [*m.closing.rows, *left_out]
     if left_out:
         U = np.linalg.svd(np.concatenate([G, _slopes(m, q, left_out)]), full_matrices=True)[0]
+    # left null space of G: combinations of constraint forces that move nothing
     vectors = _plain(U[:, rank:].T)
     unique = {
         str(row.name): bool(np.abs(vectors[:, k]).max(initial=0.0) < UNIQUE)
@@ -207,6 +209,7 @@ def report(m: Mechanism, q: Array) -> Redundancy:
     }
     owners = np.array([row.joint for row in m.closing.rows])
     circuits = {owner: (n, n) for owner, n in _solved(m).items()}
+    # rank of the rows of each loop by itself
     for owner in dict.fromkeys(owners.tolist()):
         values = np.linalg.svd(G[owners == owner], compute_uv=False)
         rank_of_all = int(np.sum(values > RANK * float(s.max(initial=0.0))))
@@ -232,7 +235,7 @@ def report(m: Mechanism, q: Array) -> Redundancy:
 
 
 def _left_out(m: Mechanism) -> list[MultiplierRow]:
-    """Conditions that the motion of their circuit fulfills by itself, as rows of multipliers."""
+    """Conditions that the motion of their loop fulfills by itself, as rows of multipliers."""
     return [
         MultiplierRow(name=row.name, unit=row.unit, joint=cut.name, level="position")
         for cut in m.cuts
@@ -241,7 +244,7 @@ def _left_out(m: Mechanism) -> list[MultiplierRow]:
 
 
 def _solved(m: Mechanism) -> dict[str, int]:
-    """Circuits in closed form, and how many conditions each of them fulfills."""
+    """Loops in closed form, and how many conditions each of them fulfills."""
     counts: dict[str, int] = {}
     for joint in m.model.manifest.joints:
         if solved := joint.solved:
@@ -252,7 +255,7 @@ def _solved(m: Mechanism) -> dict[str, int]:
 def _slopes(m: Mechanism, q: Array, left_out: Sequence[MultiplierRow]) -> Array:
     """G (k, nu), without units, of what is left out, by central differences along the speeds.
 
-    Zeros where circuits are in closed form: the joints that follow fulfill it.
+    Zeros where loops are in closed form: the joints that follow fulfill it.
     """
     slopes = np.zeros((len(left_out), m.nu))
     if "closure" not in m.model.manifest.available:
@@ -272,8 +275,10 @@ def _slopes(m: Mechanism, q: Array, left_out: Sequence[MultiplierRow]) -> Array:
 
 
 def _of_circuits(m: Mechanism, unique: Mapping[str, bool]) -> dict[str, tuple[bool, ...]]:
-    """As :func:`.self_stress.determined` where joints are not known by their poses: a self-stress
-    is taken to load every joint of its circuit in full."""
+    """Same as :func:`.self_stress.determined` where joints are not known by their poses:
+
+    a self-stress is taken to load every joint of its loop in full.
+    """
     rows = [*m.closing.rows, *_left_out(m)]
     undetermined = {row.joint for row in rows if not unique[row.name]}
     unique_joints: dict[str, bool] = {}

@@ -1,4 +1,4 @@
-"""Circuits whose redundant conditions disagree a little, because lengths or axes are rounded.
+"""Loops whose redundant conditions disagree a little, because lengths or axes are rounded.
 
 Conditions that say the same twice hold together for exact numbers only. With rounded ones they
 leave a residual, or allow single positions without motion. Where residuals stay below a bound they
@@ -13,16 +13,16 @@ import numpy as np
 
 from ...arrays import Array
 from ...errors import SolveWarning, warn
-from .mechanism import LOOSE, Mechanism
+from .mechanism import ROUNDED_TOL, Mechanism
 from .position_solver import PositionSolver, Solution
 from .searches import search
 from .targets import Target
 
 ROUNDED = 1e-7  # residuals without units that rounded numbers may leave
 AGREED = 1e-13  # those that double precision leaves
-TOLD = 1e-10  # those that are worth a warning
+WORTH_A_WARNING = 1e-10  # those that are worth a warning
 MARGIN = 100.0  # by which they may grow along a motion
-BESIDE = 1e-2  # a step, without units, to a place that is not singular by chance
+OFFSET = 1e-2  # a step, without units, to a place that is not singular by chance
 
 
 def rounded(
@@ -31,17 +31,17 @@ def rounded(
     """Searches that let redundant conditions disagree; the mechanism keeps the slack they need.
 
     Args:
-        m: The mechanism; its ``slack`` is set where a search ends well.
+        m: The mechanism; its ``closure_tol`` is set where a search ends well.
         targets, begin, starts, seed: As :func:`.searches.search` takes them.
     """
-    m.slack = ROUNDED
+    m.closure_tol = ROUNDED
     solutions = search(m, targets, begin, starts, seed)
     if any(one.met for one in solutions):
         worst = max(one.open for one in solutions if one.met)
-        m.slack = MARGIN * worst
+        m.closure_tol = MARGIN * worst
         warn_of_residual(m, worst)
     else:
-        m.slack = 0.0
+        m.closure_tol = 0.0
     return solutions
 
 
@@ -54,11 +54,11 @@ def closure_tolerance(m: Mechanism, q: Array) -> float:
     values, rows = m.decomposition(q)[1], m.positions
     if rows < len(m.closing.rows):
         values = np.asarray(np.linalg.svd(m.jacobian(q)[:rows], compute_uv=False), np.float64)
-    if not len(values) or (len(values) == rows and values[-1] > LOOSE * values[0]):
+    if not len(values) or (len(values) == rows and values[-1] > ROUNDED_TOL * values[0]):
         return 0.0
     released = m.without(m.released)
-    released.slack = ROUNDED
-    aside = np.random.default_rng(0).uniform(-BESIDE, BESIDE, m.nu)
+    released.closure_tol = ROUNDED
+    aside = np.random.default_rng(0).uniform(-OFFSET, OFFSET, m.nu)
     solution = PositionSolver(released).solve(m.advance(q, aside))
     if not AGREED < solution.open <= ROUNDED:
         return 0.0
@@ -68,11 +68,11 @@ def closure_tolerance(m: Mechanism, q: Array) -> float:
 
 def warn_of_residual(m: Mechanism, residual: float) -> None:
     """Warn of a residual without units, if it is more than the last digits."""
-    if residual < TOLD:
+    if residual < WORTH_A_WARNING:
         return
     joints = ", ".join(f"'{cut.name}'" for cut in m.cuts)
     warn(
-        f"model '{m.model.name}': circuits (of {joints}) close to {residual * m.size:.1g} m only. "
+        f"model '{m.model.name}': loops (of {joints}) close to {residual * m.size:.1g} m only. "
         "Conditions that say the same twice disagree by that much, as rounded lengths or axes "
         "make them: give the numbers more digits. Until then the residual is ignored (it may be "
         f"{ROUNDED:g} of the size of the mechanism), and rtol below {MARGIN * residual:.0e} is in "

@@ -18,7 +18,7 @@ from .targets import Target
 def search(
     m: Mechanism, targets: Sequence[Target], begin: Array, starts: int, seed: int
 ) -> list[Solution]:
-    """Where searches from a start and from random coordinates end.
+    """Ends of searches from a start and from random coordinates.
 
     Ctrl-C ends them once one of them has met the targets.
 

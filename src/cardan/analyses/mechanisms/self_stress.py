@@ -37,7 +37,7 @@ CLOSED = 1e-6  # of the size of the mechanism: joints that close loops have no p
 
 
 def determined(m: Mechanism, q: Array) -> Components | None:
-    """Whether every component of the reactions of joints is determined.
+    """Mask of the determined components of every joint reaction.
 
     Args:
         m, q: A model at a position (nq,) at which its loops are closed.
@@ -61,7 +61,7 @@ def null_space(rows: Array) -> Array:
 
 
 def _free(wrenches: Array) -> tuple[bool, ...]:
-    """Which components none of some wrenches (k, 6) without units has."""
+    """Mask of the components that none of the wrenches (k, 6) without units has."""
     return tuple((np.abs(wrenches).max(axis=0, initial=0.0) < UNIQUE).tolist())
 
 
@@ -79,11 +79,13 @@ def _of_loops(m: Mechanism, q: Array) -> Components | None:
     r = model._layout.start("r") if m.r is None else m.r
     motion = motion_of(model, m.t, r)
     motion = None if motion is None else np.reshape(motion, (1, *np.shape(motion)[-2:]))
+    # the reference implementation must see the loops closed, or its wrenches mean nothing
     closers, missed = closers_at(model, circuits, q, m.t, r, motion)
     if not missed <= CLOSED * m.size:
         return None
     G = jacobian(circuits, closers, motion)[0][0]
     loops = 6 * len(circuits.closers)
+    # moments over the size of the mechanism: rows of one scale
     units = np.ones(len(G))
     units[:loops].reshape(-1, 6)[:, 3:] = m.size
     G = G / units[:, None]
@@ -94,6 +96,7 @@ def _of_loops(m: Mechanism, q: Array) -> Components | None:
         )
         G = np.concatenate([G, bound])
     G[:, : model.nu] *= m.columns
+    # states of self-stress span the left null space of the loop Jacobian
     lengths = np.linalg.norm(G, axis=0)
     stresses = null_space(G / np.where(lengths > 0, lengths, 1.0))[:, :loops]
     poses = _poses(circuits, closers, motion, m.size)
@@ -104,14 +107,14 @@ def _poses(circuits: Circuits, q: Array, motion: Array | None, size: float) -> P
     """R (n + 1, 3, 3) and p (n + 1, 3) without unit of the ground and all bodies."""
     still = np.zeros((1, circuits.scene.nu))
     motion_of_bodies = moving(circuits.scene, q, still, still, motion)
-    rotations = [np.broadcast_to(R, (1, 3, 3))[0] for R in motion_of_bodies.turned]
+    rotations = [np.broadcast_to(R, (1, 3, 3))[0] for R in motion_of_bodies.rotations]
     return np.array(rotations), np.array(
         [np.broadcast_to(p, (1, 3))[0] / size for p in motion_of_bodies.place]
     )
 
 
 def _joint_wrenches(m: Mechanism, circuits: Circuits, poses: Poses, stresses: Array) -> Components:
-    """What self-stresses (k, loops, 6) bring to every joint of the loops, fixed ones too."""
+    """Wrenches of every joint of the loops, fixed ones too, under self-stresses (k, loops, 6)."""
     names = [joint.name for joint in m.model.manifest.joints]
     through: dict[str, Array] = {}
     seats: dict[str, Seat] = {}

@@ -17,7 +17,7 @@ from typing import Any, final
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ...arguments import Hold, checked
+from ...arguments import LockedValues, checked
 from ...arrays import Array
 from ...errors import ArgumentError, ModelError, near
 from ...runtime.calls.evaluation import State
@@ -98,21 +98,21 @@ def singular_positions(
     over: tuple[float, float],
     *,
     driver: str | None = None,
-    hold: Hold | None = None,
+    locked: LockedValues | None = None,
     start: Mapping[str, ArrayLike] | ArrayLike | None = None,
     branch: Mapping[str, Any] | None = None,
     step: float = STEP,
     t: float = 0.0,
     r: State | None = None,
 ) -> Singular:
-    """Where a driver is dead, and where branches meet, while a coordinate is in a range.
+    """Find positions at which a driver is dead or branches meet, over a range of a coordinate.
 
     Args:
-        model: The compiled model, with one freedom but for ``hold``.
+        model: The compiled model, with one freedom but for ``locked``.
         coordinate: Followed from the first to the second end of the range, or until it returns.
         over: Its range.
         driver: Coordinate that drives; the same if left out.
-        hold: Coordinates and frames that keep their values.
+        locked: Coordinates and frames that keep their values.
         start, branch: As ``assemble`` takes them.
         step: Along the path, in radians and sizes of the mechanism.
         t, r: Time [s] and inputs, where something is prescribed.
@@ -132,9 +132,11 @@ def singular_positions(
         raise ArgumentError(f"step={step:g}: the path goes forward by positive steps")
     refuse_nodes(model, "singular_positions")
     m = Mechanism(model, t, r)
-    locked = locked_values(m, hold)
-    begin = assemble(model, {coordinate: low} | locked, start=start, branch=branch, t=t, r=r)
-    path = Path(m, locked, coordinate, driver or coordinate, 1.0 if high > low else -1.0)
+    locked_targets = locked_values(m, locked)
+    begin = assemble(
+        model, {coordinate: low} | locked_targets, start=start, branch=branch, t=t, r=r
+    )
+    path = Path(m, locked_targets, coordinate, driver or coordinate, 1.0 if high > low else -1.0)
     return path.follow(begin.q, low, high, step)
 
 
@@ -149,14 +151,19 @@ class Path:
     """A mechanism of one freedom along its path."""
 
     def __init__(
-        self, m: Mechanism, locked: Mapping[str, Any], coordinate: str, driver: str, sign: float
+        self,
+        m: Mechanism,
+        locked_targets: Mapping[str, Any],
+        coordinate: str,
+        driver: str,
+        sign: float,
     ) -> None:
         """Args:
         m, hold: The mechanism and what keeps its value.
         coordinate, driver, sign: What is followed, what drives, which way.
         """
         self.m, self.sign = m, sign
-        self.solver = PositionSolver(m, read(m, locked))
+        self.solver = PositionSolver(m, read(m, locked_targets))
         self.coordinate, self.driver = coordinate, driver
         self.place = m.model.coordinates.index(coordinate)
         self.drive = m.model.coordinates.index(driver)
@@ -175,7 +182,7 @@ class Path:
             if free != 1:
                 raise ModelError(
                     f"the mechanism has {free} degrees of freedom here; a path has one: give the "
-                    "others by hold="
+                    "others by locked="
                 )
             tangent = Vt[-1]
             rate = float((self.m.kinematics(q) @ tangent)[self.place])
@@ -192,7 +199,7 @@ class Path:
         return None if solution is None else solution.q
 
     def rate(self, q: Array, tangent: Array) -> float:
-        """How the driver moves along the path, without units."""
+        """Rate of the driver along the path, without units."""
         return float((self.m.kinematics(q) @ tangent)[self.drive])
 
     def follow(self, q: Array, low: float, high: float, step: float) -> Singular:
@@ -202,12 +209,14 @@ class Path:
         qualities, tangents, first = [quality], [tangent], q
         ended = "the path is longer than was followed"
         for _ in range(MOST):
+            # predictor along the tangent, then Newton back onto the singular set
             new, taken = self._forward(rows[-1], tangents[-1], step)
             if new is None:
                 ended = "the path could not be followed further"
                 break
             tangent, quality = self.tangent(new, tangents[-1])
             before = self.rate(rows[-1], tangents[-1])
+            # the coordinate turns back between the two points: a dead point
             if before * self.rate(new, tangent) < 0:
                 positions.append(self._dead(rows[-1], tangents[-1], taken))
             rows.append(new)
@@ -218,17 +227,12 @@ class Path:
             if (value - high) * self.sign >= 0 or (value - low) * self.sign < -1e-9:
                 ended = "the coordinate left its range"
                 break
-            if len(rows) > 3 and np.linalg.norm(self.m.between(first, new)) < 0.6 * step:
+            if len(rows) > 3 and np.linalg.norm(self.m.difference(first, new)) < 0.6 * step:
                 ended = "the path closed"
                 break
         inside = [p for p in positions if min(low, high) - 1e-9 <= p.value <= max(low, high) + 1e-9]
         return Singular(
-            self.m.model.name,
-            self.coordinate,
-            self.driver,
-            tuple(inside),
-            np.array(rows),
-            ended,
+            self.m.model.name, self.coordinate, self.driver, tuple(inside), np.array(rows), ended
         )
 
     def _forward(self, q: Array, tangent: Array, step: float) -> tuple[Array | None, float]:
@@ -242,7 +246,7 @@ class Path:
         return None, 0.0
 
     def _dead(self, q: Array, tangent: Array, length: float) -> Position:
-        """Where the driver turns, by bisection along the path."""
+        """Locate by bisection along the path the position at which the driver turns back."""
         low, high, here = 0.0, length, q
         before = self.rate(q, tangent)
         while high - low > LOCATED:

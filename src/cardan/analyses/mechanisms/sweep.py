@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ...arguments import Hold, checked
+from ...arguments import LockedValues, checked
 from ...arrays import Array
 from ...errors import ArgumentError, ModelError, SolveError, SolveWarning, counted, near, warn
 from ...runtime.calls.evaluation import State
@@ -55,7 +55,7 @@ class SweepRecord:
 
     @property
     def success(self) -> bool:
-        """Whether all values were reached."""
+        """True when all values were reached."""
         return self.status == FINISHED
 
     @property
@@ -83,8 +83,8 @@ class SweepRecord:
             if place is not None and values.shape[1]:
                 columns = values[:, place]
                 return columns[:, 0] if columns.shape[1] == 1 else columns
-        known = [*self.model.coordinates, *self.model.speeds]
-        raise ModelError(f"sweep['{name}']: there is no such history.{near(name, known)}")
+        names = [*self.model.coordinates, *self.model.speeds]
+        raise ModelError(f"sweep['{name}']: there is no such history.{near(name, names)}")
 
     @checked
     def pose(self, frame: str) -> Array:
@@ -113,7 +113,7 @@ def sweep(
     *,
     rate: float = 1.0,
     acceleration: float = 0.0,
-    hold: Hold | None = None,
+    locked: LockedValues | None = None,
     start: Mapping[str, ArrayLike] | ArrayLike | None = None,
     branch: Mapping[str, Any] | None = None,
     t: float = 0.0,
@@ -128,7 +128,7 @@ def sweep(
         values: Of the one driver (n,).
         rate, acceleration: Derivatives of the driver over time, for speeds and accelerations; of
             several drivers those of the first, the others follow in proportion.
-        hold: Further coordinates or frames that keep a value, as ``assemble`` takes them.
+        locked: Further coordinates or frames that keep a value, as ``assemble`` takes them.
         start: Coordinates near those of the first position; branch: as ``assemble`` takes it.
         t, r: Time [s] and inputs, where something is prescribed.
         check: Raise where the mechanism cannot follow, instead of warning.
@@ -147,11 +147,11 @@ def sweep(
     drivers = _drivers(model, driver, values)
     refuse_nodes(model, "sweep")
     m, table = Mechanism(model, t, r), np.stack([*drivers.values()], axis=1)
-    locked = locked_values(m, hold)
-    drive = Drive(m, list(drivers), locked)
+    locked_targets = locked_values(m, locked)
+    drive = Drive(m, list(drivers), locked_targets)
     at = drive.at(table[0])
     first = {n: float(c[0]) for n, c in drivers.items() if n not in drive.inputs}
-    begin = assemble(model, first | locked, start=start, branch=branch, t=t, r=at.r)
+    begin = assemble(model, first | locked_targets, start=start, branch=branch, t=t, r=at.r)
     drive.check(at, begin.q)
     rows, message = _follow(drive, begin.q, table)
     record = SweepRecord(
@@ -219,7 +219,7 @@ def _motion(
         u.append(speeds(m, q, drive.speeds(rate * slope), np.zeros(model.nu)))
         if dynamic:
             udot.append(accelerations(m, q, u[-1], drive.speeds(acceleration * slope)))
-        quality.append(drive.hold(m, q)[0])
+        quality.append(drive.rank_margin(m, q)[0])
     rates = np.array(udot) if dynamic else np.zeros((len(rows), 0))
     return np.array(rows), np.array(u), rates, np.array(quality)
 
@@ -240,11 +240,11 @@ def plot(
     """Histories over the driver as a Matplotlib figure, written to ``path`` if given.
 
     Raises:
-        ModelError: unknown names, or a path that is no picture file.
+        ModelError: unknown names, or a path that is not a picture file.
         ModuleNotFoundError: Matplotlib is not installed (extra ``plot``).
     """
-    from ...view.plot import asked, plot_over
+    from ...view.plot import checked_names, plot_over
 
-    names = asked(names) if names is not None else [*sweep.model.coordinates]
+    names = checked_names(names) if names is not None else [*sweep.model.coordinates]
     curves = {name: sweep[name] for name in names}
     return plot_over(sweep.model.name, next(iter(sweep.drivers)), sweep.values, curves, path)

@@ -1,4 +1,4 @@
-"""What an assembled mechanism is to reach: values of coordinates, places and poses of frames."""
+"""Targets of an assembly: values of coordinates, places and poses of frames."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...arrays import Array
-from ...errors import ArgumentError, ModelError, SolveError, listed, miscounted, near, shown
+from ...errors import ArgumentError, ModelError, SolveError, brief, listed, miscounted, near
 from ...runtime.models.finite_elements.frames import rotation_vectors
 from ...runtime.models.initial import entries, missing
 from ...runtime.models.named_rotations import check_units, refuse_components
@@ -43,12 +43,12 @@ class Target:
         return np.arange(self.place.start, self.place.stop)
 
     def scales_of(self, m: Mechanism) -> Array:
-        """What these count in."""
+        """Units in which the residuals count."""
         rows = m.model.manifest.coordinates[self.place]
         return np.array([m.size if row.unit == "m" else 1.0 for row in rows])
 
     def residual(self, m: Mechanism, q: Array) -> Array:
-        """What a frame misses of it, without units: its rotation vector, then its place."""
+        """Difference of a frame from its target, without units: rotation vector, then place."""
         pose = m.model.pose(self.name, q, t=m.t, r=m.r)
         away: Array = (pose[:3, 3] - self.goal) / m.size
         if self.kind == "position":
@@ -72,7 +72,7 @@ class Target:
         return self.value[:3, 3] if self.kind == "pose" else self.value
 
     @property
-    def asked(self) -> str:
+    def description(self) -> str:
         """The wanted value in words."""
         if self.kind == "coordinate":
             return ", ".join(f"{x:.6g}" for x in self.value)
@@ -94,15 +94,15 @@ class Coordinates(Target):
     scales: Array = field(default_factory=lambda: np.ones(0))
 
     def entries_of(self, m: Mechanism) -> NDArray[np.intp]:
-        """As :meth:`Target.entries_of`."""
+        """Same as :meth:`Target.entries_of`."""
         return self.entries
 
     def scales_of(self, m: Mechanism) -> Array:
-        """As :meth:`Target.scales_of`."""
+        """Same as :meth:`Target.scales_of`."""
         return self.scales
 
     def distance(self, q: Array) -> float:
-        """How far a position (nq,) is from them, in radians and sizes of the scene."""
+        """Distance of a position (nq,) from the targets, in radians and sizes of the scene."""
         return float(np.linalg.norm((q[self.entries] - self.value) / self.scales))
 
 
@@ -110,7 +110,7 @@ def read(
     m: Mechanism,
     named: Mapping[str, Any],
     weights: Mapping[str, float] | None = None,
-    hold: Iterable[str] | None = None,
+    locked: Iterable[str] | None = None,
 ) -> list[Target]:
     """Targets out of what the user wrote.
 
@@ -121,18 +121,22 @@ def read(
         hold: Those that must be held; by default all without a weight.
 
     Raises:
-        ModelError: an unknown name, a weight that is no positive number, weights or names to hold
+        ModelError: an unknown name, a weight that is not a positive number, weights or names to
+        hold
             that are none.
         ArgumentError: a value of a wrong shape. SolveError: one that is not finite.
     """
     targets = [_target(m, name, value) for name, value in named.items()]
     _check_rotations(m, targets)
     names_of_targets = [target.name for target in targets]
-    weights, required = _weights(weights), None if hold is None else listed("hold", hold, "hand")
-    for word, names in (("weights", [*weights]), ("hold", required or [])):
+    weights, required = (
+        _weights(weights),
+        None if locked is None else listed("locked", locked, "hand"),
+    )
+    for word, names in (("weights", [*weights]), ("locked", required or [])):
         for name in names:
             if name not in names_of_targets:
-                raise ModelError(f"{word}: '{name}' is no target.{near(name, names_of_targets)}")
+                raise ModelError(f"{word}: '{name}' is not a target.{near(name, names_of_targets)}")
     soft = [
         n for n in names_of_targets if (n in weights if required is None else n not in required)
     ]
@@ -157,12 +161,12 @@ def _weights(weights: Any) -> dict[str, float]:
     """Target -> weight, checked but for the names."""
     if not isinstance(weights, Mapping | None):
         raise ModelError(
-            f"weights={shown(weights)}: give targets with weights, such as {{'hand': 1.0}}"
+            f"weights={brief(weights)}: give targets with weights, such as {{'hand': 1.0}}"
         )
     for name, weight in (weights or {}).items():
         number = float(weight) if isinstance(weight, Real) else np.nan
         if not (np.isfinite(number) and number > 0):
-            raise ModelError(f"weights: '{name}' has {shown(weight)}; weights are positive numbers")
+            raise ModelError(f"weights: '{name}' has {brief(weight)}; weights are positive numbers")
     return {name: float(weight) for name, weight in (weights or {}).items()}
 
 
@@ -177,7 +181,7 @@ def locked_values(m: Mechanism, locked: Any) -> dict[str, Any]:
     names = [*entries(m.model.manifest, "q"), *m.model.frames]
     suggestion = near(locked, names) if isinstance(locked, str) and locked not in names else ""
     raise ModelError(
-        f"hold={shown(locked)}: give coordinates or frames with the values they keep, such as "
+        f"locked={brief(locked)}: give coordinates or frames with the values they keep, such as "
         f"{{'{locked if isinstance(locked, str) and locked in names else names[0]}': 0.2}}."
         f"{suggestion}"
     )
@@ -187,10 +191,10 @@ def _target(m: Mechanism, name: str, value: Any) -> Target:
     where, manifest = f"targets: '{name}'", m.model.manifest
     array = np.asarray(value)
     if array.dtype.kind not in "fiub":
-        raise ArgumentError(f"{where}: {shown(value)} is not a number or an array of numbers")
+        raise ArgumentError(f"{where}: {brief(value)} is not a number or an array of numbers")
     array = array.astype(np.float64)
     if not np.isfinite(array).all():
-        raise SolveError(f"{where} is {shown(value)}; it must be finite")
+        raise SolveError(f"{where} is {brief(value)}; it must be finite")
     places, frames = entries(manifest, "q"), m.model.frames
     place = places.get(name)
     if place is not None and not (name in frames and array.shape == (4, 4)):
@@ -214,5 +218,5 @@ def _check_pose(where: str, pose: Array) -> None:
     wrong = np.abs(rotation @ rotation.T - np.eye(3)).max()
     if wrong > 1e-6 or np.linalg.det(rotation) < 0 or np.any(pose[3] != (0, 0, 0, 1)):
         raise ArgumentError(
-            f"{where}: this is no pose: a rotation matrix and a position above (0, 0, 0, 1)"
+            f"{where}: this is not a pose: a rotation matrix and a position above (0, 0, 0, 1)"
         )

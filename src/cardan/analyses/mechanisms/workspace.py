@@ -80,7 +80,7 @@ def workspace(
     Args:
         model: The compiled model.
         frame: Whose origin.
-        over: Coordinate -> range that is sampled; the others follow from the circuits, next to
+        over: Coordinate -> range that is sampled; the others follow from the loops, next to
             those of the nearest sample before. By default everything is drawn inside its limits.
         samples: How many.
         start: Coordinates of the first one.
@@ -100,12 +100,12 @@ def workspace(
     m, requested = Mechanism(model, t, r), branches(model, branch or {})
     ranges = {name: _range(model, name, ends) for name, ends in (over or {}).items()}
     first = assemble(model, start=start, branch=branch, t=t, r=r).q
-    rng, reached_positions = np.random.default_rng(seed), list[Array]()
+    rng, solutions = np.random.default_rng(seed), list[Array]()
     places = [model.coordinates.index(name) for name in ranges]
     for _ in range(samples):
         values = {name: float(rng.uniform(*ends)) for name, ends in ranges.items()}
         solver = PositionSolver(m, read(m, values))
-        near_by = [_nearest(reached_positions or [first], places, values), first] if ranges else []
+        near_by = [_nearest(solutions or [first], places, values), first] if ranges else []
         # from a neighbor, else from where that does not lead to the branch
         for begin in (*near_by, *(drawn(m, first, rng) for _ in range(AGAIN if ranges else 1))):
             solution = solver.search(begin)
@@ -114,9 +114,10 @@ def workspace(
                 and all(one.holds(solution.q) for one in requested)
                 and not m.outside(solution.q)
             ):
-                reached_positions.append(solution.q)
+                solutions.append(solution.q)
                 break
-    q = np.array(reached_positions).reshape(-1, model.nq)
+    q = np.array(solutions).reshape(-1, model.nq)
+    # assembled positions only: samples that do not assemble are not reached
     points = model.pose(frame, q, t=t, r=m.r)[:, :3, 3] if len(q) else np.zeros((0, 3))
     return WorkspaceRecord(model.name, frame, points, q, samples)
 

@@ -11,7 +11,7 @@ import math
 from dataclasses import dataclass, replace
 
 from ...arguments import check_fields
-from ...errors import ModelError, shown
+from ...errors import ModelError, brief
 from ...schema.integrators import INTEGRATORS, Integrator
 from ...schema.integrators.alpha_family import FAMILY
 
@@ -93,7 +93,7 @@ class Alpha:
 
     @property
     def order(self) -> int:
-        """Of the global error: 2 where gamma = 1/2 - am + af."""
+        """Order of the global error: 2 where gamma = 1/2 - am + af."""
         return 2 if math.isclose(self.gamma, 0.5 - self.shift, abs_tol=1e-12) else 1
 
     @property
@@ -119,7 +119,7 @@ class GeneralizedAlpha:
             most 0.95.
         index: How constraints of positions are kept: 2, positions and velocities (stabilized);
             3, positions alone.
-        coefficients: Others than those of Chung and Hulbert: ``cd.Alpha.hht(-0.05)``.
+        coefficients: Others than those of Chung and Hulbert: ``cd.stability.Alpha.hht(-0.05)``.
         newton: When the tangent is taken and factored anew: ``"modified"``, once corrections no
             longer shrink well with it or the step has changed by a quarter, over as many steps as
             that takes; ``"full"``, at every correction.
@@ -138,12 +138,12 @@ class GeneralizedAlpha:
         Alpha.chung_hulbert(self.rho_inf)
         if self.index not in (2, 3):
             raise ModelError(
-                f"GeneralizedAlpha: index={shown(self.index)} is 2 (positions and velocities) or 3 "
+                f"GeneralizedAlpha: index={brief(self.index)} is 2 (positions and velocities) or 3 "
                 "(positions alone)"
             )
         if self.newton not in NEWTON:
             raise ModelError(
-                f"GeneralizedAlpha: newton={shown(self.newton)} is 'modified' (one "
+                f"GeneralizedAlpha: newton={brief(self.newton)} is 'modified' (one "
                 "tangent for as many "
                 "corrections and steps as it serves) or 'full' (a new one at every correction)"
             )
@@ -154,14 +154,14 @@ class GeneralizedAlpha:
         return self.coefficients or Alpha.chung_hulbert(self.rho_inf)
 
 
-def method_of(given: GeneralizedAlpha) -> Integrator:
+def method_of(method: GeneralizedAlpha) -> Integrator:
     """The integrator of what a user chose."""
-    alpha, usual = given.alpha, INTEGRATORS["GeneralizedAlpha"]
-    renewed = float(NEWTON.index(given.newton))
+    alpha, usual = method.alpha, INTEGRATORS["GeneralizedAlpha"]
+    renewed = float(NEWTON.index(method.newton))
     return replace(
         usual,
         order=alpha.order,
-        options=(alpha.am, alpha.af, alpha.beta, alpha.gamma, float(given.index), renewed),
+        options=(alpha.am, alpha.af, alpha.beta, alpha.gamma, float(method.index), renewed),
         # coefficients of the user are his own: they are refused, not capped
-        conditions=usual.conditions if given.coefficients is None else FAMILY.conditions,
+        conditions=usual.conditions if method.coefficients is None else FAMILY.conditions,
     )

@@ -21,15 +21,15 @@ HALVINGS = 200
 
 
 def stops_of(
-    model: LoadedModel, given: Signals, start: float, end: float, looks: int = LOOKS
+    model: LoadedModel, input_signals: Signals, start: float, end: float, looks: int = LOOKS
 ) -> list[float]:
     """Times at which steps must end, in their direction: corners of inputs, jumps, the end."""
-    inside = {*given.corners(start, end), *time_jumps(model, start, end, looks)}
+    inside = {*input_signals.corners(start, end), *time_jumps(model, start, end, looks)}
     return [*sorted(inside, reverse=end < start), end]
 
 
 def jumps(model: LoadedModel) -> bool:
-    """Whether comparisons of the time make a model jump."""
+    """True when comparisons of the time make a model jump."""
     if FUNCTION not in model._derived:
         model._derived[FUNCTION] = FUNCTION in model.saved
     return bool(model._derived[FUNCTION])
@@ -45,23 +45,23 @@ def time_jumps(model: LoadedModel, start: float, end: float, looks: int = LOOKS)
 
     def signs(t: Array) -> NDArray[np.bool_]:
         p = model.parameters.vector
-        found = model._evaluate_saved(FUNCTION, p=p, t=t[:, None])["jumps"]
-        return np.broadcast_to(np.asarray(found) < 0, (len(t), np.shape(found)[-1]))
+        jumps = model._evaluate_saved(FUNCTION, p=p, t=t[:, None])["jumps"]
+        return np.broadcast_to(np.asarray(jumps) < 0, (len(t), np.shape(jumps)[-1]))
 
     times = np.linspace(start, end, looks)
-    seen = signs(times)
-    found = set[float]()
-    for k, which in zip(*np.nonzero(seen[1:] != seen[:-1]), strict=True):
+    sampled = signs(times)
+    instants = set[float]()
+    for k, which in zip(*np.nonzero(sampled[1:] != sampled[:-1]), strict=True):
         low, high = float(times[k]), float(times[k + 1])
         for _ in range(HALVINGS):
             middle = 0.5 * (low + high)
             if middle in (low, high):
                 break
-            if signs(np.array([middle]))[0, which] == seen[k, which]:
+            if signs(np.array([middle]))[0, which] == sampled[k, which]:
                 low = middle
             else:
                 high = middle
         # the neighbor that has fewer digits is the one that was meant
-        found.add(min(low, high, key=lambda t: len(repr(t))))
+        instants.add(min(low, high, key=lambda t: len(repr(t))))
     low, high = min(start, end), max(start, end)
-    return sorted((t for t in found if low < t < high), reverse=end < start)
+    return sorted((t for t in instants if low < t < high), reverse=end < start)

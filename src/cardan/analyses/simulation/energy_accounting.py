@@ -1,4 +1,4 @@
-"""What a run cannot account for, against what its tolerance is worth: the ledger speaks.
+"""Energy and momentum that a run cannot account for, against the error its tolerance allows.
 
 A tolerance bounds the error of a step, and errors of steps add up over the periods that a run
 resolves. So a tolerance rtol is worth
@@ -12,7 +12,7 @@ gone up and down by, P what single speeds have carried. A run that misses more t
 times as much, or more than :data:`CEILING` of the whole, says so whatever its status. Methods of
 order 2 take rtol^(2/3) for rtol, which their error in the end follows; atol counts beside rtol by
 its part of the largest speed, and speeds below it are rest. Given steps name no tolerance: theirs
-is taken as :data:`GIVEN`. What rounding adds is never an excess.
+is taken as :data:`FIXED_STEP_RTOL`. What rounding adds is never an excess.
 """
 
 from __future__ import annotations
@@ -31,12 +31,12 @@ from .settings import Settings
 
 EXCESS = 100.0  # times what the tolerance is worth
 CEILING = 0.1  # of what moves: more than that no tolerance is worth
-GIVEN = 1e-4  # tolerance that a given step stands for
+FIXED_STEP_RTOL = 1e-4  # tolerance that a given step stands for
 LOOKED = 256  # rows of a run that are looked at
 PERIOD = 10.0  # steps that the fastest period resolved takes at least
 FEW, PARTS = 9, 64  # rows, and groups of speeds, of which the momenta they carry are summed
 MOMENTA = (("angular momentum", "N m s"), ("momentum", "N s"))
-SEEN = 1e-3  # of the speed that varies most: those that vary by less show no period
+MIN_AMPLITUDE = 1e-3  # of the speed that varies most: those that vary by less show no period
 ROUNDING = 64 * float(np.finfo(np.float64).eps)
 """of all that was added up, for every step's rounding"""
 
@@ -57,29 +57,29 @@ class Account:
     what: str
     missed: float
     worth: float
-    whole: float
+    total: float
     noise: float
     unit: str
 
     @property
     def most(self) -> float:
-        """What may be missed."""
-        return min(EXCESS * self.worth, CEILING * self.whole) + self.noise
+        """Largest error that counts as within tolerance."""
+        return min(EXCESS * self.worth, CEILING * self.total) + self.noise
 
     @property
     def excessive(self) -> bool:
-        """Whether more is missed than the tolerance is worth many times over."""
+        """True when more is missed than the tolerance is worth many times over."""
         return not self.missed <= self.most
 
     def __str__(self) -> str:
         unit = self.unit
-        told = f"{self.missed:.2g} {unit} of {self.what} unaccounted for"
-        if EXCESS * self.worth < CEILING * self.whole:
-            return f"{told}, where the tolerance is worth {self.worth:.2g} {unit}"
-        return f"{told}, where {self.whole:.2g} {unit} was exchanged"
+        sentence = f"{self.missed:.2g} {unit} of {self.what} unaccounted for"
+        if EXCESS * self.worth < CEILING * self.total:
+            return f"{sentence}, where the tolerance is worth {self.worth:.2g} {unit}"
+        return f"{sentence}, where {self.total:.2g} {unit} was exchanged"
 
 
-def accounts(motion: TrajectoryRecord, how: Settings, slack: float = 0.0) -> list[Account]:
+def accounts(motion: TrajectoryRecord, how: Settings, closure_tol: float = 0.0) -> list[Account]:
     """Every quantity of a run that can be accounted for.
 
     Args:
@@ -92,17 +92,17 @@ def accounts(motion: TrajectoryRecord, how: Settings, slack: float = 0.0) -> lis
     rows = _some(len(motion), LOOKED)
     fastest = float(np.abs(motion.u).max(initial=0.0))
     rtol, periods = float(in_the_end(how, fastest)), _periods(motion)
-    atol, of_whole = (how.atol, how.rtol) if how.method.adaptive else (0.0, GIVEN)
-    closures = _closure(motion, of_whole, atol, slack)
+    atol, relative = (how.atol, how.rtol) if how.method.adaptive else (0.0, FIXED_STEP_RTOL)
+    closures = _closure(motion, relative, atol, closure_tol)
     if fastest <= max(atol, ROUNDING):
         # at rest, as far as the tolerance tells: what is left of speeds is rounding
         return closures
     return _energy(motion, rows, rtol, periods) + _momentum(motion, rows, rtol, periods) + closures
 
 
-def excess(motion: TrajectoryRecord, how: Settings, slack: float = 0.0) -> str:
-    """What a run misses beyond its tolerance, as a sentence; "" where it keeps to it."""
-    some = [account for account in accounts(motion, how, slack) if account.excessive]
+def excess(motion: TrajectoryRecord, how: Settings, closure_tol: float = 0.0) -> str:
+    """Sentence about conservation errors beyond the tolerance; "" where there are none."""
+    some = [account for account in accounts(motion, how, closure_tol) if account.excessive]
     if not some:
         return ""
     cure = "rtol= and atol= smaller" if how.method.adaptive else "step= shorter"
@@ -118,15 +118,15 @@ def in_the_end(how: Settings, fastest: ArrayLike) -> Array:
     """
     fastest = np.asarray(fastest, dtype=np.float64)
     if not how.method.adaptive:
-        return np.full(fastest.shape, GIVEN)
+        return np.full(fastest.shape, FIXED_STEP_RTOL)
     with np.errstate(divide="ignore", invalid="ignore"):
-        own = np.where(fastest > 0, np.minimum(how.rtol + how.atol / fastest, 1.0), 1.0)
+        relative = np.where(fastest > 0, np.minimum(how.rtol + how.atol / fastest, 1.0), 1.0)
     # of order 2 a tighter tolerance takes more steps by its cube root
-    return own ** (2 / 3) if how.method.order == 2 else own
+    return relative ** (2 / 3) if how.method.order == 2 else relative
 
 
-def tolerated(how: Settings, fastest: Array, whole: Array, rounded: Array, steps: Array) -> Array:
-    """What may be missed of whole amounts (runs,), where nothing is known but the steps taken.
+def tolerated(how: Settings, fastest: Array, total: Array, rounded: Array, steps: Array) -> Array:
+    """Conservation error to expect (runs,), where only the steps taken are known.
 
     Args:
         how: The tolerances.
@@ -136,7 +136,7 @@ def tolerated(how: Settings, fastest: Array, whole: Array, rounded: Array, steps
         steps: Of every run.
     """
     worth = EXCESS * in_the_end(how, fastest) * np.maximum(1.0, steps / PERIOD)
-    return np.minimum(worth, CEILING) * whole + ROUNDING * rounded * np.maximum(10.0, steps)
+    return np.minimum(worth, CEILING) * total + ROUNDING * rounded * np.maximum(10.0, steps)
 
 
 def _some(count: int, most: int) -> NDArray[np.intp]:
@@ -148,19 +148,21 @@ def _some(count: int, most: int) -> NDArray[np.intp]:
 
 def _periods(motion: TrajectoryRecord) -> float:
     """N: duration over the fastest period resolved."""
-    found = motion.statistics["steps"] / PERIOD
-    if motion.dense is not None and found > 1:
+    count = motion.statistics["steps"] / PERIOD
+    if motion.dense is not None and count > 1:
         # every step is there: periods are seen where speeds turn back
         u = motion.u
         moves = np.diff(u, axis=0)
         reach = np.ptp(u, axis=0)
-        turns = (moves[1:] * moves[:-1] < 0).sum(axis=0)[reach > SEEN * reach.max(initial=0.0)]
-        found = min(found, float(turns.max(initial=0)) / 2)
-    return max(1.0, found)
+        turns = (moves[1:] * moves[:-1] < 0).sum(axis=0)[
+            reach > MIN_AMPLITUDE * reach.max(initial=0.0)
+        ]
+        count = min(count, float(turns.max(initial=0)) / 2)
+    return max(1.0, count)
 
 
 def _rounded(motion: TrajectoryRecord, size: float) -> float:
-    """What rounding may add up to."""
+    """Bound on the accumulated rounding."""
     return ROUNDING * size * max(10.0, motion.statistics["steps"])
 
 
@@ -175,15 +177,15 @@ def _energy(
     q, u = model.split(x)[:2]
     r = motion.r[rows] if motion.r.shape[1] else None
     energy = model.energy(q, u, t=t, r=r)
-    given = [column[rows] for column in motion.given.T]
-    given += [history[rows] for history in impacts(motion).values()]
+    supplied = [column[rows] for column in motion.work_done.T]
+    supplied += [history[rows] for history in impacts(motion).values()]
     total = energy.total - energy.total[0]
-    missed = float(np.abs(total - sum(given, np.zeros(len(rows)))).max())
-    exchanged = sum(float(np.ptp(history)) for history in [energy.potential, *given])
-    whole = float(energy.kinetic.max()) + exchanged
-    worth = rtol * whole * periods
-    noise = _rounded(motion, whole + float(np.abs(energy.potential).max()))
-    return [Account("energy", missed, worth, whole, noise, "J")]
+    missed = float(np.abs(total - sum(supplied, np.zeros(len(rows)))).max())
+    exchanged = sum(float(np.ptp(history)) for history in [energy.potential, *supplied])
+    scale = float(energy.kinetic.max()) + exchanged
+    worth = rtol * scale * periods
+    noise = _rounded(motion, scale + float(np.abs(energy.potential).max()))
+    return [Account("energy", missed, worth, scale, noise, "J")]
 
 
 def _momentum(
@@ -191,32 +193,32 @@ def _momentum(
 ) -> list[Account]:
     """Both momenta of a run, where nothing acts from outside."""
     model = motion.model
-    known = motion.manifest.available
-    if model is None or not isolated(motion) or "momentum" not in known or not model.nu:
+    functions = motion.manifest.available
+    if model is None or not isolated(motion) or "momentum" not in functions or not model.nu:
         return []
     t, x = motion.t[rows], motion.x[rows]
     q, u = model.split(x)[:2]
     values = model.momentum(q, u, t=t)
     some = _some(len(rows), FEW)
     groups = np.array_split(np.arange(model.nu), min(model.nu, PARTS))
-    carried = np.zeros((2, len(some)))
+    magnitudes = np.zeros((2, len(some)))
     for group in groups:
         alone = np.zeros_like(u[some])
         alone[:, group] = u[some][:, group]
         part = model.momentum(q[some], alone, t=t[some]).reshape(-1, 2, 3)
-        carried += np.linalg.norm(part, axis=2).T
-    found = []
+        magnitudes += np.linalg.norm(part, axis=2).T
+    listed = []
     for k, (what, unit) in enumerate(MOMENTA):
-        own = values[:, 3 * k : 3 * k + 3]
-        missed = float(np.linalg.norm(own - own[0], axis=1).max())
-        whole = float(carried[k].max())
-        worth = rtol * whole * periods
-        found.append(Account(what, missed, worth, whole, _rounded(motion, whole), unit))
-    return found
+        history = values[:, 3 * k : 3 * k + 3]
+        missed = float(np.linalg.norm(history - history[0], axis=1).max())
+        magnitude = float(magnitudes[k].max())
+        worth = rtol * magnitude * periods
+        listed.append(Account(what, missed, worth, magnitude, _rounded(motion, magnitude), unit))
+    return listed
 
 
 def isolated(motion: TrajectoryRecord) -> bool:
-    """Whether nothing acts on the scene from outside, gravity included."""
+    """True when nothing acts on the scene from outside, gravity included."""
     if not motion.manifest.isolated or motion.model is None:
         return False
     fixed: Mapping[str, float] = motion.manifest.structural
@@ -225,20 +227,22 @@ def isolated(motion: TrajectoryRecord) -> bool:
     return not any(free[name] if name in free else fixed.get(name, 0.0) for name in names)
 
 
-def _closure(motion: TrajectoryRecord, rtol: float, atol: float, slack: float) -> list[Account]:
-    """How far circuits came open."""
+def _closure(
+    motion: TrajectoryRecord, rtol: float, atol: float, closure_tol: float
+) -> list[Account]:
+    """Closure errors of the loops."""
     model, ledger = motion.model, motion.ledger
     if model is None or ledger is None:
         return []
     size = size_of(model)
     fastest = max(1.0, float(np.abs(motion.u).max(initial=0.0)))
-    found = []
+    listed = []
     for level, rate in (("position", 1.0), ("velocity", fastest)):
         for name, worst in getattr(ledger, level).items():
             scale = (1.0 if worst.unit.startswith("rad") else size) * rate
             worth = atol + rtol * scale
-            noise = 2 * max(slack, CLOSED) * scale
-            found.append(
+            noise = 2 * max(closure_tol, CLOSED) * scale
+            listed.append(
                 Account(f"closure of '{name}'", worst.after, worth, scale, noise, worst.unit)
             )
-    return found
+    return listed

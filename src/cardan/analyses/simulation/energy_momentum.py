@@ -1,4 +1,4 @@
-"""Whether the elements of a model are conservative, and what leaves them as they are."""
+"""Check that the elements of a model are conservative, and find their symmetries."""
 
 from __future__ import annotations
 
@@ -70,7 +70,7 @@ class _Looked:
             if "M" not in kind.parts and self._resists(number):
                 self._say(what, "its force depends on speeds")
             if "M" in kind.parts and kind.nu and len(group.place[0]) > 1:
-                self._apart(number, what)
+                self._check_mass_blocks(number, what)
         for group, lost in zip(tables.groups, self._lost(), strict=True):
             if lost:
                 self._say(_named(group), "its force has no potential")
@@ -79,19 +79,19 @@ class _Looked:
             self._say("a joint", "it is driven along a given motion")
 
     def _resists(self, number: int) -> bool:
-        """Whether forces of a group change with speeds."""
+        """True when forces of a group change with speeds."""
         moving = self.mesh.results("balance", self.state(self.q[0], u=self.way))[number]
-        rest = self.mesh.results("balance", self.state(self.q[0]))[number]
+        static = self.mesh.results("balance", self.state(self.q[0]))[number]
         nu = self.tables.groups[number].kind.nu
-        change = np.abs(moving - rest)[:, :nu].max(initial=0.0)
-        return bool(change > SMALL * np.abs(rest)[:, :nu].max(initial=0.0))
+        change = np.abs(moving - static)[:, :nu].max(initial=0.0)
+        return bool(change > SMALL * np.abs(static)[:, :nu].max(initial=0.0))
 
     def _say(self, what: str, why: str) -> None:
         raise ModelError(
             f"{self.who}: {what} is not conservative ({why}): take method='GeneralizedAlpha'"
         )
 
-    def _apart(self, number: int, what: str) -> None:
+    def _check_mass_blocks(self, number: int, what: str) -> None:
         """Masses of elements stand with their nodes."""
         group = self.tables.groups[number]
         having = [g for g in self.tables.groups if "balance_tangent" in g.kind.functions]
@@ -100,8 +100,8 @@ class _Looked:
         nu, start = group.kind.nu, group.kind.parts["M"]
         mass = values[0, start : start + nu * nu].reshape(nu, nu)
         sizes = [len(c) for c in _columns(self.tables, group, 0)]
-        own = np.repeat(np.arange(len(sizes)), sizes)
-        if np.abs(mass[own[:, None] != own]).max(initial=0.0) > SMALL * np.abs(mass).max():
+        owner = np.repeat(np.arange(len(sizes)), sizes)
+        if np.abs(mass[owner[:, None] != owner]).max(initial=0.0) > SMALL * np.abs(mass).max():
             raise ModelError(
                 f"{self.who}: the mass of {what} couples nodes, and the energy of such elements "
                 "is not kept: scene.beam(..., inertia='lumped')"
@@ -109,11 +109,11 @@ class _Looked:
 
     def _forces(self, q: Array, lam: Array | None) -> list[Array]:
         """Forces of every element on its places (n, nu), group by group."""
-        found = self.mesh.results("balance", self.state(q, lam=lam))
-        return [f[:, : g.kind.nu] for f, g in zip(found, self.tables.groups, strict=True)]
+        balances = self.mesh.results("balance", self.state(q, lam=lam))
+        return [f[:, : g.kind.nu] for f, g in zip(balances, self.tables.groups, strict=True)]
 
     def _lost(self) -> list[bool]:
-        """Of every group whether its forces are not those of its energy."""
+        """Mask of the groups whose forces do not derive from their energy."""
         tables, q, way = self.tables, self.q[0], WAY * self.way
         ends = [
             self.mesh.results("energy", self.state(self.mesh.move(q, s * way))) for s in (-1, 1)
@@ -130,25 +130,28 @@ class _Looked:
         return lost
 
     def _power(self, force: Array, group: Any, q: Array, motion: Array) -> Array:
-        """Of forces over a rigid motion (6) of everything: turn, then velocity of the origin."""
+        """Power of forces over a rigid motion (6) of everything:
+
+        turn, then velocity of the origin.
+        """
         tables, power = self.tables, np.zeros(len(force))
         for e in range(len(force)):
             first = 0
             for place in group.place[e]:
                 n = tables.u[place + 1] - tables.u[place]
-                own = force[e, first : first + n]
+                wrench = force[e, first : first + n]
                 if tables.kinds[tables.kind[place]].name == "node":
                     pose = q[tables.q[place] : tables.q[place] + 7]
                     turn = rotation(pose[:4]).T @ motion[:3]
-                    power[e] += own[:3] @ turn
-                    power[e] += own[3:] @ (motion[3:] + np.cross(motion[:3], pose[4:]))
+                    power[e] += wrench[:3] @ turn
+                    power[e] += wrench[3:] @ (motion[3:] + np.cross(motion[:3], pose[4:]))
                 first += n
         return power
 
     def symmetries(self) -> tuple[Array, Array]:
         """The direction of gravity (3,), and of every group how many motions leave it alone."""
         down = self._down()
-        found = np.zeros(len(self.tables.groups))
+        counts = np.zeros(len(self.tables.groups))
         across = np.linalg.svd(down[None, :])[2][1:] if down.any() else np.eye(3)[:2]
         heavy = [np.append(down, np.zeros(3)), *(np.append(np.zeros(3), d) for d in across)]
         cases = [(RIGID, list(np.eye(6))), (HEAVY, heavy if down.any() else [])]
@@ -159,9 +162,9 @@ class _Looked:
             for count, motions in cases:
                 powers = [self._power(force, group, self.q[1], motion) for motion in motions]
                 if motions and np.abs(powers).max(initial=0.0) <= SMALL * size:
-                    found[k] = count
+                    counts[k] = count
                     break
-        return down, found
+        return down, counts
 
     def _down(self) -> Array:
         """The direction of the force that is on an element with mass wherever it is."""
@@ -181,5 +184,5 @@ def _columns(tables: Any, group: Any, element: int) -> list[Array]:
 
 
 def _named(group: Any) -> str:
-    """How users know an element of a group."""
+    """Name of an element of a group as users know it."""
     return f"'{group.members[0]}'" if len(group.members) else f"an element '{group.kind.name}'"

@@ -1,4 +1,4 @@
-"""What may happen in a run: events of the model, and those that the caller watches for."""
+"""Events of a run: those of the model, and those that the caller watches for."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from ...arrays import Array
-from ...errors import ArgumentError, ModelError, SolveError, named, near, shown
+from ...errors import ArgumentError, ModelError, SolveError, brief, named, near
 from ...runtime.models.loaded_model import LoadedModel
 from ...schema.entries import EventRow, TickRow
 from . import run_record as abi
@@ -20,8 +20,8 @@ from .signals import checked
 Value = Callable[[float, Array], float]
 KINDS = {"mode": abi.MODE, "impact": abi.IMPACT, "tick": abi.TICK, "end": abi.END, "mark": abi.MARK}
 # a start so little beyond a stop is at it
-BESIDE = 1e-9
-OWN = {"end": abi.HALT, "mark": abi.MARK}
+LIMIT_TOL = 1e-9
+ACTIONS = {"end": abi.HALT, "mark": abi.MARK}
 # the value falls, it rises, both
 DIRECTIONS = {"down": (1.0,), "up": (-1.0,), "both": (1.0, -1.0)}
 
@@ -45,7 +45,7 @@ class Watch:
 
 @dataclass(frozen=True)
 class Crossing:
-    """How far an entry of the state is above a value."""
+    """Distance of an entry of the state above a value."""
 
     entry: int
     value: float
@@ -56,7 +56,7 @@ class Crossing:
 
 
 @dataclass(frozen=True)
-class Happenings:
+class EventTable:
     """Everything that may happen in a run.
 
     Attributes:
@@ -81,8 +81,8 @@ class Happenings:
         return tuple(row["name"] for row, kind in pairs if kind <= abi.TICK)
 
     @property
-    def described(self) -> list[Any]:
-        """What may happen in words that are the same in every process."""
+    def descriptions(self) -> list[Any]:
+        """Descriptions of the events, the same in every process."""
         return [self.rows, [(w.name, w.kind, w.direction) for w in self.watches]]
 
     @property
@@ -135,7 +135,7 @@ class Happenings:
 
 
 def check_start(model: LoadedModel, x: Array, t: float, r: Array) -> None:
-    """Whether a run may begin at a state.
+    """Check that a run may begin at a state.
 
     Raises:
         ModelError: it lies where it could not have come to, such as behind a stop.
@@ -146,17 +146,17 @@ def check_start(model: LoadedModel, x: Array, t: float, r: Array) -> None:
     q, u, z = model.parts_of(x)
     values = model.events(q, u, z=z, t=t, r=r)
     for row, value in zip(rows, values.tolist(), strict=True):
-        if row.beyond and value < -BESIDE:
+        if row.beyond and value < -LIMIT_TOL:
             raise ModelError(
                 f"{row.beyond} ('{row.element}'), by {-value:.6g}: start within its range"
             )
 
 
-NOTHING = Happenings((), (), 0, (), ())
+NOTHING = EventTable((), (), 0, (), ())
 
 
-def happenings(model: LoadedModel, given: Mapping[str, Any] | None) -> Happenings:
-    """What may happen in a run of a model.
+def event_table_of(model: LoadedModel, events: Mapping[str, Any] | None) -> EventTable:
+    """Table of the events of a run of a model.
 
     Args:
         model: Its events come first.
@@ -172,20 +172,20 @@ def happenings(model: LoadedModel, given: Mapping[str, Any] | None) -> Happening
     kinds = [KINDS[row["kind"]] for row in rows]
     count = len(rows)
     taken = [row["name"] for row in rows]
-    watched = named("events", given, "'up': ('elbow', 0.5)")
+    watched = named("events", events, "'up': ('elbow', 0.5)")
     watches = [_watch(model, name, what) for name, what in watched.items()]
     for watch in watches:
         if watch.name in taken:
             raise ModelError(f"events: the model has an event '{watch.name}': name yours otherwise")
         for _ in DIRECTIONS[watch.direction]:
             rows.append({"name": watch.name, "element": "", "kind": watch.kind})
-            kinds.append(OWN[watch.kind])
+            kinds.append(ACTIONS[watch.kind])
     ticks = tuple(model.manifest.ticks)
     for tick in ticks:
         if not (math.isfinite(tick.period) and tick.period > 0):
             name = rows[tick.event]["name"]
             raise ModelError(f"'{name}' has a period of {tick.period:g} s: it must be positive")
-    return Happenings(tuple(rows), tuple(kinds), count, ticks, tuple(watches))
+    return EventTable(tuple(rows), tuple(kinds), count, ticks, tuple(watches))
 
 
 def _row(model: LoadedModel, stated: EventRow) -> dict[str, Any]:
@@ -197,32 +197,30 @@ def _row(model: LoadedModel, stated: EventRow) -> dict[str, Any]:
     return row
 
 
-def _watch(model: LoadedModel, name: str, given: Any) -> Watch:
+def _watch(model: LoadedModel, name: str, spec: Any) -> Watch:
     """One entry of ``events=``."""
-    what: Any = given
-    words: tuple[Any, ...] = ()
-    if isinstance(given, tuple | list) and given and not _is_crossing(given):
-        what, words = given[0], tuple(given[1:])
+    what: Any = spec
+    options: tuple[Any, ...] = ()
+    if isinstance(spec, tuple | list) and spec and not _is_crossing(spec):
+        what, options = spec[0], tuple(spec[1:])
     kind, direction = "end", "both"
-    for word in words:
-        if word in OWN:
+    for word in options:
+        if word in ACTIONS:
             kind = word
         elif word in DIRECTIONS:
             direction = word
         else:
-            known = [*OWN, *DIRECTIONS]
-            hint = near(word, known)
+            choices = [*ACTIONS, *DIRECTIONS]
+            hint = near(word, choices)
             raise ModelError(
-                f"events: '{name}': {shown(word)} is none of {', '.join(known)}.{hint}"
+                f"events: '{name}': {brief(word)} is none of {', '.join(choices)}.{hint}"
             )
     return Watch(name, _value(model, name, what), kind, direction)
 
 
-def _is_crossing(given: Sequence[Any]) -> bool:
+def _is_crossing(spec: Sequence[Any]) -> bool:
     return (
-        len(given) == 2
-        and isinstance(given[0], str)
-        and isinstance(given[1], int | float | np.number)
+        len(spec) == 2 and isinstance(spec[0], str) and isinstance(spec[1], int | float | np.number)
     )
 
 
@@ -243,7 +241,7 @@ def _value(model: LoadedModel, name: str, what: Any) -> Value:
         k = names.index(entry)
         return Crossing(k, value)
     raise ArgumentError(
-        f"events: '{name}' is {shown(what)}; give f(t, x), or a name and the value it "
+        f"events: '{name}' is {brief(what)}; give f(t, x), or a name and the value it "
         "passes such as "
         "('elbow', 0.5)"
     )

@@ -1,4 +1,4 @@
-"""What is planned for a model in its folder before a run: its matrices, and where it starts."""
+"""Data computed for a model in its folder before a run: its matrices, and its start."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from ...arrays import Array
 from ...errors import ModelError
 from ...runtime.models.constraint_projection import columns_of, size_of
 from ...runtime.models.finite_elements import table_loading
-from ...runtime.models.finite_elements.carried_nodes import Carrier, leading
+from ...runtime.models.finite_elements.joint_driven_nodes import Carrier, leading
 from ...runtime.models.finite_elements.record_fields import group_fields, mesh_fields, mover_fields
 from ...runtime.models.initial import start_of
 from ...runtime.models.loaded_model import LoadedModel
@@ -37,14 +37,14 @@ def planned(kind: type[LoadedModel], folder: Path) -> Planned:
         mover_fields(tables),
         plan_fields(tables.once(Matrices.of).plan),
         _start(folder, model),
-        _held(model),
+        _locked(model),
         size,
         columns_of(model, size),
     )
 
 
 def _start(folder: Path, model: LoadedModel) -> Array:
-    """Where a run starts (nx,); what joints of the tree carry needs no search."""
+    """Initial state of a run (nx,); joints of a tree need no search."""
     start, free = start_of(model, {}, {}, {})
     tree = {row.name for row in model.manifest.joints}
     closed = any(row.joint not in tree for row in model.manifest.multipliers)
@@ -55,12 +55,12 @@ def _start(folder: Path, model: LoadedModel) -> Array:
     return start
 
 
-def _held(model: LoadedModel) -> NDArray[np.bool_]:
-    held = np.ones(model.nq + model.nu, dtype=bool)
+def _locked(model: LoadedModel) -> NDArray[np.bool_]:
+    locked = np.ones(model.nq + model.nu, dtype=bool)
     if not table_loading.tables_of(model).beams:
         lead = leading(model)
-        held[model.nq :] = lead
+        locked[model.nq :] = lead
         for row in model.manifest.joints:
             (place, count), (first, _) = row.slot("q"), row.slot("u")
-            held[place : place + count] = lead[first]
-    return held
+            locked[place : place + count] = lead[first]
+    return locked

@@ -1,4 +1,4 @@
-"""Which method ``method="auto"`` takes, and why: a table of reasons, the first that holds."""
+"""Choose the method of ``method="auto"``: a table of reasons, the first that holds."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ MOST = 0.75  # of them that found stability
 
 @dataclass(frozen=True)
 class Case:
-    """What the choice is made from.
+    """The facts that the choice is made from.
 
     Attributes:
         rtol: Tolerance.
@@ -37,14 +37,14 @@ class Case:
     period: float | None = None
     length: float | None = None
     derived: bool = True
-    asked: bool = False
+    input_functions: bool = False
     stiff: bool = False
     elements: bool = False
     beams: bool = False
 
     @property
     def hurried(self) -> bool:
-        """Whether samples or ticks cut the run into many short segments."""
+        """True when samples or ticks cut the run into many short segments."""
         if self.period is None:
             return False
         return self.length is None or self.length > OFTEN * self.period
@@ -94,7 +94,7 @@ RULES: tuple[Rule, ...] = (
     ),
     Rule(
         "Radau",
-        lambda case: case.stiff and (case.asked or case.rtol < FINE),
+        lambda case: case.stiff and (case.input_functions or case.rtol < FINE),
         f"{STIFF}; Radau reaches many digits and rarely asks for slopes of f(t, x)",
     ),
     Rule(
@@ -120,14 +120,14 @@ def choose(case: Case) -> Rule:
     return next(rule for rule in RULES if rule.holds(case))
 
 
-def given_up(case: Case | None, method: str, status: str) -> bool:
-    """Whether a run of elements by an explicit method ended where an implicit one may go on."""
+def abandoned(case: Case | None, method: str, status: str) -> bool:
+    """True when a run of elements by an explicit method ended where an implicit one may go on."""
     explicit = case is not None and case.elements and method == "DOP853"
     return explicit and status in BROKEN
 
 
 def limited(run: Any) -> bool:
-    """Whether stability limits the steps of a run.
+    """True when stability limits the steps of a run.
 
     Args:
         run: Its record.
@@ -154,7 +154,7 @@ def reconsider(case: Case, runner: Any, over: Span, begin: Any) -> None:
 
 
 def _outpaced(runner: Any, over: Span, begin: Any) -> bool:
-    """Whether an implicit method would need far fewer steps than a run has taken.
+    """True when an implicit method would need far fewer steps than a run has taken.
 
     Vibrations at rest do not show in the steps themselves, which are as long as these allow, and
     explicit steps keep them at the tolerance: what the start says of the motion counts too.
@@ -175,7 +175,7 @@ def _outpaced(runner: Any, over: Span, begin: Any) -> bool:
 
 
 def remark(method: str, run: Any, derived: bool) -> str:
-    """What to say of a run whose steps stability limited, "" of others."""
+    """Remark about a run whose steps were limited by stability, "" for others."""
     if not limited(run):
         return ""
     share = f"stability limited {100 * run.limited / run.looked:.0f} % of the steps of {method}, "

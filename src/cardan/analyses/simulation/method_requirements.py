@@ -1,4 +1,4 @@
-"""What integrators ask of a model: a table of the conditions that their records name."""
+"""Requirements of the integrators on a model: a table of the conditions that their records name."""
 
 from __future__ import annotations
 
@@ -36,8 +36,8 @@ def _damping_capped(model: LoadedModel, method: Integrator) -> tuple[Integrator,
         return method, ""
     capped = Alpha.chung_hulbert(MOST)
     options = (capped.am, capped.af, capped.beta, capped.gamma, *method.options[4:])
-    words = f"rho_inf {MOST:g} as constraints ask for damping"
-    return replace(method, options=options), words
+    reason = f"rho_inf {MOST:g} as constraints ask for damping"
+    return replace(method, options=options), reason
 
 
 def _assembled(model: LoadedModel, method: Integrator) -> tuple[Integrator, str]:
@@ -69,7 +69,7 @@ def _no_internal_states(model: LoadedModel, method: Integrator) -> tuple[Integra
     return method, ""
 
 
-def _own_constraints(model: LoadedModel, method: Integrator) -> tuple[Integrator, str]:
+def _user_constraints(model: LoadedModel, method: Integrator) -> tuple[Integrator, str]:
     """The model leaves its constraints to the method."""
     if model.nlam and not model.manifest.projected:
         treatment = model.manifest.treatment
@@ -81,7 +81,7 @@ def _own_constraints(model: LoadedModel, method: Integrator) -> tuple[Integrator
 
 
 def _damped(model: LoadedModel, method: Integrator) -> tuple[Integrator, str]:
-    """Where there are constraints the coefficients damp them."""
+    """Replace the coefficients by damping ones where there are constraints."""
     alpha, index = Alpha(*method.options[:4]), int(method.options[4])
     newton = ", full Newton steps" if method.options[5] else ""
     if not model.nlam:
@@ -90,7 +90,7 @@ def _damped(model: LoadedModel, method: Integrator) -> tuple[Integrator, str]:
         raise ModelError(
             f"method '{method.name}' with {alpha} keeps {alpha.rho_inf:.3g} of an error of the "
             f"constraints of model '{model.name}' in every step: it needs damping, at most "
-            f"{MOST:g}, such as cd.GeneralizedAlpha(rho_inf=0.8) or cd.Alpha.hht(-0.1)"
+            f"{MOST:g}, such as cd.GeneralizedAlpha(rho_inf=0.8) or cd.stability.Alpha.hht(-0.1)"
         )
     return method, f"rho_inf {alpha.rho_inf:.3g}, index {index}{newton}"
 
@@ -121,7 +121,7 @@ CONDITIONS: dict[str, Callable[[LoadedModel, Integrator], tuple[Integrator, str]
     "assembled": _assembled,
     "joint_speeds": _joint_speeds,
     "no_internal_states": _no_internal_states,
-    "own_constraints": _own_constraints,
+    "own_constraints": _user_constraints,
     "damped": _damped,
     "in_elements": _in_elements,
     "nothing_discrete": _nothing_discrete,

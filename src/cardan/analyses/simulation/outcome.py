@@ -1,4 +1,4 @@
-"""What the answer of an integrator means to the user."""
+"""Messages for the status codes of the integrators."""
 
 from __future__ import annotations
 
@@ -8,10 +8,10 @@ import numpy as np
 
 from ...runtime.models.finite_elements.elements import State
 from ...runtime.models.finite_elements.massless import refusal
+from ...runtime.models.named_rotations import is_bounded
 from ...runtime.trajectory.solver_info import FINISHED
 from . import run_record as abi
 from .run import Runner
-from .singular_coordinates import is_bounded
 from .times import Span
 
 HUGE = 1e100  # beyond this squares overflow before long
@@ -32,6 +32,7 @@ def explain(runner: Runner, answer: int, over: Span) -> tuple[str, str]:
     if answer == abi.STOPPED or isinstance(runner.error, KeyboardInterrupt):
         return "interrupted", f"interrupted {at}; what was computed is kept"
     if answer == abi.TOO_SMALL:
+        # the limit is the user's own, or the step controller shrank until time stood still
         longest = float(runner.record.max_step)
         if longest <= np.spacing(abs(over.end)):
             why = f"max_step={longest:g} s does not change the time"
@@ -47,20 +48,20 @@ def explain(runner: Runner, answer: int, over: Span) -> tuple[str, str]:
             f"{', at worst that' + who if who else ''}. {_rotation(runner)}Take step= or max_step= "
             "shorter; or the motion is singular there"
         )
-    if answer == abi.TURNED:
+    if answer == abi.ROTATION_TOO_LARGE:
         return "step_too_long", (
             f"stopped {at}: a rotation in a step of {abs(runner.record.h):g} s is most of a turn, "
             "more than its increment can tell. Take step= shorter"
         )
-    if answer == abi.WHIRLED:
+    if answer == abi.ROTATION_UNRESOLVED:
         return "singular_rotation", (
             f"stopped {at}: a step of {abs(runner.record.h):g} s does not tell how "
             f"'{runner.model.coordinates[runner.record.culprit]}' turns. {_rotation(runner)}"
             "Otherwise take step= shorter, or a method that chooses its steps"
         )
-    if answer in (abi.EVENT, abi.STORM, abi.CHATTER):
+    if answer in (abi.EVENT, abi.EVENT_LIMIT, abi.CHATTER):
         return _event(runner, answer, at)
-    if answer == abi.OPEN:
+    if answer == abi.CONSTRAINT_OPEN:
         return "not_closed", f"stopped {at}: {_open(runner)}"
     if answer == abi.NOT_FINITE:
         return "not_finite", f"stopped {at}: {_not_finite(runner, who)}"
@@ -75,7 +76,7 @@ def explain(runner: Runner, answer: int, over: Span) -> tuple[str, str]:
 
 
 def _masses(runner: Runner) -> str:
-    """What has no mass."""
+    """Names of massless directions."""
     model, views = runner.model, runner.views
     if not model.manifest.absolute:
         return "The mass matrix is singular there: look at the state motion.x[-1]"
@@ -86,10 +87,10 @@ def _masses(runner: Runner) -> str:
 
 
 def _not_finite(runner: Runner, who: str) -> str:
-    """What is no number, and why that may be."""
+    """Message about a number that is not finite, and possible reasons."""
     model = runner.model
     if runner.record.culprit >= runner.n:
-        return f"what says when {_happening(runner)} happens is not finite"
+        return f"what says when {_event_name(runner)} happens is not finite"
     for name, value in zip(model.inputs, runner.views["r"].tolist(), strict=True):
         if not math.isfinite(value):
             return f"input '{name}' is {value} there: its function must give finite numbers"
@@ -109,19 +110,19 @@ def _not_finite(runner: Runner, who: str) -> str:
 
 
 def _domain(runner: Runner) -> str:
-    """What may have no value."""
+    """Message about a function evaluated outside its domain."""
     rows = [joint.solved for joint in runner.model.manifest.joints]
     circuits = dict.fromkeys(f"'{row.loop}'" for row in rows if row)
     if not circuits:
         return f"{_rotation(runner)}A force or a rotation leaves its domain there"
     return (
-        f"The circuit that {' or '.join(circuits)} closes is at a dead point there, or cannot "
+        f"The loop that {' or '.join(circuits)} closes is at a dead point there, or cannot "
         "reach it; run through with constraints='multipliers'. Or a force leaves its domain"
     )
 
 
 def _rotation(runner: Runner) -> str:
-    """What the rotation that is to blame cannot say, and which one can; "" if none is to blame."""
+    """Message about a singular rotation, and a parametrization that is not; "" if none is."""
     model, k = runner.model, runner.record.culprit
     if not 0 <= k < len(model.coordinates):
         return ""
@@ -136,7 +137,7 @@ def _rotation(runner: Runner) -> str:
 
 
 def _open(runner: Runner) -> str:
-    """Which circuit does not stay closed, and what to do about it."""
+    """Message about the loop that does not stay closed, with a remedy."""
     run, closing = runner.record, runner.closing
     level, name = closing.row(run.open_row)
     joint = next(row.joint for row in closing.rows if row.name == name)
@@ -177,19 +178,19 @@ def _culprit(runner: Runner) -> str:
     return f" of '{names[k]}'" if 0 <= k < len(names) else ""
 
 
-def _happening(runner: Runner) -> str:
+def _event_name(runner: Runner) -> str:
     """The event that is to blame, with the element it happens to."""
-    row = runner.may.rows[runner.record.culprit - runner.n]
+    row = runner.event_table.rows[runner.record.culprit - runner.n]
     owner = f" of '{row['element']}'" if row["element"] and row["element"] != row["name"] else ""
     return f"'{row['name']}'{owner}"
 
 
 def _event(runner: Runner, answer: int, at: str) -> tuple[str, str]:
     """A run that events ended."""
-    what = _happening(runner)
+    what = _event_name(runner)
     if answer == abi.EVENT:
         return "event", f"ended {at} by {what}"
-    if answer == abi.STORM:
+    if answer == abi.EVENT_LIMIT:
         return "event_storm", (
             f"stopped {at}: {what} happens again and again at this one time: what it changes does "
             "not end what causes it"

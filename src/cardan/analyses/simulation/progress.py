@@ -14,7 +14,7 @@ PATIENCE = 1.0  # seconds before a bar appears
 
 @contextmanager
 def showing(progress: bool | Show | None, what: str) -> Iterator[Show]:
-    """What to call with the fraction done.
+    """Callback that takes the fraction done.
 
     Args:
         progress: True: a bar on standard error; None: the same if that is a terminal; False:

@@ -1,4 +1,4 @@
-"""What a run has written, and the motion that is made of it."""
+"""Rows that a run has written, and the motion made of them."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ import numpy as np
 from ...arrays import Array
 from ...errors import SolveError
 from ...runtime.trajectory.dense_output import Dense
-from ...runtime.trajectory.event_log import Happened
-from ...runtime.trajectory.solver_info import Conduct
+from ...runtime.trajectory.event_log import EventLog
+from ...runtime.trajectory.solver_info import SolverInfo
 from ...runtime.trajectory.trajectory import TrajectoryRecord
 from .method_choice import JACOBIAN, remark
 from .run import Runner
@@ -26,13 +26,13 @@ COUNTED = (
 )
 
 
-class Kept:
-    """What a run has written, copied out of the room it writes to."""
+class Recorder:
+    """Rows that a run has written, copied out of its buffers."""
 
     def __init__(self, runner: Runner) -> None:
         self.runner = runner
         self.rows, self.spreads, self.logs = list[Array](), list[Array](), list[Array]()
-        self._told = 0
+        self._written = 0
 
     def take(self) -> None:
         """Copy what is new, and give the room back."""
@@ -44,8 +44,8 @@ class Kept:
 
     def fresh(self) -> tuple[Array, Array, Array]:
         """Rows, dense output and log since the last call of this."""
-        new = [parts[self._told :] for parts in (self.rows, self.spreads, self.logs)]
-        self._told = len(self.rows)
+        new = [parts[self._written :] for parts in (self.rows, self.spreads, self.logs)]
+        self._written = len(self.rows)
         rows, spreads, logs = (np.concatenate(parts) for parts in new)
         return rows, spreads, logs
 
@@ -74,7 +74,7 @@ class Kept:
         return "too_large", f"stopped {at}: memory is full of what lies behind that. {cure}"
 
     def motion(
-        self, over: Span, begin: Start, told: tuple[str, str], milliseconds: float
+        self, over: Span, begin: Start, outcome: tuple[str, str], milliseconds: float
     ) -> TrajectoryRecord:
         """The motion so far.
 
@@ -90,13 +90,13 @@ class Kept:
         spreads = np.concatenate(self.spreads) if over.times is None and self.spreads else None
         if not len(table):
             table, spreads = self._first_row(over, begin), None
-        happened = Happened(np.empty((0, 0)), self.runner.may.rows, log)
+        event_log = EventLog(np.empty((0, 0)), self.runner.event_table.rows, log)
         if spreads is not None and len(log):
-            table, spreads = self._quiet(table, spreads, happened.quiet)
-        conduct = self._conduct(
-            begin, table, told, happened.counts | {"milliseconds": milliseconds}
+            table, spreads = self._quiet(table, spreads, event_log.quiet)
+        solver_info = self._solver_info(
+            begin, table, outcome, event_log.counts | {"milliseconds": milliseconds}
         )
-        return self._trajectory(table, spreads, conduct, happened)
+        return self._trajectory(table, spreads, solver_info, event_log)
 
     def _quiet(self, table: Array, spreads: Array, quiet: Array) -> tuple[Array, Array]:
         """One row where modes alone changed without an event: with the modes behind.
@@ -117,32 +117,32 @@ class Kept:
     def _first_row(self, over: Span, begin: Start) -> Array:
         """The start alone, for a run that broke down there."""
         runner = self.runner
-        rest = np.zeros(runner.n - len(begin.x))
+        ledger = np.zeros(runner.n - len(begin.x))
         modes, none = runner.model._layout.start("s"), np.zeros(runner.record.nlam)
-        known = [np.array([over.start]), begin.x, rest, runner.signals.constants, modes, none]
-        return np.concatenate(known)[None, :]
+        parts = [np.array([over.start]), begin.x, ledger, runner.signals.constants, modes, none]
+        return np.concatenate(parts)[None, :]
 
-    def _conduct(
-        self, begin: Start, table: Array, told: tuple[str, str], more: Mapping[str, float]
-    ) -> Conduct:
+    def _solver_info(
+        self, begin: Start, table: Array, outcome: tuple[str, str], more: Mapping[str, float]
+    ) -> SolverInfo:
         runner, run, how = self.runner, self.runner.record, self.runner.settings
         counts: dict[str, Any] = {name: getattr(run, name) for name in COUNTED}
         inputs = table[0, 1 + runner.n :].tolist()
-        return Conduct(
+        return SolverInfo(
             method=how.method.name,
-            settings=how.words,
+            settings=how.description,
             initial=begin.named(runner.model)
             | dict(zip(runner.model.inputs, inputs, strict=False)),
             defaulted=(*begin.defaulted, *runner.signals.defaulted),
-            status=told[0],
-            message=told[1],
+            status=outcome[0],
+            message=outcome[1],
             statistics={**counts, **more},
             reason=remark(how.method.name, run, JACOBIAN in runner.model.manifest.available)
             or how.reason,
         )
 
     def _trajectory(
-        self, table: Array, spreads: Array | None, conduct: Conduct, happened: Happened
+        self, table: Array, spreads: Array | None, solver_info: SolverInfo, event_log: EventLog
     ) -> TrajectoryRecord:
         runner, model = self.runner, self.runner.model
         n, end = runner.n, 1 + runner.n + model.nr
@@ -156,14 +156,14 @@ class Kept:
             t=t,
             x=y[:, : model.nx].copy(),
             r=r,
-            given=y[:, model.nx :].copy(),
+            work_done=y[:, model.nx :].copy(),
             sources=runner.sources if runner.powered else None,
             manifest=model.manifest,
-            conduct=conduct,
+            solver_info=solver_info,
             model=model,
             dense=dense,
             inputs_at=runner.signals.recorded(t, r),
             ledger=runner.ledger,
             stored={"multipliers": lam.copy()} if runner.record.nlam else {},
-            happened=replace(happened, s=s.copy()),
+            event_log=replace(event_log, s=s.copy()),
         )

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 
 from ...arguments import checked
 from ...arrays import Array
-from ...errors import ArgumentError, shown
+from ...errors import ArgumentError, brief
 from ...runtime.calls.calling import numbers
 from ...runtime.calls.evaluation import State, Values
 from ...runtime.models.constraint_projection import Closing
@@ -51,17 +51,17 @@ def residual(
     """
     if index not in (1, 2, 3):
         raise ArgumentError(
-            f"index={shown(index)}: 3 (positions), 2 (velocities) or 1 (accelerations)"
+            f"index={brief(index)}: 3 (positions), 2 (velocities) or 1 (accelerations)"
         )
-    rest: dict[str, Any] = {"t": t, "r": r, "parameters": parameters}
-    rates = model.qdot(q, u, **rest)
+    arguments: dict[str, Any] = {"t": t, "r": r, "parameters": parameters}
+    rates = model.qdot(q, u, **arguments)
     kinematic = np.zeros_like(rates) if qdot is None else _row(model, "qdot", qdot) - rates
-    dynamic = model.inverse_dynamics(q, u, udot, **rest)
+    dynamic = model.inverse_dynamics(q, u, udot, **arguments)
     if tau is not None:
         dynamic = dynamic - _row(model, "tau", tau)
     parts = [kinematic, dynamic]
     if model.nlam:
-        G = model.constraint_jacobian(q, **rest)
+        G = model.constraint_jacobian(q, **arguments)
         forces = np.asarray(lam, dtype=np.float64)
         if forces.shape[-1:] != (model.nlam,):
             raise ArgumentError(
@@ -69,37 +69,37 @@ def residual(
                 f"{', '.join(model.multipliers_of[:6])}"
             )
         parts[1] = dynamic - np.einsum("...mu,...m->...u", G, forces)
-        parts.append(_constraints(model, index, q, u, udot, rest))
+        parts.append(_constraints(model, index, q, u, udot, arguments))
     lead = np.broadcast_shapes(*(part.shape[:-1] for part in parts))
     return np.concatenate([np.broadcast_to(p, (*lead, p.shape[-1])) for p in parts], axis=-1)
 
 
-def _row(model: LoadedModel, name: str, given: Any) -> Array:
+def _row(model: LoadedModel, name: str, values: Any) -> Array:
     """A vector (..., nq) or (..., nu), by names too where it is tau."""
     count = model.nq if name == "qdot" else model.nu
-    array = numbers(name, given) if name == "qdot" else model._vector(name, given)
+    array = numbers(name, values) if name == "qdot" else model._vector(name, values)
     if array.shape[-1:] != (count,):
         raise ArgumentError(f"residual: {name} has shape {array.shape}, expected (..., {count})")
     return np.asarray(array)
 
 
 def _constraints(
-    model: LoadedModel, index: int, q: Any, u: Any, udot: Any, rest: dict[str, Any]
+    model: LoadedModel, index: int, q: Any, u: Any, udot: Any, arguments: dict[str, Any]
 ) -> Array:
     """Residuals (..., m) of the constraints at a level."""
     if index == 1:
         wrt = ("t", "q", "u")
-        by_t, by_q, by_u = model.derivative("constraint_rates", wrt)(q, u, **rest)
+        by_t, by_q, by_u = model.derivative("constraint_rates", wrt)(q, u, **arguments)
         moving = np.einsum("...mu,...u->...m", by_q, model._vector("u", u))
-        found: Array = by_t + moving + np.einsum("...mu,...u->...m", by_u, model._vector("u", udot))
-        return found
-    found = model.constraint_rates(q, u, **rest)
+        gamma: Array = by_t + moving + np.einsum("...mu,...u->...m", by_u, model._vector("u", udot))
+        return gamma
+    gamma = model.constraint_rates(q, u, **arguments)
     count = Closing.of(model).positions
     if index == 3 and count:
-        g = model.constraints(q, **rest)
-        lead = np.broadcast_shapes(g.shape[:-1], found.shape[:-1])
+        g = model.constraints(q, **arguments)
+        lead = np.broadcast_shapes(g.shape[:-1], gamma.shape[:-1])
         g = np.broadcast_to(g, (*lead, count))
-        found = np.concatenate(
-            [g, np.broadcast_to(found, (*lead, model.nlam))[..., count:]], axis=-1
+        gamma = np.concatenate(
+            [g, np.broadcast_to(gamma, (*lead, model.nlam))[..., count:]], axis=-1
         )
-    return found
+    return gamma

@@ -19,15 +19,15 @@ from ...processes import on_interrupt
 from ...runtime.calls.interpreted import called_back
 from ...runtime.models.constraint_projection import Closing, columns_of
 from ...runtime.models.loaded_model import LoadedModel
+from ...runtime.models.named_rotations import bounded
 from ...runtime.trajectory.closure_errors import Ledger
 from ...schema.records import Run, Signal, Tick
 from . import run_record as abi
 from .discontinuities import FEW, jumps, stops_of
-from .events import NOTHING, Happenings
+from .events import NOTHING, EventTable
 from .run_record import INPUTS
 from .settings import Settings
 from .signals import Signals
-from .singular_coordinates import bounded
 
 SOME_STEPS = 1 << 20
 SLICE = 0.01  # seconds between two looks at signals and progress
@@ -63,9 +63,9 @@ class Runner:
         self,
         model: LoadedModel,
         settings: Settings,
-        given: Signals,
+        input_signals: Signals,
         power: bool = True,
-        may: Happenings = NOTHING,
+        event_table: EventTable = NOTHING,
     ) -> None:
         """Allocate.
 
@@ -76,20 +76,27 @@ class Runner:
             power: Integrate the power of the sources too.
             may: What may happen.
         """
-        self.model, self.settings, self.signals, self.may = model, settings, given, may
+        self.model, self.settings, self.signals, self.event_table = (
+            model,
+            settings,
+            input_signals,
+            event_table,
+        )
         self.library = abi.kernels(model._kernels())
         self.functions = [model._function(name) for name in ("rhs", "power")[: 1 + power]]
         self.powered = power
         self.closing = Closing.of(model)
         self.closers = [model._function(name) for name in self.closing.functions]
-        self.needed = [model._function(name) for name in (*settings.method.needs, *may.functions)]
+        self.needed = [
+            model._function(name) for name in (*settings.method.needs, *event_table.functions)
+        ]
         outputs = self.functions[-1].outputs if power else []
         self.sources: tuple[str, ...] = tuple(outputs[0].entries or ()) if outputs else ()
         self.n = model.nx + len(self.sources)
         self.error: BaseException | None = None
         called = [*self.functions, *self.closers, *self.needed]
         self.interpreted = any(function.interpreted for function in called)
-        self._keep: list[Any] = []
+        self._references: list[Any] = []
         self.method = abi.method(self.library, settings.method.kernel)
         self.rows, self.spreads = np.empty((0, 0)), np.empty((0, self.method.dense_rows, self.n))
         self.record = Run()
@@ -105,14 +112,14 @@ class Runner:
             setattr(run, name, getattr(self.method, name))
         run.nq, run.nu, run.nx, run.n, run.nr = model.nq, model.nu, model.nx, self.n, model.nr
         run.nz, run.ns = model.nz, model.ns
-        run.ne, run.watched = self.may.model, self.may.watched
+        run.ne, run.watched = self.event_table.model, self.event_table.watched
         run.positions, run.rates = self.closing.positions, self.closing.rates
         run.size = self.closing.size
         run.nlam = model.nlam if self.settings.method.multipliers else 0
         run.charted = self.settings.method.charted and len(model.manifest.quaternions) > 0
         run.jumps = jumps(model)
         run.on_grid = not self.settings.method.adaptive
-        names = (*self.closing.functions, *self.settings.method.needs, *self.may.functions)
+        names = (*self.closing.functions, *self.settings.method.needs, *self.event_table.functions)
         for name, function in zip(names, [*self.closers, *self.needed], strict=True):
             setattr(run, name, function.address)
             setattr(run, f"{name}_w", self._pointer(function.w))
@@ -122,9 +129,9 @@ class Runner:
         if model.manifest.absolute:
             run.mesh = model._source.mesh(model)
 
-    def loosen(self, slack: float) -> None:
+    def loosen(self, tolerance: float) -> None:
         """Let residuals up to a slack, without units, count as none."""
-        self.closing = self.closing.loosened(slack)
+        self.closing = self.closing.loosened(tolerance)
         self.record.size = self.closing.size
 
     def _allocate(self) -> None:
@@ -136,9 +143,11 @@ class Runner:
         first = self.memory.ctypes.data
         self.library.cardan_run_lay(run, first, *rooms)
         run.times = None
-        starts = [(getattr(run, name) - first) // self.memory.itemsize for name in abi.PIECES]
-        pieces = np.split(self.memory, starts[1:])
-        self.views: dict[str, Array] = dict(zip(abi.PIECES, pieces, strict=True))
+        starts = [
+            (getattr(run, name) - first) // self.memory.itemsize for name in abi.MEMORY_BLOCKS
+        ]
+        arrays = np.split(self.memory, starts[1:])
+        self.views: dict[str, Array] = dict(zip(abi.MEMORY_BLOCKS, arrays, strict=True))
 
     def _connect(self) -> None:
         """Fill in functions and tolerances."""
@@ -164,40 +173,40 @@ class Runner:
         self.views["s"][:] = self.model._layout.start("s")
 
     def _connect_signals(self) -> None:
-        run, pieces = self.record, self.signals.pieces
-        table = (Signal * max(1, len(pieces)))()
-        self.pieces = [table[k] for k in range(len(pieces))]
-        for row, piece in zip(table, pieces, strict=False):
-            row.input, row.pieces, row.where = piece.input, len(piece.coefficients), 0
-            row.breaks = self._pointer(np.ascontiguousarray(piece.breaks))
-            row.coefficients = self._pointer(np.ascontiguousarray(piece.coefficients))
-        self._keep.append(table)
-        run.signals, run.signal_count = ctypes.addressof(table), len(pieces)
+        run, tabulated = self.record, self.signals.tabulated
+        table = (Signal * max(1, len(tabulated)))()
+        self.tabulated = [table[k] for k in range(len(tabulated))]
+        for row, signal in zip(table, tabulated, strict=False):
+            row.input, row.pieces, row.where = signal.input, len(signal.coefficients), 0
+            row.breaks = self._pointer(np.ascontiguousarray(signal.breaks))
+            row.coefficients = self._pointer(np.ascontiguousarray(signal.coefficients))
+        self._references.append(table)
+        run.signals, run.signal_count = ctypes.addressof(table), len(tabulated)
         if self.signals.functions:
             call = INPUTS(self._ask)
-            self._keep.append(call)
+            self._references.append(call)
             run.inputs = ctypes.cast(call, ctypes.c_void_p).value
             run.sampled = self.signals.sample is not None
 
     def _connect_events(self) -> None:
-        run, ticks = self.record, self.may.ticks
-        run.kinds = self._pointer(np.array(self.may.kinds, dtype=np.intp))
+        run, ticks = self.record, self.event_table.ticks
+        run.kinds = self._pointer(np.array(self.event_table.kinds, dtype=np.intp))
         self.ticks = (Tick * max(1, len(ticks)))()
         for row, tick in zip(self.ticks, ticks, strict=False):
             row.event, row.period, row.phase = tick.event, tick.period, tick.phase
         run.ticks, run.tick_count = ctypes.addressof(self.ticks), len(ticks)
-        width = 1 + len(self.may.rows) + 2 * (self.model.nx + self.model.ns)
-        run.log_capacity = LOG + ROOM * len(self.may.rows) if self.may.rows else 0
+        width = 1 + len(self.event_table.rows) + 2 * (self.model.nx + self.model.ns)
+        run.log_capacity = LOG + ROOM * len(self.event_table.rows) if self.event_table.rows else 0
         self.log = np.empty((run.log_capacity, width))
         run.log = self.log.ctypes.data
-        if self.may.watches:
+        if self.event_table.watches:
             call = INPUTS(self._look)
-            self._keep.append(call)
+            self._references.append(call)
             run.watch = ctypes.cast(call, ctypes.c_void_p).value
 
     def _pointer(self, array: NDArray[Any]) -> int:
         """Address of an array that must live as long as this."""
-        self._keep.append(array)
+        self._references.append(array)
         return array.ctypes.data
 
     def _ask(self, t: float, x: Any, r: Any) -> int:
@@ -216,7 +225,7 @@ class Runner:
         """Evaluate what the caller watches; called from C."""
         try:
             state = np.ctypeslib.as_array(x, (self.model.nx,)).copy()
-            for k, value in enumerate(self.may.watch(t, state)):
+            for k, value in enumerate(self.event_table.watch(t, state)):
                 values[k] = value
         except BaseException as error:
             self.error = error
@@ -227,7 +236,7 @@ class Runner:
 
     @property
     def ledger(self) -> Ledger | None:
-        """How well circuits stayed closed; None without constraints."""
+        """Closure errors of the loops; None without constraints."""
         return self.closing.ledger(self.views["ledger"])
 
     def start(self, t: float, x: Array, stops: Sequence[float]) -> int:
@@ -240,7 +249,7 @@ class Runner:
     def aim(self, stops: Sequence[float]) -> None:
         """Set the times at which steps must end; the last one is the end."""
         self._stops = np.array(stops, dtype=np.float64)
-        self.may.distinguish_ticks(max(map(abs, (self.record.t, *stops))))
+        self.event_table.distinguish_ticks(max(map(abs, (self.record.t, *stops))))
         self.record.stops = self._stops.ctypes.data
         self.record.stop_count, self.record.next_stop = len(self._stops), 0
 
@@ -283,7 +292,7 @@ class Runner:
         return self._answer(self.library.cardan_run_drive)
 
     def _answer(self, kernel: Callable[[Run], int]) -> int:
-        """What a kernel says about the run.
+        """Status that a kernel returned.
 
         Raises:
             BaseException: what a function of the caller or of the model raised on the way.
@@ -317,13 +326,13 @@ class Runner:
             run.count = 0
             answer = self.drive(SOME_STEPS)
             logs.append(self.drained())
-        self.happened = np.concatenate(logs) if logs else self.log[:0]
+        self.event_rows = np.concatenate(logs) if logs else self.log[:0]
         self.check()
         self.check_interrupt()
         return answer
 
     def drained(self) -> Array:
-        """What has happened since the last call, as ``Happened.log``."""
+        """Event rows since the last call, as in ``EventLog.log``."""
         taken = self.log[: self.record.log_count].copy()
         self.record.log_count = 0
         return taken

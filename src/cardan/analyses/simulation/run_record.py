@@ -1,4 +1,4 @@
-"""The run record of ``kernels/run.h`` for Python."""
+"""The run record of ``kernels/run/run.h`` for Python."""
 
 from __future__ import annotations
 
@@ -9,14 +9,28 @@ from ...schema.records import POINTER, REAL, Method, Run, Signal, Tick, check
 
 # answers of the kernels, as in run.h
 DONE, MORE, FULL, STOPPED, EVENT = 0, 1, 2, 3, 4
-NOT_FINITE, TOO_SMALL, MODEL, INPUT, SIZE, OPEN, TURNED = -1, -2, -3, -4, -5, -6, -7
-UNSOLVED, STORM, CHATTER, WHIRLED = -8, -9, -10, -11
+NOT_FINITE, TOO_SMALL, MODEL, INPUT, SIZE = -1, -2, -3, -4, -5
+CONSTRAINT_OPEN, ROTATION_TOO_LARGE, UNSOLVED = -6, -7, -8
+EVENT_LIMIT, CHATTER, ROTATION_UNRESOLVED = -9, -10, -11
 # kinds of events, as in run.h
 MODE, IMPACT, TICK, END, MARK, HALT = range(6)
 # pieces of the memory of a run, in the order of memory.c
-PIECES = (
-    *("y", "y_old", "trial", "f", "k", "spread", "r", "s", "at_rest", "work", "closing", "chart"),
-    *("holding", "passing", "own", "e", "board", "ledger"),
+MEMORY_BLOCKS = (
+    *(
+        "y",
+        "y_old",
+        "trial",
+        "f",
+        "k",
+        "interpolant",
+        "r",
+        "s",
+        "zeros",
+        "work",
+        "closing",
+        "chart",
+    ),
+    *("rank_memory", "crossing", "method_memory", "e", "board", "ledger"),
 )
 
 _SOUND = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.POINTER(Run))
@@ -54,11 +68,11 @@ def method(library: ctypes.CDLL, kernel: str) -> Method:
 
 
 def sound(library: ctypes.CDLL, method: Method, run: Run) -> bool:
-    """Whether the places that the memory of a run holds exist, where a method keeps any."""
-    known = [_SOUND(address(library, "cardan_hold_sound"))]
+    """True when the places that the memory of a run holds exist, where a method keeps any."""
+    checks = [_SOUND(address(library, "cardan_rank_sound"))]
     if method.sound:
-        known.append(_SOUND(method.sound))
-    return all(function(run) for function in known)
+        checks.append(_SOUND(method.sound))
+    return all(function(run) for function in checks)
 
 
 def address(library: ctypes.CDLL, name: str) -> int:

@@ -16,9 +16,9 @@ from ...errors import (
     ModelError,
     ModelWarning,
     SolveError,
+    brief,
     near,
     outside,
-    shown,
     warn,
 )
 from ...runtime.calls.calling import numbers
@@ -42,7 +42,7 @@ TIGHTEST = 2.5e-14  # below this rtol the error of a step drowns in rounding
 
 @dataclass(frozen=True)
 class Settings:
-    """How to step.
+    """Settings of the solver.
 
     Attributes:
         method: The integrator.
@@ -58,7 +58,7 @@ class Settings:
     atol: float
     step: float
     max_step: float
-    words: str
+    description: str
     reason: str = ""
 
 
@@ -82,16 +82,17 @@ def settings(
             does not take.
     """
     chosen = integrator(method)
-    if chosen.given_step and step is not None:
+    if chosen.fixed_step_on_request and step is not None:
         chosen = replace(chosen, adaptive=False)
-    atol = following(rtol) if atol is None else atol
+    atol = matching_atol(rtol) if atol is None else atol
     for name, value in (("rtol", rtol), ("atol", atol)):
         if not isinstance(value, int | float | np.number):
             raise ModelError(
-                f"{name}={shown(value)}: one number is wanted, for all entries of the state"
+                f"{name}={brief(value)}: one number is wanted, for all entries of the state"
             )
         if not (math.isfinite(value) and value >= 0) or rtol == atol == 0:
             raise ModelError(f"{name}={value:g}: tolerances are positive numbers, one may be 0")
+    # below the rounding of the state the controller would never accept a step
     if rtol == 0 and atol < SMALLEST:
         raise ModelError(
             f"atol={atol:g}: no error is as small as that; with rtol=0 give {SMALLEST:g} or more"
@@ -101,18 +102,20 @@ def settings(
             raise ModelError(f"{name}={option:g}: it must be a positive time [s]")
     if not chosen.adaptive:
         return _fixed(chosen, step, max_step, length)
-    words = f"rtol {rtol:g}, atol {atol:g}"
+    description = f"rtol {rtol:g}, atol {atol:g}"
     if 0 < rtol < TIGHTEST:
-        words += f" (as {TIGHTEST:g}: double precision ends there)"
+        description += f" (as {TIGHTEST:g}: double precision ends there)"
         rtol = TIGHTEST
     if rtol * VOID < atol and rtol > 0:
-        words += f" (atol decides: rtol counts for entries above {atol / rtol:.2g} alone)"
-    words += f", first step {step:g} s" if step is not None else ""
-    words += f", steps up to {max_step:g} s" if max_step is not None else ""
-    return Settings(chosen, rtol, atol, step or 0.0, max_step or math.inf, words)
+        description += f" (atol decides: rtol counts for entries above {atol / rtol:.2g} alone)"
+    description += f", first step {step:g} s" if step is not None else ""
+    description += f", steps up to {max_step:g} s" if max_step is not None else ""
+    return Settings(chosen, rtol, atol, step or 0.0, max_step or math.inf, description)
 
 
-def watched(how: Settings, given: Signals, length: float, max_step: float | None) -> Settings:
+def watched(
+    how: Settings, input_signals: Signals, length: float, max_step: float | None
+) -> Settings:
     """Settings whose steps are short enough to notice what input functions do.
 
     Args:
@@ -121,14 +124,14 @@ def watched(how: Settings, given: Signals, length: float, max_step: float | None
         length: Duration of the run [s].
         max_step: What the caller said about it; None: nothing.
     """
-    asked = given.functions and given.sample is None
-    if not asked or max_step is not None or not how.method.adaptive:
+    continuous = input_signals.functions and input_signals.sample is None
+    if not continuous or max_step is not None or not how.method.adaptive:
         return how
-    words = f"{how.words}, steps up to 1/{PARTS} of the span as inputs are functions"
-    return replace(how, max_step=length / PARTS, words=words)
+    description = f"{how.description}, steps up to 1/{PARTS} of the span as inputs are functions"
+    return replace(how, max_step=length / PARTS, description=description)
 
 
-def following(rtol: Any) -> float:
+def matching_atol(rtol: Any) -> float:
     """The absolute tolerance that goes with a relative one where none is given."""
     if not isinstance(rtol, int | float | np.number) or not rtol > 0:
         return LARGEST_ATOL
@@ -174,12 +177,12 @@ def integrator(name: str | GeneralizedAlpha | Alpha) -> Integrator:
 
 @dataclass(frozen=True)
 class Start:
-    """Where a run starts.
+    """Start of a run.
 
     Attributes:
         x: The state (nx,).
         defaulted: Those of its entries that nobody named.
-        slack: Residual, in sizes of the mechanism, up to which circuits count as closed because
+        slack: Residual, in sizes of the mechanism, up to which loops count as closed because
             conditions that say the same twice disagree; 0 where they agree.
         followers: ``"q"`` and ``"u"`` -> joints that follow from loops in closed form, and the
             values that were named for them.
@@ -187,7 +190,7 @@ class Start:
 
     x: Array
     defaulted: tuple[str, ...]
-    slack: float = 0.0
+    closure_tol: float = 0.0
     followers: Mapping[str, Values] = field(default_factory=dict)
 
     def named(self, model: LoadedModel) -> dict[str, float]:
@@ -214,13 +217,13 @@ def start(model: LoadedModel, x0: Any, q: Any, u: Any, z: Any = None) -> Start:
         letter: _by_entry(letter, value, entries)
         for letter, value, entries in (("q", q, coordinates), ("u", u, speeds), ("z", z, internals))
     }
-    given: dict[str, Values] = {}
+    dependents: dict[str, Values] = {}
     for letter in "qu":
         places = followers(model.manifest, letter)
         if places:
-            given[letter] = {k: v for k, v in names[letter].items() if k in places}
+            dependents[letter] = {k: v for k, v in names[letter].items() if k in places}
             names[letter] = {k: v for k, v in names[letter].items() if k not in places}
-    begin = Start(*start_of(model, names["q"], names["u"], names["z"]), followers=given)
+    begin = Start(*start_of(model, names["q"], names["u"], names["z"]), followers=dependents)
     if isinstance(q, Mapping):
         _within_limits(model, begin.x, q)
     return begin
@@ -238,7 +241,7 @@ def _within_limits(model: LoadedModel, x: Array, named: Values) -> None:
 
 
 def blocks(x0: Any, q: Any, u: Any) -> tuple[Any, Any]:
-    """What was given for q and for u: names, something else that is a whole block, or None."""
+    """Arguments for q and for u: names, a whole block, or None."""
     return (x0, x0) if x0 is not None else (q, u)
 
 

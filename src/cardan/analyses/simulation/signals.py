@@ -11,9 +11,9 @@ from typing import Any
 import numpy as np
 
 from ...arrays import Array
-from ...errors import ArgumentError, FunctionError, ModelError, SolveError, named, near, shown
+from ...errors import ArgumentError, FunctionError, ModelError, SolveError, brief, named, near
 from ...runtime.calls.calling import numbers
-from ...runtime.trajectory.input_history import Pieces, Recorded
+from ...runtime.trajectory.input_history import PiecewiseInput, Recorded
 from ...schema.entries import Entry
 
 InputFunction = Callable[[float, Array], float]
@@ -35,19 +35,19 @@ class Checked:
         """The result.
 
         Raises:
-            FunctionError: it is no number, or the function raised, which is the cause.
+            FunctionError: it is not a number, or the function raised, which is the cause.
         """
         try:
-            found = self.function(t, x)
+            value = self.function(t, x)
         except Exception as problem:
             what = f"{type(problem).__name__}: {problem}"
             raise FunctionError(f"{self.who} raised at t = {t:.9g} s: {what}") from problem
         try:
-            return float(found)
+            return float(value)
         except (TypeError, ValueError):
             at = f"at t = {t:.9g} s"
             raise FunctionError(
-                f"{self.who} gave {shown(found)}, which is no number, {at}"
+                f"{self.who} gave {brief(value)}, which is not a number, {at}"
             ) from None
 
 
@@ -64,7 +64,7 @@ class Signals:
     """
 
     constants: Array
-    pieces: tuple[Pieces, ...]
+    tabulated: tuple[PiecewiseInput, ...]
     functions: dict[int, InputFunction]
     sample: float | None
     defaulted: tuple[str, ...]
@@ -72,30 +72,30 @@ class Signals:
     def corners(self, start: float, end: float) -> list[float]:
         """Times strictly inside a span, in its direction, at which a step must end."""
         low, high = min(start, end), max(start, end)
-        found = {float(t) for piece in self.pieces for t in piece.breaks if low < t < high}
+        corners = {float(t) for signal in self.tabulated for t in signal.breaks if low < t < high}
         if self.functions and self.sample is not None:
             # samples lie on a grid from the start
             count = math.ceil((high - low) / self.sample - 1e-9)
             sign = 1 if end > start else -1
-            found |= {start + sign * k * self.sample for k in range(1, count)}
-        return sorted(found, reverse=end < start)
+            corners |= {start + sign * k * self.sample for k in range(1, count)}
+        return sorted(corners, reverse=end < start)
 
     def first(self, t: float) -> Array:
         """r (nr,) at the start; functions, which prescribe no motion, are not asked."""
-        if not self.pieces:
+        if not self.tabulated:
             return self.constants.copy()
-        found: Array = self.recorded(np.array([t]), self.constants[None])(np.array([t]))[0]
-        return found
+        row: Array = self.recorded(np.array([t]), self.constants[None])(np.array([t]))[0]
+        return row
 
     def recorded(self, t: Array, r: Array) -> Recorded:
         """The inputs of a run with values r (nt, nr) at its times t (nt,)."""
-        asked = tuple(self.functions)
-        return Recorded(self.constants, self.pieces, asked, self.sample is not None, t, r)
+        called = tuple(self.functions)
+        return Recorded(self.constants, self.tabulated, called, self.sample is not None, t, r)
 
 
 def signals(
     rows: Sequence[Entry],
-    given: Mapping[str, Any] | None,
+    values: Mapping[str, Any] | None,
     sample: float | None,
     span: tuple[float, float],
 ) -> Signals:
@@ -113,31 +113,33 @@ def signals(
         ArgumentError: wrong shape. SolveError: a value that is not finite.
     """
     names = [str(row.name) for row in rows]
-    own = [n for n in names if not _derived(n, names)]
+    settable = [n for n in names if not _derived(n, names)]
     constants = np.array([row.default or 0.0 for row in rows], dtype=np.float64)
-    pieces: list[Pieces] = []
+    tabulated: list[PiecewiseInput] = []
     functions: dict[int, InputFunction] = {}
-    for name, value in named("inputs", given, f"'{own[0] if own else 'force'}': 1.0").items():
+    for name, value in named(
+        "inputs", values, f"'{settable[0] if settable else 'force'}': 1.0"
+    ).items():
         if name not in names:
-            raise ModelError(f"inputs: there is no input '{name}'.{near(name, own)}")
+            raise ModelError(f"inputs: there is no input '{name}'.{near(name, settable)}")
         k = names.index(name)
         if callable(value):
             _refuse_motion(name, names)
             functions[k] = checked(f"inputs: the function of '{name}'", value)
         elif isinstance(value, tuple | list):
-            pieces += _table(name, k, value, f"{name}.rate" in names, span)
+            tabulated += _table(name, k, value, f"{name}.rate" in names, span)
         else:
             constants[k] = _number(name, value)
     if sample is not None and not functions:
         raise ModelError("sample= is the time between two calls of input functions; none is given")
     if sample is not None and not (math.isfinite(sample) and sample > 0):
         raise ModelError(f"sample={sample:g}: the time between two calls must be positive")
-    left = tuple(n for n in own if n not in (given or {}))
-    return Signals(constants, tuple(pieces), functions, sample, left)
+    left = tuple(n for n in settable if n not in (values or {}))
+    return Signals(constants, tuple(tabulated), functions, sample, left)
 
 
 def _derived(name: str, names: Sequence[str]) -> bool:
-    """Whether an entry of r is the rate or acceleration of another input."""
+    """True when an entry of r is the rate or acceleration of another input."""
     base, _, last = name.rpartition(".")
     return last in ("rate", "acceleration") and base in names
 
@@ -147,7 +149,7 @@ def _refuse_motion(name: str, names: Sequence[str]) -> None:
     if f"{base}.rate" in names:
         raise ModelError(
             f"inputs: '{base}' prescribes a motion, which needs rate and acceleration too: give "
-            "(times, values), a constant, or write motion= as an expression in cd.t"
+            "(times, values), a constant, or write prescribed= as an expression in cd.t"
         )
 
 
@@ -161,15 +163,15 @@ def checked(who: str, function: InputFunction) -> Checked:
     Raises:
         ArgumentError: it takes something else.
     """
-    made = Checked(who, function)
+    wrapper = Checked(who, function)
     try:
         signature(function).bind(0.0, None)
     except TypeError as problem:
         raise ArgumentError(f"{who} must take (t, x), time and state: {problem}") from None
     except ValueError:
         # built-in functions do not tell
-        return made
-    return made
+        return wrapper
+    return wrapper
 
 
 def _number(name: str, value: Any) -> float:
@@ -177,7 +179,7 @@ def _number(name: str, value: Any) -> float:
         number = float(value)
     except (TypeError, ValueError):
         raise ArgumentError(
-            f"inputs: '{name}' is {shown(value)}; give a number, (times, values) or a "
+            f"inputs: '{name}' is {brief(value)}; give a number, (times, values) or a "
             "function f(t, x)"
         ) from None
     if not math.isfinite(number):
@@ -187,7 +189,7 @@ def _number(name: str, value: Any) -> float:
 
 def _table(
     name: str, k: int, value: Sequence[Any], moves: bool, span: tuple[float, float]
-) -> list[Pieces]:
+) -> list[PiecewiseInput]:
     """Pieces through values at times: straight lines, or a smooth curve for a motion."""
     if len(value) != 2:
         raise ArgumentError(f"inputs: '{name}' has {len(value)} parts, expected (times, values)")
@@ -199,10 +201,10 @@ def _table(
     width = np.diff(times)
     slope = np.divide(np.diff(values), width, out=np.zeros_like(width), where=width > 0)
     flat = np.zeros_like(slope)
-    return [Pieces(k, times, np.stack([values[:-1], slope, flat, flat], axis=1))]
+    return [PiecewiseInput(k, times, np.stack([values[:-1], slope, flat, flat], axis=1))]
 
 
-def _motion(name: str, k: int, times: Array, values: Array) -> list[Pieces]:
+def _motion(name: str, k: int, times: Array, values: Array) -> list[PiecewiseInput]:
     """Value, rate and acceleration of a prescribed motion: a cubic spline and its derivatives."""
     from scipy.interpolate import CubicSpline
 
@@ -212,13 +214,13 @@ def _motion(name: str, k: int, times: Array, values: Array) -> list[Pieces]:
             "that rate and acceleration exist"
         )
     spline = CubicSpline(times, values)
-    made = []
+    signals = []
     for order in range(3):
         c = (spline.derivative(order) if order else spline).c[::-1].T
         full = np.zeros((len(times) - 1, 4))
         full[:, : c.shape[1]] = c
-        made.append(Pieces(k + order, times, full))
-    return made
+        signals.append(PiecewiseInput(k + order, times, full))
+    return signals
 
 
 def _check_table(name: str, times: Array, values: Array, span: tuple[float, float]) -> None:

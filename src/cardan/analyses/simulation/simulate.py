@@ -23,13 +23,13 @@ from . import run_record as abi
 from .alpha_methods import Alpha, GeneralizedAlpha
 from .discontinuities import stops_of
 from .energy_accounting import excess
-from .events import NOTHING, Happenings, check_start, happenings
+from .events import NOTHING, EventTable, check_start, event_table_of
 from .files.run_file import RunFile, run_file
-from .method_choice import JACOBIAN, Case, Limited, choose, given_up, reconsider
+from .method_choice import JACOBIAN, Case, Limited, abandoned, choose, reconsider
 from .method_requirements import suited
 from .outcome import explain
 from .progress import showing
-from .recorder import Kept
+from .recorder import Recorder
 from .run import Runner
 from .settings import Settings, Start, Values, blocks, settings, start, watched
 from .signals import Signals, signals
@@ -73,7 +73,7 @@ def simulate(
         x0: Initial state (nx,); or by names:
         q, u: Initial coordinates and speeds, ``{"elbow": 0.3, "base": [1, 0, 0, 0, 0, 0, 1]}``
             or arrays (nq,), (nu,). What is not named comes from q0 and u0 of its joint, else 0;
-            of a system with circuits it is assembled next to that, see ``model.assemble``.
+            of a system with loops it is assembled next to that, see ``model.assemble``.
         z: Initial internal states of elements, ``{"motor.current": 0.1}`` or an array (nz,).
         events: Name -> what to watch, besides the events of the model: ``f(t, x)`` or
             ``("elbow", 0.5)``. The run ends where that passes zero, or the coordinate, speed or
@@ -94,14 +94,13 @@ def simulate(
             Without it they are called at every stage of every step.
         checkpoint: A file that keeps what is computed, ``every`` so many seconds of computing. The
             same call goes on from there, to the bit.
-        check: Raise instead of warn when the run does not reach its end, or misses more than its
-            tolerance is worth (``docs/integrators.md``, "What a run accounts for").
+        check: Raise instead of warn, see below and ``docs/integrators.md``.
         progress: True, False or a function of the fraction done; None: a bar in long runs.
 
     Returns:
-        The motion; ``motion.events`` says what happened. If the run breaks down, or at Ctrl-C: what
-        was computed, with ``status``, ``message`` and a :class:`~cardan.errors.SolveWarning`, as
-        where energy, momentum or closure miss a hundred times what the tolerance is worth.
+        The motion and its ``events``. After a breakdown or Ctrl-C: what was computed, with
+        ``status``, ``message`` and a :class:`~cardan.errors.SolveWarning`. Energy, momentum or
+        closure off by more than a hundred times what the tolerance is worth give one too.
 
     Raises:
         ModelError: an unknown name, an empty span, options that do not fit.
@@ -110,23 +109,24 @@ def simulate(
     """
     over = span(t, t_eval)
     begin = start(model, x0, q, u, z)
-    may = happenings(model, events)
-    may.forward(over.start, over.end)
+    event_table = event_table_of(model, events)
+    event_table.forward(over.start, over.end)
     how = settings(method, rtol, atol, step, max_step, over.length)
-    given = signals(model.manifest.inputs, inputs, sample, (over.start, over.end))
-    how = watched(how, given, over.length, max_step)
-    begin = closed_start(model, begin, *blocks(x0, q, u), over.start, r := given.first(over.start))
+    input_signals = signals(model.manifest.inputs, inputs, sample, (over.start, over.end))
+    how = watched(how, input_signals, over.length, max_step)
+    r = input_signals.first(over.start)
+    begin = closed_start(model, begin, *blocks(x0, q, u), over.start, r)
     check_start(model, begin.x, over.start, r)
-    case = case_of(model, rtol, over, given, may) if method == "auto" else None
-    with run_file(checkpoint, every, model, how, given, may, over, begin) as file:
-        motion = _settled(model, how, given, may, over, begin, case, progress, file)
-    return _told(motion, check)
+    case = case_of(model, rtol, over, input_signals, event_table) if method == "auto" else None
+    run = (model, how, input_signals, event_table, over, begin)
+    with run_file(checkpoint, every, *run) as file:
+        return _reported(_settled(*run, case, progress, file), check)
 
 
-def _told(motion: TrajectoryRecord, check: bool) -> TrajectoryRecord:
+def _reported(motion: TrajectoryRecord, check: bool) -> TrajectoryRecord:
     """The motion, with warnings of an early end and of what it cannot account for."""
     said = [] if motion.success else [motion.message]
-    said += [motion.conduct.warning] if motion.conduct.warning else []
+    said += [motion.solver_info.warning] if motion.solver_info.warning else []
     if said and check:
         raise SolveError("; ".join(said))
     for text in said:
@@ -137,8 +137,8 @@ def _told(motion: TrajectoryRecord, check: bool) -> TrajectoryRecord:
 def _settled(
     model: LoadedModel,
     how: Settings,
-    given: Signals,
-    may: Happenings,
+    input_signals: Signals,
+    event_table: EventTable,
     over: Span,
     begin: Start,
     case: Case | None,
@@ -152,30 +152,32 @@ def _settled(
         first = replace(how, method=INTEGRATORS[file.method], reason=file.reason)
         case = None
     try:
-        runner = runner_of(model, first, given, may)
+        runner = runner_of(model, first, input_signals, event_table)
         motion = driven(runner, over, begin, progress, case, file)
-        if case is None or not given_up(case, first.method.name, motion.status):
+        if case is None or not abandoned(case, first.method.name, motion.status):
             put_aside(runner)
             return motion
         raise Limited(case)
     except Limited as found:
         if file is not None:
             file.begin()
-        runner = runner_of(model, chosen(how, found.case), given, may)
+        runner = runner_of(model, chosen(how, found.case), input_signals, event_table)
         return driven(runner, over, begin, progress, None, file)
 
 
-def case_of(model: LoadedModel, rtol: float, over: Span, given: Signals, may: Happenings) -> Case:
-    """What ``method="auto"`` chooses from."""
-    periods = [float(tick.period) for tick in may.ticks]
-    if given.functions and given.sample is not None:
-        periods.append(given.sample)
+def case_of(
+    model: LoadedModel, rtol: float, over: Span, input_signals: Signals, event_table: EventTable
+) -> Case:
+    """Facts from which ``method="auto"`` chooses."""
+    periods = [float(tick.period) for tick in event_table.ticks]
+    if input_signals.functions and input_signals.sample is not None:
+        periods.append(input_signals.sample)
     return Case(
         rtol=rtol,
         period=min(periods, default=None),
         length=over.length,
         derived=JACOBIAN in model.manifest.available,
-        asked=bool(given.functions),
+        input_functions=bool(input_signals.functions),
         elements=model.manifest.absolute,
         beams=bool(model.manifest.beams),
     )
@@ -190,23 +192,28 @@ def chosen(how: Settings, case: Case | None) -> Settings:
 
 
 def runner_of(
-    model: LoadedModel, how: Settings, given: Signals, may: Happenings = NOTHING
+    model: LoadedModel, how: Settings, input_signals: Signals, event_table: EventTable = NOTHING
 ) -> Runner:
-    """What runs a model.
+    """The runner of a model.
 
     Raises:
         ModelError: the model lacks a function that the method or its events need.
     """
-    method, words = suited(model, how.method)
-    how = replace(how, method=method, words=f"{words}, {how.words}" if words else how.words)
+    method, description = suited(model, how.method)
+    how = replace(
+        how,
+        method=method,
+        description=f"{description}, {how.description}" if description else how.description,
+    )
     how = _without_costly(model, how)
-    left = spare(model, how, given, may)
+    # an idle runner with the same settings saves allocating and connecting one
+    left = spare(model, how, input_signals, event_table)
     if left is not None:
         return left
     available = model.manifest.available
     power = "power" in available
     needs = [(f"method '{how.method.name}'", name) for name in how.method.needs]
-    needs += [("a run with events", name) for name in may.functions]
+    needs += [("a run with events", name) for name in event_table.functions]
     for what, name in needs:
         if name not in available:
             cure = f"cd.compile(..., functions=[..., '{name}'])"
@@ -220,10 +227,10 @@ def runner_of(
     called += [name for _, name in needs]
     # side by side, as all must be compiled; by energy is told what the run cannot account for
     model.prepare(*called, *(["energy"] if power and "energy" in available else []))
-    runner = Runner(model, how, given, power, may)
+    runner = Runner(model, how, input_signals, power, event_table)
     if runner.interpreted:
-        words = f"{how.words}, the model in Python as there is no C compiler: {CURE}"
-        runner.settings = replace(how, words=words)
+        description = f"{how.description}, the model in Python as there is no C compiler: {CURE}"
+        runner.settings = replace(how, description=description)
     return runner
 
 
@@ -242,32 +249,37 @@ def driven(
         FunctionError: a function of the caller raised; it has the motion until then.
         SolveError: there is no memory for its rows.
     """
-    kept, problem, full = Kept(runner), None, False
-    runner.loosen(begin.slack)
+    recorder, problem, full = Recorder(runner), None, False
+    runner.loosen(begin.closure_tol)
     runner.want(over.times, dense=over.times is None)
     clock = time.perf_counter()
     with showing(progress, runner.model.name) as show, runner.interruptible():
         try:
-            answer = _loop(runner, over, begin, kept, show, case, file)
+            answer = _loop(runner, over, begin, recorder, show, case, file)
         except FunctionError as raised:
             answer, problem = abi.INPUT, raised
-            kept.take()
+            recorder.take()
         except MemoryError:
             # told below, where what was half done has gone
             answer, full = abi.SIZE, True
     milliseconds = 1e3 * (time.perf_counter() - clock)
-    told = ("function_failed", str(problem)) if problem else explain(runner, answer, over)
+    outcome = ("function_failed", str(problem)) if problem else explain(runner, answer, over)
     if file is not None and answer == abi.STOPPED:
-        told = told[0], f"{told[1]} in {file.path}, and the same call goes on from there"
+        outcome = outcome[0], f"{outcome[1]} in {file.path}, and the same call goes on from there"
     motion = None
+    # out of memory: drop rows until what was computed fits
     while motion is None:
-        told = kept.halt(over) if full else told
+        outcome = recorder.halt(over) if full else outcome
         try:
-            motion = kept.motion(over, begin, told, milliseconds)
+            motion = recorder.motion(over, begin, outcome, milliseconds)
         except MemoryError:
             full = True
-    missed = excess(motion, runner.settings, begin.slack)
-    motion = replace(motion, conduct=replace(motion.conduct, warning=missed)) if missed else motion
+    missed = excess(motion, runner.settings, begin.closure_tol)
+    motion = (
+        replace(motion, solver_info=replace(motion.solver_info, warning=missed))
+        if missed
+        else motion
+    )
     if problem is not None:
         problem.motion = motion
         raise problem
@@ -278,7 +290,7 @@ def _loop(
     runner: Runner,
     over: Span,
     begin: Start,
-    kept: Kept,
+    recorder: Recorder,
     show: Callable[[float], None],
     case: Case | None,
     file: RunFile | None,
@@ -287,15 +299,15 @@ def _loop(
     stops = stops_of(runner.model, runner.signals, over.start, over.end)
     answer = runner.start(over.start, begin.x, stops)
     if file is not None and answer >= 0:
-        known = file.go_on(runner, kept)
-        if known in (abi.DONE, abi.EVENT):
-            return known
+        answer_saved = file.go_on(runner, recorder)
+        if answer_saved in (abi.DONE, abi.EVENT):
+            return answer_saved
     for said in runner.slices() if answer >= 0 and answer != abi.STOPPED else ():
         answer = said
         if answer != abi.MORE:
-            kept.take()
+            recorder.take()
         if file is not None:
-            file.note(runner, kept, answer)
+            file.note(runner, recorder, answer)
         done = abs(runner.record.t - over.start) / over.length
         if case is not None and done < 0.5:
             reconsider(case, runner, over, begin.x)
@@ -308,21 +320,21 @@ def speed_pairs(manifest: Manifest) -> int:
     size = {row.child: row.u[1] for row in manifest.joints if row.u is not None}
     parent = {row.child: row.parent for row in manifest.joints}
     count = 0
-    for body, own in size.items():
-        count += own * own
-        above, seen = parent.get(body), {body}
-        while above is not None and above not in seen:
-            seen.add(above)
-            count += 2 * own * size.get(above, 0)
+    for body, speeds in size.items():
+        count += speeds * speeds
+        above, visited = parent.get(body), {body}
+        while above is not None and above not in visited:
+            visited.add(above)
+            count += 2 * speeds * size.get(above, 0)
             above = parent.get(above)
     return count
 
 
 def _without_costly(model: LoadedModel, how: Settings) -> Settings:
     """Settings of a method that differences what a large model would derive for minutes."""
-    found = [name for name in how.method.differenced if name in how.method.needs]
-    if not found or speed_pairs(model.manifest) <= LARGE:
+    costly = [name for name in how.method.differenced if name in how.method.needs]
+    if not costly or speed_pairs(model.manifest) <= LARGE:
         return how
-    needs = tuple(name for name in how.method.needs if name not in found)
-    words = f"{how.words}, {' and '.join(found)} by differences as the model is large"
-    return replace(how, method=replace(how.method, needs=needs), words=words)
+    needs = tuple(name for name in how.method.needs if name not in costly)
+    description = f"{how.description}, {' and '.join(costly)} by differences as the model is large"
+    return replace(how, method=replace(how.method, needs=needs), description=description)

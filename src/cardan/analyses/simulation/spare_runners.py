@@ -5,7 +5,7 @@ from __future__ import annotations
 import ctypes
 
 from ...runtime.models.loaded_model import LoadedModel
-from .events import Happenings
+from .events import EventTable
 from .run import Runner
 from .settings import Settings
 from .signals import Signals
@@ -13,12 +13,14 @@ from .signals import Signals
 SMALL = 1 << 20  # bytes that a runner may hold between two runs
 
 
-def spare(model: LoadedModel, settings: Settings, given: Signals, may: Happenings) -> Runner | None:
+def spare(
+    model: LoadedModel, settings: Settings, input_signals: Signals, event_table: EventTable
+) -> Runner | None:
     """A runner that an earlier run has left, as good as new; None if there is none.
 
     Args: as :class:`.run.Runner` takes them.
     """
-    if given.pieces or given.functions or may.rows:
+    if input_signals.tabulated or input_signals.functions or event_table.rows:
         return None
     # nobody else has it meanwhile
     runner: Runner | None = model._derived.pop((Runner, settings.method.name), None)
@@ -27,15 +29,25 @@ def spare(model: LoadedModel, settings: Settings, given: Signals, may: Happening
     record, runner.closing = runner.begun
     ctypes.memmove(ctypes.addressof(runner.record), record, len(record))
     runner.memory.fill(0.0)
-    runner.settings, runner.signals, runner.may, runner.error = settings, given, may, None
+    runner.settings, runner.signals, runner.event_table, runner.error = (
+        settings,
+        input_signals,
+        event_table,
+        None,
+    )
     runner.adjust()
     return runner
 
 
 def put_aside(runner: Runner) -> None:
     """Leave a runner to the next run like the one that is over, if it is small."""
-    given, run = runner.signals, runner.record
-    asked = given.pieces or given.functions or runner.may.rows or runner.interpreted
-    if not asked and not run.mesh and runner.memory.nbytes < SMALL:
+    input_signals, run = runner.signals, runner.record
+    has_inputs = (
+        input_signals.tabulated
+        or input_signals.functions
+        or runner.event_table.rows
+        or runner.interpreted
+    )
+    if not has_inputs and not run.mesh and runner.memory.nbytes < SMALL:
         runner.rows, runner.spreads = runner.rows[:0].copy(), runner.spreads[:0].copy()
         runner.model._derived[Runner, runner.settings.method.name] = runner

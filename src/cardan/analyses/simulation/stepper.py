@@ -13,13 +13,13 @@ from numpy.typing import ArrayLike
 
 from ...arguments import checked
 from ...arrays import Array
-from ...errors import FunctionError, ModelError, SolveError, near, shown
+from ...errors import FunctionError, ModelError, SolveError, brief, near
 from ...runtime.calls.calling import numbers
 from ...runtime.models.loaded_model import LoadedModel
-from ...runtime.trajectory.event_log import Event, Happened
+from ...runtime.trajectory.event_log import Event, EventLog
 from . import run_record as abi
 from .alpha_methods import Alpha, GeneralizedAlpha
-from .events import check_start, happenings
+from .events import check_start, event_table_of
 from .outcome import explain
 from .run import Runner, Saved
 from .settings import Settings, Values, blocks, settings, start
@@ -70,14 +70,14 @@ class Stepper:
 
     @property
     def events(self) -> tuple[Event, ...]:
-        """What happened in the last step, but for samples."""
-        return Happened(rows=self._runner.may.rows, log=self._log).events(self._model.nx)
+        """Events of the last step, without samples."""
+        return EventLog(rows=self._runner.event_table.rows, log=self._log).events(self._model.nx)
 
     @property
     def ticks(self) -> tuple[Event, ...]:
         """Samples of controllers in the last step."""
-        known = Happened(rows=self._runner.may.rows, log=self._log)
-        return known.events(self._model.nx, ticks=True)
+        event_log = EventLog(rows=self._runner.event_table.rows, log=self._log)
+        return event_log.events(self._model.nx, ticks=True)
 
     @property
     def inputs(self) -> dict[str, float]:
@@ -87,8 +87,8 @@ class Stepper:
     @property
     def work(self) -> dict[str, float]:
         """Energy that every source has given since the start [J]."""
-        given = self._runner.views["y"][self._model.nx :].tolist()
-        return dict(zip(self._runner.sources, given, strict=True))
+        work_done = self._runner.views["y"][self._model.nx :].tolist()
+        return dict(zip(self._runner.sources, work_done, strict=True))
 
     def __repr__(self) -> str:
         run = self._runner.record
@@ -120,16 +120,16 @@ class Stepper:
             raise SolveError(f"{self._over}; restore an earlier state, or start anew")
         self._set(inputs or {})
         start, end = self.t, self._end(dt)
-        self._runner.may.forward(start, end)
+        self._runner.event_table.forward(start, end)
         # what the caller watches may raise behind a step: go back to before it
-        before = self._runner.save() if self._runner.may.watches else None
+        before = self._runner.save() if self._runner.event_table.watches else None
         try:
             answer = self._runner.advance(end)
         except FunctionError:
             if before is not None:
                 self._runner.restore(before)
             raise
-        self._log = self._runner.happened
+        self._log = self._runner.event_rows
         run = self._runner.record
         if answer == abi.EVENT:
             self._over = explain(self._runner, answer, Span(start, end))[1]
@@ -222,16 +222,16 @@ def stepper(
             raise ModelError(
                 f"inputs: '{name}': a stepper takes numbers; new ones go to step(dt, inputs=...)"
             )
-    given = signals(model.manifest.inputs, inputs, None, (t, t))
+    input_signals = signals(model.manifest.inputs, inputs, None, (t, t))
     begin = start(model, x0, q, u, z)
-    begin = closed_start(model, begin, *blocks(x0, q, u), t, given.constants)
-    check_start(model, begin.x, t, given.constants)
-    runner = runner_of(model, how, given, happenings(model, events))
-    runner.loosen(begin.slack)
+    begin = closed_start(model, begin, *blocks(x0, q, u), t, input_signals.constants)
+    check_start(model, begin.x, t, input_signals.constants)
+    runner = runner_of(model, how, input_signals, event_table_of(model, events))
+    runner.loosen(begin.closure_tol)
     runner.want(None, dense=False)
-    made = Stepper(runner, how)
-    made._start(begin.x, t)
-    return made
+    instance = Stepper(runner, how)
+    instance._start(begin.x, t)
+    return instance
 
 
 @checked
@@ -251,7 +251,7 @@ def resume(
     from .files.checkpoint import read
 
     if not isinstance(path, str | Path):
-        raise ModelError(f"resume({shown(path)}): name the file that stepper.save(path) wrote")
+        raise ModelError(f"resume({brief(path)}): name the file that stepper.save(path) wrote")
     return Stepper(*read(model, Path(path), events))
 
 

@@ -1,4 +1,4 @@
-"""What ``t`` of a run means."""
+"""Meanings of the argument ``t`` of a run."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from ...arrays import Array
-from ...errors import ArgumentError, ModelError, SolveError, shown
+from ...errors import ArgumentError, ModelError, SolveError, brief
 
 
 @dataclass(frozen=True)
@@ -59,14 +59,14 @@ def span(t: Any, t_eval: Any = None) -> Span:
     return _listed(array)
 
 
-def _times(name: str, given: Any) -> Array:
+def _times(name: str, values: Any) -> Array:
     """Finite times, one or a row."""
     try:
-        array = np.array([] if given is None else given, dtype=np.float64)
+        array = np.array([] if values is None else values, dtype=np.float64)
     except (TypeError, ValueError, OverflowError, RecursionError):
-        raise ArgumentError(_shape(name, shown(given))) from None
+        raise ArgumentError(_shape(name, brief(values))) from None
     if array.ndim > 1 or array.size == 0:
-        got = f"an array of shape {array.shape}" if given is not None else "None"
+        got = f"an array of shape {array.shape}" if values is not None else "None"
         raise ArgumentError(_shape(name, got))
     bad = np.flatnonzero(~np.isfinite(np.atleast_1d(array)))
     if len(bad):

@@ -19,7 +19,7 @@ import numpy as np
 from ...arrays import Array
 from ...errors import SolveError
 from .newton import Search
-from .rest_stability import Stability, stand
+from .stability_at_equilibrium import Stability, stand
 from .static_problem import Load, Point, Problem
 
 # corrections above this multiple of the predicted step and this part of the reach lead to another
@@ -44,7 +44,7 @@ class Place:
 
     s: float
     point: Point
-    standing: Stability
+    stability: Stability
     side: int | None
     dead: int | None
     free: tuple[bool, bool]
@@ -52,7 +52,7 @@ class Place:
 
 @dataclass(frozen=True, eq=False)
 class Crossing:
-    """Where a path passed a critical load.
+    """A critical load on a path.
 
     Attributes:
         before, after: Places next to it on both sides; of a limit load ``after`` lies on it.
@@ -67,25 +67,25 @@ class Crossing:
 
     @property
     def lost(self) -> bool:
-        """Whether it stands less stably behind it."""
+        """True when it stands less stably behind it."""
         sides = (self.side(self.after) or 0, self.side(self.before) or 0)
         return self.of == "limit" or sides[0] > sides[1]
 
     @property
     def kind(self) -> str:
         """``"flutter"`` where an oscillation begins or ceases to grow, else ``"divergence"``."""
-        both = (self.standing(place) for place in (self.before, self.after))
-        return "flutter" if any(standing.frequency for standing in both) else "divergence"
+        both = (self.stability_at(place) for place in (self.before, self.after))
+        return "flutter" if any(stability.frequency for stability in both) else "divergence"
 
     @property
     def direction(self) -> Array:
         """The direction (nu,), without units, in which the stiffness gives way."""
-        return self.standing(self.after).direction
+        return self.stability_at(self.after).direction
 
-    def standing(self, place: Place) -> Stability:
-        """How the system that it is about stands at a place."""
-        held_path = self.of == "held"
-        return place.standing if held_path else place.standing.under_dead_load
+    def stability_at(self, place: Place) -> Stability:
+        """Stability at a place, of the system that it is about."""
+        follows_path = self.of == "held"
+        return place.stability if follows_path else place.stability.under_dead_load
 
     def side(self, place: Place) -> int | None:
         """The number of that system which changes here."""
@@ -94,7 +94,7 @@ class Crossing:
 
 @dataclass(frozen=True, eq=False)
 class Step:
-    """What the stiffness at a place predicts under another load.
+    """Prediction of the stiffness at a place for another load.
 
     Attributes:
         problem: Of what.
@@ -110,7 +110,7 @@ class Step:
     point: Point
 
     def off(self, point: Point) -> tuple[float, float]:
-        """How far a position is from what was predicted, and how far it may be."""
+        """Distance of a position from the prediction, and the distance allowed."""
         most = JUMP * self.problem.system.reach
         moved = self.problem.step(self.start.point, point)[0]
         if self.way is None:
@@ -118,36 +118,36 @@ class Step:
         return _size(moved - self.way), min(AHEAD * _size(self.way), most)
 
     def follows(self, point: Point) -> bool:
-        """Whether a position belongs to the branch that is followed."""
+        """True when a position belongs to the branch that is followed."""
         off, most = self.off(point)
         return off <= most + FLOOR
 
     def returns(self, there: Place, load: Load) -> bool:
-        """Whether the way back from a place leads to where the step began, under its load."""
+        """True when the way back from a place leads to where the step began, under its load."""
         return ahead(self.problem, there, load).follows(self.start.point)
 
-    def reached(self, s: float, search: Search, stability: Stability) -> Place:
+    def solve_at(self, s: float, search: Search, stability: Stability) -> Place:
         """The place where a search ended; numbers that are not known there are the last known."""
         return place_of(s, search.point, stability, self.start)
 
     def crosses(self, there: Place) -> bool:
-        """Whether a critical load lies on the way to a place."""
+        """True when a critical load lies on the way to a place."""
         return _differ(self.start.side, there.side)
 
     def crossings(self, there: Place) -> list[Crossing]:
         """Critical loads that lie on the way to a place."""
         pairs = (("held", self.start.side, there.side), ("dead load", self.start.dead, there.dead))
-        compared = pairs if there.standing.dead is not None else pairs[:1]
+        compared = pairs if there.stability.dead is not None else pairs[:1]
         return [Crossing(self.start, there, of) for of, *sides in compared if _differ(*sides)]
 
     def surely(self, point: Point) -> bool:
-        """Whether a position belongs to the branch though a critical load lies on the way."""
+        """True when a position belongs to the branch though a critical load lies on the way."""
         off, most = self.off(point)
         return off <= most + ROUNDED
 
 
 def first(problem: Problem, search: Search, load: Load) -> Place:
-    """Where a path begins."""
+    """First place of a path."""
     return place_of(0.0, search.point, stand(problem, search.point, load), None)
 
 
@@ -156,8 +156,15 @@ def place_of(s: float, point: Point, stability: Stability, last: Place | None) -
     both = (stability, stability.under_dead_load)
     if last is None:
         # what is loose at first, such as an upright column without load, stands on neither side
-        side, dead = (None if one.loose else one.side for one in both)
-        return Place(s, point, stability, side, dead, (bool(both[0].loose), bool(both[1].loose)))
+        side, dead = (None if one.free_motions else one.side for one in both)
+        return Place(
+            s,
+            point,
+            stability,
+            side,
+            dead,
+            (bool(both[0].free_motions), bool(both[1].free_motions)),
+        )
     pairs = zip(both, last.free, (last.side, last.dead), strict=True)
     latest = [(one.side if free else one.signed, before) for one, free, before in pairs]
     side, dead = (before if now is None else now for now, before in latest)

@@ -1,4 +1,4 @@
-"""Where exactly a load path passes a critical load, and the limit load at which it ends.
+"""Locate critical loads on a load path, and the limit load at which it ends.
 
 Critical loads are bracketed: by how many directions push away, or how many motions grow, and where
 forces have a potential by the eigenvalue that passes 0 as well. Next to a limit load there are two
@@ -25,15 +25,15 @@ from .equilibrium import DIRECT
 from .force_balance import balance
 from .load_path import Loading
 from .newton import equilibrium_search
-from .rest_stability import stand
+from .stability_at_equilibrium import stand
 from .static_problem import Matrix, Point, Problem
 
 CLOSE = 1e-14  # of the path: two places that are one
 # of the path: next to a critical load searches may fail so far; stiffnesses are differences of
 # forces, known to the square root of rounding
-KNOWN = 1e-8
-BETWEEN = 1e-4  # of the path: over which the load is differentiated
-NEWTON, MOST, GROWING = 12, 40, 2.0
+BRACKET_TOL = 1e-8
+LOAD_STEP = 1e-4  # of the path: over which the load is differentiated
+NEWTON, MOST, GROWTH = 12, 40, 2.0
 CLOSED = 1e-9  # steps that end a search: the load is known to their square
 FIRST, LONGEST = 1e-4, 0.05  # of the reach: steps of the displacement that is prescribed
 WEAK = 1e-4  # of the largest stiffness: a spring
@@ -58,7 +58,7 @@ def located(loading: Loading, crossing: Crossing) -> tuple[Place, float]:
         bracket.unknown = -1.0
         brentq(bracket.past, low, high, xtol=CLOSE)
         low, high = (place.s for place in bracket.last)
-        if not 0 <= high - low <= KNOWN:
+        if not 0 <= high - low <= BRACKET_TOL:
             return replace(bracket.last[0], s=0.5 * (low + high)), abs(high - low)
     # loads next to it have the same equilibrium to rounding, and are solved for more surely
     near = min(bracket.last, key=lambda place: abs(place.s - s))
@@ -104,7 +104,7 @@ class _Bracket:
         there = place_of(s, point, stand(problem, point, load), crossing.before)
         behind = crossing.side(there) != crossing.side(crossing.before)
         self.last[behind] = there
-        margin = crossing.standing(there).margin
+        margin = crossing.stability_at(there).margin
         size = margin if np.isfinite(margin) else 1.0
         return size if behind else -size
 
@@ -132,7 +132,7 @@ class _Arc:
         under = problem.under(point, load)
         K, G = problem.tangent(under, load)
         force, gap = problem.residual(under, load)
-        ends = max(0.0, s - BETWEEN), min(1.0, s + BETWEEN)
+        ends = max(0.0, s - LOAD_STEP), min(1.0, s + LOAD_STEP)
         loads = (self.loading.at(end) for end in ends)
         sides = [problem.residual(problem.under(point, at), at) for at in loads]
         by_force, by_gap = ((b - a) / (ends[1] - ends[0]) for a, b in zip(*sides, strict=True))
@@ -178,8 +178,8 @@ def limit_load(problem: Problem, loading: Loading, first: Place, last: Place) ->
     Returns:
         The place; None where the load does not pass a largest value next to the last place.
     """
-    direction = np.abs(last.standing.direction)
-    if last.standing.loose or not direction.any():
+    direction = np.abs(last.stability.direction)
+    if last.stability.free_motions or not direction.any():
         return None
     k = int(direction.argmax())
     try:
@@ -189,7 +189,7 @@ def limit_load(problem: Problem, loading: Loading, first: Place, last: Place) ->
 
 
 def _highest(arc: _Arc) -> Place | None:
-    """Where the load is largest along a way."""
+    """Place of the largest load along a way."""
     length = FIRST * arc.problem.system.reach
     begin = (0.0, arc.start.s, arc.start.point)
     sides = [(way, *arc.at(way, *begin[1:])) for way in (-length, length)]
@@ -200,7 +200,7 @@ def _highest(arc: _Arc) -> Place | None:
     samples = samples if rising == 1 else samples[::-1]
     # on, the load rising, until it falls
     while samples[-1][1] > samples[-2][1]:
-        length = min(GROWING * length, LONGEST * arc.problem.system.reach)
+        length = min(GROWTH * length, LONGEST * arc.problem.system.reach)
         way = samples[-1][0] + rising * length
         samples.append((way, *arc.at(way, *samples[-1][1:])))
         if len(samples) > MOST or not samples[-1][1] <= 1:
@@ -218,7 +218,10 @@ def _highest(arc: _Arc) -> Place | None:
 
 
 def _stiff(problem: Problem, loading: Loading, first: Place, k: int) -> float:
-    """How stiff a displacement is where a path began; of the largest where that is not known."""
+    """Stiffness of a displacement at the start of a path;
+
+    of the largest where that is not known.
+    """
     load = loading.at(first.s)
     K, G = problem.tangent(first.point, load)
     push = np.eye(1, K.shape[0], k)[0]

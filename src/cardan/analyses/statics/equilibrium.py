@@ -9,26 +9,26 @@ from typing import Any, final
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ...arguments import Hold, checked
+from ...arguments import LockedValues, checked
 from ...arrays import Array
-from ...errors import ModelError, SolveError, SolveWarning, counted, shown, warn
+from ...errors import ModelError, SolveError, SolveWarning, brief, counted, warn
 from ...runtime.calls.calling import numbers
 from ..systems import dynamic_system_of
 from ..systems.dynamic_system import DynamicSystem, NamedState
-from .force_balance import TOLD, balance
+from .force_balance import WORTH_A_WARNING, balance
 from .newton import Search, equilibrium_search
-from .rest_stability import Stability, largest_motions, lockable, stand
 from .settling import settled
+from .stability_at_equilibrium import Stability, largest_motions, lockable, stand
 from .static_problem import Load, Point, Problem, scaled
 
 WAYS = ("full", "ramp", "damped", "creep")
 DIRECT = WAYS[:1]
 TRIES = 6  # starts beside an unstable position
 ASIDE = 0.1
-SHOWN = 24
+MAX_PRINTED = 24
 STICKING, SLIDING = "sticking", "sliding"  # labels of modes
 STEADY = 1e-8  # accelerations below this are none
-CLOSED = 1e-9  # gaps of circuits that stay closed as parts run on
+CLOSED = 1e-9  # gaps of loops that stay closed as parts run on
 # forces that are left in a steady motion: of momenta times speeds, of stiffnesses
 ALONG, ROUNDED = 1e-6, 1e-13
 
@@ -45,7 +45,7 @@ class Equilibrium(NamedState):
         model: The model, with the parameters of this load.
         x: State [q, u, z] (nx,).
         lam: Multipliers (m,).
-        holding: Force of everything that is held, by coordinate [N, N m].
+        holding_forces: Force of everything that is held, by coordinate [N, N m].
         inputs: By name.
         t: Time [s].
         stable: Whether small disturbances stay small; None where that could not be told. Of a path
@@ -54,7 +54,7 @@ class Equilibrium(NamedState):
         n_negative: Negative eigenvalues of the stiffness on what constraints allow, under dead
             loads: independent directions in which the position is unstable.
         n_negative_held: The same with the displacements prescribed.
-        loose: What moves freely there, in words.
+        free_motions: Motions that nothing resists, in words.
         modes: What stops, latches and dry friction do there, by name, in words.
         least: Lowest eigenvalue of the stiffness on what constraints allow [J].
         rounding: What rounding may leave of the forces that meet in a row, 50 units of it, over the
@@ -68,14 +68,14 @@ class Equilibrium(NamedState):
     model: Any
     x: Array
     lam: Array
-    holding: Mapping[str, float]
+    holding_forces: Mapping[str, float]
     inputs: Mapping[str, float]
     t: float
     stable: bool | None
     stable_held: bool | None
     n_negative: int
     n_negative_held: int
-    loose: tuple[str, ...]
+    free_motions: tuple[str, ...]
     modes: Mapping[str, str]
     least: float
     rounding: float
@@ -95,7 +95,7 @@ class Equilibrium(NamedState):
     @checked
     def reaction(self, joint: str) -> Array:
         """Wrench (6,) of parent on child at the child joint frame, in its axes."""
-        locked, tau = Problem(dynamic_system_of(self.model)).held(self.point, self.load)
+        locked, tau = Problem(dynamic_system_of(self.model)).locked_forces(self.point, self.load)
         arguments: dict[str, Any] = {
             "r": self.load.r,
             "z": self.point.at.z,
@@ -115,9 +115,9 @@ class Equilibrium(NamedState):
         lines = [f"'{self.model.name}': {self.message}"]
         stop = self.model.nq
         values = list(self.named.items())[:stop]
-        lines += [f"  {name} = {value:.10g}" for name, value in values[:SHOWN]]
-        lines += [f"  ... {stop - SHOWN} more"] if stop > SHOWN else []
-        lines += [f"  '{n}' is held by {force:.6g}" for n, force in self.holding.items()]
+        lines += [f"  {name} = {value:.10g}" for name, value in values[:MAX_PRINTED]]
+        lines += [f"  ... {stop - MAX_PRINTED} more"] if stop > MAX_PRINTED else []
+        lines += [f"  '{n}' is held by {force:.6g}" for n, force in self.holding_forces.items()]
         return "\n".join(lines)
 
 
@@ -127,14 +127,14 @@ def equilibrium(
     *,
     q: Mapping[str, ArrayLike] | ArrayLike | None = None,
     u: Mapping[str, ArrayLike] | None = None,
-    hold: Hold | None = None,
+    locked: LockedValues | None = None,
     inputs: Mapping[str, float] | None = None,
     parameters: Mapping[str, float] | None = None,
     t: float = 0.0,
     stable: bool = False,
     check: bool = False,
 ) -> Equilibrium:
-    """Where a model rests under its forces, next to a start.
+    """Equilibrium of a model under its forces, next to a start.
 
     Args:
         model: The compiled model.
@@ -142,7 +142,7 @@ def equilibrium(
         u: Speeds by name of a steady motion: a rotor that spins, a regulator that turns. Those of
             other joints are 0, or follow from the constraints, and stay as they are; beams go
             along with what carries them. An empty one where prescribed motions turn all of it.
-        hold: Coordinate -> value it keeps; the result tells the forces that takes.
+        locked: Coordinate -> value it keeps; the result tells the forces that takes.
         inputs, parameters: Values by name, else those of the model.
         t: Time [s], where something is prescribed.
         stable: Look for a stable one: downhill from the start.
@@ -153,11 +153,11 @@ def equilibrium(
         False.
 
     Raises:
-        ModelError: unknown names, circuits that cannot be assembled.
+        ModelError: unknown names, loops that cannot be assembled.
         SolveError: with ``check``, no equilibrium was found.
     """
     system = dynamic_system_of(model)
-    load = read(system, hold, inputs, parameters, t, u)
+    load = read(system, locked, inputs, parameters, t, u)
     problem = Problem(system)
     point = problem.begin(load, q)
     search = settled(problem, point, load, ("creep",) if stable else WAYS)
@@ -173,26 +173,26 @@ def equilibrium(
 
 def read(
     system: DynamicSystem,
-    hold: Mapping[str, float] | None,
+    locked: Mapping[str, float] | None,
     inputs: Mapping[str, float] | None,
     parameters: Mapping[str, float] | None,
     t: float,
     u: Mapping[str, Any] | None = None,
 ) -> Load:
     """The load that a user described, checked."""
-    if not isinstance(hold, Mapping | None):
-        raise ModelError(f"hold={shown(hold)}: give coordinates with the values they keep")
-    for name, value in (hold or {}).items():
+    if not isinstance(locked, Mapping | None):
+        raise ModelError(f"locked={brief(locked)}: give coordinates with the values they keep")
+    for name, value in (locked or {}).items():
         system.place(name)
-        number = numbers(f"hold: '{name}'", value)
+        number = numbers(f"locked: '{name}'", value)
         if number.ndim or not np.isfinite(number):
-            raise SolveError(f"hold: '{name}' is {shown(value)}; it must be one finite number")
+            raise SolveError(f"locked: '{name}' is {brief(value)}; it must be one finite number")
     if not np.isfinite(t):
-        raise SolveError(f"t={shown(t)}: it must be finite")
+        raise SolveError(f"t={brief(t)}: it must be finite")
     p = system.changed(dict(parameters or {}))
-    locked = {name: float(value) for name, value in (hold or {}).items()}
+    values = {name: float(value) for name, value in (locked or {}).items()}
     speeds = None if u is None else dict(u)
-    return Load(float(t), system.input_vector(inputs), p, locked, speeds)
+    return Load(float(t), system.input_vector(inputs), p, values, speeds)
 
 
 def _downhill(problem: Problem, search: Search, load: Load) -> Search:
@@ -205,7 +205,7 @@ def _downhill(problem: Problem, search: Search, load: Load) -> Search:
         away = np.zeros(len(search.motion))
         away[: len(stability.direction)] = stability.direction
         away *= ASIDE / np.abs(away).max()
-        still = np.zeros(len(search.point.held) + len(search.point.at.lam))
+        still = np.zeros(len(search.point.reaction_forces) + len(search.point.at.lam))
         neighbor = problem.moved(search.point, away, still, load)
         search = equilibrium_search(problem, neighbor, load, ("creep",))
         spent += search.iterations
@@ -217,27 +217,29 @@ def _downhill(problem: Problem, search: Search, load: Load) -> Search:
 def record(
     model: Any, problem: Problem, search: Search, load: Load, computed: Stability | None = None
 ) -> Equilibrium:
-    """What was found, as users see it; ``known``: how it stands, if that was looked at."""
+    """The result as users see it; ``computed``: its stability, if that is known."""
     point, system = search.point, problem.system
+    # without an equilibrium there is nothing to classify
     nothing = Stability(None, 0, np.nan, np.zeros(0), ())
     message = unsteady(problem, point, load) if search.converged else missed(system, search, load)
     search = replace(search, converged=not message)
     stability = (computed or stand(problem, point, load)) if search.converged else nothing
+    # runs that start from the result must see the parameters of the load
     changed = model.with_parameters(dict(load.parameters)) if load.parameters else model
-    tau = problem.held(point, load)[1]
+    tau = problem.locked_forces(point, load)[1]
     rounding = balance(problem, point, load).share if search.converged else np.nan
     return Equilibrium(
         model=changed,
         x=np.concatenate([point.at.q, point.at.u, point.at.z]),
         lam=point.at.lam,
-        holding={name: float(tau[system.place(name)[1]]) for name in load.hold},
+        holding_forces={name: float(tau[system.place(name)[1]]) for name in load.locked},
         inputs=dict(zip(system.inputs, load.r.tolist(), strict=True)),
         t=load.t,
         stable=stability.under_dead_load.stable,
         stable_held=stability.stable,
         n_negative=stability.under_dead_load.negative,
         n_negative_held=stability.negative,
-        loose=stability.loose,
+        free_motions=stability.free_motions,
         modes=system.labels(point.at.s),
         least=stability.least,
         rounding=rounding,
@@ -253,7 +255,7 @@ def record(
 
 
 def one_of_many(modes: Mapping[str, str]) -> str:
-    """What to say of a position that dry friction holds; "" of others."""
+    """Remark about a position that dry friction holds; "" for others."""
     sticking = [f"'{name}'" for name, label in modes.items() if label == STICKING]
     sliding = [f"'{name}'" for name, label in modes.items() if label.startswith(SLIDING)]
     if sticking:
@@ -264,8 +266,8 @@ def one_of_many(modes: Mapping[str, str]) -> str:
 
 
 def rounded(share: float) -> str:
-    """What to say of the rounding of forces, over the loads; "" where it does not matter."""
-    if share <= TOLD:
+    """Remark about the rounding of forces, relative to the loads; "" where it does not matter."""
+    if share <= WORTH_A_WARNING:
         return ""
     return (
         f"; rounding of stiff parts may leave up to {share:.1g} of the loads unbalanced (distances "
@@ -274,7 +276,7 @@ def rounded(share: float) -> str:
 
 
 def stability_message(stability: Stability, search: Search, moving: bool) -> str:
-    """How it stands, as a sentence."""
+    """Stability as a sentence."""
     many = f"in {stability.negative} direction{'s' if stability.negative != 1 else ''}"
     kind = {True: "stable ", False: "unstable ", None: ""}[stability.stable]
     kind += "steady motion" if moving else "equilibrium"
@@ -282,15 +284,17 @@ def stability_message(stability: Stability, search: Search, moving: bool) -> str
         kind += f", though forces push away {many}"
     elif stability.negative:
         kind += f", pushed away {many}"
-    free_motions = "; nothing holds " + " and ".join(stability.loose) if stability.loose else ""
+    free_motions = (
+        "; nothing holds " + " and ".join(stability.free_motions) if stability.free_motions else ""
+    )
     return f"{kind}, after {counted(search.iterations, 'iteration')}{free_motions}"
 
 
 def unsteady(problem: Problem, point: Point, load: Load) -> str:
-    """Why given speeds are no steady motion; "" where they are, and at rest."""
+    """Why given speeds are not steady motion; "" where they are, and at rest."""
     if load.u is None:
         return ""
-    system, (locked, tau) = problem.system, problem.held(point, load)
+    system, (locked, tau) = problem.system, problem.locked_forces(point, load)
     unit = max(1.0, float(np.abs(point.at.u / system.columns).max(initial=0.0)))
     try:
         moving = system.accelerations(point.at, tau).udot
@@ -308,7 +312,8 @@ def unsteady(problem: Problem, point: Point, load: Load) -> str:
             f"change at {moving[worst]:.3g}. Give other speeds (u=), or take the motion at an "
             "instant: model.linearize(q=, u=)"
         )
-    later = system.turned(point.at) if load.u else None
+    # a steady motion must also balance a little later, with everything turned along
+    later = system.advance_steady(point.at) if load.u else None
     if later is None:
         return ""
     there = problem.supported(replace(point, at=later), replace(load, t=later.t))
@@ -333,8 +338,8 @@ def missed(system: DynamicSystem, search: Search, load: Load) -> str:
     """Why there is none, and what to do."""
     moving = largest_motions(system, search.motion)
     if search.pushed and moving:
-        name = lockable(system, search.motion, load.hold)
-        cure = f", or hold it: hold={{'{name}': 0}}" if name else ""
+        name = lockable(system, search.motion, load.locked)
+        cure = f", or lock it: locked={{'{name}': 0}}" if name else ""
         return (
             f"no equilibrium: nothing holds {moving} against the load (a rigid-body mode). Add a "
             f"spring or a support{cure}"

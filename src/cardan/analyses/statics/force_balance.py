@@ -1,4 +1,4 @@
-"""Whether forces balance where a search for rest ended: row by row, down to their rounding.
+"""Check the balance of forces at the end of a search for equilibrium, row by row, to rounding.
 
 What may be left of a row is 1e-8 of the loads that act, and the rounding of the forces that meet
 there: 50 units of rounding of their sizes. The size of an elastic force is not its value, which
@@ -22,7 +22,7 @@ from .static_problem import Load, Matrix, Point, Problem
 SHARE = 1e-8  # of the loads that act
 HOPS = 2  # a node, its body without mass, the coordinate of their joint
 UNITS = 50 * float(np.finfo(float).eps)
-TOLD = 1e-4  # of the loads: rounding above this is told
+WORTH_A_WARNING = 1e-4  # of the loads: rounding above this is told
 
 
 @dataclass(frozen=True, eq=False)
@@ -41,7 +41,7 @@ class Balance:
 
     @property
     def holds(self) -> bool:
-        """Whether every row balances."""
+        """True when every row balances."""
         return bool((self.left <= self.rounding + SHARE * self.loads).all())
 
     @property
@@ -58,7 +58,7 @@ class Balance:
 def balance(
     problem: Problem, point: Point, load: Load, tangent: tuple[Matrix, Matrix] | None = None
 ) -> Balance:
-    """What is left of the forces at a point under a load.
+    """Residual forces at a point under a load.
 
     Args:
         problem, point, load: Of what, where, under what.
@@ -74,18 +74,20 @@ def balance(
     rounding = elastic(system, at, K)
     rounding[: len(loads)] += UNITS * loads
     # what constraints bear is the sum of other forces, and rounded as these are
-    constraint_forces = np.concatenate([at.lam * system.rows, point.held])
+    constraint_forces = np.concatenate([at.lam * system.rows, point.reaction_forces])
     for _ in range(HOPS):
         # and these hand on what rounding left of the others
         rounding = np.maximum(
             rounding, abs(G.T) @ (UNITS * np.abs(constraint_forces) + abs(G) @ rounding)
         )
-    largest = max(float(loads.max(initial=0.0)), float(np.abs(point.held).max(initial=0.0)))
+    largest = max(
+        float(loads.max(initial=0.0)), float(np.abs(point.reaction_forces).max(initial=0.0))
+    )
     return Balance(np.abs(force), rounding, largest)
 
 
 def elastic(system: DynamicSystem, at: Moment, K: Matrix) -> Array:
-    """What rounding of positions leaves of elastic forces (n,), without units.
+    """Elastic forces that rounding of positions may leave (n,), without units.
 
     Args:
         system: The system.
@@ -98,7 +100,7 @@ def elastic(system: DynamicSystem, at: Moment, K: Matrix) -> Array:
 
 
 def balances(problem: Problem, point: Point, load: Load, tangent: tuple[Matrix, Matrix]) -> bool:
-    """Whether forces balance at a point; not where they are not determined."""
+    """True when forces balance at a point; not where they are not determined."""
     try:
         return balance(problem, point, load, tangent).holds
     except SolveError:

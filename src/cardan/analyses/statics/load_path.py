@@ -1,4 +1,4 @@
-"""What a load path changes: parameters, inputs, held coordinates and time, from start to end."""
+"""Quantities that a load path changes: parameters, inputs, locked coordinates and time."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from ...arrays import Array
-from ...errors import ArgumentError, ModelError, SolveError, near, shown
+from ...errors import ArgumentError, ModelError, SolveError, brief, near
 from ..systems.dynamic_system import DynamicSystem
 from .static_problem import Load
 
@@ -24,7 +24,7 @@ class Loading:
         system: What is loaded.
         base: What stays.
         swept: Name -> values (n,), evenly over the path; n is 2 for a range.
-        kinds: Name -> ``"parameter"``, ``"input"``, ``"hold"`` or ``"t"``.
+        kinds: Name -> ``"parameter"``, ``"input"``, ``"locked"`` or ``"t"``.
         stations: Where rows are wanted (n,), None for wherever steps end.
     """
 
@@ -44,7 +44,7 @@ class Loading:
     def at(self, s: float) -> Load:
         """The load at a place of the path."""
         load, r = self.base, self.base.r.copy()
-        parameters, locked = dict(load.parameters or {}), dict(load.hold)
+        parameters, locked = dict(load.parameters or {}), dict(load.locked)
         t = load.t
         for name, value in self.values(s).items():
             kind = self.kinds[name]
@@ -52,11 +52,11 @@ class Loading:
                 parameters[name] = value
             elif kind == "input":
                 r[self.system.inputs.index(name)] = value
-            elif kind == "hold":
+            elif kind == "locked":
                 locked[name] = value
             else:
                 t = value
-        return replace(load, t=t, r=r, parameters=parameters or None, hold=locked)
+        return replace(load, t=t, r=r, parameters=parameters or None, locked=locked)
 
 
 def loading(
@@ -70,7 +70,7 @@ def loading(
         known: Name -> kind of everything that can be swept.
         base: What stays.
         swept: Name -> (start, end) or values (n,).
-        hold: Coordinate -> the same.
+        locked: Coordinate -> the same.
 
     Raises:
         ModelError: nothing is swept, or an unknown name.
@@ -87,14 +87,14 @@ def loading(
         if name not in kind_of:
             raise ModelError(
                 f"statics: there is no parameter or input '{name}' to sweep; coordinates are "
-                f"swept by hold={{'...': (0, 1)}}.{near(name, kind_of)}"
+                f"swept by locked={{'...': (0, 1)}}.{near(name, kind_of)}"
             )
         columns[name], kinds[name] = column(f"statics: {name}", values), kind_of[name]
     for name, values in locked.items():
         system.place(name)
         if name in columns:
             raise ModelError(f"statics: '{name}' is swept and held: leave one out")
-        columns[name], kinds[name] = column(f"statics: {name}", values), "hold"
+        columns[name], kinds[name] = column(f"statics: {name}", values), "locked"
     counts = {name: len(column) for name, column in columns.items()}
     if len(set(counts.values())) > 1:
         said = ", ".join(f"'{name}' has {n}" for name, n in counts.items())
@@ -108,14 +108,14 @@ def column(name: str, values: Any, count: int = 2) -> Array:
     """Values of one name, checked; two of them are the ends of ``count``.
 
     Raises:
-        ModelError: they are no numbers in a row.
+        ModelError: they are not numbers in a row.
     """
     try:
         array = np.asarray(values, dtype=np.float64)
     except (TypeError, ValueError):
         array = np.zeros(())
     if array.ndim != 1 or len(array) < 2:
-        raise ArgumentError(f"{name}={shown(values)}: give (start, end), or values (n,)")
+        raise ArgumentError(f"{name}={brief(values)}: give (start, end), or values (n,)")
     if not np.isfinite(array).all():
-        raise SolveError(f"{name}={shown(values)}: they must be finite")
+        raise SolveError(f"{name}={brief(values)}: they must be finite")
     return array if len(array) > 2 else np.linspace(array[0], array[1], count)

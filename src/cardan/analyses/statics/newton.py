@@ -37,7 +37,7 @@ GROWTH = 1e3  # steps this much larger than the smallest before them lead away
 
 @dataclass(frozen=True, eq=False)
 class Search:
-    """How a search ended.
+    """End of a search.
 
     Attributes:
         point: Its last position.
@@ -154,12 +154,14 @@ def creep(problem: Problem, point: Point, load: Load) -> Search:
     system, resistance, last, step, total = problem.system, 1.0, np.inf, np.zeros(0), 0
     for total in range(1, (CREEPING if isinstance(system.saddle, Dense) else FEW) + 1):
         try:
+            # one implicit Euler step of D x' = f(x), damped like a viscous fluid
             step, y, below, unit = crept(problem, point, load, resistance)
         except SolveError:
             return Search(point, total, False, step)
         size = _size(step)
         share = min(1.0, 0.3 * system.reach / max(size, 1e-300))
         point = problem.moved(point, share * step, share * y, load)
+        # close to a minimum: Newton's method converges quadratically from here
         near = size <= 1e-6 and resistance < 1e-3 and below >= -1e-9 * unit
         if near or size <= TIGHT:
             search = newton(problem, point, load)
@@ -219,7 +221,7 @@ def _size(step: Array) -> float:
     return float(np.abs(step).max(initial=0.0))
 
 
-OTHERS = {"ramp": ramp, "creep": creep}
+FALLBACKS = {"ramp": ramp, "creep": creep}
 
 
 def equilibrium_search(problem: Problem, point: Point, load: Load, ways: tuple[str, ...]) -> Search:
@@ -233,8 +235,8 @@ def equilibrium_search(problem: Problem, point: Point, load: Load, ways: tuple[s
     for way in ways:
         # steps that lead too far end a search: what overflows there is no news
         with np.errstate(over="ignore", invalid="ignore"):
-            if way in OTHERS:
-                search = OTHERS[way](problem, point, load)
+            if way in FALLBACKS:
+                search = FALLBACKS[way](problem, point, load)
             else:
                 search = newton(problem, point, load, way == "damped")
         spent += search.iterations

@@ -25,7 +25,7 @@ from .static_problem import Load, Point, Problem
 
 CHANGES = 60  # of modes in one search
 CREEPING, SHORT, THIN = 300, 1e-9, 0.3  # steps, those that rest, and how resistance falls
-BESIDE = 1e-9  # a start so little beyond a stop is at it
+LIMIT_TOL = 1e-9  # a start so little beyond a stop is at it
 BISECTED = 60
 # what a mode may lack, in units of its kind; and speeds that tell a direction alone
 LACKING, SLOW = 1e-9, 1e-9
@@ -69,7 +69,7 @@ def settled(problem: Problem, point: Point, load: Load, ways: tuple[str, ...]) -
 
 
 def with_modes(problem: Problem, point: Point, load: Load, search: Search) -> Search:
-    """What a search found from a point, or what follows where its modes forbid that."""
+    """Result of a search from a point, continued where modes forbid it."""
     if not problem.system.events or not search.converged:
         return search
     if not _forbidden(problem, point, search.point).any():
@@ -87,13 +87,13 @@ def _signs(problem: Problem, point: Point, way: Array | None = None) -> Array:
 
 
 def _forbidden(problem: Problem, start: Point, point: Point) -> Booleans:
-    """Which events would have happened on the way to a point (ne,)."""
+    """Mask of the events that would have occurred on the way to a point (ne,)."""
     way = problem.system.difference(start.at.q, point.at.q)
     return np.asarray(_signs(problem, point, way) < -LACKING * _scales(problem, point))
 
 
 def _scales(problem: Problem, point: Point) -> Array:
-    """What sign functions count against (ne,): the size of the scene, its loads."""
+    """Scales of the sign functions (ne,): the size of the scene, its loads."""
     system, size = problem.system, problem.system.size
     load = max(1e-300, float(system.loads(point.at).max(initial=0.0)))
     scales = {"m": size, "rad": 1.0, "N": load / size, "N*m": load}
@@ -174,7 +174,7 @@ class _Way:
         return self.problem.moved(self.start, part * self.x, part * self.y, self.load)
 
     def events(self, part: float) -> Booleans:
-        """Which events have happened until there (ne,)."""
+        """Mask of the events that have occurred up to there (ne,)."""
         way = self.x[: len(self.problem.system.columns)] * self.problem.system.columns
         return np.asarray(_signs(self.problem, self.at(part), way) < 0)
 
@@ -195,5 +195,5 @@ def _refuse_beyond(problem: Problem, point: Point) -> None:
     """
     signs = problem.system.signs(replace(point.at, u=0 * point.at.u))
     for value, (name, _, beyond) in zip(signs.tolist(), problem.system.events, strict=True):
-        if beyond and value < -BESIDE:
+        if beyond and value < -LIMIT_TOL:
             raise ModelError(f"{beyond} ('{name}'), by {-value:.6g}: start within its range")

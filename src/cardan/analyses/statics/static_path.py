@@ -19,7 +19,7 @@ from .equilibrium import Equilibrium
 from .load_path import Loading
 from .static_problem import Problem
 
-SHOWN = 12
+MAX_PRINTED = 12
 SAID = {
     "held": "stability changes",
     "dead load": "stability under dead loads changes",
@@ -68,7 +68,7 @@ class StaticPathRecord:
 
     @property
     def success(self) -> bool:
-        """Whether the end was reached."""
+        """True when the end was reached."""
         return self.status == FINISHED
 
     def __len__(self) -> int:
@@ -101,7 +101,7 @@ class StaticPathRecord:
 
     @property
     def stable(self) -> list[bool | None]:
-        """Whether every row is stable; None where that could not be told.
+        """Stability of every row; None where it is not known.
 
         Under dead loads: where displacements are prescribed, with the forces that this takes as
         loads that stay. ``stable_held`` tells it of the system as it is held.
@@ -134,14 +134,14 @@ class StaticPathRecord:
         """
         if isinstance(name, int | np.integer):
             return self.rows[name]
-        if name in self.values and self.loading.kinds[name] != "hold":
+        if name in self.values and self.loading.kinds[name] != "locked":
             return self.values[name]
         first = self.rows[0]
         if name in first.named:
             return np.array([row.named[name] for row in self.rows])
-        forces = {f"{n}.holding": n for n in first.holding}
+        forces = {f"{n}.holding_force": n for n in first.holding_forces}
         if name in forces:
-            return np.array([row.holding[forces[name]] for row in self.rows])
+            return np.array([row.holding_forces[forces[name]] for row in self.rows])
         names = [*self.values, *first.named, *forces]
         raise ModelError(f"path['{name}']: there is no such history.{near(name, names)}")
 
@@ -156,7 +156,7 @@ class StaticPathRecord:
         return np.array([row.pose(frame) for row in self.rows])
 
     def critical(self) -> list[dict[str, float]]:
-        """Where stability changes: swept values, and the forces that hold what is prescribed.
+        """Changes of stability: swept values, and the forces that hold prescribed displacements.
 
         The last one is the limit load where the path ended at one. Of displacements that are
         prescribed both are told: where the system that is held becomes unstable, and where it would
@@ -168,7 +168,7 @@ class StaticPathRecord:
                 for a swept ``P``.
         """
         passages = [located(self.loading, crossing) for crossing in self.crossings]
-        rows = [self._told(place) for place, _ in passages]
+        rows = [self._named_loads(place) for place, _ in passages]
         for values, (place, part) in zip(rows, passages, strict=True):
             if part:
                 values.update(self._widths(place.s, part))
@@ -185,12 +185,12 @@ class StaticPathRecord:
         )
         return {f"{name}.width": abs(high[name] - low[name]) for name in low}
 
-    def _told(self, place: Place) -> dict[str, float]:
+    def _named_loads(self, place: Place) -> dict[str, float]:
         """Swept values at a place, and the forces that prescribe."""
         load, values = self.loading.at(place.s), self.loading.values(place.s)
-        tau = Problem(self.loading.system).held(place.point, load)[1]
+        tau = Problem(self.loading.system).locked_forces(place.point, load)[1]
         for name in load.prescribed:
-            values[f"{name}.holding"] = float(tau[self.loading.system.place(name)[1]])
+            values[f"{name}.holding_force"] = float(tau[self.loading.system.place(name)[1]])
         return values
 
     def __repr__(self) -> str:
@@ -202,7 +202,7 @@ class StaticPathRecord:
             f"{counted(int(self.iterations.sum()), 'iteration')}",
         ]
         last = self.rows[-1]
-        names = list(last.named)[: min(last.model.nq, SHOWN)]
+        names = list(last.named)[: min(last.model.nq, MAX_PRINTED)]
         lines += [f"  {n} = {first.named[n]:.6g} ... {last.named[n]:.6g}" for n in names]
         for crossing in self.crossings:
             low, high = (self.loading.values(p.s) for p in (crossing.before, crossing.after))
@@ -220,12 +220,12 @@ def plot(
     """Histories over the first swept value as a Matplotlib figure, written to ``path``.
 
     Raises:
-        ModelError: unknown names, or a path that is no picture file.
+        ModelError: unknown names, or a path that is not a picture file.
         ModuleNotFoundError: Matplotlib is not installed (extra ``plot``).
     """
-    from ...view.plot import asked, plot_over
+    from ...view.plot import checked_names, plot_over
 
-    chosen = asked(names) if names is not None else [*static_path.rows[0].model.coordinates]
+    chosen = checked_names(names) if names is not None else [*static_path.rows[0].model.coordinates]
     label = next(iter(static_path.values))
     curves = {name: static_path[name] for name in chosen}
     return plot_over(static_path.rows[0].model.name, label, static_path.values[label], curves, path)

@@ -1,4 +1,4 @@
-"""Rest under loads as equations without units: forces balance, circuits are closed, states rest.
+"""Rest under loads as equations without units: forces balance, loops are closed, states rest.
 
 Unknowns are an increment of the coordinates, internal states, multipliers, and the forces that
 hold what is held. Lengths count in sizes of the mechanism, forces in energies.
@@ -21,11 +21,11 @@ Matrix: TypeAlias = Any  # an array, or a sparse one of scipy
 
 @dataclass(frozen=True, eq=False)
 class Load:
-    """What acts, and what is given.
+    """Loads, inputs and locked coordinates.
 
     Attributes:
         t, r, parameters: Time [s], inputs (nr,), values by name.
-        hold: Coordinate -> the value it has.
+        locked: Coordinate -> the value it has.
         prescribed: Those of them that are moved in place of a load.
         u: Speed -> value, of a steady motion; None at rest.
         left: Forces and gaps (nu + nz,), (m + k,) that are left over on purpose, None for none.
@@ -34,7 +34,7 @@ class Load:
     t: float
     r: Array
     parameters: Parameters = None
-    hold: Mapping[str, float] = field(default_factory=dict)
+    locked: Mapping[str, float] = field(default_factory=dict)
     u: Mapping[str, Any] | None = None
     left: tuple[Array, Array] | None = None
     prescribed: tuple[str, ...] = ()
@@ -50,7 +50,7 @@ class Point:
     """
 
     at: Moment
-    held: Array
+    reaction_forces: Array
 
 
 @final
@@ -67,8 +67,8 @@ class Problem:
     def begin(self, load: Load, q: Any) -> Point:
         """A point next to named coordinates, with the multipliers that balance it best."""
         s = self.system
-        at = s.start(load.t, q, load.r, load.hold, load.parameters)
-        return self.supported(self.under(Point(at, np.zeros(len(load.hold))), load), load)
+        at = s.start(load.t, q, load.r, load.locked, load.parameters)
+        return self.supported(self.under(Point(at, np.zeros(len(load.locked))), load), load)
 
     def supported(self, point: Point, load: Load) -> Point:
         """The point with forces of constraint that balance it best."""
@@ -88,18 +88,18 @@ class Problem:
         return replace(point, at=self._steady(at, load))
 
     def _steady(self, at: Moment, load: Load) -> Moment:
-        return at if load.u is None else self.system.carried(at, load.u)
+        return at if load.u is None else self.system.steady_state(at, load.u)
 
     def residual(self, point: Point, load: Load) -> tuple[Array, Array]:
         """Forces and rates (nu + nz,), gaps of constraints and of what is held (m + k,)."""
         s, at = self.system, point.at
         values, nu, m = s.balance(at), len(s.columns), len(s.rows)
         force = values[:nu] * s.columns
-        gap = np.zeros(m + len(load.hold))
+        gap = np.zeros(m + len(load.locked))
         gap[s.positions] = values[nu : nu + len(s.positions)] / s.rows[s.positions]
-        for k, (name, value) in enumerate(load.hold.items()):
+        for k, (name, value) in enumerate(load.locked.items()):
             q, u = s.place(name)
-            force[u] -= point.held[k]
+            force[u] -= point.reaction_forces[k]
             gap[m + k] = (at.q[q] - value) / s.columns[u]
         force = np.concatenate([force, s.internal_rates(at)])
         return (force, gap) if load.left is None else (force - load.left[0], gap - load.left[1])
@@ -112,7 +112,7 @@ class Problem:
         stiffness = tangents.K
         if load.u is not None:
             # speeds follow the position, for the given ones to stay
-            by, rates = s.following(at, load.u)
+            by, rates = s.steady_state_tangent(at, load.u)
             stiffness = stiffness + tangents.C @ by + tangents.M @ rates
             if issparse(stiffness):
                 stiffness = self._anchored(csr_array(stiffness), load)
@@ -136,7 +136,7 @@ class Problem:
         """
         s, anchors = self.system, np.zeros(K.shape[0])
         for name in load.u or {}:
-            if name in s.coordinates and f"{name}.u" in s.speeds and name not in load.hold:
+            if name in s.coordinates and f"{name}.u" in s.speeds and name not in load.locked:
                 k = s.speeds.index(f"{name}.u")
                 anchors[k] = float(abs(K).max()) / s.columns[k] ** 2
         return csr_array(K + diags_array(anchors))
@@ -147,7 +147,7 @@ class Problem:
         nu, m = len(s.columns), len(s.rows)
         lam = at.lam + y[:m] / s.rows
         moved = replace(s.retract(at, x[:nu] * s.columns), z=at.z + x[nu:], lam=lam)
-        return Point(self._steady(moved, load), point.held + y[m:])
+        return Point(self._steady(moved, load), point.reaction_forces + y[m:])
 
     def with_internal_unknowns(self, point: Point) -> Point:
         """The point with what elements keep themselves while one searches."""
@@ -157,12 +157,12 @@ class Problem:
         """The point without that."""
         return replace(point, at=replace(point.at, inner=np.zeros(0)))
 
-    def held(self, point: Point, load: Load) -> tuple[list[int], Array]:
+    def locked_forces(self, point: Point, load: Load) -> tuple[list[int], Array]:
         """Speeds (places) that are held, and the forces (nu,) that hold them."""
         s, tau = self.system, np.zeros(len(self.system.columns))
-        places = [s.place(name)[1] for name in load.hold]
+        places = [s.place(name)[1] for name in load.locked]
         for k, place in enumerate(places):
-            tau[place] += point.held[k] / s.columns[place]
+            tau[place] += point.reaction_forces[k] / s.columns[place]
         return places, tau
 
     def step(self, before: Point, after: Point) -> tuple[Array, Array]:
@@ -170,16 +170,16 @@ class Problem:
         s = self.system
         du = s.difference(before.at.q, after.at.q) / s.columns
         change = (after.at.lam - before.at.lam) * s.rows
-        forces = np.concatenate([change, after.held - before.held])
+        forces = np.concatenate([change, after.reaction_forces - before.reaction_forces])
         return np.concatenate([du, after.at.z - before.at.z]), forces
 
     def _bound(self, tangents: Tangents, load: Load) -> Matrix:
         """Constraints, then what is held, without units."""
         s = self.system
         G = scaled(tangents.G, 1.0 / s.rows, s.columns)
-        if not load.hold:
+        if not load.locked:
             return G
-        rows = [s.place(name)[1] for name in load.hold]
+        rows = [s.place(name)[1] for name in load.locked]
         if issparse(G):
             ones = np.ones(len(rows))
             locked = csr_array((ones, (np.arange(len(rows)), rows)), (len(rows), G.shape[1]))

@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ...arguments import Count, Hold, checked
+from ...arguments import Count, LockedValues, checked
 from ...arrays import Array
 from ...errors import ModelError, SolveError, SolveWarning, warn
 from ...runtime.trajectory.solver_info import FINISHED
@@ -27,8 +27,8 @@ from .critical_load import limit_load
 from .equilibrium import DIRECT, WAYS, Equilibrium, missed, read, record
 from .load_path import TIME, Loading, loading
 from .newton import Search, equilibrium_search
-from .rest_stability import largest_motions, lockable, stand
 from .settling import settled, with_modes
+from .stability_at_equilibrium import largest_motions, lockable, stand
 from .static_path import StaticPathRecord
 from .static_problem import Problem
 
@@ -45,7 +45,7 @@ def statics(
     *,
     steps: Count = STEPS,
     q: Mapping[str, ArrayLike] | ArrayLike | None = None,
-    hold: Hold | None = None,
+    locked: LockedValues | None = None,
     inputs: Mapping[str, float] | None = None,
     parameters: Mapping[str, float] | None = None,
     t: float = 0.0,
@@ -60,7 +60,7 @@ def statics(
             choice, or values (n,), each of which becomes a row. Several go together.
         steps: Rows of a range, more where the way is hard.
         q: Coordinates to start from, by name or (nq,).
-        hold: Coordinate -> value that it keeps, or what is swept: displacements are prescribed.
+        locked: Coordinate -> value that it keeps, or what is swept: displacements are prescribed.
         inputs, parameters: Values by name that stay, else those of the model.
         t: Time [s], where something is prescribed.
         check: Raise where the end is not reached, instead of warning.
@@ -76,10 +76,10 @@ def statics(
     system = dynamic_system_of(model)
     if not isinstance(steps, int) or steps < 1:
         raise ModelError(f"statics: steps={steps!r}: a number of steps, at least 1")
-    if not isinstance(hold, Mapping | None) or not isinstance(swept, Mapping | None):
-        raise ModelError("statics: hold= and what is swept go by name, such as P=(0, 10)")
-    moved = {n: v for n, v in (hold or {}).items() if np.ndim(v) > 0}
-    still = {n: v for n, v in (hold or {}).items() if n not in moved}
+    if not isinstance(locked, Mapping | None) or not isinstance(swept, Mapping | None):
+        raise ModelError("statics: locked= and what is swept go by name, such as P=(0, 10)")
+    moved = {n: v for n, v in (locked or {}).items() if np.ndim(v) > 0}
+    still = {n: v for n, v in (locked or {}).items() if n not in moved}
     base = read(system, still, inputs, parameters, t)
     way = loading(system, _sweepable(model), base, {**(swept or {}), **named}, moved)
     rows, crossed = list[tuple[float, Equilibrium]](), list[Crossing]()
@@ -101,7 +101,7 @@ def statics(
 
 
 def _sweepable(model: Any) -> dict[str, str]:
-    """What can be swept."""
+    """Quantities that can be swept."""
     return {
         **dict.fromkeys(model.parameters, "parameter"),
         **dict.fromkeys(model.inputs, "input"),
@@ -127,9 +127,10 @@ def _follow(
         )
     here = first(problem, start, load)
     places = [here]
-    rows.append((0.0, record(model, problem, start, load, here.standing)))
+    rows.append((0.0, record(model, problem, start, load, here.stability)))
     for goal in _goals(way, steps):
         length = goal - here.s
+        # predict along the tangent, correct by Newton's method, halve the step where that fails
         while here.s < goal:
             s = min(goal, here.s + length)
             s = goal if goal - s < 1e-12 else s
@@ -140,13 +141,14 @@ def _follow(
             )
             shortest = 0.5 * length < SMALLEST / steps
             there = _next_place(step, search, way, s, length * steps <= SHORT, shortest)
+            # accepted: note what changed in between, and take longer steps where Newton was quick
             if there is not None:
                 crossed += step.crossings(there)
                 here = there
                 places.append(here)
                 length *= 1.5 if search.iterations <= GOOD else 1.0
                 if way.stations is None or s == goal:
-                    rows.append((s, record(model, problem, search, load, there.standing)))
+                    rows.append((s, record(model, problem, search, load, there.stability)))
                 continue
             length *= 0.5
             if shortest:
@@ -168,7 +170,7 @@ def _next_place(
     """The place that was found; None where it is none of the path, or the step is too long."""
     if not search.converged or not step.follows(search.point):
         return None
-    there = step.reached(s, search, stand(step.problem, search.point, way.at(s)))
+    there = step.solve_at(s, search, stand(step.problem, search.point, way.at(s)))
     if shortest:
         return there
     # critical loads are passed in short steps, for other branches not to be taken for this one
@@ -190,23 +192,25 @@ def _said(way: Loading, s: float) -> str:
 def _stopped(
     system: DynamicSystem, way: Loading, last: Place, search: Search, limit: Place | None
 ) -> str:
-    """Where and why a path ended, and what to do."""
+    """Message about the end of a path, with reason and remedy."""
     moving = largest_motions(system, search.motion)
     where = f", along {moving}" if moving else ""
+    # the reason is read off the stability of the last equilibrium
     beyond, end = _said(way, last.s), _said(way, 1.0)
     ended = f"no equilibrium next to the last one beyond {beyond} (asked: {end})"
-    if last.standing.loose:
-        free = " and ".join(last.standing.loose)
-        name = lockable(system, search.motion, way.base.hold)
-        cure = f", or hold it: hold={{'{name}': value}}" if name else ""
+    # a singular stiffness: a rigid-body motion that nothing restrains
+    if last.stability.free_motions:
+        free = " and ".join(last.stability.free_motions)
+        name = lockable(system, search.motion, way.base.locked)
+        cure = f", or lock it: locked={{'{name}': value}}" if name else ""
         return f"{ended}: nothing holds {free} there. Begin where loads or springs hold it{cure}"
     if limit is not None:
         return (
             f"{ended}: the stiffness gives way{where} at the limit point {_said(way, limit.s)}, "
             "the largest load that equilibria lead to. The path up to there is kept"
-            f"{_onward(system, way, limit.standing.direction)}"
+            f"{_onward(system, way, limit.stability.direction)}"
         )
-    if not np.isfinite(last.standing.least):
+    if not np.isfinite(last.stability.least):
         # nothing is left to have a stiffness
         modes = system.labels(last.point.at.s).items()
         by = ", ".join(f"'{name}' ({label})" for name, label in modes)
@@ -217,24 +221,24 @@ def _stopped(
         )
     return (
         f"{ended}: the stiffness gives way there{where} (lowest eigenvalue "
-        f"{last.standing.least:.3g} J): a limit point, a bifurcation, or the "
+        f"{last.stability.least:.3g} J): a limit point, a bifurcation, or the "
         "end of what the mechanism can reach. The path up to there is kept"
-        f"{_onward(system, way, last.standing.direction)}"
+        f"{_onward(system, way, last.stability.direction)}"
     )
 
 
 def _onward(system: DynamicSystem, way: Loading, motion: Array) -> str:
-    """What leads on where a path along loads, or prescribed displacements, ended."""
-    prescribed = [name for name, kind in way.kinds.items() if kind == "hold"]
-    name = lockable(system, motion, (*way.base.hold, *prescribed))
+    """Advice on how to continue a path of loads, or of prescribed displacements."""
+    prescribed = [name for name, kind in way.kinds.items() if kind == "locked"]
+    name = lockable(system, motion, (*way.base.locked, *prescribed))
     if not name:
         return ""
     what = "another displacement leads" if prescribed else "prescribed displacements lead"
-    return f"; {what} on: hold={{'{name}': (start, end)}}"
+    return f"; {what} on: locked={{'{name}': (start, end)}}"
 
 
 def _changed(system: DynamicSystem, way: Loading, crossed: list[Crossing]) -> str:
-    """Where stability changed on a path that goes on, and what to do; "" where it did not."""
+    """Message about changes of stability on a path that goes on; "" where there are none."""
     changed = [crossing for crossing in crossed if crossing.of == "held"]
     if not changed:
         return ""
@@ -251,7 +255,7 @@ def _change(system: DynamicSystem, way: Loading, crossing: Crossing) -> str:
     """A change of stability, as sentences."""
     span = f"from a load between {_span(way, crossing)} on"
     moving = largest_motions(system, crossing.direction)
-    frequency = crossing.standing(crossing.after).frequency
+    frequency = crossing.stability_at(crossing.after).frequency
     sides = (crossing.side(place) for place in (crossing.before, crossing.after))
     if not crossing.lost:
         many = "{} instead of {}".format(*reversed([*sides]))

@@ -14,7 +14,7 @@ def dynamic_system_of(model: object) -> DynamicSystem:
         ModelError: it lacks what analyses need.
     """
     if not isinstance(model, LoadedModel):
-        raise ModelError(f"{model!r} is no compiled model: cd.compile(scene) makes one")
+        raise ModelError(f"{model!r} is not a compiled model: cd.compile(scene) makes one")
     if model.manifest.absolute:
         from .finite_element_system import FiniteElementSystem
 

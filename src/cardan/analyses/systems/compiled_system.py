@@ -1,4 +1,4 @@
-"""What contracts of compiled models share: names, units, values given by name."""
+"""Names, units and named values shared by the systems of compiled models."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ class CompiledSystem(ABC):
     @property
     @abstractmethod
     def increments(self) -> tuple[str, ...]:
-        """As :meth:`DynamicSystem.increments`."""
+        """Same as :meth:`DynamicSystem.increments`."""
 
     def start_state(
         self, q: Any, locked: Mapping[str, Any], p: Parameters
@@ -63,11 +63,13 @@ class CompiledSystem(ABC):
             named = dict(zip(model.coordinates, array.tolist(), strict=True))
         # a whole joint that is started from gives way to what is held of it
         for joint, place in entries(model.manifest, "q").items():
-            own = {model.coordinates[k]: k - place.start for k in range(place.start, place.stop)}
-            if joint in named and joint not in own and set(own) & set(locked):
+            joint_entries = {
+                model.coordinates[k]: k - place.start for k in range(place.start, place.stop)
+            }
+            if joint in named and joint not in joint_entries and set(joint_entries) & set(locked):
                 values = np.ravel(np.asarray(named[joint], dtype=np.float64))
                 named = {n: v for n, v in named.items() if n != joint}
-                named |= {n: values[k] for n, k in own.items() if n not in locked}
+                named |= {n: values[k] for n, k in joint_entries.items() if n not in locked}
         return model, start_of(model, {**named, **locked}, {})[0]
 
     @cached_property
@@ -78,37 +80,37 @@ class CompiledSystem(ABC):
 
     @cached_property
     def events(self) -> tuple[tuple[str, str, str], ...]:
-        """As :meth:`DynamicSystem.events`."""
+        """Same as :meth:`DynamicSystem.events`."""
         rows = self.model.manifest.events
         return tuple((row.element, row.kind, row.beyond) for row in rows)
 
     @cached_property
     def sign_units(self) -> tuple[str, ...]:
-        """As :meth:`DynamicSystem.sign_units`; models saved earlier do not tell."""
+        """Same as :meth:`DynamicSystem.sign_units`; models saved earlier do not tell."""
         return tuple(row.unit for row in self.model.manifest.events)
 
     def labels(self, s: Array) -> dict[str, str]:
-        """As :meth:`DynamicSystem.labels`."""
+        """Same as :meth:`DynamicSystem.labels`."""
         rows = zip(self.model.manifest.s, s, strict=True)
         return {row.name: row.labels.get(str(int(x)), f"{x:g}") for row, x in rows}
 
     def signs(self, at: Moment) -> Array:
-        """As :meth:`DynamicSystem.signs`."""
-        values: Array = self.model.events(at.q, at.u, **self._given(at))
+        """Same as :meth:`DynamicSystem.signs`."""
+        values: Array = self.model.events(at.q, at.u, **self._arguments(at))
         return values
 
     def modes_after(self, at: Moment, fired: NDArray[np.bool_]) -> Array:
-        """As :meth:`DynamicSystem.modes_after`."""
+        """Same as :meth:`DynamicSystem.modes_after`."""
         model = self.model
-        values = model.transition(at.q, at.u, fired.astype(float), **self._given(at))
+        values = model.transition(at.q, at.u, fired.astype(float), **self._arguments(at))
         return np.asarray(values[len(values) - model.ns :])
 
     @staticmethod
-    def _given(at: Moment) -> dict[str, Any]:
+    def _arguments(at: Moment) -> dict[str, Any]:
         return {"t": at.t, "r": at.r, "z": at.z, "s": at.s, "parameters": at.parameters}
 
     def input_vector(self, named: Any) -> Array:
-        """As :meth:`DynamicSystem.input_vector`."""
+        """Same as :meth:`DynamicSystem.input_vector`."""
         vector: Array = self.model._vector("r", {} if named is None else named)
         if vector.shape != (self.model.nr,):
             raise ArgumentError(
@@ -120,14 +122,14 @@ class CompiledSystem(ABC):
         return vector
 
     def changed(self, values: Mapping[str, float]) -> Parameters:
-        """As :meth:`DynamicSystem.changed`."""
+        """Same as :meth:`DynamicSystem.changed`."""
         if values:
             self.model.with_parameters(dict(values))
         return dict(values) or None
 
     @cached_property
     def places(self) -> dict[str, tuple[int, int]]:
-        """As :meth:`DynamicSystem.places`."""
+        """Same as :meth:`DynamicSystem.places`."""
         speeds = {name: k for k, name in enumerate(self.speeds)}
         rows = enumerate(self.model.manifest.speeds)
         speeds |= {f"{row.of}.u": k for k, row in rows if row.of}
@@ -142,7 +144,7 @@ class CompiledSystem(ABC):
         return {**parts, **places}
 
     def place(self, name: str) -> tuple[int, int]:
-        """As :meth:`DynamicSystem.place`."""
+        """Same as :meth:`DynamicSystem.place`."""
         places = self.places
         if name not in places:
             suggestion = f".{near(name, places)}"

@@ -83,7 +83,7 @@ def dense(matrix: Matrix) -> Array:
 
 @dataclass(frozen=True, eq=False)
 class Internal:
-    """Where forces and internal states meet.
+    """Coupling of internal states and forces.
 
     Attributes:
         balance: Of the forces of the balance by z (nu, nz).
@@ -196,10 +196,10 @@ class DynamicSystem(Protocol):
 
     @property
     def leading(self) -> NDArray[np.bool_]:
-        """Whether a speed is that of a joint (nu,), rather than one that follows."""
+        """Mask of the speeds of joints (nu,); the others follow from them."""
 
     def start(self, t: float, q: Any, r: Array, locked: Mapping[str, Any], p: Parameters) -> Moment:
-        """A moment at rest next to named coordinates, with all circuits closed.
+        """A moment at rest next to named coordinates, with all loops closed.
 
         Args:
             t, r, p: Time [s], inputs (nr,), parameters.
@@ -217,14 +217,14 @@ class DynamicSystem(Protocol):
 
     @property
     def events(self) -> tuple[tuple[str, str, str], ...]:
-        """Of every event its element, its kind, and what a start with a negative value means."""
+        """Element, kind and meaning of a negative start, for every event."""
 
     @property
     def sign_units(self) -> tuple[str, ...]:
         """Units of the sign functions of events (ne,); "" of numbers, and of what users wrote."""
 
     def labels(self, s: Array) -> dict[str, str]:
-        """What modes (ns,) mean, by the name of the mode."""
+        """Labels of the modes (ns,), by the name of the mode."""
 
     def signs(self, at: Moment) -> Array:
         """A number for every event (ne,): it happens where that falls through 0."""
@@ -248,7 +248,7 @@ class DynamicSystem(Protocol):
         """Sizes (nu,) of the loads that act, without units: weights, forces, not of springs."""
 
     def sizes(self, at: Moment) -> Array:
-        """How large the coordinates are that increments change (nu,), without units.
+        """Sizes of the coordinates that increments change (nu,), without units.
 
         Of positions the distance from the origin: what rounding of theirs counts against.
         """
@@ -257,7 +257,7 @@ class DynamicSystem(Protocol):
         """zdot (nz,)."""
 
     def internal(self, at: Moment) -> Internal:
-        """How internal states and forces depend on each other."""
+        """Coupling of internal states and forces at a state."""
 
     def rates(self, at: Moment, tau: Array | None = None) -> Rates:
         """Derivatives of the accelerations that follow from the forces, constraints kept.
@@ -274,10 +274,10 @@ class DynamicSystem(Protocol):
     def increments(self) -> tuple[str, ...]:
         """Name of every increment (nu,): that of its coordinate where it is one."""
 
-    def seen(self, at: Moment) -> OutputJacobians:
+    def output_jacobians(self, at: Moment) -> OutputJacobians:
         """Derivatives of the declared outputs."""
 
-    def turning(self, at: Moment) -> Array:
+    def kinematic_matrix(self, at: Moment) -> Array:
         """N (nq, nu): how coordinates change with increments."""
 
     def observer(self, at: Moment) -> tuple[Matrix, Matrix]:
@@ -310,7 +310,7 @@ class DynamicSystem(Protocol):
             ModelError: there is none.
         """
 
-    def carried(self, at: Moment, speeds: Mapping[str, Any]) -> Moment:
+    def steady_state(self, at: Moment, speeds: Mapping[str, Any]) -> Moment:
         """The moment with speeds that the constraints allow and given ones, and their rates.
 
         Joints keep their speeds; rates are those of a steady motion with them.
@@ -319,14 +319,16 @@ class DynamicSystem(Protocol):
             ModelError: an unknown name, or speeds that cannot hold together.
         """
 
-    def following(self, at: Moment, speeds: Mapping[str, Any]) -> tuple[Matrix, Matrix]:
-        """How speeds and their rates as of :meth:`carried` change along increments (nu, nu)."""
+    def steady_state_tangent(self, at: Moment, speeds: Mapping[str, Any]) -> tuple[Matrix, Matrix]:
+        """Derivatives of the speeds of :meth:`steady_state` and their rates along increments (nu,
+        nu).
+        """
 
     def steady(self, at: Moment) -> Array:
         """Rates (nu,) of the speeds of a moment if its motion is steady."""
 
-    def turned(self, at: Moment) -> Moment | None:
+    def advance_steady(self, at: Moment) -> Moment | None:
         """The moment a radian further in a steady motion that turns; None where that is open."""
 
     def uniform(self, at: Moment) -> bool:
-        """Whether matrices are constant in a steady motion, not only what follows from them."""
+        """True when matrices are constant in a steady motion, not only what follows from them."""

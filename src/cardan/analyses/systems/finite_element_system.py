@@ -14,9 +14,9 @@ from scipy.sparse import csr_array
 
 from ...arrays import Array
 from ...errors import ModelError
-from ...runtime.models.finite_elements.carried_nodes import leading
 from ...runtime.models.finite_elements.elements import Elements, State
 from ...runtime.models.finite_elements.frames import rotation, rotation_vectors
+from ...runtime.models.finite_elements.joint_driven_nodes import leading
 from ...runtime.models.finite_elements.tables import Tables
 from ...runtime.models.initial import start_of
 from ...runtime.models.loaded_model import LoadedModel
@@ -91,7 +91,10 @@ class FiniteElementSystem(CompiledSystem):
     # where to begin
 
     def start(self, t: float, q: Any, r: Array, locked: Mapping[str, Any], p: Parameters) -> Moment:
-        """As :meth:`DynamicSystem.start`; the search that begins here closes what stays open."""
+        """Same as :meth:`DynamicSystem.start`;
+
+        the search that begins here closes what stays open.
+        """
         model, x = self.start_state(q, locked, p)
         # where this way of closing fails Newton's method has forces to find one
         with suppress(ModelError):
@@ -100,7 +103,7 @@ class FiniteElementSystem(CompiledSystem):
         return Moment(t, x[: model.nq], still, still, lam, r, np.zeros(0), self.modes, p)
 
     def state(self, x0: Any, q: Any, u: Any, z: Any, t: float, r: Array, p: Parameters) -> Moment:
-        """As :meth:`DynamicSystem.state`."""
+        """Same as :meth:`DynamicSystem.state`."""
         model = self.model.with_parameters(dict(p)) if p else self.model
         begin = start(model, x0, q, u, z)
         place, speed = model.split(meshed_start(model, begin.x, *blocks(x0, q, u), t, r))
@@ -111,7 +114,7 @@ class FiniteElementSystem(CompiledSystem):
 
     @cached_property
     def leading(self) -> NDArray[np.bool_]:
-        """As the contract has it."""
+        """See :class:`DynamicSystem`."""
         return leading(self.model)
 
     @cached_property
@@ -121,8 +124,10 @@ class FiniteElementSystem(CompiledSystem):
             self.tables, names, self.leading, self.columns, self.rows, self.size
         )
 
-    def carried(self, at: Moment, named: Mapping[str, Any]) -> Moment:
-        """As :meth:`DynamicSystem.carried`: beams go along rigidly with what carries them.
+    def steady_state(self, at: Moment, named: Mapping[str, Any]) -> Moment:
+        """Same as :meth:`DynamicSystem.steady_state`:
+
+        beams go along rigidly with what carries them.
 
         Raises:
             ModelError: as there; beams about different axes.
@@ -137,11 +142,11 @@ class FiniteElementSystem(CompiledSystem):
                 f"speeds of {said} cannot hold together: joint '{joint}' would come apart at "
                 f"{rows.max():.3g}. Leave one of them out"
             )
-        separated = self._corotating_motion.apart(at.q, moment.u)
+        separated = self._corotating_motion.relative_motion(at.q, moment.u)
         if separated:
             raise ModelError(
                 f"u= ({said}): beams '{separated[0]}' and '{separated[1]}' do not turn together: "
-                "no observer sees both at rest, this is no steady motion. Simulate it"
+                "no observer sees both at rest, this is not a steady motion. Simulate it"
             )
         return moment
 
@@ -154,81 +159,87 @@ class FiniteElementSystem(CompiledSystem):
         return replace(moving, udot=self._steady(moving, G)), open_by
 
     def steady(self, at: Moment) -> Array:
-        """As :meth:`DynamicSystem.steady`."""
+        """Same as :meth:`DynamicSystem.steady`."""
         return self._steady(at, self.tangents(at).G) if np.any(at.u) else np.zeros(self.model.nu)
 
     def _steady(self, at: Moment, G: Any) -> Array:
         mesh, state = self._elements_and_state(at)
         return self._corotating_motion.rates(at.q, at.u, G, mesh.gamma(state))
 
-    def following(self, at: Moment, named: Mapping[str, Any]) -> tuple[Any, Any]:
-        """As :meth:`DynamicSystem.following`; by central differences where axes may move."""
+    def steady_state_tangent(self, at: Moment, named: Mapping[str, Any]) -> tuple[Any, Any]:
+        """Same as :meth:`DynamicSystem.steady_state_tangent`;
+
+        by central differences where axes may " "move.
+        """
         if self._corotating_motion.shares_one_twist(at.q, at.u):
-            return self._corotating_motion.following(at.q, at.u, at.udot)
+            return self._corotating_motion.tangents(at.q, at.u, at.udot)
 
         def moving(there: Moment) -> Array:
-            found = self._moving(there, named)[0]
-            return np.concatenate([found.u, found.udot])
+            moment = self._moving(there, named)[0]
+            return np.concatenate([moment.u, moment.udot])
 
         both = self._differences(at, "q", moving)
         return csr_array(both[: self.model.nu]), csr_array(both[self.model.nu :])
 
-    def turned(self, at: Moment) -> Moment | None:
-        """As :meth:`DynamicSystem.turned`."""
-        further = self._corotating_motion.turned(at.q, at.u, at.udot)
+    def advance_steady(self, at: Moment) -> Moment | None:
+        """Same as :meth:`DynamicSystem.advance_steady`."""
+        further = self._corotating_motion.steady_step(at.q, at.u, at.udot)
         if further is None:
             return None
         steps, u, udot, after = further
         return replace(at, t=at.t + after, q=self.integrate(at.q, steps), u=u, udot=udot)
 
     def uniform(self, at: Moment) -> bool:
-        """As :meth:`DynamicSystem.uniform`: all turn together, and an observer with them."""
+        """Same as :meth:`DynamicSystem.uniform`: all turn together, and an observer with them."""
         return bool(self.tables.beams) and self._corotating_motion.shares_one_twist(at.q, at.u)
 
     def observer(self, at: Moment) -> tuple[Any, Any]:
-        """As :meth:`DynamicSystem.observer`: he turns along with the beams."""
+        """Same as :meth:`DynamicSystem.observer`: he turns along with the beams."""
         return self._corotating_motion.observer(at.q, at.u)
 
     # equations
 
     def balance(self, at: Moment) -> Array:
-        """As :meth:`DynamicSystem.balance`."""
+        """Same as :meth:`DynamicSystem.balance`."""
         mesh, state = self._elements_and_state(at)
         return np.concatenate(mesh.mixed_balance(state) if len(at.inner) else mesh.balance(state))
 
     def tangents(self, at: Moment) -> Tangents:
-        """As :meth:`DynamicSystem.tangents`."""
+        """Same as :meth:`DynamicSystem.tangents`."""
         mesh, state = self._elements_and_state(at)
         blocks = mesh.mixed_tangent(state) if len(at.inner) else mesh.tangent(state)
         return Tangents(*(csr_array(blocks[name]) for name in "KCMRG"))
 
     def loads(self, at: Moment) -> Array:
-        """As :meth:`DynamicSystem.loads`: forces of all elements but joints, beams and springs."""
+        """Same as :meth:`DynamicSystem.loads`:
+
+        forces of all elements but joints, beams and springs.
+        """
         mesh, state = self._elements_and_state(at)
         loads: Array = mesh.loads(state) * self.columns
         return loads
 
     def sizes(self, at: Moment) -> Array:
-        """As :meth:`DynamicSystem.sizes`: of nodes the distance from the origin."""
+        """Same as :meth:`DynamicSystem.sizes`: of nodes the distance from the origin."""
         return self.tables.distances(at.q, self.columns)
 
     def internal_rates(self, at: Moment) -> Array:
-        """As :meth:`DynamicSystem.internal_rates`: there are none."""
+        """Same as :meth:`DynamicSystem.internal_rates`: there are none."""
         return np.zeros(0)
 
     def internal(self, at: Moment) -> Internal:
-        """As :meth:`DynamicSystem.internal`: there are none."""
+        """Same as :meth:`DynamicSystem.internal`: there are none."""
         none = np.zeros((0, self.model.nu))
         return Internal(none.T, none, none, np.zeros((0, 0)))
 
     def accelerations(self, at: Moment, tau: Array | None = None) -> Moment:
-        """As :meth:`DynamicSystem.accelerations`."""
+        """Same as :meth:`DynamicSystem.accelerations`."""
         mesh, state = self._elements_and_state(at)
         udot, lam = mesh.accelerations(state, tau)
         return replace(at, udot=udot, lam=lam)
 
     def rates(self, at: Moment, tau: Array | None = None) -> Rates:
-        """As :meth:`DynamicSystem.rates`: by tangents, exact at rest.
+        """Same as :meth:`DynamicSystem.rates`: by tangents, exact at rest.
 
         In motion what constraints say of accelerations is differentiated by central differences,
         along what they hold.
@@ -241,7 +252,9 @@ class FiniteElementSystem(CompiledSystem):
         for block, matrix in (("q", tangents.K), ("u", tangents.C)):
             bent = np.zeros((len(self.rows), nu))
             if np.any(at.u) or np.any(there.udot):
-                bent[:, self._held] = self._differences(there, block, self._bent, self._held)
+                bent[:, self._beam_speeds] = self._differences(
+                    there, block, self._bent, self._beam_speeds
+                )
             right = -matrix.toarray() * self.columns[:, None]
             parts.append(Dense().solve(M, G, right, -bent / self.rows[:, None])[0])
         along, by_u = (part * self.columns[:, None] for part in parts)
@@ -249,7 +262,7 @@ class FiniteElementSystem(CompiledSystem):
         return Rates(along, by_u, np.zeros((nu, 0)), by_r)
 
     @cached_property
-    def _held(self) -> Longs:
+    def _beam_speeds(self) -> Longs:
         """Speeds of what constraints hold."""
         columns = [self.tables.columns(g).ravel() for g in self.tables.groups if g.kind.m]
         return np.unique(np.concatenate(columns)) if columns else np.zeros(0, dtype=np.intp)
@@ -262,14 +275,14 @@ class FiniteElementSystem(CompiledSystem):
         rates = mesh.balance(moved)[2] - mesh.balance(still)[2]
         return np.asarray(rates - mesh.gamma(state))
 
-    def seen(self, at: Moment) -> OutputJacobians:
-        """As :meth:`DynamicSystem.seen`, by central differences."""
+    def output_jacobians(self, at: Moment) -> OutputJacobians:
+        """Same as :meth:`DynamicSystem.output_jacobians`, by central differences."""
 
         def outputs(x: Moment) -> Array:
-            found: Array = self.model.outputs(
+            values: Array = self.model.outputs(
                 x.q, x.u, r=x.r, z=x.z, s=x.s, t=x.t, parameters=x.parameters
             )
-            return found
+            return values
 
         along, by_u, by_r = (self._differences(at, block, outputs) for block in "qur")
         return OutputJacobians(along, by_u, np.zeros((len(self.outputs), 0)), by_r)
@@ -304,8 +317,8 @@ class FiniteElementSystem(CompiledSystem):
 
     @cached_property
     def increments(self) -> tuple[str, ...]:
-        """As the contract has them."""
-        rotational = set(self._turning.ravel().tolist())
+        """See :class:`DynamicSystem`."""
+        rotational = set(self._rotational_speeds.ravel().tolist())
         names = []
         for k, name in enumerate(self.speeds):
             coordinate = of_rate(name)
@@ -314,26 +327,26 @@ class FiniteElementSystem(CompiledSystem):
         return tuple(names)
 
     @cached_property
-    def _turning(self) -> NDArray[np.intp]:
+    def _rotational_speeds(self) -> NDArray[np.intp]:
         """Speeds that turn something, in body axes (n, 3)."""
         kinds, starts = self.tables.kinds, self.tables.u[:-1]
         turns = np.array([k.name == "node" or bool(k.functions) for k in kinds], dtype=bool)
         first = starts[turns[self.tables.kind]] if len(starts) else starts
         return np.asarray(first[:, None] + np.arange(3))
 
-    def turning(self, at: Moment) -> Array:
-        """As :meth:`DynamicSystem.turning`."""
+    def kinematic_matrix(self, at: Moment) -> Array:
+        """Same as :meth:`DynamicSystem.kinematic_matrix`."""
         mesh = self._mesh(at.parameters)
         basis = np.eye(self.model.nu)
         return np.stack([mesh.rates(at.q, row) for row in basis], axis=1)
 
     def with_internal_unknowns(self, at: Moment) -> Moment:
-        """As :meth:`DynamicSystem.with_internal_unknowns`: the stress of beams."""
+        """Same as :meth:`DynamicSystem.with_internal_unknowns`: the stress of beams."""
         mesh, state = self._elements_and_state(at)
         return replace(at, inner=mesh.settled(state))
 
     def retract(self, at: Moment, du: Array) -> Moment:
-        """As :meth:`DynamicSystem.retract`."""
+        """Same as :meth:`DynamicSystem.retract`."""
         inner = at.inner
         if len(inner):
             mesh, state = self._elements_and_state(at)
@@ -341,12 +354,12 @@ class FiniteElementSystem(CompiledSystem):
         return replace(at, q=self.integrate(at.q, du) if np.any(du) else at.q, inner=inner)
 
     def integrate(self, q: Array, du: Array) -> Array:
-        """As :meth:`DynamicSystem.integrate`."""
+        """Same as :meth:`DynamicSystem.integrate`."""
         moved: Array = unit(self._mesh(None).move(q, du), self.model.manifest.quaternions)
         return moved
 
     def difference(self, q0: Array, q: Array) -> Array:
-        """As :meth:`DynamicSystem.difference`, by Newton's method without quaternions."""
+        """Same as :meth:`DynamicSystem.difference`, by Newton's method without quaternions."""
         tables, change = self.tables, np.zeros(self.model.nu)
         for k, kind in enumerate(tables.kinds):
             places = np.flatnonzero(tables.kind == k)
@@ -366,7 +379,7 @@ class FiniteElementSystem(CompiledSystem):
 
 
 def _blocks(tables: Tables) -> SparseSaddle:
-    """How the speeds and multipliers of a model stand together."""
+    """Saddle-point solver with the block structure of the speeds and multipliers of a model."""
     poses = np.array([kind.name == "node" for kind in tables.kinds], dtype=bool)
     elements, count = np.zeros(tables.m, dtype=np.intp), 0
     for number, group in enumerate(tables.groups):

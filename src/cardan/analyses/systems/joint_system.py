@@ -67,7 +67,7 @@ class JointSystem(CompiledSystem):
     # where to begin
 
     def start(self, t: float, q: Any, r: Array, locked: Mapping[str, Any], p: Parameters) -> Moment:
-        """As :meth:`DynamicSystem.start`."""
+        """Same as :meth:`DynamicSystem.start`."""
         model, x = self.start_state(q, locked, p)
         place, internal = x[: model.nq], x[model.nq + model.nu :]
         if len(self.positions):
@@ -76,20 +76,20 @@ class JointSystem(CompiledSystem):
         return Moment(t, place, still, still, lam, r, internal, self.modes, p)
 
     def state(self, x0: Any, q: Any, u: Any, z: Any, t: float, r: Array, p: Parameters) -> Moment:
-        """As :meth:`DynamicSystem.state`."""
+        """Same as :meth:`DynamicSystem.state`."""
         model = self.model.with_parameters(dict(p)) if p else self.model
         begin = closed_start(model, start(model, x0, q, u, z), *blocks(x0, q, u), t, r)
         place, speed, internal = model.parts_of(begin.x)
         lam = np.zeros(len(self.multipliers))
         return Moment(t, place, speed, 0 * speed, lam, r, internal, self.modes, p)
 
-    def carried(self, at: Moment, named: Mapping[str, Any]) -> Moment:
-        """As :meth:`DynamicSystem.carried`: all speeds are those of joints."""
+    def steady_state(self, at: Moment, named: Mapping[str, Any]) -> Moment:
+        """Same as :meth:`DynamicSystem.steady_state`: all speeds are those of joints."""
         u = speeds(self._at(at), at.q, named, np.zeros(self.model.nu))
         return replace(at, u=u, udot=np.zeros(self.model.nu))
 
-    def following(self, at: Moment, named: Mapping[str, Any]) -> tuple[Array, Array]:
-        """As :meth:`DynamicSystem.following`."""
+    def steady_state_tangent(self, at: Moment, named: Mapping[str, Any]) -> tuple[Array, Array]:
+        """Same as :meth:`DynamicSystem.steady_state_tangent`."""
         nu, tangents = self.model.nu, self.tangents(at)
         still = np.zeros((nu, nu))
         if not len(self.rows):
@@ -100,11 +100,14 @@ class JointSystem(CompiledSystem):
         return -np.linalg.pinv(constrained) @ convective, still
 
     def steady(self, at: Moment) -> Array:
-        """As :meth:`DynamicSystem.steady`."""
+        """Same as :meth:`DynamicSystem.steady`."""
         return np.zeros(self.model.nu)
 
-    def turned(self, at: Moment) -> Moment | None:
-        """As :meth:`DynamicSystem.turned`: where speeds are derivatives of coordinates."""
+    def advance_steady(self, at: Moment) -> Moment | None:
+        """Same as :meth:`DynamicSystem.advance_steady`:
+
+        where speeds are derivatives of coordinates.
+        """
         largest = float(np.abs(at.u / self.columns).max(initial=0.0))
         if largest == 0 or not self._plain:
             return None
@@ -112,17 +115,17 @@ class JointSystem(CompiledSystem):
         return replace(at, t=at.t + after, q=self.integrate(at.q, after * at.u))
 
     def uniform(self, at: Moment) -> bool:
-        """As :meth:`DynamicSystem.uniform`."""
+        """Same as :meth:`DynamicSystem.uniform`."""
         return True
 
     # equations
 
     def balance(self, at: Moment) -> Array:
-        """As :meth:`DynamicSystem.balance`."""
+        """Same as :meth:`DynamicSystem.balance`."""
         return self._evaluate("balance", at)
 
     def tangents(self, at: Moment) -> Tangents:
-        """As :meth:`DynamicSystem.tangents`."""
+        """Same as :meth:`DynamicSystem.tangents`."""
         flat = np.ravel(self._evaluate("balance_tangent", at))
         nu, m = self.model.nu, len(self.multipliers)
         ends = np.cumsum([nu, nu, nu, m, m]) * nu
@@ -130,7 +133,7 @@ class JointSystem(CompiledSystem):
         return Tangents(K, C, M, R, G)
 
     def loads(self, at: Moment) -> Array:
-        """As :meth:`DynamicSystem.loads`: weights, and what inputs exert.
+        """Same as :meth:`DynamicSystem.loads`: weights, and what inputs exert.
 
         A weight is bounded, |sum of m g v| <= g (sum of m * sum of m v^2)^(1/2): parts that
         balance each other count too.
@@ -148,14 +151,14 @@ class JointSystem(CompiledSystem):
         return loads
 
     def sizes(self, at: Moment) -> Array:
-        """As :meth:`DynamicSystem.sizes`: at least that of the mechanism, or a radian."""
+        """Same as :meth:`DynamicSystem.sizes`: at least that of the mechanism, or a radian."""
         sizes = np.ones(self.model.nu)
         for place, speed in self.places.values():
             sizes[speed] = max(1.0, abs(float(at.q[place])) / self.columns[speed])
         return sizes
 
     def internal_rates(self, at: Moment) -> Array:
-        """As :meth:`DynamicSystem.internal_rates`."""
+        """Same as :meth:`DynamicSystem.internal_rates`."""
         if not self.model.nz:
             return np.zeros(0)
         x = np.concatenate([at.q, at.u, at.z])
@@ -163,54 +166,62 @@ class JointSystem(CompiledSystem):
         return rates[-self.model.nz :]
 
     def internal(self, at: Moment) -> Internal:
-        """As :meth:`DynamicSystem.internal`."""
+        """Same as :meth:`DynamicSystem.internal`."""
         nu, nz = self.model.nu, self.model.nz
         if not nz:
             none = np.zeros((0, nu))
             return Internal(none.T, none, none, np.zeros((0, 0)))
         forces = self.model.derivative("inverse_dynamics", "z")
         rates = self.rates(at)
-        by_z = forces(at.q, at.u, at.udot, **self._rest(at))
+        by_z = forces(at.q, at.u, at.udot, **self._forcing(at))
         return Internal(by_z, rates.along[nu:], rates.by_u[nu:], rates.by_z[nu:])
 
     def rates(self, at: Moment, tau: Array | None = None) -> Rates:
-        """As :meth:`DynamicSystem.rates`."""
+        """Same as :meth:`DynamicSystem.rates`."""
         model = self.model
         wrt = tuple(b for b, n in (("q", 1), ("u", 1), ("z", model.nz), ("r", model.nr)) if n)
         forward = model.derivative("forward_dynamics", wrt)
-        slopes = forward(at.q, at.u, tau=tau, **self._rest(at))
+        slopes = forward(at.q, at.u, tau=tau, **self._forcing(at))
         if model.nz:
             x = np.concatenate([at.q, at.u, at.z])
             arguments: dict[str, Any] = {"s": at.s, "parameters": at.parameters}
             of_states = model.derivative("rhs", wrt)(at.t, x, at.r, **arguments)
             pairs = zip(slopes, of_states, strict=True)
             slopes = tuple(np.concatenate([a, b[-model.nz :]]) for a, b in pairs)
-        known, empty = dict(zip(wrt, slopes, strict=True)), np.zeros((model.nu + model.nz, 0))
-        return Rates(known["q"], known["u"], known.get("z", empty), known.get("r", empty))
+        slopes_by_block, empty = (
+            dict(zip(wrt, slopes, strict=True)),
+            np.zeros((model.nu + model.nz, 0)),
+        )
+        return Rates(
+            slopes_by_block["q"],
+            slopes_by_block["u"],
+            slopes_by_block.get("z", empty),
+            slopes_by_block.get("r", empty),
+        )
 
     def accelerations(self, at: Moment, tau: Array | None = None) -> Moment:
-        """As :meth:`DynamicSystem.accelerations`."""
-        arguments = {"tau": tau, **self._rest(at)}
+        """Same as :meth:`DynamicSystem.accelerations`."""
+        arguments = {"tau": tau, **self._forcing(at)}
         udot = self.model.forward_dynamics(at.q, at.u, **arguments)
         if not self.multipliers:
             return replace(at, udot=udot)
         return replace(at, udot=udot, lam=self.model.multipliers(at.q, at.u, **arguments))
 
-    def seen(self, at: Moment) -> OutputJacobians:
-        """As :meth:`DynamicSystem.seen`."""
+    def output_jacobians(self, at: Moment) -> OutputJacobians:
+        """Same as :meth:`DynamicSystem.output_jacobians`."""
         model, count = self.model, len(self.outputs)
         sizes = {"q": model.nu, "u": model.nu, "z": model.nz, "r": model.nr}
         jacobians = {b: np.zeros((count, n)) for b, n in sizes.items()}
         if count:
             wrt = tuple(b for b, n in sizes.items() if n)
-            rows = model.derivative("outputs", wrt)(at.q, at.u, **self._rest(at))
+            rows = model.derivative("outputs", wrt)(at.q, at.u, **self._forcing(at))
             jacobians |= {b: matrix[:count] for b, matrix in zip(wrt, rows, strict=True)}
         return OutputJacobians(jacobians["q"], jacobians["u"], jacobians["z"], jacobians["r"])
 
     # coordinates
 
-    def turning(self, at: Moment) -> Array:
-        """As :meth:`DynamicSystem.turning`."""
+    def kinematic_matrix(self, at: Moment) -> Array:
+        """Same as :meth:`DynamicSystem.kinematic_matrix`."""
         arguments: dict[str, Any] = {"t": at.t, "r": at.r, "parameters": at.parameters}
         basis = np.concatenate([np.zeros((1, self.model.nu)), np.eye(self.model.nu)])
         rates = self.model.qdot(at.q, basis, **arguments)
@@ -218,10 +229,10 @@ class JointSystem(CompiledSystem):
 
     @cached_property
     def increments(self) -> tuple[str, ...]:
-        """As the contract has them."""
+        """See :class:`DynamicSystem`."""
         model, names = self.model, list[str]()
         q, u = model.split(model.random_state(0))
-        N = self.turning(Moment(0.0, q, u, u, r=self.input_vector(None)))
+        N = self.kinematic_matrix(Moment(0.0, q, u, u, r=self.input_vector(None)))
         for k, name in enumerate(self.speeds):
             coordinate = model.manifest.speeds[k].of or of_rate(name)
             place = self.coordinates.index(coordinate) if coordinate in self.coordinates else -1
@@ -230,7 +241,10 @@ class JointSystem(CompiledSystem):
         return tuple(names)
 
     def observer(self, at: Moment) -> tuple[Array, Array]:
-        """As :meth:`DynamicSystem.observer`: coordinates and speeds are told in their own axes."""
+        """Same as :meth:`DynamicSystem.observer`:
+
+        coordinates and speeds are told in their own axes.
+        """
         return self._kinematics(at), np.zeros((self.model.nu, self.model.nu))
 
     def _kinematics(self, at: Moment) -> Array:
@@ -247,12 +261,12 @@ class JointSystem(CompiledSystem):
         # the part of qdot that no speed makes moves along the coordinates too
         moving = at.u + np.linalg.lstsq(N, drift)[0]
         slope_of_N = ((along[1:] - along[0]) @ moving + by_t[1:] - by_t[0]).T
-        found: Array = np.linalg.lstsq(N, here - slope_of_N)[0]
-        return found
+        rates: Array = np.linalg.lstsq(N, here - slope_of_N)[0]
+        return rates
 
     @cached_property
     def _plain(self) -> bool:
-        """Whether speeds are derivatives of coordinates, one by one."""
+        """True when speeds are derivatives of coordinates, one by one."""
         model = self.model
         if model.nq != model.nu or self._mechanism.chosen:
             return False
@@ -262,23 +276,23 @@ class JointSystem(CompiledSystem):
         return bool((model.qdot(places, u) == u).all())
 
     def with_internal_unknowns(self, at: Moment) -> Moment:
-        """As :meth:`DynamicSystem.with_internal_unknowns`: there is nothing of the kind."""
+        """Same as :meth:`DynamicSystem.with_internal_unknowns`: there is nothing of the kind."""
         return at
 
     def retract(self, at: Moment, du: Array) -> Moment:
-        """As :meth:`DynamicSystem.retract`."""
+        """Same as :meth:`DynamicSystem.retract`."""
         return replace(at, q=self.integrate(at.q, du)) if np.any(du) else at
 
     def integrate(self, q: Array, du: Array) -> Array:
-        """As :meth:`DynamicSystem.integrate`."""
+        """Same as :meth:`DynamicSystem.integrate`."""
         if self._mechanism.chosen:
             return self._mechanism.advance(q, du / self.columns)
         moved: Array = unit(self.model.integrate(q, du), self.model.manifest.quaternions)
         return moved
 
     def difference(self, q0: Array, q: Array) -> Array:
-        """As :meth:`DynamicSystem.difference`."""
-        difference: Array = self._mechanism.between(q0, q) * self.columns
+        """Same as :meth:`DynamicSystem.difference`."""
+        difference: Array = self._mechanism.difference(q0, q) * self.columns
         return difference
 
     def _at(self, at: Moment) -> Mechanism:
@@ -289,5 +303,5 @@ class JointSystem(CompiledSystem):
         values: tuple[ArrayLike, ...] = (at.t, at.q, at.u, at.udot, at.lam, at.r, at.z, at.s)
         return self.model._evaluate((name, None), values, at.parameters, None)
 
-    def _rest(self, at: Moment) -> dict[str, Any]:
+    def _forcing(self, at: Moment) -> dict[str, Any]:
         return {"t": at.t, "r": at.r, "z": at.z, "s": at.s, "parameters": at.parameters}

@@ -49,12 +49,12 @@ class _Nodes:
 
     places: Integers
     columns: Integers
-    spread: Array
+    to_space: Array
 
 
 @dataclass(frozen=True, eq=False)
 class Motion:
-    """How nodes stand and move, all of them in the order of :attr:`Carriage.nodes`.
+    """Poses and velocities of all nodes, in the order of :attr:`CorotatingMotion.names`.
 
     Attributes:
         R, p: Rotations (n, 3, 3) and positions (n, 3).
@@ -75,7 +75,7 @@ class Motion:
 
 @final
 class CorotatingMotion:
-    """What is carried along in the steady motions of a model.
+    """The rotating part of the steady motions of a model.
 
     Args:
         tables: Its places.
@@ -97,7 +97,7 @@ class CorotatingMotion:
         self.tables, self.leading = tables, leading
         self._columns, self._rows = columns, rows
         self._size = size
-        self.cluster, self.names, self._standing = _clusters(tables, beams)
+        self.cluster, self.names, self._fixed_names = _clusters(tables, beams)
 
     @cached_property
     def _sorts(self) -> tuple[_Nodes, ...]:
@@ -108,7 +108,7 @@ class CorotatingMotion:
             basis = np.broadcast_to(np.eye(6), (len(places), 6, 6))
             if flat:
                 planes = [tables.plane(k) for k in places]
-                bases = [plane.spread for plane in planes if plane is not None]
+                bases = [plane.to_space for plane in planes if plane is not None]
                 basis = np.array(bases).reshape(-1, 6, 3)
             groups.append(_Nodes(places, columns, basis))
         return tuple(groups)
@@ -119,13 +119,13 @@ class CorotatingMotion:
         return np.concatenate([sort.places for sort in self._sorts])
 
     def motion(self, q: Array, u: Array) -> Motion:
-        """How the nodes move."""
+        """Motion of the nodes."""
         space, plane = self._sorts
         poses = q[self.tables.q[space.places][:, None] + np.arange(7)]
         flat = [self.tables.pose(q, int(k)) for k in plane.places]
         poses = np.concatenate([poses, np.array(flat).reshape(-1, 7)])
         R = rotation(poses[:, :4]).reshape(-1, 3, 3)
-        twists = [np.einsum("nik,nk->ni", s.spread, u[s.columns]) for s in self._sorts]
+        twists = [np.einsum("nik,nk->ni", s.to_space, u[s.columns]) for s in self._sorts]
         w, v = np.split(np.concatenate(twists), 2, axis=1)
         return Motion(R, poses[:, 4:], w, np.einsum("nij,nj->ni", R, w), v)
 
@@ -137,17 +137,21 @@ class CorotatingMotion:
         independent = np.repeat(self.cluster, np.diff(tables.u)) < 0
         alone = np.flatnonzero(independent)
         i, j, values = [alone], [np.arange(len(alone))], [np.ones(len(alone))]
+        # speeds of a node from the twist of its cluster: rotation of axes and lever arms
         blocks = _blocks(len(moved.p))
         blocks[:, :3, :3] = moved.R.transpose(0, 2, 1)
         blocks[:, 3:, :3] = -cross_matrix(moved.p) / self._size
         blocks[:, 3:, 3:] = np.eye(3)
         start = 0
         for sort in self._sorts:
+            # scatter the blocks of nodes of one kind at once, as triplets of a sparse matrix
             many = len(sort.places)
             which = self.cluster[sort.places]
             in_cluster = np.flatnonzero(which >= 0)
-            part = np.einsum("nik,nij->nkj", sort.spread, blocks[start : start + many])[in_cluster]
-            part[self._standing[which[in_cluster]]] = 0.0
+            part = np.einsum("nik,nij->nkj", sort.to_space, blocks[start : start + many])[
+                in_cluster
+            ]
+            part[self._fixed_names[which[in_cluster]]] = 0.0
             rows = np.broadcast_to(sort.columns[in_cluster][:, :, None], part.shape)
             first = len(alone) + 6 * which[in_cluster]
             i.append(rows.ravel())
@@ -195,31 +199,33 @@ class CorotatingMotion:
 
     # what moves with what
 
-    def apart(self, q: Array, u: Array) -> tuple[str, str] | None:
+    def relative_motion(self, q: Array, u: Array) -> tuple[str, str] | None:
         """Names of two beams that do not share one twist, None where all do."""
         # the first node of every cluster; beams from ground to ground may have none
         clusters, first = np.unique(self.cluster[self.nodes], return_index=True)
         clusters, first = clusters[clusters >= 0], first[clusters >= 0]
         if len(clusters) < 2:
             return None
-        twists = self._told(self.motion(q, u))[first]
+        twists = self._twists(self.motion(q, u))[first]
         off = np.abs(twists - twists[0]).max(axis=1) > ALIKE * np.abs(twists).max()
         worst = clusters[int(np.argmax(off))]
         return (self.names[clusters[0]], self.names[worst]) if off.any() else None
 
     def shares_one_twist(self, q: Array, u: Array) -> bool:
-        """Whether all nodes share one twist."""
-        twists = self._told(self.motion(q, u))
+        """True when all nodes share one twist."""
+        twists = self._twists(self.motion(q, u))
         if not len(twists):
             return False
         return bool(np.abs(twists - twists[0]).max() <= ALIKE * np.abs(twists).max())
 
-    def _told(self, moved: Motion) -> Array:
+    def _twists(self, moved: Motion) -> Array:
         """Twists without units (n, 6)."""
         scaled: Array = moved.twists / np.repeat([1.0, self._size], 3)
         return scaled
 
-    def turned(self, q: Array, u: Array, udot: Array) -> tuple[Array, Array, Array, float] | None:
+    def steady_step(
+        self, q: Array, u: Array, udot: Array
+    ) -> tuple[Array, Array, Array, float] | None:
         """The motion a radian further: increments, speeds, their rates, and after what time.
 
         None where not all nodes share one twist, or it changes, or nothing turns.
@@ -241,7 +247,7 @@ class CorotatingMotion:
         speeds = np.concatenate([moved.w, turn.apply(moved.v)], axis=1)
         centripetal[:, 3:] = np.cross(moved.omega, speeds[:, 3:])
         alone = np.ones(self.tables.nu)
-        alone[self._own] = 0.0
+        alone[self._independent] = 0.0
         return (
             self._gathered(steps) + tau * u * alone,
             self._gathered(speeds) + u * alone,
@@ -250,19 +256,19 @@ class CorotatingMotion:
         )
 
     @cached_property
-    def _own(self) -> Integers:
+    def _independent(self) -> Integers:
         """Speeds of nodes."""
         return np.concatenate([sort.columns.ravel() for sort in self._sorts])
 
     @property
     def _clustered(self) -> NDArray[np.bool_]:
-        """Which nodes belong to a cluster (n,)."""
+        """Mask of the nodes that belong to a cluster (n,)."""
         return np.asarray(self.cluster[self.nodes] >= 0)
 
     # tangents
 
-    def following(self, q: Array, u: Array, udot: Array) -> tuple[csr_array, csr_array]:
-        """How speeds and their rates change along increments where all share one twist."""
+    def tangents(self, q: Array, u: Array, udot: Array) -> tuple[csr_array, csr_array]:
+        """Derivatives of speeds and their rates along increments where all share one twist."""
         moved = self.motion(q, u)
         alpha = np.einsum("nij,nj->ni", moved.R, self.motion(q, udot).w)
         first, second = _blocks(len(moved.p)), _blocks(len(moved.p))
@@ -279,7 +285,7 @@ class CorotatingMotion:
         of all others those in ground axes.
         """
         moved = self.motion(q, u)
-        twists = self._told(moved)
+        twists = self._twists(moved)
         along = np.zeros(len(twists), dtype=bool)
         if len(self.names):
             lead = twists[np.argmax(self._clustered)]
@@ -298,7 +304,7 @@ class CorotatingMotion:
         speeds, start = np.zeros(self.tables.nu), 0
         for sort in self._sorts:
             part = node_speeds[start : start + len(sort.places)]
-            speeds[sort.columns] = np.einsum("nik,ni->nk", sort.spread, part)
+            speeds[sort.columns] = np.einsum("nik,ni->nk", sort.to_space, part)
             start += len(sort.places)
         return speeds
 
@@ -307,7 +313,7 @@ class CorotatingMotion:
         i, j, values, start = list[Any](), list[Any](), list[Array](), 0
         for sort in self._sorts:
             part = blocks[start : start + len(sort.places)]
-            part = np.einsum("nik,nij,njl->nkl", sort.spread, part, sort.spread)
+            part = np.einsum("nik,nij,njl->nkl", sort.to_space, part, sort.to_space)
             i.append(np.broadcast_to(sort.columns[:, :, None], part.shape).ravel())
             j.append(np.broadcast_to(sort.columns[:, None], part.shape).ravel())
             values.append(part.ravel())
@@ -321,7 +327,10 @@ class CorotatingMotion:
 def _clusters(
     tables: Tables, beams: Sequence[str]
 ) -> tuple[Integers, list[str], NDArray[np.bool_]]:
-    """Of every place what moves as one body with it, -1 for none; a beam of each; which stand."""
+    """Cluster of every place that moves as one body, -1 for none;
+
+    a beam of each; the fixed ones.
+    """
     count = len(tables.kind)
     lines = [np.zeros(0, dtype=np.intp), *tables.beams]
     first = [np.full(len(line), line[:1].sum()) for line in lines]
@@ -342,7 +351,7 @@ def _clusters(
 
 
 def _fit(hard: Array, right: Array, desired: Array, target: Array) -> Array:
-    """What fulfills equations, and others next to that as well as can be; the smallest of all."""
+    """Solve equations exactly, and others as well as possible; the smallest of all solutions."""
     U, s, Z, V = split(hard)
     solution: Array = V @ ((U.T @ right) / s)
     if len(desired) and Z.shape[1]:

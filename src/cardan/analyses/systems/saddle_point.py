@@ -31,7 +31,7 @@ SMALL = 24  # directions that are all looked at
 OPEN, ROUNDING = 1e-8, 1e-13  # forces along loose directions: of all forces, of K
 REGULAR = 1e-10  # reciprocal condition numbers above which nothing is loose
 SKEW = 1e-11  # above this forces have no potential: 1e5 times the rounding of a projection
-LOOSE = 1e-13  # of K on what G allows: below this part of the largest nothing holds
+FREE_TOL = 1e-13  # of K on what G allows: below this part of the largest nothing holds
 # stiffnesses and forces along them, of the largest stiffness, that may be rounding alone
 ROUNDED, PUSHED = 5e-16, 4e-15
 PROBES = 3  # products that tell how large a projected matrix is
@@ -48,7 +48,7 @@ class Singular(SolveError):
         super().__init__(
             "the stiffness and the constraints of this position have no common solution: something "
             "is free to move, or numbers are not finite. Support it, or hold it: "
-            "hold={'...': value}"
+            "locked={'...': value}"
         )
         self.motion = motion
 
@@ -84,15 +84,15 @@ class Lowest:
     @property
     def negative(self) -> int:
         """Directions in which it pushes away: beyond rounding."""
-        counted = self.firmly if self.loose.size else self.below
+        counted = self.firmly if self.free_directions.size else self.below
         if counted is not None:
             return counted
-        return int(np.sum(self.values < -LOOSE * self.largest))
+        return int(np.sum(self.values < -FREE_TOL * self.largest))
 
     @property
-    def loose(self) -> Array:
+    def free_directions(self) -> Array:
         """Directions (n, k) in which it does nothing."""
-        return self.vectors[:, np.abs(self.values) <= LOOSE * self.largest]
+        return self.vectors[:, np.abs(self.values) <= FREE_TOL * self.largest]
 
 
 class Saddle(Protocol):
@@ -122,7 +122,7 @@ class Dense:
     """LAPACK on arrays."""
 
     def solve(self, K: Array, G: Array, a: Array, b: Array) -> tuple[Array, Array]:
-        """As :meth:`Saddle.solve`; of redundant constraints the smallest multipliers too."""
+        """Same as :meth:`Saddle.solve`; of redundant constraints the smallest multipliers too."""
         if not (np.isfinite(K).all() and np.isfinite(G).all()):
             raise Singular
         # redundant rows look independent as far as they are open
@@ -135,7 +135,7 @@ class Dense:
         return x, -(U @ ((V.T @ (a - K @ x)) / s))
 
     def lowest(self, K: Array, G: Array) -> Lowest:
-        """As :meth:`Saddle.lowest`: all directions."""
+        """Same as :meth:`Saddle.lowest`: all directions."""
         if not (np.isfinite(K).all() and np.isfinite(G).all()):
             raise Singular
         Z = split(G)[2]
@@ -170,7 +170,7 @@ def _regular(inner: Array, right: Array, Z: Array) -> Array:
     along, largest = U.T @ right, max(float(s[0]), 1e-300)
     # a soft direction is followed where more than rounding pushes along it: next to a limit load
     pushed = np.abs(along).reshape(len(s), -1).max(axis=1) > PUSHED * largest
-    firm = (s > LOOSE * largest) | (pushed & (s > ROUNDED * largest))
+    firm = (s > FREE_TOL * largest) | (pushed & (s > ROUNDED * largest))
     solution = Vt[firm].T @ (along[firm] / s[firm].reshape(-1, *[1] * (right.ndim - 1)))
     left = along[~firm]
     if len(left) and np.abs(left).max() > max(OPEN * np.abs(right).max(), ROUNDING * s[0]):
@@ -237,7 +237,7 @@ class Sparse:
     counted: Count = uncounted
 
     def solve(self, K: Matrix, G: Matrix, a: Array, b: Array) -> tuple[Array, Array]:
-        """As :meth:`Saddle.solve`; redundant constraints share their forces."""
+        """Same as :meth:`Saddle.solve`; redundant constraints share their forces."""
         right = np.concatenate([a, b])
         if len(right) <= FULL:
             return Dense().solve(K.toarray(), G.toarray(), a, b)
@@ -254,7 +254,7 @@ class Sparse:
         raise why
 
     def lowest(self, K: Matrix, G: Matrix) -> Lowest:
-        """As :meth:`Saddle.lowest`: those next to 0."""
+        """Same as :meth:`Saddle.lowest`: those next to 0."""
         if is_small(G):
             return Dense().lowest(K.toarray(), G.toarray())
         n, largest = K.shape[0], float(np.abs(K.data).max(initial=0.0))
@@ -269,7 +269,7 @@ class Sparse:
         skew = skewness(K, G, self.factored) / max(largest, 1e-300)
         symmetric = skew <= SKEW
         below, sign = self.counted(half if symmetric else K, G, symmetric)
-        firmly, rounding = below, LOOSE * largest
+        firmly, rounding = below, FREE_TOL * largest
         if symmetric and (np.abs(values) <= rounding).any():
             firmly = self.counted(csr_array(half + rounding * unit), G, True)[0]
         return Lowest(values[order], vectors[:, order], largest, skew, below, sign, firmly)
@@ -291,8 +291,8 @@ def skewness(K: Matrix, G: Matrix, by: Factor = factored) -> float:
     onto = by(csr_array(diags_array(np.ones(n))), G)
 
     def projected(x: Array) -> Array:
-        found: Array = onto(np.concatenate([x, np.zeros(m)]))[:n]
-        return found
+        projection: Array = onto(np.concatenate([x, np.zeros(m)]))[:n]
+        return projection
 
     x, size = projected(np.random.default_rng(0).normal(size=n)), 0.0
     for _ in range(PROBES):
@@ -303,7 +303,7 @@ def skewness(K: Matrix, G: Matrix, by: Factor = factored) -> float:
 
 
 def is_small(G: Any) -> bool:
-    """Whether G (m, n) allows so few directions that all of them are looked at."""
+    """True when G (m, n) allows so few directions that all of them are looked at."""
     return bool(G.shape[1] - G.shape[0] <= SMALL)
 
 
@@ -339,8 +339,8 @@ def near(
     inverse = by(csr_array(K - shift * M), G)
 
     def apply(x: Array) -> Array:
-        found: Array = inverse(np.concatenate([np.ravel(x), np.zeros(m)]))[:n]
-        return found
+        solution: Array = inverse(np.concatenate([np.ravel(x), np.zeros(m)]))[:n]
+        return solution
 
     operator = LinearOperator((n, n), matvec=apply, dtype=np.float64)
     start = apply(np.random.default_rng(0).normal(size=n))

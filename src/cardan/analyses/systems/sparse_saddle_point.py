@@ -19,7 +19,7 @@ from ...runtime.sparse.systems import balanced
 from .saddle_point import Matrix, Singular
 
 Longs = NDArray[np.int64]
-KEPT = 4  # patterns: of searches and of eigenvalues
+CACHED_PATTERNS = 4  # patterns: of searches and of eigenvalues
 MOTION = 1e-3  # of a direction without units: below this part nothing moves along it
 
 
@@ -54,7 +54,7 @@ class SparseSaddle:
     places: NDArray[np.integer]
     massless: Booleans
     elements: NDArray[np.integer]
-    _seen: dict[bytes, _PlannedPattern] = field(default_factory=dict)
+    _planned: dict[bytes, _PlannedPattern] = field(default_factory=dict)
     _plans: dict[bytes, Plan] = field(default_factory=dict)
 
     def __call__(self, K: Matrix, G: Matrix) -> Callable[[Array], Array]:
@@ -69,10 +69,10 @@ class SparseSaddle:
         def solve(right: Array) -> Array:
             sides = np.asarray(right, float)[planned.order].reshape(len(planned.order), -1)
             try:
-                found = [solution(by, side) for side in sides.T]
+                columns = [solution(by, side) for side in sides.T]
             except SolveError:
                 raise Singular(_motion(by, planned.place[:n])) from None
-            return np.stack(found, axis=1)[planned.place].reshape(np.shape(right))
+            return np.stack(columns, axis=1)[planned.place].reshape(np.shape(right))
 
         return solve
 
@@ -105,14 +105,14 @@ class SparseSaddle:
     def _factors(
         self, K: csr_array, G: csr_array, symmetric: bool
     ) -> tuple[_PlannedPattern, BlockSolver]:
-        """How the pattern of K and G was planned, and the factors."""
+        """Plan of the pattern of K and G, and its factors."""
         parts = (K.indptr, K.indices, G.indptr, G.indices)
         key = sha256(b"".join(part.tobytes() for part in parts)).digest()
-        if key not in self._seen:
-            if len(self._seen) == KEPT:
-                self._seen.clear()
-            self._seen[key] = self._look(K, G)
-        planned = self._seen[key]
+        if key not in self._planned:
+            if len(self._planned) == CACHED_PATTERNS:
+                self._planned.clear()
+            self._planned[key] = self._look(K, G)
+        planned = self._planned[key]
         values = np.bincount(
             planned.at, np.concatenate([K.data, G.data, G.data]), planned.plan.pattern.values
         ).astype(np.float64)
@@ -125,12 +125,12 @@ class SparseSaddle:
 
     def _blocks(self, n: int, m: int) -> Longs:
         """The block of every unknown (n + m,)."""
-        count, placed_speeds = len(self.places) - 1, int(self.places[-1])
+        count, node_speeds = len(self.places) - 1, int(self.places[-1])
         speeds = np.repeat(np.arange(count), np.diff(self.places))
-        single_speeds = count + np.arange(n - placed_speeds)
+        single_speeds = count + np.arange(n - node_speeds)
         elements = np.unique(self.elements, return_inverse=True)[1]
         single_rows = int(elements.max(initial=-1)) + 1 + np.arange(m - len(self.elements))
-        rows = count + (n - placed_speeds) + np.concatenate([elements, single_rows])
+        rows = count + (n - node_speeds) + np.concatenate([elements, single_rows])
         return np.concatenate([speeds, single_speeds, rows]).astype(np.int64)
 
     def _look(self, K: Matrix, G: Matrix) -> _PlannedPattern:
@@ -141,6 +141,7 @@ class SparseSaddle:
         place = np.empty_like(order)
         place[order] = np.arange(n + m)
         block = block[order]
+        # triplets of [[K, G^T], [G, 0]] in the order of the blocks
         (down, across), (row, constrained) = (coo_array(x).coords for x in (K, G))
         i = place[np.concatenate([down, n + row.astype(np.int64), constrained])]
         j = place[np.concatenate([across, constrained, n + row.astype(np.int64)])]
@@ -150,17 +151,18 @@ class SparseSaddle:
         multiplier, massless = np.cumsum(sizes) > n, np.zeros(nb, bool)
         massless[: len(self.massless)] = self.massless
         coupled = np.stack(np.divmod(pairs, max(nb, 1)), 1)
+        # the symbolic factorization depends on the pattern alone and is reused
         key = pairs.tobytes() + sizes.tobytes() + n.to_bytes(8, "little")
         if key not in self._plans:
             through = _through_rows(coupled, multiplier)
             self._plans.clear()
             self._plans[key] = plan(sizes, [coupled, through], multiplier, massless)
-        made = self._plans[key]
-        matrix = made.pattern
-        known = matrix.rows.astype(np.int64) * nb + matrix.column
-        start = matrix.value[np.searchsorted(known, pairs)][pair]
+        pattern_plan = self._plans[key]
+        matrix = pattern_plan.pattern
+        entries = matrix.rows.astype(np.int64) * nb + matrix.column
+        start = matrix.value[np.searchsorted(entries, pairs)][pair]
         at = start + (i - matrix.first[block[i]]) * matrix.stride[block[i]]
-        return _PlannedPattern(made, order, place, at + j - matrix.first[block[j]])
+        return _PlannedPattern(pattern_plan, order, place, at + j - matrix.first[block[j]])
 
 
 def _through_rows(coupled: Longs, multiplier: Booleans) -> Longs:

@@ -1,4 +1,4 @@
-"""What the commands about equilibria share: where they look, and under which loads."""
+"""Options shared by the commands about equilibria: where they look, and under which loads."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def arguments(parser: argparse.ArgumentParser) -> argparse._ArgumentGroup:
     group = parser.add_argument_group("where it rests")
     group.add_argument("--q", metavar="JOINT=VALUE", type=run_options.named, action="append",
                        default=[], help="coordinate to start from; again for another")  # fmt: skip
-    group.add_argument("--hold", metavar="JOINT=VALUE", type=run_options.named, action="append",
+    group.add_argument("--lock", metavar="JOINT=VALUE", type=run_options.named, action="append",
                        default=[], help="coordinate that is held, by what it takes")  # fmt: skip
     group.add_argument("--set", metavar="NAME=VALUE", type=run_options.named, action="append",
                        default=[], help="value of a parameter or input")  # fmt: skip
@@ -41,48 +41,55 @@ def model(options: argparse.Namespace) -> tuple[Scene, CompiledModel]:
         return scene, compile(scene)
 
 
-def loads(scene: Scene, found: CompiledModel, options: argparse.Namespace) -> dict[str, Any]:
+def loads(scene: Scene, model: CompiledModel, options: argparse.Namespace) -> dict[str, Any]:
     """Start and loads as equilibria take them."""
     values = dict(options.set)
-    inputs = {name: value for name, value in values.items() if name in found.inputs}
+    inputs = {name: value for name, value in values.items() if name in model.inputs}
     parameters = {name: value for name, value in values.items() if name not in inputs}
     q = {**scene.settings.get("q", {}), **dict(options.q)}
-    return {"q": q, "hold": dict(options.hold), "inputs": inputs, "parameters": parameters}
+    return {"q": q, "locked": dict(options.lock), "inputs": inputs, "parameters": parameters}
 
 
 def trim_arguments(group: argparse._ArgumentGroup) -> None:
     """Declare what is wanted and what is free."""
-    group.add_argument("--want", metavar="NAME=VALUE", type=run_options.named, action="append",
+    group.add_argument("--target", metavar="NAME=VALUE", type=run_options.named, action="append",
                        default=[], help="coordinate, speed or output with this value")  # fmt: skip
     group.add_argument("--free", metavar="NAME", action="append", default=[],
                        help="input, parameter, JOINT.force or SPEED that may change")  # fmt: skip
 
 
 def trim_values(scene: Scene, model: CompiledModel, options: argparse.Namespace) -> dict[str, Any]:
-    """What ``model.trim`` takes, of commands that look for a wanted motion.
+    """Arguments of ``model.trim`` for commands that look for a required motion.
 
     Raises:
         ModelError: something is held.
     """
-    given = loads(scene, model, options)
-    if given.pop("hold"):
-        raise ModelError("--hold does not go with --want: want it, and give --free JOINT.force")
-    return {**given, "wanted": dict(options.want), "free": options.free, "u": dict(options.u)}
-
-
-def numbers(found: Equilibrium) -> dict[str, Any]:
-    """An equilibrium for JSON."""
-    model = found.model
+    loads_named = loads(scene, model, options)
+    if loads_named.pop("locked"):
+        raise ModelError(
+            "--lock does not go with --target: make it a target, and give --free JOINT.force"
+        )
     return {
-        "converged": found.converged,
-        "message": found.message,
-        "stable": found.stable,
-        "unstable_directions": found.n_negative,
-        "free": list(found.loose),
-        "iterations": found.iterations,
-        "q": dict(zip(model.coordinates, found.q.tolist(), strict=True)),
-        "multipliers": dict(zip(model.multipliers_of, found.lam.tolist(), strict=True)),
-        "holding": dict(found.holding),
+        **loads_named,
+        "targets": dict(options.target),
+        "free": options.free,
+        "u": dict(options.u),
+    }
+
+
+def numbers(equilibrium: Equilibrium) -> dict[str, Any]:
+    """An equilibrium for JSON."""
+    model = equilibrium.model
+    return {
+        "converged": equilibrium.converged,
+        "message": equilibrium.message,
+        "stable": equilibrium.stable,
+        "unstable_directions": equilibrium.n_negative,
+        "free_motions": list(equilibrium.free_motions),
+        "iterations": equilibrium.iterations,
+        "q": dict(zip(model.coordinates, equilibrium.q.tolist(), strict=True)),
+        "multipliers": dict(zip(model.multipliers_of, equilibrium.lam.tolist(), strict=True)),
+        "holding_forces": dict(equilibrium.holding_forces),
     }
 
 

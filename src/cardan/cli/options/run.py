@@ -1,4 +1,4 @@
-"""What the commands that run a scene share: times, starts, tolerances, files they write."""
+"""Options shared by the commands that run a scene: times, starts, tolerances, output files."""
 
 from __future__ import annotations
 
@@ -44,10 +44,10 @@ def file(*endings: str) -> Callable[[str], Path]:
     """The type of a file whose ending says what it holds."""
 
     def path(text: str) -> Path:
-        found = Path(text)
-        if found.suffix.lower() not in endings:
+        target = Path(text)
+        if target.suffix.lower() not in endings:
             raise argparse.ArgumentTypeError(f"'{text}' does not end in {' or '.join(endings)}")
-        return found
+        return target
 
     return path
 
@@ -106,31 +106,31 @@ def _value(text: str) -> float:
 
 def named(text: str) -> tuple[str, float | list[float]]:
     """The type of ``elbow=0.3`` or ``ball=1,0,0,0``."""
-    name, found, numbers = text.rpartition("=")
+    name, separator, numbers = text.rpartition("=")
     try:
         values = [_value(x) for x in numbers.split(",")]
     except ValueError:
         values = []
-    if not (found and name and values and all(map(math.isfinite, values))):
+    if not (separator and name and values and all(map(math.isfinite, values))):
         raise argparse.ArgumentTypeError(f"'{text}' does not read JOINT=VALUE, such as elbow=0.3")
     return name, values[0] if len(values) == 1 else values
 
 
 def settings(scene: Scene, options: argparse.Namespace) -> dict[str, Any]:
     """Arguments of the run: the defaults, then what the file says, then what was typed."""
-    words = ("method", "rtol", "atol", "step")
-    typed = {"t": options.time} | {word: getattr(options, word) for word in words}
-    found = DEFAULTS | scene.settings | {k: value for k, value in typed.items() if value}
-    return found | _blocks(found, options)
+    keys = ("method", "rtol", "atol", "step")
+    typed = {"t": options.time} | {word: getattr(options, word) for word in keys}
+    values = DEFAULTS | scene.settings | {k: value for k, value in typed.items() if value}
+    return values | _blocks(values, options)
 
 
 def begin(scene: Scene, options: argparse.Namespace) -> dict[str, Any]:
     """End and start of the run, whatever method takes it: t, q, u, and z where the file says so."""
-    found = {k: value for k, value in scene.settings.items() if k in ("t", "q", "u", "z")}
-    found["t"] = options.time or found.get("t", DEFAULTS["t"])
-    return found | _blocks(found, options)
+    values = {k: value for k, value in scene.settings.items() if k in ("t", "q", "u", "z")}
+    values["t"] = options.time or values.get("t", DEFAULTS["t"])
+    return values | _blocks(values, options)
 
 
-def _blocks(found: dict[str, Any], options: argparse.Namespace) -> dict[str, Any]:
+def _blocks(values: dict[str, Any], options: argparse.Namespace) -> dict[str, Any]:
     """Initial values: what the file says, then what was typed."""
-    return {b: {**found.get(b, {}), **dict(getattr(options, b))} for b in ("q", "u", "z")}
+    return {b: {**values.get(b, {}), **dict(getattr(options, b))} for b in ("q", "u", "z")}

@@ -1,4 +1,4 @@
-"""What the commands that read a scene share: its file and how it is read."""
+"""Options shared by the commands that read a scene: its file and how to read it."""
 
 from __future__ import annotations
 

@@ -1,11 +1,11 @@
-"""What goes along with exported C: files of ``kernels/``, and functions that runs call."""
+"""Companions of exported C: files of ``kernels/``, and functions that runs call."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
 
+from ...schema import kernel_files
 from ...schema.integrators import KERNELS
-from .. import layout
 from . import linkage
 
 # integrators by their files
@@ -14,9 +14,9 @@ INTEGRATORS = {name: method for name, method in KERNELS.items() if not method.el
 CLOSING = (
     *("close_position", "close_velocity", "constraint_jacobian"),
     # what a start is judged by
-    *("constraints", "constraint_rates", "facing", "integrate", "difference", "qdot"),
+    *("constraints", "constraint_rates", "assembly_signs", "integrate", "difference", "qdot"),
 )
-HAPPENING = ("events", "transition")
+EVENT_FUNCTIONS = ("events", "transition")
 
 
 def needed(integrators: Iterable[str]) -> dict[str, None]:
@@ -33,4 +33,4 @@ def kernels(integrators: tuple[str, ...], elements: bool) -> dict[str, str]:
     """
     roots = ["export.c", *(["mesh_export.c"] if elements else [])]
     roots += ["simulate.c", *(f"{one}.c" for one in integrators)] if integrators else []
-    return {name: layout.kernel(name) for name in linkage.closure(roots)}
+    return {name: kernel_files.text(name) for name in linkage.closure(roots)}

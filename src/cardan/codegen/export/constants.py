@@ -13,7 +13,7 @@ KINDS = {"f": "double", "i": "ptrdiff_t"}
 
 
 class Name(str):
-    """What stands in C as it is: a name, or an expression of names."""
+    """Literal C text: a name, or an expression of names."""
 
     __slots__ = ()
 
@@ -72,8 +72,8 @@ class Constants:
         if not array.size:
             return None
         flat = array.tolist() if kind and array.ndim > 1 else array.ravel().tolist()
-        told = kind or ("int32_t" if array.dtype == np.int32 else KINDS[array.dtype.kind])
-        self._array(f"static const {told} {name}[]", _wrapped(map(_entry, flat)))
+        c_type = kind or ("int32_t" if array.dtype == np.int32 else KINDS[array.dtype.kind])
+        self._array(f"static const {c_type} {name}[]", _wrapped(map(_entry, flat)))
         return Name(name)
 
     def records(self, kind: str, name: str, rows: Sequence[Value]) -> Name | None:

@@ -12,7 +12,7 @@ from typing import Any
 from ...arguments import checked
 from ...equations.constraints.feasibility import feasibility
 from ...equations.record import EquationRecord
-from ...errors import CodegenError, DerivationError, near, shown
+from ...errors import CodegenError, DerivationError, brief, near
 from ...schema.c_functions import FunctionRow
 from ...schema.manifest import Manifest
 from .. import header, layout, manifest
@@ -33,8 +33,8 @@ FLAGS = ("-std=c99", "-O2", "-fno-math-errno")
 
 
 @dataclass(frozen=True)
-class Wanted:
-    """What both kinds of coordinates are asked for.
+class ExportRequest:
+    """Options of an export, for both kinds of coordinates.
 
     Attributes:
         target: The directory.
@@ -58,8 +58,8 @@ class Wanted:
         integrators: Sequence[str],
         reproducible: bool,
         prefix: str,
-    ) -> Wanted:
-        """What was asked for, if it makes sense.
+    ) -> ExportRequest:
+        """The options, checked.
 
         Raises:
             CodegenError: an unknown word, a directory that holds other things.
@@ -69,14 +69,14 @@ class Wanted:
             raise CodegenError(f"language '{language}' does not exist.{near(language, LANGUAGES)}")
         for name in methods:
             if name not in companions.INTEGRATORS:
-                known = near(name, companions.INTEGRATORS)
-                raise CodegenError(f"integrators: '{name}' does not exist.{known}")
+                hint = near(name, companions.INTEGRATORS)
+                raise CodegenError(f"integrators: '{name}' does not exist.{hint}")
         prefixes.check(prefix, language)
         check(target)
         return cls(target, language, methods, reproducible, prefix)
 
 
-def written(wanted: Wanted, fill: Callable[[Path], Content]) -> Path:
+def written(request: ExportRequest, fill: Callable[[Path], Content]) -> Path:
     """Write an export; it appears whole or not at all.
 
     Args:
@@ -89,27 +89,27 @@ def written(wanted: Wanted, fill: Callable[[Path], Content]) -> Path:
 
     def complete(folder: Path) -> None:
         content = fill(folder)
-        layout.add_files(folder, _texts(layout.manifest_of(folder), wanted, content))
-        if wanted.prefix:
-            prefixes.add(folder, wanted.prefix)
+        layout.add_files(folder, _texts(layout.manifest_of(folder), request, content))
+        if request.prefix:
+            prefixes.add(folder, request.prefix)
         (folder / layout.LOCK).unlink()
 
     try:
-        replaced(wanted.target, complete)
+        replaced(request.target, complete)
     except OSError as error:
         why = error.strerror or error
         raise CodegenError(
-            f"{wanted.target} cannot be written: {why}. Make room, or name another directory"
+            f"{request.target} cannot be written: {why}. Make room, or name another directory"
         ) from error
-    return wanted.target
+    return request.target
 
 
-def _texts(data: Manifest, wanted: Wanted, content: Content) -> dict[str, str]:
+def _texts(data: Manifest, request: ExportRequest, content: Content) -> dict[str, str]:
     """Everything beside the functions, by file name."""
-    methods, functions, elements = wanted.integrators, content.functions, data.absolute
-    flags = (*FLAGS, f"-ffp-contract={'off' if wanted.reproducible else 'on'}")
+    methods, functions, elements = request.integrators, content.functions, data.absolute
+    flags = (*FLAGS, f"-ffp-contract={'off' if request.reproducible else 'on'}")
     line = f"cc {' '.join(flags)} -DCARDAN_EXAMPLE -o example *.c -lm && ./example"
-    package = cython.package(data) if wanted.language == "cython" else ""
+    package = cython.package(data) if request.language == "cython" else ""
     headers = ["simulate.h" if methods else "export.h", *(["mesh_export.h"] if elements else [])]
     files = companions.kernels(methods, elements)
     files |= {
@@ -157,28 +157,28 @@ def export(
         DerivationError: an unknown function.
     """
     if not isinstance(functions, list | tuple | None):
-        raise CodegenError(f"functions={shown(functions)}: give a list such as ['rhs']")
+        raise CodegenError(f"functions={brief(functions)}: give a list such as ['rhs']")
     for one in functions or ():
         if not isinstance(one, str) and not (isinstance(one, tuple | list) and len(one) == 2):
-            raise CodegenError(f"functions: {shown(one)}: give names, or ('pose', 'hand')")
-    wanted = Wanted.checked(directory, language, integrators, reproducible, prefix)
-    asked = _asked(equations, functions, wanted.integrators)
+            raise CodegenError(f"functions: {brief(one)}: give names, or ('pose', 'hand')")
+    request = ExportRequest.checked(directory, language, integrators, reproducible, prefix)
+    requested = _requested(equations, functions, request.integrators)
 
     def fill(folder: Path) -> Content:
-        layout.write_model(folder, manifest.base(equations, tuple(n for n, _ in asked)))
-        made = []
-        for name, of in asked:
+        layout.write_model(folder, manifest.base(equations, tuple(n for n, _ in requested)))
+        texts = []
+        for name, of in requested:
             function = equations.form(name, of, loops)
             notes = equations.notes(name, of, function)
-            made.append((generate(function, equations.system.name, notes, of=of), function))
-        layout.add_functions(folder, made)
+            texts.append((generate(function, equations.system.name, notes, of=of), function))
+        layout.add_functions(folder, texts)
         entries = layout.manifest_of(folder).functions
         return Content(_ordered(entries), _closed(equations))
 
-    return written(wanted, fill)
+    return written(request, fill)
 
 
-def _asked(
+def _requested(
     equations: EquationRecord, functions: Sequence[Any] | None, integrators: tuple[str, ...]
 ) -> list[tuple[str, str | None]]:
     """Names of the functions to write, and to what they belong.
@@ -186,38 +186,38 @@ def _asked(
     Raises:
         DerivationError: one does not exist.
     """
-    known = equations.names()
+    available = equations.names()
     # equations that tell of no energy go without
-    usual = [name for name in STANDARD if name != "energy" or name in known]
-    asked = [(f, None) if isinstance(f, str) else tuple(f) for f in functions or usual]
+    usual = [name for name in STANDARD if name != "energy" or name in available]
+    requested = [(f, None) if isinstance(f, str) else tuple(f) for f in functions or usual]
     if integrators or not functions:
         # what keeps a closed system closed belongs to its dynamics
         # trees start anywhere
         closing = companions.CLOSING if equations.system.closed else ()
-        called = [n for n in (*closing, *companions.HAPPENING) if n in known]
+        called = [n for n in (*closing, *companions.EVENT_FUNCTIONS) if n in available]
         more = (*(("rhs",) if integrators else ()), *called, *companions.needed(integrators))
-        asked += [(name, None) for name in more if (name, None) not in asked]
-    for name, _ in asked:
-        if name not in known:
-            raise DerivationError(f"function '{name}' does not exist.{near(name, known)}")
-    return asked
+        requested += [(name, None) for name in more if (name, None) not in requested]
+    for name, _ in requested:
+        if name not in available:
+            raise DerivationError(f"function '{name}' does not exist.{near(name, available)}")
+    return requested
 
 
 def _ordered(entries: Mapping[str, FunctionRow]) -> dict[str, Exported]:
     """Functions of the manifest; first one that no run calls beside rhs, if there is one."""
-    called = {*companions.CLOSING, *companions.HAPPENING}
+    called = {*companions.CLOSING, *companions.EVENT_FUNCTIONS}
     called |= {*companions.needed(companions.INTEGRATORS)}
     ordered = sorted(entries, key=called.__contains__)
     return {name: Exported.of(entries[name]) for name in ordered}
 
 
 def _closed(equations: EquationRecord) -> dict[str, list[float]]:
-    """Coordinates at which all circuits close, next to the initial ones, where there are any."""
-    found = feasibility(equations) if equations.system.closed else None
-    if found is None or not found.closes:
+    """Coordinates at which all loops close, next to the initial ones, where there are any."""
+    closure = feasibility(equations) if equations.system.closed else None
+    if closure is None or not closure.closes:
         return {}
     # as many digits as are the same on every machine; a run closes the rest
-    return {"q": [round(float(x), DIGITS) + 0.0 for x in found.q]}
+    return {"q": [round(float(x), DIGITS) + 0.0 for x in closure.q]}
 
 
 def replaced(target: Path, fill: Callable[[Path], None]) -> None:

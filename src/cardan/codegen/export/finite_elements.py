@@ -17,13 +17,16 @@ from ..sources import source
 from ..writing import generate
 from . import companions
 from .constants import Name
-from .export import Wanted, written
+from .export import ExportRequest, written
 from .model_file import Content
 
 # what a run calls; what the example shows
-CALLED, SHOWN = ("rhs", "balance", "move", "qdot", "close_position", "close_velocity"), "energy"
+CALLED, EXAMPLE_FUNCTION = (
+    ("rhs", "balance", "move", "qdot", "close_position", "close_velocity"),
+    "energy",
+)
 # tolerances of ``simulate``: the method is none for many digits
-LOOSE = {"alpha": {"rtol": 1e-6, "atol": 1e-9}}
+TOLERANCES = {"alpha": {"rtol": 1e-6, "atol": 1e-9}}
 
 
 def _called(method: Integrator) -> set[str]:
@@ -68,12 +71,12 @@ def export(
             that elements in tables do not go with.
         DerivationError: an unknown function.
     """
-    wanted = Wanted.checked(directory, language, integrators, reproducible, prefix)
-    _check(absolute, wanted)
-    names = _asked(functions, wanted.integrators)
+    request = ExportRequest.checked(directory, language, integrators, reproducible, prefix)
+    _check(absolute, request)
+    names = _requested(functions, request.integrators)
 
     def fill(folder: Path) -> Content:
-        model_folder.write(folder, absolute, tuple(functions_header.WHOLE))
+        model_folder.write(folder, absolute, tuple(functions_header.ASSEMBLED))
         # what gives the data of elements by the parameters is C here too
         commons = model_folder.commons(absolute)
         if commons:
@@ -83,7 +86,7 @@ def export(
         nq, start = absolute.places.nq, planned.start.tolist()
         calls = Name("&cardan_calls_of_elements")
         return Content(
-            functions_header.exported(names, SHOWN),
+            functions_header.exported(names, EXAMPLE_FUNCTION),
             {"q": start[:nq], "u": start[nq:]},
             {
                 "mesh": Name("&mesh"),
@@ -92,7 +95,7 @@ def export(
                 "size": planned.size,
             },
             planned.columns,
-            LOOSE,
+            TOLERANCES,
             functions_header.declared(absolute, entries, planned, names),
             {
                 **{name: source(name) for name in ("elements.h", "elements.c")},
@@ -100,28 +103,28 @@ def export(
             },
         )
 
-    return written(wanted, fill)
+    return written(request, fill)
 
 
-def _check(absolute: FiniteElementRecord, wanted: Wanted) -> None:
+def _check(absolute: FiniteElementRecord, request: ExportRequest) -> None:
     """Refuse what elements in tables do not go with.
 
     Raises:
         CodegenError: a package, a method that needs other functions, or internal states.
     """
     name = absolute.system.name
-    if wanted.language != "c":
+    if request.language != "c":
         raise CodegenError(
-            f"language '{wanted.language}': model '{name}' is in absolute coordinates, whose "
+            f"language '{request.language}': model '{name}' is in absolute coordinates, whose "
             "elements are exported as C: language='c'. In Python use cardan.compile()"
         )
-    for method in wanted.integrators:
+    for method in request.integrators:
         if method not in METHODS:
             raise CodegenError(
                 f"integrators: '{method}' needs functions that absolute coordinates do not have. "
                 f"Model '{name}' goes with {', '.join(METHODS)}"
             )
-    if wanted.integrators and blocks.internals(absolute.system):
+    if request.integrators and blocks.internals(absolute.system):
         cure = "leave out what has them"
         if not absolute.system.segments:
             cure = "derive(scene, coordinates='relative')"
@@ -131,24 +134,25 @@ def _check(absolute: FiniteElementRecord, wanted: Wanted) -> None:
         )
 
 
-def _asked(functions: Sequence[Any] | None, integrators: Sequence[str]) -> tuple[str, ...]:
+def _requested(functions: Sequence[Any] | None, integrators: Sequence[str]) -> tuple[str, ...]:
     """Names of the functions to write, in their usual order.
 
     Raises:
         DerivationError: one does not exist.
     """
-    known = functions_header.WHOLE
-    asked = tuple(known) if functions is None else functions
-    for one in asked:
+    available = functions_header.ASSEMBLED
+    requested = tuple(available) if functions is None else functions
+    for one in requested:
         if not isinstance(one, str):
             raise DerivationError(
                 f"function '{one[0]}' of '{one[1]}': exports of absolute coordinates have "
-                f"functions of the whole model only; poses of nodes are in q: {', '.join(known)}"
+                "functions of the whole model only; poses of nodes are in q: "
+                f"{', '.join(available)}"
             )
-        if one not in known:
+        if one not in available:
             raise DerivationError(
                 f"function '{one}' does not exist in exports of absolute coordinates."
-                f"{near(one, known)}"
+                f"{near(one, available)}"
             )
-    needed = {*asked, SHOWN, *(CALLED if integrators else ())}
-    return tuple(name for name in known if name in needed)
+    needed = {*requested, EXAMPLE_FUNCTION, *(CALLED if integrators else ())}
+    return tuple(name for name in available if name in needed)

@@ -6,8 +6,7 @@ import re
 from collections.abc import Iterable
 from functools import cache
 
-from ...schema.records import KERNELS
-from .. import layout
+from ...schema import kernel_files
 
 # what headers declare and files define for others, at the beginnings of lines; what is
 # CARDAN_INLINE is static
@@ -43,28 +42,28 @@ def _defined() -> dict[str, str]:
     """The file of ``kernels/`` that defines a name."""
     return {
         name: path.name
-        for path in KERNELS.glob("*.c")
-        for name in external(layout.kernel(path.name))
+        for path in kernel_files.files("*.c")
+        for name in external(kernel_files.text(path.name))
     }
 
 
 @cache
 def _leads_to(file: str) -> frozenset[str]:
     """Files whose names another one uses, and those that it includes."""
-    text = layout.kernel(file)
+    text = kernel_files.text(file)
     code = SKIPPED.sub(" ", text)
     # headers declare much of which a file that includes them uses little
-    words = WORD.findall(_PROTOTYPE.sub(" ", code) if file.endswith(".h") else code)
-    used = {_defined()[name] for name in words if name in _defined()}
+    identifiers = WORD.findall(_PROTOTYPE.sub(" ", code) if file.endswith(".h") else code)
+    used = {_defined()[name] for name in identifiers if name in _defined()}
     return frozenset({*used, *_INCLUDED.findall(text)})
 
 
 def closure(files: Iterable[str]) -> tuple[str, ...]:
     """Files of ``kernels/`` with all others that they need, in the order of their names."""
-    known: set[str] = set()
+    included: set[str] = set()
     ahead = set(files)
     while ahead:
         file = ahead.pop()
-        known.add(file)
-        ahead |= _leads_to(file) - known
-    return tuple(sorted(known))
+        included.add(file)
+        ahead |= _leads_to(file) - included
+    return tuple(sorted(included))

@@ -21,7 +21,7 @@ STEP = 1e-3
 
 @dataclass(frozen=True)
 class Content:
-    """What an export of one kind of coordinates consists of.
+    """Contents of an export of one kind of coordinates.
 
     Attributes:
         functions: By name; the first is the one that the example shows.
@@ -35,9 +35,9 @@ class Content:
 
     functions: Mapping[str, Exported]
     start: Mapping[str, Sequence[float]]
-    own: Mapping[str, Value] = field(default_factory=dict)
+    fields: Mapping[str, Value] = field(default_factory=dict)
     columns: Any = ()
-    loose: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
+    tolerances: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
     declared: Sequence[str] = ()
     files: Mapping[str, str] = field(default_factory=dict)
 
@@ -50,13 +50,13 @@ def text(manifest: Manifest, content: Content, integrators: Sequence[str]) -> st
         content: Of the export.
         integrators: Methods of the export, by their kernels.
     """
-    functions, own, name = content.functions, content.own, comment(manifest.name)
+    functions, element_fields, name = content.functions, content.fields, comment(manifest.name)
     c = Constants(
         "/*",
         f" * model.c: values of model '{name}' to start from; the model as one",
         " * constant.",
         " */",
-        f'#include "{"tables.h" if own.get("elements") else "functions.h"}"',
+        f'#include "{"tables.h" if element_fields.get("elements") else "functions.h"}"',
     )
     for block in VALUES:
         values = content.start.get(block) or starts(manifest, block)
@@ -66,7 +66,9 @@ def text(manifest: Manifest, content: Content, integrators: Sequence[str]) -> st
         c.named(f"const double {array(block)}", values, map(comment, names))
     for one in integrators:
         c.lines.append(f"extern const cardan_method cardan_{one}_method;")
-    methods = [_method(one, {**TOLERANCES, **content.loose.get(one, {})}) for one in integrators]
+    methods = [
+        _method(one, {**TOLERANCES, **content.tolerances.get(one, {})}) for one in integrators
+    ]
     quaternions = manifest.quaternions
     c.say("all that a run must know of the model")
     fields: dict[str, Value] = {
@@ -86,7 +88,7 @@ def text(manifest: Manifest, content: Content, integrators: Sequence[str]) -> st
         **(
             _events(c, manifest) if integrators and {"events", "transition"} <= {*functions} else {}
         ),
-        **own,
+        **element_fields,
     }
     c.record("const cardan_export cardan_scene", fields)
     return c.text
@@ -104,22 +106,22 @@ def starts(manifest: Manifest, block: str) -> list[float]:
 
 def _rows(functions: Mapping[str, Exported]) -> list[Value]:
     rows: list[Value] = []
-    for own, entry in functions.items():
-        sizes = {k: Name(f"{own}_{k}_size") for k in entry.sizes}
-        row: dict[str, Value] = {"name": own, "function": Name(own), **sizes}
-        rows.append(row | ({"prepare": Name(f"prepare_{own}")} if "w" in sizes else {}))
+    for name, entry in functions.items():
+        sizes = {k: Name(f"{name}_{k}_size") for k in entry.sizes}
+        row: dict[str, Value] = {"name": name, "function": Name(name), **sizes}
+        rows.append(row | ({"prepare": Name(f"prepare_{name}")} if "w" in sizes else {}))
     return rows
 
 
 def _method(name: str, tolerances: Mapping[str, float]) -> Value:
-    known = KERNELS[name]
-    fixed = {} if known.adaptive else {"step": STEP}
+    record = KERNELS[name]
+    fixed = {} if record.adaptive else {"step": STEP}
     return {
         "name": name,
         "method": Name(f"&cardan_{name}_method"),
         **tolerances,
         **fixed,
-        "charted": known.charted,
+        "charted": record.charted,
     }
 
 
@@ -138,7 +140,7 @@ def _constraints(manifest: Manifest) -> dict[str, Value]:
 
 
 def _events(c: Constants, manifest: Manifest) -> dict[str, Value]:
-    """What happens, and when."""
+    """Event tables: kinds, signs and sample times."""
     modes, rows, kinds = [row.name for row in manifest.s], list[Value](), list[Value]()
     for row in manifest.events:
         mode, value = next(iter(row.decides.items()), ("", 0.0))

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 
-from ...errors import CodegenError, shown
+from ...errors import CodegenError, brief
 from ...schema.manifest import Manifest
 from .. import layout
 from . import linkage
@@ -15,18 +15,18 @@ from . import linkage
 _DEFINED = re.compile(r"^(?: {4}(?=\w+ = )|#define |typedef struct )(\w+)", re.M)
 _GUARD = re.compile(r"^#ifndef (CARDAN_\w+_H)$", re.M)
 # headers of which a program has one for each model; types of the others are the same for all
-OWN = ("model.h", "functions.h", "elements.h")
+MODEL_HEADERS = ("model.h", "functions.h", "elements.h")
 
 
 def check(prefix: str, language: str) -> None:
-    """Refuse what is no beginning of names in C, and packages: these never meet in one program.
+    """Refuse what is not a beginning of names in C, and packages: these never meet in one program.
 
     Raises:
         CodegenError: one of the two.
     """
     if prefix and not re.fullmatch(r"[A-Za-z]\w*", prefix, re.ASCII):
         raise CodegenError(
-            f"prefix={shown(prefix)}: names in C begin with a letter and go on with letters, "
+            f"prefix={brief(prefix)}: names in C begin with a letter and go on with letters, "
             "digits and _, such as 'arm_'"
         )
     if prefix and language != "c":
@@ -56,27 +56,27 @@ def add(folder: Path, prefix: str) -> None:
 
 def _names(texts: Mapping[str, str]) -> frozenset[str]:
     """Names with external linkage, and what the model's own headers define."""
-    found: set[str] = set()
+    names: set[str] = set()
     for text in texts.values():
-        found |= linkage.external(text)
-    for name in OWN:
-        found.update(_DEFINED.findall(texts.get(name, "")))
-    return frozenset(found - {"main"})
+        names |= linkage.external(text)
+    for name in MODEL_HEADERS:
+        names.update(_DEFINED.findall(texts.get(name, "")))
+    return frozenset(names - {"main"})
 
 
 def _shared(texts: Mapping[str, str]) -> set[str]:
     """Headers that those of the model itself lead to."""
     headers: set[str] = set()
-    ahead = [name for name in OWN if name in texts]
+    ahead = [name for name in MODEL_HEADERS if name in texts]
     while ahead:
         new = {*linkage.included(texts[ahead.pop()])} & texts.keys() - headers
         headers |= new
         ahead += sorted(new)
-    return headers.difference(OWN)
+    return headers.difference(MODEL_HEADERS)
 
 
 def _declared(text: str, prefix: str) -> str:
-    """What follows a header whose types are the same for all models: its functions once more.
+    """Prototypes after a header whose types are the same for all models.
 
     Where two models meet in one file, its guard hides the functions of the second.
     """
@@ -93,11 +93,11 @@ def _declared(text: str, prefix: str) -> str:
 
 def renamed(text: str, names: Iterable[str], prefix: str) -> str:
     """C with the prefix before some names, but in comments, strings and names of files."""
-    known = frozenset(names)
+    renamed_names = frozenset(names)
 
-    def word(found: re.Match[str]) -> str:
-        name = found.group()
-        return prefix + name if name in known else name
+    def word(match: re.Match[str]) -> str:
+        name = match.group()
+        return prefix + name if name in renamed_names else name
 
     parts, last = [], 0
     for skipped in linkage.SKIPPED.finditer(text):

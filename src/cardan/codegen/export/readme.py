@@ -59,11 +59,11 @@ def readme(
         use = f"`pip install .`, then `import {package}`"
         files[f"`{package}.pyx`, `setup.py`"] = f"a package for NumPy: {use}"
     listed = [
-        (f"`{name}`", ", ".join(entry.inputs), words(entry.about) + _shapes(entry))
+        (f"`{name}`", ", ".join(entry.inputs), escaped(entry.about) + _shapes(entry))
         for name, entry in functions.items()
     ]
     lines = [
-        f"# {words(manifest.name)}",
+        f"# {escaped(manifest.name)}",
         "",
         "C of a multibody model, written by cardan; nothing here needs cardan or Python.",
         *_table(("file", "what it is"), files.items()),
@@ -75,10 +75,10 @@ def readme(
         lines += ["", *EVENTS.splitlines()]
     for block in LISTED:
         rows = manifest.block(block)
-        names = [f"{words(row.name)} [{row.unit or '1'}]" for row in rows[:MOST]]
+        names = [f"{escaped(row.name)} [{row.unit or '1'}]" for row in rows[:MOST]]
         more = len(rows) - len(names)
-        shown = ", ".join(names) + (f" and {more} more in `model.h`" if more > 0 else "")
-        lines += ["", f"**{block}** ({BLOCKS[block]}, {len(rows)}): {shown or 'none'}"]
+        listing = ", ".join(names) + (f" and {more} more in `model.h`" if more > 0 else "")
+        lines += ["", f"**{block}** ({BLOCKS[block]}, {len(rows)}): {listing or 'none'}"]
     return "\n".join([*lines, "", source("elements.md" if meshed else "relative.md")])
 
 
@@ -90,7 +90,7 @@ def _table(head: Sequence[str], rows: Iterable[Sequence[str]]) -> list[str]:
 
 
 def _shapes(entry: Exported) -> str:
-    """What a function gives by name and shape."""
+    """Names and shapes of the results of a function."""
     shapes = ", ".join(f"{output.name} {tuple(output.shape)}" for output in entry.outputs)
     return f": {shapes}" if shapes else ""
 
@@ -101,10 +101,10 @@ def _kinds(manifest: Manifest) -> list[tuple[str, str, str]]:
     for group in manifest.elements.groups:
         counts[group.kind] = counts.get(group.kind, 0) + len(group.members)
     functions = {kind.name: ", ".join(kind.functions) for kind in manifest.elements.kinds}
-    return [(words(k), str(count), words(functions[k])) for k, count in counts.items()]
+    return [(escaped(k), str(count), escaped(functions[k])) for k, count in counts.items()]
 
 
-def words(text: str) -> str:
+def escaped(text: str) -> str:
     """Words of the user in Markdown."""
     plain = "".join(c if c.isprintable() else " " for c in text)
     return "".join(f"\\{c}" if c in "\\`*_{}[]<>|#&" else c for c in plain)

@@ -12,7 +12,7 @@ from ..header import Exported
 from . import tables_header
 
 
-class Whole(NamedTuple):
+class AssembledFunction(NamedTuple):
     """A function of the whole model: what it gives, the blocks it reads, how many numbers in C."""
 
     about: str
@@ -21,43 +21,43 @@ class Whole(NamedTuple):
 
 
 SOLVED = ("t", "q", "u", "s", "r")
-WHOLE = {
-    "rhs": Whole("derivative of the state: qdot, udot", SOLVED, "cardan_nq + cardan_nu"),
-    "forward_dynamics": Whole(
-        "accelerations udot, then the multipliers lam",
-        (*SOLVED, "tau"),
-        "cardan_nu + cardan_nlam",
+ASSEMBLED = {
+    "rhs": AssembledFunction(
+        "derivative of the state: qdot, udot", SOLVED, "cardan_nq + cardan_nu"
     ),
-    "balance": Whole(
+    "forward_dynamics": AssembledFunction(
+        "accelerations udot, then the multipliers lam", (*SOLVED, "tau"), "cardan_nu + cardan_nlam"
+    ),
+    "balance": AssembledFunction(
         "M udot + h - f - G^T lam, gaps of positions, of speeds",
         ("t", "q", "u", "udot", "lam", "s", "r"),
         "cardan_nu + cardan_npositions + cardan_nlam",
     ),
-    "mass_matrix": Whole(
+    "mass_matrix": AssembledFunction(
         "values of [M G^T; G 0], sparse: see model_pattern", SOLVED, "cardan_nvalues"
     ),
-    "energy": Whole("kinetic, potential and their sum", ("t", "q", "u", "s", "r"), "3"),
-    "momentum": Whole(
+    "energy": AssembledFunction("kinetic, potential and their sum", ("t", "q", "u", "s", "r"), "3"),
+    "momentum": AssembledFunction(
         "angular momentum about the origin of the ground, then linear",
         ("t", "q", "u", "s", "r"),
         "6",
     ),
-    "power": Whole("power of every source", SOLVED, "cardan_npowers"),
-    "outputs": Whole(
+    "power": AssembledFunction("power of every source", SOLVED, "cardan_npowers"),
+    "outputs": AssembledFunction(
         "outputs of the scene", ("t", "q", "u", "udot", "lam", "s", "r"), "cardan_noutputs"
     ),
-    "qdot": Whole("rates of the coordinates", ("q", "u"), "cardan_nq"),
-    "move": Whole(
+    "qdot": AssembledFunction("rates of the coordinates", ("q", "u"), "cardan_nq"),
+    "move": AssembledFunction(
         "coordinates moved by du along the speeds, then a rotation (3, 3) for every place",
         ("q", "du"),
         "cardan_nq + 9 * cardan_nplaces",
     ),
-    "close_position": Whole(
-        "coordinates a step nearer to closing all circuits, then how open they were",
+    "close_position": AssembledFunction(
+        "coordinates a step nearer to closing all loops, then how open they were",
         ("t", "q", "u", "r", "tau"),
         "cardan_nq + cardan_npositions",
     ),
-    "close_velocity": Whole(
+    "close_velocity": AssembledFunction(
         "speeds that the constraints allow, then what the given ones missed",
         ("t", "q", "u", "r", "tau"),
         "cardan_nu + cardan_nlam",
@@ -65,10 +65,10 @@ WHOLE = {
 }
 
 
-def exported(names: Sequence[str], shown: str) -> dict[str, Exported]:
+def exported(names: Sequence[str], example: str) -> dict[str, Exported]:
     """Functions of the whole model, the one that the example shows first."""
-    found = {name: WHOLE[name] for name in dict.fromkeys((shown, *names))}
-    return {name: Exported(w.about, w.reads, {"out": w.size}) for name, w in found.items()}
+    functions = {name: ASSEMBLED[name] for name in dict.fromkeys((example, *names))}
+    return {name: Exported(w.about, w.reads, {"out": w.size}) for name, w in functions.items()}
 
 
 def declared(
@@ -100,9 +100,9 @@ def declared(
     listed = [f"    cardan_{name} = {n}, /* {about} */" for name, (n, about) in sizes.items()]
     # no comma behind the last
     listed[-1] = listed[-1].replace(", /*", " /*", 1)
-    whole = [f"F({name}, cardan_mesh_call_{name})" for name in names]
+    calls = [f"F({name}, cardan_mesh_call_{name})" for name in names]
     return [
         *("", "enum {", *listed, "};", '#include "elements.h"', ""),
         "/* functions of the whole model, and what of the kernels each of them is */",
-        f"#define CARDAN_WHOLE(F) {' '.join(whole)}",
+        f"#define CARDAN_ELEMENT_CALLS(F) {' '.join(calls)}",
     ]

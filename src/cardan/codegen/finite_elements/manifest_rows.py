@@ -30,9 +30,9 @@ def rows(
     """
     runs = list(_runs(absolute))
     named = len(absolute.places) - len(absolute.inner)
-    own_q, own_u = _entries(absolute, named)
-    q = Rows(own_q, [run for run, _, _ in runs])
-    u = Rows(own_u, [run for _, run, _ in runs])
+    q_entries, u_entries = _entries(absolute, named)
+    q = Rows(q_entries, [run for run, _, _ in runs])
+    u = Rows(u_entries, [run for _, run, _ in runs])
     joints = Rows(_joints(absolute, named), [run for _, _, run in runs])
     if len(absolute.inner) > LISTED:
         return q, u, joints
@@ -40,22 +40,22 @@ def rows(
 
 
 def plane_of(kind: BlockKind) -> Plane | None:
-    """How nodes of a plane stand in space."""
+    """Planes of the nodes in space."""
     if kind.plane is None:
         return None
-    return Plane(spread=kind.plane.spread.tolist(), home=kind.plane.home.tolist())
+    return Plane(spread=kind.plane.to_space.tolist(), home=kind.plane.home.tolist())
 
 
 def _runs(
     absolute: FiniteElementRecord,
 ) -> Iterator[tuple[Run[CoordinateRow], Run[SpeedRow], Run[JointRow]]]:
-    """Of every segment the rows of the nodes inside of it."""
-    places, known, before = absolute.places, dict[str, int](), 0
+    """Rows of the nodes inside every segment."""
+    places, counts, before = absolute.places, dict[str, int](), 0
     for segment, line in zip(absolute.system.segments, absolute.lines, strict=True):
         count = segment.line.elements - 1
         # nodes are numbered along the whole beam
-        first = known.get(segment.name, 0) + 1
-        known[segment.name] = first + count - 1
+        first = counts.get(segment.name, 0) + 1
+        counts[segment.name] = first + count - 1
         if not count:
             continue
         values = absolute.inner[before : before + count]
@@ -63,15 +63,15 @@ def _runs(
         kind = places.kinds[places.kind[place]]
         stem = (f"{segment.name}.node", first)
         q, u = ((int(starts[place]), n) for starts, n in _starts(absolute, kind))
-        own = _joint(kind, {TEXT: [*stem, ""]}, q, u)
-        own |= {name: {INTEGER: [start, n, n]} for name, (start, n) in (("q", q), ("u", u))}
+        pattern = _joint(kind, {TEXT: [*stem, ""]}, q, u)
+        pattern |= {name: {INTEGER: [start, n, n]} for name, (start, n) in (("q", q), ("u", u))}
         if kind.quaternion is not None:
-            own["quaternion"] = {INTEGER: [q[0] + kind.quaternion, kind.nq]}
+            pattern["quaternion"] = {INTEGER: [q[0] + kind.quaternion, kind.nq]}
         none = np.zeros((count, 0))
         yield (
             Run(CoordinateRow, count, tuple(_coordinates(kind, stem)), values),
             Run(SpeedRow, count, tuple(_speeds(kind, stem)), none),
-            Run(JointRow, count, (own,), none),
+            Run(JointRow, count, (pattern,), none),
         )
 
 
@@ -106,9 +106,13 @@ def _entries(
     u: list[SpeedRow] = []
     for owner, k in zip(places.names[:named], places.kind[:named], strict=True):
         kind = places.kinds[k]
-        own = starts.get(owner) or kind.defaults
+        start_values = starts.get(owner) or kind.defaults
         # where a node of a plane starts follows from the pose that was asked for
-        defaults = own if len(own) == kind.nq or kind.plane is None else kind.plane.first(own)
+        defaults = (
+            start_values
+            if len(start_values) == kind.nq or kind.plane is None
+            else kind.plane.first(start_values)
+        )
         for part, unit, default in zip(kind.coordinates, kind.q_units, defaults, strict=True):
             name = f"{owner}.{part}" if part else owner
             q.append(CoordinateRow(name=name, unit=unit, default=default, joint=owner))
@@ -119,30 +123,30 @@ def _entries(
 
 
 def _start(kind: BlockKind, joint: Joint | None, name: str) -> list[float] | None:
-    """Where the model says that a place starts, in its own coordinates."""
-    given = None if joint is None else getattr(joint, name)
-    if given is None:
+    """Start values of a place in its own coordinates, from the model."""
+    values = None if joint is None else getattr(joint, name)
+    if values is None:
         return None
     if kind.plane is None:
-        return list(given)
-    return list(kind.plane.first(given) if name == "q0" else kind.plane.spread.T @ given)
+        return list(values)
+    return list(kind.plane.first(values) if name == "q0" else kind.plane.to_space.T @ values)
 
 
 def _joints(absolute: FiniteElementRecord, named: int) -> list[JointRow]:
     """Rows of the first places, which histories and initial values know by name."""
     places = absolute.places
-    known = {joint.name: joint for joint in absolute.system.joints}
-    found: list[JointRow] = []
+    joints_by_name = {joint.name: joint for joint in absolute.system.joints}
+    rows: list[JointRow] = []
     for k, name in enumerate(places.names[:named]):
-        kind, joint = places.kinds[places.kind[k]], known.get(name)
+        kind, joint = places.kinds[places.kind[k]], joints_by_name.get(name)
         row = _joint(kind, name, (int(places.q[k]), kind.nq), (int(places.u[k]), kind.nu))
         row |= {"q0": _start(kind, joint, "q0"), "u0": _start(kind, joint, "u0")}
         if joint is not None:
             row |= {"domain": joint.element.domain, "limits": limits_of(joint)}
             if kind.plane is None:
                 row["kind"] = joint.element.kind
-        found.append(JointRow(**row))
-    return found
+        rows.append(JointRow(**row))
+    return rows
 
 
 def _joint(kind: BlockKind, name: Any, q: tuple[int, int], u: tuple[int, int]) -> Pattern:

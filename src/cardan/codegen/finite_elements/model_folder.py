@@ -28,7 +28,7 @@ FILE = "mesh.npz"
 
 
 def base(absolute: FiniteElementRecord, functions: Sequence[str]) -> Base:
-    """What the manifest says before any function is written.
+    """Manifest before any function is written.
 
     Args:
         absolute: The equations.
@@ -77,7 +77,7 @@ def saved(absolute: FiniteElementRecord) -> tuple[Function, ...]:
 
 
 def commons(absolute: FiniteElementRecord) -> tuple[Function, ...]:
-    """What gives the data of elements by the parameters, of the groups that have such data."""
+    """Functions that give the data of elements from the parameters, for groups with such data."""
     return tuple(
         replace(group.common, name=common_name(k, group))
         for k, group in enumerate(absolute.groups)
@@ -91,7 +91,7 @@ def common_name(k: int, group: Group) -> str:
 
 
 def functions(absolute: FiniteElementRecord) -> tuple[Function, ...]:
-    """What is written as C: the functions of all kinds of elements and places."""
+    """Functions written as C: those of all kinds of elements and places."""
     kinds: Sequence[Kind | BlockKind] = (*absolute.kinds, *absolute.places.kinds)
     return tuple({f.name: f for kind in kinds for f in kind.functions.values()}.values())
 
@@ -104,8 +104,8 @@ def numbers(absolute: FiniteElementRecord) -> bytes:
     tables |= {f"stations_{k}": segment.line.stations for k, segment in enumerate(segments)}
     for k, group in enumerate(absolute.groups):
         tables[f"place_{k}"] = group.places
-        for name in ("own", "z", "s", "outputs", "powers"):
-            values = getattr(group, name)
+        integers = {name: getattr(group, name) for name in ("z", "s", "outputs", "powers")}
+        for name, values in {"own": group.attributes, **integers}.items():
             if values is not None:
                 tables[f"{name}_{k}"] = values
     room = io.BytesIO()
@@ -127,12 +127,12 @@ def write(folder: Path, absolute: FiniteElementRecord, available: Sequence[str])
     """
     layout.write_model(folder, base(absolute, available))
     layout.add_files(folder, {FILE: numbers(absolute)})
-    wanted = {f.name: f for f in functions(absolute)}
-    missing = [wanted[each] for each in layout.missing(folder, list(wanted))]
+    functions_by_name = {f.name: f for f in functions(absolute)}
+    missing = [functions_by_name[each] for each in layout.missing(folder, list(functions_by_name))]
     # no word of the model: what its elements share with those of others is compiled once
-    made = [(generate(f), f) for f in missing]
-    if made:
-        layout.add_functions(folder, made)
+    texts = [(generate(f), f) for f in missing]
+    if texts:
+        layout.add_functions(folder, texts)
 
 
 def _place(kind: BlockKind) -> PlaceKind:
@@ -161,12 +161,12 @@ def _kind(kind: Kind, groups: Sequence[Group]) -> ElementKind:
     )
 
 
-def parts(found: Mapping[str, Function]) -> dict[str, int]:
-    """Where the matrices of a tangent begin in its results."""
-    if "balance_tangent" not in found:
+def parts(functions_by_name: Mapping[str, Function]) -> dict[str, int]:
+    """Offsets of the matrices of a tangent in its results."""
+    if "balance_tangent" not in functions_by_name:
         return {}
     starts, at = {}, 0
-    for output in found["balance_tangent"].outputs:
+    for output in functions_by_name["balance_tangent"].outputs:
         if output.name in PARTS:
             starts[output.name] = at
         at += output.size
@@ -179,12 +179,12 @@ def _group(k: int, group: Group) -> GroupRow:
 
 def _reference(absolute: FiniteElementRecord) -> list[float]:
     """Coordinates of the joints in the reference configuration, as ``states`` takes them."""
-    found: list[float] = []
+    values: list[float] = []
     for joint in absolute.system.joints:
-        own = [c.default for c in joint.element.coordinates]
+        defaults = [c.default for c in joint.element.coordinates]
         if joint.q >= 0:
-            found += joint.q0 if joint.implicit and joint.q0 is not None else own
-    return [float(x) for x in found]
+            values += joint.q0 if joint.implicit and joint.q0 is not None else defaults
+    return [float(x) for x in values]
 
 
 def _beam_nodes(absolute: FiniteElementRecord) -> list[int]:
@@ -198,13 +198,13 @@ def _quaternions(absolute: FiniteElementRecord) -> list[int]:
     """First entry of every unit quaternion in q."""
     places = absolute.places
     at = np.array([-1 if k.quaternion is None else k.quaternion for k in places.kinds])
-    own = at[places.kind] if len(at) else np.zeros(0, dtype=int)
-    return [int(start) for start in (places.q[:-1] + own)[own >= 0]]
+    offsets = at[places.kind] if len(at) else np.zeros(0, dtype=int)
+    return [int(start) for start in (places.q[:-1] + offsets)[offsets >= 0]]
 
 
 def _multipliers(absolute: FiniteElementRecord) -> list[MultiplierRow]:
     """Rows of the multipliers, those of positions first."""
-    made = [
+    rows = [
         MultiplierRow(
             name=f"{member}.{row}" if row else member,
             unit=unit,
@@ -215,7 +215,7 @@ def _multipliers(absolute: FiniteElementRecord) -> list[MultiplierRow]:
         for member in group.members
         for k, (row, unit) in enumerate(group.kind.rows)
     ]
-    return sorted(made, key=lambda row: row.level != "position")
+    return sorted(rows, key=lambda row: row.level != "position")
 
 
 def _beams(absolute: FiniteElementRecord) -> Iterator[BeamRow]:

@@ -49,12 +49,12 @@ def rooms(absolute: FiniteElementRecord, entries: Mapping[str, FunctionRow]) -> 
     """Numbers that the data of a group take with what finds them, and those that are prepared."""
     data, prepared = 0, 0
     for k, group in enumerate(absolute.groups):
-        own = 0 if group.own is None else group.own.shape[1]
+        attributes = 0 if group.attributes is None else group.attributes.shape[1]
         scratch, each = 0, 0
         if group.common is not None:
             entry, each = entries[common_name(k, group)], group.common.outputs[0].shape[-1]
             scratch = entry.output_size + entry.prepared_size + entry.work_size
-        data = max(data, (own + each) * len(group) + scratch)
+        data = max(data, (attributes + each) * len(group) + scratch)
         used = (f.name for name, f in group.kind.functions.items() if name in FORMS)
         prepared += len(group) * sum(entries[name].prepared_size for name in used)
     return data, prepared
@@ -97,35 +97,38 @@ def tables(
         data.append(_data(c, k, group, entry))
     _mesh(c, planned)
     room, nw = rooms(absolute, entries)
-    own: dict[str, Value] = {
+    fields: dict[str, Value] = {
         "mesh": Name("&mesh"),
         "functions": c.records("cardan_element_function", "element_functions", called),
         "function_count": len(called),
         "data": c.records("cardan_element_data", "element_data", data),
         "data_room": room,
         "nw": nw,
-        "held": c.numbers("held", planned.held.astype(float)),
+        "locked": c.numbers("locked", planned.locked.astype(float)),
     }
-    c.record("static const cardan_elements elements", own)
+    c.record("static const cardan_elements elements", fields)
     c.lines += ["", "#endif"]
     return c.text
 
 
 def _data(c: Constants, k: int, group: Group, entry: FunctionRow | None) -> dict[str, Value]:
-    """What the elements of a group are given, as ``cardan_element_data``."""
+    """Data of the elements of a group, as ``cardan_element_data``."""
     fields: dict[str, Value] = {"size": 0}
     if entry is not None and group.common is not None:
         shape = group.common.outputs[0].shape
         fields = _called(entry) | {"size": entry.output_size, "nw": entry.prepared_size}
         fields |= {"each": shape[-1], "alike": len(shape) == 1}
-    if group.own is not None and group.own.size:
-        fields |= {"own": c.numbers(f"own_{k}", group.own), "more": group.own.shape[1]}
+    if group.attributes is not None and group.attributes.size:
+        fields |= {
+            "attributes": c.numbers(f"attributes_{k}", group.attributes),
+            "more": group.attributes.shape[1],
+        }
     return fields
 
 
 def _mesh(c: Constants, planned: Planned) -> None:
     """The mesh, without what is prepared of its groups."""
-    c.say("the groups, then places that are no poses, the plan, the whole")
+    c.say("the groups, then places that are not poses, the plan, the whole")
     groups = [_fields(c, each, f"_{k}") for k, each in enumerate(planned.groups)]
     movers = [
         _fields(c, each, f"_of_mover_{k}") | {name: Name(symbol) for name, symbol in named.items()}
@@ -145,10 +148,10 @@ def _mesh(c: Constants, planned: Planned) -> None:
 
 def _fields(c: Constants, fields: Fields, ending: str) -> dict[str, Value]:
     """Fields of a record; their tables stand before it under the names of the fields."""
-    found: dict[str, Value] = {}
+    written: dict[str, Value] = {}
     for name, value in fields.items():
         if value is None or isinstance(value, int):
-            found[name] = value
+            written[name] = value
         else:
-            found[name] = c.numbers(name + ending, value, RECORDS.get(name, ""))
-    return found
+            written[name] = c.numbers(name + ending, value, RECORDS.get(name, ""))
+    return written

@@ -23,8 +23,8 @@ from ..program.program import (
     Section,
     Solve,
     Statement,
+    StridedLoop,
     Table,
-    Turning,
     Value,
 )
 from .expressions import definitions
@@ -68,7 +68,9 @@ def write(program: Program) -> str:
     lines = ["/*"]
     for number, paragraph in enumerate(program.head):
         lines.extend([" *"] if number else [])
-        lines.extend(piece for line in paragraph for piece in _wrapped(f" * {line}", "", " *     "))
+        lines.extend(
+            text_line for line in paragraph for text_line in _wrapped(f" * {line}", "", " *     ")
+        )
     lines.append(" */")
     lines.extend(f'#include "{name}"' for name in program.includes)
     for table in program.tables:
@@ -85,11 +87,11 @@ def write(program: Program) -> str:
 
 
 def sizes(name: str, numbers: Sequence[int]) -> str:
-    """What loaders compare with the manifest, as a constant of the shared object."""
-    told = ", ".join(map(str, numbers))
+    """Constant of the shared object that loaders compare with the manifest."""
+    listed = ", ".join(map(str, numbers))
     return (
         "\n#ifdef CARDAN_LOADED\n/* numbers of out, work, w and of the blocks that are read: "
-        f"see manifest.json */\nconst int {name}_sizes[] = {{{told}}};\n#endif\n"
+        f"see manifest.json */\nconst int {name}_sizes[] = {{{listed}}};\n#endif\n"
     )
 
 
@@ -153,7 +155,7 @@ class _Writer:
     def __init__(self, scope: Scope, program: Program) -> None:
         self.program = program
         self.scope = scope
-        self.definitions, self.pieces = definitions(scope)
+        self.definitions, self.texts = definitions(scope)
         self.touched: set[str] = set()
         self.checked = False
 
@@ -180,7 +182,7 @@ class _Writer:
 
         Literals and, among states, parameters are plain numbers and become what the array holds.
         """
-        text = self.pieces[value][0] if isinstance(value, int) else self._place(value)
+        text = self.texts[value][0] if isinstance(value, int) else self._place(value)
         if isinstance(value, Place):
             plain = value.array == "w" and not prepared
         else:
@@ -188,7 +190,7 @@ class _Writer:
         return f"CARDAN_{'W' if prepared else ''}REAL({text})" if plain else text
 
     def _plain(self, i: int) -> bool:
-        """Whether a node of a stage of states is made of literals and parameters."""
+        """True when a node of a stage of states is made of literals and parameters."""
         node = self.scope.graph.nodes[i]
         if node[0] == "const":
             return True
@@ -240,7 +242,7 @@ class _Writer:
             lines.append(f"{indent}{case}: {self._run(step)} break;")
         lines.append(f"{indent}}}")
 
-    def _turning(self, s: Turning, indent: str, lines: list[str]) -> None:
+    def _strided(self, s: StridedLoop, indent: str, lines: list[str]) -> None:
         size = len(s.steps) * s.width
         deep = indent + STEP
         advance = f"for (int k = 0; k < {size}; ++k) row[k]"
@@ -258,17 +260,17 @@ class _Writer:
         lines.append(f"{indent}}}")
 
     def _solve(self, s: Solve, indent: str, lines: list[str]) -> None:
-        """What is missing of A and B into the arrays, then the kernel."""
-        size, whole = s.n * s.n, self.scope.arrays[s.arrays[0]]
+        """Write the missing entries of A and B into the arrays, then call the kernel."""
+        size, array = s.n * s.n, self.scope.arrays[s.arrays[0]]
         at = 0
         for node, run in groupby(s.entries):
             start, at = at, at + len(list(run))
             if node == ZERO and at - start > FEW:
-                begin, end = whole.start + start, whole.start + at
+                begin, end = array.start + start, array.start + at
                 lines.append(
-                    f"{indent}for (int i = {begin}; i < {end}; ++i) {whole.base}[i] = 0.0;"
+                    f"{indent}for (int i = {begin}; i < {end}; ++i) {array.base}[i] = 0.0;"
                 )
-                self.touched.add(whole.base)
+                self.touched.add(array.base)
             elif node is not None:
                 for k in range(start, at):
                     place = Place(s.arrays[k >= size], k - size * (k >= size))
@@ -277,7 +279,7 @@ class _Writer:
         for name in s.arrays:
             self.touched.add(name)
             arguments.append(f"{name}[0]" if self.scope.arrays[name].columns > 1 else name)
-        status = "status |= " if whole.base == "work" else "(void)"
+        status = "status |= " if array.base == "work" else "(void)"
         self.checked = True
         lines.append(f"{indent}/* {comment(s.comment)} */")
         call = f"{indent}{status}CARDAN_SOLVE({s.kind}, {s.n}, {s.m}, {', '.join(arguments)});"
@@ -318,7 +320,7 @@ _WRITERS: dict[type, Callable[[_Writer, Any, str, list[str]], None]] = {
     Section: _Writer._section,
     Call: _Writer._call,
     Dispatch: _Writer._dispatch,
-    Turning: _Writer._turning,
+    StridedLoop: _Writer._strided,
     Solve: _Writer._solve,
     Loop: _Writer._loop,
 }

@@ -163,12 +163,7 @@ def _function(name: str, entry: FunctionRow, nq: int, nu: int, nz: int) -> str:
     outputs = entry.outputs
     shape = tuple(outputs[0].shape) if len(outputs) == 1 else (entry.output_size,)
     entries = [text for o in outputs for text in _named(o)]
-    lines = [
-        f"def {name}({signature}):",
-        f'    """{_text(entry.about or name)}.',
-        "",
-        "    Args:",
-    ]
+    lines = [f"def {name}({signature}):", f'    """{_text(entry.about or name)}.', "", "    Args:"]
     lines += [f"        {block}: {ARGUMENTS[block].text}" for block in takes]
     lines += ["", "    Returns:", f"        Array (..., {', '.join(map(str, shape))})"]
     lines[-1] += f": {_text(', '.join(entries))}" if len(entries) <= 12 else ""
@@ -177,8 +172,8 @@ def _function(name: str, entry: FunctionRow, nq: int, nu: int, nz: int) -> str:
     if "x" in takes:
         lines += ["    x = np.asarray(x, dtype=float)"]
         at = takes.index("x")
-        rest = f"x[..., {nq}:{nq + nu}]" if nz else f"x[..., {nq}:]"
-        parts = {"q": f"x[..., :{nq}]", "u": rest} | ({"z": f"x[..., {nq + nu}:]"} if nz else {})
+        speeds = f"x[..., {nq}:{nq + nu}]" if nz else f"x[..., {nq}:]"
+        parts = {"q": f"x[..., :{nq}]", "u": speeds} | ({"z": f"x[..., {nq + nu}:]"} if nz else {})
         blocks[at : at + 1], values[at : at + 1] = [*parts], [*parts.values()]
     row = ", ".join(f'"{block}"' for block in blocks)
     lines += [
@@ -209,7 +204,7 @@ def _literal(value: Any) -> str:
     return pformat(value, width=96, compact=True, sort_dicts=False)
 
 
-def _text(words: str) -> str:
+def _text(text: str) -> str:
     """Words of the user inside a docstring."""
-    plain = "".join(c if c.isprintable() else " " for c in words)
+    plain = "".join(c if c.isprintable() else " " for c in text)
     return plain.replace("\\", "\\\\").replace('"', "'")

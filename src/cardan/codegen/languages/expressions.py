@@ -13,13 +13,13 @@ from ...ir.graph import Node
 from ...ir.ops import OPERATORS
 from ..program.program import Scope
 
-# how tightly a text holds together; a text that begins with "-" is no ATOM
+# how tightly a text holds together; a text that begins with "-" is not an ATOM
 SUM, PRODUCT, ATOM = 0, 1, 2
 ELSEWHERE = frozenset({"var", "solve", "item"})
-Piece = tuple[str, int]
+Fragment = tuple[str, int]
 
 
-def definitions(scope: Scope) -> tuple[dict[int, str], dict[int, Piece]]:
+def definitions(scope: Scope) -> tuple[dict[int, str], dict[int, Fragment]]:
     """Texts of the nodes of a scope.
 
     Returns:
@@ -27,29 +27,29 @@ def definitions(scope: Scope) -> tuple[dict[int, str], dict[int, Piece]]:
     """
     nodes, names, outside = scope.graph.nodes, scope.names, scope.outside
     texts: dict[int, str] = {}
-    pieces: dict[int, Piece] = {}
+    fragments: dict[int, Fragment] = {}
     for i in scope.order:
         node = nodes[i]
         op = node[0]
         name = names.get(i)
         if i in outside or op in ELSEWHERE:
             if name is not None:
-                pieces[i] = name, ATOM
+                fragments[i] = name, ATOM
             continue
         if op in INFIX:
-            made = INFIX[op](pieces[node[1]], pieces[node[2]])
+            fragment = INFIX[op](fragments[node[1]], fragments[node[2]])
         elif op == "const":
-            made = repr(node[1]), ATOM if node[1] >= 0 else PRODUCT
+            fragment = repr(node[1]), ATOM if node[1] >= 0 else PRODUCT
         elif op == "neg":
-            made = negated(pieces[node[1]])
+            fragment = negated(fragments[node[1]])
         else:
-            made = CALLS[op](scope, node, [pieces[k][0] for k in node[1:]]), ATOM
-        texts[i] = made[0]
-        pieces[i] = made if name is None else (name, ATOM)
-    return texts, pieces
+            fragment = CALLS[op](scope, node, [fragments[k][0] for k in node[1:]]), ATOM
+        texts[i] = fragment[0]
+        fragments[i] = fragment if name is None else (name, ATOM)
+    return texts, fragments
 
 
-def sum_of(a: Piece, b: Piece) -> Piece:
+def sum_of(a: Fragment, b: Fragment) -> Fragment:
     """a + b."""
     (left, l), (right, r) = a, b
     if r == SUM:
@@ -63,7 +63,7 @@ def sum_of(a: Piece, b: Piece) -> Piece:
     return f"{left} + {right}", SUM
 
 
-def difference_of(a: Piece, b: Piece) -> Piece:
+def difference_of(a: Fragment, b: Fragment) -> Fragment:
     """a - b."""
     left, (right, r) = a[0], b
     if r == SUM:
@@ -73,7 +73,7 @@ def difference_of(a: Piece, b: Piece) -> Piece:
     return f"{left} - {right}", SUM
 
 
-def product_of(a: Piece, b: Piece) -> Piece:
+def product_of(a: Fragment, b: Fragment) -> Fragment:
     """a b."""
     (left, l), (right, r) = a, b
     if l == SUM:
@@ -88,7 +88,7 @@ def product_of(a: Piece, b: Piece) -> Piece:
     return f"{left} * {right}", PRODUCT
 
 
-def quotient_of(a: Piece, b: Piece) -> Piece:
+def quotient_of(a: Fragment, b: Fragment) -> Fragment:
     """a / b."""
     (left, l), (right, r) = a, b
     if l == SUM:
@@ -98,7 +98,7 @@ def quotient_of(a: Piece, b: Piece) -> Piece:
     return f"{left} / {right}", PRODUCT
 
 
-def negated(a: Piece) -> Piece:
+def negated(a: Fragment) -> Fragment:
     """-a."""
     text, level = a
     if level == SUM:
@@ -106,7 +106,7 @@ def negated(a: Piece) -> Piece:
     return (text[1:] if text[0] == "-" else f"-{text}"), PRODUCT
 
 
-INFIX: dict[str, Callable[[Piece, Piece], Piece]] = {
+INFIX: dict[str, Callable[[Fragment, Fragment], Fragment]] = {
     "add": sum_of,
     "sub": difference_of,
     "mul": product_of,

@@ -19,21 +19,21 @@ def first(plan: Plan) -> list[int]:
     nodes, reads = plan.graph.nodes, plan.reads
     # what follows from no sine, no cosine and no linear system
     early: set[int] = set()
-    turned = []
+    angles = []
     for i, read in reads.items():
         if all(k in early or k not in reads for k in read):
             if nodes[i][0] in OPERATORS:
-                turned.append(i)
+                angles.append(i)
             elif nodes[i][0] != "solve":
                 early.add(i)
     needed: set[int] = set()
-    waiting = [k for i in turned for k in reads[i]]
+    waiting = [k for i in angles for k in reads[i]]
     while waiting:
         k = waiting.pop()
         if k in reads and k not in needed:
             needed.add(k)
             waiting.extend(reads[k])
-    return [*(i for i in reads if i in needed), *turned]
+    return [*(i for i in reads if i in needed), *angles]
 
 
 def groups(

@@ -1,4 +1,4 @@
-"""What stands at the top of a generated file: what it computes, from what, at what cost."""
+"""Head of a generated file: its results, inputs and cost."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from .routines import Built
 
 
 class Cost(NamedTuple):
-    """What a call needs: lengths of work and w, operations of the call and of prepare."""
+    """Cost of a call: lengths of work and w, operations of the call and of prepare."""
 
     work: int
     w: int
@@ -29,8 +29,8 @@ LONG = 150
 def operations(built: Built) -> dict[str, int]:
     """Number of computed nodes per operator, the most frequent first."""
     counts = built.operators
-    found = [(op, n) for op, n in counts.items() if op not in LEAVES and op != "item"]
-    return dict(sorted(found, key=lambda row: (-row[1], row[0])))
+    rows = [(op, n) for op, n in counts.items() if op not in LEAVES and op != "item"]
+    return dict(sorted(rows, key=lambda row: (-row[1], row[0])))
 
 
 def head(
@@ -61,13 +61,13 @@ def head(
         f"Operations per call: {_counts(cost.run)}",
         f"Operations of prepare: {_counts(cost.prepare)}",
     )
-    found = [tuple(first), sizes]
-    found.extend(_input(block) for block in function.inputs if block.name in blocks)
+    paragraphs = [tuple(first), sizes]
+    paragraphs.extend(_input(block) for block in function.inputs if block.name in blocks)
     at = 0
     for output in function.outputs:
-        found.append(_output(output, at))
+        paragraphs.append(_output(output, at))
         at += output.size
-    return tuple(found)
+    return tuple(paragraphs)
 
 
 def _counts(counts: dict[str, int]) -> str:
@@ -101,8 +101,8 @@ def _entries(array: str, at: int, entries: Sequence[str], units: Sequence[str]) 
     """One line per entry: element, name and unit."""
     if len(entries) > LONG:
         return (f"  {array}[{at} ... {at + len(entries) - 1}]: named where they are read",)
-    found = []
+    lines = []
     for k, entry in enumerate(entries):
         unit = f" [{units[k]}]" if units and units[k] else ""
-        found.append(comment(f"  {array}[{at + k}]  {entry}{unit}"))
-    return tuple(found)
+        lines.append(comment(f"  {array}[{at + k}]  {entry}{unit}"))
+    return tuple(lines)

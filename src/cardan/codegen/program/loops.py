@@ -17,7 +17,7 @@ from ...ir.function import Staged
 from ...ir.graph import Graph
 from ...ir.recursion import STORE, Recursion, Turns, Visit
 from .file_head import Cost, head, operations
-from .lowering import check_name, described, tables
+from .lowering import check_name, description, tables
 from .program import (
     Dispatch,
     Index,
@@ -28,8 +28,8 @@ from .program import (
     Scope,
     Section,
     Statement,
+    StridedLoop,
     Table,
-    Turning,
 )
 from .routines import Built, Result, Stage, build, headers
 from .values import Values
@@ -39,7 +39,7 @@ AT, STORED = "at", "stored"
 ROWS = "a row is a visit: number of the step, then where its values begin"
 TURNS = "rows of the visits of a turn, where values begin; then what is added from turn to turn"
 # steps are written in one piece
-WHOLE = 1_000_000
+UNLIMITED = 1_000_000
 EMPTY = Scope(Graph(), (), {})
 # entries and strides of a visit
 Row: TypeAlias = tuple[list[int], list[int]]
@@ -62,7 +62,7 @@ class Span(NamedTuple):
 
 
 class Columns:
-    """Where the values of a step lie, for all visits of that step: a few columns of ints."""
+    """Places of the values of a step, for all visits of that step: a few columns of ints."""
 
     def __init__(self) -> None:
         self._shapes: dict[tuple[tuple[int, int], ...], int] = {}
@@ -73,7 +73,7 @@ class Columns:
         """Places of local entry k of an array: the first and the stride of every span."""
         first = places[0][0]
         shape = tuple([(place - first, stride) for place, stride in places])
-        if not any(apart or stride for apart, stride in shape):
+        if not any(gap or stride for gap, stride in shape):
             self._of[array, k] = (-1, first)
             return
         column = self._shapes.setdefault(shape, len(self._first))
@@ -83,7 +83,7 @@ class Columns:
         self._of[array, k] = (column, first)
 
     def place(self, array: str, k: int) -> Place:
-        """Where entry k is, in words of the row."""
+        """Place of entry k as an expression of the row."""
         column, first = self._of[array, k]
         name = "work" if array in (STORE, STORED) else array
         if column < 0:
@@ -166,17 +166,17 @@ class _Lowering:
         spans: list[list[Span]] = [[] for _ in staged]
         self.row: dict[int, int] = {}
         for span in (span for sweep in self.sweeps for part in sweep for span in part):
-            own = spans[span.visit.step]
-            self.row[id(span)] = len(own)
-            own.append(span)
+            spans_of_step = spans[span.visit.step]
+            self.row[id(span)] = len(spans_of_step)
+            spans_of_step.append(span)
         self.steps = [self._step(one, tuple(of)) for one, of in zip(staged, spans, strict=True)]
 
     def _spans(self, parts: Sequence[Visit | Turns]) -> list[list[Span]]:
         """The visits of a sweep, those of one turn together, with their places in w."""
-        found = []
+        spans_by_part = []
         for part in parts:
             if isinstance(part, Visit):
-                found.append([Span(part, None, 1, self.length, 0)])
+                spans_by_part.append([Span(part, None, 1, self.length, 0)])
                 self.length += self.lengths[part.step]
                 continue
             along = sum(self.lengths[visit.step] for visit in part.visits)
@@ -184,16 +184,16 @@ class _Lowering:
             for visit, stride in zip(part.visits, part.strides, strict=True):
                 spans.append(Span(visit, stride, part.times, here, along))
                 here += self.lengths[visit.step]
-            found.append(spans)
+            spans_by_part.append(spans)
             self.length += along * part.times
-        return found
+        return spans_by_part
 
     def _step(self, staged: Staged, spans: tuple[Span, ...]) -> _Step:
         """Columns of a step from the places of its visits."""
         run, prepare = Columns(), Columns()
 
         def entries(kind: str, k: int) -> list[tuple[int, int]]:
-            """Where local entry k of what visits read, store or give out is."""
+            """Local entries k that visits read, store or give out."""
             return [
                 (_entry(span.visit, kind, k), _entry(span.stride, kind, k) if span.stride else 0)
                 for span in spans
@@ -256,44 +256,51 @@ class _Lowering:
         """Parameter stage of a step."""
         name, columns = step.columns("prepare_step")
         targets = [
-            Result(i, columns.place("w", k), step.values.described(i))
+            Result(i, columns.place("w", k), step.values.description(i))
             for i, k in step.values.w.items()
         ]
-        return build(Stage(name, "prepare_step", step.order, targets, "w", 0), step.values, WHOLE)
+        return build(
+            Stage(name, "prepare_step", step.order, targets, "w", 0), step.values, UNLIMITED
+        )
 
     def _body(self, step: _Step) -> Built:
-        """What a step does at every call."""
+        """Body of a step, run at every call."""
         name, columns = step.columns("step")
-        found = []
+        results = []
         for output, array in zip(step.staged.function.outputs, (STORED, "out"), strict=True):
             for k, node in enumerate(output.nodes):
-                found.append(Result(node, columns.place(array, k), described(output, k)))
-        stage = Stage(name, "step", step.order, found, "work", self.recursion.size)
-        return build(stage, step.values, WHOLE)
+                results.append(Result(node, columns.place(array, k), description(output, k)))
+        stage = Stage(name, "step", step.order, results, "work", self.recursion.size)
+        return build(stage, step.values, UNLIMITED)
 
     def _main(self, there: set[str]) -> tuple[list[Routine], list[Table]]:
         """The two functions of the interface, and the tables they loop over."""
         r = self.recursion
         sections: list[Statement] = []
-        found: list[Table] = []
+        tables_used: list[Table] = []
         for number, (sweep, parts) in enumerate(zip(r.sweeps, self.sweeps, strict=True), 1):
             loops, tables = self._loops(f"{r.name}_sweep_{number}", parts, "step")
             sections.append(Section(f"{sweep.name}, {len(sweep)} visits", loops))
-            found += tables
+            tables_used += tables
 
         # only visits of steps that have something to prepare
         names = [step.columns("prepare_step")[0] for step in self.steps]
         every = [part for parts in self.sweeps for part in parts]
-        kept = [[span for span in part if names[span.visit.step] in there] for part in every]
+        spans_with_parameters = [
+            [span for span in part if names[span.visit.step] in there] for part in every
+        ]
         before: tuple[Statement, ...] = ()
-        if any(kept):
-            some = [part for part in kept if part]
+        if any(spans_with_parameters):
+            some = [part for part in spans_with_parameters if part]
             loops, tables = self._loops(f"prepare_{r.name}", some, "prepare_step")
-            before, found = (Section("parameters of all visits", loops),), [*found, *tables]
+            before, tables_used = (
+                (Section("parameters of all visits", loops),),
+                [*tables_used, *tables],
+            )
         return [
             Routine(f"prepare_{r.name}", "prepare", "", EMPTY, before),
             Routine(r.name, "function", r.about, EMPTY, tuple(sections)),
-        ], found
+        ], tables_used
 
     def _loops(
         self, name: str, parts: Sequence[Sequence[Span]], kind: str
@@ -301,18 +308,18 @@ class _Lowering:
         """Loops over single visits and over turns, as they come, and their tables."""
         rows = {n: step.columns(kind)[1].rows() for n, step in enumerate(self.steps)}
         loops: list[Statement] = []
-        found: list[Table] = []
+        tables_built: list[Table] = []
         runs = [
             list(run) for _, run in groupby(parts, key=lambda p: id(p) if p[0].stride else None)
         ]
         for number, run in enumerate(runs, 1):
             title = f"{name}_visits" + (f"_{number}" if len(runs) > 1 else "")
             spans = [span for part in run for span in part]
-            turned = spans[0].stride is not None
-            loop, table = (self._turning if turned else self._loop)(title, spans, kind, rows)
+            strided = spans[0].stride is not None
+            loop, table = (self._strided if strided else self._loop)(title, spans, kind, rows)
             loops.append(loop)
-            found.append(table)
-        return tuple(loops), found
+            tables_built.append(table)
+        return tuple(loops), tables_built
 
     def _loop(
         self, name: str, spans: Sequence[Span], kind: str, rows: Mapping[int, list[Row]]
@@ -323,29 +330,29 @@ class _Lowering:
         picked = [self._row(span, rows)[0] for span in spans]
         width = 1 + max(map(len, picked))
         flat: list[float] = []
-        for span, own in zip(spans, picked, strict=True):
-            flat += [number[span.visit.step], *own, *[0] * (width - 1 - len(own))]
+        for span, columns in zip(spans, picked, strict=True):
+            flat += [number[span.visit.step], *columns, *[0] * (width - 1 - len(columns))]
         table = Table(name, tuple(flat), integer=True, comment=ROWS)
         names = tuple(self.steps[step].columns(kind)[0] for step in steps)
         return Loop("i", len(spans), EMPTY, (Dispatch(table.name, "i", width, names),)), table
 
-    def _turning(
+    def _strided(
         self, name: str, spans: Sequence[Span], kind: str, rows: Mapping[int, list[Row]]
-    ) -> tuple[Turning, Table]:
+    ) -> tuple[StridedLoop, Table]:
         """Turns and the table of their rows and strides."""
         picked = [self._row(span, rows) for span in spans]
         width = 1 + max(len(first) for first, _ in picked)
         flat: list[float] = []
         for part in zip(*picked, strict=True):
-            for own in part:
-                flat += [0, *own, *[0] * (width - 1 - len(own))]
+            for columns in part:
+                flat += [0, *columns, *[0] * (width - 1 - len(columns))]
         table = Table(name, tuple(flat), integer=True, comment=TURNS)
         names = tuple(self.steps[span.visit.step].columns(kind)[0] for span in spans)
-        return Turning(table.name, width, spans[0].times, names), table
+        return StridedLoop(table.name, width, spans[0].times, names), table
 
     def _row(self, span: Span, rows: Mapping[int, list[Row]]) -> Row:
-        own = rows[span.visit.step]
-        return own[self.row[id(span)]] if own else ([], [])
+        rows_of_step = rows[span.visit.step]
+        return rows_of_step[self.row[id(span)]] if rows_of_step else ([], [])
 
 
 def _entry(visit: Visit, kind: str, k: int) -> int:

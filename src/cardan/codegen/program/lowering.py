@@ -35,7 +35,7 @@ def lower(
     values = Values(function, order, staged.prepare)
 
     # w[k] is the k-th prepared node; what crosses between parts of prepare follows
-    targets = [Result(i, Place("w", k), values.described(i)) for i, k in values.w.items()]
+    targets = [Result(i, Place("w", k), values.description(i)) for i, k in values.w.items()]
     first = Stage(f"prepare_{function.name}", "prepare", order, targets, "w", len(targets))
     prepare = build(first, values, longest)
     second = Stage(function.name, "function", order, results(function), "work", 0)
@@ -65,14 +65,16 @@ def check_name(name: str) -> None:
 
 def results(function: Function) -> list[Result]:
     """The entries of ``out``, with the text that says what they are."""
-    found: list[Result] = []
+    results_listed: list[Result] = []
     for output in function.outputs:
         for k, node in enumerate(output.nodes):
-            found.append(Result(node, Place("out", len(found)), described(output, k)))
-    return found
+            results_listed.append(
+                Result(node, Place("out", len(results_listed)), description(output, k))
+            )
+    return results_listed
 
 
-def described(output: Output, k: int) -> str:
+def description(output: Output, k: int) -> str:
     """Text for a comment: name and unit of an entry of a result."""
     if output.entries:
         text = f"{output.name}: {output.entries[k]}"
@@ -94,7 +96,7 @@ def _position(shape: tuple[int, ...], k: int) -> str:
 
 def tables(*stages: Built) -> tuple[Table, ...]:
     """The measured data that the nodes read, as constant arrays."""
-    found: dict[str, Table] = {}
+    tables_by_name: dict[str, Table] = {}
     for built in stages:
         if "table" not in built.operators:
             continue
@@ -102,7 +104,7 @@ def tables(*stages: Built) -> tuple[Table, ...]:
         nodes = scope.graph.nodes
         for number in {int(nodes[nodes[i][1]][1]) for i in built.order if nodes[i][0] == "table"}:
             table, name = scope.graph.tables[number], scope.table(number)
-            flat = tuple(c for piece in table.coefficients for c in piece)
-            found[f"{name}_breaks"] = Table(f"{name}_breaks", table.breaks)
-            found[f"{name}_coefficients"] = Table(f"{name}_coefficients", flat)
-    return tuple(found[name] for name in sorted(found))
+            flat = tuple(c for row in table.coefficients for c in row)
+            tables_by_name[f"{name}_breaks"] = Table(f"{name}_breaks", table.breaks)
+            tables_by_name[f"{name}_coefficients"] = Table(f"{name}_coefficients", flat)
+    return tuple(tables_by_name[name] for name in sorted(tables_by_name))

@@ -69,21 +69,21 @@ def _letter(c: str) -> str:
     plain = unicodedata.normalize("NFKD", c)[:1]
     if plain.isascii() and plain.isalnum():
         return plain
-    words = unicodedata.name(c, "").lower().split()
-    if "letter" in words and words[-1].isalpha() and words[-1].isascii():
-        return words[-1]
+    name_parts = unicodedata.name(c, "").lower().split()
+    if "letter" in name_parts and name_parts[-1].isalpha() and name_parts[-1].isascii():
+        return name_parts[-1]
     return f"u{ord(c):x}"
 
 
 def comment(text: str) -> str:
     """Text that can stand in a C comment on one line."""
-    shown = text
+    safe = text
     if not text.isprintable():
-        shown = "".join(c if c.isprintable() else ascii(c)[1:-1] for c in text)
+        safe = "".join(c if c.isprintable() else ascii(c)[1:-1] for c in text)
     for pair in ("*/", "/*", "??"):
-        while pair in shown:
-            shown = shown.replace(pair, f"{pair[0]} {pair[1]}")
-    return shown
+        while pair in safe:
+            safe = safe.replace(pair, f"{pair[0]} {pair[1]}")
+    return safe
 
 
 class Names:
@@ -147,7 +147,7 @@ class ValueNames:
         self._order = order
         self._inputs = inputs
         # what is labeled has that name, also where it needs no line of its own
-        self._words = self._graph.hints | self._graph.labels
+        self._hints = self._graph.hints | self._graph.labels
         self._names: dict[int, str] = {}
         self._phrases: dict[int, Phrase | None] = {}
 
@@ -155,8 +155,8 @@ class ValueNames:
         """The name of a node: what it is, or what it is a part of."""
         name = self._names.get(i)
         if name is None:
-            if i in self._words:
-                name = mangle(*self._words[i])
+            if i in self._hints:
+                name = mangle(*self._hints[i])
             else:
                 phrase = self._phrase(i)
                 name = phrase.text if phrase else mangle(mangle(*self._wholes[i]), "part")
@@ -165,13 +165,13 @@ class ValueNames:
 
     def _phrase(self, i: int) -> Phrase | None:
         """Phrase for a node, None where nothing short says what it is."""
-        phrases, nodes, words = self._phrases, self._graph.nodes, self._words
+        phrases, nodes, hints = self._phrases, self._graph.nodes, self._hints
         stack = [i]
         while stack:
             i = stack[-1]
             node = nodes[i]
-            if i in words:
-                phrases[i] = Phrase(mangle(*words[i]), mangle(words[i][0]), WORD)
+            if i in hints:
+                phrases[i] = Phrase(mangle(*hints[i]), mangle(hints[i][0]), WORD)
             elif node[0] in ENDS:
                 phrases[i] = self._end(node, i)
             else:
@@ -201,16 +201,16 @@ class ValueNames:
     @cached_property
     def _wholes(self) -> dict[int, tuple[str, ...]]:
         """Node -> words of the first labeled node or result that it goes into."""
-        nodes, words, wholes = self._graph.nodes, self._words, dict[int, tuple[str, ...]]()
+        nodes, hints, wholes = self._graph.nodes, self._hints, dict[int, tuple[str, ...]]()
         for output in self._function.outputs:
             for k, root in enumerate(output.nodes):
                 wholes.setdefault(root, (output.name, *output.entries[k : k + 1]))
         for i in reversed(self._order):
-            node, whole = nodes[i], words.get(i) or wholes[i]
+            node, hint = nodes[i], hints.get(i) or wholes[i]
             if len(node) == 3 and node[0] not in ENDS:
-                wholes[node[1]] = wholes[node[2]] = whole
+                wholes[node[1]] = wholes[node[2]] = hint
             else:
-                wholes.update(dict.fromkeys(operands(node), whole))
+                wholes.update(dict.fromkeys(operands(node), hint))
         return wholes
 
 

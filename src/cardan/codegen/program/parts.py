@@ -66,11 +66,11 @@ def crossing(
     """
     if len(parts) == 1:
         return {}, start
-    made_in = {i: n for n, part in enumerate(parts) for _, statements in part for i in statements}
+    part_of = {i: n for n, part in enumerate(parts) for _, statements in part for i in statements}
     last_read: dict[int, int] = {}
-    for i, n in made_in.items():
+    for i, n in part_of.items():
         for k in reads[i]:
-            if made_in.get(k, n) != n:
+            if part_of.get(k, n) != n:
                 last_read[k] = max(last_read.get(k, 0), n)
 
     # a place becomes free after the part that reads it last

@@ -1,4 +1,4 @@
-"""What of an expression graph gets a name, and what is written out where it is read.
+"""Decide which nodes of an expression graph get a name, and which are written where they are read.
 
 A node becomes a statement of its own where several others read it, where someone labeled it, or
 where its line would become too long. Everything else stays inside the expression that reads it.
@@ -55,7 +55,7 @@ def make_plan(
     graph: Graph,
     order: Sequence[int],
     roots: Sequence[int],
-    given: Collection[int],
+    external: Collection[int],
     values: Values,
 ) -> Plan:
     """Decide which nodes become statements.
@@ -70,38 +70,38 @@ def make_plan(
     Raises:
         CodegenError: a placeholder was left in the graph.
     """
-    found, uses = _needed(graph, order, roots, given)
-    outside = frozenset([i for i in found if graph.nodes[i][0] == "var" or i in given])
+    ordered, uses = _needed(graph, order, roots, external)
+    outside = frozenset([i for i in ordered if graph.nodes[i][0] == "var" or i in external])
     planner = _Planner(graph, uses, frozenset(roots), values.namer)
-    planner.plan(found, outside, values.names)
-    reads = {i: planner.reads[i] for i in found if i in planner.reads}
+    planner.plan(ordered, outside, values.names)
+    reads = {i: planner.reads[i] for i in ordered if i in planner.reads}
     direct = frozenset(
         i for i in roots if i in reads and uses[i] == 1 and graph.nodes[i][0] != "item"
     )
-    return Plan(graph, found, reads, {i: values.owners.of(i) for i in reads}, direct, outside)
+    return Plan(graph, ordered, reads, {i: values.owners.of(i) for i in reads}, direct, outside)
 
 
 def _needed(
-    graph: Graph, order: Sequence[int], roots: Sequence[int], given: Collection[int]
+    graph: Graph, order: Sequence[int], roots: Sequence[int], external: Collection[int]
 ) -> tuple[list[int], list[int]]:
     """Nodes to compute or read for the roots, and how often each node of the graph is read."""
     nodes, leaves = graph.nodes, LEAVES
     uses = [0] * len(nodes)
     for i in roots:
         uses[i] += 1
-    found = []
+    ordered = []
     for i in reversed(order):
         if not uses[i]:
             continue
-        found.append(i)
+        ordered.append(i)
         node = nodes[i]
         op = node[0]
-        if op in leaves or i in given:
+        if op in leaves or i in external:
             continue
         for k in node[4:] if op == "solve" else node[1:2] if op == "item" else node[1:]:
             uses[k] += 1
-    found.reverse()
-    return found, uses
+    ordered.reverse()
+    return ordered, uses
 
 
 class _Planner:
@@ -122,9 +122,9 @@ class _Planner:
         nodes, uses, width, sees = self.graph.nodes, self.uses, self.width, self.sees
         # what is labeled or wanted is a statement in any case, and entries of linear systems
         systems = [k for i in order if nodes[i][0] == "solve" for k in nodes[i][4:]]
-        kept = bytearray(len(nodes))
+        roots_mask = bytearray(len(nodes))
         for i in (*self.graph.labels, *self.roots, *systems):
-            kept[i] = 1
+            roots_mask[i] = 1
         for i in order:
             node = nodes[i]
             op = node[0]
@@ -133,7 +133,7 @@ class _Planner:
                 continue
             if op in INFIX:
                 a, b = node[1], node[2]
-                total, seen = width[a] + width[b] + 3, sees[a] + sees[b]
+                total, visible = width[a] + width[b] + 3, sees[a] + sees[b]
             elif op == "const":
                 width[i] = len(repr(node[1]))
                 continue
@@ -142,19 +142,19 @@ class _Planner:
             else:
                 read = node[4:] if op == "solve" else node[1:2] if op == "item" else node[1:]
                 total = GLUE.get(op, 0) + sum([width[k] for k in read])
-                seen = tuple([k for j in read for k in sees[j]])
+                visible = tuple([k for j in read for k in sees[j]])
             if total > NARROW and op not in SEPARATE:
-                total, seen = self._shorten(i, node, total, seen)
+                total, visible = self._shorten(i, node, total, visible)
             # a changed sign of something with a name needs no name
             often = uses[i] > 1 and not (op == "neg" and sees[node[1]] == node[1:])
-            if often or kept[i] or op in SEPARATE:
-                self._state(i, seen)
+            if often or roots_mask[i] or op in SEPARATE:
+                self._state(i, visible)
             else:
-                width[i], sees[i] = total, seen
+                width[i], sees[i] = total, visible
 
-    def _state(self, i: int, seen: tuple[int, ...]) -> None:
+    def _state(self, i: int, visible: tuple[int, ...]) -> None:
         """Node i becomes a statement."""
-        self.reads[i] = seen
+        self.reads[i] = visible
         self.sees[i] = (i,)
         self.width[i] = self._name_width(i)
 
@@ -162,13 +162,13 @@ class _Planner:
         return len(self.namer.of(i)) + NUMBER
 
     def _shorten(
-        self, i: int, node: Node, total: int, seen: tuple[int, ...]
+        self, i: int, node: Node, total: int, visible: tuple[int, ...]
     ) -> tuple[int, tuple[int, ...]]:
         """Operands become statements, the widest first, while the expression is too wide."""
         width, sees = self.width, self.sees
         limit = WIDEST - self._name_width(i)
         if total <= limit:
-            return total, seen
+            return total, visible
         read: tuple[int, ...] = node[1:]
         while total > limit:
             inner = [k for k in read if sees[k] and sees[k] != (k,)]

@@ -127,7 +127,7 @@ class Dispatch(NamedTuple):
     steps: tuple[str, ...]
 
 
-class Turning(NamedTuple):
+class StridedLoop(NamedTuple):
     """Steps run in turn, on rows that move on by the same amount every time.
 
     Attributes:
@@ -152,7 +152,7 @@ class Section(NamedTuple):
 
 
 Statement: TypeAlias = (
-    Declare | Assign | Angles | Call | Dispatch | Turning | Solve | Loop | Section
+    Declare | Assign | Angles | Call | Dispatch | StridedLoop | Solve | Loop | Section
 )
 
 
@@ -166,7 +166,7 @@ class Array(NamedTuple):
 
 @dataclass(frozen=True)
 class Scope:
-    """What the expressions of some statements mean.
+    """Meaning of the expressions of some statements.
 
     Attributes:
         graph: Where their nodes live.

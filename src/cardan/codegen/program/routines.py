@@ -46,7 +46,7 @@ class Result(NamedTuple):
 
 
 class Stage(NamedTuple):
-    """What one stage of a function is.
+    """One stage of a function.
 
     Attributes:
         name: C name.
@@ -69,7 +69,7 @@ DEPENDENT = frozenset({"semidefinite", "basic"})
 
 
 class Built(NamedTuple):
-    """What a stage became.
+    """Result of building a stage.
 
     Attributes:
         routines: The last is the stage itself, before it its parts.
@@ -107,13 +107,13 @@ def build(stage: Stage, values: Values, longest: int = parts.LONGEST) -> Built:
     """
     graph = values.function.graph
     after = not stage.kind.startswith("prepare")
-    given = values.w if after else {}
-    wanted = [r.node for r in stage.results]
-    plan = make_plan(graph, stage.order, wanted, given, values)
+    prepared = values.w if after else {}
+    result_nodes = [r.node for r in stage.results]
+    plan = make_plan(graph, stage.order, result_nodes, prepared, values)
     builder = _Builder(stage, plan, values)
-    pieces = parts.split(arrange(plan), longest)
-    builder.crossing, length = parts.crossing(pieces, builder.reads, builder.length)
-    bodies = [builder.part(piece) for piece in pieces]
+    section_groups = parts.split(arrange(plan), longest)
+    builder.crossing, length = parts.crossing(section_groups, builder.reads, builder.length)
+    bodies = [builder.part(sections) for sections in section_groups]
     bodies[-1].extend(builder.plain())
 
     # one routine, or parts and the routine that calls them
@@ -128,9 +128,9 @@ def build(stage: Stage, values: Values, longest: int = parts.LONGEST) -> Built:
         bodies[-1] = [Call(routine.name) for routine in routines]
     routines.append(Routine(stage.name, stage.kind, about, scope, tuple(bodies[-1])))
     nodes = graph.nodes
-    computed = tuple([i for i in plan.order if i not in given])
+    computed = tuple([i for i in plan.order if i not in prepared])
     operators = Counter([nodes[i][0] for i in computed])
-    blocks = frozenset(nodes[i][1] for i in plan.outside if i not in given)
+    blocks = frozenset(nodes[i][1] for i in plan.outside if i not in prepared)
     solves = frozenset(nodes[i][1] for i in computed if nodes[i][0] == "solve")
     return Built(tuple(routines), computed, dict(operators), blocks, builder.tables, length, solves)
 
@@ -157,13 +157,13 @@ class _Builder:
         # names of A, B and the scratch of the kernel of every linear system
         self.systems: dict[int, tuple[str, ...]] = {}
         self.arrays: dict[str, Array] = {}
-        self.turned: dict[int, Place] = {}
+        self.angle_places: dict[int, Place] = {}
         self.turns, self.named = 0, Counter[str]()
         self.tables: tuple[Table, ...] = ()
         self.length = stage.start
         # entries that are computed go to their places at once, solutions are read in theirs
         self.entries: dict[int, list[Place]] = {}
-        self._described = lru_cache(maxsize=None)(self.graph.described)
+        self._description = lru_cache(maxsize=None)(self.graph.description_of)
         self.left: dict[int, tuple[int | None, ...]] = {}
         self.reads = dict(plan.reads)
         for i in plan.reads:
@@ -206,7 +206,7 @@ class _Builder:
         """
         reads, crossing, entries = self.reads, self.crossing, self.entries
         here: set[int] = set()
-        found: list[Statement] = []
+        block_list: list[Statement] = []
         for title, statements in sections:
             outer: list[int] = []
             lines: list[Statement] = []
@@ -232,8 +232,8 @@ class _Builder:
                         lines.append(Assign(Place(self.stage.array, crossing[i]), i))
             loads = [self._load(k) for k in sorted(outer, key=lambda k: self._place(k).key)]
             heading, formulas = self._heading(title, statements)
-            found.append(Section(heading, (*loads, *lines, *results), formulas))
-        return found
+            block_list.append(Section(heading, (*loads, *lines, *results), formulas))
+        return block_list
 
     def plain(self) -> list[Statement]:
         """Results that need no computation: numbers and values from outside."""
@@ -264,7 +264,7 @@ class _Builder:
         return Loop("i", len(plain), Scope(self.graph, (), {}), (copy,))
 
     def _place(self, k: int) -> Place:
-        """Where a value of another part or from outside is read."""
+        """Place of a value from another part or from outside."""
         if k in self.crossing:
             return Place(self.stage.array, self.crossing[k])
         return self.values.place(k, self.after)
@@ -286,13 +286,13 @@ class _Builder:
         self.turns += 1
         lines.append(Angles(tuple(number), (angle, sine, cosine), not self.after))
         for i in group:
-            op, turned = nodes[i]
-            self.turned[i] = Place(sine if op == "sin" else cosine, number[turned])
+            op, argument = nodes[i]
+            self.angle_places[i] = Place(sine if op == "sin" else cosine, number[argument])
 
     def _state(self, i: int, lines: list[Statement], results: list[Statement]) -> None:
         """Add a statement to the lines, and the results it serves to the results."""
         node = self.graph.nodes[i]
-        value: int | Place = self.turned.get(i, i)
+        value: int | Place = self.angle_places.get(i, i)
         # prepared values have names: they are read elsewhere
         if i in self.plan.direct and self.after:
             result = self.results[i][0]
@@ -318,21 +318,23 @@ class _Builder:
         owners, graph = self.plan.owners, self.graph
         quantities = {owners[i].quantity: "" for i in statements}
         # what belongs to the whole system is called after its owner: entries of M
-        own = owner in self.values.function.owners or owner == SHARED
-        whose = "" if own else self._described(owner)
+        is_local = owner in self.values.function.owners or owner == SHARED
+        whose = "" if is_local else self._description(owner)
         for q in quantities:
-            quantities[q] = q if q in graph.formulas else whose or self._described(q)
-        words = dict.fromkeys(whole(known or q) for q, known in quantities.items())
-        what = ", ".join(word for word in words if word and word != whole(owner))
+            quantities[q] = q if q in graph.formulas else whose or self._description(q)
+        phrases = dict.fromkeys(
+            full_name(formula_key or q) for q, formula_key in quantities.items()
+        )
+        what = ", ".join(word for word in phrases if word and word != full_name(owner))
         if len(what) > TITLE - len(owner):
             what = what[: TITLE - len(owner)].rsplit(", ", 1)[0] + ", ..."
         who = "shared by several" if owner == SHARED else owner
         title = comment(": ".join(word for word in (who, what) if word) or "common")
-        found = [graph.formulas[known] for known in dict.fromkeys(quantities.values()) if known]
-        return title, tuple(comment(formula) for formula in found)
+        formulas = [graph.formulas[known] for known in dict.fromkeys(quantities.values()) if known]
+        return title, tuple(comment(formula) for formula in formulas)
 
 
 @lru_cache(maxsize=4096)
-def whole(quantity: str) -> str:
+def full_name(quantity: str) -> str:
     """The quantity of which a component is named: ``omega`` of ``omega_z``, ``L`` of ``L_2_1``."""
     return re.sub(r"(_[xyz]{1,2}|(_?\d+)+)$", "", quantity).replace("_", " ")

@@ -87,10 +87,10 @@ def _side_by_side(plan: Plan) -> list[int]:
             else:
                 first[angle] = i
     moved = set(partner.values())
-    found = []
+    order = []
     for i in plan.reads:
         if i not in moved:
-            found.append(i)
+            order.append(i)
         if i in partner:
-            found.append(partner[i])
-    return found
+            order.append(partner[i])
+    return order

@@ -1,4 +1,4 @@
-"""How the values of a file are called, and where those that come from outside are read."""
+"""Names of the values of a file, and places of those that come from outside."""
 
 from __future__ import annotations
 
@@ -70,30 +70,30 @@ class Values:
 
     def named(self, i: int) -> str:
         """The identifier of a computed node."""
-        found = self.names.get(i)
-        if found is None:
-            found = self.names[i] = self._unique.new(self.namer.of(i))
-        return found
+        name = self.names.get(i)
+        if name is None:
+            name = self.names[i] = self._unique.new(self.namer.of(i))
+        return name
 
     def local(self, base: str, number: int) -> str:
         """An identifier that belongs to no node: the next of a stage, the same in every stage."""
-        found = self._locals.setdefault(base, [])
-        while len(found) <= number:
-            found.append(self._unique.new(base))
-        return found[number]
+        names = self._locals.setdefault(base, [])
+        while len(names) <= number:
+            names.append(self._unique.new(base))
+        return names[number]
 
     def entry(self, i: int) -> tuple[str, str]:
         """(name, unit) of an input entry as the user knows it, ("", "") for other nodes."""
         node = self.function.graph.nodes[i]
         return self._entries.get(node[1:], ("", "")) if node[0] == "var" else ("", "")
 
-    def described(self, i: int) -> str:
+    def description(self, i: int) -> str:
         """Text for a comment: the user's name and unit of an input entry, or the identifier."""
         entry, unit = self.entry(i)
         return comment(f"{entry} [{unit}]" if entry and unit else entry or self.name(i))
 
     def place(self, i: int, prepared: bool) -> Place:
-        """Where an outside value is read; in the parameter stage p itself is.
+        """Place of an outside value; in the parameter stage p itself.
 
         Args:
             prepared: The reader runs after the parameter stage.

@@ -33,4 +33,4 @@ void model_pattern(int32_t *columns, int32_t *starts, ptrdiff_t *unknowns)
     {                                                                                              \
         return kernel(in, out, work);                                                              \
     }
-CARDAN_WHOLE(DEFINE)
+CARDAN_ELEMENT_CALLS(DEFINE)

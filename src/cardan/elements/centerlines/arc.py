@@ -12,7 +12,7 @@ from ...arrays import Array
 from ...errors import ModelError
 from ..quantity import Quantity
 from ..validation import vector
-from .centerline import APART, Centerline, Curve
+from .centerline import TOLERANCE, Centerline, Curve
 
 
 @dataclass(frozen=True)
@@ -32,14 +32,14 @@ class Arc(Centerline):
     through: Any = None
 
     def __post_init__(self) -> None:
-        given = [name for name in ("center", "through") if getattr(self, name) is not None]
-        if len(given) != 1:
+        options = [name for name in ("center", "through") if getattr(self, name) is not None]
+        if len(options) != 1:
             raise ModelError(
                 "arc: give either center= or through=, a point between the ends; "
-                f"{'both are' if given else 'neither is'} given"
+                f"{'both are' if options else 'neither is'} given"
             )
-        value = vector("arc", given[0], getattr(self, given[0]), 3)
-        object.__setattr__(self, given[0], value)
+        value = vector("arc", options[0], getattr(self, options[0]), 3)
+        object.__setattr__(self, options[0], value)
 
     def quantities(self) -> dict[str, Quantity]:
         name = "through" if self.center is None else "center"
@@ -64,7 +64,7 @@ def _about(start: Array, end: Array, center: Array) -> tuple[Array, Array, Array
     """Center, directions to the start and along the arc there, and the angle of the shorter arc."""
     a, b = start - center, end - center
     one, other = float(np.linalg.norm(a)), float(np.linalg.norm(b))
-    if abs(one - other) > APART * max(one, other) or one == 0:
+    if abs(one - other) > TOLERANCE * max(one, other) or one == 0:
         raise ModelError(
             f"arc: the start is {one:.9g} m from the center, the end {other:.9g} m: no circle "
             "about it meets both"
@@ -75,7 +75,7 @@ def _about(start: Array, end: Array, center: Array) -> tuple[Array, Array, Array
             "arc: start, center and end lie on one line, which leaves the plane of the arc open; "
             "give through= instead"
         )
-    return center, *_turned(a, normal), float(np.arctan2(np.linalg.norm(normal), a @ b))
+    return center, *_axes(a, normal), float(np.arctan2(np.linalg.norm(normal), a @ b))
 
 
 def _through(start: Array, end: Array, point: Array) -> tuple[Array, Array, Array, float]:
@@ -88,13 +88,13 @@ def _through(start: Array, end: Array, point: Array) -> tuple[Array, Array, Arra
             "arc: start, through= and end lie on one line; leave out line= for a straight beam"
         )
     center = start + (np.cross(normal, a) * (b @ b) + np.cross(b, normal) * (a @ a)) / (2 * square)
-    out, side = _turned(start - center, normal)
+    out, side = _axes(start - center, normal)
     # the way to the end runs through the point: both angles are taken about its direction
     angle = float(np.arctan2((end - center) @ side, (end - center) @ out)) % (2 * np.pi)
     return center, out, side, angle
 
 
-def _turned(arm: Array, normal: Array) -> tuple[Array, Array]:
+def _axes(arm: Array, normal: Array) -> tuple[Array, Array]:
     """Unit vectors along an arm and across it, in the plane of a normal."""
     out = arm / np.linalg.norm(arm)
     side = np.cross(normal, out)

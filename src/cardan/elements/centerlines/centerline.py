@@ -1,4 +1,4 @@
-"""What every line along which a beam may lie states in its one file."""
+"""Interface of centerlines along which a beam may lie; each is one file."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from ...arrays import Array
 from ..quantity import Quantity
 
 # of numbers that a user types, against the length of the line
-APART = 1e-6
+TOLERANCE = 1e-6
 
 
 @dataclass(frozen=True)
@@ -34,7 +34,7 @@ class Centerline(ABC):
 
     @abstractmethod
     def quantities(self) -> dict[str, Quantity]:
-        """What the user wrote, by name; evaluated at the values of the parameters."""
+        """The user's values by name; evaluated at the values of the parameters."""
 
     @abstractmethod
     def curve(self, start: Array, end: Array, data: Mapping[str, Array]) -> Curve:

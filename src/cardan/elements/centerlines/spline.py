@@ -12,11 +12,11 @@ from ...arrays import Array
 from ...errors import ModelError
 from ..quantity import Quantity
 from ..validation import vector
-from .centerline import APART, Centerline, Curve
+from .centerline import TOLERANCE, Centerline, Curve
 
 # Gauss points per piece of a span, and pieces per span: the arc length is exact to rounding on
 # lines without kinks
-POINTS, PIECES = 8, 8
+POINTS, SEGMENTS = 8, 8
 
 
 @dataclass(frozen=True)
@@ -36,13 +36,13 @@ class Spline(Centerline):
     points: Any
 
     def __post_init__(self) -> None:
-        given = self.points.tolist() if hasattr(self.points, "tolist") else self.points
-        if isinstance(given, str) or not isinstance(given, Sequence) or len(given) < 3:
+        points = self.points.tolist() if hasattr(self.points, "tolist") else self.points
+        if isinstance(points, str) or not isinstance(points, Sequence) or len(points) < 3:
             raise ModelError(
                 "spline: at least three points are wanted, the ends of the beam among them; a "
                 "beam between two is straight without line="
             )
-        rows = tuple(vector("spline", f"points[{k}]", row, 3) for k, row in enumerate(given))
+        rows = tuple(vector("spline", f"points[{k}]", row, 3) for k, row in enumerate(points))
         object.__setattr__(self, "points", rows)
 
     def quantities(self) -> dict[str, Quantity]:
@@ -56,9 +56,9 @@ class Spline(Centerline):
         if not chords.all():
             k = int(np.argmin(chords))
             raise ModelError(f"spline: points {k + 1} and {k + 2} are the same; leave out one")
-        for which, meant, given in (("first", start, points[0]), ("last", end, points[-1])):
-            gap = float(np.linalg.norm(meant - given))
-            if gap > APART * chords.sum():
+        for which, meant, point in (("first", start, points[0]), ("last", end, points[-1])):
+            gap = float(np.linalg.norm(meant - point))
+            if gap > TOLERANCE * chords.sum():
                 raise ModelError(
                     f"spline: its {which} point is {gap:.3g} m apart from the "
                     f"{'start' if which == 'first' else 'end'} of the beam at "
@@ -70,8 +70,8 @@ class Spline(Centerline):
 
 def _measured(line: Any, rate: Any) -> Curve:
     """A line by its arc length: Gauss sums over short pieces, inverted by Newton's method."""
-    count = PIECES * (len(line.x) - 1)
-    breaks = np.interp(np.arange(count + 1) / PIECES, np.arange(len(line.x)), line.x)
+    count = SEGMENTS * (len(line.x) - 1)
+    breaks = np.interp(np.arange(count + 1) / SEGMENTS, np.arange(len(line.x)), line.x)
     nodes, weights = np.polynomial.legendre.leggauss(POINTS)
 
     def length(a: Array, b: Array) -> Array:

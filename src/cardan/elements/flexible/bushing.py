@@ -10,7 +10,7 @@ from ...spatial.short_rotations import Slopes
 from .element_ends import Ends
 from .relative import Relative, mean_axes
 from .section import flat
-from .strain import WHOLE, Elastic, Field, StrainElement
+from .strain import STRAIN_DATA, Elastic, Field, StrainElement
 
 # the upper triangle of a symmetric (6, 6) matrix, row by row
 ENTRIES = tuple(f"k{i + 1}{j + 1}" for i in range(6) for j in range(i, 6))
@@ -29,7 +29,7 @@ class Bushing(StrainElement):
     """
 
     kind: ClassVar[str] = "bushing"
-    own: ClassVar[tuple[str, ...]] = WHOLE
+    geometric: ClassVar[tuple[str, ...]] = STRAIN_DATA
     # springs that are missing have no flexibility
     mixed: ClassVar[bool] = False
 
@@ -41,7 +41,7 @@ class Bushing(StrainElement):
         return mean_axes(at.turn)
 
     def field(self, ends: Ends, at: Relative, e: Matrix) -> Field:
-        whole = Matrix.vstack(at.turn, e)
+        strain = Matrix.vstack(at.turn, e)
         names = [[f"k{min(i, j) + 1}{max(i, j) + 1}" for j in range(6)] for i in range(6)]
         stiffness = Matrix.of(ends.graph, [[ends.number(name) for name in row] for row in names])
-        return Elastic(whole - flat(ends, ends.vector(*WHOLE)), stiffness, None, 1.0)
+        return Elastic(strain - flat(ends, ends.vector(*STRAIN_DATA)), stiffness, None, 1.0)

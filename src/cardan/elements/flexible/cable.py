@@ -27,7 +27,7 @@ class Cable(FlexibleElement):
     """
 
     kind: ClassVar[str] = "cable"
-    own: ClassVar[tuple[str, ...]] = ("length",)
+    geometric: ClassVar[tuple[str, ...]] = ("length",)
     compression: bool = False
 
     @property
@@ -40,14 +40,14 @@ class Cable(FlexibleElement):
 
     def functions(self, ends: Ends) -> dict[str, Function]:
         length, stiffness = ends.number("length"), ends.number("EA")
-        apart = ends.pose(1).position - ends.pose(0).position
-        distance = norm(*apart)
+        span = ends.pose(1).position - ends.pose(0).position
+        distance = norm(*span)
         strain = distance / length - 1.0 - ends.number("strain_4")
         if not self.compression:
             strain = strain.apply("max", 0.0)
-        pull = apart * (stiffness * strain / distance)
+        pull = span * (stiffness * strain / distance)
         none, read = Matrix.zeros(ends.graph, 3), ends.blocks("q", "p")
-        loads = ends.told([none, -pull, none, pull])
+        loads = ends.assembled([none, -pull, none, pull])
         stored = Matrix.vector(ends.graph, [0.5 * length * stiffness * strain * strain])
         return {
             "balance": self.function(ends, "balance", read, balance(ends, loads)),

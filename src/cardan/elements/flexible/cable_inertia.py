@@ -21,7 +21,7 @@ class CableInertia(InertiaElement):
     """
 
     kind: ClassVar[str] = "cable_inertia"
-    own: ClassVar[tuple[str, ...]] = ("length",)
+    geometric: ClassVar[tuple[str, ...]] = ("length",)
 
     @property
     def common(self) -> tuple[str, ...]:

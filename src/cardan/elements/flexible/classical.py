@@ -30,7 +30,7 @@ class Classical(StrainElement):
     """
 
     kind: ClassVar[str] = "classical"
-    own: ClassVar[tuple[str, ...]] = SHAPE
+    geometric: ClassVar[tuple[str, ...]] = SHAPE
     residual_flexibility: bool = True
 
     @property

@@ -9,7 +9,7 @@ from ...ir.function import Function, Output
 from ...spatial.short_rotations import Slopes
 from .element import FlexibleElement, balance, tangents
 from .element_ends import Ends
-from .relative import Relative, carried_by, carried_slope, forces, moved
+from .relative import Relative, forces, moved, transport, transport_slope
 from .section import STIFFNESS, diagonal, without_locking
 
 
@@ -26,7 +26,7 @@ class Damping(FlexibleElement):
     """
 
     kind: ClassVar[str] = "damping"
-    own: ClassVar[tuple[str, ...]] = ("length",)
+    geometric: ClassVar[tuple[str, ...]] = ("length",)
 
     @property
     def common(self) -> tuple[str, ...]:
@@ -44,9 +44,9 @@ class Damping(FlexibleElement):
         factor = ends.number("damping") / length
         stress = diagonal(ends.graph, [x * factor for x in stiffness]) @ rate
         m, n = stress.block(slice(3)), stress.block(slice(3, 6))
-        bent = carried_slope(at.turn, first, second, at.position)
+        bent = transport_slope(at.turn, first, second, at.position)
         moment = at.slope.T @ (m + bent.T @ n)
-        loads = ends.told(forces(at, moment, carried_by(at.turn, first, second).T @ n))
+        loads = ends.assembled(forces(at, moment, transport(at.turn, first, second).T @ n))
         power = Output("power", (1,), (-(stress.T @ rate)).nodes, ("power",), ("W",))
         read = ends.blocks("q", "u", "p")
         return {

@@ -25,7 +25,7 @@ class DeadLoad(LoadElement):
     """
 
     kind: ClassVar[str] = "dead_load"
-    own: ClassVar[tuple[str, ...]] = ("length",)
+    geometric: ClassVar[tuple[str, ...]] = ("length",)
     fixed: ClassVar[bool] = True
 
     @property

@@ -1,8 +1,8 @@
-"""What every flexible element says of itself, and how its functions are put together.
+"""Interface of the flexible elements, and the assembly of their functions.
 
 An element couples two ends (:mod:`.ends`). Its functions have local inputs: q, u and udot of the
 nodes of its ends one after the other, and its data p, whose names stand in ``common`` (what
-section, material and parameters give) and ``own`` (what the geometry gives), in this order,
+section, material and parameters give) and ``geometric`` (what the geometry gives), in this order,
 followed by those of ends that are not at a node (:meth:`.Ends.names`).
 """
 
@@ -29,7 +29,7 @@ class FlexibleElement(HasSource, ABC):
     """
 
     kind: ClassVar[str]
-    own: ClassVar[tuple[str, ...]] = ()
+    geometric: ClassVar[tuple[str, ...]] = ()
 
     @property
     @abstractmethod
@@ -52,17 +52,17 @@ class FlexibleElement(HasSource, ABC):
 
     @property
     def variant(self) -> str:
-        """What its options add to the name of its kind."""
+        """Suffix of the kind's name for the options of the element."""
         return ""
 
     def name(self, kinds: tuple[str, str] = (NODE, NODE)) -> str:
         """C name of its kind between such ends."""
-        apart = kinds if set(kinds) != {NODE} else ()
-        return "_".join(word for word in (self.kind, self.variant, *apart) if word)
+        end_kinds = kinds if set(kinds) != {NODE} else ()
+        return "_".join(word for word in (self.kind, self.variant, *end_kinds) if word)
 
     def data(self, kinds: tuple[str, str] = (NODE, NODE)) -> tuple[str, ...]:
         """Names of the entries of p between such ends."""
-        return (*self.common, *self.own, *Ends.names(kinds))
+        return (*self.common, *self.geometric, *Ends.names(kinds))
 
     def ends(self, kinds: tuple[str, str] = (NODE, NODE)) -> Ends:
         """A fresh graph with the two ends in it."""
@@ -72,7 +72,7 @@ class FlexibleElement(HasSource, ABC):
         """Its functions between such ends.
 
         Args:
-            kinds: Of both ends, see :mod:`.places`; one is no ground.
+            kinds: Of both ends, see :mod:`.places`; one is not a ground.
         """
         return self.functions(self.ends(kinds))
 
@@ -87,8 +87,8 @@ class FlexibleElement(HasSource, ABC):
         import numpy as np
 
         length = np.diff(np.asarray(stations, dtype=float))
-        known = {"length": length} | self.shapes(length, np.asarray(poses, dtype=float))
-        columns = [known[name] for name in self.own]
+        columns_by_name = {"length": length} | self.shapes(length, np.asarray(poses, dtype=float))
+        columns = [columns_by_name[name] for name in self.geometric]
         return np.column_stack(columns) if columns else np.empty((len(length), 0))
 
     def shapes(self, length: Any, poses: Any) -> dict[str, Any]:
@@ -99,14 +99,14 @@ class FlexibleElement(HasSource, ABC):
         self, ends: Ends, name: str, blocks: Sequence[Block], *outputs: Output
     ) -> Function:
         """A function of the kind."""
-        own, kind = self.name(ends.kinds), self.kind.replace("_", " ")
-        ends.graph.describe(type(self), own)
-        symbol, owners = f"{own}__{name}", ("", kind)
+        element_name, kind = self.name(ends.kinds), self.kind.replace("_", " ")
+        ends.graph.describe(type(self), element_name)
+        symbol, owners = f"{element_name}__{name}", ("", kind)
         return Function(symbol, ends.graph, tuple(blocks), outputs, owners, self.about)
 
 
 def balance(ends: Ends, loads: Matrix) -> Output:
-    """What the ends must be held with (nu)."""
+    """Forces that hold the ends (nu)."""
     return Output("balance", (loads.rows,), loads.nodes, ends.speeds, ends.load_units)
 
 
@@ -130,15 +130,15 @@ def tangents(ends: Ends, loads: Matrix, *letters: str) -> tuple[Output, ...]:
         loads: The balance (nu, 1).
         letters: Of "q" along increments, "u" and "udot".
     """
-    g, found = ends.graph, list[Output]()
+    g, outputs = ends.graph, list[Output]()
     for letter, name in (("q", "K"), ("u", "C"), ("udot", "M")):
         if letter not in letters:
             continue
         head = "by_" if letter == "q" else f"by_{letter}_"
-        words = [f"{head}{speed}" for speed in ends.speeds]
-        columns = directional(g, loads.nodes, ends.directions(letter), words)
+        labels = [f"{head}{speed}" for speed in ends.speeds]
+        columns = directional(g, loads.nodes, ends.directions(letter), labels)
         rows = zip(*columns, strict=True)
         values = Matrix(g, loads.rows, loads.rows, [x for row in rows for x in row])
         if not values.is_zero:
-            found.append(matrix(ends, name, values))
-    return tuple(found)
+            outputs.append(matrix(ends, name, values))
+    return tuple(outputs)

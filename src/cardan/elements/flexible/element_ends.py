@@ -83,18 +83,18 @@ class Ends:
     @property
     def places(self) -> tuple[Place, ...]:
         """Both ends."""
-        found: list[Place] = []
+        places: list[Place] = []
         q = u = 0
         for name, kind in zip(NAMES, self.kinds, strict=True):
             place = PLACES[kind]
-            given = tuple(self.number(f"{name}_{entry}") for entry in place.data)
-            found.append(place(self.graph, given, q, u))
+            attributes = tuple(self.number(f"{name}_{entry}") for entry in place.data)
+            places.append(place(self.graph, attributes, q, u))
             q, u = q + len(place.coordinates), u + len(place.speeds)
-        return tuple(found)
+        return tuple(places)
 
     @property
     def planar(self) -> bool:
-        """Whether nothing leaves the plane z = 0; see :data:`OUTSIDE`."""
+        """True when nothing leaves the plane z = 0; see :data:`OUTSIDE`."""
         return all(kind.startswith("plane") for kind in self.kinds)
 
     @property
@@ -108,22 +108,22 @@ class Ends:
         return tuple(LOADS[unit] for place in self.places for _, unit in place.speeds)
 
     def pose(self, k: int) -> Pose:
-        """Where end k is."""
+        """Pose of end k."""
         pose = self.places[k].pose()
         pose.rotation.hint("", f"{NAMES[k]}_R", CELLS)
         return pose
 
     def motion(self, k: int) -> Motion:
-        """How end k moves."""
+        """Motion of end k."""
         return self.places[k].motion()
 
     def increments(self) -> list[Matrix]:
         """Finite increments of both ends to first order: rotations in their axes, positions."""
-        found: list[Matrix] = []
+        increments: list[Matrix] = []
         for place in self.places:
-            change = place.spread() @ place.entries("du")
-            found += [change.block(slice(3)), change.block(slice(3, 6))]
-        return found
+            change = place.to_space() @ place.entries("du")
+            increments += [change.block(slice(3)), change.block(slice(3, 6))]
+        return increments
 
     def directions(self, letter: str) -> list[dict[int, int]]:
         """Changes of a block at unit increments of each of its entries; of q along the speeds."""
@@ -150,27 +150,27 @@ class Ends:
 
     # what acts on the ends, told along the speeds
 
-    def told(self, loads: Loads) -> Matrix:
+    def assembled(self, loads: Loads) -> Matrix:
         """Moments and forces on both ends as one column (nu, 1).
 
         Args:
             loads: Moment on end 1 in its axes, force on end 1 in ground axes, and of end 2.
         """
         parts = [
-            place.spread().T @ Matrix.vstack(loads[2 * k], loads[2 * k + 1])
+            place.to_space().T @ Matrix.vstack(loads[2 * k], loads[2 * k + 1])
             for k, place in enumerate(self.places)
         ]
         return Matrix.vstack(*parts)
 
     def derivative(self, blocks: Sequence[Loads], loads: Loads) -> Matrix:
-        """Derivative of :meth:`told` along q from that of the loads by increments of the ends.
+        """Derivative of :meth:`assembled` along q from that of the loads by increments of the ends.
 
         Args:
             blocks: 4 x 4 blocks (3, 3).
             loads: The loads themselves: arms turn with nodes.
         """
         places, rows = self.places, list[Matrix]()
-        spreads = [place.spread() for place in places]
+        spreads = [place.to_space() for place in places]
         for i, place in enumerate(places):
             row: list[Matrix] = []
             for j in range(2):

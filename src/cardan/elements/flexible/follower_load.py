@@ -26,7 +26,7 @@ class FollowerLoad(LoadElement):
     """
 
     kind: ClassVar[str] = "follower_load"
-    own: ClassVar[tuple[str, ...]] = ("length",)
+    geometric: ClassVar[tuple[str, ...]] = ("length",)
     fixed: ClassVar[bool] = False
 
     @property

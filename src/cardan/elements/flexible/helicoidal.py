@@ -25,7 +25,7 @@ class Helicoidal(StrainElement):
     """
 
     kind: ClassVar[str] = "helicoidal"
-    own: ClassVar[tuple[str, ...]] = SHAPE
+    geometric: ClassVar[tuple[str, ...]] = SHAPE
 
     @property
     def common(self) -> tuple[str, ...]:
@@ -36,5 +36,5 @@ class Helicoidal(StrainElement):
 
     def field(self, ends: Ends, at: Relative, e: Matrix) -> Field:
         section = Section.of(ends)
-        whole = Matrix.vstack(at.turn, e)
-        return Elastic.of(whole, section.free, section.stiffness, section.length)
+        strain = Matrix.vstack(at.turn, e)
+        return Elastic.of(strain, section.free, section.stiffness, section.length)

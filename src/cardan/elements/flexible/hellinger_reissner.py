@@ -8,13 +8,13 @@ from typing import ClassVar
 from ...ir.function import Function
 from ...ir.matrix import Matrix
 from ...spatial.short_rotations import Slopes
-from .carried_load import CarriedLoad
 from .element import balance, energy, matrix
 from .element_ends import Ends
+from .equilibrium_load import CarriedLoad
 from .relative import Relative
-from .section import CARRIED, FORCES, SECTION, SHAPE, weight
-from .strain import StrainElement, carried_strain, increment, stresses, unknown
-from .stress_field import Varying
+from .section import DEAD_LOADS, FORCES, SECTION, SHAPE, weight
+from .strain import StrainElement, increment, stresses, transported_strain, unknown
+from .stress_field import VaryingStress
 
 
 @dataclass(frozen=True)
@@ -39,7 +39,7 @@ class HellingerReissner(StrainElement):
     """
 
     kind: ClassVar[str] = "hellinger_reissner"
-    own: ClassVar[tuple[str, ...]] = SHAPE
+    geometric: ClassVar[tuple[str, ...]] = SHAPE
     loaded: bool = False
 
     @property
@@ -48,7 +48,7 @@ class HellingerReissner(StrainElement):
 
     @property
     def carries(self) -> tuple[str, ...]:
-        return CARRIED if self.loaded else ()
+        return DEAD_LOADS if self.loaded else ()
 
     @property
     def variant(self) -> str:
@@ -57,13 +57,13 @@ class HellingerReissner(StrainElement):
     def measures(self, at: Relative) -> tuple[Slopes, Slopes]:
         return Slopes(-0.5), at.inverse
 
-    def field(self, ends: Ends, at: Relative, e: Matrix) -> Varying:
+    def field(self, ends: Ends, at: Relative, e: Matrix) -> VaryingStress:
         if not self.loaded:
-            return Varying.of(ends, at.turn, e)
+            return VaryingStress.of(ends, at.turn, e)
         # the force in axes of the section, those of both ends as one
-        fixed, turning = weight(ends)
-        seen = at.start.rotation.T @ fixed + at.end.rotation.T @ fixed
-        return Varying.of(ends, at.turn, e, seen * 0.5 + turning)
+        fixed, follower = weight(ends)
+        in_end_axes = at.start.rotation.T @ fixed + at.end.rotation.T @ fixed
+        return VaryingStress.of(ends, at.turn, e, in_end_axes * 0.5 + follower)
 
     def functions(self, ends: Ends) -> dict[str, Function]:
         return self._loaded(ends) if self.loaded else super().functions(ends)
@@ -72,26 +72,29 @@ class HellingerReissner(StrainElement):
         """The same with loads that the stress is in equilibrium with."""
         at = Relative.of(ends.pose(0), ends.pose(1))
         measures = self.measures(at)
-        field = self.field(ends, at, carried_strain(at, *measures))
+        field = self.field(ends, at, transported_strain(at, *measures))
         load = CarriedLoad.of(ends, at, measures, field)
         stress, z = field.solved(field.strain), unknown(ends)
         law, gap = field.law(stress), field.strain - field.relaxed(z)
-        held, loads = load.held(stress), load.held(z, field.solved(gap))
-        stiffness = ends.derivative(load.tangent(stress), held)
-        mixed = ends.derivative(load.tangent(z), load.held(z))
+        end_forces, loads = load.end_forces(stress), load.end_forces(z, field.solved(gap))
+        stiffness = ends.derivative(load.tangent(stress), end_forces)
+        mixed = ends.derivative(load.tangent(z), load.end_forces(z))
         new = z + field.solved(gap + load.change(ends.increments(), z))
-        known, unsettled = ends.blocks("q", "p"), ends.blocks("q", "z", "p", "du")
+        settled_blocks, unsettled = ends.blocks("q", "p"), ends.blocks("q", "z", "p", "du")
         plain = {
-            "balance": balance(ends, ends.told(held)),
+            "balance": balance(ends, ends.assembled(end_forces)),
             "balance_tangent": matrix(ends, "K", stiffness),
             "energy": energy(None, law.energy - load.work),
             "stress": stresses(law),
         }
         parted = {
-            "mixed": (balance(ends, ends.told(loads)), matrix(ends, "K", mixed)),
+            "mixed": (balance(ends, ends.assembled(loads)), matrix(ends, "K", mixed)),
             "mixed_step": (increment(new),),
         }
-        found = {name: self.function(ends, name, known, output) for name, output in plain.items()}
+        functions = {
+            name: self.function(ends, name, settled_blocks, output)
+            for name, output in plain.items()
+        }
         for name, outputs in parted.items():
-            found[name] = self.function(ends, name, unsettled, *outputs)
-        return found
+            functions[name] = self.function(ends, name, unsettled, *outputs)
+        return functions

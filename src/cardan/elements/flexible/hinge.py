@@ -10,7 +10,7 @@ from ...spatial.short_rotations import Slopes
 from .element_ends import Ends
 from .relative import Relative, mean_axes
 from .section import diagonal, flat
-from .strain import WHOLE, Elastic, Field, StrainElement
+from .strain import STRAIN_DATA, Elastic, Field, StrainElement
 
 # about axis 1 and across it [N m/rad], along axis 1 and across it [N/m]
 STIFFNESSES = ("turn", "tilt", "axial", "radial")
@@ -29,7 +29,7 @@ class FlexibleHinge(StrainElement):
     """
 
     kind: ClassVar[str] = "flexible_hinge"
-    own: ClassVar[tuple[str, ...]] = WHOLE
+    geometric: ClassVar[tuple[str, ...]] = STRAIN_DATA
     # a hinge that turns freely has no flexibility
     mixed: ClassVar[bool] = False
 
@@ -41,7 +41,7 @@ class FlexibleHinge(StrainElement):
         return mean_axes(at.turn)
 
     def field(self, ends: Ends, at: Relative, e: Matrix) -> Field:
-        whole = Matrix.vstack(at.turn, e)
+        strain = Matrix.vstack(at.turn, e)
         turn, tilt, axial, radial = ends.vector(*STIFFNESSES)
         stiffness = diagonal(ends.graph, [turn, tilt, tilt, axial, radial, radial])
-        return Elastic(whole - flat(ends, ends.vector(*WHOLE)), stiffness, None, 1.0)
+        return Elastic(strain - flat(ends, ends.vector(*STRAIN_DATA)), stiffness, None, 1.0)

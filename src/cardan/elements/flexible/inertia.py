@@ -1,4 +1,4 @@
-"""What the inertia of a beam element is made of, shared by its kinds."""
+"""Inertia of beam elements, shared by its kinds."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ class InertiaElement(FlexibleElement):
 
     @abstractmethod
     def loads(self, ends: Ends) -> list[Matrix]:
-        """What the ends must be held with: moment and force on end 1, on end 2."""
+        """Forces that hold the ends: moment and force on end 1, on end 2."""
 
     @abstractmethod
     def energies(self, ends: Ends) -> tuple[Matrix, Matrix]:
@@ -39,7 +39,7 @@ class InertiaElement(FlexibleElement):
     def functions(self, ends: Ends) -> dict[str, Function]:
         made_by = ends.graph.made_by
         with made_by("", "loads"):
-            loads = ends.told(self.loads(ends))
+            loads = ends.assembled(self.loads(ends))
         with made_by("", "momentum"):
             momentum = self.momentum(ends)
         with made_by("", "energy"):

@@ -13,7 +13,7 @@ from .node_set import Motion, Pose
 from .section import GRAVITY
 
 # of p_1, p_2, t_1, t_2
-WORDS = ("start", "end", "start_tangent", "end_tangent")
+LABELS = ("start", "end", "start_tangent", "end_tangent")
 SHEAR = ("EI2", "EI3", "GA2", "GA3")
 
 
@@ -36,7 +36,7 @@ class LinkedInertia(InertiaElement):
     """
 
     kind: ClassVar[str] = "linked_inertia"
-    own: ClassVar[tuple[str, ...]] = ("length",)
+    geometric: ClassVar[tuple[str, ...]] = ("length",)
 
     @property
     def common(self) -> tuple[str, ...]:
@@ -51,24 +51,24 @@ class LinkedInertia(InertiaElement):
             for motion, name in zip(motions, NAMES, strict=True)
         ]
         curved = [_tangent_acceleration(motion) for motion in motions]
-        turned = [
+        tangent_rates = [
             (pose.rotation @ c.note(f"{name}_own_tangent_a")).note(f"{name}_tangent_a")
             for pose, c, name in zip(poses, curved, NAMES, strict=True)
         ]
         mass = _mass(ends)
         inertia = spin(ends, 1 / 3)
-        found: list[Matrix] = []
+        loads: list[Matrix] = []
         for i, (pose, motion) in enumerate(zip(poses, motions, strict=True)):
             other = motions[1 - i]
             name = NAMES[i]
-            along = _combined(mass[2 + i], [*linear, *turned]).note(f"{name}_tangent_force")
+            along = _combined(mass[2 + i], [*linear, *tangent_rates]).note(f"{name}_tangent_force")
             rate = inertia @ (motion.omega_rate + other.omega_rate * 0.5)
             momentum = (inertia @ (motion.omega + other.omega * 0.5)).note(f"{name}_spin")
-            own = (pose.rotation.T @ along).note(f"{name}_own_tangent_force")
-            moment = _about_axis(own) + rate + motion.omega.cross(momentum)
-            force = _combined(mass[i], [*linear, *turned])
-            found += [moment.note(f"{name}_moment"), force.note(f"{name}_force")]
-        return found
+            tangent_force = (pose.rotation.T @ along).note(f"{name}_own_tangent_force")
+            moment = _about_axis(tangent_force) + rate + motion.omega.cross(momentum)
+            force = _combined(mass[i], [*linear, *tangent_rates])
+            loads += [moment.note(f"{name}_moment"), force.note(f"{name}_force")]
+        return loads
 
     def energies(self, ends: Ends) -> tuple[Matrix, Matrix]:
         poses, motions = _poses(ends)
@@ -77,7 +77,7 @@ class LinkedInertia(InertiaElement):
         one, two = (motion.omega for motion in motions)
         kinetic = one.T @ (inertia @ (one + two)) + two.T @ (inertia @ two)
         for i, rate in enumerate(rates):
-            momentum = _combined(mass[i], rates).note(f"momentum_{WORDS[i]}")
+            momentum = _combined(mass[i], rates).note(f"momentum_{LABELS[i]}")
             kinetic = kinetic + rate.T @ momentum
         gravity = ends.vector(*GRAVITY)
         weight = _combined(_column_sums(mass), _vectors(poses)).note("first_moment")
@@ -89,11 +89,11 @@ class LinkedInertia(InertiaElement):
         rates, vectors = _rates(poses, motions), _vectors(poses)
         angular = Matrix.zeros(ends.graph, 3)
         for i, vector in enumerate(vectors):
-            own = _combined(mass[i], rates).note(f"momentum_{WORDS[i]}")
-            angular = angular + vector.cross(own)
+            part = _combined(mass[i], rates).note(f"momentum_{LABELS[i]}")
+            angular = angular + vector.cross(part)
         for i, pose in enumerate(poses):
-            own = inertia @ (motions[i].omega + motions[1 - i].omega * 0.5)
-            angular = angular + pose.rotation @ own.note(f"{NAMES[i]}_spin")
+            part = inertia @ (motions[i].omega + motions[1 - i].omega * 0.5)
+            angular = angular + pose.rotation @ part.note(f"{NAMES[i]}_spin")
         return Matrix.vstack(angular, _combined(_column_sums(mass), rates))
 
 
@@ -104,15 +104,15 @@ def _poses(ends: Ends) -> tuple[list[Pose], list[Motion]]:
 def _mass(ends: Ends) -> list[list[Scalar]]:
     """Mass of p_1, p_2, t_1, t_2, symmetric (4, 4)."""
     length = ends.number("length")
-    whole = ends.number("rhoA") * length
+    total = ends.number("rhoA") * length
     soft = ends.number("EI2") / ends.number("GA3") + ends.number("EI3") / ends.number("GA2")
     share = 1.0 / (1.0 + 6.0 * soft / (length * length))
     # integrals of the squares of 1, of what is odd, and of its product with the cubic
     odd = (1 / 12 + share.note("share") / 30.0 + share * share / 210.0).note("odd")
     mixed = (share / 120.0 + share * share / 420.0).note("mixed")
     cubic = (share * share / 840.0).note("cubic")
-    first, second = whole.note("mass") * length, whole * length * length
-    pp, pq = (whole * (0.25 + odd)).note("mass_pp"), (whole * (0.25 - odd)).note("mass_pq")
+    first, second = total.note("mass") * length, total * length * length
+    pp, pq = (total * (0.25 + odd)).note("mass_pp"), (total * (0.25 - odd)).note("mass_pq")
     pt, pu = first * (1 / 24 + mixed), first * (mixed - 1 / 24)
     tt, tu = second * (1 / 120 + cubic), second * (cubic - 1 / 120)
     for entry, word in ((pt, "pt"), (pu, "pu"), (tt, "tt"), (tu, "tu")):
@@ -121,7 +121,7 @@ def _mass(ends: Ends) -> list[list[Scalar]]:
 
 
 def _column_sums(mass: list[list[Scalar]]) -> list[Scalar]:
-    """What a rigid shift of both ends moves."""
+    """Sums of columns: a rigid shift of both ends."""
     return [a + b for a, b in zip(mass[0], mass[1], strict=True)]
 
 
@@ -154,8 +154,8 @@ def _vectors(poses: list[Pose]) -> list[Matrix]:
 
 def _rates(poses: list[Pose], motions: list[Motion]) -> list[Matrix]:
     """Derivatives of p_1, p_2, t_1, t_2."""
-    turning = [
+    tangent_rates = [
         (pose.rotation @ motion.omega.cross(_axis(motion.omega))).note(f"{name}_tangent_rate")
         for pose, motion, name in zip(poses, motions, NAMES, strict=True)
     ]
-    return [motion.velocity for motion in motions] + turning
+    return [motion.velocity for motion in motions] + tangent_rates

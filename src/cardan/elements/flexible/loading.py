@@ -39,9 +39,9 @@ class LoadElement(FlexibleElement):
             forces += [-axis.cross(pose.rotation.T @ along), -force]
             moments += [self.densities(ends, pose)[1] * (length * -0.5), force * 0.0]
             potential = potential - along.T @ pose.rotation.column(0) - force.T @ pose.position
-        return self._made(ends, ends.told(forces), ends.told(moments), potential)
+        return self._functions(ends, ends.assembled(forces), ends.assembled(moments), potential)
 
-    def _made(
+    def _functions(
         self, ends: Ends, forces: Matrix, moments: Matrix, potential: Matrix
     ) -> dict[str, Function]:
         """The functions of loads on the nodes, from forces and from moments."""
@@ -65,12 +65,12 @@ class LoadElement(FlexibleElement):
         return functions
 
     def shares(self, ends: Ends, poses: Sequence[Pose]) -> list[tuple[Matrix, Matrix]]:
-        """What works on the tangent and on the position of each end (3, 1) [N m, N]."""
+        """Shares of a load on the tangent and on the position of each end (3, 1) [N m, N]."""
         length = ends.number("length")
         one, two = (self.densities(ends, pose)[0] for pose in poses)
-        found: list[tuple[Matrix, Matrix]] = []
+        shares: list[tuple[Matrix, Matrix]] = []
         for near, far, sign in ((one, two, 1.0), (two, one, -1.0)):
             force = near * (length * 0.35) + far * (length * 0.15)
             square = length * length * sign
-            found.append((near * (square / 20.0) + far * (square / 30.0), force))
-        return found
+            shares.append((near * (square / 20.0) + far * (square / 30.0), force))
+        return shares

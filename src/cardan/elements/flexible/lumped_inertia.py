@@ -22,7 +22,7 @@ class LumpedInertia(InertiaElement):
     """
 
     kind: ClassVar[str] = "lumped_inertia"
-    own: ClassVar[tuple[str, ...]] = ("length",)
+    geometric: ClassVar[tuple[str, ...]] = ("length",)
 
     @property
     def common(self) -> tuple[str, ...]:
@@ -31,12 +31,15 @@ class LumpedInertia(InertiaElement):
     def loads(self, ends: Ends) -> list[Matrix]:
         half, gravity = ends.number("length") * 0.5, ends.vector(*GRAVITY)
         mass, inertia = half * ends.number("rhoA"), spin(ends, 0.5)
-        found: list[Matrix] = []
+        loads: list[Matrix] = []
         for k in range(2):
             motion = ends.motion(k)
-            turning = motion.omega.cross(inertia @ motion.omega)
-            found += [inertia @ motion.omega_rate + turning, (motion.acceleration - gravity) * mass]
-        return found
+            gyroscopic = motion.omega.cross(inertia @ motion.omega)
+            loads += [
+                inertia @ motion.omega_rate + gyroscopic,
+                (motion.acceleration - gravity) * mass,
+            ]
+        return loads
 
     def energies(self, ends: Ends) -> tuple[Matrix, Matrix]:
         mass, inertia = ends.number("length") * 0.5 * ends.number("rhoA"), spin(ends, 0.5)
@@ -54,6 +57,6 @@ class LumpedInertia(InertiaElement):
         for k in range(2):
             pose, motion = ends.pose(k), ends.motion(k)
             linear = motion.velocity * mass
-            own = pose.rotation @ (inertia @ motion.omega)
-            total = total + Matrix.vstack(pose.position.cross(linear) + own, linear)
+            spin_part = pose.rotation @ (inertia @ motion.omega)
+            total = total + Matrix.vstack(pose.position.cross(linear) + spin_part, linear)
         return total

@@ -1,4 +1,4 @@
-"""Where the ends of elements are: at a node, at an offset from it, on the ground; points; planes.
+"""Ends of elements: at a node, at an offset from it, on the ground; points; planes.
 
 A node has q = [w x y z, px py pz] and u = [omega (its axes), v (ground axes)]; a point
 q = [px py pz]; a node of the plane z = 0 has q = [x, y, angle]. Of points and plane nodes q just
@@ -28,7 +28,7 @@ FRAME = (*(f"R{i}{j}" for i in "123" for j in "123"), "px", "py", "pz")
 
 @dataclass(frozen=True)
 class Pose:
-    """Where an end is.
+    """Pose of an end.
 
     Attributes:
         rotation: R (3, 3), axes of the end to ground axes.
@@ -45,7 +45,7 @@ class Pose:
 
 @dataclass(frozen=True)
 class Motion:
-    """How an end moves.
+    """Motion of an end.
 
     Attributes:
         omega: Angular velocity in axes of the end (3, 1) [rad/s].
@@ -78,7 +78,7 @@ class Place(ABC):
     speeds: ClassVar[Entries] = ()
     data: ClassVar[tuple[str, ...]] = ()
     graph: Graph = field(repr=False)
-    given: tuple[Scalar, ...]
+    attributes: tuple[Scalar, ...]
     q: int
     u: int
 
@@ -90,18 +90,18 @@ class Place(ABC):
 
     @abstractmethod
     def pose(self) -> Pose:
-        """Where it is."""
+        """Pose of the end."""
 
     @abstractmethod
     def motion(self) -> Motion:
-        """How it moves."""
+        """Motion of the end."""
 
     @abstractmethod
-    def spread(self) -> Matrix:
+    def to_space(self) -> Matrix:
         """Increments of the end, rotation in its axes and position, from those of u (6, nu)."""
 
     def bent(self, force: Matrix) -> Matrix:
-        """What the derivative of loads on u gains as the arm of a force turns (nu, nu)."""
+        """Change of the derivative of loads on u as the arm of a force rotates (nu, nu)."""
         return Matrix.zeros(self.graph, len(self.speeds), len(self.speeds))
 
     @abstractmethod
@@ -122,7 +122,7 @@ class Ground(Place):
     def motion(self) -> Motion:
         return Motion(*[Matrix.zeros(self.graph, 3)] * 4)
 
-    def spread(self) -> Matrix:
+    def to_space(self) -> Matrix:
         return Matrix.zeros(self.graph, 6, 0)
 
     def directions(self) -> list[dict[int, int]]:
@@ -133,7 +133,7 @@ class Node(Place):
     """At a node itself."""
 
     kind: ClassVar[str] = "node"
-    coordinates: ClassVar[Entries] = (("w", ""), ("x", ""), ("y", ""), ("z", ""), *POSITION)
+    coordinates: ClassVar[Entries] = (("qw", ""), ("qx", ""), ("qy", ""), ("qz", ""), *POSITION)
     speeds: ClassVar[Entries] = (*OMEGA, *VELOCITY)
 
     def pose(self) -> Pose:
@@ -144,18 +144,18 @@ class Node(Place):
         (omega, v), (rate, a) = (_halves(self.entries(x), 3) for x in ("u", "udot"))
         return Motion(omega, v, rate, a)
 
-    def spread(self) -> Matrix:
+    def to_space(self) -> Matrix:
         return Matrix.identity(self.graph, 6)
 
     def directions(self) -> list[dict[int, int]]:
         quaternion, position = _halves(self.entries("q"), 4)
-        rotation, found = Quaternion().matrix(quaternion), list[dict[int, int]]()
+        rotation, directions = Quaternion().matrix(quaternion), list[dict[int, int]]()
         for n in range(3):
             axis = Matrix(self.graph, 3, 1, [ONE if i == n else ZERO for i in range(3)])
-            rates, turned = Quaternion().rates(quaternion, axis), rotation @ axis.skew
+            rates, rotation_slope = Quaternion().rates(quaternion, axis), rotation @ axis.skew
             nodes = (*quaternion.nodes, *rotation.nodes)
-            found.append(dict(zip(nodes, (*rates.nodes, *turned.nodes), strict=True)))
-        return found + [{node: ONE} for node in position.nodes]
+            directions.append(dict(zip(nodes, (*rates.nodes, *rotation_slope.nodes), strict=True)))
+        return directions + [{node: ONE} for node in position.nodes]
 
 
 class Offset(Place):
@@ -187,7 +187,7 @@ class Offset(Place):
             at.acceleration + rotation @ (at.omega_rate.cross(p) + at.omega.cross(arm)),
         )
 
-    def spread(self) -> Matrix:
+    def to_space(self) -> Matrix:
         (R, p), rotation = _frame(self), self.node.pose().rotation
         zero, one = Matrix.zeros(self.graph, 3, 3), Matrix.identity(self.graph, 3)
         arm = -(rotation @ p.skew)
@@ -195,9 +195,9 @@ class Offset(Place):
 
     def bent(self, force: Matrix) -> Matrix:
         _, p = _frame(self)
-        own = p.skew @ (self.node.pose().rotation.T @ force).skew
+        block = p.skew @ (self.node.pose().rotation.T @ force).skew
         nodes = [
-            own.nodes[3 * i + j] if i < 3 and j < 3 else ZERO for i in range(6) for j in range(6)
+            block.nodes[3 * i + j] if i < 3 and j < 3 else ZERO for i in range(6) for j in range(6)
         ]
         return Matrix(self.graph, 6, 6, nodes)
 
@@ -219,7 +219,7 @@ class Point(Place):
         zero = Matrix.zeros(self.graph, 3)
         return Motion(zero, self.entries("u"), zero, self.entries("udot"))
 
-    def spread(self) -> Matrix:
+    def to_space(self) -> Matrix:
         return Matrix.vstack(Matrix.zeros(self.graph, 3, 3), Matrix.identity(self.graph, 3))
 
     def directions(self) -> list[dict[int, int]]:
@@ -232,5 +232,5 @@ def _halves(column: Matrix, first: int) -> tuple[Matrix, Matrix]:
 
 def _frame(place: Place) -> tuple[Matrix, Matrix]:
     """Rotation (3, 3) and position (3, 1) from the data of an end."""
-    nodes = [x.node for x in place.given]
+    nodes = [x.node for x in place.attributes]
     return Matrix(place.graph, 3, 3, nodes[:9]), Matrix(place.graph, 3, 1, nodes[9:])

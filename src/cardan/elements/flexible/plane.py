@@ -26,8 +26,8 @@ class PlaneNode(Place):
         (v, omega), (a, rate) = (_parted(self.entries(letter)) for letter in ("u", "udot"))
         return Motion(omega, v, rate, a)
 
-    def spread(self) -> Matrix:
-        return _spread(Matrix.zeros(self.graph, 3))
+    def to_space(self) -> Matrix:
+        return _to_space(Matrix.zeros(self.graph, 3))
 
     def directions(self) -> list[dict[int, int]]:
         """Angles change sine and cosine, which are all that they make."""
@@ -51,23 +51,23 @@ class PlaneOffset(Place):
 
     def _arm(self) -> Matrix:
         """From the node in ground axes (3, 1)."""
-        x, y, _ = self.given
+        x, y, _ = self.attributes
         return self.node.pose().rotation @ Matrix.vector(self.graph, [x, y, 0.0])
 
     def pose(self) -> Pose:
         at = self.node.pose()
         assert at.angle is not None
-        rotation = at.rotation @ _turn(self.given[2])
-        return Pose(rotation, at.position + self._arm(), angle=at.angle + self.given[2])
+        rotation = at.rotation @ _turn(self.attributes[2])
+        return Pose(rotation, at.position + self._arm(), angle=at.angle + self.attributes[2])
 
     def motion(self) -> Motion:
         at, arm = self.node.motion(), self._arm()
         across = at.omega.cross(arm)
-        turning = at.omega_rate.cross(arm) + at.omega.cross(across)
-        return Motion(at.omega, at.velocity + across, at.omega_rate, at.acceleration + turning)
+        transport = at.omega_rate.cross(arm) + at.omega.cross(across)
+        return Motion(at.omega, at.velocity + across, at.omega_rate, at.acceleration + transport)
 
-    def spread(self) -> Matrix:
-        return _spread(self._arm())
+    def to_space(self) -> Matrix:
+        return _to_space(self._arm())
 
     def bent(self, force: Matrix) -> Matrix:
         along = -self._arm().dot(force)
@@ -84,7 +84,7 @@ class PlaneGround(Ground):
     data: ClassVar[tuple[str, ...]] = FLAT
 
     def pose(self) -> Pose:
-        return _pose(*self.given)
+        return _pose(*self.attributes)
 
 
 def _pose(x: Scalar, y: Scalar, angle: Scalar) -> Pose:
@@ -103,7 +103,7 @@ def _parted(rates: Matrix) -> tuple[Matrix, Matrix]:
     return Matrix.vector(g, [x, y, 0.0]), Matrix.vector(g, [0.0, 0.0, angle])
 
 
-def _spread(arm: Matrix) -> Matrix:
+def _to_space(arm: Matrix) -> Matrix:
     """Increments of an end at an arm in ground axes (6, 3)."""
     x, y, _ = arm
     none: list[Number] = [0.0, 0.0, 0.0]

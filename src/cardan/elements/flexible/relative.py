@@ -14,13 +14,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from ...ir.matrix import Matrix
-from ...spatial.short_rotations import (
-    HALF_COSINE,
-    HALF_SINE,
-    INVERSE_TANGENT,
-    Slopes,
-    slopes,
-)
+from ...spatial.short_rotations import HALF_COSINE, HALF_SINE, INVERSE_TANGENT, Slopes, slopes
 from .element_ends import relative_rotation
 from .node_set import Pose
 
@@ -55,23 +49,23 @@ class Relative:
         start.rotation.graph.describe(Relative.of)
         turn, rotation = relative_rotation(start, end)
         inverse = slopes(INVERSE_TANGENT, turn.dot(turn).note("theta_squared"), "a")
-        slope = carried_by(turn, Slopes(0.5), inverse).note("D")
-        apart = (end.position - start.position).note("apart")
-        position = (start.rotation.T @ apart).note("d")
+        slope = transport(turn, Slopes(0.5), inverse).note("D")
+        span = (end.position - start.position).note("apart")
+        position = (start.rotation.T @ span).note("d")
         return Relative(start, end, turn, position, rotation, inverse, slope)
 
 
-def carried_by(turn: Matrix, first: Slopes, second: Slopes) -> Matrix:
+def transport(turn: Matrix, first: Slopes, second: Slopes) -> Matrix:
     """U = 1 + first [theta] + second [theta]², (3, 3)."""
     g = turn.graph
     square = (turn.outer(turn) - Matrix.identity(g, 3) * turn.dot(turn)).note("theta_skew_squared")
     return Matrix.identity(g, 3) + turn.skew * first.value + square * second.value
 
 
-def carried_slope(
+def transport_slope(
     turn: Matrix, first: Slopes, second: Slopes, d: Matrix, word: str = "d"
 ) -> Matrix:
-    """Derivative of U d by theta, (3, 3), with U of :func:`carried_by`; d is called ``word``."""
+    """Derivative of U d by theta, (3, 3), with U of :func:`transport`; d is called ``word``."""
     across = turn.cross(d).note(f"theta_cross_{word}")
     twice = turn.cross(across).note(f"theta_cross_theta_cross_{word}")
     along = Matrix.identity(turn.graph, 3) * turn.dot(d).note(f"theta_dot_{word}")
@@ -81,7 +75,7 @@ def carried_slope(
     return along * second.value - d.skew * first.value + change.outer(turn)
 
 
-def carried_bend(turn: Matrix, first: Slopes, second: Slopes, d: Matrix, g: Matrix) -> Matrix:
+def transport_bend(turn: Matrix, first: Slopes, second: Slopes, d: Matrix, g: Matrix) -> Matrix:
     """Second derivative of g · U d by theta, symmetric (3, 3)."""
     identity = Matrix.identity(turn.graph, 3)
     c = d.cross(g).note("d_cross_force")
@@ -100,7 +94,7 @@ def carried_bend(turn: Matrix, first: Slopes, second: Slopes, d: Matrix, g: Matr
 
 
 def mean_axes(turn: Matrix) -> tuple[Slopes, Slopes]:
-    """What U is made of where it turns from axes of end 1 to those halfway, exp(-theta/2)."""
+    """Slopes of U where it rotates from axes of end 1 to those halfway, exp(-theta/2)."""
     x = turn.dot(turn)
     return -slopes(HALF_SINE, x, "half_sine"), slopes(HALF_COSINE, x, "half_cosine")
 
@@ -118,13 +112,13 @@ class Response:
 
     moment: Matrix
     force: Matrix
-    turning: Matrix
+    by_rho: Matrix
     mixed: Matrix
     stretching: Matrix
 
 
 def forces(at: Relative, moment: Matrix, force: Matrix) -> list[Matrix]:
-    """What the ends must be held with: moment and force on end 1, on end 2.
+    """Forces that hold the ends: moment and force on end 1, on end 2.
 
     ``loads = [n x d - r m, -R_1 n, m, R_1 n]`` of m and n by rho and d.
 
@@ -135,9 +129,9 @@ def forces(at: Relative, moment: Matrix, force: Matrix) -> list[Matrix]:
         moment, force: What works along rho and along d (3, 1).
     """
     force.graph.describe(forces)
-    held = (at.start.rotation @ force).note("force_on_end")
+    on_end = (at.start.rotation @ force).note("force_on_end")
     first = (force.cross(at.position) - at.rotation @ moment).note("moment_on_start")
-    return [first, -held, moment.note("moment_on_end"), held]
+    return [first, -on_end, moment.note("moment_on_end"), on_end]
 
 
 def tangent(at: Relative, response: Response) -> list[list[Matrix]]:
@@ -150,16 +144,16 @@ def tangent(at: Relative, response: Response) -> list[list[Matrix]]:
     moment, _, _, _ = forces(at, response.moment, response.force)
     # columns of end 1: rho = -rᵀ theta_1, d changes by [d] theta_1
     by_force = (response.stretching @ d - response.mixed @ r.T).note("force_by_start")
-    by_moment = (response.mixed.T @ d - response.turning @ r.T).note("moment_by_start")
+    by_moment = (response.mixed.T @ d - response.by_rho @ r.T).note("moment_by_start")
     pp = R.congruence(response.stretching).note("K_pp")
     p2 = (R @ response.mixed).note("K_p2")
     p1 = (R @ (by_force - response.force.skew).note("force_turned_by_start")).note("K_p1")
     inner = (by_moment + response.moment.skew @ r.T).note("moment_turned_by_start")
-    own = upper(response.force.skew @ d - r @ inner - d @ by_force, moment)
+    diagonal = upper(response.force.skew @ d - r @ inner - d @ by_force, moment)
     return [
-        [own, -p1.T, by_moment.T, p1.T],
+        [diagonal, -p1.T, by_moment.T, p1.T],
         [-p1, pp, -p2, -pp],
-        [by_moment, -p2.T, response.turning, p2.T],
+        [by_moment, -p2.T, response.by_rho, p2.T],
         [p1, -pp, p2, pp],
     ]
 
@@ -170,30 +164,30 @@ def moved(at: Relative, increments: Sequence[Matrix], first: Slopes, second: Slo
     Args:
         at: The relative pose.
         increments: Of end 1 and 2: rotation in axes of the end, position in ground axes.
-        first, second: What U is made of, see :func:`carried_by`.
+        first, second: What U is made of, see :func:`transport`.
     """
     turn_1, move_1, turn_2, move_2 = increments
     rho = (turn_2 - at.rotation.T @ turn_1).note("rho")
     d = at.start.rotation.T @ (move_2 - move_1).note("apart_step") + at.position.cross(turn_1)
     theta = (at.slope @ rho).note("theta_step")
-    bent = carried_slope(at.turn, first, second, at.position)
-    e = bent @ theta + carried_by(at.turn, first, second) @ d.note("d_step")
+    bent = transport_slope(at.turn, first, second, at.position)
+    e = bent @ theta + transport(at.turn, first, second) @ d.note("d_step")
     return Matrix.vstack(theta, e.note("e_step"))
 
 
-def upper(whole: Matrix, moment: Matrix) -> Matrix:
+def upper(matrix: Matrix, moment: Matrix) -> Matrix:
     """A matrix X with X - Xᵀ = [moment], made of its upper triangle."""
-    g, skew = whole.graph, moment.skew
+    g, skew = matrix.graph, moment.skew
     nodes = [
-        whole.nodes[3 * i + j] if i <= j else g.add(whole.nodes[3 * j + i], skew.nodes[3 * i + j])
+        matrix.nodes[3 * i + j] if i <= j else g.add(matrix.nodes[3 * j + i], skew.nodes[3 * i + j])
         for i in range(3)
         for j in range(3)
     ]
     return Matrix(g, 3, 3, nodes)
 
 
-def mirrored(whole: Matrix) -> Matrix:
+def mirrored(matrix: Matrix) -> Matrix:
     """The symmetric matrix of an upper triangle."""
-    n = whole.rows
-    nodes = [whole.nodes[n * min(i, j) + max(i, j)] for i in range(n) for j in range(n)]
-    return Matrix(whole.graph, n, n, nodes)
+    n = matrix.rows
+    nodes = [matrix.nodes[n * min(i, j) + max(i, j)] for i in range(n) for j in range(n)]
+    return Matrix(matrix.graph, n, n, nodes)

@@ -27,12 +27,12 @@ DEAD, FOLLOWER, GRAVITY = (
     tuple(f"{name}_{k}" for k in (1, 2, 3)) for name in ("dead_force", "follower_force", "gravity")
 )
 FORCES = (*DEAD, *FOLLOWER, "rhoA", *GRAVITY)
-CARRIED = (*DEAD, *GRAVITY)
+DEAD_LOADS = (*DEAD, *GRAVITY)
 
 
 @dataclass(frozen=True)
 class Section:
-    """What the data of a beam element say.
+    """Section data of a beam element.
 
     Attributes:
         length: L [m].
@@ -70,12 +70,12 @@ def without_locking(stiffness: Sequence[Scalar], length: Scalar) -> list[Scalar]
 
     The compliance in shear gains L²/(12 EI): so soft is an element that bends linearly.
     """
-    found = list(stiffness)
+    corrected = list(stiffness)
     # shear along 2 goes with bending about 3
     for shear, bending in ((4, 2), (5, 1)):
-        residual = length * length / (12.0 * found[bending])
-        found[shear] = 1.0 / (1.0 / found[shear] + residual)
-    return found
+        residual = length * length / (12.0 * corrected[bending])
+        corrected[shear] = 1.0 / (1.0 / corrected[shear] + residual)
+    return corrected
 
 
 def diagonal(graph: Graph, entries: Sequence[Scalar]) -> Matrix:

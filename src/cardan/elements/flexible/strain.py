@@ -24,26 +24,26 @@ from .element_ends import NODE, STRESS_UNITS, STRESSES, Ends
 from .relative import (
     Relative,
     Response,
-    carried_bend,
-    carried_by,
-    carried_slope,
     forces,
     mirrored,
     moved,
     tangent,
+    transport,
+    transport_bend,
+    transport_slope,
     upper,
 )
 from .section import diagonal, flat
 
 STRAINS = ("K1", "K2", "K3", "E1", "E2", "E3")
 # the same of the whole element
-WHOLE = ("theta1", "theta2", "theta3", "e1", "e2", "e3")
+STRAIN_DATA = ("theta1", "theta2", "theta3", "e1", "e2", "e3")
 STRAIN_UNITS = ("rad/m",) * 3 + ("",) * 3
 
 
 @dataclass(frozen=True)
 class Law:
-    """What a strain does; all in angles theta and lengths e of the whole element.
+    """Response to a strain; all in angles theta and lengths e of the full element.
 
     Attributes:
         moment, force: Derivatives of the energy by theta and e (3, 1).
@@ -88,7 +88,7 @@ class Field(ABC):
 
     @abstractmethod
     def law(self, stress: Matrix) -> Law:
-        """What the element does with that stress."""
+        """Response of the element to that stress."""
 
 
 class StrainElement(FlexibleElement):
@@ -123,7 +123,7 @@ class StrainElement(FlexibleElement):
             at = Relative.of(ends.pose(0), ends.pose(1))
         with made_by("", "strain"):
             first, second = self.measures(at)
-            e = carried_strain(at, first, second)
+            e = transported_strain(at, first, second)
         ends.graph.describe(Field)
         with made_by("", "stress"):
             field = self.field(ends, at, e)
@@ -134,15 +134,15 @@ class StrainElement(FlexibleElement):
             loads = forces(at, response.moment, response.force)
         with made_by("", "tangent"):
             stiffness = ends.derivative(tangent(at, response), loads)
-        found = {
-            "balance": (balance(ends, ends.told(loads)),),
+        outputs_by_name = {
+            "balance": (balance(ends, ends.assembled(loads)),),
             "balance_tangent": (matrix(ends, "K", stiffness),),
             "energy": (energy(None, law.energy),),
             "stress": (stresses(law),),
         }
         plain = {
             name: self.function(ends, name, ends.blocks("q", "p"), *outputs)
-            for name, outputs in found.items()
+            for name, outputs in outputs_by_name.items()
         }
         return plain | (self._mixed(ends, at, field) if self.mixed else {})
 
@@ -158,35 +158,37 @@ class StrainElement(FlexibleElement):
         )
         # what the missing strain adds to the forces
         added = (slope.T @ field.solved(gap)).hint("", "added", STRESSES)
-        whole = replace(
+        shifted = replace(
             law,
             moment=law.moment + added.block(slice(3)),
             force=law.force + added.block(slice(3, 6)),
         )
-        held = respond(at, first, second, whole)
-        loads = ends.told(forces(at, held.moment, held.force))
+        mixed_response = respond(at, first, second, shifted)
+        loads = ends.assembled(forces(at, mixed_response.moment, mixed_response.force))
         change = moved(at, ends.increments(), first, second)
         missing = (gap + slope @ change).hint("", "missing_strain", STRAINS)
         new = stress + field.solved(missing)
-        found = {
+        outputs_by_name = {
             "mixed": (balance(ends, loads), matrix(ends, "K", stiffness)),
             "mixed_step": (increment(new),),
         }
         blocks = ends.blocks("q", "z", "p", "du")
-        return {name: self.function(ends, name, blocks, *o) for name, o in found.items()}
+        return {name: self.function(ends, name, blocks, *o) for name, o in outputs_by_name.items()}
 
     def reference(self) -> Function:
         """theta and e (6) of two poses q: what they are in the reference shape."""
         ends = Ends(Graph(), (NODE, NODE), ())
         at = Relative.of(ends.pose(0), ends.pose(1))
-        e = carried_strain(at, *self.measures(at))
+        e = transported_strain(at, *self.measures(at))
         output = Output("reference", (6,), Matrix.vstack(at.turn, e).nodes, STRAINS)
         return self.function(ends, "reference", ends.blocks("q"), output)
 
     def shapes(self, length: Any, poses: Any) -> dict[str, Any]:
-        found = evaluate(self.reference(), {"q": poses}, "numpy")["reference"]
-        density = found / length[:, None]
-        return dict(zip(WHOLE, found.T, strict=True)) | dict(zip(STRAINS, density.T, strict=True))
+        strain = evaluate(self.reference(), {"q": poses}, "numpy")["reference"]
+        density = strain / length[:, None]
+        return dict(zip(STRAIN_DATA, strain.T, strict=True)) | dict(
+            zip(STRAINS, density.T, strict=True)
+        )
 
 
 def stresses(law: Law) -> Output:
@@ -209,10 +211,10 @@ def increment(stress: Matrix) -> Output:
     return Output("z", (len(STRESSES),), stress.nodes, STRESSES, STRESS_UNITS)
 
 
-def carried_strain(at: Relative, first: Slopes, second: Slopes) -> Matrix:
+def transported_strain(at: Relative, first: Slopes, second: Slopes) -> Matrix:
     """e (3, 1) [m]: ``strain = e: U d, U = 1 + first [theta] + second [theta]²``."""
-    at.turn.graph.describe(carried_strain)
-    return (carried_by(at.turn, first, second).note("U") @ at.position).note("e")
+    at.turn.graph.describe(transported_strain)
+    return (transport(at.turn, first, second).note("U") @ at.position).note("e")
 
 
 def respond(at: Relative, first: Slopes, second: Slopes, law: Law) -> Response:
@@ -222,23 +224,25 @@ def respond(at: Relative, first: Slopes, second: Slopes, law: Law) -> Response:
     """
     at.turn.graph.describe(respond)
     turn, d, slope = at.turn, at.position, at.slope
-    carried = carried_by(turn, first, second).note("U")
-    bent = carried_slope(turn, first, second, d).note("e_by_theta")
+    transported = transport(turn, first, second).note("U")
+    bent = transport_slope(turn, first, second, d).note("e_by_theta")
     # derivatives by theta and d
     by_theta = (law.moment + bent.T @ law.force).note("by_theta")
-    force = (carried.T @ law.force).note("by_d")
+    force = (transported.T @ law.force).note("by_d")
     theta_theta, theta_e, e_e = law.tangent
     across = (theta_e + bent.T @ e_e).note("across")
-    stretching = carried.T.congruence(e_e).note("by_d_d")
-    bend = carried_bend(turn, first, second, d, law.force).note("bend")
+    stretching = transported.T.congruence(e_e).note("by_d_d")
+    bend = transport_bend(turn, first, second, d, law.force).note("bend")
     both = mirrored(theta_theta + theta_e @ bent + (across @ bent).T + bend).note("by_theta_theta")
-    mixed = (across @ carried).T + carried_slope(turn, -first, second, law.force, "n")
+    mixed = (across @ transported).T + transport_slope(turn, -first, second, law.force, "n")
     # theta changes by D rho, and D with it
     moment = (slope.T @ by_theta).note("by_rho")
-    turned = slope.T @ both + carried_slope(turn, Slopes(-0.5), at.inverse, by_theta, "by_theta")
-    turning = upper(turned.note("by_theta_rho") @ slope, moment).note("by_rho_rho")
+    theta_rho = slope.T @ both + transport_slope(
+        turn, Slopes(-0.5), at.inverse, by_theta, "by_theta"
+    )
+    rho_rho = upper(theta_rho.note("by_theta_rho") @ slope, moment).note("by_rho_rho")
     mixed = (mixed.note("by_d_theta") @ slope).note("by_d_rho")
-    return Response(moment, force, turning, mixed, stretching)
+    return Response(moment, force, rho_rho, mixed, stretching)
 
 
 @dataclass(frozen=True)
@@ -256,11 +260,11 @@ class Elastic(Field):
     length: Number
 
     @staticmethod
-    def of(whole: Matrix, free: Matrix, stiffness: Sequence[Scalar], length: Scalar) -> Elastic:
+    def of(strain: Matrix, free: Matrix, stiffness: Sequence[Scalar], length: Scalar) -> Elastic:
         """With the stiffness of a section, six numbers, and what (theta, e) is without stress."""
-        g = whole.graph
+        g = strain.graph
         return Elastic(
-            whole - free,
+            strain - free,
             diagonal(g, [x / length for x in stiffness]),
             diagonal(g, [length / x for x in stiffness]),
             length,

@@ -14,7 +14,7 @@ from .strain import STRAINS, Field, Law
 
 
 @dataclass(frozen=True)
-class Varying(Field):
+class VaryingStress(Field):
     """Everything that follows from the strain alone.
 
     The energy is y · s - s · c s / 2 - t · c t / 24 with y the strain of the element, s the stress
@@ -40,7 +40,7 @@ class Varying(Field):
     factors: tuple[list[list[int]], list[int]]
 
     @staticmethod
-    def of(ends: Ends, theta: Matrix, e: Matrix, load: Matrix | None = None) -> Varying:
+    def of(ends: Ends, theta: Matrix, e: Matrix, load: Matrix | None = None) -> VaryingStress:
         """The field of a strain.
 
         Args:
@@ -54,12 +54,14 @@ class Varying(Field):
         c, twelfth = diagonal(g, entries), diagonal(g, [x / 12.0 for x in entries])
         change = _blocks(theta.skew, e.skew, Matrix.zeros(g, 3, 3), theta.skew)
         flexibility = (c.note("c") + change.T.congruence(twelfth.note("twelfth"))).note("F")
-        strain, whole = (Matrix.vstack(theta, e) - section.free).hint("", "y", STRAINS), None
+        strain, total_load = (Matrix.vstack(theta, e) - section.free).hint("", "y", STRAINS), None
         if load is not None:
-            whole = Matrix.vstack(Matrix.zeros(g, 3), load * section.length)
-            strain = strain - change.T @ (twelfth @ whole)
+            total_load = Matrix.vstack(Matrix.zeros(g, 3), load * section.length)
+            strain = strain - change.T @ (twelfth @ total_load)
         factors = factored(flexibility, SystemNames("F", STRESSES, ()))
-        return Varying(strain, section, e, whole, c, twelfth, change, flexibility, factors)
+        return VaryingStress(
+            strain, section, e, total_load, c, twelfth, change, flexibility, factors
+        )
 
     def _varied(self, stress: Matrix) -> Matrix:
         """t (6, 1)."""
@@ -79,16 +81,18 @@ class Varying(Field):
         tau = (self.twelfth @ self._varied(stress)).hint("", "tau", STRAINS)
         t1, t2 = tau.block(slice(3)).skew, tau.block(slice(3, 6)).skew
         direct = _blocks(t1, Matrix.zeros(g, 3, 3), t2, t1)
-        varied = (self.twelfth @ _turned(stress)).note("tau_by_strain")
+        varied = (self.twelfth @ _transport_slope(stress)).note("tau_by_strain")
         return (Matrix.identity(g, 6) - direct - self.change.T @ varied).note("B")
 
     def law(self, stress: Matrix) -> Law:
-        g, turned = stress.graph, _turned(stress)
+        g, transport_slope = stress.graph, _transport_slope(stress)
         m, n = stress.block(slice(3)), stress.block(slice(3, 6))
         varied = self._varied(stress)
         tau = (self.twelfth @ varied).hint("", "tau", STRAINS)
         t1, t2 = tau.block(slice(3)), tau.block(slice(3, 6))
-        bend = mirrored(turned.T @ (self.twelfth @ turned).note("tau_by_strain")).note("t_bend")
+        bend = mirrored(
+            transport_slope.T @ (self.twelfth @ transport_slope).note("tau_by_strain")
+        ).note("t_bend")
         tangent = _condensed(*self.factors, self.slope(stress), bend)
         middle, half = self._at_ends(stress), varied * 0.5
         ends = (middle + half, middle - half)
@@ -128,7 +132,7 @@ class Varying(Field):
         return direct + self.slope(stress).T @ solved, mirrored(both)
 
     def _stored(self, varied: Matrix) -> Matrix:
-        """What stores energy together with t: A s - l."""
+        """Strain whose product with t gives the stored energy: A s - l."""
         return varied if self.load is None else varied - self.load * 2.0
 
     def _at_ends(self, stress: Matrix) -> Matrix:
@@ -139,7 +143,7 @@ class Varying(Field):
         return stress + Matrix.vstack(sagging, Matrix.zeros(stress.graph, 3))
 
 
-def _turned(stress: Matrix) -> Matrix:
+def _transport_slope(stress: Matrix) -> Matrix:
     """Derivative of A s by the strain (6, 6)."""
     m, n = stress.block(slice(3)).skew, stress.block(slice(3, 6)).skew
     return _blocks(-m, -n, -n, Matrix.zeros(stress.graph, 3, 3))
@@ -159,9 +163,9 @@ def _condensed(
         columns.append(x)
     left = Matrix(g, n, n, [x for column in columns for x in column]).note("LB")
     scaled = [g.mul(d, x) for column in columns for d, x in zip(inverse, column, strict=True)]
-    whole = mirrored(left @ Matrix(g, n, n, scaled).note("DLB").T - bend).note("by_strain_strain")
+    matrix = mirrored(left @ Matrix(g, n, n, scaled).note("DLB").T - bend).note("by_strain_strain")
     upper, below = slice(3), slice(3, 6)
-    return whole.block(upper, upper), whole.block(upper, below), whole.block(below, below)
+    return matrix.block(upper, upper), matrix.block(upper, below), matrix.block(below, below)
 
 
 def _blocks(a: Matrix, b: Matrix, c: Matrix, d: Matrix) -> Matrix:

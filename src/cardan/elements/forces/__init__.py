@@ -4,14 +4,16 @@ from .actuator import Actuator
 from .central_gravity import CentralGravity
 from .contact import Contact
 from .controller import Controller
-from .damping import Damping
 from .drive import Drive
+from .event import Event
 from .force import ForceElement
 from .force_on_frame import Force
 from .friction import Friction
 from .gravity_gradient import GravityGradient
 from .j2 import J2
+from .joint_damper import JointDamper
 from .joint_force import JointForce
+from .joint_spring import JointSpring
 from .line_load import LineLoad
 from .lock import Lock
 from .maxwell import Maxwell
@@ -19,8 +21,6 @@ from .rotor import Rotor
 from .spring_damper import SpringDamper
 from .stop import Stop
 from .torque import Torque
-from .torsion_spring import TorsionSpring
-from .watch import Watch
 
 FORCES: dict[str, type[ForceElement]] = {
     element.kind: element
@@ -30,9 +30,9 @@ FORCES: dict[str, type[ForceElement]] = {
         LineLoad,
         SpringDamper,
         Maxwell,
-        TorsionSpring,
+        JointSpring,
         JointForce,
-        Damping,
+        JointDamper,
         Drive,
         Rotor,
         Actuator,
@@ -44,6 +44,6 @@ FORCES: dict[str, type[ForceElement]] = {
         CentralGravity,
         GravityGradient,
         J2,
-        Watch,
+        Event,
     )
 }

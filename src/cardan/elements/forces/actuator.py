@@ -29,7 +29,7 @@ class Actuator(ForceElement):
         start: Force at the start of a run [N m] or [N].
 
     Raises:
-        ModelError: a value that is no number or expression, a lag that is not positive or a
+        ModelError: a value that is not a number or expression, a lag that is not positive or a
             negative limit.
 
     Source: K. J. Astrom and R. M. Murray, Feedback Systems, 2008, section 3.1.
@@ -50,7 +50,7 @@ class Actuator(ForceElement):
             raise ModelError(f"{self.title}: start must be a number")
 
     def limits(self) -> tuple[Limit, ...]:
-        return (*positive("lag", wanted="a time of more than 0 [s]"), *not_negative("limit"))
+        return (*positive("lag", requirement="a time of more than 0 [s]"), *not_negative("limit"))
 
     def internals(self) -> tuple[Internal, ...]:
         return (Internal("force", "N*m|N", self.start),)

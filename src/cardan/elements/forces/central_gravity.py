@@ -28,7 +28,7 @@ class CentralGravity(Gravitation):
         bodies: A body or several; left out: all bodies with mass but that of the center.
 
     Raises:
-        ModelError: mu below 0, or what is no body.
+        ModelError: mu below 0, or what is not a body.
 
     Source: R. E. Roberson and R. Schwertassek, Dynamics of Multibody Systems, 1988, section 12.2.
     """
@@ -40,7 +40,7 @@ class CentralGravity(Gravitation):
     bodies: Bodies = ()
 
     def limits(self) -> tuple[Limit, ...]:
-        return not_negative("mu", wanted="0 or more [m^3/s^2]")
+        return not_negative("mu", requirement="0 or more [m^3/s^2]")
 
     def pull(self, r: Matrix, at: Places) -> Pull:
         return Central(at.data["mu"][0]).on_mass(r, at.data["mass"][0])

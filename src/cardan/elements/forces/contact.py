@@ -9,13 +9,13 @@ from typing import Any, ClassVar
 from ...errors import ModelError
 from ...ir.arithmetic import Scalar, norm, select, sqrt
 from ...ir.matrix import Matrix
-from ..internal_states import MODE, Change, Event, Jumped, Mode, Solved
+from ..internal_states import MODE, Change, EventSpec, Jumped, Mode, Solved
 from ..limits import Limit, not_negative, positive
 from ..quantity import RATIO, Direction, Place, Quantity, Units, quantities_of
 from ..validation import number
 from .force import Action, ForceElement, Load, Places, constant
 
-UNDECIDED, APART, TOUCHING = 0, 1, 2
+UNDECIDED, SEPARATED, TOUCHING = 0, 1, 2
 
 
 @dataclass(frozen=True)
@@ -24,7 +24,8 @@ class Contact(ForceElement):
 
     The normal ``force = stiffness d^exponent (1 + damping d')`` as long as that pushes, d being how
     deep the two overlap; friction is mu times it against the sliding velocity v, smoothed as
-    v / sqrt(v^2 + slip^2). Touching and parting are events, so that no step goes over them.
+    v / sqrt(v^2 + transition_velocity^2). Touching and parting are events, so that no step goes
+    over them.
 
     Args:
         sphere: Frame whose origin is the center of the sphere.
@@ -38,11 +39,13 @@ class Contact(ForceElement):
         normal: Of the plane, in axes of ``other``, out of its material.
         other_radius: Of the other sphere [m]; None: ``other`` is a plane.
         mu: Coefficient of friction.
-        slip: Speed over which friction is smoothed [m/s].
+        transition_velocity: Speed over which friction is smoothed [m/s].
 
     Raises:
-        ModelError: a value that is no number or expression, a negative radius, stiffness, damping
-            or mu, an exponent below 1, a slip that is not positive; restitution without speed,
+        ModelError: a value that is not a number or expression, a negative radius, stiffness,
+        damping
+            or mu, an exponent below 1, a transition_velocity that is not positive; restitution
+            without speed,
             beside damping, or out of its range.
 
     Source: K. H. Hunt and F. R. E. Crossley, J. Applied Mechanics 42 (1975) 440.
@@ -51,7 +54,7 @@ class Contact(ForceElement):
     kind: ClassVar[str] = "contact"
     units: ClassVar[Units] = {
         **{"radius": "m", "stiffness": "", "damping": "s/m", "exponent": RATIO, "normal": RATIO},
-        **{"other_radius": "m", "mu": "", "slip": "m/s"},
+        **{"other_radius": "m", "mu": "", "transition_velocity": "m/s"},
     }
     sphere: Place
     other: Place
@@ -62,7 +65,7 @@ class Contact(ForceElement):
     normal: Direction = "z"
     other_radius: Any = None
     mu: Any = 0.0
-    slip: Any = 1e-3
+    transition_velocity: Any = 1e-3
     restitution: Any = None
     speed: Any = None
 
@@ -101,7 +104,7 @@ class Contact(ForceElement):
         return (
             *not_negative("radius", "stiffness", "damping", "other_radius", "mu"),
             Limit("exponent", "exponent is {value}; give 1 or more", 1.0),
-            *positive("slip"),
+            *positive("transition_velocity"),
         )
 
     def quantities(self) -> dict[str, Quantity]:
@@ -123,7 +126,7 @@ class Contact(ForceElement):
         return depth, normal, motion.position(a) - normal * (radius - depth * 0.5)
 
     def _velocity(self, at: Places, place: Matrix) -> Matrix:
-        """Of the sphere's material at a place against that of the other."""
+        """Velocity of the sphere's material at a place relative to that of the other."""
         motion = at.motion
 
         def there(frame: int) -> Matrix:
@@ -141,14 +144,14 @@ class Contact(ForceElement):
         velocity = self._velocity(at, place)
         closing = -normal.dot(velocity)
         deep = (depth * 0).apply("lt", depth)
-        touching = deep.apply("and", at.s[0].apply("eq", float(APART)).apply("not"))
+        touching = deep.apply("and", at.s[0].apply("eq", float(SEPARATED)).apply("not"))
         exponent, d = data["exponent"][0], select(touching, depth, 1)
         elastic = select(touching, data["stiffness"][0] * d.apply("pow", exponent), 0)
         push = elastic * (data["damping"][0] * closing + 1)
         push = (push * 0).apply("max", push)
         sliding = velocity + normal * closing
-        slip = data["slip"][0]
-        drag = push * data["mu"][0] / sqrt(sliding.dot(sliding) + slip * slip)
+        smoothing = data["transition_velocity"][0]
+        drag = push * data["mu"][0] / sqrt(sliding.dot(sliding) + smoothing * smoothing)
         fixed = all(constant(data[name]) for name in ("stiffness", "exponent", "radius"))
         # of places alone, whatever the mode
         d = select(deep, depth, 1)
@@ -163,32 +166,32 @@ class Contact(ForceElement):
         """A force on the sphere at a place, and its opposite on the other."""
         loads = []
         for frame, sign in ((at.frames["sphere"], 1), (at.frames["other"], -1)):
-            own = force * sign
+            end_force = force * sign
             arm = place - at.motion.position(frame)
-            loads.append(Load(frame, arm.cross(own), own))
+            loads.append(Load(frame, arm.cross(end_force), end_force))
         return tuple(loads)
 
     # touching and parting
 
     def modes(self) -> tuple[Mode, ...]:
-        labels = ((UNDECIDED, "undecided"), (APART, "apart"), (TOUCHING, "touching"))
+        labels = ((UNDECIDED, "undecided"), (SEPARATED, "apart"), (TOUCHING, "touching"))
         return (Mode("", UNDECIDED, labels),)
 
-    def events(self) -> tuple[Event, ...]:
-        touch = Event("touch", MODE, "they touch", decides=UNDECIDED, unit="m")
-        return touch, Event("part", MODE, "they part", unit="m")
+    def events(self) -> tuple[EventSpec, ...]:
+        touch = EventSpec("touch", MODE, "they touch", decides=UNDECIDED, unit="m")
+        return touch, EventSpec("part", MODE, "they part", unit="m")
 
     def signs(self, at: Places, solved: Solved) -> tuple[Scalar, ...]:
         mode, depth = at.s[0], self._geometry(at)[0]
         undecided = mode.apply("eq", float(UNDECIDED))
-        touch = select(undecided, -1, select(mode.apply("eq", float(APART)), -depth, 1))
+        touch = select(undecided, -1, select(mode.apply("eq", float(SEPARATED)), -depth, 1))
         return touch, select(mode.apply("eq", float(TOUCHING)), depth, 1)
 
     def change(self, at: Places, jumped: Jumped) -> Change:
         depth = self._geometry(at)[0]
         undecided = at.s[0].apply("eq", float(UNDECIDED))
-        found = select(undecided.apply("and", depth.apply("le", 0.0)), APART, TOUCHING)
-        mode = select(jumped.fired(0), found, select(jumped.fired(1), APART, at.s[0]))
+        new_mode = select(undecided.apply("and", depth.apply("le", 0.0)), SEPARATED, TOUCHING)
+        mode = select(jumped.fired(0), new_mode, select(jumped.fired(1), SEPARATED, at.s[0]))
         return Change(s=Matrix.vector(at.motion.graph, [mode]))
 
 

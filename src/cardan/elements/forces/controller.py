@@ -7,11 +7,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
-from ...errors import ModelError, shown
+from ...errors import ModelError, brief
 from ...ir.arithmetic import select
 from ...ir.matrix import Matrix
 from ...ir.rewrite import rebuild
-from ..internal_states import TICK, Change, Event, Internal, Jumped, Mode
+from ..internal_states import TICK, Change, EventSpec, Internal, Jumped, Mode
 from ..quantity import JointName, LocalNames, Quantity
 from ..validation import number, vector
 from .force import Action, ForceElement, JointLoad, Places
@@ -53,15 +53,15 @@ class Controller(ForceElement):
 
     def __post_init__(self) -> None:
         named = not isinstance(self.joint, str) or bool(self.joint)
-        who = f"controller of joint {shown(self.joint)}" if named else "controller"
-        given = self.states if isinstance(self.states, Sequence) else (self.states,)
-        given = (given,) if isinstance(given, str) else given
-        names = tuple(getattr(s, "name", s) for s in given)
+        who = f"controller of joint {brief(self.joint)}" if named else "controller"
+        states = self.states if isinstance(self.states, Sequence) else (self.states,)
+        states = (states,) if isinstance(states, str) else states
+        names = tuple(getattr(s, "name", s) for s in states)
         if not all(isinstance(name, str) and name for name in names) or len(set(names)) < len(
             names
         ):
             raise ModelError(
-                f"{who}: states are {shown(self.states)}; give different symbols or names"
+                f"{who}: states are {brief(self.states)}; give different symbols or names"
             )
         object.__setattr__(self, "states", names)
         object.__setattr__(self, "changes", vector(who, "changes", _several(self.changes)))
@@ -184,32 +184,32 @@ class Controller(ForceElement):
         return cls(joint, tuple(x), changes, force, tuple(start), sample)
 
     def quantities(self) -> dict[str, Quantity]:
-        found = {}
+        quantities = {}
         if self.states:
-            found["changes"] = Quantity(self.changes, labels=self.states, local=self.states)
+            quantities["changes"] = Quantity(self.changes, labels=self.states, local=self.states)
         if self.force is not None:
-            found["force"] = Quantity(self.force, "", local=self.states)
-        return found
+            quantities["force"] = Quantity(self.force, "", local=self.states)
+        return quantities
 
     def joints(self) -> dict[str, str]:
         return {"joint": self.joint} if self.joint else {}
 
-    def _own(self, at: Places) -> Matrix:
+    def _local_states(self, at: Places) -> Matrix:
         """Its states, wherever they are kept."""
         return at.z if self.sample is None else at.s.block(slice(0, len(self.states)))
 
     def _of(self, at: Places, name: str) -> Matrix:
         """A quantity at the present states."""
         graph, written = at.motion.graph, at.data[name]
-        own = zip(self.states, self._own(at).nodes, strict=True)
-        local = {graph.atom(state): node for state, node in own}
+        values = zip(self.states, self._local_states(at).nodes, strict=True)
+        local = {graph.atom(state): node for state, node in values}
         return Matrix(graph, len(written), 1, rebuild(graph, written.nodes, local, into=graph)[1])
 
     def act(self, at: Places) -> tuple[Action, ...]:
         if self.force is None:
             return ()
-        held = at.s.block(slice(len(self.states), len(at.s)))
-        force = self._of(at, "force") if self.sample is None else held
+        sampled_force = at.s.block(slice(len(self.states), len(at.s)))
+        force = self._of(at, "force") if self.sample is None else sampled_force
         return (Action(joint_loads=(JointLoad(at.joints["joint"], force),)),)
 
     # states
@@ -225,13 +225,13 @@ class Controller(ForceElement):
     def modes(self) -> tuple[Mode, ...]:
         if self.sample is None:
             return ()
-        kept = tuple(Mode(n, v) for n, v in zip(self.states, self.start, strict=True))
-        return kept if self.force is None else (*kept, Mode("force"))
+        state_modes = tuple(Mode(n, v) for n, v in zip(self.states, self.start, strict=True))
+        return state_modes if self.force is None else (*state_modes, Mode("force"))
 
-    def events(self) -> tuple[Event, ...]:
+    def events(self) -> tuple[EventSpec, ...]:
         if self.sample is None:
             return ()
-        return (Event("sample", TICK, "it samples", period=self.sample),)
+        return (EventSpec("sample", TICK, "it samples", period=self.sample),)
 
     def signs(self, at: Places, solved: object) -> tuple[Any, ...]:
         return tuple(at.motion.time * 0 + 1 for _ in self.events())
@@ -242,8 +242,8 @@ class Controller(ForceElement):
         behind = list(self._of(at, "changes")) if self.states else []
         if self.force is not None:
             behind.append(self._of(at, "force")[0])
-        kept = zip(behind, at.s, strict=True)
-        new = [select(jumped.fired(0), value, before) for value, before in kept]
+        pairs = zip(behind, at.s, strict=True)
+        new = [select(jumped.fired(0), value, before) for value, before in pairs]
         return Change(s=Matrix.vector(at.motion.graph, new))
 
 

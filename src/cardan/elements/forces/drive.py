@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
-from ...errors import ModelError, shown
+from ...errors import ModelError, brief
 from ...ir.arithmetic import Scalar
 from ...ir.matrix import Matrix
 from ..quantity import RATIO, JointName, Quantity, Units, quantities_of
@@ -43,7 +43,7 @@ class Drive(ForceElement):
         damping: Of the shaft at the joint side [N m s/rad].
 
     Raises:
-        ModelError: a value that is no finite number or expression, negative inertia, ratio 0, or
+        ModelError: a value that is not a finite number or expression, negative inertia, ratio 0, or
             damping without stiffness.
 
     Source: R. E. Roberson and R. Schwertassek, Dynamics of Multibody Systems, 1988, section 12.3.
@@ -73,7 +73,7 @@ class Drive(ForceElement):
         Raises:
             ModelError: negative inertia, no ratio, or damping of a shaft that is rigid.
         """
-        who = f"drive on joint {shown(self.joint)}"
+        who = f"drive on joint {brief(self.joint)}"
         if isinstance(self.inertia, float) and self.inertia < 0:
             raise ModelError(f"{who}: inertia is {self.inertia}; give 0 or more [kg m^2]")
         if self.ratio == 0:

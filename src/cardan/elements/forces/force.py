@@ -1,4 +1,4 @@
-"""What every force element states in its one file."""
+"""Interface of the force elements; each is one file."""
 
 from __future__ import annotations
 
@@ -7,19 +7,28 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, ClassVar, Protocol
 
-from ...errors import ModelError, shown
+from ...errors import ModelError, brief
 from ...ir.arithmetic import Scalar
 from ...ir.function import live
 from ...ir.graph import Graph
 from ...ir.matrix import Matrix
 from ...literature import HasSource
-from ..internal_states import Change, Event, Hold, Impulse, Internal, Jumped, Mode, Solved
+from ..internal_states import (
+    Change,
+    EventSpec,
+    Impulse,
+    Internal,
+    Jumped,
+    Mode,
+    ModeConstraint,
+    Solved,
+)
 from ..limits import Limit, judge
 from ..quantity import Quantity, Units, annotated, quantities_of, take
 
 
 class Motion(Protocol):
-    """What an element may know about the moving system; in ground axes where nothing is said.
+    """Quantities of the moving system that an element may read; in ground axes unless stated.
 
     Frames and joints are numbers of the system graph.
     """
@@ -36,7 +45,7 @@ class Motion(Protocol):
     def arm(self, start: int, end: int) -> Matrix:
         """From the origin of a frame to that of another (3, 1), in axes of the latter."""
 
-    def seen(self, x: Matrix, start: int, end: int) -> Matrix:
+    def in_frame(self, x: Matrix, start: int, end: int) -> Matrix:
         """A vector in axes of a frame (3, 1), in those of another."""
 
     def q(self, joint: int) -> Matrix: ...
@@ -106,7 +115,7 @@ class Action:
 
 @dataclass(frozen=True)
 class Places:
-    """Where an element acts and what it keeps.
+    """Attachments and states of an element.
 
     Attributes:
         motion: The moving system.
@@ -116,7 +125,7 @@ class Places:
         z: Its internal states (their number, 1).
         s: Its modes (their number, 1).
         pressing: What stands for the force that follows from the reaction of its joint; None where
-            the element is not :attr:`ForceElement.pressed`.
+            the element is not :attr:`ForceElement.by_reaction`.
     """
 
     motion: Motion
@@ -125,7 +134,7 @@ class Places:
     joints: Mapping[str, int]
     z: Matrix
     s: Matrix
-    pressing: Scalar | None = None
+    reaction_force: Scalar | None = None
 
 
 class ForceElement(HasSource, ABC):
@@ -145,7 +154,7 @@ class ForceElement(HasSource, ABC):
         self.judge()
 
     def quantities(self) -> dict[str, Quantity]:
-        """What the user wrote, by name; becomes ``data``."""
+        """The user's values by name; become ``data``."""
         return quantities_of(self, self.units)
 
     def frames(self) -> dict[str, Any]:
@@ -174,27 +183,27 @@ class ForceElement(HasSource, ABC):
         """Its actions."""
 
     def paired(self) -> bool:
-        """Whether all it does comes in pairs, between its frames or across its joints."""
+        """True when all it does comes in pairs, between its frames or across its joints."""
         return False
 
     @property
-    def pressed(self) -> bool:
-        """Whether it has a force that follows from the reaction of its joint."""
+    def by_reaction(self) -> bool:
+        """True when it has a force that follows from the reaction of its joint."""
         return False
 
-    def pressing(self, at: Places) -> Scalar:
+    def reaction_force(self, at: Places) -> Scalar:
         """That force per force of reaction across the line of the joint."""
         raise TypeError(f"{self.kind} has no force that follows from a reaction")
 
     @property
     def title(self) -> str:
-        """What it is and where, for messages."""
+        """Kind and place, for messages."""
         return " ".join(
-            [self.kind, *(f"of joint {shown(name)}" for name in self.joints().values())]
+            [self.kind, *(f"of joint {brief(name)}" for name in self.joints().values())]
         )
 
     def limits(self) -> tuple[Limit, ...]:
-        """What its numbers may be."""
+        """Limits of its numbers."""
         return ()
 
     def judge(self) -> None:
@@ -210,7 +219,7 @@ class ForceElement(HasSource, ABC):
         return ""
 
     def straight(self) -> bool:
-        """Whether it is a spring of a stiffness and a free length along the line from a to b."""
+        """True when it is a spring of a stiffness and a free length along the line from a to b."""
         return False
 
     def linear(self) -> tuple[str, ...]:
@@ -227,11 +236,11 @@ class ForceElement(HasSource, ABC):
         """Its discrete states."""
         return ()
 
-    def events(self) -> tuple[Event, ...]:
-        """What can happen to it."""
+    def events(self) -> tuple[EventSpec, ...]:
+        """Events of the element."""
         return ()
 
-    def holding(self) -> tuple[tuple[str, str], ...]:
+    def locked_velocities(self) -> tuple[tuple[str, str], ...]:
         """Names and units of the velocities that it holds in some modes."""
         return ()
 
@@ -239,8 +248,8 @@ class ForceElement(HasSource, ABC):
         """Time derivatives of its internal states (their number, 1)."""
         return at.z
 
-    def holds(self, at: Places) -> tuple[Hold, ...]:
-        """The velocities that :meth:`holding` names."""
+    def holds(self, at: Places) -> tuple[ModeConstraint, ...]:
+        """The velocities that :meth:`locked_velocities` names."""
         return ()
 
     def signs(self, at: Places, solved: Solved) -> tuple[Scalar, ...]:
@@ -255,7 +264,7 @@ class ForceElement(HasSource, ABC):
         return ()
 
     def change(self, at: Places, jumped: Jumped) -> Change:
-        """What becomes of its own states at events, its own and those of others."""
+        """New states at events, its own and those of others."""
         return Change()
 
     def rotor(self) -> RotorBody | None:

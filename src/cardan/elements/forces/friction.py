@@ -5,17 +5,17 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
-from ...errors import ModelError, shown
+from ...errors import ModelError, brief
 from ...ir.arithmetic import Scalar, select
 from ...ir.matrix import Matrix
-from ..internal_states import END, MODE, Change, Event, Hold, Jumped, Mode, Solved
+from ..internal_states import END, MODE, Change, EventSpec, Jumped, Mode, ModeConstraint, Solved
 from ..limits import Limit, not_negative, positive
 from ..quantity import JointName, Quantity, Units, quantities_of
 from .force import Action, ForceElement, JointLoad, Places, one_coordinate
 
 UNDECIDED, FORWARD, BACKWARD, STICKING = 0, 1, -1, 2
 # of the speed behind an impact against that before it: what counts as a jump, or as rest
-LOOSE = 1e-12
+SPEED_TOL = 1e-12
 # what must be left of the uniqueness of a friction force: it grows with the inverse of that
 CERTAIN = 1e-3
 
@@ -47,7 +47,7 @@ class Friction(ForceElement):
         radius: Of the bearing of a joint that turns [m]: arm of the friction of ``mu``.
 
     Raises:
-        ModelError: a value that is no number or expression; a negative force or speed; stribeck
+        ModelError: a value that is not a number or expression; a negative force or speed; stribeck
             without static; both or neither of coulomb and mu.
 
     Source: B. Armstrong-Helouvry, P. Dupont, C. Canudas de Wit, Automatica 30 (1994) 1083 (Stribeck
@@ -85,7 +85,7 @@ class Friction(ForceElement):
 
     @property
     def title(self) -> str:
-        return f"friction on joint {shown(self.joint)}"
+        return f"friction on joint {brief(self.joint)}"
 
     def limits(self) -> tuple[Limit, ...]:
         less = "static is {value}, less than the {other} of sliding; give as much or more"
@@ -109,13 +109,13 @@ class Friction(ForceElement):
     # sliding
 
     def _speed(self, at: Places) -> Scalar:
-        """Of the joint against the surface."""
+        """Speed of the joint relative to the surface."""
         who = f"friction on joint '{self.joint}'"
         return one_coordinate(at.motion, at.joints["joint"], who)[1] - at.data["against"][0]
 
     def _coulomb(self, at: Places) -> Scalar:
         """Friction of fast sliding."""
-        return at.data["coulomb"][0] if at.pressing is None else at.pressing
+        return at.data["coulomb"][0] if at.reaction_force is None else at.reaction_force
 
     def _most(self, at: Places) -> Scalar:
         """The most that sticking bears."""
@@ -123,21 +123,21 @@ class Friction(ForceElement):
         if "static" not in at.data:
             return coulomb
         static = at.data["static"][0]
-        return static if at.pressing is None else coulomb * (static / at.data["mu"][0])
+        return static if at.reaction_force is None else coulomb * (static / at.data["mu"][0])
 
     def misfit(self, sliding: bool) -> str:
         if self.mu is None or sliding or self.radius is not None:
             return ""
         return (
-            f"joint '{self.joint}' turns, and mu times a force is no torque; give radius=, that of "
-            "the bearing [m]"
+            f"joint '{self.joint}' turns, and mu times a force is not a torque; give radius=, "
+            "that of the bearing [m]"
         )
 
     @property
-    def pressed(self) -> bool:
+    def by_reaction(self) -> bool:
         return self.mu is not None
 
-    def pressing(self, at: Places) -> Scalar:
+    def reaction_force(self, at: Places) -> Scalar:
         arm = at.data["radius"][0] if "radius" in at.data else 1
         return at.data["mu"][0] * arm
 
@@ -178,35 +178,35 @@ class Friction(ForceElement):
         )
         return (Mode("", UNDECIDED, labels),) if self._sticks else ()
 
-    def events(self) -> tuple[Event, ...]:
+    def events(self) -> tuple[EventSpec, ...]:
         if not self._sticks:
             return self._jams()
         return (
-            Event("stop", MODE, "sliding comes to rest", decides=UNDECIDED, unit="rad/s|m/s"),
-            Event("slip", MODE, "sticking gives way", unit="N*m|N"),
+            EventSpec("stop", MODE, "sliding comes to rest", decides=UNDECIDED, unit="rad/s|m/s"),
+            EventSpec("slip", MODE, "sticking gives way", unit="N*m|N"),
             *self._jams(),
         )
 
-    def _jams(self) -> tuple[Event, ...]:
+    def _jams(self) -> tuple[EventSpec, ...]:
         about = "it jams: friction has no unique solution there (Painleve)"
-        return (Event("jam", END, about),) if self.pressed else ()
+        return (EventSpec("jam", END, about),) if self.by_reaction else ()
 
-    def holding(self) -> tuple[tuple[str, str], ...]:
+    def locked_velocities(self) -> tuple[tuple[str, str], ...]:
         return (("stick", "rad/s|m/s"),) if self._sticks else ()
 
-    def holds(self, at: Places) -> tuple[Hold, ...]:
+    def holds(self, at: Places) -> tuple[ModeConstraint, ...]:
         active = select(at.s[0].apply("eq", float(STICKING)), 1, 0)
-        return (Hold(self._speed(at), active),)
+        return (ModeConstraint(self._speed(at), active),)
 
     def signs(self, at: Places, solved: Solved) -> tuple[Scalar, ...]:
         jams = () if solved.certainty is None else (solved.certainty - CERTAIN,)
         if not self._sticks:
             return jams
         mode, v = at.s[0], self._speed(at)
-        rest = select(mode.apply("eq", float(UNDECIDED)), -1, mode * v)
-        left = self._most(at) - solved.held[0].apply("abs")
+        sliding = select(mode.apply("eq", float(UNDECIDED)), -1, mode * v)
+        left = self._most(at) - solved.multipliers[0].apply("abs")
         sticking = mode.apply("eq", float(STICKING))
-        return select(sticking, 1, rest), select(sticking, left, 1), *jams
+        return select(sticking, 1, sliding), select(sticking, left, 1), *jams
 
     def change(self, at: Places, jumped: Jumped) -> Change:
         if not self._sticks:
@@ -219,17 +219,19 @@ class Friction(ForceElement):
         rate = jumped.before.derivative(v) + response * self._sliding(at) * self._direction(at)
         rate.note("rate")
         bears = (rate.apply("abs") - response * self._most(at)).apply("le", 0.0)
-        turned = select((rate * 0).apply("lt", rate), FORWARD, BACKWARD)
+        direction_after = select((rate * 0).apply("lt", rate), FORWARD, BACKWARD)
         # or found sliding at the start
         moves = (v * 0).apply("lt", v.apply("abs")).apply("and", mode.apply("eq", float(UNDECIDED)))
-        stopped = select(moves, along, select(bears, STICKING, turned)).note("stopped")
+        stopped = select(moves, along, select(bears, STICKING, direction_after)).note("stopped")
         # sticking gives way to what pushes against it
-        pushed = select(jumped.before.held[0].apply("lt", 0.0), FORWARD, BACKWARD)
+        pushed = select(jumped.before.multipliers[0].apply("lt", 0.0), FORWARD, BACKWARD)
         changed = select(jumped.fired(0), stopped, select(jumped.fired(1), pushed, mode))
         changed.note("unless_struck")
         # impacts, elsewhere too, tear it loose, turn it round or bring it to rest
-        struck = (LOOSE * (1 + behind.apply("abs"))).apply("lt", (behind - v).apply("abs"))
-        rest = behind.apply("abs").apply("le", LOOSE * (1 + v.apply("abs")))
+        struck = (SPEED_TOL * (1 + behind.apply("abs"))).apply("lt", (behind - v).apply("abs"))
+        at_standstill = behind.apply("abs").apply("le", SPEED_TOL * (1 + v.apply("abs")))
         decided = mode.apply("eq", float(UNDECIDED)).apply("not")
-        changed = select(struck.apply("and", decided), select(rest, STICKING, along), changed)
+        changed = select(
+            struck.apply("and", decided), select(at_standstill, STICKING, along), changed
+        )
         return Change(s=Matrix.vector(at.motion.graph, [changed]))

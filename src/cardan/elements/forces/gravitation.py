@@ -1,4 +1,4 @@
-"""What forces of gravity have in common: a center, the bodies they pull, and what pulls back."""
+"""Common parts of the forces of gravity: a center, the bodies it attracts, and the reaction."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from abc import abstractmethod
 from collections.abc import Sequence
 from typing import Any
 
-from ...errors import ModelError, shown
+from ...errors import ModelError, brief
 from ...ir.matrix import Matrix
 from ..fields import Pull
 from .force import Action, ForceElement, Load, Places, constant
@@ -27,10 +27,13 @@ class Gravitation(ForceElement):
 
     @abstractmethod
     def pull(self, r: Matrix, at: Places) -> Pull:
-        """What it does to a body whose center of mass is at r, in axes of that body."""
+        """Action on a body whose center of mass is at r, in axes of that body."""
 
     def torque_about_center(self, r: Matrix, pull: Pull) -> Matrix:
-        """Of the pull: none where turning the body about the center changes nothing."""
+        """Torque of the attraction about the center:
+
+        none where rotating the body about it changes nothing.
+        """
         return Matrix.zeros(r.graph, 3)
 
     def masses(self) -> tuple[Any, ...]:
@@ -62,8 +65,8 @@ def several(who: str, bodies: Any) -> tuple[Any, ...]:
     for k, (body, name) in enumerate(zip(listed, names, strict=True)):
         if not isinstance(body, str) and not hasattr(body, "mass"):
             raise ModelError(
-                f"{who}: {shown(body)} is no body; give a body, several of them or their names, or "
-                "leave bodies out for all that have mass"
+                f"{who}: {brief(body)} is not a body; give a body, several of them or their "
+                "names, or leave bodies out for all that have mass"
             )
         if name in names[:k]:
             raise ModelError(f"{who}: body '{name}' is named twice; it is pulled once")

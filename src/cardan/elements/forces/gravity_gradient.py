@@ -1,4 +1,4 @@
-"""What a central field of gravity does to bodies because they are no points."""
+"""Torque of a central field of gravity on bodies of finite extent."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ class GravityGradient(Gravitation):
             then works on the system without a potential.
 
     Raises:
-        ModelError: mu below 0, what is no body, or force neither True nor False.
+        ModelError: mu below 0, what is not a body, or force neither True nor False.
 
     Source: P. C. Hughes, Spacecraft Attitude Dynamics, 1986, sections 8.1 and 9.1.
     """
@@ -43,11 +43,11 @@ class GravityGradient(Gravitation):
     force: bool = True
 
     def limits(self) -> tuple[Limit, ...]:
-        return not_negative("mu", wanted="0 or more [m^3/s^2]")
+        return not_negative("mu", requirement="0 or more [m^3/s^2]")
 
     def pull(self, r: Matrix, at: Places) -> Pull:
-        found = Central(at.data["mu"][0]).on_inertia(r, at.data["inertia"])
-        return found if self.force else replace(found, force=Matrix.zeros(r.graph, 3))
+        pull = Central(at.data["mu"][0]).on_inertia(r, at.data["inertia"])
+        return pull if self.force else replace(pull, force=Matrix.zeros(r.graph, 3))
 
     def torque_about_center(self, r: Matrix, pull: Pull) -> Matrix:
         # with its force it has none

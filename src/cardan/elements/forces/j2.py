@@ -1,4 +1,4 @@
-"""What the flattening of a planet adds to its gravity."""
+"""Correction by the flattening of a planet to its gravity."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from .gravitation import Gravitation
 
 @dataclass(frozen=True)
 class J2(Gravitation):
-    """What the flattening of a planet adds to its :class:`CentralGravity`: its zonal term J2.
+    """Zonal term J2 of a planet, added to its :class:`CentralGravity`.
 
     The potential per mass is mu J2 R^2 / (2 r^3) (3 sin^2 l - 1) at the latitude l.
 
@@ -27,10 +27,11 @@ class J2(Gravitation):
         radius: Its radius at the equator [m].
         pole: Its axis, in axes of ``center``.
         bodies: A body or several; left out: all bodies with mass but that of the center.
-        gradient: Add what it does to bodies because they are no points, torque and force.
+        gradient: Add what it does to bodies because they are not points, torque and force.
 
     Raises:
-        ModelError: mu or radius below 0, a pole that is no direction, what is no body, or gradient
+        ModelError: mu or radius below 0, a pole that is not a direction, what is not a body, or
+        gradient
             neither True nor False.
 
     Source: P. C. Hughes, Spacecraft Attitude Dynamics, 1986, chapter 8.
@@ -47,16 +48,16 @@ class J2(Gravitation):
     gradient: bool = False
 
     def limits(self) -> tuple[Limit, ...]:
-        return not_negative("mu", wanted="0 or more [m^3/s^2]") + not_negative("radius")
+        return not_negative("mu", requirement="0 or more [m^3/s^2]") + not_negative("radius")
 
     def pull(self, r: Matrix, at: Places) -> Pull:
         data, frames = at.data, at.frames
         mu, j2, radius = (data[name][0] for name in ("mu", "j2", "radius"))
         pole = data["pole"] / norm(*data["pole"])
-        pole = at.motion.seen(pole, frames["center"], frames["body"])
+        pole = at.motion.in_frame(pole, frames["center"], frames["body"])
         field = Oblate(mu * j2 * radius * radius * 0.5, pole)
-        found = field.on_mass(r, data["mass"][0])
-        return found + field.on_inertia(r, data["inertia"]) if self.gradient else found
+        pull = field.on_mass(r, data["mass"][0])
+        return pull + field.on_inertia(r, data["inertia"]) if self.gradient else pull
 
     def torque_about_center(self, r: Matrix, pull: Pull) -> Matrix:
         return pull.torque + r.cross(pull.force)

@@ -24,7 +24,7 @@ class JointForce(ForceElement):
             ``cd.table(angles, torques)(scene.q("knee"))``.
 
     Raises:
-        ModelError: values that are no finite numbers or expressions.
+        ModelError: values that are not finite numbers or expressions.
 
     Source: Kane and Levinson, Dynamics: Theory and Applications, section 4.6.
     """

@@ -9,14 +9,14 @@ from .force import Action, Load, Motion
 
 def direction(span: Matrix, distance: Scalar) -> Matrix:
     """Unit vector along a span, zero where it has no direction."""
-    apart = (distance * 0).apply("lt", distance)
-    inverse = select(apart, 1, 0) / select(apart, distance, 1)
-    for name, step in (("distance", distance), ("apart", apart), ("inverse_distance", inverse)):
+    separated = (distance * 0).apply("lt", distance)
+    inverse = select(separated, 1, 0) / select(separated, distance, 1)
+    for name, step in (("distance", distance), ("apart", separated), ("inverse_distance", inverse)):
         span.graph.note(step.node, name)
     return (span.note("span") * inverse).note("direction")
 
 
-def between(motion: Motion, a: int, b: int, pull: Matrix, energy: Scalar | None) -> Action:
+def along_line(motion: Motion, a: int, b: int, pull: Matrix, energy: Scalar | None) -> Action:
     """A force that pulls a towards b and b towards a."""
     none = Matrix.zeros(motion.graph, 3)
     return Action((Load(a, none, pull), Load(b, none, -pull)), potential=energy)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar
 
-from ...errors import ModelError, shown
+from ...errors import ModelError, brief
 from ..quantity import BeamName, Units, Vector
 from .force import Action, ForceElement, Places
 
@@ -40,7 +40,7 @@ class LineLoad(ForceElement):
         super().__post_init__()
         if not isinstance(self.beam, str) and not hasattr(self.beam, "section"):
             raise ModelError(
-                f"line_load: {shown(self.beam)} is no beam: give a beam or its name. "
+                f"line_load: {brief(self.beam)} is not a beam: give a beam or its name. "
                 "Bodies and frames "
                 "take cd.Force and cd.Torque"
             )

@@ -7,7 +7,17 @@ from typing import Any, ClassVar
 
 from ...ir.arithmetic import Scalar, select
 from ...ir.matrix import Matrix
-from ..internal_states import IMPACT, MODE, Change, Event, Hold, Impulse, Jumped, Mode, Solved
+from ..internal_states import (
+    IMPACT,
+    MODE,
+    Change,
+    EventSpec,
+    Impulse,
+    Jumped,
+    Mode,
+    ModeConstraint,
+    Solved,
+)
 from ..limits import Limit, not_negative
 from ..quantity import JointName, Units
 from .force import Action, ForceElement, Places, one_coordinate
@@ -30,7 +40,7 @@ class Lock(ForceElement):
         locked: Whether it is locked at the start.
 
     Raises:
-        ModelError: a value that is no number or expression, or a negative strength.
+        ModelError: a value that is not a number or expression, or a negative strength.
 
     Source: R. E. Roberson and R. Schwertassek, Dynamics of Multibody Systems, 1988, section 5.3
         (constraints that are added); F. Pfeiffer, Ch. Glocker, chapter 8 (impulses).
@@ -49,7 +59,7 @@ class Lock(ForceElement):
 
     @property
     def _opens(self) -> tuple[tuple[str, str], ...]:
-        """What opens it: the name of the event, that of its quantity."""
+        """EventSpec that opens the lock: its name and that of its quantity."""
         ways = (("release", "release"), ("break", "strength"))
         return tuple((event, name) for event, name in ways if getattr(self, name) is not None)
 
@@ -63,28 +73,28 @@ class Lock(ForceElement):
         start = LOCKED if self.locked else OPEN
         return (Mode("", start, ((OPEN, "open"), (LOCKED, "locked"))),)
 
-    def events(self) -> tuple[Event, ...]:
+    def events(self) -> tuple[EventSpec, ...]:
         about = {"release": "it is released", "break": "it gives way"}
         units = {"release": "", "break": "N*m|N"}
-        opening = (Event(e, MODE, about[e], unit=units[e]) for e, _ in self._opens)
-        return (Event("lock", IMPACT, "it locks"), *opening)
+        opening = (EventSpec(e, MODE, about[e], unit=units[e]) for e, _ in self._opens)
+        return (EventSpec("lock", IMPACT, "it locks"), *opening)
 
-    def holding(self) -> tuple[tuple[str, str], ...]:
+    def locked_velocities(self) -> tuple[tuple[str, str], ...]:
         return (("lock", "rad/s|m/s"),)
 
-    def holds(self, at: Places) -> tuple[Hold, ...]:
-        return (Hold(self._speed(at), select(self._locked(at), 1, 0)),)
+    def holds(self, at: Places) -> tuple[ModeConstraint, ...]:
+        return (ModeConstraint(self._speed(at), select(self._locked(at), 1, 0)),)
 
     def signs(self, at: Places, solved: Solved) -> tuple[Scalar, ...]:
         locked = self._locked(at)
         left = {"release": at.data.get("release"), "break": at.data.get("strength")}
-        found = [select(locked, 1, at.data["when"][0])]
+        signs = [select(locked, 1, at.data["when"][0])]
         for event, _ in self._opens:
             value = left[event]
             assert value is not None
-            load = solved.held[0].apply("abs") if event == "break" else 0
-            found.append(select(locked, value[0] - load, 1))
-        return tuple(found)
+            load = solved.multipliers[0].apply("abs") if event == "break" else 0
+            signs.append(select(locked, value[0] - load, 1))
+        return tuple(signs)
 
     def impulses(self, at: Places, jumped: Jumped) -> tuple[Impulse, ...]:
         speed = self._speed(at)

@@ -13,7 +13,7 @@ from ..limits import Limit, positive
 from ..quantity import Place, Units
 from ..validation import number
 from .force import Action, ForceElement, Places
-from .line import between, direction
+from .line import along_line, direction
 
 
 @dataclass(frozen=True)
@@ -21,7 +21,8 @@ class Maxwell(ForceElement):
     """A spring in series with a damper between two frames: a strut that gives way in time.
 
     The length of the damper is a state ``<name>.flow``: damping d(flow)/dt = force, and
-    ``force = stiffness (distance - length - flow)`` pulls the frames together where positive. What
+    ``force = stiffness (distance - rest_length - flow)`` pulls the frames together where it is
+    positive. What
     it takes, stores and gives back is its work in the ledger. Beside a :class:`SpringDamper` it
     makes a standard linear solid.
 
@@ -29,22 +30,22 @@ class Maxwell(ForceElement):
         frame_a, frame_b: Frames or bodies at its ends.
         stiffness: [N/m].
         damping: [N s/m].
-        length: Distance at which nothing pulls while flow is 0 [m].
+        rest_length: Distance at which nothing pulls while flow is 0 [m].
         start: Flow at the start of a run [m].
 
     Raises:
-        ModelError: stiffness or damping not above 0, or what is no finite number or expression.
+        ModelError: stiffness or damping not above 0, or what is not a finite number or expression.
 
     Source: R. E. Roberson and R. Schwertassek, Dynamics of Multibody Systems, 1988, section 12.1.
     """
 
     kind: ClassVar[str] = "maxwell"
-    units: ClassVar[Units] = {"stiffness": "N/m", "damping": "N*s/m", "length": "m"}
+    units: ClassVar[Units] = {"stiffness": "N/m", "damping": "N*s/m", "rest_length": "m"}
     frame_a: Place
     frame_b: Place
     stiffness: Any
     damping: Any
-    length: Any = 0.0
+    rest_length: Any = 0.0
     start: Any = 0.0
 
     def __post_init__(self) -> None:
@@ -71,11 +72,11 @@ class Maxwell(ForceElement):
 
     def act(self, at: Places) -> tuple[Action, ...]:
         along, force = self._line(at)
-        return (between(at.motion, at.frames["a"], at.frames["b"], along * force, None),)
+        return (along_line(at.motion, at.frames["a"], at.frames["b"], along * force, None),)
 
     def _line(self, at: Places) -> tuple[Matrix, Scalar]:
         """Its direction and its force."""
         span = at.motion.position(at.frames["b"]) - at.motion.position(at.frames["a"])
         distance = norm(*span)
-        force = at.data["stiffness"][0] * (distance - at.data["length"][0] - at.z[0])
+        force = at.data["stiffness"][0] * (distance - at.data["rest_length"][0] - at.z[0])
         return direction(span, distance), force

@@ -39,7 +39,7 @@ class Rotor(ForceElement):
 
     Raises:
         ModelError: momentum or speed besides another of the three, no inertia where it is needed,
-            negative inertia, or an axis that is no direction.
+            negative inertia, or an axis that is not a direction.
 
     Source: R. E. Roberson and R. Schwertassek, Dynamics of Multibody Systems, 1988, section 12.3.
     """
@@ -70,7 +70,7 @@ class Rotor(ForceElement):
             )
 
     def limits(self) -> tuple[Limit, ...]:
-        return not_negative("inertia", wanted="0 or more [kg m^2]") + not_negative("friction")
+        return not_negative("inertia", requirement="0 or more [kg m^2]") + not_negative("friction")
 
     def rotor(self) -> RotorBody | None:
         if self.inertia is None:

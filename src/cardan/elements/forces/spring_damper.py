@@ -8,37 +8,37 @@ from typing import Any, ClassVar
 from ...ir.arithmetic import norm
 from ..quantity import Place, Units
 from .force import Action, ForceElement, Places, constant
-from .line import between, direction
+from .line import along_line, direction
 
 
 @dataclass(frozen=True)
 class SpringDamper(ForceElement):
     """A straight spring with a damper in parallel between the origins of two frames.
 
-    Along the line ``force = stiffness (distance - length) + damping d(distance)/dt``, pulling the
-    frames together where positive. Where the points meet it has no direction and is zero, unless
-    the free length is zero: then the spring is smooth there. A start with a force there is warned
-    of.
+    Along the line ``force = stiffness (distance - rest_length) + damping d(distance)/dt`` pulls the
+    frames together where it is positive. Where the points meet, the force has no direction and is
+    zero, unless the rest length is zero: then the spring is smooth there. A run that starts there
+    with a force warns.
 
     Args:
         frame_a, frame_b: Frames or bodies at its ends.
         stiffness: [N/m].
         damping: [N s/m].
-        length: Free length [m].
+        rest_length: Length without load [m].
 
     Raises:
-        ModelError: a value that is no finite number or expression.
+        ModelError: a value that is not a finite number or expression.
 
     Source: R. E. Roberson and R. Schwertassek, Dynamics of Multibody Systems, 1988, section 12.1.
     """
 
     kind: ClassVar[str] = "spring_damper"
-    units: ClassVar[Units] = {"stiffness": "N/m", "damping": "N*s/m", "length": "m"}
+    units: ClassVar[Units] = {"stiffness": "N/m", "damping": "N*s/m", "rest_length": "m"}
     frame_a: Place
     frame_b: Place
     stiffness: Any = 0.0
     damping: Any = 0.0
-    length: Any = 0.0
+    rest_length: Any = 0.0
 
     def linear(self) -> tuple[str, ...]:
         return ("stiffness", "damping")
@@ -53,20 +53,20 @@ class SpringDamper(ForceElement):
         motion, data, frames = at.motion, at.data, at.frames
         a, b = frames["a"], frames["b"]
         span = motion.position(b) - motion.position(a)
-        stiffness, damping, free = (data[n][0] for n in ("stiffness", "damping", "length"))
+        stiffness, damping, free = (data[n][0] for n in ("stiffness", "damping", "rest_length"))
         actions = []
         if not data["stiffness"].is_zero:
-            if data["length"].is_zero:
+            if data["rest_length"].is_zero:
                 pull, energy = span * stiffness, span.dot(span) * stiffness * 0.5
             else:
                 distance = norm(*span)
                 stretch = distance - free
                 pull = direction(span, distance) * (stiffness * stretch)
                 energy = stiffness * stretch**2 * 0.5
-            fixed = constant(data["stiffness"]) and constant(data["length"])
-            actions.append(between(motion, a, b, pull, energy if fixed else None))
+            fixed = constant(data["stiffness"]) and constant(data["rest_length"])
+            actions.append(along_line(motion, a, b, pull, energy if fixed else None))
         if not data["damping"].is_zero:
             along = direction(span, norm(*span))
             rate = along.dot(motion.velocity(b) - motion.velocity(a))
-            actions.append(between(motion, a, b, along * (damping * rate), None))
+            actions.append(along_line(motion, a, b, along * (damping * rate), None))
         return tuple(actions)

@@ -8,7 +8,17 @@ from typing import Any, ClassVar
 from ...errors import ModelError
 from ...ir.arithmetic import Scalar, select
 from ...ir.matrix import Matrix
-from ..internal_states import IMPACT, MODE, Change, Event, Hold, Impulse, Jumped, Mode, Solved
+from ..internal_states import (
+    IMPACT,
+    MODE,
+    Change,
+    EventSpec,
+    Impulse,
+    Jumped,
+    Mode,
+    ModeConstraint,
+    Solved,
+)
 from ..limits import Limit, not_negative
 from ..quantity import JointName, Units
 from .force import Action, ForceElement, Places, one_coordinate
@@ -24,7 +34,7 @@ class Stop(ForceElement):
 
     An impact turns the speed v of approach into -restitution v; below the speed ``settle`` into 0,
     and the joint then stays at the stop for as long as something presses it there. Impulses go
-    through the whole system, closed circuits included.
+    through the whole system, closed loops included.
 
     Args:
         joint: Name of a joint with one speed.
@@ -34,7 +44,7 @@ class Stop(ForceElement):
 
     Raises:
         ModelError: no stop at all, lower above upper, restitution outside 0 ... 1, a negative
-            speed, or a value that is no number or expression.
+            speed, or a value that is not a number or expression.
 
     Source: F. Pfeiffer and Ch. Glocker, Multibody Dynamics with Unilateral Contacts, 1996, chapter
         8.
@@ -60,7 +70,7 @@ class Stop(ForceElement):
         return (
             Limit("upper", ends, open=True, other="lower"),
             Limit("restitution", "restitution is {value}; give 0 ... 1", 0.0, 1.0),
-            *not_negative("settle", wanted="a speed of 0 or more"),
+            *not_negative("settle", requirement="a speed of 0 or more"),
         )
 
     @property
@@ -79,9 +89,9 @@ class Stop(ForceElement):
         labels = ((LOWER, "at the lower stop"), (FREE, "free"), (UPPER, "at the upper stop"))
         return (Mode("", FREE, labels),)
 
-    def events(self) -> tuple[Event, ...]:
+    def events(self) -> tuple[EventSpec, ...]:
         hits = (
-            Event(
+            EventSpec(
                 name,
                 IMPACT,
                 f"it hits the {name} stop",
@@ -90,23 +100,23 @@ class Stop(ForceElement):
             )
             for name, _ in self._sides
         )
-        return (*hits, Event("release", MODE, "it leaves the stop", unit="N*m|N"))
+        return (*hits, EventSpec("release", MODE, "it leaves the stop", unit="N*m|N"))
 
-    def holding(self) -> tuple[tuple[str, str], ...]:
+    def locked_velocities(self) -> tuple[tuple[str, str], ...]:
         return (("stop", "rad/s|m/s"),)
 
-    def holds(self, at: Places) -> tuple[Hold, ...]:
+    def holds(self, at: Places) -> tuple[ModeConstraint, ...]:
         free = at.s[0].apply("eq", float(FREE))
-        return (Hold(self._of_joint(at)[1], select(free, 0, 1)),)
+        return (ModeConstraint(self._of_joint(at)[1], select(free, 0, 1)),)
 
     def signs(self, at: Places, solved: Solved) -> tuple[Scalar, ...]:
         free, q = at.s[0].apply("eq", float(FREE)), self._of_joint(at)[0]
         gaps = (select(free, (at.data[name][0] - q) * side, 1) for name, side in self._sides)
-        pressed = -(at.s[0] * solved.held[0])
-        return (*gaps, select(free, 1, pressed))
+        contact_force = -(at.s[0] * solved.multipliers[0])
+        return (*gaps, select(free, 1, contact_force))
 
     def impulses(self, at: Places, jumped: Jumped) -> tuple[Impulse, ...]:
-        v, settle, found = self._of_joint(at)[1], at.data["settle"][0], []
+        v, settle, impulses = self._of_joint(at)[1], at.data["settle"][0], []
         for event, (name, side) in enumerate(self._sides):
             # away from the stop
             leaving = v * -side
@@ -116,8 +126,8 @@ class Stop(ForceElement):
             lying = at.s[0].apply("eq", float(side))
             active = select(lying, 1, jumped.fired(event))
             after = select(lying, 0, after).note(f"{name}_after")
-            found.append(Impulse(leaving, after, active, unilateral=True))
-        return tuple(found)
+            impulses.append(Impulse(leaving, after, active, unilateral=True))
+        return tuple(impulses)
 
     def change(self, at: Places, jumped: Jumped) -> Change:
         v, mode = self._of_joint(at)[1], at.s[0]

@@ -53,13 +53,13 @@ class ConstantVelocity(Joint):
         return (first + outer) * 0.5, half @ second
 
     def motion(self, q: Matrix, **data: Matrix) -> Matrix:
-        turning = Matrix.hstack(*self._axes(q, data))
-        return Matrix.vstack(turning, Matrix.zeros(q.graph, 3, 2))
+        axes = Matrix.hstack(*self._axes(q, data))
+        return Matrix.vstack(axes, Matrix.zeros(q.graph, 3, 2))
 
     def constrained(self, q: Matrix, **data: Matrix) -> Matrix:
         first, second = self._axes(q, data)
-        held = Matrix.vstack(Matrix.zeros(q.graph, 3, 3), Matrix.identity(q.graph, 3))
-        return Matrix.hstack(Matrix.vstack(first.cross(second), Matrix.zeros(q.graph, 3)), held)
+        forces = Matrix.vstack(Matrix.zeros(q.graph, 3, 3), Matrix.identity(q.graph, 3))
+        return Matrix.hstack(Matrix.vstack(first.cross(second), Matrix.zeros(q.graph, 3)), forces)
 
     def closure(self, R: Matrix, p: Matrix, **data: Matrix) -> Matrix:
         # no component of the rotation along the shaft
@@ -68,10 +68,10 @@ class ConstantVelocity(Joint):
         return Matrix.vstack(Matrix.vector(R.graph, [twist]), p)
 
     @property
-    def held(self) -> tuple[Component, ...]:
+    def locked(self) -> tuple[Component, ...]:
         return (Component("twist", "rad"), *POSITIONS)
 
-    def facing(self, R: Matrix, p: Matrix, **data: Matrix) -> Matrix:
+    def assembly_signs(self, R: Matrix, p: Matrix, **data: Matrix) -> Matrix:
         # a half turn about any direction closes too, and so does the shaft twisted by one
         return Matrix.vector(R.graph, [1 + R[0, 0] + R[1, 1] + R[2, 2]])
 

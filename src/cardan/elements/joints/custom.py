@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
-from ...errors import ModelError, shown
+from ...errors import ModelError, brief
 from ...ir.arithmetic import Scalar, select, sqrt
 from ...ir.derivative import forward
 from ...ir.graph import ONE
@@ -49,7 +49,7 @@ class Custom(Joint):
             names = ()
         if not 1 <= len(names) <= 6 or len(set(names)) < len(names):
             raise ModelError(
-                f"custom joint: coordinates are {shown(self.symbols)}; give one to "
+                f"custom joint: coordinates are {brief(self.symbols)}; give one to "
                 "six different symbols"
             )
         rows = self.rotation.tolist() if hasattr(self.rotation, "tolist") else self.rotation
@@ -86,8 +86,8 @@ class Custom(Joint):
 
     def pose(self, q: Matrix, **data: Matrix) -> tuple[Matrix, Matrix]:
         rotation = Matrix(q.graph, 3, 3, data["rotation"].nodes)
-        turned, placed = self._at(q, rotation, data["position"])
-        return turned, placed
+        rotation_matrix, position = self._at(q, rotation, data["position"])
+        return rotation_matrix, position
 
     def motion(self, q: Matrix, **data: Matrix) -> Matrix:
         graph, columns = q.graph, []
@@ -97,8 +97,8 @@ class Custom(Joint):
             dR = Matrix(graph, 3, 3, forward(graph, R.nodes, seed))
             dp = Matrix(graph, 3, 1, forward(graph, p.nodes, seed))
             spin = R.T @ dR
-            turning = Matrix.vector(graph, [spin[2, 1], spin[0, 2], spin[1, 0]])
-            columns.append(Matrix.vstack(turning, R.T @ dp))
+            angular = Matrix.vector(graph, [spin[2, 1], spin[0, 2], spin[1, 0]])
+            columns.append(Matrix.vstack(angular, R.T @ dp))
         return self._at(q, Matrix.hstack(*columns))[0]
 
     def constrained(self, q: Matrix, **data: Matrix) -> Matrix:

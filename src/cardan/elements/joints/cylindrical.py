@@ -9,7 +9,7 @@ from ...ir.matrix import Matrix
 from ...spatial.alignment import tilt
 from ...spatial.axis import complement, rotation_about, unit
 from ..quantity import RATIO, Direction, Units
-from .joint import Component, Joint, Step, held_across
+from .joint import Component, Joint, Step, locked_across
 
 
 @dataclass(frozen=True)
@@ -57,10 +57,10 @@ class Cylindrical(Joint):
         return Matrix.vstack(tilt(R, n), Matrix.hstack(*complement(n)).T @ p)
 
     @property
-    def held(self) -> tuple[Component, ...]:
-        return (*held_across(self.axis, "r"), *held_across(self.axis, "p"))
+    def locked(self) -> tuple[Component, ...]:
+        return (*locked_across(self.axis, "r"), *locked_across(self.axis, "p"))
 
-    def facing(self, R: Matrix, p: Matrix, **data: Matrix) -> Matrix:
+    def assembly_signs(self, R: Matrix, p: Matrix, **data: Matrix) -> Matrix:
         n = unit(data["axis"])
         return n.T @ (R @ n)
 

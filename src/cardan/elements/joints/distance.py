@@ -88,7 +88,7 @@ class Distance(Guided):
         return Matrix.vector(R.graph, [stretch])
 
     @property
-    def held(self) -> tuple[Component, ...]:
+    def locked(self) -> tuple[Component, ...]:
         return (Component("length", "m"),)
 
     @property

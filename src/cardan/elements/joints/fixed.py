@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from ...ir.matrix import Matrix
-from ...spatial.alignment import diagonal, turning
+from ...spatial.alignment import diagonal, rotation_vector
 from .joint import POSITIONS, ROTATIONS, Component, Joint
 
 
@@ -33,11 +33,11 @@ class Fixed(Joint):
         return Matrix.identity(q.graph, 6)
 
     def closure(self, R: Matrix, p: Matrix, **data: Matrix) -> Matrix:
-        return Matrix.vstack(turning(R), p)
+        return Matrix.vstack(rotation_vector(R), p)
 
     @property
-    def held(self) -> tuple[Component, ...]:
+    def locked(self) -> tuple[Component, ...]:
         return (*ROTATIONS, *POSITIONS)
 
-    def facing(self, R: Matrix, p: Matrix, **data: Matrix) -> Matrix:
+    def assembly_signs(self, R: Matrix, p: Matrix, **data: Matrix) -> Matrix:
         return diagonal(R)

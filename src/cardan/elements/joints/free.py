@@ -33,8 +33,8 @@ class Free(Guided):
 
     def steps(self) -> tuple[Step, ...]:
         slides = tuple(Step(f"p{axis}", axis, slides=True) for axis in "xyz")
-        turned = turns(self.rotation)
-        return slides + turned if turned else ()
+        rotations = turns(self.rotation)
+        return slides + rotations if rotations else ()
 
     @property
     def guides(self) -> tuple[Component, ...]:

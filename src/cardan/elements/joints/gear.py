@@ -26,7 +26,7 @@ class Gear(Hinge):
         offset: Angle where the leader is at 0 [rad].
 
     Raises:
-        ModelError: the axis is zero, NaN or not a direction; ratio or offset are no numbers.
+        ModelError: the axis is zero, NaN or not a direction; ratio or offset are not numbers.
 
     Source: R. Featherstone, Rigid Body Dynamics Algorithms, 2008, section 9.6.
     """

@@ -80,9 +80,9 @@ class Guided(Joint):
         rotation, c = self.split(q)
         graph, k = q.graph, len(c)
         R = self.parameters.matrix(rotation)
-        turning = Matrix.hstack(Matrix.identity(graph, 3), Matrix.zeros(graph, 3, k))
+        angular = Matrix.hstack(Matrix.identity(graph, 3), Matrix.zeros(graph, 3, k))
         sliding = Matrix.hstack(Matrix.zeros(graph, 3, 3), R.T @ self.slope(c, **data))
-        return Matrix.vstack(turning, sliding)
+        return Matrix.vstack(angular, sliding)
 
     def constrained(self, q: Matrix, **data: Matrix) -> Matrix:
         rotation, c = self.split(q)
@@ -95,18 +95,18 @@ class Guided(Joint):
         return Matrix.vstack(self.parameters.rates(self.split(q)[0], omega), rate)
 
     def speeds_of(self, q: Matrix, qdot: Matrix, **data: Matrix) -> Matrix:
-        turning, rate = self.split(qdot)
-        return Matrix.vstack(self.parameters.omega(self.split(q)[0], turning), rate)
+        rotation_rates, rate = self.split(qdot)
+        return Matrix.vstack(self.parameters.omega(self.split(q)[0], rotation_rates), rate)
 
     def bracket(self, u: Matrix, v: Matrix) -> Matrix:
-        (omega, rate), turned = self.split(u), self.split(v)[0]
-        return Matrix.vstack(omega.cross(turned), Matrix.zeros(u.graph, rate.rows))
+        (omega, rate), other_omega = self.split(u), self.split(v)[0]
+        return Matrix.vstack(omega.cross(other_omega), Matrix.zeros(u.graph, rate.rows))
 
     def convective(self, q: Matrix, u: Matrix, **data: Matrix) -> Matrix:
         rotation, c = self.split(q)
         bend = self.bend(c, self.split(u)[1], **data)
-        turned = bend if bend.is_zero else self.parameters.matrix(rotation).T @ bend
-        return Matrix.vstack(Matrix.zeros(q.graph, 3), turned)
+        sliding = bend if bend.is_zero else self.parameters.matrix(rotation).T @ bend
+        return Matrix.vstack(Matrix.zeros(q.graph, 3), sliding)
 
     def integrate(self, q: Matrix, du: Matrix, **data: Matrix) -> Matrix:
         (rotation, c), (turn, step) = self.split(q), self.split(du)

@@ -8,7 +8,7 @@ from ...ir.matrix import Matrix
 from ...spatial.alignment import tilt
 from ...spatial.axis import complement, rotation_about, unit
 from ..quantity import RATIO, Direction, Units
-from .joint import POSITIONS, Component, Joint, held_across
+from .joint import POSITIONS, Component, Joint, locked_across
 
 
 class Hinge(Joint):
@@ -41,10 +41,10 @@ class Hinge(Joint):
         return Matrix.vstack(tilt(R, unit(data["axis"])), p)
 
     @property
-    def held(self) -> tuple[Component, ...]:
-        return (*held_across(self.axis, "r"), *POSITIONS)
+    def locked(self) -> tuple[Component, ...]:
+        return (*locked_across(self.axis, "r"), *POSITIONS)
 
-    def facing(self, R: Matrix, p: Matrix, **data: Matrix) -> Matrix:
+    def assembly_signs(self, R: Matrix, p: Matrix, **data: Matrix) -> Matrix:
         n = unit(data["axis"])
         return n.T @ (R @ n)
 

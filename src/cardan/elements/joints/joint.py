@@ -1,4 +1,4 @@
-"""What every joint states in its one file."""
+"""Interface of the joints; each is one file."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ class Component:
     """A named coordinate or speed of a joint.
 
     Attributes:
-        name: "" where the joint has only one, else such as "w", "px", "angle".
+        name: "" where the joint has only one, else such as "qw", "px", "angle".
         unit: SI unit.
         default: Value where the user names none (1 for the scalar part of a quaternion).
         reach: The joint is regular where the coordinate is smaller in size; None without such a
@@ -58,7 +58,7 @@ ROTATIONS = tuple(Component(name, "rad") for name in ("rx", "ry", "rz"))
 POSITIONS = tuple(Component(name, "m") for name in ("px", "py", "pz"))
 
 
-def held_across(axis: Direction, prefix: str) -> tuple[Component, Component]:
+def locked_across(axis: Direction, prefix: str) -> tuple[Component, Component]:
     """Rotations ("r") or positions ("p") along the two directions across an axis.
 
     They are called by the letters of the axes where the axis is one of them, else by 1 and 2.
@@ -69,14 +69,14 @@ def held_across(axis: Direction, prefix: str) -> tuple[Component, Component]:
     return Component(prefix + names[0], unit), Component(prefix + names[1], unit)
 
 
-def held_along(axis: Direction, prefix: str) -> str:
-    """Name of the rotation ("r") or position ("p") along an axis; 3 if it is no letter."""
+def locked_along(axis: Direction, prefix: str) -> str:
+    """Name of the rotation ("r") or position ("p") along an axis; 3 if it is not a letter."""
     k, _ = letter(axis)
     return prefix + ("3" if k is None else "xyz"[k])
 
 
 def letter(axis: Direction) -> tuple[int | None, int]:
-    """Which axis of the frame a direction of three entries is, and its sign."""
+    """Axis of the frame along a direction of three entries, with its sign."""
     filled = [(k, x) for k, x in enumerate(axis) if not (isinstance(x, float) and x == 0.0)]
     if len(filled) == 1 and isinstance(filled[0][1], float) and abs(filled[0][1]) == 1.0:
         return filled[0][0], int(filled[0][1])
@@ -90,7 +90,7 @@ class Joint(HasSource, ABC):
 
     All methods work on expressions; ``data`` are the quantities of :meth:`quantities`, converted.
     6-vectors have the angular part first. In the spanning tree a joint adds its motion
-    (``pose``, ``motion``); where it closes a circuit it holds the rest (``closure``, ``slip``), or
+    (``pose``, ``motion``); where it closes a loop it holds the rest (``closure``, ``slip``), or
     the child at the pose of its coordinates.
     """
 
@@ -118,11 +118,11 @@ class Joint(HasSource, ABC):
 
     @property
     def called(self) -> str:
-        """What messages call it."""
+        """Name for messages."""
         return self.title or f"{self.kind} joint"
 
     def quantities(self) -> dict[str, Quantity]:
-        """What the user wrote about this joint, by name."""
+        """The user's values for this joint, by name."""
         return quantities_of(self, self.units)
 
     @abstractmethod
@@ -150,7 +150,7 @@ class Joint(HasSource, ABC):
         return qdot
 
     def bracket(self, u: Matrix, v: Matrix) -> Matrix:
-        """What changes u beyond the rate of a displacement along the speeds, (nu, 1).
+        """Change of u beyond the rate of a displacement along the speeds, (nu, 1).
 
         Displacing a motion with the speeds u by v along the speeds changes u by dv/dt + bracket:
         the Lie bracket of the group of the joint, bilinear and skew. Nothing, the default, where
@@ -181,11 +181,11 @@ class Joint(HasSource, ABC):
         return Matrix.identity(du.graph, len(du))
 
     def closure(self, R: Matrix, p: Matrix, **data: Matrix) -> Matrix:
-        """What must vanish where the joint closes a circuit: residuals of a relative pose.
+        """Residuals of a relative pose that vanish where the joint closes a loop.
 
         Nothing, the default, of a joint that :attr:`closes_by_coordinates`.
         They are smooth and of full rank at every pose the joint allows. They may vanish at
-        isolated other branches, such as an axis turned round, which :meth:`facing` tells apart.
+        isolated other branches, such as a reversed axis, which :meth:`assembly_signs` tells apart.
 
         Args:
             R: R_PC, (3, 3).
@@ -197,32 +197,34 @@ class Joint(HasSource, ABC):
         return Matrix.zeros(R.graph, 0)
 
     @property
-    def held(self) -> tuple[Component, ...]:
+    def locked(self) -> tuple[Component, ...]:
         """Names and units of the rows of :meth:`closure`.
 
         The multiplier of a row in rad is a torque [N m], of a row in m a force [N].
         """
         return ()
 
-    def facing(self, R: Matrix, p: Matrix, **data: Matrix) -> Matrix:
+    def assembly_signs(self, R: Matrix, p: Matrix, **data: Matrix) -> Matrix:
         """Numbers (k, 1) that are positive at every pose the joint allows, while one of them is
         not at the other poses where the closure vanishes; by default there are none."""
         return Matrix.zeros(R.graph, 0)
 
     @property
     def closes_by_coordinates(self) -> bool:
-        """Whether a pose alone does not say if the joint allows it: it keeps its coordinates where
-        it closes a circuit."""
+        """True when a pose alone does not say if the joint allows it:
+
+        it keeps its coordinates where it closes a loop.
+        """
         return False
 
     @property
     def bodiless(self) -> bool:
-        """Whether the coordinates move no body: what moves by them is written in equations."""
+        """True when the coordinates move no body: what moves by them is written in equations."""
         return False
 
     @property
     def samples(self) -> Sequence[Mapping[str, Any]]:
-        """What another program says about the system at some states: a build is compared with it.
+        """Reference values of another program at some states: a build is compared with them.
 
         Plain data as in the manifest; nothing where a build is judged by the bodies.
         """
@@ -235,7 +237,7 @@ class Joint(HasSource, ABC):
 
     @property
     def coincident(self) -> bool:
-        """Whether parent and child frame coincide at the default coordinates."""
+        """True when parent and child frame coincide at the default coordinates."""
         return True
 
     @property
@@ -283,12 +285,12 @@ class Joint(HasSource, ABC):
 
     @property
     def domain(self) -> str:
-        """Where the coordinates are regular, in words; "" where they are everywhere."""
+        """Region in which the coordinates are regular, in words; "" where they are everywhere."""
         return ""
 
 
 def _shared(name: str) -> Any:
-    """What a joint and its reversal have in common, a property or a method."""
+    """A property or method that a joint and its reversal share."""
     return property(lambda self: getattr(self.element, name))
 
 
@@ -306,7 +308,7 @@ class Reversed(Joint):
     coordinates = _shared("coordinates")
     speeds = _shared("speeds")
     quantities = _shared("quantities")
-    held = _shared("held")
+    locked = _shared("locked")
     closes_by_coordinates = _shared("closes_by_coordinates")
     coincident = _shared("coincident")
     follows = _shared("follows")
@@ -330,26 +332,26 @@ class Reversed(Joint):
 
     def motion(self, q: Matrix, **data: Matrix) -> Matrix:
         R, p = self.element.pose(q, **data)
-        turning, sliding = _halves(self.element.motion(q, **data))
-        turned = R @ turning
-        return Matrix.vstack(-turned, -(R @ sliding + p.skew @ turned))
+        angular, sliding = _halves(self.element.motion(q, **data))
+        rotated = R @ angular
+        return Matrix.vstack(-rotated, -(R @ sliding + p.skew @ rotated))
 
     def constrained(self, q: Matrix, **data: Matrix) -> Matrix:
         R, p = self.element.pose(q, **data)
         torques, forces = _halves(self.element.constrained(q, **data))
-        turned = R @ forces
-        return Matrix.vstack(-(R @ torques + p.skew @ turned), -turned)
+        rotated = R @ forces
+        return Matrix.vstack(-(R @ torques + p.skew @ rotated), -rotated)
 
     def closure(self, R: Matrix, p: Matrix, **data: Matrix) -> Matrix:
         return self.element.closure(*_inverse(R, p), **data)
 
-    def facing(self, R: Matrix, p: Matrix, **data: Matrix) -> Matrix:
-        return self.element.facing(*_inverse(R, p), **data)
+    def assembly_signs(self, R: Matrix, p: Matrix, **data: Matrix) -> Matrix:
+        return self.element.assembly_signs(*_inverse(R, p), **data)
 
     def slip(self, R: Matrix, p: Matrix, twist: Matrix, **data: Matrix) -> Matrix | None:
-        turning, sliding = _halves(twist)
-        turned = R @ turning
-        back = Matrix.vstack(-turned, -(R @ sliding + p.cross(turned)))
+        angular, sliding = _halves(twist)
+        rotated = R @ angular
+        back = Matrix.vstack(-rotated, -(R @ sliding + p.cross(rotated)))
         return self.element.slip(*_inverse(R, p), back, **data)
 
     def reversed(self) -> Joint:
@@ -357,7 +359,7 @@ class Reversed(Joint):
 
     @property
     def rotation(self) -> Any:
-        """What the joint says about its rotation, None where it says nothing."""
+        """Rotation parametrization of the joint, None without one."""
         return getattr(self.element, "rotation", None)
 
 

@@ -9,7 +9,7 @@ from ...ir.matrix import Matrix
 from ...spatial.alignment import tilt
 from ...spatial.axis import complement, rotation_about, unit
 from ..quantity import RATIO, Direction, Units
-from .joint import Component, Joint, Step, held_across, held_along, letter
+from .joint import Component, Joint, Step, letter, locked_across, locked_along
 
 
 @dataclass(frozen=True)
@@ -53,8 +53,8 @@ class Planar(Joint):
 
     def motion(self, q: Matrix, **data: Matrix) -> Matrix:
         n, zero = unit(data["normal"]), Matrix.zeros(q.graph, 3)
-        turned = rotation_about(n, q[2]).T @ Matrix.hstack(*complement(n))
-        sliding = Matrix.vstack(Matrix.zeros(q.graph, 3, 2), turned)
+        directions = rotation_about(n, q[2]).T @ Matrix.hstack(*complement(n))
+        sliding = Matrix.vstack(Matrix.zeros(q.graph, 3, 2), directions)
         return Matrix.hstack(sliding, Matrix.vstack(n, zero))
 
     def constrained(self, q: Matrix, **data: Matrix) -> Matrix:
@@ -67,10 +67,10 @@ class Planar(Joint):
         return Matrix.vstack(tilt(R, n), n.T @ p)
 
     @property
-    def held(self) -> tuple[Component, ...]:
-        return (*held_across(self.normal, "r"), Component(held_along(self.normal, "p"), "m"))
+    def locked(self) -> tuple[Component, ...]:
+        return (*locked_across(self.normal, "r"), Component(locked_along(self.normal, "p"), "m"))
 
-    def facing(self, R: Matrix, p: Matrix, **data: Matrix) -> Matrix:
+    def assembly_signs(self, R: Matrix, p: Matrix, **data: Matrix) -> Matrix:
         n = unit(data["normal"])
         return n.T @ (R @ n)
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from itertools import accumulate, pairwise
 from typing import Any, ClassVar
 
-from ...errors import ModelError, shown
+from ...errors import ModelError, brief
 from ...ir.derivative import forward
 from ...ir.graph import ONE
 from ...ir.matrix import Matrix
@@ -38,7 +38,7 @@ class PointOnCurve(Guided):
         rotation: How the rotation is described, as of :class:`Spherical`.
 
     Raises:
-        ModelError: too few points, points that are no three numbers, or two in a row alike; the
+        ModelError: too few points, points that are not three numbers, or two in a row alike; the
             parametrization does not exist.
 
     Source: Géradin and Cardona, Flexible Multibody Dynamics, chapter 7 (curvilinear slider).
@@ -52,7 +52,7 @@ class PointOnCurve(Guided):
 
     def __post_init__(self) -> None:
         if type(self.closed).__name__ not in ("bool", "bool_"):
-            raise ModelError(f"point on a curve: closed={shown(self.closed)}: give True or False")
+            raise ModelError(f"point on a curve: closed={brief(self.closed)}: give True or False")
         object.__setattr__(self, "points", _points(self.points, self.closed))
         super().__post_init__()
 
@@ -105,27 +105,29 @@ class PointOnCurve(Guided):
         return True
 
 
-def _points(given: Any, closed: bool) -> tuple[tuple[float, ...], ...]:
+def _points(points: Any, closed: bool) -> tuple[tuple[float, ...], ...]:
     """Rows of three numbers.
 
     Raises:
         ModelError: they are not, or they make no curve.
     """
-    rows = given.tolist() if hasattr(given, "tolist") else given
+    rows = points.tolist() if hasattr(points, "tolist") else points
     least = 3 if closed else 2
     if isinstance(rows, str | bytes) or not isinstance(rows, Sequence) or len(rows) < least:
         raise ModelError(f"point on a curve: points must be at least {least} rows of 3 numbers")
-    made = tuple(vector("point on a curve", f"points[{i}]", row, 3) for i, row in enumerate(rows))
-    for i, row in enumerate(made):
+    checked = tuple(
+        vector("point on a curve", f"points[{i}]", row, 3) for i, row in enumerate(rows)
+    )
+    for i, row in enumerate(checked):
         if any(is_expression(x) for x in row):
             raise ModelError(f"point on a curve: points[{i}] must be numbers; it has expressions")
-        if i and row == made[i - 1]:
+        if i and row == checked[i - 1]:
             raise ModelError(
                 f"point on a curve: points[{i}] is the point before it again; leave it out"
             )
-    if closed and made[0] == made[-1]:
+    if closed and checked[0] == checked[-1]:
         raise ModelError(
             "point on a curve: the last point is the first again; leave it out, closed=True "
             "leads back to it"
         )
-    return made
+    return checked

@@ -9,7 +9,7 @@ from ...ir.matrix import Matrix
 from ...spatial.axis import complement, unit
 from ..quantity import RATIO, Direction, Units
 from .guided import Guided
-from .joint import Component, held_along
+from .joint import Component, locked_along
 
 
 @dataclass(frozen=True)
@@ -57,5 +57,5 @@ class PointOnPlane(Guided):
         return unit(data["normal"]).T @ p
 
     @property
-    def held(self) -> tuple[Component, ...]:
-        return (Component(held_along(self.normal, "p"), "m"),)
+    def locked(self) -> tuple[Component, ...]:
+        return (Component(locked_along(self.normal, "p"), "m"),)

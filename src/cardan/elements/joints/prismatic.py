@@ -6,10 +6,10 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from ...ir.matrix import Matrix
-from ...spatial.alignment import diagonal, turning
+from ...spatial.alignment import diagonal, rotation_vector
 from ...spatial.axis import complement, unit
 from ..quantity import RATIO, Direction, Units
-from .joint import ROTATIONS, Component, Joint, held_across
+from .joint import ROTATIONS, Component, Joint, locked_across
 
 
 @dataclass(frozen=True)
@@ -51,13 +51,13 @@ class Prismatic(Joint):
 
     def closure(self, R: Matrix, p: Matrix, **data: Matrix) -> Matrix:
         sideways = Matrix.hstack(*complement(unit(data["axis"]))).T @ p
-        return Matrix.vstack(turning(R), sideways)
+        return Matrix.vstack(rotation_vector(R), sideways)
 
     @property
-    def held(self) -> tuple[Component, ...]:
-        return (*ROTATIONS, *held_across(self.axis, "p"))
+    def locked(self) -> tuple[Component, ...]:
+        return (*ROTATIONS, *locked_across(self.axis, "p"))
 
-    def facing(self, R: Matrix, p: Matrix, **data: Matrix) -> Matrix:
+    def assembly_signs(self, R: Matrix, p: Matrix, **data: Matrix) -> Matrix:
         return diagonal(R)
 
     def convective(self, q: Matrix, u: Matrix, **data: Matrix) -> Matrix:

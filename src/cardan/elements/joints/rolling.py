@@ -9,7 +9,7 @@ from ...ir.arithmetic import Scalar, cos, sin, sqrt
 from ...ir.matrix import Matrix
 from ...spatial.axis import complement, rotation_about, unit
 from ..quantity import Direction
-from .joint import Component, Joint, held_along
+from .joint import Component, Joint, locked_along
 
 
 class Rolling(Joint):
@@ -30,7 +30,7 @@ class Rolling(Joint):
     @property
     @abstractmethod
     def slips(self) -> tuple[Component, ...]:
-        """Which slips vanish, of ``longitudinal`` and ``lateral``."""
+        """Slips that vanish, of ``longitudinal`` and ``lateral``."""
 
     @property
     def coordinates(self) -> tuple[Component, ...]:
@@ -55,7 +55,7 @@ class Rolling(Joint):
         large, _ = self.radii(data)
         lean, yaw = rotation_about(first, q[3]).T, rotation_about(n, q[2]).T
         zero = Matrix.zeros(q.graph, 3)
-        turning = Matrix.hstack(zero, zero, lean @ n, first, second)
+        angular = Matrix.hstack(zero, zero, lean @ n, first, second)
         sliding = Matrix.hstack(
             lean @ (yaw @ first),
             lean @ (yaw @ second),
@@ -64,7 +64,7 @@ class Rolling(Joint):
             zero,
         )
         back = rotation_about(second, q[4]).T
-        return Matrix.vstack(back @ turning, back @ sliding)
+        return Matrix.vstack(back @ angular, back @ sliding)
 
     def convective(self, q: Matrix, u: Matrix, **data: Matrix) -> Matrix:
         # components along heading, axle and up of axes that yaw and lean but do not spin
@@ -73,7 +73,7 @@ class Rolling(Joint):
         c, s = cos(q[3]), sin(q[3])
         yaw, lean, spin = u[2], u[3], u[4]
         level, tipped = yaw * c, yaw * s
-        turning = (
+        angular = (
             first * -(spin * level) + second * (lean * level) + n * (lean * spin - lean * tipped)
         )
         pulled = (
@@ -82,7 +82,7 @@ class Rolling(Joint):
             - n * (lean * lean + tipped * tipped)
         )
         back = rotation_about(second, q[4]).T
-        return Matrix.vstack(back @ turning, back @ (pulled * large))
+        return Matrix.vstack(back @ angular, back @ (pulled * large))
 
     def constrained(self, q: Matrix, **data: Matrix) -> Matrix:
         # the force along the normal at the point of contact
@@ -100,8 +100,8 @@ class Rolling(Joint):
         return Matrix.vector(R.graph, [n.dot(p) - small - large * upright])
 
     @property
-    def held(self) -> tuple[Component, ...]:
-        return (Component(held_along(self.normal, "p"), "m"),)
+    def locked(self) -> tuple[Component, ...]:
+        return (Component(locked_along(self.normal, "p"), "m"),)
 
     def slip(self, R: Matrix, p: Matrix, twist: Matrix, **data: Matrix) -> Matrix:
         n, first, second = _triad(data)
@@ -115,8 +115,8 @@ class Rolling(Joint):
         # velocity of the wheel's point at the contact
         up = (n - axle * n.dot(axle)) / upright
         arm = (-(up.note("up") * large) - n * small).note("arm")
-        turning, sliding = R @ twist.block(slice(0, 3)), R @ twist.block(slice(3, 6))
-        velocity = sliding.note("sliding") + turning.note("turning").cross(arm)
+        angular, sliding = R @ twist.block(slice(0, 3)), R @ twist.block(slice(3, 6))
+        velocity = sliding.note("sliding") + angular.note("turning").cross(arm)
         velocity.note("velocity")
         return self._rows(heading.dot(velocity), sideways.dot(velocity))
 

@@ -10,7 +10,7 @@ from ...ir.matrix import Matrix
 from ...spatial.alignment import tilt
 from ...spatial.axis import complement, rotation_about, unit
 from ..quantity import RATIO, Direction, Units
-from .joint import Component, Joint, held_across, held_along
+from .joint import Component, Joint, locked_across, locked_along
 
 
 @dataclass(frozen=True)
@@ -23,7 +23,7 @@ class Screw(Joint):
         pitch: Displacement per angle [m/rad], not per turn: lead / (2 pi).
 
     Raises:
-        ModelError: the axis is zero, NaN or not a direction; the pitch is no number.
+        ModelError: the axis is zero, NaN or not a direction; the pitch is not a number.
 
     Source: R. Featherstone, Rigid Body Dynamics Algorithms, 2008, table 4.1.
     """
@@ -64,16 +64,20 @@ class Screw(Joint):
         flat = pitch.apply("eq", 0.0)
         angle = z / select(flat, 1.0, pitch)
         c, s = cos(angle), sin(angle)
-        apart = select(flat, z, pitch * atan2(s * x - c * y, c * x + s * y))
+        mismatch = select(flat, z, pitch * atan2(s * x - c * y, c * x + s * y))
         sideways = Matrix.hstack(first, second).T @ p
-        return Matrix.vstack(tilt(R, n), sideways, Matrix.vector(R.graph, [apart]))
+        return Matrix.vstack(tilt(R, n), sideways, Matrix.vector(R.graph, [mismatch]))
 
     @property
-    def held(self) -> tuple[Component, ...]:
-        sideways = held_across(self.axis, "p")
-        return (*held_across(self.axis, "r"), *sideways, Component(held_along(self.axis, "p"), "m"))
+    def locked(self) -> tuple[Component, ...]:
+        sideways = locked_across(self.axis, "p")
+        return (
+            *locked_across(self.axis, "r"),
+            *sideways,
+            Component(locked_along(self.axis, "p"), "m"),
+        )
 
-    def facing(self, R: Matrix, p: Matrix, **data: Matrix) -> Matrix:
+    def assembly_signs(self, R: Matrix, p: Matrix, **data: Matrix) -> Matrix:
         n = unit(data["axis"])
         return n.T @ (R @ n)
 

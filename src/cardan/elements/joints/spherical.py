@@ -54,5 +54,5 @@ class Spherical(Guided):
         return p
 
     @property
-    def held(self) -> tuple[Component, ...]:
+    def locked(self) -> tuple[Component, ...]:
         return POSITIONS

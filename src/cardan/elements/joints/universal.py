@@ -61,28 +61,28 @@ class Universal(Joint):
         return rotation_about(second, q[1]).T @ unit(data["axis1"]), second
 
     def motion(self, q: Matrix, **data: Matrix) -> Matrix:
-        turning = Matrix.hstack(*self._axes(q, data))
-        return Matrix.vstack(turning, Matrix.zeros(q.graph, 3, 2))
+        axes = Matrix.hstack(*self._axes(q, data))
+        return Matrix.vstack(axes, Matrix.zeros(q.graph, 3, 2))
 
     def constrained(self, q: Matrix, **data: Matrix) -> Matrix:
         first, second = self._axes(q, data)
         across, zero = first.cross(second), Matrix.zeros(q.graph, 3)
-        held = Matrix.vstack(Matrix.zeros(q.graph, 3, 3), Matrix.identity(q.graph, 3))
-        return Matrix.hstack(Matrix.vstack(across, zero), held)
+        forces = Matrix.vstack(Matrix.zeros(q.graph, 3, 3), Matrix.identity(q.graph, 3))
+        return Matrix.hstack(Matrix.vstack(across, zero), forces)
 
     def closure(self, R: Matrix, p: Matrix, **data: Matrix) -> Matrix:
         # the angle between the two axes stays as it is
         first, second = unit(data["axis1"]), unit(data["axis2"])
         lever = first.cross(second)
-        apart = (first.dot(second) - first.dot(R @ second)) / sqrt(lever.dot(lever))
-        return Matrix.vstack(Matrix.vector(R.graph, [apart]), p)
+        mismatch = (first.dot(second) - first.dot(R @ second)) / sqrt(lever.dot(lever))
+        return Matrix.vstack(Matrix.vector(R.graph, [mismatch]), p)
 
     @property
-    def held(self) -> tuple[Component, ...]:
+    def locked(self) -> tuple[Component, ...]:
         return (Component("r", "rad"), *POSITIONS)
 
     def convective(self, q: Matrix, u: Matrix, **data: Matrix) -> Matrix:
         # the first axis turns back in the child with the second angle
         first, second = self._axes(q, data)
-        turning = first.cross(second) * (u[0] * u[1])
-        return Matrix.vstack(turning, Matrix.zeros(q.graph, 3))
+        angular = first.cross(second) * (u[0] * u[1])
+        return Matrix.vstack(angular, Matrix.zeros(q.graph, 3))

@@ -50,9 +50,9 @@ class Wheel(Rolling):
     def __post_init__(self) -> None:
         object.__setattr__(self, "radius", positive("wheel", "radius", self.radius))
         super().__post_init__()
-        given = not is_expression(self.crown)
-        largest = self.radius if given and not is_expression(self.radius) else float("inf")
-        if given and not 0 <= self.crown <= largest:
+        numeric = not is_expression(self.crown)
+        largest = self.radius if numeric and not is_expression(self.radius) else float("inf")
+        if numeric and not 0 <= self.crown <= largest:
             raise ModelError(
                 f"wheel: crown is {self.crown}; give a length from 0 to the radius {self.radius}"
             )

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any, ClassVar
 
 from ..quantity import Pair, Units
-from .section import Data, Numbers, Outline, Section, Stiffness, corrections, made_of
+from .section import Data, Numbers, Outline, Section, SectionProperties, corrections, made_of
 
 
 @dataclass(frozen=True)
@@ -29,7 +29,7 @@ class Circle(Section):
     radius: Any
     shear: Pair = None
 
-    def stiffness(self, data: Data, material: Data) -> Stiffness:
+    def stiffness(self, data: Data, material: Data) -> SectionProperties:
         nu, square = material["nu"], data["radius"] ** 2
         second = math.pi / 4 * square**2
         k = 6 * (1 + nu) / (7 + 6 * nu)

@@ -8,7 +8,7 @@ from typing import Any, ClassVar
 
 from ..quantity import Units
 from ..validation import is_expression, number, positive
-from .section import Data, Numbers, Outline, Section, Stiffness, pair
+from .section import Data, Numbers, Outline, Section, SectionProperties, pair
 
 
 @dataclass(frozen=True)
@@ -54,11 +54,11 @@ class General(Section):
             value = getattr(self, name)
             if not is_expression(value) and not isinstance(value, (list, tuple)):
                 value = number("general", name, value)
-            given = 0 if isinstance(value, float) and value == 0 else pair("general", name, value)
-            object.__setattr__(self, name, given)
+            checked = 0 if isinstance(value, float) and value == 0 else pair("general", name, value)
+            object.__setattr__(self, name, checked)
 
-    def stiffness(self, data: Data, material: Data) -> Stiffness:
-        return Stiffness(
+    def stiffness(self, data: Data, material: Data) -> SectionProperties:
+        return SectionProperties(
             EA=data["EA"],
             GA2=data["GA.e2"],
             GA3=data["GA.e3"],

@@ -7,7 +7,7 @@ from typing import Any, ClassVar
 
 from ...ir.arithmetic import Scalar
 from ..quantity import Pair, Units
-from .section import Data, Numbers, Outline, Section, Stiffness, corrections, made_of
+from .section import Data, Numbers, Outline, Section, SectionProperties, corrections, made_of
 
 
 @dataclass(frozen=True)
@@ -33,13 +33,10 @@ class HollowRectangle(Section):
     thickness: Any
     shear: Pair = None
 
-    def stiffness(self, data: Data, material: Data) -> Stiffness:
+    def stiffness(self, data: Data, material: Data) -> SectionProperties:
         w, h, t = data["width"], data["height"], data["thickness"]
         inner_w, inner_h = w - 2 * t, h - 2 * t
-        second = (
-            (w * h**3 - inner_w * inner_h**3) / 12,
-            (h * w**3 - inner_h * inner_w**3) / 12,
-        )
+        second = ((w * h**3 - inner_w * inner_h**3) / 12, (h * w**3 - inner_h * inner_w**3) / 12)
         # between the middles of the walls
         mid_w, mid_h = w - t, h - t
         torsion = 2 * t * (mid_w * mid_h) ** 2 / (mid_w + mid_h)

@@ -11,7 +11,7 @@ from .section import (
     Numbers,
     Outline,
     Section,
-    Stiffness,
+    SectionProperties,
     corrections,
     made_of,
     rectangle_shear,
@@ -49,15 +49,12 @@ class IBeam(Section):
     web: Any
     shear: Pair = None
 
-    def stiffness(self, data: Data, material: Data) -> Stiffness:
+    def stiffness(self, data: Data, material: Data) -> SectionProperties:
         w, h, flange, web = (data[name] for name in ("width", "height", "flange", "web"))
         inner = h - 2 * flange
         flanges = 2 * w * flange
         area = flanges + inner * web
-        second = (
-            (w * h**3 - (w - web) * inner**3) / 12,
-            (flanges * w**2 + inner * web**3) / 12,
-        )
+        second = ((w * h**3 - (w - web) * inner**3) / 12, (flanges * w**2 + inner * web**3) / 12)
         torsion = (flanges * flange**2 + (h - flange) * web**3) / 3
         # between the middles of the flanges
         nu, m, n = material["nu"], flanges / ((h - flange) * web), w / (h - flange)

@@ -13,7 +13,7 @@ from .section import (
     Numbers,
     Outline,
     Section,
-    Stiffness,
+    SectionProperties,
     corrections,
     made_of,
     rectangle_shear,
@@ -46,7 +46,7 @@ class Rectangle(Section):
     height: Any
     shear: Pair = None
 
-    def stiffness(self, data: Data, material: Data) -> Stiffness:
+    def stiffness(self, data: Data, material: Data) -> SectionProperties:
         width, height = data["width"], data["height"]
         area = width * height
         second = (area * height**2 / 12, area * width**2 / 12)
@@ -67,8 +67,7 @@ def torsion(a: Scalar, b: Scalar) -> Scalar:
     """
     long, short = a.apply("max", b), a.apply("min", b)
     slope = math.pi * long / short
-    rest = sum(
-        (2 / n**5 / ((n * slope).apply("exp") + 1) for n in (3, 5, 7)),
-        2 / (slope.apply("exp") + 1),
+    series = sum(
+        (2 / n**5 / ((n * slope).apply("exp") + 1) for n in (3, 5, 7)), 2 / (slope.apply("exp") + 1)
     )
-    return long * short**3 / 3 * (1 - LEADING * short / long * (FIFTH - rest))
+    return long * short**3 / 3 * (1 - LEADING * short / long * (FIFTH - series))

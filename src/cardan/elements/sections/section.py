@@ -1,4 +1,4 @@
-"""What every cross-section of a beam states in its one file.
+"""Interface of the cross-sections of beams; each is one file.
 
 The axes of a section: e1 along the beam, e2 to the side, e3 up; all quantities refer to the
 centroid, which is also taken for the shear center.
@@ -21,8 +21,8 @@ Numbers = Mapping[str, float]
 
 
 @dataclass(frozen=True)
-class Stiffness:
-    """What a beam is made of: expressions of the parameters.
+class SectionProperties:
+    """Stiffness and mass of a section: expressions of the parameters.
 
     Attributes:
         EA, GA2, GA3: Against stretch and shear along e2, e3, shear-corrected [N].
@@ -43,7 +43,7 @@ class Stiffness:
 
 @dataclass(frozen=True)
 class Outline:
-    """What to draw: half widths along e2 and e3 [m], an ellipse where ``round``."""
+    """Outline to draw: half widths along e2 and e3 [m], an ellipse where ``round``."""
 
     e2: float
     e3: float
@@ -66,14 +66,14 @@ class Section(HasSource, ABC):
             object.__setattr__(self, name, check(self.kind, name, getattr(self, name)))
 
     def quantities(self) -> dict[str, Quantity]:
-        """What the user wrote, by name; becomes ``data``."""
+        """The user's values by name; become ``data``."""
         return {
             name: replace(one, labels=("e2", "e3")) if isinstance(one.value, tuple) else one
             for name, one in quantities_of(self, self.units).items()
         }
 
     @abstractmethod
-    def stiffness(self, data: Data, material: Data) -> Stiffness:
+    def stiffness(self, data: Data, material: Data) -> SectionProperties:
         """Stiffness and inertia.
 
         Args:
@@ -87,7 +87,7 @@ class Section(HasSource, ABC):
 
     @abstractmethod
     def outline(self, values: Numbers) -> Outline:
-        """What to draw."""
+        """Outline to draw."""
 
 
 def made_of(
@@ -96,7 +96,7 @@ def made_of(
     torsion: Scalar,
     shear: tuple[Scalar, Scalar],
     material: Data,
-) -> Stiffness:
+) -> SectionProperties:
     """A shape of one material.
 
     Args:
@@ -107,7 +107,7 @@ def made_of(
         material: ``E G rho``.
     """
     e, g, rho = material["E"], material["G"], material["rho"]
-    return Stiffness(
+    return SectionProperties(
         EA=e * area,
         GA2=g * area * shear[0],
         GA3=g * area * shear[1],

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any, ClassVar
 
 from ..quantity import Pair, Units
-from .section import Data, Numbers, Outline, Section, Stiffness, corrections, made_of
+from .section import Data, Numbers, Outline, Section, SectionProperties, corrections, made_of
 
 
 @dataclass(frozen=True)
@@ -30,7 +30,7 @@ class Tube(Section):
     inner: Any
     shear: Pair = None
 
-    def stiffness(self, data: Data, material: Data) -> Stiffness:
+    def stiffness(self, data: Data, material: Data) -> SectionProperties:
         nu, outer, inner = material["nu"], data["outer"] ** 2, data["inner"] ** 2
         second = math.pi / 4 * (outer**2 - inner**2)
         # with m = inner / outer

@@ -1,4 +1,4 @@
-"""Which of the two solutions of a circuit is meant, where the user does not say."""
+"""Choose between the two solutions of a loop where the user does not."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ from ..kinematics.kinematics import Kinematics
 
 
 def with_branches(system: System) -> System:
-    """The system with a branch for every circuit: the one nearest to the initial values.
+    """The system with a branch for every loop: the one nearest to the initial values.
 
-    Circuits are taken in the order of their solution, at the default parameters.
+    Loops are taken in the order of their solution, at the default parameters.
     """
     for n, closure in enumerate(system.closures):
         signs = (closure.branch,) if closure.branch else (1, -1)
@@ -33,11 +33,11 @@ def _with(system: System, n: int, sign: int, side: int) -> System:
 
 
 def _distance(system: System, n: int) -> float:
-    """How far the joints of circuit n are from their initial values; infinite if it is open."""
+    """Distance of the joints of loop n from their initial values; infinite if it is open."""
     k = Kinematics(system)
-    found = k.closures.position(n).q
+    solved = k.closures.position(n).q
     unknown = system.closures[n].unknown
-    nodes = [node for i in unknown for node in found[i].nodes]
+    nodes = [node for i in unknown for node in solved[i].nodes]
     values = evaluate(
         Function("q", k.graph, (), (Output("q", (len(nodes),), tuple(nodes)),)),
         {
@@ -48,17 +48,17 @@ def _distance(system: System, n: int) -> float:
             "u": [0.0] * system.nu,
         },
     )["q"]
-    wanted = [value for i in unknown for value in _own(system, i)]
+    goals = [value for i in unknown for value in _reference_values(system, i)]
     angles = [c.unit == "rad" for i in unknown for c in system.joints[i].element.coordinates]
     total = 0.0
-    for value, goal, angle in zip(values, wanted, angles, strict=True):
+    for value, goal, angle in zip(values, goals, angles, strict=True):
         if not math.isfinite(value):
             return math.inf
         total += 2 - 2 * math.cos(value - goal) if angle else (value - goal) ** 2
     return total
 
 
-def _own(system: System, i: int) -> tuple[float, ...]:
+def _reference_values(system: System, i: int) -> tuple[float, ...]:
     joint = system.joints[i]
     return joint.q0 or tuple(c.default for c in joint.element.coordinates)
 

@@ -1,4 +1,4 @@
-"""What kind of constraints a system has, and which of those on speeds could be on positions.
+"""Kinds of the constraints of a system, and those on speeds that could be on positions.
 
 A row a(q) u = 0 follows from positions where the motions that all such rows allow commute along it:
 a is then closed on them (Frobenius). Both are measured at random positions: the derivatives of a
@@ -87,20 +87,22 @@ def classification(equations: EquationRecord, seed: int = 1) -> Classification:
         timed.append(bool({("var", "t"), ("var", "r")} & kinds))
     fast = [k for k, row in enumerate(every) if row.level != POSITION]
     closed = _integrable(equations, len(every) - len(fast), fast, seed) if fast else set[int]()
-    found = [
+    classified = [
         Classified(row.name, row.owner, row.level, timed[k], row.level == POSITION or k in closed)
         for k, row in enumerate(every)
     ]
-    return Classification(tuple(found))
+    return Classification(tuple(classified))
 
 
-def _integrable(equations: EquationRecord, held: int, fast: list[int], seed: int) -> set[int]:
+def _integrable(
+    equations: EquationRecord, position_count: int, fast: list[int], seed: int
+) -> set[int]:
     """Rows of velocities that together are closed on the motions they allow."""
-    samples = [_Sample(equations, q) for q in _places(equations, held, seed)]
+    samples = [_Sample(equations, q) for q in _places(equations, position_count, seed)]
     left = set(fast)
     while left:
         # rows that are not closed let more motions in: look again without them
-        chosen = [*range(held), *sorted(left)]
+        chosen = [*range(position_count), *sorted(left)]
         bad = {k for sample in samples for k in sample.bent(chosen, left)}
         if not bad:
             break
@@ -108,18 +110,18 @@ def _integrable(equations: EquationRecord, held: int, fast: list[int], seed: int
     return left
 
 
-def _places(equations: EquationRecord, held: int, seed: int) -> list[Array]:
-    """Random positions (nq,) at which circuits are closed."""
+def _places(equations: EquationRecord, position_count: int, seed: int) -> list[Array]:
+    """Random positions (nq,) at which loops are closed."""
     system = equations.system
     start = np.array([default for _, _, default in blocks.coordinates(system)])
-    spread = np.random.default_rng(seed).normal(0.0, 0.3, (STATES, system.nu))
-    given = blocks.defaults(equations.system)
+    offsets = np.random.default_rng(seed).normal(0.0, 0.3, (STATES, system.nu))
+    defaults = blocks.defaults(equations.system)
     move = equations.function("integrate")
-    q = evaluate(move, {**given, "q": start, "du": spread}, "numpy")["q"]
+    q = evaluate(move, {**defaults, "q": start, "du": offsets}, "numpy")["q"]
     q = np.broadcast_to(q, (STATES, len(start))).astype(np.float64)
-    if held:
+    if position_count:
         names = ("constraints", "constraint_jacobian", "integrate")
-        q = search({name: equations.function(name) for name in names}, given, q)
+        q = search({name: equations.function(name) for name in names}, defaults, q)
     return list(q)
 
 
@@ -127,7 +129,7 @@ class _Sample:
     """Rows and their exterior derivatives at one position."""
 
     def __init__(self, equations: EquationRecord, q: Array) -> None:
-        self.given, self.q = blocks.defaults(equations.system), q
+        self.defaults, self.q = blocks.defaults(equations.system), q
         self.jacobian = equations.function("constraint_jacobian")
         self.rates = equations.function("qdot")
         nu, nq = equations.system.nu, len(q)
@@ -142,29 +144,29 @@ class _Sample:
         # commutators of the speeds, as speeds: c[:, i, j] of motions i and j
         moved = np.einsum("iqj->qij", turn) - np.einsum("jqi->qij", turn)
         commutator = np.einsum("uq,qij->uij", np.linalg.pinv(self.N), moved)
-        own = np.einsum("imj->mij", bend) - np.einsum("jmi->mij", bend)
-        self.exterior: Array = own - np.einsum("mu,uij->mij", self.G, commutator)
+        curl = np.einsum("imj->mij", bend) - np.einsum("jmi->mij", bend)
+        self.exterior: Array = curl - np.einsum("mu,uij->mij", self.G, commutator)
 
     def _rows(self, q: Array) -> Array:
-        found: Array = value(self.jacobian, {**self.given, "q": q[np.newaxis]}, 1)[0]
-        return found
+        rows: Array = value(self.jacobian, {**self.defaults, "q": q[np.newaxis]}, 1)[0]
+        return rows
 
     def _kinematics(self, q: Array) -> Array:
         nu = self.jacobian.outputs[0].shape[1]
         basis = np.concatenate([np.zeros((1, nu)), np.eye(nu)])
-        rates = value(self.rates, {**self.given, "q": q[np.newaxis], "u": basis}, len(basis))
+        rates = value(self.rates, {**self.defaults, "q": q[np.newaxis], "u": basis}, len(basis))
         return np.asarray(rates[1:] - rates[0]).T
 
-    def bent(self, chosen: list[int], asked: set[int]) -> set[int]:
+    def bent(self, chosen: list[int], candidates: set[int]) -> set[int]:
         """Rows that are not closed on what the chosen rows allow."""
         G = self.G[chosen]
         _, s, Vt = np.linalg.svd(G)
         rank = int(np.sum(s > 1e-9 * s.max(initial=1e-300)))
         free = Vt[rank:].T
-        found = set()
-        for k in asked:
+        nonintegrable = set()
+        for k in candidates:
             form = free.T @ self.exterior[k] @ free
             size = max(1.0, float(np.abs(self.exterior[k]).max()), float(np.abs(self.G[k]).max()))
             if form.size and np.abs(form).max() > SMALL * size:
-                found.add(k)
-        return found
+                nonintegrable.add(k)
+        return nonintegrable

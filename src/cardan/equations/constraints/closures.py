@@ -1,8 +1,8 @@
-"""Circuits that are solved in closed form: coordinates, rates and accelerations of their joints.
+"""Loops that are solved in closed form: coordinates, rates and accelerations of their joints.
 
-The coordinates follow from the geometry of the circuit (:mod:`.dyads`), the rates and accelerations
+The coordinates follow from the geometry of the loop (:mod:`.dyads`), the rates and accelerations
 from its closing conditions, which are linear in them: no iteration, no drift, and no multipliers.
-Every circuit may use the joints that those before it have determined.
+Every loop may use the joints that those before it have determined.
 
 Source: Roberson and Schwertassek, Dynamics of Multibody Systems, chapter 8; M. Hiller and A.
 Kecskemethy, work on characteristic pairs of joints.
@@ -24,7 +24,7 @@ from ...ir.rewrite import rebuild
 from ..kinematics.lazy_list import Memo
 from . import dyads, legs
 from .cut_joint_frames import Ends, ends
-from .dyads import Found
+from .dyads import JointSolution
 from .kinematic_coefficients import PLACES, in_fixed_axes
 
 if TYPE_CHECKING:
@@ -35,7 +35,7 @@ SOLUTIONS = {**dyads.SOLUTIONS, "leg": legs.leg, "arm": legs.arm}
 
 @dataclass(frozen=True)
 class Position:
-    """Coordinates of the joints of a circuit.
+    """Coordinates of the joints of a loop.
 
     Attributes:
         q: Joint -> coordinates (n, 1).
@@ -44,28 +44,31 @@ class Position:
     """
 
     q: dict[int, Matrix]
-    known: dict[int, int]
+    substitutions: dict[int, int]
     angles: tuple[tuple[int, int, int], ...]
 
     def settled(self, x: Matrix) -> Matrix:
         """Expressions with the cosines and sines put in."""
-        if not self.known:
+        if not self.substitutions:
             return x
         return Matrix(
-            x.graph, x.rows, x.columns, rebuild(x.graph, x.nodes, self.known, into=x.graph)[1]
+            x.graph,
+            x.rows,
+            x.columns,
+            rebuild(x.graph, x.nodes, self.substitutions, into=x.graph)[1],
         )
 
 
 @dataclass(frozen=True)
 class Velocity:
-    """Rates of the joints of a circuit.
+    """Rates of the joints of a loop.
 
     Attributes:
         rates: Joint -> its speeds (n, 1).
         shares: Joint -> slot -> share of the speed in that slot (n, 1).
         bias: Joint -> its accelerations where udot of the system is 0 (n, 1).
         seeds: Node -> its time derivative at udot = 0.
-        ends: The frames that close the circuit.
+        ends: The frames that close the loop.
         gradient: Of the closing conditions along their twist (r, 6).
         inverse: Of the columns of the rates in them (r, r).
     """
@@ -80,7 +83,7 @@ class Velocity:
 
 
 class Closures:
-    """The circuits of a system that are solved, each when it is first asked for."""
+    """The loops of a system that are solved, each when it is first asked for."""
 
     def __init__(self, k: Kinematics) -> None:
         self.k = k
@@ -94,40 +97,42 @@ class Closures:
         return Memo(len(self.k.system.closures), self._velocity)
 
     def position(self, n: int) -> Position:
-        """Coordinates that circuit n determines."""
+        """Coordinates that loop n determines."""
         return self._positions[n]
 
     def velocity(self, n: int) -> Velocity:
-        """Rates that circuit n determines."""
+        """Rates that loop n determines."""
         return self._velocities[n]
 
     def seeds(self, n: int) -> dict[int, int]:
-        """Time derivatives at udot = 0 of what circuit n determines."""
+        """Time derivatives at udot = 0 of what loop n determines."""
         return self._velocities[n].seeds
 
     def _position(self, n: int) -> Position:
         closure, g = self.k.system.closures[n], self.k.graph
         with g.made_by(closure.cut.name, "closure"):
-            found = SOLUTIONS[closure.kind](self.k, closure)
-            q, known, angles = {}, dict[int, int](), []
+            solutions = SOLUTIONS[closure.kind](self.k, closure)
+            q, substitutions, angles = {}, dict[int, int](), []
             for i in closure.unknown:
                 nodes = []
-                for entry in found[i]:
+                for entry in solutions[i]:
                     node = entry.coordinate(g)
                     nodes.append(node)
                     if entry.cosine is None or entry.sine is None:
                         angles.append((node, ZERO, ZERO))
                         continue
-                    known[g.apply("cos", node)] = entry.cosine.node
-                    known[g.apply("sin", node)] = entry.sine.node
+                    substitutions[g.apply("cos", node)] = entry.cosine.node
+                    substitutions[g.apply("sin", node)] = entry.sine.node
                     angles.append((node, entry.cosine.node, entry.sine.node))
                 q[i] = Matrix(g, len(nodes), 1, nodes)
-        self._label(found)
-        made = Position(q, known, tuple(angles))
-        return made if self.k.following is None else self.k.following.position(g, made)
+        self._label(solutions)
+        solution = Position(q, substitutions, tuple(angles))
+        return (
+            solution if self.k.coefficients is None else self.k.coefficients.position(g, solution)
+        )
 
-    def _label(self, found: dict[int, tuple[Found, ...]]) -> None:
-        for i, entries in found.items():
+    def _label(self, solutions: dict[int, tuple[JointSolution, ...]]) -> None:
+        for i, entries in solutions.items():
             joint = self.k.system.joints[i]
             for component, entry in zip(joint.element.coordinates, entries, strict=True):
                 suffix = f"_{component.name}" if component.name else ""
@@ -138,25 +143,25 @@ class Closures:
     def _velocity(self, n: int) -> Velocity:
         closure, g, k = self.k.system.closures[n], self.k.graph, self.k
         with g.made_by(closure.cut.name, "rates"):
-            held = [closure.cut.element.held[i].name for i in closure.cut.rows]
-            meeting = k.following is not None and set(held) <= PLACES
-            e = ends(k, closure.cut, closure.unknown, meeting)
+            components = [closure.cut.element.locked[i].name for i in closure.cut.rows]
+            fixed_axes = k.coefficients is not None and set(components) <= PLACES
+            e = ends(k, closure.cut, closure.unknown, fixed_axes)
             data = {name: k.matrix(*entry) for name, entry in closure.cut.data.items()}
-            _, whole = closed(closure.cut.element, e.rotation, e.position, data)
-            rows = [whole.block(slice(i, i + 1)) for i in closure.cut.rows]
+            _, all_rows = closed(closure.cut.element, e.rotation, e.position, data)
+            rows = [all_rows.block(slice(i, i + 1)) for i in closure.cut.rows]
             gradient = Matrix.vstack(*rows)
-            if meeting:
-                gradient = in_fixed_axes(gradient, held, e.axes)
+            if fixed_axes:
+                gradient = in_fixed_axes(gradient, components, e.axes)
             keys = list(e.open)
             square = gradient @ Matrix.hstack(*e.open.values())
             inverse = _inverse(square)
             shares = {slot: -(inverse @ (gradient @ c)) for slot, c in e.columns.items()}
             rates = -(inverse @ (gradient @ e.twist))
-            if k.following is not None:
-                shares, rates = k.following.rates(g, keys, shares, rates)
+            if k.coefficients is not None:
+                shares, rates = k.coefficients.rates(g, keys, shares, rates)
             bias, seeds = self._bias(n, square, gradient @ e.twist, rates, inverse)
-            if k.following is not None:
-                bias = k.following.accelerations(g, keys, shares, bias)
+            if k.coefficients is not None:
+                bias = k.coefficients.accelerations(g, keys, shares, bias)
                 seeds |= _seeds(g, zip(rates.nodes, bias.nodes, strict=True))
         ranges, start = {}, 0
         for i in closure.unknown:
@@ -164,7 +169,7 @@ class Closures:
             ranges[i] = slice(start, start + count)
             start += count
         return Velocity(
-            {i: rates.block(own) for i, own in ranges.items()},
+            {i: rates.block(rows_of_joint) for i, rows_of_joint in ranges.items()},
             {i: {s: x.block(own) for s, x in shares.items()} for i, own in ranges.items()},
             {i: bias.block(own) for i, own in ranges.items()},
             seeds,
@@ -174,12 +179,12 @@ class Closures:
         )
 
     def _bias(
-        self, n: int, square: Matrix, known: Matrix, rates: Matrix, inverse: Matrix
+        self, n: int, square: Matrix, fixed_columns: Matrix, rates: Matrix, inverse: Matrix
     ) -> tuple[Matrix, dict[int, int]]:
-        """Accelerations at udot = 0, and the time derivatives of what the circuit determines.
+        """Accelerations at udot = 0, and the time derivatives of what the loop determines.
 
         Args:
-            n: The circuit, whose closing conditions at velocity level are square rates + known.
+            n: The loop, whose closing conditions at velocity level are square rates + known.
             square, known: Columns of the rates that are looked for, and the rest.
             rates: What they are.
             inverse: Of ``square``.
@@ -188,15 +193,15 @@ class Closures:
         before = dict(self.k.slot_seeds)
         for earlier in range(n):
             before |= self.seeds(earlier)
-        own = self._moving(n, rates)
-        change = forward(g, (*square.nodes, *known.nodes), before | own)
+        seeds = self._moving(n, rates)
+        change = forward(g, (*square.nodes, *fixed_columns.nodes), before | seeds)
         count = len(square.nodes)
-        turning = Matrix(g, square.rows, square.columns, change[:count])
-        bias = -(inverse @ (turning @ rates + Matrix(g, known.rows, 1, change[count:])))
-        return bias, own | _seeds(g, zip(rates.nodes, bias.nodes, strict=True))
+        square_rate = Matrix(g, square.rows, square.columns, change[:count])
+        bias = -(inverse @ (square_rate @ rates + Matrix(g, fixed_columns.rows, 1, change[count:])))
+        return bias, seeds | _seeds(g, zip(rates.nodes, bias.nodes, strict=True))
 
     def _moving(self, n: int, rates: Matrix) -> dict[int, int]:
-        """Time derivatives of the coordinates of a circuit and of their cosines and sines."""
+        """Time derivatives of the coordinates of a loop and of their cosines and sines."""
         g, moving = self.k.graph, list[tuple[int, int]]()
         for (node, cosine, sine), rate in zip(self.position(n).angles, rates.nodes, strict=True):
             moving.append((node, rate))
@@ -224,8 +229,8 @@ def _inverse(a: Matrix) -> Matrix:
     if n == 1:
         return Matrix.identity(g, 1) / a[0, 0]
     if n == 2:
-        turned = Matrix.of(g, [[a[1, 1], -a[0, 1]], [-a[1, 0], a[0, 0]]])
-        return turned / (a[0, 0] * a[1, 1] - a[0, 1] * a[1, 0])
+        adjugate = Matrix.of(g, [[a[1, 1], -a[0, 1]], [-a[1, 0], a[0, 0]]])
+        return adjugate / (a[0, 0] * a[1, 1] - a[0, 1] * a[1, 0])
     rows = [a.block(slice(i, i + 1)).T for i in range(3)]
     across = [rows[1].cross(rows[2]), rows[2].cross(rows[0]), rows[0].cross(rows[1])]
     return Matrix.hstack(*across) / rows[0].dot(across[0])

@@ -22,9 +22,9 @@ def _rows(c: Context, positions: bool) -> tuple[tuple[str, ...], tuple[str, ...]
 
 @recipe
 def dependents(c: Context) -> tuple[Output, ...]:
-    system, found = c.k.system, dict[str, tuple[list[str], list[int], list[str]]]()
+    system, by_block = c.k.system, dict[str, tuple[list[str], list[int], list[str]]]()
     for block, values in (("q", c.k.coordinates), ("u", c.k.speeds)):
-        names, nodes, units = found[block] = [], [], []
+        names, nodes, units = by_block[block] = [], [], []
         for i, joint in enumerate(system.joints):
             if joint.closure >= 0:
                 parts = joint.element.coordinates if block == "q" else joint.element.speeds
@@ -34,7 +34,7 @@ def dependents(c: Context) -> tuple[Output, ...]:
                 units += [part.unit for part in parts]
     return tuple(
         Output(block, (len(nodes),), tuple(nodes), tuple(names), tuple(units))
-        for block, (names, nodes, units) in found.items()
+        for block, (names, nodes, units) in by_block.items()
     )
 
 
@@ -59,25 +59,25 @@ def constraint_jacobian(c: Context) -> tuple[Output, ...]:
 
 @recipe
 def constraint_bias(c: Context) -> tuple[Output, ...]:
-    gamma, own = c.d.constraints.gamma, c.d.constraints.rows
+    gamma, rows = c.d.constraints.gamma, c.d.constraints.rows
     # a row of positions is differentiated twice, one of velocities once
-    units = tuple(f"{r.unit or '1'}/s{'' if r.level == VELOCITY else '^2'}" for r in own)
-    return (Output("gamma", (gamma.rows,), gamma.nodes, tuple(r.name for r in own), units),)
+    units = tuple(f"{r.unit or '1'}/s{'' if r.level == VELOCITY else '^2'}" for r in rows)
+    return (Output("gamma", (gamma.rows,), gamma.nodes, tuple(r.name for r in rows), units),)
 
 
 @recipe
 def closure(c: Context) -> tuple[Output, ...]:
     cuts = c.k.system.cuts
-    names = tuple(f"{cut.name}.{h.name}" for cut in cuts for h in cut.element.held)
-    units = tuple(h.unit for cut in cuts for h in cut.element.held)
+    names = tuple(f"{cut.name}.{h.name}" for cut in cuts for h in cut.element.locked)
+    units = tuple(h.unit for cut in cuts for h in cut.element.locked)
     return (Output("closure", (len(names),), c.d.constraints.closure.nodes, names, units),)
 
 
 @recipe
-def facing(c: Context) -> tuple[Output, ...]:
-    owners, numbers = c.d.constraints.facing
-    names = tuple(f"{owner}.facing{k}" for k, owner in enumerate(owners))
-    return (Output("facing", (len(names),), numbers.nodes, names),)
+def assembly_signs(c: Context) -> tuple[Output, ...]:
+    owners, numbers = c.d.constraints.assembly_signs
+    names = tuple(f"{owner}.assembly_sign{k}" for k, owner in enumerate(owners))
+    return (Output("assembly_signs", (len(names),), numbers.nodes, names),)
 
 
 @recipe
@@ -90,8 +90,8 @@ def multipliers(c: Context) -> tuple[Output, ...]:
 
 @recipe
 def close_position(c: Context) -> tuple[Output, ...]:
-    own, g = c.d.constraints, c.d.constraints.position
-    jacobian = own.jacobian.block(slice(0, own.positions))
+    constraints, g = c.d.constraints, c.d.constraints.position
+    jacobian = constraints.jacobian.block(slice(0, constraints.positions))
     step = c.d.projected(c.d.mass_matrix, jacobian, g)
     nodes = [ZERO] * c.k.system.nq
     for i, joint in enumerate(c.k.system.joints):
@@ -105,8 +105,8 @@ def close_position(c: Context) -> tuple[Output, ...]:
 
 @recipe
 def close_velocity(c: Context) -> tuple[Output, ...]:
-    own = c.d.constraints
+    constraints = c.d.constraints
     speeds = c.d.block("u", c.k.system.nu)
-    moved = speeds + c.d.projected(c.d.mass_matrix, own.jacobian, own.rates)
-    rates = Output("rates", (own.rates.rows,), own.rates.nodes, *_rows(c, False))
+    moved = speeds + c.d.projected(c.d.mass_matrix, constraints.jacobian, constraints.rates)
+    rates = Output("rates", (constraints.rates.rows,), constraints.rates.nodes, *_rows(c, False))
     return (*c.vector("u", moved, "u"), rates)

@@ -1,8 +1,8 @@
-"""What binds the speeds of a tree: circuits, rolling, relations that the user wrote.
+"""Constraints on the speeds of a tree: loops, rolling, relations that the user wrote.
 
-Every joint that closes a circuit says by its residuals at position level what it holds; their
+Every joint that closes a loop says by its residuals at position level what it holds; their
 derivative along the relative twist of its two frames, carried back through the joints of the
-circuit, is the constraint Jacobian: g = 0, G u + g_t = 0, G udot = gamma.
+loop, is the constraint Jacobian: g = 0, G u + g_t = 0, G udot = gamma.
 
 Source: Roberson and Schwertassek, Dynamics of Multibody Systems, chapters 5 and 8.
 """
@@ -14,7 +14,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 from ...elements.closing import closed
-from ...elements.internal_states import Hold
+from ...elements.internal_states import ModeConstraint
 from ...elements.joints.joint import Component
 from ...elements.quantity import written_unit
 from ...errors import DerivationError
@@ -53,7 +53,7 @@ class Row:
 
     @property
     def component(self) -> str:
-        """Of its owner: ``px``; "" where that has no other."""
+        """Component of its owner: ``px``; "" where that has no other."""
         return self.name[len(self.owner) + 1 :]
 
     def word(self, quantity: str) -> str:
@@ -69,31 +69,33 @@ class Row:
 
 def rows(system: System) -> tuple[Row, ...]:
     """The constraints of a system: those of position level first, in the order of the matrices."""
-    held, slipping = list[Row](), list[Row]()
+    position_rows, slipping = list[Row](), list[Row]()
     for cut in system.cuts:
-        kept = [cut.element.held[i] for i in cut.rows]
-        held += _rows(cut.name, kept, POSITION)
+        cut_components = [cut.element.locked[i] for i in cut.rows]
+        position_rows += _rows(cut.name, cut_components, POSITION)
         slipping += _rows(cut.name, cut.element.slips, VELOCITY)
     for joint in system.joints:
         slipping += _rows(joint.name, joint.element.slips, VELOCITY)
     for force in system.forces:
         components = [
             Component(name, written_unit(unit, slides(system.joints, force.joints.values())))
-            for name, unit in force.element.holding()
+            for name, unit in force.element.locked_velocities()
         ]
-        held_by_modes = _rows(force.name, components, VELOCITY)
-        slipping += [replace(row, switched=True) for row in held_by_modes]
+        mode_rows = _rows(force.name, components, VELOCITY)
+        slipping += [replace(row, switched=True) for row in mode_rows]
     for entry in system.constraints:
         level = VELOCITY if _has_speeds(system, entry.node) else POSITION
         row = Row(entry.name, entry.unit, entry.name, level)
-        (held if level == POSITION else slipping).append(row)
-    return (*held, *slipping)
+        (position_rows if level == POSITION else slipping).append(row)
+    return (*position_rows, *slipping)
 
 
 def left_out(cut: Cut) -> list[dict[str, str]]:
-    """Names and units of the conditions of a circuit that its motion fulfills by itself."""
-    rest = [held for k, held in enumerate(cut.element.held) if k not in cut.rows]
-    return [{"name": row.name, "unit": row.force_unit} for row in _rows(cut.name, rest, POSITION)]
+    """Names and units of the conditions of a loop that its motion fulfills by itself."""
+    redundant = [component for k, component in enumerate(cut.element.locked) if k not in cut.rows]
+    return [
+        {"name": row.name, "unit": row.force_unit} for row in _rows(cut.name, redundant, POSITION)
+    ]
 
 
 def _rows(owner: str, components: Sequence[Component], level: str) -> list[Row]:
@@ -101,7 +103,7 @@ def _rows(owner: str, components: Sequence[Component], level: str) -> list[Row]:
 
 
 def _has_speeds(system: System, node: int) -> bool:
-    """Whether an expression contains speeds, or velocities of frames."""
+    """True when an expression contains speeds, or velocities of frames."""
     for i in live(system.graph, [node]):
         kind, name = system.graph.nodes[i][0], system.graph.nodes[i][1:2]
         if kind == "var" and name == ("u",):
@@ -164,50 +166,50 @@ class Constraints:
         return self._column([node for g, _ in self._closed for node in g.nodes])
 
     @cached_property
-    def facing(self) -> tuple[tuple[str, ...], Matrix]:
+    def assembly_signs(self) -> tuple[tuple[str, ...], Matrix]:
         """Owners of numbers that are positive where cut joints are not turned round, and these."""
         owners, nodes = list[str](), list[int]()
         for n, cut in enumerate(self.k.system.cuts):
-            with self.k.graph.made_by(cut.name, "facing"):
+            with self.k.graph.made_by(cut.name, "assembly_signs"):
                 ends = self._ends[n]
-                found = cut.element.facing(ends.rotation, ends.position, **self._data[n])
-            owners += [cut.name] * found.rows
-            nodes += found.nodes
+                signs = cut.element.assembly_signs(ends.rotation, ends.position, **self._data[n])
+            owners += [cut.name] * signs.rows
+            nodes += signs.nodes
         return tuple(owners), self._column(nodes)
 
     @cached_property
-    def _held(self) -> list[tuple[str, Hold]]:
-        """What elements hold in some modes, with their names."""
+    def _mode_constraints(self) -> list[tuple[str, ModeConstraint]]:
+        """Constraints that elements impose in some modes, with their names."""
         return [
-            (force.name, hold)
+            (force.name, constraint)
             for force in self.k.system.forces
-            if force.element.holding()
-            for hold in force.element.holds(places(self.k, force))
+            if force.element.locked_velocities()
+            for constraint in force.element.holds(places(self.k, force))
         ]
 
     @cached_property
     def rates(self) -> Matrix:
         """Derivative of g, then velocities that vanish (m, 1): ``rate = G u + g_t``."""
         self.k.graph.describe(Constraints.rates)
-        g, held, slipping = self.k.graph, list[int](), list[int]()
+        g, position_rows, slipping = self.k.graph, list[int](), list[int]()
         for n, cut in enumerate(self.k.system.cuts):
             with g.made_by(cut.name, "rate"):
                 ends, (_, gradient) = self._ends[n], self._closed[n]
-                held += [_times(gradient, i, ends.twist) for i in cut.rows]
+                position_rows += [_times(gradient, i, ends.twist) for i in cut.rows]
                 slipping += self._slip(n, ends.twist)
         for i, joint in enumerate(self.k.system.joints):
             with g.made_by(joint.name, "slip"):
                 slipping += self._tree_slip(i, self.k.speeds[i])
-        for name, hold in self._held:
+        for name, constraint in self._mode_constraints:
             with g.made_by(name, "rate"):
-                slipping.append((hold.velocity * hold.active).node)
+                slipping.append((constraint.velocity * constraint.active).node)
         for name, node, level in self._written:
             with g.made_by(name, "rate"):
                 if level == POSITION:
-                    held += forward(g, [node], self.k.time_seeds)
+                    position_rows += forward(g, [node], self.k.time_seeds)
                 else:
                     slipping.append(node)
-        return self._named([*held, *slipping], g.hint, "rate")
+        return self._named([*position_rows, *slipping], g.hint, "rate")
 
     @cached_property
     def jacobian(self) -> Matrix:
@@ -223,13 +225,13 @@ class Constraints:
             nodes = self.rates.nodes
             columns = [forward(g, nodes, {g.var("u", s): ONE}) for s in range(nu)]
             return self._labeled([[c[i] for c in columns] for i in range(len(nodes))])
-        held, slipping = list[list[int]](), list[list[int]]()
+        position_rows, slipping = list[list[int]](), list[list[int]]()
         for n, cut in enumerate(self.k.system.cuts):
             with g.made_by(cut.name, "G"):
                 ends, (_, gradient) = self._ends[n], self._closed[n]
                 for i in cut.rows:
                     entries = {s: _times(gradient, i, c) for s, c in ends.columns.items()}
-                    held.append([entries.get(s, ZERO) for s in range(nu)])
+                    position_rows.append([entries.get(s, ZERO) for s in range(nu)])
                 slips = dict[int, list[int]]()
                 for s, c in ends.columns.items():
                     with g.made_by(cut.name, f"slip_{self.k.speed_names[s]}"):
@@ -239,18 +241,18 @@ class Constraints:
         for i, joint in enumerate(self.k.system.joints):
             with g.made_by(joint.name, "G"):
                 unit = Matrix.identity(g, len(joint.element.speeds))
-                own = {joint.u + j: self._tree_slip(i, unit.column(j)) for j in range(len(unit))}
+                units = {joint.u + j: self._tree_slip(i, unit.column(j)) for j in range(len(unit))}
                 for n in range(len(joint.element.slips)):
-                    slipping.append([own[s][n] if s in own else ZERO for s in range(nu)])
-        for name, hold in self._held:
+                    slipping.append([units[s][n] if s in units else ZERO for s in range(nu)])
+        for name, constraint in self._mode_constraints:
             with g.made_by(name, "G"):
-                velocity = (hold.velocity * hold.active).node
+                velocity = (constraint.velocity * constraint.active).node
                 slipping.append(self.gradient(name, velocity, VELOCITY))
         for name, node, level in self._written:
             with g.made_by(name, "G"):
                 row = self.gradient(name, node, level)
-                (held if level == POSITION else slipping).append(row)
-        return self._labeled([*held, *slipping])
+                (position_rows if level == POSITION else slipping).append(row)
+        return self._labeled([*position_rows, *slipping])
 
     def _labeled(self, entries: Sequence[Sequence[int]]) -> Matrix:
         """G of its rows, whose entries are called after row and speed."""
@@ -275,15 +277,15 @@ class Constraints:
 
     def _slip(self, n: int, twist: Matrix) -> list[int]:
         cut, ends = self.k.system.cuts[n], self._ends[n]
-        found = cut.element.slip(ends.rotation, ends.position, twist, **self._data[n])
-        return [] if found is None else list(found.nodes)
+        slip = cut.element.slip(ends.rotation, ends.position, twist, **self._data[n])
+        return [] if slip is None else list(slip.nodes)
 
     def _tree_slip(self, i: int, speeds: Matrix) -> list[int]:
         joint, k = self.k.system.joints[i], self.k
         if not joint.element.slips:
             return []
-        found = joint.element.sliding(k.coordinates[i], speeds, **k.data[i])
-        return [] if found is None else list(found.nodes)
+        slip = joint.element.sliding(k.coordinates[i], speeds, **k.data[i])
+        return [] if slip is None else list(slip.nodes)
 
     def gradient(self, name: str, node: int, level: str) -> list[int]:
         """Derivatives of the rate of a relation with respect to the speeds.
@@ -310,20 +312,20 @@ class Constraints:
     def prescribed(self) -> Matrix:
         """g_t of the relations that the user wrote (their number, 1): their rates at rest."""
         g, at = self.k.graph, {row.owner: i for i, row in enumerate(self.rows)}
-        rest = {g.var("u", s): ZERO for s in range(self.k.system.nu)}
+        still = {g.var("u", s): ZERO for s in range(self.k.system.nu)}
         nodes = [self.rates.nodes[at[name]] for name, _, _ in self._written]
-        return self._column(rebuild(g, nodes, rest, into=g)[1])
+        return self._column(rebuild(g, nodes, still, into=g)[1])
 
     @property
     def surfaces(self) -> list[tuple[int, Scalar]]:
         """Row and g_t of everything that elements hold: its rate at rest."""
-        g, found = self.k.graph, []
-        rest = {g.var("u", s): ZERO for s in range(self.k.system.nu)}
+        g, surfaces = self.k.graph, []
+        still = {g.var("u", s): ZERO for s in range(self.k.system.nu)}
         for row, entry in enumerate(self.rows):
             if entry.switched:
-                node = rebuild(g, [self.rates.nodes[row]], rest, into=g)[1][0]
-                found.append((row, Scalar(g, node)))
-        return found
+                node = rebuild(g, [self.rates.nodes[row]], still, into=g)[1][0]
+                surfaces.append((row, Scalar(g, node)))
+        return surfaces
 
     def wrench(self, cut: int, multipliers: Matrix) -> Matrix:
         """Moment and force of P on C of a cut joint (6, 1), at the origin of C in C axes."""
@@ -332,7 +334,7 @@ class Constraints:
         gradient, total = self._closed[cut][1], Matrix.zeros(self.k.graph, 6)
         for i in record.rows:
             row = gradient.block(slice(i, i + 1)).T
-            total = total + row * multipliers[at[f"{record.name}.{record.element.held[i].name}"]]
+            total = total + row * multipliers[at[f"{record.name}.{record.element.locked[i].name}"]]
         for n, component in enumerate(record.element.slips):
             unit = Matrix.identity(self.k.graph, 6)
             slips = [self._slip(cut, unit.column(j))[n] for j in range(6)]

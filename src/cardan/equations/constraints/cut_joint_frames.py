@@ -1,4 +1,4 @@
-"""How the two frames of a joint that closes a circuit lie and move against each other."""
+"""Relative pose and motion of the two frames of a joint that closes a loop."""
 
 from __future__ import annotations
 
@@ -37,16 +37,18 @@ class Ends:
     axes: Matrix
 
 
-def ends(k: Kinematics, cut: Cut, unknown: Collection[int] = (), meeting: bool = False) -> Ends:
-    """The frames of a cut joint by the joints of its circuit, from where its branches part.
+def ends(
+    k: Kinematics, cut: Cut, unknown: Collection[int] = (), from_parent_end: bool = False
+) -> Ends:
+    """The frames of a cut joint by the joints of its loop, from where its branches part.
 
     ``pose = [R_Pᵀ R_C, R_Pᵀ (p_C - p_P)]`` of its frames P and C, and
-    ``twist = R_Cᵀ sum +-[R w; R v + R w x arm]``, each joint of the circuit adding its w, v.
+    ``twist = R_Cᵀ sum +-[R w; R v + R w x arm]``, each joint of the loop adding its w, v.
 
     Args:
         k: Motion of the tree.
         cut: The joint.
-        unknown: Joints of the circuit whose speeds are looked for.
+        unknown: Joints of the loop whose speeds are looked for.
         meeting: Tell motions of the parent's branch by where that ends: the same where the origins
             of the frames meet, and shorter.
     """
@@ -62,7 +64,7 @@ def ends(k: Kinematics, cut: Cut, unknown: Collection[int] = (), meeting: bool =
                 f"{k.owner(i)}_",
             )
         (r_p, x_p), (r_c, x_c) = (
-            _hinted(placed(k, f, at[k.system.frames[f].body]), cut.name, word)
+            _hinted(frame_pose(k, f, at[k.system.frames[f].body]), cut.name, word)
             for f, word in ((cut.parent_frame, "parent_"), (cut.child_frame, "child_"))
         )
         rotation, position = _hinted((r_p.T @ r_c, r_p.T @ (x_c - x_p)), cut.name, "")
@@ -71,26 +73,26 @@ def ends(k: Kinematics, cut: Cut, unknown: Collection[int] = (), meeting: bool =
     with g.made_by(cut.name, "twist"):
         for i, sign in cut.path:
             joint = k.system.joints[i].name
-            arm = (x_p if meeting and sign < 0 else x_c) - at[i][1]
+            arm = (x_p if from_parent_end and sign < 0 else x_c) - at[i][1]
             arm.hint(cut.name, f"arm_{joint}")
             if i in unknown:
                 modes = k.pose_of(i).S
                 for n in range(modes.columns):
-                    free[i, n] = _carried(at[i][0], arm, modes.column(n)) * sign
+                    free[i, n] = _moved_twist(at[i][0], arm, modes.column(n)) * sign
                 continue
             for slot, column in k.joints[i].columns:
-                share = _carried(at[i][0], arm, column) * sign
+                share = _moved_twist(at[i][0], arm, column) * sign
                 columns[slot] = columns[slot] + share if slot in columns else share
-            share = _carried(at[i][0], arm, k.joints[i].velocity) * sign
+            share = _moved_twist(at[i][0], arm, k.joints[i].velocity) * sign
             twist = twist + share.hint(cut.name, f"base_twist_by_{joint}", TWIST)
         twist.hint(cut.name, "base_twist", TWIST)
         to_child = r_c.T
         for slot, column in columns.items():
             word = k.speed_names[slot]
             column.hint(cut.name, f"base_twist_{word}", TWIST)
-            columns[slot] = _turned(to_child, column).hint(cut.name, f"twist_{word}", TWIST)
-        free = {key: _turned(to_child, column) for key, column in free.items()}
-        twist = _turned(to_child, twist).hint(cut.name, "twist", TWIST)
+            columns[slot] = _rotated_twist(to_child, column).hint(cut.name, f"twist_{word}", TWIST)
+        free = {key: _rotated_twist(to_child, column) for key, column in free.items()}
+        twist = _rotated_twist(to_child, twist).hint(cut.name, "twist", TWIST)
     return Ends(rotation, position, columns, twist, free, r_p)
 
 
@@ -99,7 +101,7 @@ def _hinted(pose: tuple[Matrix, Matrix], owner: str, word: str) -> tuple[Matrix,
     return pose[0].hint(owner, f"{word}R", CELLS), pose[1].hint(owner, f"{word}p")
 
 
-def placed(k: Kinematics, frame: int, body: tuple[Matrix, Matrix]) -> tuple[Matrix, Matrix]:
+def frame_pose(k: Kinematics, frame: int, body: tuple[Matrix, Matrix]) -> tuple[Matrix, Matrix]:
     """A frame of a body that is placed in some axes, in those axes."""
     f = k.system.frames[frame]
     rotation, position = body
@@ -107,11 +109,11 @@ def placed(k: Kinematics, frame: int, body: tuple[Matrix, Matrix]) -> tuple[Matr
     return rotation @ axes, position + rotation @ k.place(frame)
 
 
-def _carried(rotation: Matrix, arm: Matrix, twist: Matrix) -> Matrix:
+def _moved_twist(rotation: Matrix, arm: Matrix, twist: Matrix) -> Matrix:
     """A twist of a body about its origin, about a point an arm away, in the axes of the base."""
-    turning = rotation @ twist.block(slice(0, 3))
-    return Matrix.vstack(turning, rotation @ twist.block(slice(3, 6)) + turning.cross(arm))
+    angular = rotation @ twist.block(slice(0, 3))
+    return Matrix.vstack(angular, rotation @ twist.block(slice(3, 6)) + angular.cross(arm))
 
 
-def _turned(rotation: Matrix, twist: Matrix) -> Matrix:
+def _rotated_twist(rotation: Matrix, twist: Matrix) -> Matrix:
     return Matrix.vstack(rotation @ twist.block(slice(0, 3)), rotation @ twist.block(slice(3, 6)))

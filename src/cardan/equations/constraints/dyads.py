@@ -1,6 +1,6 @@
-"""Pairs of joints whose coordinates follow in closed form from where their circuit closes.
+"""Pairs of joints whose coordinates follow in closed form from where their loop closes.
 
-All vectors are told in the axes of the body from which the two branches of the circuit start. A
+All vectors are told in the axes of the body from which the two branches of the loop start. A
 joint is first taken at its zero; what its two branches then miss is made up by its coordinate.
 
 Source: VDI 2729, Modulare kinematische Analyse ebener Gelenkgetriebe mit Dreh- und Schubgelenken;
@@ -19,18 +19,18 @@ from ...ir.matrix import Matrix
 from ...ir.rewrite import rebuild
 from ...spatial.axis import unit
 from ...topology.system import Closure
-from .cut_joint_frames import placed
+from .cut_joint_frames import frame_pose
 
 if TYPE_CHECKING:
     from ..kinematics.kinematics import Kinematics
 
 Pose = tuple[Matrix, Matrix]
-# of the square of the sine of the angle at the elbow: where a circuit counts as dead
+# of the square of the sine of the angle at the elbow: where a loop counts as dead
 DEAD = 1e-6
 
 
 @dataclass(frozen=True)
-class Found:
+class JointSolution:
     """A coordinate: an angle by its cosine and sine, or a length."""
 
     cosine: Scalar | None = None
@@ -38,10 +38,10 @@ class Found:
     length: Scalar | None = None
 
     @property
-    def back(self) -> Found:
+    def back(self) -> JointSolution:
         """The angle in the opposite direction."""
         assert self.sine is not None
-        return Found(self.cosine, -self.sine)
+        return JointSolution(self.cosine, -self.sine)
 
     def coordinate(self, graph: Graph) -> int:
         """The coordinate as a node."""
@@ -54,7 +54,7 @@ class Found:
 
 @dataclass(frozen=True)
 class Branches:
-    """The two branches of a circuit with the joints that are looked for at their zeros.
+    """The two branches of a loop with the joints that are looked for at their zeros.
 
     Attributes:
         seats: Joint -> its frame on the inner body.
@@ -85,17 +85,17 @@ def branches(k: Kinematics, closure: Closure) -> Branches:
             pose = k.pose_of(i)
             at[i] = inner[0] @ pose.rotation, inner[1] + inner[0] @ pose.position
     frames = {-1: cut.parent_frame, 1: cut.child_frame}
-    closing = {sign: placed(k, f, at[k.system.frames[f].body]) for sign, f in frames.items()}
+    closing = {sign: frame_pose(k, f, at[k.system.frames[f].body]) for sign, f in frames.items()}
     return Branches(seats, closing, dict(cut.path))
 
 
-def turn(axis: Matrix, start: Matrix, end: Matrix) -> Found:
+def turn(axis: Matrix, start: Matrix, end: Matrix) -> JointSolution:
     """The angle about an axis from one vector across it to another of the same length."""
     square = start.dot(start)
-    return Found(start.dot(end) / square, axis.dot(start.cross(end)) / square)
+    return JointSolution(start.dot(end) / square, axis.dot(start.cross(end)) / square)
 
 
-def turned(axis: Matrix, angle: Found, x: Matrix) -> Matrix:
+def rotated(axis: Matrix, angle: JointSolution, x: Matrix) -> Matrix:
     """A vector after a rotation."""
     assert angle.cosine is not None
     assert angle.sine is not None
@@ -104,7 +104,7 @@ def turned(axis: Matrix, angle: Found, x: Matrix) -> Matrix:
     return along + across * angle.cosine + axis.cross(across) * angle.sine
 
 
-def planar(k: Kinematics, closure: Closure) -> dict[int, tuple[Found, ...]]:
+def planar(k: Kinematics, closure: Closure) -> dict[int, tuple[JointSolution, ...]]:
     """Two joints of a plane that meet in a revolute joint."""
     kinds = [k.system.joints[i].element.kind for i in closure.unknown]
     return _two_turns(k, closure) if kinds == ["revolute"] * 2 else _turn_and_slide(k, closure)
@@ -114,7 +114,7 @@ def flattened(axis: Matrix) -> Callable[[Matrix], Matrix]:
     return lambda x: x - axis * axis.dot(x)
 
 
-def _two_turns(k: Kinematics, closure: Closure) -> dict[int, tuple[Found, ...]]:
+def _two_turns(k: Kinematics, closure: Closure) -> dict[int, tuple[JointSolution, ...]]:
     """Two revolute joints: a triangle of two arms and the distance between their ends."""
     b, (i, j) = branches(k, closure), closure.unknown
     n, m = b.axis(k, i), b.axis(k, j)
@@ -134,7 +134,7 @@ def _two_turns(k: Kinematics, closure: Closure) -> dict[int, tuple[Found, ...]]:
 
 def arms(
     axes: tuple[Matrix, Matrix], start: Matrix, arm: Matrix, gap: Matrix, branch: int
-) -> tuple[Found, Found]:
+) -> tuple[JointSolution, JointSolution]:
     """Angles of two arms, one carried by the other, that together bridge a gap.
 
     Args:
@@ -144,24 +144,24 @@ def arms(
     n, m = axes
     end = elbow(gap, start, arm, n, branch)
     one = turn(n, start, end)
-    return one, turn(m, turned(n, one, arm), gap - end)
+    return one, turn(m, rotated(n, one, arm), gap - end)
 
 
 def root(square: Scalar, most: Scalar) -> Scalar:
     """Root of what is left of the square of an arm; not a number at a dead point."""
-    return sqrt(_alive(square, most))
+    return sqrt(_dead_point_guard(square, most))
 
 
-def _alive(square: Scalar, most: Scalar | float) -> Scalar:
+def _dead_point_guard(square: Scalar, most: Scalar | float) -> Scalar:
     """A square, -1 where it vanishes: there both solutions meet, and rates do not exist.
 
-    Without this a run could step from one solution to the other, which is no motion.
+    Without this a run could step from one solution to the other, which is not a motion.
     """
     return select(square.apply("lt", most * DEAD), -1.0, square)
 
 
-def alive(g: Graph, node: int) -> int:
-    """An expression away from dead points, without the question where they are."""
+def without_guard(g: Graph, node: int) -> int:
+    """An expression away from dead points: the test for them is removed."""
     nodes = g.nodes
 
     def rule(target: Graph, i: int, copies: Mapping[int, int]) -> int | None:
@@ -187,7 +187,7 @@ def leaning(goal: Matrix, start: Matrix, value: Scalar, axis: Matrix, branch: in
     return (goal * value + axis.cross(goal) * height) / square
 
 
-def _turn_and_slide(k: Kinematics, closure: Closure) -> dict[int, tuple[Found, ...]]:
+def _turn_and_slide(k: Kinematics, closure: Closure) -> dict[int, tuple[JointSolution, ...]]:
     """A revolute and a prismatic joint: an arm and the line on which its end slides."""
     b = branches(k, closure)
     i, j = sorted(closure.unknown, key=lambda x: k.system.joints[x].element.kind != "revolute")
@@ -199,44 +199,44 @@ def _turn_and_slide(k: Kinematics, closure: Closure) -> dict[int, tuple[Found, .
         arm = flat(b.ends[b.side[i]][1] - b.seats[i][1])
         gap = flat(b.ends[-b.side[i]][1] - b.seats[i][1])
         length = slide(along, arm, gap, closure.branch)
-        return {i: (turn(n, arm + along * length, gap),), j: (Found(length=length),)}
+        return {i: (turn(n, arm + along * length, gap),), j: (JointSolution(length=length),)}
     arm = flat(b.ends[b.side[i]][1] - b.seats[i][1])
     gap = flat(b.ends[-b.side[i]][1] - b.seats[i][1])
     if b.side[i] == b.side[j]:
         along = -along
     length = slide(along, gap, arm, closure.branch)
-    return {i: (turn(n, arm, gap + along * length),), j: (Found(length=length),)}
+    return {i: (turn(n, arm, gap + along * length),), j: (JointSolution(length=length),)}
 
 
 def slide(along: Matrix, start: Matrix, reach: Matrix, branch: int) -> Scalar:
-    """How far to go from a point along a line to be as far away as another vector is long."""
+    """Distance along a line from a point to be as far away as another vector is long."""
     middle = along.dot(start)
     most = reach.dot(reach)
     height = root(middle * middle - start.dot(start) + most, most) * branch
     return height - middle
 
 
-def spherical(k: Kinematics, closure: Closure) -> dict[int, tuple[Found, ...]]:
-    """Two revolute joints whose axes meet that of the joint which closes the circuit."""
+def spherical(k: Kinematics, closure: Closure) -> dict[int, tuple[JointSolution, ...]]:
+    """Two revolute joints whose axes meet that of the joint which closes the loop."""
     b, (i, j) = branches(k, closure), closure.unknown
     axis = {
         sign: frame[0] @ unit(k.matrix(*closure.cut.data["axis"])) for sign, frame in b.ends.items()
     }
     n, m = b.axis(k, i), b.axis(k, j)
     if b.side[i] != b.side[j]:
-        own, other = axis[b.side[i]], axis[b.side[j]]
-        meet = _cones(n, n.dot(own), m, m.dot(other), closure.branch)
-        return {i: (_about(n, own, meet),), j: (_about(m, other, meet),)}
+        near, other = axis[b.side[i]], axis[b.side[j]]
+        meet = _cones(n, n.dot(near), m, m.dot(other), closure.branch)
+        return {i: (_about(n, near, meet),), j: (_about(m, other, meet),)}
     return two_axes(n, m, axis[b.side[i]], axis[-b.side[i]], (i, j), closure.branch)
 
 
 def two_axes(
     n: Matrix, m: Matrix, start: Matrix, end: Matrix, joints: tuple[int, int], branch: int
-) -> dict[int, tuple[Found, ...]]:
+) -> dict[int, tuple[JointSolution, ...]]:
     """Angles about n, then about m as n has turned it, that lead one direction to another."""
     direction = _cones(n, n.dot(m), end, m.dot(start), branch)
     first = _about(n, m, direction)
-    second = _about(direction, turned(n, first, start), end)
+    second = _about(direction, rotated(n, first, start), end)
     return {joints[0]: (first,), joints[1]: (second,)}
 
 
@@ -245,17 +245,17 @@ def _cones(n: Matrix, a: Scalar, m: Matrix, b: Scalar, branch: int) -> Matrix:
     cosine = n.dot(m)
     across = 1 - cosine * cosine
     one, other = (a - cosine * b) / across, (b - cosine * a) / across
-    height = sqrt(_alive(1 - one * a - other * b, 1.0) / across) * branch
+    height = sqrt(_dead_point_guard(1 - one * a - other * b, 1.0) / across) * branch
     return n * one + m * other + n.cross(m) * height
 
 
-def _about(axis: Matrix, start: Matrix, end: Matrix) -> Found:
+def _about(axis: Matrix, start: Matrix, end: Matrix) -> JointSolution:
     """The angle about an axis from one direction to another on the same cone."""
     flat = flattened(axis)
     return turn(axis, flat(start), flat(end))
 
 
-SOLUTIONS: dict[str, Callable[[Kinematics, Closure], dict[int, tuple[Found, ...]]]] = {
+SOLUTIONS: dict[str, Callable[[Kinematics, Closure], dict[int, tuple[JointSolution, ...]]]] = {
     "planar": planar,
     "spherical": spherical,
 }

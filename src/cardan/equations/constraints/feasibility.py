@@ -1,4 +1,4 @@
-"""Whether the circuits of a system can close at all, found before any code is written.
+"""Check before any code is written that the loops of a system can close at all.
 
 Residuals and Jacobian are evaluated as expressions, for several starts at once; every start goes
 towards the constraints by steps of least length (Gauss and Newton).
@@ -27,7 +27,7 @@ SOUGHT, CLOSED = 1e-11, 1e-6
 
 @dataclass(frozen=True)
 class Feasibility:
-    """How far the circuits of a system can be closed at its default parameters.
+    """Smallest gaps of the loops of a system at its default parameters.
 
     Attributes:
         q: The coordinates that come nearest (nq,).
@@ -41,27 +41,31 @@ class Feasibility:
 
     @property
     def closes(self) -> bool:
-        """Whether everything closes."""
+        """True when everything closes."""
         return all(gap <= CLOSED for gap, _ in self.gaps.values())
 
     def __str__(self) -> str:
         if self.closes:
-            return "all circuits close"
+            return "all loops close"
         worst = max(self.gaps, key=lambda name: self.gaps[name][0])
         gap, unit = self.gaps[worst]
         written = worst in self.relations
-        who = f"constraint '{worst}'" if written else f"the circuit that '{worst}' closes"
-        others = [f"'{name}'" for name in self.relations if name != worst]
-        held = f", or at constraint {', '.join(others)}, which must hold as well" if others else ""
+        who = f"constraint '{worst}'" if written else f"the loop that '{worst}' closes"
+        other_relations = [f"'{name}'" for name in self.relations if name != worst]
+        note = (
+            f", or at constraint {', '.join(other_relations)}, which must hold as well"
+            if other_relations
+            else ""
+        )
         look = "its expression and numbers" if written else "the lengths and axes of its joints"
         return (
             f"{who} stays open: the least residual found is {f'{gap:.2g} {unit}'.strip()}, from "
-            f"{STARTS} starts. Look at {look}{held}"
+            f"{STARTS} starts. Look at {look}{note}"
         )
 
 
 def feasibility(equations: EquationRecord, seed: int = 1) -> Feasibility:
-    """Try to close all circuits at the default parameters.
+    """Try to close all loops at the default parameters.
 
     Args:
         equations: Of a system with constraints.
@@ -79,24 +83,24 @@ def feasibility(equations: EquationRecord, seed: int = 1) -> Feasibility:
     for joint in system.joints:
         if joint.q >= 0 and joint.q0 is not None:
             start[joint.q : joint.q + len(joint.q0)] = joint.q0
-    given = blocks.defaults(system)
-    first = search(functions, given, start[np.newaxis])
-    found = _gaps(equations, functions, given, first)
-    if found.closes or not system.nu:
-        return found
-    spread = np.random.default_rng(seed).normal(0.0, 1.0, (STARTS - 1, system.nu))
-    moved = evaluate(functions["integrate"], {**given, "q": start, "du": spread}, "numpy")["q"]
-    others = search(functions, given, np.atleast_2d(moved))
-    tried = [_gaps(equations, functions, given, q[np.newaxis]) for q in (*others, first[0])]
+    defaults = blocks.defaults(system)
+    first = search(functions, defaults, start[np.newaxis])
+    closing = _gaps(equations, functions, defaults, first)
+    if closing.closes or not system.nu:
+        return closing
+    offsets = np.random.default_rng(seed).normal(0.0, 1.0, (STARTS - 1, system.nu))
+    moved = evaluate(functions["integrate"], {**defaults, "q": start, "du": offsets}, "numpy")["q"]
+    attempts = search(functions, defaults, np.atleast_2d(moved))
+    tried = [_gaps(equations, functions, defaults, q[np.newaxis]) for q in (*attempts, first[0])]
     # the first that closes, whatever rounding leaves of its residuals
     closed = [one for one in tried if one.closes]
     return closed[0] if closed else min(tried, key=lambda one: max(g for g, _ in one.gaps.values()))
 
 
-def search(functions: dict[str, Function], given: dict[str, Any], q: Array) -> Array:
+def search(functions: dict[str, Function], defaults: dict[str, Any], q: Array) -> Array:
     """Coordinates (n, nq) after steps towards the constraints."""
     for _ in range(STEPS):
-        values = {**given, "q": q}
+        values = {**defaults, "q": q}
         g = value(functions["constraints"], values, len(q))
         if g.shape[-1] == 0 or np.abs(g).max() <= SOUGHT:
             break
@@ -104,23 +108,23 @@ def search(functions: dict[str, Function], given: dict[str, Any], q: Array) -> A
         step = -(np.linalg.pinv(G, rcond=1e-5) @ g[..., np.newaxis])[..., 0]
         size = np.abs(step).max(axis=-1, keepdims=True)
         step *= np.minimum(1.0, LONGEST / np.maximum(size, LONGEST))
-        moved = evaluate(functions["integrate"], {**given, "q": q, "du": step}, "numpy")["q"]
+        moved = evaluate(functions["integrate"], {**defaults, "q": q, "du": step}, "numpy")["q"]
         q = np.broadcast_to(moved, q.shape).astype(np.float64)
     return q
 
 
 def value(function: Function, values: dict[str, Any], count: int) -> Array:
     """The only result of a function for all starts."""
-    (found,) = evaluate(function, values, "numpy").values()
+    (result,) = evaluate(function, values, "numpy").values()
     shape = function.outputs[0].shape
-    return np.broadcast_to(np.asarray(found, dtype=np.float64), (count, *shape))
+    return np.broadcast_to(np.asarray(result, dtype=np.float64), (count, *shape))
 
 
 def _gaps(
-    equations: EquationRecord, functions: dict[str, Function], given: dict[str, Any], q: Array
+    equations: EquationRecord, functions: dict[str, Function], defaults: dict[str, Any], q: Array
 ) -> Feasibility:
-    """What is left open at one place; conditions that follow from others are looked at too."""
-    values, gaps = {**given, "q": q}, dict[str, tuple[float, str]]()
+    """Gaps left at one place; conditions that follow from others are checked too."""
+    values, gaps = {**defaults, "q": q}, dict[str, tuple[float, str]]()
     for name in ("closure", "constraints"):
         output = functions[name].outputs[0]
         residuals = value(functions[name], values, 1)[0]

@@ -1,4 +1,4 @@
-"""What closed circuits determine, under names: equations of mechanisms as books write them.
+"""Quantities that closed loops determine, under names: equations of mechanisms as books write them.
 
 A joint that follows has a coordinate phi, rates k of it by the independent speeds, and second rates
 L: kinematic coefficients. Equations in these are as short as those of a tree; without them
@@ -21,7 +21,7 @@ from ...ir.matrix import Matrix
 from ...ir.ops import LEAVES
 from ...ir.rewrite import rebuild
 from ...schema.blocks import of_rate
-from .dyads import alive
+from .dyads import without_guard
 
 if TYPE_CHECKING:
     from ...topology.system import System
@@ -33,8 +33,8 @@ Shares = dict[int, Matrix]
 
 
 @dataclass
-class Following:
-    """Names for what closed circuits determine.
+class KinematicCoefficients:
+    """Names for what closed loops determine.
 
     Attributes:
         coordinates: Joint -> names of its coordinates.
@@ -49,7 +49,7 @@ class Following:
     definitions: dict[str, int] = field(default_factory=dict)
 
     @classmethod
-    def of(cls, system: System, blocks: Mapping[str, Block]) -> Following:
+    def of(cls, system: System, blocks: Mapping[str, Block]) -> KinematicCoefficients:
         """For the joints of a system that follow."""
         coordinates = {
             i: entries(joint.name, joint.element.coordinates)
@@ -59,23 +59,23 @@ class Following:
         taken = {entry for block in blocks.values() for entry in block.entries}
         return cls(coordinates, blocks["u"].entries, taken | set(system.atoms))
 
-    def position(self, g: Graph, made: Position) -> Position:
-        """The coordinates of a circuit as symbols; lengths come first, angles may use them."""
-        q = {i: list(column.nodes) for i, column in made.q.items()}
+    def position(self, g: Graph, solution: Position) -> Position:
+        """The coordinates of a loop as symbols; lengths come first, angles may use them."""
+        q = {i: list(column.nodes) for i, column in solution.q.items()}
         places = [(i, n) for i, nodes in q.items() for n in range(len(nodes))]
-        known = dict(zip(places, made.angles, strict=True))
+        angle_nodes = dict(zip(places, solution.angles, strict=True))
         short: dict[int, int] = {}
-        for i, n in sorted(places, key=lambda place: known[place][1] != ZERO):
-            node, cosine, sine = known[i, n]
+        for i, n in sorted(places, key=lambda place: angle_nodes[place][1] != ZERO):
+            node, cosine, sine = angle_nodes[i, n]
             (value,) = rebuild(g, [node], short, into=g)[1]
-            value = _shortest_arms(g, alive(g, value))
-            made_as = q[i][n] = self._named(g, self.coordinates[i][n], value)
-            waves = {cosine: g.apply("cos", made_as), sine: g.apply("sin", made_as)}
-            own = {node: made_as} if cosine == ZERO else {node: made_as, **waves}
-            short |= {a: b for a, b in own.items() if g.nodes[a][0] not in LEAVES}
+            value = _shortest_arms(g, without_guard(g, value))
+            symbol = q[i][n] = self._named(g, self.coordinates[i][n], value)
+            waves = {cosine: g.apply("cos", symbol), sine: g.apply("sin", symbol)}
+            replacements = {node: symbol} if cosine == ZERO else {node: symbol, **waves}
+            short |= {a: b for a, b in replacements.items() if g.nodes[a][0] not in LEAVES}
         columns = {i: Matrix(g, len(nodes), 1, nodes) for i, nodes in q.items()}
         angles = tuple((q[i][n], ZERO, ZERO) for i, n in places)
-        return type(made)(columns, {}, angles)
+        return type(solution)(columns, {}, angles)
 
     def rates(
         self, g: Graph, keys: Sequence[tuple[int, int]], shares: Shares, rates: Matrix
@@ -86,8 +86,8 @@ class Following:
             slot: self._column(g, [f"{name}.{self._speed(slot)}" for name in names], column)
             for slot, column in shares.items()
         }
-        rest = _at(g, rates, dict.fromkeys(_speeds(g, rates), ZERO))
-        total = self._column(g, [f"{name}.t" for name in names], rest)
+        explicit = _at(g, rates, dict.fromkeys(_speeds(g, rates), ZERO))
+        total = self._column(g, [f"{name}.t" for name in names], explicit)
         for slot, column in named.items():
             total = total + column * Matrix(g, 1, 1, [g.var("u", slot)])[0]
         return named, total
@@ -99,21 +99,21 @@ class Following:
         names = [self.coordinates[i][n] for i, n in keys]
         if len(shares) == 1 and not any(f"{name}.t" in self.definitions for name in names):
             (slot,) = shares
-            u, own = g.var("u", slot), self._speed(slot)
+            u, suffix = g.var("u", slot), self._speed(slot)
             square = Matrix(g, 1, 1, [g.square(u)])[0]
             column = _at(g, bias, {u: ONE})
-            return self._column(g, [f"{name}.{own}.{own}" for name in names], column) * square
+            return self._column(g, [f"{name}.{suffix}.{suffix}" for name in names], column) * square
         return self._column(g, [f"{name}.bias" for name in names], bias)
 
     def used(self, g: Graph, roots: Sequence[int]) -> list[str]:
         """Symbols in expressions and in the definitions of these, in their order."""
-        found, ahead = set[str](), list(roots)
+        names, ahead = set[str](), list(roots)
         while ahead:
             atoms = {g.nodes[i][1] for i in live(g, ahead) if g.nodes[i][0] == "atom"}
-            new = (atoms & set(self.definitions)) - found
-            found |= new
+            new = (atoms & set(self.definitions)) - names
+            names |= new
             ahead = [self.definitions[name] for name in new]
-        return [name for name in self.definitions if name in found]
+        return [name for name in self.definitions if name in names]
 
     def _speed(self, slot: int) -> str:
         return of_rate(self.speeds[slot])
@@ -134,18 +134,18 @@ class Following:
         return g.atom(name)
 
 
-def in_fixed_axes(rows: Matrix, held: Sequence[str], axes: Matrix) -> Matrix:
-    """Conditions that two points meet, in axes that no joint of the circuit turns.
+def in_fixed_axes(rows: Matrix, components: Sequence[str], axes: Matrix) -> Matrix:
+    """Conditions that two points meet, in axes that no joint of the loop turns.
 
     Args:
-        rows: Their gradients, in the axes of the joint that closes the circuit.
+        rows: Their gradients, in the axes of the joint that closes the loop.
         held: Which of its components they hold, some of :data:`PLACES`.
         axes: R from its axes to the fixed ones (3, 3).
     """
-    used = [[axes[i, "xyz".index(name[1])] for name in held] for i in range(3)]
+    used = [[axes[i, "xyz".index(name[1])] for name in components] for i in range(3)]
     across = [row for row in used if any(entry.node != ZERO for entry in row)]
     # in a plane that no two of the axes span nothing is gained
-    return Matrix.of(rows.graph, across) @ rows if len(across) == len(held) else rows
+    return Matrix.of(rows.graph, across) @ rows if len(across) == len(components) else rows
 
 
 def _shortest_arms(g: Graph, angle: int) -> int:

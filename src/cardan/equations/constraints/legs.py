@@ -1,4 +1,4 @@
-"""Legs: three freedoms that carry the center of a ball joint to where its circuit closes.
+"""Legs: three freedoms that carry the center of a ball joint to where its loop closes.
 
 The third joint of a leg, a motor or a slide, makes up the distance from the center of the other two
 axes, or, where these are parallel, from the plane in which they move the ball. That is one equation
@@ -18,14 +18,14 @@ from ...ir.matrix import Matrix
 from ...topology.system import Closure
 from .dyads import (
     Branches,
-    Found,
+    JointSolution,
     arms,
     branches,
     flattened,
     leaning,
+    rotated,
     slide,
     turn,
-    turned,
     two_axes,
 )
 
@@ -44,7 +44,7 @@ class Third:
         turns: Whether it is revolute.
         side: Which of its two solutions.
         place: ``"inside"``: it carries the pair, ``"outside"``: the pair carries it,
-            ``"opposite"``: it is on the other branch of the circuit.
+            ``"opposite"``: it is on the other branch of the loop.
     """
 
     axis: Matrix
@@ -63,57 +63,57 @@ class Third:
         turns = k.system.joints[third].element.kind == "revolute"
         return cls(b.axis(k, third), b.seats[third][1], turns, closure.side, place)
 
-    def reaching(self, x: Matrix, y: Matrix, reach: Matrix) -> Found:
+    def reaching(self, x: Matrix, y: Matrix, reach: Matrix) -> JointSolution:
         """The coordinate at which point x is as far from y, which it does not move, as asked."""
         if not self.turns:
-            return Found(length=slide(self.axis, x - y, reach, self.side))
+            return JointSolution(length=slide(self.axis, x - y, reach, self.side))
         start, goal = x - self.seat, y - self.seat
         value = (start.dot(start) + goal.dot(goal) - reach.dot(reach)) * 0.5
         return self.leaning(start, goal, value)
 
-    def leaning(self, start: Matrix, goal: Matrix, value: Scalar) -> Found:
+    def leaning(self, start: Matrix, goal: Matrix, value: Scalar) -> JointSolution:
         """The angle after which start·goal has a value, for a goal that is not turned."""
         flat = flattened(self.axis)
-        rest = value - self.axis.dot(start) * self.axis.dot(goal)
+        offset = value - self.axis.dot(start) * self.axis.dot(goal)
         across = flat(start)
-        return turn(self.axis, across, leaning(flat(goal), across, rest, self.axis, self.side))
+        return turn(self.axis, across, leaning(flat(goal), across, offset, self.axis, self.side))
 
-    def direction(self, found: Found, x: Matrix) -> Matrix:
+    def direction(self, solved: JointSolution, x: Matrix) -> Matrix:
         """A direction as the joint moves it."""
-        return turned(self.axis, found, x) if self.turns else x
+        return rotated(self.axis, solved, x) if self.turns else x
 
-    def point(self, found: Found, x: Matrix) -> Matrix:
+    def point(self, solved: JointSolution, x: Matrix) -> Matrix:
         """A point as the joint moves it."""
-        if found.length is not None:
-            return x + self.axis * found.length
-        return self.seat + turned(self.axis, found, x - self.seat)
+        if solved.length is not None:
+            return x + self.axis * solved.length
+        return self.seat + rotated(self.axis, solved, x - self.seat)
 
 
-def leg(k: Kinematics, closure: Closure) -> dict[int, tuple[Found, ...]]:
+def leg(k: Kinematics, closure: Closure) -> dict[int, tuple[JointSolution, ...]]:
     """Two axes that meet, and a third joint: the distance from where they meet, then directions."""
     b = branches(k, closure)
     third, pair = Third.of(k, closure, b), [i for i in closure.unknown if i != closure.third]
     side, center = b.side[pair[0]], b.seats[pair[-1]][1]
-    own, other = b.ends[side][1], b.ends[-side][1]
+    near, other = b.ends[side][1], b.ends[-side][1]
     first, second = _axes(k, b, pair)
     if third.place == OUTSIDE:
         reach = other - center
-        found = third.reaching(own, center, reach)
-        start, end = third.point(found, own) - center, reach
+        solved = third.reaching(near, center, reach)
+        start, end = third.point(solved, near) - center, reach
     elif third.place == INSIDE:
-        reach = own - center
-        found = third.reaching(center, other, reach)
-        first, second, start = (third.direction(found, x) for x in (first, second, reach))
-        end = other - third.point(found, center)
+        reach = near - center
+        solved = third.reaching(center, other, reach)
+        first, second, start = (third.direction(solved, x) for x in (first, second, reach))
+        end = other - third.point(solved, center)
     else:
-        start = reach = own - center
-        found = third.reaching(other, center, reach)
-        end = third.point(found, other) - center
+        start = reach = near - center
+        solved = third.reaching(other, center, reach)
+        end = third.point(solved, other) - center
     length = sqrt(reach.dot(reach))
     one, two = two_axes(
         first, second, start / length, end / length, (0, 1), closure.branch
     ).values()
-    return {closure.third: (found,), **_shared(k, pair, one[0], two[0])}
+    return {closure.third: (solved,), **_shared(k, pair, one[0], two[0])}
 
 
 def _axes(k: Kinematics, b: Branches, pair: list[int]) -> tuple[Matrix, Matrix]:
@@ -124,7 +124,9 @@ def _axes(k: Kinematics, b: Branches, pair: list[int]) -> tuple[Matrix, Matrix]:
     return b.axis(k, pair[0], names[0]), b.axis(k, pair[0], names[1])
 
 
-def _shared(k: Kinematics, pair: list[int], one: Found, two: Found) -> dict[int, tuple[Found, ...]]:
+def _shared(
+    k: Kinematics, pair: list[int], one: JointSolution, two: JointSolution
+) -> dict[int, tuple[JointSolution, ...]]:
     """Angles about the inner and the outer axis as coordinates of the joints that have them."""
     if len(pair) == 2:
         return {pair[0]: (one,), pair[1]: (two,)}
@@ -133,27 +135,31 @@ def _shared(k: Kinematics, pair: list[int], one: Found, two: Found) -> dict[int,
     return {pair[0]: (one, two)}
 
 
-def arm(k: Kinematics, closure: Closure) -> dict[int, tuple[Found, ...]]:
+def arm(k: Kinematics, closure: Closure) -> dict[int, tuple[JointSolution, ...]]:
     """Two parallel axes and a third one: the ball comes into their plane, then a planar dyad."""
     b = branches(k, closure)
     third, pair = Third.of(k, closure, b), [i for i in closure.unknown if i != closure.third]
     side = b.side[pair[0]]
-    own, other = b.ends[side][1], b.ends[-side][1]
+    near, other = b.ends[side][1], b.ends[-side][1]
     first, second = _axes(k, b, pair)
     inner, outer = b.seats[pair[0]][1], b.seats[pair[1]][1]
     # along the axes the pair moves nothing
     if third.place == OUTSIDE:
-        found = third.leaning(own - third.seat, first, first.dot(other - third.seat))
-        own = third.point(found, own)
+        solved = third.leaning(near - third.seat, first, first.dot(other - third.seat))
+        near = third.point(solved, near)
     elif third.place == INSIDE:
-        found = third.leaning(first, other - third.seat, first.dot(own - third.seat))
-        first, second = third.direction(found, first), third.direction(found, second)
-        inner, outer, own = (third.point(found, x) for x in (inner, outer, own))
+        solved = third.leaning(first, other - third.seat, first.dot(near - third.seat))
+        first, second = third.direction(solved, first), third.direction(solved, second)
+        inner, outer, near = (third.point(solved, x) for x in (inner, outer, near))
     else:
-        found = third.leaning(other - third.seat, first, first.dot(own - third.seat))
-        other = third.point(found, other)
+        solved = third.leaning(other - third.seat, first, first.dot(near - third.seat))
+        other = third.point(solved, other)
     flat = flattened(first)
     one, two = arms(
-        (first, second), flat(outer - inner), flat(own - outer), flat(other - inner), closure.branch
+        (first, second),
+        flat(outer - inner),
+        flat(near - outer),
+        flat(other - inner),
+        closure.branch,
     )
-    return {closure.third: (found,), pair[0]: (one,), pair[1]: (two,)}
+    return {closure.third: (solved,), pair[0]: (one,), pair[1]: (two,)}

@@ -1,4 +1,4 @@
-"""Forces that joints which close circuits put on the bodies of the tree."""
+"""Forces that joints which close loops put on the bodies of the tree."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from ...topology.system import Cut
 from ..kinematics.accelerations import Accelerations
 from ..kinematics.joint_forces import along_joint, driving_force, joint_forces
 from ..kinematics.kinematics import Kinematics
-from ..kinematics.loads import Loads, Wrenches, together
+from ..kinematics.loads import Loads, Wrenches, merged
 
 if TYPE_CHECKING:
     from ..functions.dynamics import Dynamics
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Closing:
-    """What a joint that closes a circuit transmits.
+    """Wrench of a joint that closes a loop.
 
     Attributes:
         cut: The joint.
@@ -35,7 +35,7 @@ class Closing:
 def closing_wrenches(
     d: Dynamics, tau: Matrix, udot: Matrix, acc: Accelerations
 ) -> tuple[Closing, ...]:
-    """What all joints that close circuits transmit.
+    """Wrenches of all joints that close loops.
 
     Args:
         d: The dynamics, with all applied forces.
@@ -43,43 +43,43 @@ def closing_wrenches(
         udot: The accelerations that follow (nu, 1).
         acc: Those of the bodies.
     """
-    k, found = d.k, list[Closing]()
+    k, closings = d.k, list[Closing]()
     for n, cut in enumerate(k.system.cuts):
         with k.graph.made_by(cut.name, "wrench"):
             c = d.constraints
-            found.append(Closing(cut, c.pose(n), c.wrench(n, d.bound(tau)[1])))
-    return (*found, *_solved(k, acc, udot, with_closing(k, d.loads, found)))
+            closings.append(Closing(cut, c.pose(n), c.wrench(n, d.bound(tau)[1])))
+    return (*closings, *_solved(k, acc, udot, with_closing(k, d.loads, closings)))
 
 
 def with_closing(
-    k: Kinematics, loads: Loads, closing: Iterable[Closing], keep: set[int] | None = None
+    k: Kinematics, loads: Loads, closing: Iterable[Closing], frames: set[int] | None = None
 ) -> Loads:
-    """Loads with those of joints that close circuits; see :func:`pair`."""
+    """Loads with those of joints that close loops; see :func:`pair`."""
     wrenches = loads.wrenches
-    for own in closing:
-        wrenches = together(wrenches, pair(k, own.cut, own.pose, own.wrench, keep))
+    for one in closing:
+        wrenches = merged(wrenches, pair(k, one.cut, one.pose, one.wrench, frames))
     return replace(loads, wrenches=wrenches)
 
 
 def _solved(k: Kinematics, acc: Accelerations, udot: Matrix, loads: Loads) -> list[Closing]:
-    """The joints of circuits in closed form.
+    """The joints of loops in closed form.
 
-    They do what is left to do along the joints that the circuit determines, on which nothing else
-    acts. What a circuit starts from feels it: the last one is taken first.
+    They do what is left to do along the joints that the loop determines, on which nothing else
+    acts. What a loop starts from feels it: the last one is taken first.
     """
-    found = []
+    closings = []
     for n in range(len(k.system.closures) - 1, -1, -1):
-        closure, known = k.system.closures[n], k.closures.velocity(n)
+        closure, velocity = k.system.closures[n], k.closures.velocity(n)
         with k.graph.made_by(closure.cut.name, "wrench"):
             forces = joint_forces(k, acc, loads)
             missing = [
                 driving_force(k, i, forces, loads, along_joint(k, i, udot)) for i in closure.unknown
             ]
-            wrench = known.gradient.T @ (known.inverse.T @ Matrix.vstack(*missing))
-            own = Closing(closure.cut, (known.ends.rotation, known.ends.position), wrench)
-        found.append(own)
-        loads = with_closing(k, loads, [own])
-    return found
+            wrench = velocity.gradient.T @ (velocity.inverse.T @ Matrix.vstack(*missing))
+            one = Closing(closure.cut, (velocity.ends.rotation, velocity.ends.position), wrench)
+        closings.append(one)
+        loads = with_closing(k, loads, [one])
+    return closings
 
 
 def pair(
@@ -87,7 +87,7 @@ def pair(
     cut: Cut,
     pose: tuple[Matrix, Matrix],
     wrench: Matrix,
-    keep: set[int] | None = None,
+    frames: set[int] | None = None,
 ) -> Wrenches:
     """The wrench of P on C of a cut joint and its opposite, on their bodies.
 
@@ -98,16 +98,16 @@ def pair(
         wrench: At the origin of C in C axes (6, 1).
         keep: Frames on which forces count, those of the ground too; by default all that move.
     """
-    found: Wrenches = {}
+    wrenches: Wrenches = {}
     rotation, position = pose
     # P feels the opposite, at the same point
-    turned = [rotation @ wrench.block(slice(s, s + 3)) for s in (0, 3)]
-    on_parent = Matrix.vstack(turned[0] + position.cross(turned[1]), turned[1])
-    for frame, own in ((cut.child_frame, wrench), (cut.parent_frame, -on_parent)):
+    rotated = [rotation @ wrench.block(slice(s, s + 3)) for s in (0, 3)]
+    on_parent = Matrix.vstack(rotated[0] + position.cross(rotated[1]), rotated[1])
+    for frame, at_frame in ((cut.child_frame, wrench), (cut.parent_frame, -on_parent)):
         body = k.system.frames[frame].body
-        if body >= 0 if keep is None else frame in keep:
-            found = together(found, {body: _at_origin(k, frame, own)})
-    return found
+        if body >= 0 if frames is None else frame in frames:
+            wrenches = merged(wrenches, {body: _at_origin(k, frame, at_frame)})
+    return wrenches
 
 
 def _at_origin(k: Kinematics, frame: int, wrench: Matrix) -> tuple[Matrix, Matrix]:

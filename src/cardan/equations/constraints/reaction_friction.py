@@ -34,12 +34,12 @@ from .loop_loads import closing_wrenches, with_closing
 if TYPE_CHECKING:
     from ..functions.dynamics import Dynamics
 
-MOST_JUDGED = 200  # speeds: a judge writes M out
+MAX_VERIFIED = 200  # speeds: a judge writes M out
 STEPS = 6  # of Newton: each doubles the digits, the first has one
 
 
 @dataclass(frozen=True)
-class Pressed:
+class ReactionFriction:
     """The friction forces of a system that follow from reactions.
 
     Attributes:
@@ -52,12 +52,12 @@ class Pressed:
     certainty: dict[str, Scalar]
 
 
-def pressed(system: System) -> list[Force]:
+def friction_forces(system: System) -> list[Force]:
     """Elements whose force follows from the reaction of their joint."""
-    return [force for force in system.forces if force.element.pressed]
+    return [force for force in system.forces if force.element.by_reaction]
 
 
-def solved(d: Dynamics, tau: Matrix, udot: Matrix) -> Pressed:
+def solved(d: Dynamics, tau: Matrix, udot: Matrix) -> ReactionFriction:
     """The friction forces at accelerations that contain their placeholders.
 
     Args:
@@ -66,37 +66,38 @@ def solved(d: Dynamics, tau: Matrix, udot: Matrix) -> Pressed:
         udot: The accelerations under it (nu, 1).
     """
     k, g = d.k, d.k.graph
-    own = pressed(k.system)
-    atoms = [_placeholder(places(k, force)) for force in own]
-    reactions = _reactions(d, tau, udot, own)
+    forces_of_friction = friction_forces(k.system)
+    atoms = [_placeholder(places(k, force)) for force in forces_of_friction]
+    reactions = _reactions(d, tau, udot, forces_of_friction)
     still = dict.fromkeys(atoms, ZERO)
     start, shares = [], []
     for reaction in reactions:
         start.append(with_values(reaction, still))
         along = [forward(g, reaction.nodes, {atom: ONE}) for atom in atoms]
         shares.append([Matrix(g, 3, 1, rebuild(g, x, still, into=g)[1]) for x in along])
-    coefficients = [force.element.pressing(places(k, force)) for force in own]
+    coefficients = [force.element.reaction_force(places(k, force)) for force in forces_of_friction]
     values = _newton(start, shares, coefficients)
     certainty = {
         force.name: 1 - c * sum((norm(*x) for x in row), Scalar(g, ZERO))
-        for force, c, row in zip(own, coefficients, shares, strict=True)
+        for force, c, row in zip(forces_of_friction, coefficients, shares, strict=True)
     }
-    return Pressed(dict(zip(atoms, (v.node for v in values), strict=True)), certainty)
+    return ReactionFriction(dict(zip(atoms, (v.node for v in values), strict=True)), certainty)
 
 
-def judged(system: System, chosen: Sequence[object]) -> list[tuple[int, bool]]:
-    """Of friction that a judge can tell from reactions its joint, and whether that has a line.
+def verified_joints(system: System, chosen: Sequence[object]) -> list[tuple[int, bool]]:
+    """Joint of every friction element that verification can derive from reactions, and if it has a
+    line.
 
-    None in closed circuits, where accelerations alone do not tell reactions.
+    None in closed loops, where accelerations alone do not tell reactions.
     """
     closed = bool(system.cuts or system.constraints or system.closures)
-    if closed or chosen or system.nu > MOST_JUDGED:
+    if closed or chosen or system.nu > MAX_VERIFIED:
         return []
-    joints = [i for force in pressed(system) for i in force.joints.values()]
+    joints = [i for force in friction_forces(system) for i in force.joints.values()]
     return [(i, bool(system.joints[i].element.line)) for i in joints]
 
 
-def told(d: Dynamics) -> Function:
+def function(d: Dynamics) -> Function:
     """The Function ``scene_pressing``: what a judge solves for in another way.
 
     Outputs: rest (nu), generalized forces without friction that follows from reactions; along
@@ -104,24 +105,26 @@ def told(d: Dynamics) -> Function:
     force of reaction.
     """
     k, g = d.k, d.k.graph
-    own = pressed(k.system)
-    atoms = [_placeholder(places(k, force)) for force in own]
+    forces_of_friction = friction_forces(k.system)
+    atoms = [_placeholder(places(k, force)) for force in forces_of_friction]
     force, still = d.forces().nodes, dict.fromkeys(atoms, ZERO)
-    rest = rebuild(g, force, still, into=g)[1]
+    without_friction = rebuild(g, force, still, into=g)[1]
     along = [forward(g, force, {atom: ONE}) for atom in atoms]
     rows = [node for row in along for node in rebuild(g, row, still, into=g)[1]]
-    coefficients = [force.element.pressing(places(k, force)).node for force in own]
+    coefficients = [
+        force.element.reaction_force(places(k, force)).node for force in forces_of_friction
+    ]
     outputs = (
-        Output("rest", (len(rest),), tuple(rest)),
-        Output("along", (len(own), len(rest)), tuple(rows)),
-        Output("coefficient", (len(own),), tuple(coefficients)),
+        Output("rest", (len(without_friction),), tuple(without_friction)),
+        Output("along", (len(forces_of_friction), len(without_friction)), tuple(rows)),
+        Output("coefficient", (len(forces_of_friction),), tuple(coefficients)),
     )
     roots = [node for output in outputs for node in output.nodes]
     read = {g.nodes[i][1] for i in live(g, roots) if g.nodes[i][0] == "var"}
-    known = blocks(k.system)
+    all_blocks = blocks(k.system)
     about = "friction that follows from reactions"
-    given = tuple(known[name] for name in known if name in read)
-    return Function("scene_pressing", g, given, outputs, about=about)
+    inputs = tuple(all_blocks[name] for name in all_blocks if name in read)
+    return Function("scene_pressing", g, inputs, outputs, about=about)
 
 
 def with_values(x: Matrix, values: dict[int, int]) -> Matrix:
@@ -130,26 +133,28 @@ def with_values(x: Matrix, values: dict[int, int]) -> Matrix:
 
 
 def _placeholder(at: Places) -> int:
-    assert at.pressing is not None
-    return at.pressing.node
+    assert at.reaction_force is not None
+    return at.reaction_force.node
 
 
-def _reactions(d: Dynamics, tau: Matrix, udot: Matrix, own: list[Force]) -> list[Matrix]:
+def _reactions(
+    d: Dynamics, tau: Matrix, udot: Matrix, forces_of_friction: list[Force]
+) -> list[Matrix]:
     """Force across the line of every joint concerned (3, 1), in axes of its child."""
     k = d.k
     acc = accelerations(k, [along_joint(k, i, udot) for i in range(len(k.joints))], d.gravity)
     closing = closing_wrenches(d, tau, udot, acc)
     forces = joint_forces(k, acc, with_closing(k, d.loads, closing)).force
-    found = []
-    for force in own:
+    normals = []
+    for force in forces_of_friction:
         (i,) = force.joints.values()
         line = k.system.joints[i].element.line
-        whole = forces[i]
+        reaction = forces[i]
         if line:
             axis = unit(k.matrix(*k.system.joints[i].data[line]))
-            whole = whole - axis * axis.dot(whole)
-        found.append(whole)
-    return found
+            reaction = reaction - axis * axis.dot(reaction)
+        normals.append(reaction)
+    return normals
 
 
 def _newton(start: list[Matrix], shares: list[list[Matrix]], c: list[Scalar]) -> list[Scalar]:
@@ -174,5 +179,5 @@ def _newton(start: list[Matrix], shares: list[list[Matrix]], c: list[Scalar]) ->
 
 
 def _feeds(shares: list[list[Matrix]]) -> bool:
-    """Whether friction changes any of the reactions."""
+    """True when friction changes any of the reactions."""
     return any(not x.is_zero for row in shares for x in row)

@@ -1,4 +1,4 @@
-"""What places hold: nodes, lines, and joints with rotations, with the way their q moves."""
+"""Blocks of places: nodes, lines, and joints with rotations, with the motion of their q."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ MOVING = ("move", "qdot", "difference")
 
 @dataclass(frozen=True)
 class Holds:
-    """What places hold, those in space and here, where nodes may be of a plane.
+    """Block kinds of places, in space and in the model, where nodes may be planar.
 
     Attributes:
         node: What a node holds in space.
@@ -45,12 +45,12 @@ class Holds:
     segments: tuple[BlockKind, ...] = ()
 
     def inside(self, segment: int) -> BlockKind:
-        """What the nodes inside of a segment hold."""
+        """Block kind of the nodes inside a segment."""
         return self.segments[segment] if self.segments else self.node
 
 
 def holds(scene: Scene, bodies: Mapping[int, Plane] | None, segments: Sequence[Plane]) -> Holds:
-    """What the places of a scene hold.
+    """Block kinds of the places of a scene.
 
     Args:
         scene: The scene.
@@ -61,10 +61,12 @@ def holds(scene: Scene, bodies: Mapping[int, Plane] | None, segments: Sequence[P
     space = {key: kinds[k] for key, k in zip(scene.places, numbers, strict=True)}
     if bodies is None:
         return Holds(kinds[0], space, space)
-    known = dict.fromkeys([*(bodies[i] for kind, i in scene.places if kind == NODE), *segments])
-    made = {plane: plane_node(plane, k) for k, plane in enumerate(known)}
-    here = {key: made[bodies[key[1]]] if key[0] == NODE else kind for key, kind in space.items()}
-    return Holds(kinds[0], space, here, tuple(made[plane] for plane in segments))
+    planes = dict.fromkeys([*(bodies[i] for kind, i in scene.places if kind == NODE), *segments])
+    node_kinds = {plane: plane_node(plane, k) for k, plane in enumerate(planes)}
+    here = {
+        key: node_kinds[bodies[key[1]]] if key[0] == NODE else kind for key, kind in space.items()
+    }
+    return Holds(kinds[0], space, here, tuple(node_kinds[plane] for plane in segments))
 
 
 def block_kinds(scene: Scene) -> tuple[tuple[BlockKind, ...], Integers]:
@@ -74,7 +76,7 @@ def block_kinds(scene: Scene) -> tuple[tuple[BlockKind, ...], Integers]:
     for key in scene.places:
         text = _structure(scene, key)
         if text not in kinds:
-            kinds[text] = _made(scene, key, {kind.name for kind in kinds.values()})
+            kinds[text] = _joint_block(scene, key, {kind.name for kind in kinds.values()})
         numbers.append(list(kinds).index(text))
     return tuple(kinds.values()), np.array(numbers, dtype=np.intp)
 
@@ -88,23 +90,23 @@ def _structure(scene: Scene, key: Key) -> str:
     return repr((rotation, element.coordinates, element.speeds))
 
 
-def _made(scene: Scene, key: Key, taken: set[str]) -> BlockKind:
+def _joint_block(scene: Scene, key: Key, taken: set[str]) -> BlockKind:
     element, count = scene.system.joints[key[1]].element, scene.line(key[1])
-    told = f"line{count}" if count else f"{element.kind}_{getattr(element, 'rotation', '')}"
-    name = base = re.sub(r"\W", "_", told)
+    label = f"line{count}" if count else f"{element.kind}_{getattr(element, 'rotation', '')}"
+    name = base = re.sub(r"\W", "_", label)
     while name in taken:
         name = f"{base}_{len(taken)}"
     if count:
         return _block(name, element, {})
     cutting = Cutting(scene)
     cutting.joint(key[1])
-    return _block(name, element, _functions(cutting.made(), name))
+    return _block(name, element, _functions(cutting.system_of(), name))
 
 
 def _node(scene: Scene) -> BlockKind:
     cutting = Cutting(scene)
     cutting.floating(NODE)
-    return _block(NODE, Free(), _functions(cutting.made(), NODE))
+    return _block(NODE, Free(), _functions(cutting.system_of(), NODE))
 
 
 def _block(name: str, element: JointElement, functions: dict[str, Function]) -> BlockKind:
@@ -122,7 +124,7 @@ def _block(name: str, element: JointElement, functions: dict[str, Function]) -> 
 
 
 def _functions(system: System, name: str) -> dict[str, Function]:
-    """How the coordinates of a joint move."""
+    """Motion of the coordinates of a joint."""
     listed = blocks(system)
     context = Context(Dynamics(Kinematics(system), "composite"), *labels(listed))
     return {

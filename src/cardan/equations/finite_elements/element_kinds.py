@@ -25,8 +25,8 @@ from ..functions.dynamics import Dynamics
 from ..functions.functions import WRENCH
 from ..kinematics.joint_forces import driving_force, joint_forces
 from ..kinematics.kinematics import Kinematics
-from .joint_constraints import Held, increments
-from .parts import Piece
+from .joint_constraints import JointConstraint, increments
+from .parts import Part
 from .record import BlockKind, Kind
 
 METHOD = "composite"
@@ -46,10 +46,10 @@ ABOUT = {
 # what members have in common
 
 
-def structure(piece: Piece, places: Iterable[BlockKind]) -> str:
+def structure(part: Part, places: Iterable[BlockKind]) -> str:
     """Text that two pieces share if and only if the same functions serve both."""
-    system = piece.system
-    told = (
+    system = part.system
+    signature = (
         system.bodies,
         [replace(joint, element=_outline(joint.element)) for joint in system.joints],  # type: ignore[arg-type]
         [replace(cut, element=_outline(cut.element)) for cut in system.cuts],  # type: ignore[arg-type]
@@ -59,16 +59,16 @@ def structure(piece: Piece, places: Iterable[BlockKind]) -> str:
         system.outputs,
         system.gravity,
         system.atoms,
-        piece.kind,
-        piece.joint,
-        piece.turned,
-        piece.driven,
-        len(piece.cutting.z),
-        len(piece.cutting.s),
+        part.kind,
+        part.joint,
+        part.reversed_joint,
+        part.driven,
+        len(part.cutting.z),
+        len(part.cutting.s),
         [place.name for place in places],
         system.graph.nodes,
     )
-    return repr(told)
+    return repr(signature)
 
 
 def _outline(element: JointElement | ForceElement) -> str:
@@ -77,20 +77,20 @@ def _outline(element: JointElement | ForceElement) -> str:
         return f"reversed {_outline(element.element)}"
     quantities = element.quantities()
     assert is_dataclass(element)
-    told = [
+    signature = [
         (field.name, _pattern(getattr(element, field.name), field.name in quantities))
         for field in fields(element)
         if field.type not in ("Place", "Bodies", "JointName")
     ]
-    held = (element.held, element.slips) if isinstance(element, JointElement) else ()
-    return repr((type(element).__name__, told, held))
+    constrained = (element.locked, element.slips) if isinstance(element, JointElement) else ()
+    return repr((type(element).__name__, signature, constrained))
 
 
-def _pattern(value: Any, own: bool) -> str:
-    """What the equations may depend on in a field; only the form of a quantity of a member."""
+def _pattern(value: Any, by_value: bool) -> str:
+    """Part of a field that the equations may depend on; of a quantity of a member only its form."""
     if isinstance(value, (tuple, list)):
-        return f"({', '.join(_pattern(x, own) for x in value)})"
-    if not own or value is None or isinstance(value, (str, bool)):
+        return f"({', '.join(_pattern(x, by_value) for x in value)})"
+    if not by_value or value is None or isinstance(value, (str, bool)):
         return repr(value)
     if isinstance(value, (int, float)):
         return repr(float(value)) if value in (0, 1, -1) else "number"
@@ -100,7 +100,7 @@ def _pattern(value: Any, own: bool) -> str:
 # what they share
 
 
-def kind_of(name: str, piece: Piece, places: tuple[BlockKind, ...]) -> Kind:
+def kind_of(name: str, part: Part, places: tuple[BlockKind, ...]) -> Kind:
     """The kind of a piece.
 
     Args:
@@ -108,17 +108,17 @@ def kind_of(name: str, piece: Piece, places: tuple[BlockKind, ...]) -> Kind:
         piece: Any of its members.
         places: What its places hold.
     """
-    context = _context(piece)
-    made = _Builder(context, piece).made()
-    listed = blocks(piece.system)
-    listed["z"] = _states("z", len(piece.cutting.z))
-    listed["s"] = _states("s", len(piece.cutting.s))
+    context = _context(part)
+    functions = _Builder(context, part).functions()
+    listed = blocks(part.system)
+    listed["z"] = _states("z", len(part.cutting.z))
+    listed["s"] = _states("s", len(part.cutting.s))
     inputs = tuple(listed[letter] for letter in ABI_ORDER)
     return Kind(
         name=name,
         blocks=places,
-        rows=tuple((_suffix(row.name), row.unit) for row in rows(piece.system)),
-        mp=sum(row.level != VELOCITY for row in rows(piece.system)),
+        rows=tuple((_suffix(row.name), row.unit) for row in rows(part.system)),
+        mp=sum(row.level != VELOCITY for row in rows(part.system)),
         data=listed["p"].entries,
         functions={
             function: Function(
@@ -126,12 +126,12 @@ def kind_of(name: str, piece: Piece, places: tuple[BlockKind, ...]) -> Kind:
                 context.k.graph,
                 inputs,
                 results,
-                tuple(_owners(piece.system)),
+                tuple(_owners(part.system)),
                 ABOUT[function],
             )
-            for function, results in made.items()
+            for function, results in functions.items()
         },
-        source=piece.source,
+        source=part.source,
     )
 
 
@@ -153,23 +153,23 @@ def _owners(system: System) -> Iterable[str]:
     return dict.fromkeys(names)
 
 
-def _context(piece: Piece) -> Context:
-    listed = blocks(piece.system).values()
+def _context(part: Part) -> Context:
+    listed = blocks(part.system).values()
     names = {block.name: block.entries for block in listed}
     units = {block.name: block.units for block in listed}
-    return Context(Dynamics(Kinematics(piece.system), METHOD), names, units)
+    return Context(Dynamics(Kinematics(part.system), METHOD), names, units)
 
 
 class _Builder:
     """Results of the functions of one kind."""
 
-    def __init__(self, context: Context, piece: Piece) -> None:
-        self.c, self.piece, self.system = context, piece, piece.system
+    def __init__(self, context: Context, part: Part) -> None:
+        self.c, self.part, self.system = context, part, part.system
         self.k, self.d = context.k, context.d
 
-    def made(self) -> dict[str, tuple[Output, ...]]:
-        """Those that are not zero throughout; outputs are there whatever they are."""
-        found = {
+    def functions(self) -> dict[str, tuple[Output, ...]]:
+        """Functions that are not zero throughout; outputs are kept in any case."""
+        outputs = {
             "balance": self._balance(),
             "balance_tangent": self._tangent(),
             "gamma": self._gamma(),
@@ -182,7 +182,7 @@ class _Builder:
         }
         return {
             name: results
-            for name, results in found.items()
+            for name, results in outputs.items()
             if any(node != ZERO or name == "outputs" for o in results for node in o.nodes)
         }
 
@@ -190,25 +190,27 @@ class _Builder:
         return Output(name, (x.rows,), x.nodes, entries)
 
     def _balance(self) -> tuple[Output, ...]:
-        if self.piece.joint:
-            held = self.held
+        if self.part.joint:
+            constraint = self.constraint
             return (
-                *self.c.vector("balance", held.settled(-held.forces(self._lam())), "tau"),
-                self._vector("g", held.settled(held.position)),
-                self._vector("rates", held.settled(held.rates)),
+                *self.c.vector(
+                    "balance", constraint.settled(-constraint.forces(self._lam())), "tau"
+                ),
+                self._vector("g", constraint.settled(constraint.position)),
+                self._vector("rates", constraint.settled(constraint.rates)),
             )
         return residuals.balance(self.c) if self.system.nu or self.system.closed else ()
 
     def _tangent(self) -> tuple[Output, ...]:
         if not self.system.nu:
             return ()
-        if self.piece.joint:
-            found = self._held_tangent()
+        if self.part.joint:
+            outputs = self._constraint_tangent()
         elif self.system.closed:
-            found = residuals.balance_tangent(self.c)
+            outputs = residuals.balance_tangent(self.c)
         else:
-            found = self._free_tangent()
-        return tuple(output for output in found if any(node != ZERO for node in output.nodes))
+            outputs = self._free_tangent()
+        return tuple(output for output in outputs if any(node != ZERO for node in output.nodes))
 
     def _free_tangent(self) -> tuple[Output, ...]:
         """K, C and M of what binds nothing."""
@@ -222,21 +224,21 @@ class _Builder:
             Output("M", (nu, nu), self.d.mass_matrix.nodes),
         )
 
-    def _held_tangent(self) -> tuple[Output, ...]:
+    def _constraint_tangent(self) -> tuple[Output, ...]:
         """K, R and G of a joint: it has no mass, and what it holds no damping."""
-        held, nu = self.held, self.system.nu
-        m = held.rates.rows
-        K = held.settled(held.along(-held.forces(self._lam())))
-        R = held.settled(held.along(held.rates))
+        constraint, nu = self.constraint, self.system.nu
+        m = constraint.rates.rows
+        K = constraint.settled(constraint.along(-constraint.forces(self._lam())))
+        R = constraint.settled(constraint.along(constraint.rates))
         return (
             Output("K", (nu, nu), K.nodes),
             Output("R", (m, nu), R.nodes),
-            Output("G", (m, nu), held.settled(held.jacobian).nodes),
+            Output("G", (m, nu), constraint.settled(constraint.jacobian).nodes),
         )
 
     def _gamma(self) -> tuple[Output, ...]:
-        if self.piece.joint:
-            return (self._vector("gamma", self.held.settled(self.held.gamma)),)
+        if self.part.joint:
+            return (self._vector("gamma", self.constraint.settled(self.constraint.gamma)),)
         return (self._vector("gamma", self.d.constraints.gamma),) if self.system.closed else ()
 
     def _energy(self) -> tuple[Output, ...]:
@@ -253,30 +255,33 @@ class _Builder:
         return self.d.block("lam", len(rows(self.system)))
 
     @cached_property
-    def held(self) -> Held:
-        """What the joint holds."""
-        return Held(self.k)
+    def constraint(self) -> JointConstraint:
+        """The constraint of the joint."""
+        return JointConstraint(self.k)
 
     def _reaction(self) -> tuple[Output, ...]:
-        if not self.piece.joint:
+        if not self.part.joint:
             return ()
-        wrench, turned = self.held.transmitted(self._lam()).wrench, self.piece.turned
-        if turned >= 0:
-            wrench = outputs.on_declared_child(self.k, turned, wrench)
+        wrench, reversed_joint = (
+            self.constraint.transmitted(self._lam()).wrench,
+            self.part.reversed_joint,
+        )
+        if reversed_joint >= 0:
+            wrench = outputs.on_declared_child(self.k, reversed_joint, wrench)
         return (Output("reaction", (6,), wrench.nodes, *WRENCH),)
 
     def _driving(self) -> list[tuple[int, Any]]:
         """(joint, force along it) of prescribed joints, as far as this element needs it."""
-        if not self.piece.driven:
+        if not self.part.driven:
             return []
-        d, rest = self.d, self.c.udot
-        acc = outputs.system_accelerations(d, rest)
+        d, udot = self.d, self.c.udot
+        acc = outputs.system_accelerations(d, udot)
         loads = with_closing(
-            self.k, d.loads, [self.held.transmitted(self._lam())] if self.piece.joint else []
+            self.k, d.loads, [self.constraint.transmitted(self._lam())] if self.part.joint else []
         )
         forces = joint_forces(self.k, acc, loads)
         still = Matrix.zeros(self.k.graph, 1)
-        return [(i, driving_force(self.k, i, forces, d.loads, still)[0]) for i in self.piece.driven]
+        return [(i, driving_force(self.k, i, forces, d.loads, still)[0]) for i in self.part.driven]
 
     def _outputs(self) -> tuple[Output, ...]:
         d = self.d

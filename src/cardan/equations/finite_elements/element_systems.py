@@ -17,7 +17,7 @@ from ...elements.joints.prismatic import Prismatic
 from ...elements.joints.revolute import Revolute
 from ...errors import DerivationError
 from ...ir.function import live, operands
-from ...ir.graph import MADE_BY_NOBODY, MINUS_ONE, ONE, ZERO, Graph
+from ...ir.graph import MINUS_ONE, NO_ORIGIN, ONE, ZERO, Graph
 from ...ir.ops import LEAVES
 from ...ir.rewrite import rebuild
 from ...topology.conversion import IDENTITY, ORIGIN
@@ -39,7 +39,7 @@ Data = dict[str, tuple[int, int, Nodes]]
 STRUCTURAL = (ZERO, ONE, MINUS_ONE)
 LINE: Nodes = (ONE, ZERO, ZERO)
 # the joint that an element is made of
-CARRIED = "joint"
+MOVING_JOINT = "joint"
 
 
 @dataclass(frozen=True)
@@ -80,15 +80,15 @@ class Cutting:
         self.z: list[int] = []
         self.s: list[int] = []
         self._names: list[str] = []
-        self._own: dict[int, int] = {}
+        self._frames_of_bodies: dict[int, int] = {}
         self._body: dict[int, int] = {GROUND: GROUND}
         self._joint: dict[int, int] = {}
         self._frame: dict[int, int] = {0: 0}
         self._slots = [0, 0]
 
-    def made(self, **more: object) -> System:
+    def system_of(self, **more: object) -> System:
         """The small system."""
-        given: dict[str, object] = {
+        fields: dict[str, object] = {
             "gravity": ORIGIN,
             "forces": (),
             "outputs": (),
@@ -107,7 +107,7 @@ class Cutting:
             atoms=self.atoms,
             nq=self._slots[0],
             nu=self._slots[1],
-            **given,  # type: ignore[arg-type]
+            **fields,  # type: ignore[arg-type]
         )
 
     # places
@@ -132,7 +132,7 @@ class Cutting:
             self._joint[i] = self._moving("", i, GROUND, element, data)
         return self._joint[i]
 
-    def carried(self, i: int, parent: int) -> int:
+    def moving_body(self, i: int, parent: int) -> int:
         """Number here of a body without mass that a joint of the scene moves from a body here."""
         joint = self.system.joints[i]
         place = (
@@ -140,7 +140,7 @@ class Cutting:
             self.expressions(joint.position, "place_position"),
         )
         data = self.quantities(joint.data)
-        return self._moving(CARRIED, i, parent, joint.element, data, place)
+        return self._moving(MOVING_JOINT, i, parent, joint.element, data, place)
 
     def _stand_in(self, i: int) -> tuple[JointElement, Data]:
         """A joint with the same coordinates; where there is one, of the simplest kind."""
@@ -164,12 +164,12 @@ class Cutting:
         coupling = motion = None
         if joint.coupling is not None:
             ratio, offset = joint.coupling.ratio, joint.coupling.offset
-            own = self.expressions((ratio, offset), "coupling")
-            coupling = Coupling(self.joint(joint.coupling.leader), *own)
+            ratio_and_offset = self.expressions((ratio, offset), "coupling")
+            coupling = Coupling(self.joint(joint.coupling.leader), *ratio_and_offset)
         elif joint.motion is not None:
-            told = joint.motion
-            given = (told.value, told.rate, told.acceleration)
-            motion = Prescribed(*self.expressions(given, "motion"))
+            prescribed = joint.motion
+            expressions = (prescribed.value, prescribed.rate, prescribed.acceleration)
+            motion = Prescribed(*self.expressions(expressions, "motion"))
         else:
             self.places.append(("joint", i))
         name = name or self._numbered("joint")
@@ -191,8 +191,8 @@ class Cutting:
     ) -> int:
         number, (q, u) = len(self.bodies), self._slots
         free = coupling is None and motion is None
-        own = (mass.mass, mass.first_moment, mass.inertia)
-        self.bodies.append(Body(name, parent, *own, parts=()))
+        inertia = (mass.mass, mass.first_moment, mass.inertia)
+        self.bodies.append(Body(name, parent, *inertia, parts=()))
         self.frames.append(Frame(name, number, 0, IDENTITY, ORIGIN))
         self.joints.append(
             Joint(
@@ -213,7 +213,7 @@ class Cutting:
             self._slots = [q + len(element.coordinates), u + len(element.speeds)]
         return number
 
-    def own_frame(self, body: int) -> int:
+    def body_frame(self, body: int) -> int:
         """Index of the frame of a body here that is its own."""
         return self.joints[body].child_frame
 
@@ -249,27 +249,27 @@ class Cutting:
         graph = self.system.graph
         order = live(graph, nodes)
         fixed = _of_parameters(self.system, order)
-        told: dict[int, int] = {}
+        replacements: dict[int, int] = {}
         for i in (n for n in nodes if n in fixed):
-            told[i] = self._datum(i, name, len(nodes) > 1)
+            replacements[i] = self._datum(i, name, len(nodes) > 1)
         for i in order:
             if i in fixed:
                 continue
             node = graph.nodes[i]
             if node[0] in LEAVES:
-                told[i] = self._leaf(i)
+                replacements[i] = self._leaf(i)
                 continue
             for k in operands(node):
                 if k in fixed and graph.nodes[k][0] != "const":
-                    told[k] = self._datum(k, name, True)
+                    replacements[k] = self._datum(k, name, True)
         start = len(self.graph)
-        found = rebuild(graph, nodes, told, into=self.graph)[1]
+        rebuilt = rebuild(graph, nodes, replacements, into=self.graph)[1]
         # who wrote them first is no matter: they stand for all members of a kind
         for i in range(start, len(self.graph)):
-            self.graph.origins[i] = MADE_BY_NOBODY
+            self.graph.origins[i] = NO_ORIGIN
             self.graph.labels.pop(i, None)
             self.graph.shared.pop(i, None)
-        return tuple(found)
+        return tuple(rebuilt)
 
     def _datum(self, i: int, name: str, several: bool) -> int:
         """An expression in parameters alone as a parameter of its own, or as the number it is."""
@@ -278,61 +278,61 @@ class Cutting:
             return i
         if graph.nodes[i][0] == "neg":
             return self.graph.neg(self._datum(graph.nodes[i][1], name, several))
-        if i not in self._own:
+        if i not in self._frames_of_bodies:
             count = sum(other.startswith(f"{name}.") for other in self._names)
             taken = several or name in self._names
-            self._own[i] = self.graph.var("p", len(self.data))
+            self._frames_of_bodies[i] = self.graph.var("p", len(self.data))
             self._names.append(f"{name}.{count + 1}" if taken else name)
             self.data.append(i)
-        return self._own[i]
+        return self._frames_of_bodies[i]
 
     def _leaf(self, i: int) -> int:
         """A leaf that moves: time, input, coordinate, state or placeholder."""
-        kind, name, *rest = self.system.graph.nodes[i]
+        kind, name, *indices = self.system.graph.nodes[i]
         if kind == "atom":
             return self._atom(name) if name in self.system.atoms else self.graph.atom(name)
         if name in ("t", "r"):
-            return self.graph.var(name, rest[0])
+            return self.graph.var(name, indices[0])
         if name in ("z", "s"):
-            return self.graph.var(name, self.state(name, rest[0]))
+            return self.graph.var(name, self.state(name, indices[0]))
         if name not in ("q", "u"):
             raise DerivationError(f"an expression that reads block '{name}' belongs to no element")
-        owner, entry = self.scene.slot(name, rest[0])
+        owner, entry = self.scene.slot(name, indices[0])
         joint = self.joints[self.joint(owner)]
         return self.graph.var(name, (joint.q if name == "q" else joint.u) + entry)
 
     def state(self, block: str, entry: int) -> int:
         """Entry here of an internal state ("z") or mode ("s") of the scene."""
-        own = self.z if block == "z" else self.s
-        if entry not in own:
-            own.append(entry)
-        return own.index(entry)
+        entries = self.z if block == "z" else self.s
+        if entry not in entries:
+            entries.append(entry)
+        return entries.index(entry)
 
     def _atom(self, name: str) -> int:
         """A placeholder for the motion of frames or joints."""
         atom = self.system.atoms[name]
         if atom.quantity in ("q", "u"):
-            own = replace(atom, frame=self.joint(atom.frame))
+            local = replace(atom, frame=self.joint(atom.frame))
         else:
             frame, wrt, in_ = (self.frame(f) for f in (atom.frame, atom.wrt, atom.in_))
-            own = replace(atom, frame=frame, wrt=wrt, in_=in_)
-        for known, other in self.atoms.items():
-            if other == own:
-                return self.graph.atom(known)
-        known = f"motion {len(self.atoms)}"
-        self.atoms[known] = own
-        return self.graph.atom(known)
+            local = replace(atom, frame=frame, wrt=wrt, in_=in_)
+        for key, other in self.atoms.items():
+            if other == local:
+                return self.graph.atom(key)
+        key = f"motion {len(self.atoms)}"
+        self.atoms[key] = local
+        return self.graph.atom(key)
 
 
 def _of_parameters(system: System, order: Sequence[int]) -> set[int]:
-    """Which nodes of a topological order depend on parameters alone."""
-    nodes, found = system.graph.nodes, set[int]()
+    """Nodes of a topological order that depend on parameters alone."""
+    nodes, parameter_nodes = system.graph.nodes, set[int]()
     for i in order:
         node = nodes[i]
         if (
             node[0] == "const"
             or node[:2] == ("var", "p")
-            or (node[0] not in LEAVES and all(k in found for k in operands(node)))
+            or (node[0] not in LEAVES and all(k in parameter_nodes for k in operands(node)))
         ):
-            found.add(i)
-    return found
+            parameter_nodes.add(i)
+    return parameter_nodes

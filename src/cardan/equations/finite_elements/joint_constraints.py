@@ -1,4 +1,4 @@
-"""What one joint holds between two nodes, as expressions in the pose of one against the other.
+"""Constraint of one joint between two nodes, as expressions in their relative pose.
 
 With R_A, x_A and R_B, x_B of the nodes, D = R_Aᵀ R_B and d = R_Aᵀ (x_B - x_A) change by
 D' = D [w_B] - [w_A] D and d' = R_Aᵀ (v_B - v_A) - w_A x d along speeds in body axes (w) and ground
@@ -20,7 +20,7 @@ from ...ir.matrix import Matrix
 from ...ir.rewrite import rebuild
 from ...topology.prescribed_motion import input_rates
 from ...topology.system import GROUND
-from ..constraints.cut_joint_frames import placed
+from ..constraints.cut_joint_frames import frame_pose
 from ..constraints.loop_loads import Closing
 from ..kinematics.kinematics import Kinematics
 
@@ -35,34 +35,34 @@ def increments(k: Kinematics) -> list[Seeds]:
 
     Rotations change as they stand, R' = R [w], not through quaternions.
     """
-    g, found = k.graph, list[Seeds]()
+    g, seeds = k.graph, list[Seeds]()
     for i, joint in enumerate(k.system.joints):
         if joint.u < 0:
             continue
         if joint.element == Free() and k.system.bodies[i].parent == GROUND:
             R, p = k.ground_rotation[i], k.ground_position[i]
             for unit in _axes(g):
-                found.append(dict(zip(R.nodes, (R @ unit.skew).nodes, strict=True)))
-            found += [{node: ONE} for node in p.nodes]
+                seeds.append(dict(zip(R.nodes, (R @ unit.skew).nodes, strict=True)))
+            seeds += [{node: ONE} for node in p.nodes]
             continue
-        found += _by_coordinates(k, i)
-    return found
+        seeds += _by_coordinates(k, i)
+    return seeds
 
 
 def _by_coordinates(k: Kinematics, i: int) -> list[Seeds]:
     """Changes of the coordinates of a joint along its speeds."""
-    g, joint, found = k.graph, k.system.joints[i], list[Seeds]()
+    g, joint, seeds = k.graph, k.system.joints[i], list[Seeds]()
     for n in range(len(joint.element.speeds)):
         column = forward(g, k.rates.nodes, {g.var("u", joint.u + n): ONE})
-        found.append({g.var("q", m): node for m, node in enumerate(column) if node})
-    return found
+        seeds.append({g.var("q", m): node for m, node in enumerate(column) if node})
+    return seeds
 
 
 def _axes(graph: Graph) -> list[Matrix]:
     return [Matrix.identity(graph, 3).column(n) for n in range(3)]
 
 
-class Held:
+class JointConstraint:
     """Cut joint 0 of a small system.
 
     What it returns may be differentiated further (:meth:`along`) and is :meth:`settled` at last.
@@ -126,10 +126,10 @@ class Held:
         """R_PC and p_PC."""
         here = Matrix.identity(self.graph, 3), Matrix.zeros(self.graph, 3)
         if self.carrier is not None:
-            own = self.k.pose_of(self.carrier)
-            here = own.rotation, own.position
-        near = placed(self.k, self.cut.parent_frame, here)
-        far = placed(self.k, self.cut.child_frame, (self.D, self.d))
+            carrier_pose = self.k.pose_of(self.carrier)
+            here = carrier_pose.rotation, carrier_pose.position
+        near = frame_pose(self.k, self.cut.parent_frame, here)
+        far = frame_pose(self.k, self.cut.child_frame, (self.D, self.d))
         return near[0].T @ far[0], near[0].T @ (far[1] - near[1])
 
     @cached_property
@@ -142,31 +142,31 @@ class Held:
     @cached_property
     def seeds(self) -> list[Seeds]:
         """Changes of D, d, R_A and joint coordinates along every speed."""
-        found = increments(self.k)
+        seeds = increments(self.k)
         first = -1 if self.carrier is None else self.k.system.joints[self.carrier].u
         if self.carrier is not None and first >= 0:
             # a free joint from the ground is not a node: its rates are told by its coordinates
-            own = _by_coordinates(self.k, self.carrier)
-            found[first : first + len(own)] = own
+            carrier_seeds = _by_coordinates(self.k, self.carrier)
+            seeds[first : first + len(carrier_seeds)] = carrier_seeds
         for body in {self.parent, self.child} - {GROUND}:
             first = self.k.system.joints[body].u
-            found[first : first + 6] = self._moved(body)
-        return found
+            seeds[first : first + 6] = self._moved(body)
+        return seeds
 
     def _moved(self, body: int) -> list[Seeds]:
         """Changes along the speeds of a node."""
         still, axes = Matrix.zeros(self.graph, 3), _axes(self.graph)
         speeds = [(axis, still) for axis in axes] + [(still, axis) for axis in axes]
         if body == self.parent:
-            return [self._changes(*own, still, still) for own in speeds]
+            return [self._changes(*unit_twist, still, still) for unit_twist in speeds]
         return [self._changes(still, still, *own) for own in speeds]
 
     def _changes(self, w_a: Matrix, v_a: Matrix, w_b: Matrix, v_b: Matrix) -> Seeds:
         """Changes of D, d and R_A at speeds of both nodes."""
-        turned = self.D @ w_b.skew - w_a.skew @ self.D
+        rotation_rate = self.D @ w_b.skew - w_a.skew @ self.D
         moved = self.R.T @ (v_b - v_a) - w_a.cross(self.d)
-        own = {} if self.parent == GROUND else self._seeds(self.R, self.R @ w_a.skew)
-        return own | self._seeds(self.D, turned) | self._seeds(self.d, moved)
+        parent_seeds = {} if self.parent == GROUND else self._seeds(self.R, self.R @ w_a.skew)
+        return parent_seeds | self._seeds(self.D, rotation_rate) | self._seeds(self.d, moved)
 
     def _seeds(self, x: Matrix, change: Matrix) -> Seeds:
         return dict(zip(x.nodes, change.nodes, strict=True))
@@ -199,8 +199,8 @@ class Held:
     @cached_property
     def rates(self) -> Matrix:
         """G u + g_t (m, 1): rates of g, then velocities of slipping."""
-        held = forward(self.graph, self.position.nodes, self.time_seeds)
-        return self._column([*held, *self._slips.nodes])
+        position_rates = forward(self.graph, self.position.nodes, self.time_seeds)
+        return self._column([*position_rates, *self._slips.nodes])
 
     @cached_property
     def _slips(self) -> Matrix:
@@ -211,13 +211,13 @@ class Held:
         for i, joint in enumerate(self.k.system.joints):
             if joint.element.slips:
                 q, u = self.k.coordinates[i], self.k.speeds[i]
-                found = joint.element.sliding(q, u, **self.k.data[i])
-                nodes += found.nodes if found is not None else ()
+                slip = joint.element.sliding(q, u, **self.k.data[i])
+                nodes += slip.nodes if slip is not None else ()
         return self._column(nodes)
 
     def _slip(self, twist: Matrix) -> Matrix:
-        found = self.cut.element.slip(*self.pose, twist, **self.data)
-        return Matrix.zeros(self.graph, 0) if found is None else found
+        slip = self.cut.element.slip(*self.pose, twist, **self.data)
+        return Matrix.zeros(self.graph, 0) if slip is None else slip
 
     @property
     def _twist(self) -> Matrix:
@@ -246,15 +246,15 @@ class Held:
 
     def forces(self, lam: Matrix) -> Matrix:
         """Gᵀ lam (nu, 1): the slope of lam g along every speed, and what does not slip."""
-        g, held, nodes = self.graph, self.position.rows, list[int]()
-        work = self.position.dot(lam.block(slice(0, held))).node
+        g, position_count, nodes = self.graph, self.position.rows, list[int]()
+        work = self.position.dot(lam.block(slice(0, position_count))).node
         leaves = list(dict.fromkeys(node for seeds in self.seeds for node in seeds))
         slopes = dict(zip(leaves, gradient(g, work, leaves), strict=True))
         for n, seeds in enumerate(self.seeds):
             total = Scalar(g, ZERO)
             for node, change in seeds.items():
                 total = total + Scalar(g, slopes[node]) * Scalar(g, change)
-            for i in range(held, lam.rows):
+            for i in range(position_count, lam.rows):
                 total = total + self.jacobian[i, n] * lam[i]
             nodes.append(total.node)
         return self._column(nodes)
@@ -266,14 +266,14 @@ class Held:
         return Matrix(self.graph, x.rows, len(self.seeds), nodes)
 
     def transmitted(self, lam: Matrix) -> Closing:
-        """What the joint transmits."""
+        """Wrench that the joint transmits."""
         gradients = closed(self.cut.element, *self.pose, self.data)[1]
-        held, slips = gradients.rows, len(self.cut.element.slips)
-        total = gradients.T @ lam.block(slice(0, held))
+        position_count, slips = gradients.rows, len(self.cut.element.slips)
+        total = gradients.T @ lam.block(slice(0, position_count))
         if slips:
             unit = Matrix.identity(self.graph, 6)
             rows = Matrix.hstack(*[self._slip(unit.column(j)) for j in range(6)])
-            total = total + rows.T @ lam.block(slice(held, held + slips))
+            total = total + rows.T @ lam.block(slice(position_count, position_count + slips))
         R, position = self.pose
         return Closing(self.cut, (self.settled(R), self.settled(position)), self.settled(total))
 

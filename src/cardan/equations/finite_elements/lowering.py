@@ -12,12 +12,12 @@ from ...errors import DerivationError
 from ...ir.function import Function, Output
 from ...ir.graph import ZERO
 from ...spatial.plane import NORMALS
-from ...topology.system import Cut, Joint, System, own_lengths
+from ...topology.system import Cut, Joint, System, joint_lengths
 from ..functions.blocks import parameters
 from .blocks import Holds, holds
 from .element_kinds import kind_of, structure
 from .nodal_scene import NODE, Key, Scene
-from .parts import Piece, pieces
+from .parts import Part, parts
 from .planar_kinds import flattened
 from .planarity import check, planes
 from .record import GROUND, BlockKind, FiniteElementRecord, Frames, Group, Kind, Places, unique
@@ -52,29 +52,35 @@ def _lowered(scene: Scene, normal: int | None) -> FiniteElementRecord:
     """A scene in space, or in the plane across an axis of the ground."""
     system = scene.system
     bodies, lines = (None, ()) if normal is None else planes(scene, normal)
-    hold = holds(scene, bodies, lines)
+    block_table = holds(scene, bodies, lines)
     at = {key: k for k, key in enumerate(scene.places)}
     taken, space = set(FLEXIBLE), dict[str, Kind]()
-    found = _sorted(pieces(scene), hold, taken, space)
+    sorted_parts = _sorted(parts(scene), block_table, taken, space)
     # elements that do nothing are left out, not those that push out of a plane
-    found = [(kind, own) for kind, own in found if space.get(kind.name, kind).functions]
-    results = _names(found, "outputs", lambda piece: piece.results)
-    powers = _names(found, "power", lambda piece: piece.powers)
-    beams = beamed(scene, at, hold, powers, taken)
+    sorted_parts = [
+        (kind, members_of_kind)
+        for kind, members_of_kind in sorted_parts
+        if space.get(kind.name, kind).functions
+    ]
+    results = _names(sorted_parts, "outputs", lambda piece: piece.results)
+    powers = _names(sorted_parts, "power", lambda piece: piece.powers)
+    beams = beamed(scene, at, block_table, powers, taken)
     names = [*(scene.name(key) for key in scene.places), *beams.names]
-    kinds, every = _numbered([hold.node] * (bodies is None), [*hold.here.values(), *beams.kinds])
+    kinds, every = _numbered(
+        [block_table.node] * (bodies is None), [*block_table.here.values(), *beams.kinds]
+    )
     groups, position = list[Group](), 0
-    other = sum(kind.mp * len(members) for kind, members in found)
-    for kind, members in found:
+    other = sum(kind.mp * len(members) for kind, members in sorted_parts)
+    for kind, members in sorted_parts:
         rows = _rows(kind, len(members), position, other)
         groups.append(_group(kind, members, at, rows, system, (results, powers)))
         position += kind.mp * len(members)
         other += (kind.m - kind.mp) * len(members)
     joints = {
-        piece.name: (g, e)
-        for g, (_, members) in enumerate(found)
-        for e, piece in enumerate(members)
-        if piece.joint
+        part.name: (g, e)
+        for g, (_, members) in enumerate(sorted_parts)
+        for e, part in enumerate(members)
+        if part.joint
     }
     if normal is not None:
         check(scene, (*groups, *beams.groups), space | beams.space, normal)
@@ -103,7 +109,7 @@ def _numbered(
 
 
 def _refuse(system: System) -> None:
-    """What belongs to relative coordinates alone.
+    """Refuse options that belong to joint coordinates alone.
 
     Raises:
         DerivationError: written equations, events, or friction pressed by reactions.
@@ -115,7 +121,7 @@ def _refuse(system: System) -> None:
         )
     for force in system.forces:
         what = ""
-        if force.element.pressed:
+        if force.element.by_reaction:
             what = "the force follows from the reaction of its joint"
         elif force.element.events():
             what = f"it has events ('{force.element.events()[0].about}')"
@@ -130,44 +136,46 @@ def _refuse(system: System) -> None:
 
 
 def _sorted(
-    found: Iterable[Piece], hold: Holds, taken: set[str], space: dict[str, Kind]
-) -> list[tuple[Kind, list[Piece]]]:
+    parts_of_scene: Iterable[Part], block_table: Holds, taken: set[str], space: dict[str, Kind]
+) -> list[tuple[Kind, list[Part]]]:
     """Pieces by kind, in the order in which kinds come up; kinds of planes as they are in space."""
-    members: dict[str, list[Piece]] = {}
-    for piece in found:
-        members.setdefault(structure(piece, _blocks(piece, hold.here)), []).append(piece)
-    made = []
-    for pieces_of in members.values():
-        name = unique(pieces_of[0].kind, taken)
-        here, there = (_blocks(pieces_of[0], known) for known in (hold.here, hold.space))
-        kind = kind_of(name, pieces_of[0], there)
+    members: dict[str, list[Part]] = {}
+    for part in parts_of_scene:
+        members.setdefault(structure(part, _blocks(part, block_table.here)), []).append(part)
+    kinds = []
+    for members_alike in members.values():
+        name = unique(members_alike[0].kind, taken)
+        here, there = (
+            _blocks(members_alike[0], by_key) for by_key in (block_table.here, block_table.space)
+        )
+        kind = kind_of(name, members_alike[0], there)
         if any(block.plane is not None for block in here):
             space[name], kind = kind, flattened(name, kind, here)
-        made.append((kind, pieces_of))
-    return made
+        kinds.append((kind, members_alike))
+    return kinds
 
 
-def _blocks(piece: Piece, at: Mapping[Key, BlockKind]) -> tuple[BlockKind, ...]:
-    return tuple(at[key] for key in piece.cutting.places)
+def _blocks(part: Part, at: Mapping[Key, BlockKind]) -> tuple[BlockKind, ...]:
+    return tuple(at[key] for key in part.cutting.places)
 
 
 def _names(
-    found: Sequence[tuple[Kind, list[Piece]]], function: str, names: object
+    sorted_parts: Sequence[tuple[Kind, list[Part]]], function: str, names: object
 ) -> dict[str, int]:
     """Numbers of the outputs or powers by name."""
     listed = (
         name
-        for kind, members in found
+        for kind, members in sorted_parts
         if function in kind.functions
-        for piece in members
-        for name in names(piece)  # type: ignore[operator]
+        for part in members
+        for name in names(part)  # type: ignore[operator]
     )
     return {name: k for k, name in enumerate(dict.fromkeys(listed))}
 
 
 def _group(
     kind: Kind,
-    members: list[Piece],
+    members: list[Part],
     at: Mapping[Key, int],
     rows: Integers,
     system: System,
@@ -178,7 +186,7 @@ def _group(
     has = kind.functions.keys()
     return Group(
         kind=kind,
-        members=tuple(piece.name for piece in members),
+        members=tuple(part.name for part in members),
         places=_table([[at[key] for key in piece.cutting.places] for piece in members]),
         rows=rows,
         common=_common(kind, members, system),
@@ -201,9 +209,9 @@ def _table(rows: Sequence[Sequence[int]]) -> Integers:
     return np.array(rows, dtype=np.intp).reshape(len(rows), -1)
 
 
-def _common(kind: Kind, members: list[Piece], system: System) -> Function | None:
+def _common(kind: Kind, members: list[Part], system: System) -> Function | None:
     """The data of all members as a function of the parameters of the scene."""
-    rows = [tuple(piece.cutting.data) for piece in members]
+    rows = [tuple(part.cutting.data) for part in members]
     count = len(kind.data)
     if not count:
         return None
@@ -218,19 +226,19 @@ def _of_parameters(name: str, system: System, results: tuple[Output, ...]) -> Fu
 
 
 def _frames(scene: Scene, at: Mapping[Key, int]) -> Frames:
-    """Where the frames of the scene are fixed."""
+    """Poses of the frames of the scene on their nodes."""
     system = scene.system
-    told = [system.frames[scene.frame(k)] for k in range(len(system.frames))]
-    place = [GROUND if f.body < 0 else at[NODE, f.body] for f in told]
-    rotation = tuple(node for f in told for node in f.rotation)
-    position = tuple(node for f in told for node in f.position)
+    frames = [system.frames[scene.frame(k)] for k in range(len(system.frames))]
+    place = [GROUND if f.body < 0 else at[NODE, f.body] for f in frames]
+    rotation = tuple(node for f in frames for node in f.rotation)
+    position = tuple(node for f in frames for node in f.position)
     results = [
-        Output("rotation", (len(told), 9), rotation),
-        Output("position", (len(told), 3), position),
+        Output("rotation", (len(frames), 9), rotation),
+        Output("position", (len(frames), 3), position),
     ]
     # those of joints count where the size of the scene is asked for
     joints: tuple[Joint | Cut, ...] = (*system.joints, *system.closing)
-    lengths = tuple(node for joint in joints for node in own_lengths(joint) if node != ZERO)
+    lengths = tuple(node for joint in joints for node in joint_lengths(joint) if node != ZERO)
     if lengths:
         results.append(Output("lengths", (len(lengths),), lengths))
     poses = _of_parameters("frames__data", system, tuple(results))

@@ -17,7 +17,7 @@ Key: TypeAlias = tuple[str, int]
 
 
 class Scene:
-    """What the parts of a system become.
+    """Parts of a system as nodes and joints.
 
     Args:
         system: The system graph.
@@ -27,8 +27,8 @@ class Scene:
         self.system = system
 
     @cached_property
-    def carried(self) -> dict[int, Cut]:
-        """Bodies that only stand for the far side of a joint that closes a circuit, with it."""
+    def joints_of_cuts(self) -> dict[int, Cut]:
+        """Bodies that only stand for the far side of a joint that closes a loop, with it."""
         return {cut.carrier: cut for cut in self.system.cuts if cut.carrier is not None}
 
     @cached_property
@@ -42,19 +42,19 @@ class Scene:
             and self.system.bodies[i].parent == GROUND
             and (joint.rotation, joint.position) == (IDENTITY, ORIGIN)
             and i not in acted
-            and i not in self.carried
+            and i not in self.joints_of_cuts
         )
 
     @cached_property
     def places(self) -> tuple[Key, ...]:
         """All places, in the order of the tree: a joint with coordinates before its node."""
-        found: list[Key] = []
+        keys: list[Key] = []
         for i, joint in enumerate(self.system.joints):
             if joint.q >= 0 and i not in self.nodal:
-                found.append((JOINT, i))
-            if i not in self.carried:
-                found.append((NODE, i))
-        return tuple(found)
+                keys.append((JOINT, i))
+            if i not in self.joints_of_cuts:
+                keys.append((NODE, i))
+        return tuple(keys)
 
     def name(self, place: Key) -> str:
         """Name of a place: of the joint, or of the body of a node unless a joint is called so."""
@@ -69,8 +69,8 @@ class Scene:
         return frozenset(joint.name for joint in self.system.joints)
 
     def frame(self, number: int) -> int:
-        """A frame on a body that is no node, told by the one it coincides with."""
-        cut = self.carried.get(self.system.frames[number].body)
+        """A frame on a body that is not a node, told by the one it coincides with."""
+        cut = self.joints_of_cuts.get(self.system.frames[number].body)
         return number if cut is None else cut.child_frame
 
     def slot(self, block: str, entry: int) -> tuple[int, int]:
@@ -81,12 +81,12 @@ class Scene:
 
     @cached_property
     def _owners(self) -> dict[str, list[int]]:
-        found: dict[str, list[int]] = {"q": [], "u": []}
+        owners: dict[str, list[int]] = {"q": [], "u": []}
         for i, joint in enumerate(self.system.joints):
             if joint.q >= 0:
-                found["q"] += [i] * len(joint.element.coordinates)
-                found["u"] += [i] * len(joint.element.speeds)
-        return found
+                owners["q"] += [i] * len(joint.element.coordinates)
+                owners["u"] += [i] * len(joint.element.speeds)
+        return owners
 
     def line(self, i: int) -> int:
         """Number of coordinates of a joint if they just add up, else 0."""
@@ -95,8 +95,8 @@ class Scene:
 
 
 def adds_up(element: JointElement) -> bool:
-    """Whether the speeds of a joint are the rates of its coordinates."""
+    """True when the speeds of a joint are the rates of its coordinates."""
     if isinstance(element, Reversed):
         return adds_up(element.element)
-    own = (type(element).rates, type(element).integrate)
-    return own == (JointElement.rates, JointElement.integrate)
+    methods = (type(element).rates, type(element).integrate)
+    return methods == (JointElement.rates, JointElement.integrate)

@@ -10,7 +10,7 @@ from ...errors import counted
 if TYPE_CHECKING:
     from .record import FiniteElementRecord
 
-SHOWN = 10
+MAX_PRINTED = 10
 
 
 def overview(scene: FiniteElementRecord) -> str:
@@ -37,5 +37,5 @@ def overview(scene: FiniteElementRecord) -> str:
 
 
 def _row(names: Sequence[str]) -> str:
-    shown = ", ".join(names[:SHOWN])
-    return shown + (f", ... ({len(names)})" if len(names) > SHOWN else "")
+    listing = ", ".join(names[:MAX_PRINTED])
+    return listing + (f", ... ({len(names)})" if len(names) > MAX_PRINTED else "")

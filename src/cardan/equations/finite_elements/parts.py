@@ -1,4 +1,4 @@
-"""What a system falls into: bodies, joints, force elements, relations and outputs, one by one."""
+"""Parts of a system: bodies, joints, force elements, relations and outputs, one by one."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ from ...elements.joints.joint import Joint as JointElement
 from ...ir.graph import ZERO
 from ...topology.loops.circuits import circuit
 from ...topology.system import Cut, Force, Named, System
-from .element_systems import CARRIED, Cutting, Mass
+from .element_systems import MOVING_JOINT, Cutting, Mass
 from .nodal_scene import Scene
 
 BODY = "Géradin and Cardona, Flexible Multibody Dynamics, 2001, chapter 7 (rigid body)"
 
 
 @dataclass(frozen=True)
-class Piece:
+class Part:
     """One member of a kind, as a small system.
 
     Attributes:
@@ -40,20 +40,20 @@ class Piece:
     system: System
     source: str = ""
     joint: bool = False
-    turned: int = -1
+    reversed_joint: int = -1
     driven: tuple[int, ...] = ()
     results: tuple[str, ...] = ()
     powers: tuple[str, ...] = ()
 
 
-def pieces(scene: Scene) -> Iterator[Piece]:
-    """The pieces of a system: bodies, joints of the tree, those that close circuits, the rest."""
+def parts(scene: Scene) -> Iterator[Part]:
+    """The pieces of a system: bodies, joints of the tree, those that close loops, the rest."""
     system = scene.system
     for i in range(len(system.bodies)):
-        if i not in scene.carried and _has_mass(system, i):
+        if i not in scene.joints_of_cuts and _has_mass(system, i):
             yield _body(scene, i)
     for i in range(len(system.joints)):
-        if i not in scene.nodal and i not in scene.carried:
+        if i not in scene.nodal and i not in scene.joints_of_cuts:
             yield _joint(scene, i)
     for cut in system.cuts:
         yield _closing(scene, cut) if cut.carrier is None else _joint(scene, cut.carrier)
@@ -70,47 +70,47 @@ def _has_mass(system: System, i: int) -> bool:
     return any(node != ZERO for node in (body.mass, *body.first_moment, *body.inertia))
 
 
-def _body(scene: Scene, i: int) -> Piece:
+def _body(scene: Scene, i: int) -> Part:
     cutting, body = Cutting(scene), scene.system.bodies[i]
     (mass,) = cutting.expressions((body.mass,), "mass")
     moment = cutting.expressions(body.first_moment, "first_moment")
     inertia = cutting.expressions(body.inertia, "inertia")
     cutting.node(i, Mass(mass, moment, inertia))
     gravity = cutting.expressions(scene.system.gravity, "gravity")
-    return Piece(body.name, "body", cutting, cutting.made(gravity=gravity), BODY)
+    return Part(body.name, "body", cutting, cutting.system_of(gravity=gravity), BODY)
 
 
-def _joint(scene: Scene, i: int) -> Piece:
+def _joint(scene: Scene, i: int) -> Part:
     """A joint that moves a body without mass, which is held on the child by its reaction."""
     cutting, joint = Cutting(scene), scene.system.joints[i]
     parent = cutting.node(scene.system.bodies[i].parent)
-    cut = scene.carried.get(i)
-    end = cutting.own_frame(cutting.node(i)) if cut is None else cutting.frame(cut.child_frame)
-    carried = cutting.carried(i, parent)
-    held = _cut(cutting, Fixed(), (cutting.own_frame(carried), end), carried)
+    cut = scene.joints_of_cuts.get(i)
+    end = cutting.body_frame(cutting.node(i)) if cut is None else cutting.frame(cut.child_frame)
+    body = cutting.moving_body(i, parent)
+    weld = _cut(cutting, Fixed(), (cutting.body_frame(body), end), body)
     moved = joint.motion is not None
-    return Piece(
+    return Part(
         joint.name,
         joint.element.kind,
         cutting,
-        cutting.made(cuts=(held,)),
+        cutting.system_of(cuts=(weld,)),
         joint.element.source,
         joint=True,
-        turned=carried if joint.reversed else -1,
-        driven=(carried,) if moved else (),
+        reversed_joint=body if joint.reversed else -1,
+        driven=(body,) if moved else (),
         results=(f"{joint.name}.force",) if moved else (),
         powers=(f"{joint.name}.motion",) if moved else (),
     )
 
 
-def _closing(scene: Scene, cut: Cut) -> Piece:
+def _closing(scene: Scene, cut: Cut) -> Part:
     """A joint without coordinates of its own: what it holds."""
     cutting = Cutting(scene)
     frames = (cutting.frame(cut.parent_frame), cutting.frame(cut.child_frame))
-    held = _cut(cutting, cut.element, frames, None, cutting.quantities(cut.data))
-    system = cutting.made(cuts=(held,))
+    local_cut = _cut(cutting, cut.element, frames, None, cutting.quantities(cut.data))
+    system = cutting.system_of(cuts=(local_cut,))
     kind = f"{cut.element.kind}_held"
-    return Piece(cut.name, kind, cutting, system, cut.element.source, joint=True)
+    return Part(cut.name, kind, cutting, system, cut.element.source, joint=True)
 
 
 def _cut(
@@ -120,22 +120,22 @@ def _cut(
     carrier: int | None,
     data: dict[str, tuple[int, int, tuple[int, ...]]] | None = None,
 ) -> Cut:
-    """What holds two frames of a small system, all of it."""
+    """A constraint between two frames of a small system, with all its components."""
     ends = (cutting.frames[frame].body for frame in frames)
     base, path = circuit([body.parent for body in cutting.bodies], *ends)
     return Cut(
-        CARRIED,
+        MOVING_JOINT,
         element,
         data or {},
         *frames,
         base,
         path,
-        rows=tuple(range(len(element.held))),
+        rows=tuple(range(len(element.locked))),
         carrier=carrier,
     )
 
 
-def _force(scene: Scene, force: Force) -> Piece:
+def _force(scene: Scene, force: Force) -> Part:
     cutting, element = Cutting(scene), force.element
     frames = {role: cutting.frame(frame) for role, frame in force.frames.items()}
     joints = {role: cutting.joint(joint) for role, joint in force.joints.items()}
@@ -146,18 +146,18 @@ def _force(scene: Scene, force: Force) -> Piece:
         for entry in range(count):
             cutting.state(block, first + entry)
     data = cutting.quantities(force.data)
-    own = Force(element.kind, element, data, frames, joints)
+    local_force = Force(element.kind, element, data, frames, joints)
     names = [scene.system.joints[joint].name for joint in force.joints.values()]
     driven = {
         number: name
         for number, name in zip(joints.values(), names, strict=True)
         if cutting.joints[number].motion is not None
     }
-    return Piece(
+    return Part(
         force.name,
         element.kind,
         cutting,
-        cutting.made(forces=(own,)),
+        cutting.system_of(forces=(local_force,)),
         element.source,
         driven=tuple(driven),
         results=tuple(f"{name}.force" for name in driven.values()),
@@ -165,15 +165,15 @@ def _force(scene: Scene, force: Force) -> Piece:
     )
 
 
-def _relation(scene: Scene, entry: Named) -> Piece:
+def _relation(scene: Scene, entry: Named) -> Part:
     cutting = Cutting(scene)
     (node,) = cutting.expressions((entry.node,), "value")
-    system = cutting.made(constraints=(Named("relation", node, entry.unit),))
-    return Piece(entry.name, "relation", cutting, system, powers=(f"{entry.name}.motion",))
+    system = cutting.system_of(constraints=(Named("relation", node, entry.unit),))
+    return Part(entry.name, "relation", cutting, system, powers=(f"{entry.name}.motion",))
 
 
-def _output(scene: Scene, entry: Named) -> Piece:
+def _output(scene: Scene, entry: Named) -> Part:
     cutting = Cutting(scene)
     (node,) = cutting.expressions((entry.node,), "value")
-    system = cutting.made(outputs=(Named("output", node, entry.unit),))
-    return Piece(entry.name, "output", cutting, system, results=(entry.name,))
+    system = cutting.system_of(outputs=(Named("output", node, entry.unit),))
+    return Part(entry.name, "output", cutting, system, results=(entry.name,))

@@ -34,7 +34,7 @@ MATRICES, ROWS = ("K", "C", "M", "R", "G"), ("g", "rates", "gamma")
 
 
 def plane_node(plane: Plane, number: int) -> BlockKind:
-    """What a node of a plane holds."""
+    """Block kind of a planar node."""
     return BlockKind(
         name=FLAT if not number else f"{FLAT}_{number + 1}",
         coordinates=NAMES,
@@ -85,8 +85,8 @@ class Flat:
 
     def _moved(self, tangent: Function) -> tuple[int, ...]:
         """Rows of G that are not zero."""
-        told = self.function("G", tangent, always=True)
-        nodes = next(o.nodes for o in told.outputs if o.name == "G")
+        jacobian = self.function("G", tangent, always=True)
+        nodes = next(o.nodes for o in jacobian.outputs if o.name == "G")
         nu = sum(block.nu for block in self.blocks)
         count = range(self.kind.m)
         return tuple(i for i in count if any(nodes[i * nu : (i + 1) * nu]))
@@ -95,39 +95,47 @@ class Flat:
         """One of them; ``always`` with matrices that are zero."""
         target = Graph()
         target.tables = f.graph.tables.copy()
-        roots = rebuild(f.graph, f.roots, self._told(f.graph, target), into=target)[1]
+        roots = rebuild(f.graph, f.roots, self._replacements(f.graph, target), into=target)[1]
         outputs, at = list[Output](), 0
         for output in f.outputs:
-            own = self._output(target, output, roots[at : at + len(output.nodes)])
+            planar_output = self._output(target, output, roots[at : at + len(output.nodes)])
             at += len(output.nodes)
-            if always or output.name not in MATRICES or any(node != ZERO for node in own.nodes):
-                outputs.append(own)
+            if (
+                always
+                or output.name not in MATRICES
+                or any(node != ZERO for node in planar_output.nodes)
+            ):
+                outputs.append(planar_output)
         inputs = tuple(self._block(block) for block in f.inputs)
         return Function(name, target, inputs, tuple(outputs), f.owners, f.about)
 
-    def _told(self, graph: Graph, target: Graph) -> dict[int, int]:
+    def _replacements(self, graph: Graph, target: Graph) -> dict[int, int]:
         """Coordinates, speeds and multipliers in space, and rotations, as they are here."""
-        told = dict[int, int]()
-        q = u = first = own_u = 0
-        for space, own in zip(self.kind.blocks, self.blocks, strict=True):
-            if own.plane is None:
+        replacements = dict[int, int]()
+        q = u = first = planar_u = 0
+        for space, planar in zip(self.kind.blocks, self.blocks, strict=True):
+            if planar.plane is None:
                 for k in range(space.nq):
-                    told[graph.var("q", q + k)] = target.var("q", first + k)
+                    replacements[graph.var("q", q + k)] = target.var("q", first + k)
                 for letter, k in ((x, k) for x in RATES for k in range(space.nu)):
-                    told[graph.var(letter, u + k)] = target.var(letter, own_u + k)
+                    replacements[graph.var(letter, u + k)] = target.var(letter, planar_u + k)
             else:
-                told |= _pose(own.plane, graph, q, target, first)
-                E = Matrix.of(target, own.plane.spread.tolist())
+                replacements |= _pose(planar.plane, graph, q, target, first)
+                E = Matrix.of(target, planar.plane.to_space.tolist())
                 for letter in RATES:
-                    rates = Matrix(target, 3, 1, [target.var(letter, own_u + k) for k in range(3)])
+                    rates = Matrix(
+                        target, 3, 1, [target.var(letter, planar_u + k) for k in range(3)]
+                    )
                     moved = zip(range(6), (E @ rates).nodes, strict=True)
-                    told |= {graph.var(letter, u + k): node for k, node in moved}
+                    replacements |= {graph.var(letter, u + k): node for k, node in moved}
             q, u = q + space.nq, u + space.nu
-            first, own_u = first + own.nq, own_u + own.nu
+            first, planar_u = first + planar.nq, planar_u + planar.nu
         rows = {row: k for k, row in enumerate(self.rows)}
         for row in range(self.kind.m):
-            told[graph.var("lam", row)] = target.var("lam", rows[row]) if row in rows else ZERO
-        return told
+            replacements[graph.var("lam", row)] = (
+                target.var("lam", rows[row]) if row in rows else ZERO
+            )
+        return replacements
 
     def _block(self, block: Block) -> Block:
         """An input block with what is left."""
@@ -137,10 +145,10 @@ class Flat:
         if block.name not in ("q", *RATES) or not block.entries:
             return block
         entries_of, units_of, at = list[str](), list[str](), 0
-        for space, own in zip(self.kind.blocks, self.blocks, strict=True):
+        for space, planar in zip(self.kind.blocks, self.blocks, strict=True):
             count = space.nq if block.name == "q" else space.nu
             entries, units = block.entries[at : at + count], block.units[at : at + count]
-            if own.plane is not None:
+            if planar.plane is not None:
                 owner = entries[0].rpartition(".")[0]
                 entries = tuple(f"{owner}.{entry}" for entry in NAMES)
                 units = (units[-1], units[-1], units[-1].replace("m", "rad", 1))
@@ -152,33 +160,36 @@ class Flat:
     def _output(self, graph: Graph, output: Output, nodes: Sequence[int]) -> Output:
         """A result along what is left."""
         if output.name == "balance":
-            column = self._spread(graph).T @ Matrix(graph, len(nodes), 1, nodes)
+            column = self._to_space(graph).T @ Matrix(graph, len(nodes), 1, nodes)
             return Output("balance", (column.rows,), column.nodes)
         if output.name in ROWS:
             picked = tuple(nodes[row] for row in self.rows if row < len(nodes))
             return Output(output.name, (len(picked),), picked)
         if output.name in MATRICES:
             rows, columns = output.shape
-            found = Matrix(graph, rows, columns, nodes) @ self._spread(graph)
+            reduced = Matrix(graph, rows, columns, nodes) @ self._to_space(graph)
             if output.name in "KCM":
-                found = self._spread(graph).T @ found
+                reduced = self._to_space(graph).T @ reduced
             else:
-                at = [row * found.columns for row in self.rows]
-                left = [node for i in at for node in found.nodes[i : i + found.columns]]
-                found = Matrix(graph, len(self.rows), found.columns, left)
-            return Output(output.name, (found.rows, found.columns), found.nodes)
+                at = [row * reduced.columns for row in self.rows]
+                left = [node for i in at for node in reduced.nodes[i : i + reduced.columns]]
+                reduced = Matrix(graph, len(self.rows), reduced.columns, left)
+            return Output(output.name, (reduced.rows, reduced.columns), reduced.nodes)
         return Output(output.name, output.shape, tuple(nodes), output.entries, output.units)
 
-    def _spread(self, graph: Graph) -> Matrix:
+    def _to_space(self, graph: Graph) -> Matrix:
         """Speeds in space from those that are left, (nu, nu here)."""
-        return Matrix.of(graph, self.spread.tolist())
+        return Matrix.of(graph, self.to_space.tolist())
 
     @cached_property
-    def spread(self) -> Any:
+    def to_space(self) -> Any:
         """The same as numbers."""
         parts = zip(self.kind.blocks, self.blocks, strict=True)
         return block_diag(
-            *(np.eye(space.nu) if own.plane is None else own.plane.spread for space, own in parts)
+            *(
+                np.eye(space.nu) if planar.plane is None else planar.plane.to_space
+                for space, planar in parts
+            )
         )
 
 
@@ -186,21 +197,23 @@ def _pose(plane: Plane, graph: Graph, q: int, target: Graph, first: int) -> dict
     """Pose of a node in space, with its rotation as it stands, by x, y and angle."""
     x, y, angle = (Scalar(target, target.var("q", first + k)) for k in range(3))
     position = Matrix.zeros(target, 3) + Matrix.of(
-        target, plane.spread[3:, :2].tolist()
+        target, plane.to_space[3:, :2].tolist()
     ) @ Matrix.vector(target, [x, y])
     s, c = sin(angle), cos(angle)
     a, b = plane.along
     turn = [[ONE if i == j else ZERO for j in range(3)] for i in range(3)]
     turn[a][a] = turn[b][b] = c.node
     turn[a][b], turn[b][a] = (-s).node, s.node
-    turned = Matrix(target, 3, 3, [node for row in turn for node in row])
-    rotation = turned @ Matrix.of(target, plane.rotation.tolist())
+    rotated = Matrix(target, 3, 3, [node for row in turn for node in row])
+    rotation = rotated @ Matrix.of(target, plane.rotation.tolist())
     # the quaternion at angle 0, turned
     home = Matrix.vector(target, plane.home.tolist())
     axis = [sin(angle * 0.5) if k == plane.normal else 0.0 for k in range(3)]
     quaternion = multiply(Matrix.vector(target, [cos(angle * 0.5), *axis]), home)
-    own = Matrix(graph, 4, 1, [graph.var("q", q + k) for k in range(4)])
-    told = dict(zip(Quaternion().matrix(own).nodes, rotation.nodes, strict=True))
-    told |= dict(zip(own.nodes, quaternion.nodes, strict=True))
+    quaternion_nodes = Matrix(graph, 4, 1, [graph.var("q", q + k) for k in range(4)])
+    replacements = dict(
+        zip(Quaternion().matrix(quaternion_nodes).nodes, rotation.nodes, strict=True)
+    )
+    replacements |= dict(zip(quaternion_nodes.nodes, quaternion.nodes, strict=True))
     places = [graph.var("q", q + 4 + k) for k in range(3)]
-    return told | dict(zip(places, position.nodes, strict=True))
+    return replacements | dict(zip(places, position.nodes, strict=True))

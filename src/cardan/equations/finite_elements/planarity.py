@@ -1,4 +1,4 @@
-"""Whether a scene stays in a plane, found from its elements as they are in space.
+"""Check that a scene stays in a plane, from its elements in space.
 
 Everything starts in the plane, and nothing pushes out of it whatever the motion in it is: the
 balance of every element is asked at random motions in the plane, and at other parameters too, so
@@ -31,21 +31,21 @@ CHANGE = 0.05
 
 
 def planes(scene: Scene, normal: int) -> tuple[dict[int, Plane], tuple[Plane, ...]]:
-    """How the nodes stand: those of bodies, and those inside of every segment.
+    """Planes of the nodes: those of bodies, and those inside every segment.
 
     Raises:
         DerivationError: one is not in the plane.
     """
-    found = _reference(scene)
+    coordinates = _reference(scene)
     bodies, at = dict[int, Plane](), 0
     for kind, i in scene.places:
         if kind == JOINT:
             at += len(scene.system.joints[i].element.coordinates)
             continue
-        pose, at = np.asarray(found[at : at + 7], dtype=np.float64), at + 7
-        bodies[i] = _standing(scene.system.bodies[i].name, normal, pose[None])
+        pose, at = np.asarray(coordinates[at : at + 7], dtype=np.float64), at + 7
+        bodies[i] = _plane_of(scene.system.bodies[i].name, normal, pose[None])
     segments = scene.system.segments
-    return bodies, tuple(_standing(s.name, normal, poses_of(s)) for s in segments)
+    return bodies, tuple(_plane_of(s.name, normal, poses_of(s)) for s in segments)
 
 
 def _reference(scene: Scene) -> Sequence[float]:
@@ -56,20 +56,22 @@ def _reference(scene: Scene) -> Sequence[float]:
     values["q"] = np.array([x for start in starts for x in start])
     values["u"] = np.zeros(scene.system.nu)
     values["r"] = values["r"][: len(scene.system.inputs)]
-    found: Sequence[float] = evaluate(states(scene), {name: values[name] for name in READ})["q"]
-    return found
+    coordinates: Sequence[float] = evaluate(states(scene), {name: values[name] for name in READ})[
+        "q"
+    ]
+    return coordinates
 
 
-def _standing(name: str, normal: int, poses: Numbers) -> Plane:
+def _plane_of(name: str, normal: int, poses: Numbers) -> Plane:
     """The plane of nodes at such poses (n, 7)."""
-    turned = Rotation.from_quat(poses[:, [1, 2, 3, 0]]).as_matrix()
-    plane = upright(normal, turned[0], ROUNDING)
+    rotations = Rotation.from_quat(poses[:, [1, 2, 3, 0]]).as_matrix()
+    plane = upright(normal, rotations[0], ROUNDING)
     size = 1 + np.abs(poses[:, 4:]).max()
     if plane is None:
         raise _leaves(name, normal, "none of its axes is along the normal")
     if np.abs(poses[:, 4 + normal]).max() > ROUNDING * size:
         raise _leaves(name, normal, "it is beside the plane through the origin of the ground")
-    if np.abs(turned[:, normal] - plane.rotation[normal]).max() > ROUNDING:
+    if np.abs(rotations[:, normal] - plane.rotation[normal]).max() > ROUNDING:
         raise _leaves(name, normal, "its line turns out of the plane")
     return plane
 
@@ -109,27 +111,27 @@ def _leaving(
 ) -> Iterator[str]:
     """Members that push out of the plane at a random motion in it."""
     n, blocks, function = len(group), group.kind.blocks, kind.functions["balance"]
-    given = _motion(kind, blocks, n, random)
+    inputs = _motion(kind, blocks, n, random)
     rows = list(Flat(kind, blocks).rows)
-    given["lam"] = np.zeros((n, kind.m))
-    given["lam"][:, rows] = random.standard_normal((n, len(rows)))
-    given["p"], given["t"] = _data(group, p), random.uniform(0, 1, 1)
+    inputs["lam"] = np.zeros((n, kind.m))
+    inputs["lam"][:, rows] = random.standard_normal((n, len(rows)))
+    inputs["p"], inputs["t"] = _data(group, p), random.uniform(0, 1, 1)
     for block in function.inputs:
-        if block.name not in given:
+        if block.name not in inputs:
             shape = (len(block),) if block.name == "r" else (n, len(block))
-            given[block.name] = random.uniform(0, 1, shape)
+            inputs[block.name] = random.uniform(0, 1, shape)
     with np.errstate(all="ignore"):
-        values = evaluate(function, given, "numpy")
-    found = {o.name: np.broadcast_to(values[o.name], (n, o.size)) for o in function.outputs}
+        values = evaluate(function, inputs, "numpy")
+    results = {o.name: np.broadcast_to(values[o.name], (n, o.size)) for o in function.outputs}
     across = block_diag(
         *(np.zeros((b.nu, 0)) if b.plane is None else b.plane.across for b in blocks)
     )
-    pushed = [found["balance"] @ across] if across.size else []
-    rest = [row for row in range(kind.m) if row not in rows]
+    pushed = [results["balance"] @ across] if across.size else []
+    out_of_plane = [row for row in range(kind.m) if row not in rows]
     for name, count in (("g", kind.mp), ("rates", kind.m)):
-        held = [row for row in rest if row < count]
-        pushed += [found[name][:, held]] if held and name in found else []
-    size = 1 + np.abs(found["balance"]).max(axis=1, initial=0)
+        position_rows = [row for row in out_of_plane if row < count]
+        pushed += [results[name][:, position_rows]] if position_rows and name in results else []
+    size = 1 + np.abs(results["balance"]).max(axis=1, initial=0)
     for part in pushed:
         for e in np.flatnonzero(~(np.abs(part).max(axis=1, initial=0) <= ROUNDING * size)):
             yield group.members[int(e)]
@@ -140,15 +142,15 @@ def _motion(
 ) -> dict[str, Numbers]:
     """A random motion in the plane of the places of every member."""
     parts: dict[str, list[Numbers]] = {name: [] for name in ("q", "u", "udot")}
-    for space, own in zip(kind.blocks, blocks, strict=True):
-        for name, found in parts.items():
-            x = random.standard_normal((n, own.nq if name == "q" else own.nu))
-            if own.plane is not None:
-                x = own.plane.pose(x) if name == "q" else x @ own.plane.spread.T
+    for space, planar in zip(kind.blocks, blocks, strict=True):
+        for name, columns in parts.items():
+            x = random.standard_normal((n, planar.nq if name == "q" else planar.nu))
+            if planar.plane is not None:
+                x = planar.plane.pose(x) if name == "q" else x @ planar.plane.to_space.T
             elif name == "q" and space.quaternion is not None:
                 at = slice(space.quaternion, space.quaternion + 4)
                 x[:, at] /= np.linalg.norm(x[:, at], axis=1, keepdims=True)
-            found.append(x)
+            columns.append(x)
     return {name: np.hstack(found) for name, found in parts.items()}
 
 
@@ -160,6 +162,6 @@ def _data(group: Group, p: Numbers) -> Numbers:
         k = group.common.outputs[0].shape[-1]
         data = np.asarray(evaluate(group.common, {"p": p})["data"], dtype=np.float64)
         parts.append(np.broadcast_to(data.reshape(-1, k), (n, k)))
-    if group.own is not None:
-        parts.append(group.own)
+    if group.attributes is not None:
+        parts.append(group.attributes)
     return np.hstack(parts) if parts else np.zeros((n, 0))

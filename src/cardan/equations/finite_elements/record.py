@@ -1,4 +1,4 @@
-"""What the absolute formulation hands over: places, kinds of elements, and tables of their members.
+"""Record of the finite-element formulation: places, kinds of elements, and tables of their members.
 
 Unknowns sit in places: a node has position and unit quaternion, a joint the coordinates of its own.
 Elements couple a few places and may own constraint rows. Elements of one kind share their
@@ -35,7 +35,7 @@ POSE = 7  # entries of the q of a node in space
 
 @dataclass(frozen=True)
 class BlockKind:
-    """What a place holds.
+    """Kind of the block of a place.
 
     Attributes:
         name: "node"; "plane_node" or "line<k>", where q just adds up; or one made of the kind of a
@@ -163,13 +163,13 @@ class Kind:
 
 def unique(name: str, taken: set[str]) -> str:
     """A C identifier that no kind has yet, which is entered."""
-    base = found = re.sub(r"\W", "_", name)
+    base = candidate = re.sub(r"\W", "_", name)
     number = 1
-    while found in taken:
+    while candidate in taken:
         number += 1
-        found = f"{base}_{number}"
-    taken.add(found)
-    return found
+        candidate = f"{base}_{number}"
+    taken.add(candidate)
+    return candidate
 
 
 @dataclass(frozen=True)
@@ -199,7 +199,7 @@ class Group:
     places: Integers = field(repr=False, compare=False)
     rows: Integers = field(repr=False, compare=False)
     common: Function | None = field(default=None, repr=False, compare=False)
-    own: Numbers | None = field(default=None, repr=False, compare=False)
+    attributes: Numbers | None = field(default=None, repr=False, compare=False)
     z: Integers | None = field(default=None, repr=False, compare=False)
     s: Integers | None = field(default=None, repr=False, compare=False)
     outputs: Integers | None = field(default=None, repr=False, compare=False)
@@ -211,7 +211,7 @@ class Group:
 
 @dataclass(frozen=True)
 class Frames:
-    """Where the frames of a scene are fixed, in the order of ``System.frames``.
+    """Poses of the frames of a scene, in the order of ``System.frames``.
 
     Attributes:
         place: Index of the node, GROUND for the ground (n,).
@@ -237,7 +237,7 @@ class FiniteElementRecord:
         frames: Where the frames of the scene are fixed.
         joints: Joints that transmit a reaction -> (group, member) whose ``reaction`` it is.
         states: [t, q, u, r, p] of the relative formulation -> [q, u] of this one; a scene whose
-            circuits are closed there has its constraints kept here.
+            loops are closed there has its constraints kept here.
         results: (name, unit) of the outputs of the scene.
         powers: Names of the sources of power: elements, ``<joint>.motion``, ``<relation>.motion``.
         reference: Coordinates in the reference configuration of the nodes inside beams, which are
@@ -321,11 +321,11 @@ class FiniteElementRecord:
         Raises:
             DerivationError: there is no such kind, or it has no such function.
         """
-        known = {own.name: own for own in self.kinds}
-        if kind not in known:
-            listed = near(kind, known).replace(" Known:", " Kinds:")
+        kinds_by_name = {kind_record.name: kind_record for kind_record in self.kinds}
+        if kind not in kinds_by_name:
+            listed = near(kind, kinds_by_name).replace(" Known:", " Kinds:")
             raise DerivationError(f"kind of element '{kind}' does not exist.{listed}")
-        functions = known[kind].functions
+        functions = kinds_by_name[kind].functions
         if name not in functions:
             raise DerivationError(
                 f"elements of kind '{kind}' have no function '{name}'.{near(name, functions)}"
@@ -353,8 +353,8 @@ class FiniteElementRecord:
     def sources(self) -> tuple[str, ...]:
         """Literature behind the formulation and the elements."""
         source = " ".join((__doc__ or "").split("Source:")[-1].split())
-        found = (kind.source for kind in self.kinds)
-        return tuple(dict.fromkeys(text for text in (source, *found) if text))
+        texts = (kind.source for kind in self.kinds)
+        return tuple(dict.fromkeys(text for text in (source, *texts) if text))
 
     def _entries(self, letter: str, mark: str) -> tuple[str, ...]:
         """Names of the entries of all places, in order."""

@@ -39,7 +39,7 @@ ASIDE = {
 
 @dataclass(frozen=True)
 class Beamed:
-    """What the segments of a scene add.
+    """Places and groups that the segments of a scene add.
 
     Attributes:
         names: Of the nodes between named ones.
@@ -60,7 +60,7 @@ class Beamed:
 
 @dataclass(frozen=True)
 class _End:
-    """Where a segment ends: its place, how it sits there, and the numbers that say so."""
+    """End of a segment: its place, its attachment there, and the numbers of it."""
 
     place: int
     kind: str
@@ -84,7 +84,7 @@ class _Part:
     names: Sequence[str]
     places: Integers
     common: tuple[int, ...]
-    own: Numbers
+    attributes: Numbers
     power: int
 
 
@@ -103,25 +103,25 @@ def beamed(
     builder = _Builder(scene, at, holds, powers, taken)
     names, poses, lines, parts = list[str](), list[Numbers](), list[Integers](), list[_Part]()
     kinds = list[BlockKind]()
-    place, known = len(at), dict[str, tuple[int, int]]()
+    place, counts = len(at), dict[str, tuple[int, int]]()
     for number, segment in enumerate(scene.system.segments):
         count = segment.line.elements
         # nodes and elements are numbered along the whole beam
-        nodes, elements = known.get(segment.name, (0, 0))
-        known[segment.name] = nodes + count - 1, elements + count
+        nodes, elements = counts.get(segment.name, (0, 0))
+        counts[segment.name] = nodes + count - 1, elements + count
         ends = [builder.end(frame) for frame in (segment.frame_a, segment.frame_b)]
         inner = range(place, place + count - 1)
         line = np.array([ends[0].place, *inner, ends[1].place], dtype=np.intp)
         names += [f"{segment.name}.node{nodes + k + 1}" for k in range(count - 1)]
         place += count - 1
-        own = poses_of(segment)
+        poses_here = poses_of(segment)
         inside = holds.inside(number)
-        poses.append(_coordinates(inside, own[1:-1]).ravel())
+        poses.append(_coordinates(inside, poses_here[1:-1]).ravel())
         kinds += [inside] * (count - 1)
         lines.append(line)
-        told = [f"{segment.name}.{elements + k + 1}" for k in range(count)]
-        pairs = np.hstack([own[:-1], own[1:]])
-        parts += builder.parts(segment, told, line, ends, pairs, inside)
+        labels = [f"{segment.name}.{elements + k + 1}" for k in range(count)]
+        pairs = np.hstack([poses_here[:-1], poses_here[1:]])
+        parts += builder.parts(segment, labels, line, ends, pairs, inside)
     reference = np.concatenate(poses) if poses else np.zeros(0)
     groups = tuple(builder.groups(parts))
     return Beamed(tuple(names), reference, tuple(kinds), builder.space, tuple(lines), groups)
@@ -129,17 +129,17 @@ def beamed(
 
 def _coordinates(kind: BlockKind, poses: Numbers) -> Numbers:
     """Coordinates of nodes at poses (n, 7)."""
-    return poses if kind.plane is None else kind.plane.told(poses)
+    return poses if kind.plane is None else kind.plane.coordinates_of(poses)
 
 
 def poses_of(segment: Segment) -> Numbers:
     """Unit quaternions and positions of the nodes (n + 1, 7)."""
     line = segment.line
-    found = evaluate(_quaternions(), {"q": line.rotations.reshape(-1, 9)}, "numpy")["q"]
+    quaternions = evaluate(_quaternions(), {"q": line.rotations.reshape(-1, 9)}, "numpy")["q"]
     # of q and -q that beside the one before
-    turned = np.sum(found[1:] * found[:-1], axis=1) < 0
-    found[1:] *= np.cumprod(np.where(turned, -1.0, 1.0))[:, None]
-    return np.hstack([found, line.positions])
+    flipped = np.sum(quaternions[1:] * quaternions[:-1], axis=1) < 0
+    quaternions[1:] *= np.cumprod(np.where(flipped, -1.0, 1.0))[:, None]
+    return np.hstack([quaternions, line.positions])
 
 
 @cache
@@ -170,7 +170,7 @@ class _Builder:
         self._kinds: dict[tuple[str, ...], Kind] = {}
 
     def end(self, number: int) -> _End:
-        """Where a frame at the end of a segment is."""
+        """Attachment of a frame at the end of a segment."""
         frame = self.system.frames[self.scene.frame(number)]
         if frame.body < 0:
             return _End(GROUND, AT_GROUND, self._numbers(frame.rotation + frame.position))
@@ -181,9 +181,9 @@ class _Builder:
 
     def _numbers(self, nodes: tuple[int, ...]) -> tuple[float, ...]:
         """Expressions at the values of the parameters: geometry of beams is fixed."""
-        made = self._function("place", nodes)
+        function = self._function("place", nodes)
         p = [parameter.value for parameter in self.system.parameters]
-        return tuple(float(x) for x in evaluate(made, {"p": p})["data"])
+        return tuple(float(x) for x in evaluate(function, {"p": p})["data"])
 
     def _function(self, name: str, nodes: tuple[int, ...], *shape: int) -> Function:
         output = Output("data", shape or (len(nodes),), nodes)
@@ -194,8 +194,8 @@ class _Builder:
         """One table for each kind; long parts have one of their own, with data told once."""
         sorted_by: dict[tuple[object, ...], list[_Part]] = {}
         for part in parts:
-            apart = part.common if len(part.names) > FEW else ()
-            sorted_by.setdefault((part.kind.name, apart), []).append(part)
+            shared_data = part.common if len(part.names) > FEW else ()
+            sorted_by.setdefault((part.kind.name, shared_data), []).append(part)
         for number, some in enumerate(sorted_by.values()):
             kind, counts = some[0].kind, [len(part.names) for part in some]
             power = np.repeat([part.power for part in some], counts)[:, None]
@@ -205,7 +205,7 @@ class _Builder:
                 places=np.concatenate([part.places for part in some]),
                 rows=np.zeros((sum(counts), 2), dtype=np.intp),
                 common=self._common(f"{kind.name}__data_{number}", some),
-                own=np.concatenate([part.own for part in some]),
+                attributes=np.concatenate([part.attributes for part in some]),
                 powers=power.astype(np.intp) if "power" in kind.functions else None,
             )
 
@@ -226,7 +226,7 @@ class _Builder:
         poses: Numbers,
         inside: BlockKind,
     ) -> Iterator[_Part]:
-        """The elements of a segment: those at its ends apart where they are no nodes.
+        """The elements of a segment: those at its ends apart where they are not nodes.
 
         Args:
             segment: The segment.
@@ -237,42 +237,44 @@ class _Builder:
             inside: What its nodes inside hold.
         """
         for element, values in self._elements(segment):
-            own = element.rows(segment.line.stations, poses)
-            apart = [end.place >= 0 and self._held(end.place, inside) != inside for end in ends]
-            for part, kinds, data in _parts(segment.line.elements, ends, apart):
+            rows_of_elements = element.rows(segment.line.stations, poses)
+            separate = [
+                end.place >= 0 and self._block_at(end.place, inside) != inside for end in ends
+            ]
+            for part, kinds, data in _parts(segment.line.elements, ends, separate):
                 places = np.stack([line[:-1][part], line[1:][part]], axis=1)
                 places = places[:, [kind != AT_GROUND for kind in kinds]]
                 first = places[0] if len(places) else ()
-                held = tuple(self._held(int(place), inside) for place in first)
-                rows, kind = own[part], self._kind(element, kinds, held)
-                own_data = np.hstack([rows, np.tile(data, (len(rows), 1))])
+                end_blocks = tuple(self._block_at(int(place), inside) for place in first)
+                rows, kind = rows_of_elements[part], self._kind(element, kinds, end_blocks)
+                attributes = np.hstack([rows, np.tile(data, (len(rows), 1))])
                 common = tuple(values[name] for name in element.common)
                 power = self._power(segment) if "power" in kind.functions else -1
-                yield _Part(kind, names[part], places, common, own_data, power)
+                yield _Part(kind, names[part], places, common, attributes, power)
 
     def _power(self, segment: Segment) -> int:
-        """Where the power of elements goes: one sum for the whole beam."""
+        """Entry for the power of elements: one sum for the whole beam."""
         return self.powers.setdefault(segment.name, len(self.powers))
 
-    def _held(self, place: int, inside: BlockKind) -> BlockKind:
-        """What a node of a segment holds."""
+    def _block_at(self, place: int, inside: BlockKind) -> BlockKind:
+        """Block kind of a node of a segment."""
         return self.holds.here[self.keys[place]] if place < len(self.keys) else inside
 
     def _kind(
-        self, element: FlexibleElement, kinds: tuple[str, str], held: tuple[BlockKind, ...]
+        self, element: FlexibleElement, kinds: tuple[str, str], end_blocks: tuple[BlockKind, ...]
     ) -> Kind:
         """The kind of an element between such ends, whose nodes hold this."""
         name = element.name(kinds)
-        key = (name, *(block.name for block in held))
+        key = (name, *(block.name for block in end_blocks))
         if key not in self._kinds:
-            places = (self.holds.node,) * len(held)
+            places = (self.holds.node,) * len(end_blocks)
             functions, source = element.derived(kinds), element.source
-            found = Kind(name, places, (), 0, element.data(kinds), functions, source)
-            if held != places:
-                space, own = found, unique(name, self.taken)
-                found = flattened(own, space, held)
-                self.space[own] = space
-            self._kinds[key] = found
+            kind = Kind(name, places, (), 0, element.data(kinds), functions, source)
+            if end_blocks != places:
+                space, planar_name = kind, unique(name, self.taken)
+                kind = flattened(planar_name, space, end_blocks)
+                self.space[planar_name] = space
+            self._kinds[key] = kind
         return self._kinds[key]
 
     def _elements(self, segment: Segment) -> Iterator[tuple[FlexibleElement, dict[str, int]]]:
@@ -299,7 +301,7 @@ class _Builder:
 
 
 def _parts(
-    count: int, ends: Sequence[_End], apart: Sequence[bool]
+    count: int, ends: Sequence[_End], separate: Sequence[bool]
 ) -> Iterator[tuple[slice, tuple[str, str], tuple[float, ...]]]:
     """Runs of elements between ends of the same kinds, with the data of these ends.
 
@@ -312,8 +314,8 @@ def _parts(
             return
         yield slice(0, 1), (first.kind, last.kind), first.data + last.data
         return
-    start = int(first.kind != AT_NODE or apart[0])
-    stop = count - int(last.kind != AT_NODE or apart[1])
+    start = int(first.kind != AT_NODE or separate[0])
+    stop = count - int(last.kind != AT_NODE or separate[1])
     if start:
         yield slice(0, 1), (first.kind, AT_NODE), first.data
     if stop > start:

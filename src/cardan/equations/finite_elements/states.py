@@ -14,7 +14,7 @@ from ..functions.blocks import blocks
 from ..kinematics.kinematics import Kinematics
 from .nodal_scene import JOINT, NODE, Scene
 
-FACING = "facing "  # before the name of the joint
+ASSEMBLY_SIGNS = "assembly_signs "  # before the name of the joint
 READ = ("t", "q", "u", "r", "p")
 
 
@@ -26,8 +26,8 @@ def states(scene: Scene, planes: Mapping[int, Plane] | None = None) -> Function:
         planes: By body those nodes that are told by x, y and angle in a plane.
 
     Nodes stand where the joints of the tree carry them; coordinates of joints stay what they are.
-    Numbers ``facing <joint>`` of a joint that closes a circuit are positive where none of its axes
-    is turned round.
+    ``assembly_signs <joint>`` of a joint that closes a loop are positive where none of its axes is
+    reversed.
     """
     system, k = scene.system, Kinematics(scene.system)
     q, u = list[int](), list[int]()
@@ -35,9 +35,9 @@ def states(scene: Scene, planes: Mapping[int, Plane] | None = None) -> Function:
         plane = (planes or {}).get(i) if kind == NODE else None
         if plane is not None:
             with k.graph.made_by(system.bodies[i].name, "state"):
-                own_q, own_u = _in_plane(plane, k, i)
-            q += own_q
-            u += own_u
+                q_nodes, u_nodes = _in_plane(plane, k, i)
+            q += q_nodes
+            u += u_nodes
             continue
         if kind == JOINT or i in scene.nodal:
             q += k.coordinates[i].nodes
@@ -50,10 +50,12 @@ def states(scene: Scene, planes: Mapping[int, Plane] | None = None) -> Function:
     listed = blocks(system)
     results = [Output("q", (len(q),), tuple(q)), Output("u", (len(u),), tuple(u))]
     if system.cuts:
-        owners, facing = Constraints(k).facing
+        owners, signs = Constraints(k).assembly_signs
         for owner in dict.fromkeys(owners):
-            own = tuple(n for name, n in zip(owners, facing.nodes, strict=True) if name == owner)
-            results.append(Output(f"{FACING}{owner}", (len(own),), own))
+            sign_nodes = tuple(
+                n for name, n in zip(owners, signs.nodes, strict=True) if name == owner
+            )
+            results.append(Output(f"{ASSEMBLY_SIGNS}{owner}", (len(sign_nodes),), sign_nodes))
     return Function(
         "states",
         k.graph,
@@ -67,9 +69,9 @@ def states(scene: Scene, planes: Mapping[int, Plane] | None = None) -> Function:
 def _in_plane(plane: Plane, k: Kinematics, i: int) -> tuple[tuple[int, ...], tuple[int, ...]]:
     """x, y, angle of a body and their rates."""
     R, p = k.ground_rotation[i], k.ground_position[i]
-    spread = Matrix.of(k.graph, plane.spread.tolist())
-    turned = R @ Matrix.of(k.graph, plane.rotation.T.tolist())
+    to_space = Matrix.of(k.graph, plane.to_space.tolist())
+    rotation = R @ Matrix.of(k.graph, plane.rotation.T.tolist())
     a, b = plane.along
-    angle = atan2(turned[b, a], turned[a, a])
-    rates = spread.T @ Matrix.vstack(k.omega[i], R @ k.v[i])
+    angle = atan2(rotation[b, a], rotation[a, a])
+    rates = to_space.T @ Matrix.vstack(k.omega[i], R @ k.v[i])
     return (p[a].node, p[b].node, angle.node), rates.nodes

@@ -19,7 +19,7 @@ from ...ir.matrix import Matrix, inner
 from ...ir.solve import solve
 from ...spatial.moments import turn_general, turn_symmetric
 from ...topology.system import System
-from ..kinematics.accelerations import Accelerations, accelerations, own_force
+from ..kinematics.accelerations import Accelerations, accelerations, inertial_wrench
 from ..kinematics.composite_bodies import composites, projected
 from ..kinematics.inertia import of_body
 from ..kinematics.joint_forces import bias, forces, inverse_dynamics
@@ -81,7 +81,7 @@ def _refuse_coupled(k: Kinematics) -> None:
         )
 
 
-def _inward(k: Kinematics, tau: Matrix, loads: Loads, known: Accelerations) -> list[Elimination]:
+def _inward(k: Kinematics, tau: Matrix, loads: Loads, imposed: Accelerations) -> list[Elimination]:
     """Articulated inertias from the leaves to the ground, eliminating each joint's speeds.
 
     ``articulated = I + sum Xᵀ (I_A - U D⁻¹ Uᵀ)_child X`` of the children, with
@@ -90,7 +90,7 @@ def _inward(k: Kinematics, tau: Matrix, loads: Loads, known: Accelerations) -> l
     """
     k.graph.describe(_inward)
     n = len(k.system.bodies)
-    sums = Sums(k, ("I", "H", "M", "bias"), [_rigid(k, i, loads, known).parts for i in range(n)])
+    sums = Sums(k, ("I", "H", "M", "bias"), [_rigid(k, i, loads, imposed).parts for i in range(n)])
     eliminations: dict[int, Elimination] = {}
     for i in range(n - 1, -1, -1):
         joint, parent, name = k.system.joints[i], k.system.bodies[i].parent, k.owner(i)
@@ -100,20 +100,20 @@ def _inward(k: Kinematics, tau: Matrix, loads: Loads, known: Accelerations) -> l
         with k.graph.made_by(name, "elimination"):
             if joint.motion is not None:
                 eliminations[i] = Elimination(Matrix.zeros(k.graph, 0), Matrix(k.graph, 0, 6, ()))
-                rest = body
+                remaining = body
             else:
-                eliminations[i], rest = _eliminate(k, i, body, tau, loads)
+                eliminations[i], remaining = _eliminate(k, i, body, tau, loads)
         if parent >= 0:
             with k.graph.made_by(k.owner(parent), "articulated"):
-                sums.add(parent, i, _carried(k, i, rest).parts)
+                sums.add(parent, i, _transported(k, i, remaining).parts)
     return [eliminations[i] for i in range(n)]
 
 
-def _rigid(k: Kinematics, i: int, loads: Loads, known: Accelerations) -> Articulated:
+def _rigid(k: Kinematics, i: int, loads: Loads, imposed: Accelerations) -> Articulated:
     """A body by itself: its inertia, and what it needs at udot = 0 as bias."""
     inertia, g = of_body(k, i), k.graph
     mass = Matrix.identity(g, 3) * inertia.mass
-    bias = Matrix.vstack(*own_force(k, i, known, loads))
+    bias = Matrix.vstack(*inertial_wrench(k, i, imposed, loads))
     return Articulated(inertia.tensor, inertia.moment.skew, mass, bias)
 
 
@@ -145,7 +145,7 @@ def _eliminate(
     if k.system.bodies[i].parent < 0:
         return elimination, body
     plain = s.columns == 1 and i not in loads.rotors
-    return elimination, _rest(body, reach, gain, free, _unit(s) if plain else None)
+    return elimination, _remaining(body, reach, gain, free, _unit(s) if plain else None)
 
 
 def _check_inertia(name: str, d: Matrix) -> None:
@@ -162,10 +162,10 @@ def _unit(s: Matrix) -> int | None:
     return used[0] if len(used) == 1 and s.nodes[used[0]] in (1, 2) else None
 
 
-def _rest(
+def _remaining(
     body: Articulated, reach: Matrix, gain: Matrix, free: Matrix, zero: int | None
 ) -> Articulated:
-    """What the body still resists with its joint free: A - U D^-1 Uᵀ, symmetric."""
+    """Articulated inertia of the body with its joint free: A - U D^-1 Uᵀ, symmetric."""
     g = reach.graph
 
     def part(x: Matrix, row: int, column: int, symmetric: bool) -> Matrix:
@@ -187,12 +187,12 @@ def _rest(
     )
 
 
-def _carried(k: Kinematics, i: int, rest: Articulated) -> Articulated:
+def _transported(k: Kinematics, i: int, remaining: Articulated) -> Articulated:
     """The rest of body i as its parent feels it: turned and moved."""
     joint = k.joints[i]
     r, p = joint.rotation, joint.position
-    bias = rest.bias
-    tensor, coupling, mass = rest.I, rest.H, rest.M
+    bias = remaining.bias
+    tensor, coupling, mass = remaining.I, remaining.H, remaining.M
     for turn in reversed(joint.turns):
         tensor, mass = turn_symmetric(turn, tensor), turn_symmetric(turn, mass)
         coupling = turn_general(turn, coupling)
@@ -212,12 +212,12 @@ def _symmetric(a: Matrix, b: Matrix) -> Matrix:
 
 
 def _outward(k: Kinematics, eliminations: list[Elimination]) -> Matrix:
-    """What udot adds to the accelerations of the bodies, and the udot they leave to the joints.
+    """Accelerations of the bodies by udot, and the udot of their joints.
 
     ``udot = free - gain X reached_parent``, ``reached = X reached_parent + S udot``.
     """
     k.graph.describe(_outward)
-    g, reached = k.graph, list[Matrix]()
+    g, body_accelerations = k.graph, list[Matrix]()
     udot = [ZERO] * k.system.nu
     for i, elimination in enumerate(eliminations):
         parent, joint, record = k.system.bodies[i].parent, k.joints[i], k.system.joints[i]
@@ -225,19 +225,24 @@ def _outward(k: Kinematics, eliminations: list[Elimination]) -> Matrix:
             if parent < 0:
                 imposed = Matrix.zeros(g, 6)
             else:
-                alpha, a = reached[parent].block(slice(0, 3)), reached[parent].block(slice(3, 6))
+                alpha, a = (
+                    body_accelerations[parent].block(slice(0, 3)),
+                    body_accelerations[parent].block(slice(3, 6)),
+                )
                 linear = joint.rotation.T @ (a + alpha.cross(joint.position))
                 imposed = Matrix.vstack(joint.rotation.T @ alpha, linear)
         if record.motion is not None:
-            reached.append(k.carry(i, "reached", imposed, ()))
+            body_accelerations.append(k.carry(i, "reached", imposed, ()))
             continue
         with g.made_by(record.name, "udot"):
-            own = elimination.free - elimination.gain @ imposed
+            free_acceleration = elimination.free - elimination.gain @ imposed
             names = [c.name for c in record.element.speeds]
-            own = k.carry(i, "udot", own, names, record.name)
-            udot[record.u : record.u + own.rows] = own.nodes
+            free_acceleration = k.carry(i, "udot", free_acceleration, names, record.name)
+            udot[record.u : record.u + free_acceleration.rows] = free_acceleration.nodes
         with g.made_by(k.owner(i), "a"):
-            reached.append(k.carry(i, "reached", imposed + joint.S @ own, ()))
+            body_accelerations.append(
+                k.carry(i, "reached", imposed + joint.S @ free_acceleration, ())
+            )
     return Matrix(g, k.system.nu, 1, udot)
 
 

@@ -30,7 +30,7 @@ from ..kinematics.composite_bodies import projected
 from ..kinematics.inertia import of_body
 from ..kinematics.joint_forces import along_joint
 from ..kinematics.kinematics import Kinematics
-from ..kinematics.loads import Loads, spread
+from ..kinematics.loads import Loads, along_speeds
 from .formalism import Formalism, within_bodies
 
 
@@ -44,7 +44,7 @@ class Augmented:
         tensor: K (3, 3).
     """
 
-    carried: Scalar
+    total_mass: Scalar
     moment: Matrix
     tensor: Matrix
 
@@ -52,10 +52,10 @@ class Augmented:
 def augmented(k: Kinematics) -> list[Augmented]:
     """The augmented bodies of a tree, ``augmented = body + carried masses m_n at p_n``."""
     k.graph.describe(augmented)
-    own = [of_body(k, i) for i in range(len(k.system.bodies))]
-    mass = [inertia.mass for inertia in own]
-    moment, tensor = [x.moment for x in own], [x.tensor for x in own]
-    for n in range(len(own) - 1, -1, -1):
+    bodies = [of_body(k, i) for i in range(len(k.system.bodies))]
+    mass = [inertia.mass for inertia in bodies]
+    moment, tensor = [x.moment for x in bodies], [x.tensor for x in bodies]
+    for n in range(len(bodies) - 1, -1, -1):
         name, parent = k.owner(n), k.system.bodies[n].parent
         if parent < 0:
             continue
@@ -77,14 +77,14 @@ def mass_matrix(k: Kinematics, loads: Loads) -> Matrix:
         if parent < 0:
             continue
         with k.graph.made_by(k.owner(parent), "barycentric"):
-            turned, outboard = tensor[n], joint.rotation @ moment[n]
+            rotated, outboard = tensor[n], joint.rotation @ moment[n]
             for turn in reversed(joint.turns):
-                turned = turn_symmetric(turn, turned)
+                rotated = turn_symmetric(turn, rotated)
             pair = _pair(joint.position, outboard)
-            tensor[parent] = tensor[parent] + turned + (pair + pair.T)
+            tensor[parent] = tensor[parent] + rotated + (pair + pair.T)
             moment[parent] = moment[parent] + outboard
     inertias = [
-        Inertia(body.carried, h, t) for body, h, t in zip(bodies, moment, tensor, strict=True)
+        Inertia(body.total_mass, h, t) for body, h, t in zip(bodies, moment, tensor, strict=True)
     ]
     return projected(k, inertias, loads)
 
@@ -96,7 +96,7 @@ def _pair(d: Matrix, b: Matrix) -> Matrix:
 
 @dataclass(frozen=True)
 class Course:
-    """How the bodies of a tree are accelerated, gravity as an acceleration of the ground.
+    """Accelerations of the bodies of a tree, gravity as an acceleration of the ground.
 
     Attributes:
         alpha: Angular acceleration of every body.
@@ -106,7 +106,7 @@ class Course:
     """
 
     alpha: list[Matrix]
-    spread: list[Matrix]
+    acceleration_gradient: list[Matrix]
     a: list[Matrix]
     sliding: list[Matrix]
 
@@ -117,7 +117,7 @@ def _course(k: Kinematics, along: list[Matrix], gravity: Matrix, moving: bool) -
     ``course = alpha, U, a: Rᵀ alpha_parent + S_w udot + c_w, ...`` of every body.
     """
     k.graph.describe(_course)
-    found = Course([], [], [], [])
+    course = Course([], [], [], [])
     for i, (body, joint) in enumerate(zip(k.system.bodies, k.joints, strict=True)):
         with k.graph.made_by(k.owner(i), "course"):
             relative = joint.S @ along[i]
@@ -126,16 +126,19 @@ def _course(k: Kinematics, along: list[Matrix], gravity: Matrix, moving: bool) -
             alpha, sliding = relative.block(slice(0, 3)), relative.block(slice(3, 6))
             back, at_joint = joint.rotation.T, -gravity
             if body.parent >= 0:
-                alpha = back @ found.alpha[body.parent] + alpha
-                at_joint = found.a[body.parent] + found.spread[body.parent] @ joint.position
-            spread = alpha.skew
+                alpha = back @ course.alpha[body.parent] + alpha
+                at_joint = (
+                    course.a[body.parent]
+                    + course.acceleration_gradient[body.parent] @ joint.position
+                )
+            gradient = alpha.skew
             if moving:
-                spread = spread + k.omega[i].skew @ k.omega[i].skew
-            found.alpha.append(alpha)
-            found.spread.append(spread)
-            found.a.append(back @ at_joint + sliding)
-            found.sliding.append(sliding)
-    return found
+                gradient = gradient + k.omega[i].skew @ k.omega[i].skew
+            course.alpha.append(alpha)
+            course.acceleration_gradient.append(gradient)
+            course.a.append(back @ at_joint + sliding)
+            course.sliding.append(sliding)
+    return course
 
 
 def _balance(
@@ -148,11 +151,13 @@ def _balance(
     N, F = list[Matrix](), list[Matrix]()
     for i, body in enumerate(bodies):
         with g.made_by(k.owner(i), "balance"):
-            turning = body.tensor @ course.alpha[i]
+            inertial_moment = body.tensor @ course.alpha[i]
             if moving:
-                turning = turning + k.omega[i].cross(body.tensor @ k.omega[i])
-            moment = turning + body.moment.cross(course.a[i])
-            force = course.spread[i] @ body.moment + course.sliding[i] * body.carried
+                inertial_moment = inertial_moment + k.omega[i].cross(body.tensor @ k.omega[i])
+            moment = inertial_moment + body.moment.cross(course.a[i])
+            force = (
+                course.acceleration_gradient[i] @ body.moment + course.sliding[i] * body.total_mass
+            )
             if i in loads.wrenches:
                 moment, force = moment - loads.wrenches[i][0], force - loads.wrenches[i][1]
             N.append(moment)
@@ -161,13 +166,13 @@ def _balance(
     for i in range(len(bodies) - 1, -1, -1):
         joint, parent = k.joints[i], k.system.bodies[i].parent
         with g.made_by(k.system.joints[i].name, "balance"):
-            resting = (course.a[i] - course.sliding[i]) * bodies[i].carried
-            own = joint.S.T @ Matrix.vstack(N[i], F[i] + resting)
+            augmented_force = (course.a[i] - course.sliding[i]) * bodies[i].total_mass
+            along_joint = joint.S.T @ Matrix.vstack(N[i], F[i] + augmented_force)
             if i in loads.rotors:
-                own = own + loads.rotors[i] @ _spin(k, i, along[i], moving)
+                along_joint = along_joint + loads.rotors[i] @ _spin(k, i, along[i], moving)
             if i in loads.joints:
-                own = own - loads.joints[i]
-            for slot, node in spread(k, i, own).items():
+                along_joint = along_joint - loads.joints[i]
+            for slot, node in along_speeds(k, i, along_joint).items():
                 total[slot] = g.add(total[slot], node)
         if parent >= 0:
             with g.made_by(k.owner(parent), "balance"):
@@ -179,23 +184,23 @@ def _balance(
 
 def _spin(k: Kinematics, i: int, along: Matrix, moving: bool) -> Matrix:
     """Acceleration of a joint, with what is given to it."""
-    given = k.given_acceleration(i) if moving else None
-    return along if given is None else along + given
+    prescribed = k.prescribed_acceleration(i) if moving else None
+    return along if prescribed is None else along + prescribed
 
 
-def _resting(k: Kinematics) -> list[Matrix]:
+def _still_axes(k: Kinematics) -> list[Matrix]:
     return [Matrix.zeros(k.graph, len(joint.element.speeds)) for joint in k.system.joints]
 
 
 def bias(k: Kinematics, loads: Loads, gravity: Matrix, moving: bool = True) -> Matrix:
     """h (nu, 1)."""
     still = Loads({}, {}, loads.potential, (), loads.rotors)
-    return _balance(k, _resting(k), still, gravity, moving)
+    return _balance(k, _still_axes(k), still, gravity, moving)
 
 
 def forces(k: Kinematics, loads: Loads) -> Matrix:
     """f (nu, 1)."""
-    return -_balance(k, _resting(k), loads, Matrix.zeros(k.graph, 3), moving=False)
+    return -_balance(k, _still_axes(k), loads, Matrix.zeros(k.graph, 3), moving=False)
 
 
 def inverse(k: Kinematics, udot: Matrix, loads: Loads, gravity: Matrix) -> Matrix:

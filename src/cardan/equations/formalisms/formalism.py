@@ -1,4 +1,4 @@
-"""What a formalism is: how it comes by each part of M udot + h = f + tau."""
+"""Interface of the formalisms: each part of M udot + h = f + tau."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ RECURSIONS = (
     "bias",
     "gravity",
     "coriolis",
-    "applied",
+    "applied_forces",
     "qdot",
     "energy",
     "com",
@@ -31,7 +31,7 @@ def every(system: System) -> tuple[str, ...]:
 
 
 def within_bodies(system: System) -> tuple[str, ...]:
-    """Those that leave the axes of vectors turning with their bodies."""
+    """Formalisms that keep vectors in axes that rotate with their bodies."""
     return tuple(name for name in REWRITES if name != "parallel")
 
 
@@ -39,7 +39,7 @@ def within_bodies(system: System) -> tuple[str, ...]:
 class Formalism:
     """A way to the equations of motion of a tree, with what binds it left to others.
 
-    Coupled and prescribed joints, chosen speeds and circuits in closed form stand in the kinematics
+    Coupled and prescribed joints, chosen speeds and loops in closed form stand in the kinematics
     that every function is given, and so do massless bodies. Constraints are put to M, h and f
     afterwards, by a treatment.
 

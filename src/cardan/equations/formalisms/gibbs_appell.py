@@ -46,13 +46,13 @@ def gibbs(k: Kinematics, loads: Loads, gravity: Matrix, moving: bool = True) -> 
         with g.made_by(k.owner(i), "gibbs"):
             alpha, a = _changed(k, omega, moving), _changed(k, v, moving)
             a = a - k.ground_rotation[i].T @ gravity
-            turned = inertia.tensor @ alpha
+            rotated = inertia.tensor @ alpha
             field = alpha.cross(inertia.moment)
             if moving:
                 a = a + omega.cross(v)
                 field = field + omega.cross(omega.cross(inertia.moment))
                 total = total + alpha.dot(omega.cross(inertia.tensor @ omega))
-            total = total + (a.dot(a) * inertia.mass + alpha.dot(turned)) * 0.5 + a.dot(field)
+            total = total + (a.dot(a) * inertia.mass + alpha.dot(rotated)) * 0.5 + a.dot(field)
     for i, rotor in loads.rotors.items():
         spin = _changed(k, k.speeds[i], moving)
         total = total + spin.dot(rotor @ spin) * 0.5
@@ -76,25 +76,27 @@ def _differentiated(k: Kinematics, function: Scalar) -> Matrix:
 def mass_matrix(k: Kinematics, loads: Loads) -> Matrix:
     """M (nu, nu): second derivatives of G."""
     still = Matrix.zeros(k.graph, 3)
-    found = _differentiated(k, gibbs(k, loads, still, moving=False))
-    rows = jacobian(k.graph, found.nodes, _udot(k).nodes)
+    function = _differentiated(k, gibbs(k, loads, still, moving=False))
+    rows = jacobian(k.graph, function.nodes, _udot(k).nodes)
     # mixed derivatives agree: the lower triangle stands for both
     return Matrix(k.graph, len(rows), len(rows), [x for row in rows for x in row]).mirrored
 
 
 def bias(k: Kinematics, loads: Loads, gravity: Matrix, moving: bool = True) -> Matrix:
     """h (nu, 1): dG/dudot at udot = 0."""
-    found = _differentiated(k, gibbs(k, loads, gravity, moving))
-    rest = dict.fromkeys(_udot(k).nodes, ZERO)
-    return Matrix(k.graph, found.rows, 1, rebuild(k.graph, found.nodes, rest, into=k.graph)[1])
+    function = _differentiated(k, gibbs(k, loads, gravity, moving))
+    zero_udot = dict.fromkeys(_udot(k).nodes, ZERO)
+    return Matrix(
+        k.graph, function.rows, 1, rebuild(k.graph, function.nodes, zero_udot, into=k.graph)[1]
+    )
 
 
 def inverse(k: Kinematics, udot: Matrix, loads: Loads, gravity: Matrix) -> Matrix:
     """tau (nu, 1) with dG/dudot = f + tau."""
-    found = _differentiated(k, gibbs(k, loads, gravity))
-    given = dict(zip(_udot(k).nodes, udot.nodes, strict=True))
-    nodes = rebuild(k.graph, found.nodes, given, into=k.graph)[1]
-    return Matrix(k.graph, found.rows, 1, nodes) - generalized_forces(k, loads)
+    function = _differentiated(k, gibbs(k, loads, gravity))
+    values = dict(zip(_udot(k).nodes, udot.nodes, strict=True))
+    nodes = rebuild(k.graph, function.nodes, values, into=k.graph)[1]
+    return Matrix(k.graph, function.rows, 1, nodes) - generalized_forces(k, loads)
 
 
 GIBBS_APPELL = Formalism(

@@ -22,7 +22,7 @@ from ...ir.rewrite import rebuild
 from ..kinematics.energies import inertia, kinetic, momenta, weight
 from ..kinematics.kinematics import Kinematics
 from ..kinematics.loads import Loads
-from ..kinematics.quasi_velocities import carried_along, drawn, slopes
+from ..kinematics.quasi_velocities import drawn, slopes, transport_terms
 from ..kinematics.rotation_rates import derivative
 from .formalism import Formalism, within_bodies
 
@@ -34,22 +34,22 @@ def mass_matrix(k: Kinematics, loads: Loads) -> Matrix:
 
 def bias(k: Kinematics, loads: Loads, gravity: Matrix, moving: bool = True) -> Matrix:
     """h (nu, 1): Mdot u + bdot + dH along the speeds - p . c."""
-    standing = slopes(k, weight(k, gravity))
+    static = slopes(k, weight(k, gravity))
     if not moving:
-        return standing
+        return static
     p, u = momenta(k, loads.rotors), k.block("u", 0, k.system.nu)
     M, b, T0 = _parts(k, loads)
     # minus what of H depends on q but for V, with M^-1 (p - b) = u
-    held = u.dot(M @ u) * 0.5 + u.dot(b) + T0
-    return derivative(k, p) - slopes(k, held) - carried_along(k, p) + standing
+    at_momenta = u.dot(M @ u) * 0.5 + u.dot(b) + T0
+    return derivative(k, p) - slopes(k, at_momenta) - transport_terms(k, p) + static
 
 
 def _parts(k: Kinematics, loads: Loads) -> tuple[Matrix, Matrix, Scalar]:
     """M (nu, nu), b (nu, 1) and T0 of the kinetic energy."""
     g, nu = k.graph, k.system.nu
-    at_rest = {g.var("u", slot): ZERO for slot in range(nu)}
-    wanted = (*momenta(k, loads.rotors).nodes, kinetic(k, loads.rotors).node)
-    *b, T0 = rebuild(g, wanted, at_rest, into=g)[1]
+    zero_speeds = {g.var("u", slot): ZERO for slot in range(nu)}
+    expressions = (*momenta(k, loads.rotors).nodes, kinetic(k, loads.rotors).node)
+    *b, T0 = rebuild(g, expressions, zero_speeds, into=g)[1]
     return inertia(k, loads.rotors), Matrix(g, nu, 1, b), Scalar(g, T0)
 
 

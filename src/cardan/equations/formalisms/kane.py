@@ -58,8 +58,8 @@ def bias(k: Kinematics, loads: Loads, gravity: Matrix, moving: bool = True) -> M
             a = -(k.ground_rotation[i].T @ gravity)
             moment, force = inertia.moment.cross(a), a * inertia.mass
             if moving:
-                turning, carrying = _inertia_force(k, i)
-                moment, force = moment + turning, force + carrying
+                inertial_moment, inertial_force = _inertia_force(k, i)
+                moment, force = moment + inertial_moment, force + inertial_force
             for r, w in partial.angular.items():
                 value = (w.dot(moment) + partial.linear[r].dot(force)).node
                 total[r] = g.add(total[r], value)
@@ -75,10 +75,7 @@ def _inertia_force(k: Kinematics, i: int) -> tuple[Matrix, Matrix]:
     a = derivative(k, k.v[i]) + omega.cross(k.v[i])
     moment = inertia.tensor @ alpha + omega.cross(inertia.tensor @ omega)
     force = a * inertia.mass + alpha.cross(inertia.moment)
-    return (
-        moment + inertia.moment.cross(a),
-        force + omega.cross(omega.cross(inertia.moment)),
-    )
+    return (moment + inertia.moment.cross(a), force + omega.cross(omega.cross(inertia.moment)))
 
 
 def _add_rotor_bias(k: Kinematics, loads: Loads, total: list[int]) -> None:

@@ -17,7 +17,7 @@ from ...ir.matrix import Matrix
 from ..kinematics.energies import inertia, kinetic, momenta, weight
 from ..kinematics.kinematics import Kinematics
 from ..kinematics.loads import Loads
-from ..kinematics.quasi_velocities import carried_along, drawn, slopes
+from ..kinematics.quasi_velocities import drawn, slopes, transport_terms
 from ..kinematics.rotation_rates import derivative
 from .formalism import Formalism, within_bodies
 
@@ -29,11 +29,11 @@ def mass_matrix(k: Kinematics, loads: Loads) -> Matrix:
 
 def bias(k: Kinematics, loads: Loads, gravity: Matrix, moving: bool = True) -> Matrix:
     """h (nu, 1): d/dt p at udot = 0 - dT along the speeds - p . c + dV along the speeds."""
-    standing = slopes(k, weight(k, gravity))
+    static = slopes(k, weight(k, gravity))
     if not moving:
-        return standing
+        return static
     p = momenta(k, loads.rotors)
-    return derivative(k, p) - slopes(k, kinetic(k, loads.rotors)) - carried_along(k, p) + standing
+    return derivative(k, p) - slopes(k, kinetic(k, loads.rotors)) - transport_terms(k, p) + static
 
 
 LAGRANGE = Formalism(

@@ -18,10 +18,10 @@ def mass_matrix(k: Kinematics, loads: Loads) -> Matrix:
     g, nu = k.graph, k.system.nu
     still = Loads({}, {}, loads.potential, (), loads.rotors)
     columns = []
-    rest = Matrix.zeros(g, 3)
+    zero_gravity = Matrix.zeros(g, 3)
     for j in range(nu):
         unit = Matrix(g, nu, 1, [1 if i == j else ZERO for i in range(nu)])
-        columns.append(inverse_dynamics(k, unit, still, rest, moving=False))
+        columns.append(inverse_dynamics(k, unit, still, zero_gravity, moving=False))
     # the two triangles agree; the lower one stands for both
     rows = [[columns[min(i, j)][max(i, j)] for j in range(nu)] for i in range(nu)]
     return Matrix.of(g, rows) if nu else Matrix(g, 0, 0, ())

@@ -61,12 +61,12 @@ def base_parameters(equations: EquationRecord) -> BaseParameters:
 
     from ...ir.forms.sympy_out import to_sympy
 
-    told = equations.told(("base_parameters",))
-    function = told.function("inverse_dynamics")
+    rewritten = equations.with_rewrites(("base_parameters",))
+    function = rewritten.function("inverse_dynamics")
     graph, names = function.graph, equations.parameters
-    wanted = list(stage(function).prepare)
+    prepared = list(stage(function).prepare)
     numbers: dict[str, int] = {}
-    for body in told.ways("inverse_dynamics", None)[0][1].bodies:
+    for body in rewritten.ways("inverse_dynamics", None)[0][1].bodies:
         j = body.second_moment
         if j is None:
             continue
@@ -76,20 +76,20 @@ def base_parameters(equations: EquationRecord) -> BaseParameters:
             inner = graph.nodes[node][1] if graph.nodes[node][0] == "neg" else node
             numbers[f"{body.name}.base_{entry}"] = inner
     # those that a call reads, and not only what makes up another one
-    read = set(live(graph, wanted, stop=set(numbers.values())))
-    found = {name: node for name, node in numbers.items() if node != ZERO and node in read}
-    depends = _dependence(function, [*wanted, *found.values()], len(names))
+    read = set(live(graph, prepared, stop=set(numbers.values())))
+    nonzero = {name: node for name, node in numbers.items() if node != ZERO and node in read}
+    depends = _dependence(function, [*prepared, *nonzero.values()], len(names))
     effect = [set(row.nonzero()[0].tolist()) for row in depends]
-    inertial = set[int]().union(*effect[len(wanted) :])
-    effect = effect[: len(wanted)]
+    inertial = set[int]().union(*effect[len(prepared) :])
+    effect = effect[: len(prepared)]
     alone = set[int]().union(*(row for row in effect if len(row) == 1))
     every = set[int]().union(*effect)
     written = {
-        name: to_sympy(Scalar(graph, node), equations.symbols) for name, node in found.items()
+        name: to_sympy(Scalar(graph, node), equations.symbols) for name, node in nonzero.items()
     }
     expressions = {
         name: expand(sum(sign * written[other] for other, sign in parts))
-        for name, parts in _sums(function, found).items()
+        for name, parts in _sums(function, nonzero).items()
     }
     return BaseParameters(
         {name: expression for name, expression in expressions.items() if expression != 0},
@@ -98,14 +98,14 @@ def base_parameters(equations: EquationRecord) -> BaseParameters:
     )
 
 
-def _sums(function: Function, found: dict[str, int]) -> dict[str, list[tuple[str, int]]]:
+def _sums(function: Function, numbers: dict[str, int]) -> dict[str, list[tuple[str, int]]]:
     """Numbers that tau depends on in the same way up to the sign: first one -> (name, sign).
 
     Seen at states drawn by chance: tau is linear in the numbers, and has a column for each.
     """
     import numpy as np
 
-    nodes = list(dict.fromkeys(found.values()))
+    nodes = list(dict.fromkeys(numbers.values()))
     graph, tau = function.graph.fork(), function.outputs[0].nodes
     nothing, columns = dict.fromkeys(nodes, ZERO), list[int]()
     for node in (-1, *nodes):
@@ -117,10 +117,10 @@ def _sums(function: Function, found: dict[str, int]) -> dict[str, list[tuple[str
     one = Function("columns", graph, function.inputs, (Output("Y", shape, tuple(columns)),))
     Y = np.broadcast_to(evaluate(one, values, arithmetic="numpy")["Y"], (STATES, *shape))
     Y = Y[np.isfinite(Y).all(axis=(1, 2))]
-    own = dict(zip(nodes, np.moveaxis(Y[:, 1:] - Y[:, :1], 1, 0), strict=True))
+    slopes = dict(zip(nodes, np.moveaxis(Y[:, 1:] - Y[:, :1], 1, 0), strict=True))
     sums: dict[str, list[tuple[str, int]]] = {}
-    for name, node in found.items():
-        place, sign = _alike(own[node], {first: own[found[first]] for first in sums})
+    for name, node in numbers.items():
+        place, sign = _alike(slopes[node], {first: slopes[numbers[first]] for first in sums})
         if place:
             sums[place].append((name, sign))
         else:
@@ -128,11 +128,11 @@ def _sums(function: Function, found: dict[str, int]) -> dict[str, list[tuple[str
     return sums
 
 
-def _alike(column: Any, others: dict[str, Any]) -> tuple[str, int]:
-    """Which of the others a column equals, and with which sign; "" for none."""
+def _alike(column: Any, columns: dict[str, Any]) -> tuple[str, int]:
+    """Column that equals a given one, and its sign; "" for none."""
     import numpy as np
 
-    for name, other in others.items():
+    for name, other in columns.items():
         size = np.abs(other).max(initial=0.0)
         for sign in (1, -1):
             if size and np.abs(column - sign * other).max(initial=0.0) < ROUNDING * size:
@@ -141,7 +141,7 @@ def _alike(column: Any, others: dict[str, Any]) -> tuple[str, int]:
 
 
 def _dependence(function: Function, nodes: list[int], parameters: int) -> Booleans:
-    """Which expressions of the parameters depend on which: (nodes, parameters).
+    """Parameters that expressions depend on: (nodes, parameters).
 
     Whether they do is seen at numbers drawn by chance; what cancels leaves rounding only.
     """

@@ -21,23 +21,23 @@ FORCE_UNITS = {"rad/s": "N*m", "m/s": "N"}
 
 def coordinates(system: System) -> list[tuple[str, str, float]]:
     """(name, unit, default) of every entry of q."""
-    found: list[tuple[str, str, float]] = []
+    rows: list[tuple[str, str, float]] = []
     for joint in system.joints:
         if joint.q >= 0:
             names = entries(joint.name, joint.element.coordinates)
             parts = zip(names, joint.element.coordinates, strict=True)
-            found += [(name, c.unit, c.default) for name, c in parts]
-    return found
+            rows += [(name, c.unit, c.default) for name, c in parts]
+    return rows
 
 
 def speeds(system: System) -> list[tuple[str, str]]:
     """(name, unit) of every entry of u: ``elbow.u``, ``ball.u.x``."""
-    found: list[tuple[str, str]] = []
+    rows: list[tuple[str, str]] = []
     for joint in system.joints:
         if joint.u >= 0:
             names = entries(f"{joint.name}.u", joint.element.speeds)
-            found += zip(names, (c.unit for c in joint.element.speeds), strict=True)
-    return found
+            rows += zip(names, (c.unit for c in joint.element.speeds), strict=True)
+    return rows
 
 
 def accelerated(unit: str) -> str:
@@ -109,7 +109,7 @@ def blocks(system: System, chosen: tuple[str, ...] = ()) -> dict[str, Block]:
     moments = ("N*m",) * 3 + ("N",) * 3
     touched, bound = parts(system), rows(system)
     z, modes = internals(system), tuple(name for name, _ in discrete(system))
-    happening = tuple(event_names(system))
+    event_labels = tuple(event_names(system))
     listed = [
         Block("t", ("t",), ("s",)),
         Block("q", tuple(n for n, _, _ in q), tuple(unit for _, unit, _ in q)),
@@ -124,7 +124,7 @@ def blocks(system: System, chosen: tuple[str, ...] = ()) -> dict[str, Block]:
         Block("wrench", tuple(f"{n}.{a}" for n in touched for a in axes), moments * len(touched)),
         Block("du", tuple(f"{n}.step" for n in names), tuple(u.removesuffix("/s") for u in units)),
         Block("q0", tuple(f"{n}.0" for n, _, _ in q), tuple(unit for _, unit, _ in q)),
-        Block("e", happening, ("",) * len(happening)),
+        Block("e", event_labels, ("",) * len(event_labels)),
     ]
     return {block.name: block for block in listed}
 
@@ -146,15 +146,15 @@ def identifier(name: str) -> str:
     return re.sub(r"[^A-Za-z0-9_]", "_", name)
 
 
-def c_name(quantity: str, of: str | None, known: list[str]) -> str:
+def c_name(quantity: str, of: str | None, names: list[str]) -> str:
     """C name of a quantity of a frame or joint, unique among the known names."""
     if of is None:
         return quantity
     base = identifier(of)
-    clashes = [n for n in known if identifier(n) == base]
+    clashes = [n for n in names if identifier(n) == base]
     if len(clashes) < 2:
         return f"{quantity}__{base}"
     # numbered by an order of their own, apart from names that look numbered
-    while any(identifier(n).startswith(f"{base}_") for n in known):
+    while any(identifier(n).startswith(f"{base}_") for n in names):
         base += "_"
     return f"{quantity}__{base}_{clashes.index(of)}"

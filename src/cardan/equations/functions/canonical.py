@@ -8,9 +8,9 @@ from __future__ import annotations
 
 from ...ir.function import Output
 from ...ir.matrix import Matrix
-from ..constraints.reaction_friction import pressed
+from ..constraints.reaction_friction import friction_forces
 from ..kinematics import energies
-from ..kinematics.quasi_velocities import carried_along, slopes
+from ..kinematics.quasi_velocities import slopes, transport_terms
 from .context import Context, recipe
 
 UNITS = {"N*m": "kg*m^2/s", "N": "kg*m/s"}
@@ -32,11 +32,11 @@ def momentum_rates(c: Context) -> tuple[Output, ...]:
     No acceleration is needed but where constraints or friction in pressed joints ask for it.
     """
     d, k = c.d, c.k
-    if pressed(k.system):
+    if friction_forces(k.system):
         d.forward(d.tau)
     kinetic = energies.kinetic(k, d.loads.rotors)
     p = energies.momenta(k, d.loads.rotors)
-    rates = slopes(k, kinetic) + carried_along(k, p) - slopes(k, energies.weight(k, d.gravity))
+    rates = slopes(k, kinetic) + transport_terms(k, p) - slopes(k, energies.weight(k, d.gravity))
     rates = rates + d.forces() + d.tau
     if k.system.closed:
         rates = rates + d.constraints.jacobian.T @ d.bound(d.tau)[1]

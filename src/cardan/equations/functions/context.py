@@ -1,4 +1,4 @@
-"""What the builders of functions work with, and which there are."""
+"""Context of the builders of functions, and the list of builders."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from ...ir.matrix import Matrix
 from ...ir.rewrite import rebuild
 from ...schema.functions import FUNCTIONS
 from ...topology.system import System
-from ..constraints.reaction_friction import pressed, solved
+from ..constraints.reaction_friction import friction_forces, solved
 from ..kinematics.kinematics import Kinematics
 from .dynamics import Dynamics
 
@@ -31,7 +31,7 @@ def frame_number(system: System, name: str) -> int:
 
 @dataclass(frozen=True)
 class Context:
-    """What a builder works with.
+    """Context of a builder.
 
     Attributes:
         d: The dynamics, underived.
@@ -61,17 +61,17 @@ class Context:
         """Let friction that follows from reactions be that at given accelerations.
 
         Raises:
-            DerivationError: the reactions do not follow from these, as circuits are closed.
+            DerivationError: the reactions do not follow from these, as loops are closed.
         """
-        own = pressed(self.k.system)
-        if own and (self.k.system.cuts or self.k.system.constraints):
+        friction = friction_forces(self.k.system)
+        if friction and (self.k.system.cuts or self.k.system.constraints):
             raise DerivationError(
-                f"the friction of '{own[0].name}' follows from reactions, which accelerations "
-                "alone do not determine in closed circuits: inverse dynamics has no answer here"
+                f"the friction of '{friction[0].name}' follows from reactions, which accelerations "
+                "alone do not determine in closed loops: inverse dynamics has no answer here"
             )
-        if own:
-            rest = Matrix.zeros(self.k.graph, self.k.system.nu)
-            self.d.pressed = solved(self.d, rest, udot)
+        if friction:
+            zero_tau = Matrix.zeros(self.k.graph, self.k.system.nu)
+            self.d.friction_forces = solved(self.d, zero_tau, udot)
 
     def vector(self, name: str, x: Matrix, like: str) -> tuple[Output, ...]:
         """A result with the names and units of an input block."""
@@ -95,11 +95,11 @@ def recipe(builder: Builder) -> Builder:
 def settled(c: Context, results: tuple[Output, ...]) -> tuple[Output, ...]:
     """Results with the friction that follows from reactions, at the model's own forces if no others
     were spoken of."""
-    if not pressed(c.k.system):
+    if not friction_forces(c.k.system):
         return results
-    if not c.d.pressed.values:
+    if not c.d.friction_forces.values:
         c.d.forward(Matrix.zeros(c.k.graph, c.k.system.nu))
-    graph, values = c.k.graph, c.d.pressed.values
+    graph, values = c.k.graph, c.d.friction_forces.values
     return tuple(
         replace(output, nodes=tuple(rebuild(graph, output.nodes, values, into=graph)[1]))
         for output in results

@@ -22,7 +22,7 @@ from ...ir.rewrite import rebuild
 from ...ir.solve import solve
 from ...schema.functions import DIFFERENTIABLE, FUNCTIONS
 from ...schema.request import Request
-from ..constraints.reaction_friction import pressed
+from ..constraints.reaction_friction import friction_forces
 from ..constraints.treatments import Bound
 from ..constraints.treatments.treatment import by_multipliers
 from .context import RECIPES, Context, recipe, settled
@@ -55,23 +55,23 @@ def derivative(c: Context) -> tuple[Output, ...]:
     request = request_of(c.of or "")
     kind = FUNCTIONS[request.function].of
     if bool(kind) != (request.of is not None):
-        wanted = f"needs a {kind}" if kind else "takes no frame or joint"
-        raise DerivationError(f"derivative: '{request.function}' {wanted}: '{request}'")
+        expected = f"needs a {kind}" if kind else "takes no frame or joint"
+        raise DerivationError(f"derivative: '{request.function}' {expected}: '{request}'")
     c = with_mass_matrix(c)
     parts = {wrt: directions(c.k, wrt, c.names) for wrt in request.wrt}
     flat = [d for part in parts.values() for d in part]
     outputs = settled(c, RECIPES[request.function](replace(c, of=request.of)))
     columns = columns_of(c, request.function, outputs, flat)
     shape = outputs[0].shape if len(outputs) == 1 else (sum(o.size for o in outputs),)
-    rows, found, start = [name for o in outputs for name in _entries(o)], [], 0
+    rows, outputs_by_block, start = [name for o in outputs for name in _entries(o)], [], 0
     for wrt, part in parts.items():
-        own = columns[start : start + len(part)]
+        block_columns = columns[start : start + len(part)]
         start += len(part)
-        whole = shape if is_single(wrt) else (*shape, len(part))
-        nodes = tuple(column[i] for i in range(prod(shape)) for column in own)
+        full_shape = shape if is_single(wrt) else (*shape, len(part))
+        nodes = tuple(column[i] for i in range(prod(shape)) for column in block_columns)
         names = tuple(f"{row},{d.name}" for row in rows for d in part)
-        found.append(Output(f"d_{wrt}", whole, nodes, names))
-    return tuple(found)
+        outputs_by_block.append(Output(f"d_{wrt}", full_shape, nodes, names))
+    return tuple(outputs_by_block)
 
 
 def with_mass_matrix(c: Context) -> Context:
@@ -90,15 +90,17 @@ def columns_of(
 ) -> list[list[int]]:
     """Changes of all entries of the outputs, direction by direction."""
     # friction that follows from reactions moves with everything they depend on
-    if function == "inverse_dynamics" and not pressed(c.k.system):
+    if function == "inverse_dynamics" and not friction_forces(c.k.system):
         return inverse_columns(c, along)
     seeds = [dict(d.seeds) for d in along]
     for tau, udot, multipliers in c.d.solutions:
-        known = (*udot.nodes, *multipliers.nodes)
+        solved_nodes = (*udot.nodes, *multipliers.nodes)
         columns = forward_columns(c, tau, udot, multipliers, along)
-        for own, column in zip(seeds, columns, strict=True):
-            pairs = zip(known, column, strict=True)
-            own |= {node: change for node, change in pairs if c.k.graph.value(node) is None}
+        for seeds_of_column, column in zip(seeds, columns, strict=True):
+            pairs = zip(solved_nodes, column, strict=True)
+            seeds_of_column |= {
+                node: change for node, change in pairs if c.k.graph.value(node) is None
+            }
     roots = [node for output in outputs for node in output.nodes]
     return directional(c.k.graph, roots, seeds)
 
@@ -119,16 +121,16 @@ def forward_columns(
     needed, columns = iter(range(0, len(flat), nu)), []
     for d, force in zip(along, forces, strict=True):
         start = None if d.block in foreign else next(needed)
-        own = [ZERO] * nu if start is None else flat[start : start + nu]
-        columns.append([g.sub(a, b) for a, b in zip(force, own, strict=True)])
+        initial = [ZERO] * nu if start is None else flat[start : start + nu]
+        columns.append([g.sub(a, b) for a, b in zip(force, initial, strict=True)])
     if not columns or not nu:
         return columns
     right = Matrix(g, nu, len(columns), [column[i] for i in range(nu) for column in columns])
     if multipliers.rows:
         return _bound_columns(c, udot, multipliers, right, along)
     with g.made_by("M", "factor"):
-        found = solve("spd", c.d.mass_matrix, right)
-    return [list(found.column(n).nodes) for n in range(len(columns))]
+        solution = solve("spd", c.d.mass_matrix, right)
+    return [list(solution.column(n).nodes) for n in range(len(columns))]
 
 
 def _bound_columns(
@@ -138,15 +140,17 @@ def _bound_columns(
 
     M udot' - Gᵀ lam' = right + (Gᵀ)' lam and G udot' = gamma' - G' udot.
     """
-    g, own = c.k.graph, c.d.constraints
-    count, G = len(along), own.jacobian
-    held = Matrix(g, G.rows, 1, [g.atom(f"multiplier {i}") for i in range(G.rows)])
+    g, constraints = c.k.graph, c.d.constraints
+    count, G = len(along), constraints.jacobian
+    multiplier_atoms = Matrix(g, G.rows, 1, [g.atom(f"multiplier {i}") for i in range(G.rows)])
     # udot and multipliers are leaves while the rest is differentiated
-    force, missing = G.T @ held, own.gamma - G @ c.udot
+    force, missing = G.T @ multiplier_atoms, constraints.gamma - G @ c.udot
     seeds = [d.seeds if d.block not in ("tau", "udot") else {} for d in along]
     changes = directional(g, (*force.nodes, *missing.nodes), seeds)
     flat = [changes[n][i] for i in range(force.rows + missing.rows) for n in range(count)]
-    values = zip((*c.udot.nodes, *held.nodes), (*udot.nodes, *multipliers.nodes), strict=True)
+    values = zip(
+        (*c.udot.nodes, *multiplier_atoms.nodes), (*udot.nodes, *multipliers.nodes), strict=True
+    )
     flat = list(rebuild(g, flat, dict(values), into=g)[1])
     size = force.rows * count
     drive = right + Matrix(g, force.rows, count, flat[:size])
@@ -154,8 +158,8 @@ def _bound_columns(
     nothing = Matrix.zeros(g, 0)
     with g.made_by("constraints", "derivative"):
         problem = Bound(c.d.mass_matrix, drive, G, gamma, nothing, nothing)
-        found = Matrix.vstack(*by_multipliers(problem, gamma))
-    return [list(found.column(n).nodes) for n in range(count)]
+        solution = Matrix.vstack(*by_multipliers(problem, gamma))
+    return [list(solution.column(n).nodes) for n in range(count)]
 
 
 def inverse_columns(c: Context, along: Sequence[Direction]) -> list[list[int]]:
@@ -164,14 +168,14 @@ def inverse_columns(c: Context, along: Sequence[Direction]) -> list[list[int]]:
     recursive = [] if c.k.chosen else [n for n, d in enumerate(along) if d.block in ("q", "u")]
     if recursive:
         picked = [along[n] for n in recursive]
-        found = Derivatives(c.k, c.udot, c.d.loads, c.d.gravity, picked).columns()
-        result |= dict(zip(recursive, found, strict=True))
+        columns = Derivatives(c.k, c.udot, c.d.loads, c.d.gravity, picked).columns()
+        result |= dict(zip(recursive, columns, strict=True))
     for n, d in enumerate(along):
         if d.block == "udot":
             result[n] = list(c.d.mass_matrix.column(d.index).nodes)
-    rest = [n for n in range(len(along)) if n not in result]
-    if rest:
+    remaining = [n for n in range(len(along)) if n not in result]
+    if remaining:
         roots = c.d.inverse(c.udot).nodes
-        found = directional(c.k.graph, roots, [along[n].seeds for n in rest])
-        result |= dict(zip(rest, found, strict=True))
+        columns = directional(c.k.graph, roots, [along[n].seeds for n in remaining])
+        result |= dict(zip(remaining, columns, strict=True))
     return [result[n] for n in range(len(along))]

@@ -47,15 +47,15 @@ def directions(k: Kinematics, wrt: str, names: dict[str, tuple[str, ...]]) -> li
     for block in ("p", "r"):
         if wrt in names[block]:
             return [_entry(k, block, names[block].index(wrt), wrt)]
-    known = [*DIRECTIONS, *names["p"], *names["r"]]
+    names_available = [*DIRECTIONS, *names["p"], *names["r"]]
     raise DerivationError(
-        f"derivative: '{wrt}' is no block ({', '.join(DIRECTIONS)}), parameter or input."
-        f"{near(wrt, known)}"
+        f"derivative: '{wrt}' is not a block ({', '.join(DIRECTIONS)}), parameter or input."
+        f"{near(wrt, names_available)}"
     )
 
 
 def is_single(wrt: str) -> bool:
-    """Whether there is one column, and no axis for it: t, and parameters and inputs by name."""
+    """True when there is one column, and no axis for it: t, and parameters and inputs by name."""
     return wrt == "t" or wrt not in DIRECTIONS
 
 
@@ -65,10 +65,10 @@ def _entry(k: Kinematics, block: str, index: int, name: str) -> Direction:
 
 def _along_speeds(k: Kinematics, names: tuple[str, ...]) -> list[Direction]:
     """Columns of N in qdot = N(q) u + n(t, q) as changes of q."""
-    g, system, found = k.graph, k.system, []
+    g, system, directions_of_speeds = k.graph, k.system, []
     for n, name in enumerate(names):
         column = forward(g, k.rates.nodes, {g.var("u", n): ONE})
         seeds = {g.var("q", m): node for m, node in enumerate(column) if node}
-        found.append(Direction("q", n, name, seeds))
-    assert len(found) == system.nu
-    return found
+        directions_of_speeds.append(Direction("q", n, name, seeds))
+    assert len(directions_of_speeds) == system.nu
+    return directions_of_speeds

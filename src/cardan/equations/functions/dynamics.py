@@ -10,7 +10,7 @@ from ...ir.graph import ONE, ZERO, SystemNames
 from ...ir.matrix import Matrix
 from ...ir.solve import solve
 from ..constraints.constraints import Constraints
-from ..constraints.reaction_friction import Pressed, pressed, solved, with_values
+from ..constraints.reaction_friction import ReactionFriction, friction_forces, solved, with_values
 from ..constraints.treatments import Bound, Labels, Multipliers, Treatment
 from ..formalisms import FORMALISMS
 from ..kinematics.kinematics import Kinematics
@@ -38,8 +38,8 @@ class Dynamics:
         self.solutions: list[tuple[Matrix, Matrix, Matrix]] = []
         self._bound: dict[tuple[object, ...], tuple[Matrix, Matrix]] = {}
         # friction that follows from reactions, once accelerations are known
-        self.pressed = Pressed({}, {})
-        self._pressing = False
+        self.friction_forces = ReactionFriction({}, {})
+        self._in_friction = False
 
     @cached_property
     def loads(self) -> Loads:
@@ -91,12 +91,12 @@ class Dynamics:
 
     def _with_friction(self, tau: Matrix, udot: Matrix, lam: Matrix) -> tuple[Matrix, Matrix]:
         """udot and lam with the friction that their reactions make."""
-        if self._pressing or not pressed(self.k.system):
+        if self._in_friction or not friction_forces(self.k.system):
             return udot, lam
-        self._pressing = True
-        self.pressed = solved(self, tau, udot)
-        self._pressing = False
-        values = self.pressed.values
+        self._in_friction = True
+        self.friction_forces = solved(self, tau, udot)
+        self._in_friction = False
+        values = self.friction_forces.values
         return with_values(udot, values), with_values(lam, values)
 
     def _free(self, tau: Matrix) -> Matrix:
@@ -114,12 +114,12 @@ class Dynamics:
     def _drive(self, tau: Matrix) -> Matrix:
         """Forces that accelerate (nu, 1): ``drive = tau + f - h``."""
         self.k.graph.describe(Dynamics._drive)
-        rest = Matrix.zeros(self.k.graph, self.k.system.nu)
-        return self._label(tau - self.inverse(rest), "drive")
+        zero_udot = Matrix.zeros(self.k.graph, self.k.system.nu)
+        return self._label(tau - self.inverse(zero_udot), "drive")
 
     @cached_property
     def constraints(self) -> Constraints:
-        """What binds the speeds."""
+        """Constraints on the speeds."""
         return Constraints(self.k)
 
     def bound(self, tau: Matrix) -> tuple[Matrix, Matrix]:
@@ -187,8 +187,8 @@ class Dynamics:
         nothing = Matrix.zeros(self.k.graph, 0)
         if not self.k.system.closed:
             return solve("spd", self.mass_matrix, row.T)
-        rest = Matrix.zeros(self.k.graph, row.columns)
-        mass, G = self._regular(self.mass_matrix, rest)[0], self.constraints.jacobian
+        zero_force = Matrix.zeros(self.k.graph, row.columns)
+        mass, G = self._regular(self.mass_matrix, zero_force)[0], self.constraints.jacobian
         still = Matrix.zeros(self.k.graph, G.rows)
         labels = self._labels("response", "response_gamma")
         problem = Bound(mass, row.T, G, still, nothing, nothing, labels)
@@ -196,19 +196,21 @@ class Dynamics:
 
     def pushed(self, jacobian: Matrix, residual: Matrix, labels: Labels) -> tuple[Matrix, Matrix]:
         """du (nu, 1) and impulses P with M du = Jᵀ P and J du = -residual."""
-        rest, nothing = Matrix.zeros(self.k.graph, jacobian.columns), self.k.block("u", 0, 0)
+        zero_force, nothing = Matrix.zeros(self.k.graph, jacobian.columns), self.k.block("u", 0, 0)
         mass = (
-            self._regular(self.mass_matrix, rest)[0] if self.k.system.closed else self.mass_matrix
+            self._regular(self.mass_matrix, zero_force)[0]
+            if self.k.system.closed
+            else self.mass_matrix
         )
-        problem = Bound(mass, rest, jacobian, -residual, nothing, nothing, labels)
+        problem = Bound(mass, zero_force, jacobian, -residual, nothing, nothing, labels)
         return Multipliers().accelerations(problem)
 
     def projected(self, mass: Matrix, jacobian: Matrix, residual: Matrix) -> Matrix:
         """The smallest change du (nu, 1) in the metric of M with G du = -residual."""
-        rest = Matrix.zeros(self.k.graph, mass.rows)
-        given = self._regular(mass, rest)[0] if jacobian.rows else mass
+        zero_force = Matrix.zeros(self.k.graph, mass.rows)
+        regular = self._regular(mass, zero_force)[0] if jacobian.rows else mass
         nothing = Matrix.zeros(self.k.graph, 0)
-        problem = Bound(given, rest, jacobian, -residual, nothing, nothing)
+        problem = Bound(regular, zero_force, jacobian, -residual, nothing, nothing)
         return Multipliers().accelerations(problem)[0]
 
     def _label(self, x: Matrix, quantity: str) -> Matrix:
@@ -216,8 +218,8 @@ class Dynamics:
         for joint in self.k.system.joints:
             if joint.u >= 0:
                 names = [c.name for c in joint.element.speeds]
-                own = x.block(slice(joint.u, joint.u + len(names)))
-                own.label(joint.name, quantity, names)
+                block = x.block(slice(joint.u, joint.u + len(names)))
+                block.label(joint.name, quantity, names)
         return x
 
     def _refuse_massless(self) -> None:

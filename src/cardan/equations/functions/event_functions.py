@@ -1,4 +1,4 @@
-"""What elements keep themselves over time: rates of internal states, events and what they change.
+"""State of elements over time: rates of internal states, events and their effects.
 
 Source: F. Pfeiffer and Ch. Glocker, Multibody Dynamics with Unilateral Contacts, 1996, chapters 5
 and 8 (impacts, stick and slip as constraints that come and go).
@@ -28,7 +28,7 @@ ATTEMPTS = ("", "second_", "third_", "fourth_")
 
 
 class Along:
-    """What elements may know of the motion under their own forces.
+    """Motion under the element's own forces, as elements may read it.
 
     Args:
         d: The dynamics.
@@ -36,18 +36,18 @@ class Along:
 
     def __init__(self, d: Dynamics) -> None:
         self.k = d.k
-        rest = Matrix.zeros(d.k.graph, d.k.system.nu)
-        self.udot = d.forward(rest)
-        self._lam = d.bound(rest)[1] if d.k.system.closed else rest
+        zero_tau = Matrix.zeros(d.k.graph, d.k.system.nu)
+        self.udot = d.forward(zero_tau)
+        self._lam = d.bound(zero_tau)[1] if d.k.system.closed else zero_tau
         self._rows = [row.name for row in d.constraints.rows] if d.k.system.closed else []
-        self._certainty = d.pressed.certainty
+        self._certainty = d.friction_forces.certainty
 
-    def of(self, force: Force) -> Own:
+    def of(self, force: Force) -> ElementState:
         """The part of one element."""
-        names = [f"{force.name}.{name}" for name, _ in force.element.holding()]
+        names = [f"{force.name}.{name}" for name, _ in force.element.locked_velocities()]
         nodes = [self._lam.nodes[self._rows.index(name)] for name in names]
         certainty = self._certainty.get(force.name)
-        return Own(self, Matrix(self.k.graph, len(nodes), 1, nodes), certainty)
+        return ElementState(self, Matrix(self.k.graph, len(nodes), 1, nodes), certainty)
 
     def derivative(self, x: Scalar) -> Scalar:
         """Time derivative of an expression along the motion."""
@@ -58,11 +58,11 @@ class Along:
         return Scalar(g, forward(g, [x.node], seeds)[0])
 
 
-class Own:
-    """What one element may know of the solution of the equations of motion."""
+class ElementState:
+    """The part of the solution of the equations of motion that one element may read."""
 
-    def __init__(self, along: Along, held: Matrix, certainty: Scalar | None) -> None:
-        self.held, self.certainty = held, certainty
+    def __init__(self, along: Along, multipliers: Matrix, certainty: Scalar | None) -> None:
+        self.multipliers, self.certainty = multipliers, certainty
         self._along = along
 
     def derivative(self, x: Scalar) -> Scalar:
@@ -88,8 +88,8 @@ def signs(d: Dynamics) -> Matrix:
     for force in d.k.system.forces:
         if force.element.events():
             with d.k.graph.made_by(force.name, "event"):
-                found = force.element.signs(places(d.k, force), along.of(force))
-                nodes += [value.node for value in found]
+                values = force.element.signs(places(d.k, force), along.of(force))
+                nodes += [value.node for value in values]
     return Matrix(d.k.graph, len(nodes), 1, nodes)
 
 
@@ -100,7 +100,7 @@ class Jump:
         self.k, self._d, self._force, self._speeds = d.k, d, force, speeds
 
     @cached_property
-    def before(self) -> Own:
+    def before(self) -> ElementState:
         """The solution of the equations of motion before the event."""
         return Along(self._d).of(self._force)
 
@@ -115,7 +115,7 @@ class Jump:
         return Scalar(g, rebuild(g, [x.node], behind, into=g)[1][0])
 
     def response(self, velocity: Scalar) -> Scalar:
-        """Acceleration of a velocity per force along it, circuits and what others hold included."""
+        """Acceleration of a velocity per force along it, loops and what others hold included."""
         nodes = self._d.constraints.gradient(self._force.name, velocity.node, VELOCITY)
         row = Matrix(self.k.graph, 1, len(nodes), nodes)
         return (row @ self._d.response(row))[0]
@@ -134,9 +134,12 @@ def transition(d: Dynamics) -> tuple[Matrix, Matrix, Matrix]:
     names: list[str] = []
     for force in k.system.forces:
         with k.graph.made_by(force.name, "impulse"):
-            found = force.element.impulses(places(k, force), Jump(d, force, before))
-        impulses += found
-        names += [f"{force.name}.{event.name}" for event in force.element.events()[: len(found)]]
+            impulses_of_force = force.element.impulses(places(k, force), Jump(d, force, before))
+        impulses += impulses_of_force
+        names += [
+            f"{force.name}.{event.name}"
+            for event in force.element.events()[: len(impulses_of_force)]
+        ]
     with k.graph.made_by("impact", "speeds"):
         behind = _jumped(d, before, impulses, names)
     z, s = list[int](), list[int]()
@@ -156,14 +159,14 @@ def _behind(at: Places, changed: Matrix | None, stays: Matrix) -> Sequence[int]:
 def _jumped(
     d: Dynamics, before: Matrix, impulses: Sequence[Impulse], names: Sequence[str]
 ) -> Matrix:
-    """Speeds behind impulses: M du = Jᵀ P + Gᵀ P', J u as wanted, the circuits closed.
+    """Speeds behind impulses: M du = Jᵀ P + Gᵀ P', J u as wanted, the loops closed.
 
     Impulses that would pull where they can only push are left out, again and again.
     """
     if not impulses:
         return before
     g = d.k.graph
-    bound, held = _bound_rows(d)
+    bound, row_names = _bound_rows(d)
     active = [impulse.active for impulse in impulses]
     unilateral = [i for i, impulse in enumerate(impulses) if impulse.unilateral]
     jacobian = [
@@ -181,7 +184,7 @@ def _jumped(
             Matrix(g, len(rows) + bound.rows, 1, [m.node for m in missing] + [ZERO] * bound.rows),
             Labels(
                 d.k.speed_names,
-                tuple(f"{attempt}{name}" for name in (*names, *held)),
+                tuple(f"{attempt}{name}" for name in (*names, *row_names)),
                 f"{attempt}impact",
                 "missing_speed",
             ),
@@ -200,10 +203,12 @@ def _bound_rows(d: Dynamics) -> tuple[Matrix, list[str]]:
     g, nu = d.k.graph, d.k.system.nu
     if not d.k.system.closed:
         return Matrix(g, 0, nu, ()), []
-    own = {
-        f"{force.name}.{name}" for force in d.k.system.forces for name, _ in force.element.holding()
+    switched = {
+        f"{force.name}.{name}"
+        for force in d.k.system.forces
+        for name, _ in force.element.locked_velocities()
     }
     G = d.constraints.jacobian
-    kept = [i for i, row in enumerate(d.constraints.rows) if row.name not in own]
-    nodes = [n for i in kept for n in G.block(slice(i, i + 1)).nodes]
-    return Matrix(g, len(kept), nu, nodes), [d.constraints.rows[i].name for i in kept]
+    remaining = [i for i, row in enumerate(d.constraints.rows) if row.name not in switched]
+    nodes = [n for i in remaining for n in G.block(slice(i, i + 1)).nodes]
+    return Matrix(g, len(remaining), nu, nodes), [d.constraints.rows[i].name for i in remaining]

@@ -1,4 +1,4 @@
-"""How the functions of a system are derived, each from scratch when it is requested."""
+"""Derivations of the functions of a system, each from scratch when it is requested."""
 
 from __future__ import annotations
 
@@ -20,9 +20,9 @@ XYZ = ("x", "y", "z")
 
 @recipe
 def rhs(c: Context) -> tuple[Output, ...]:
-    rest = Matrix.zeros(c.k.graph, c.k.system.nu)
-    found = c.vector("qdot", c.k.rates, "qdot") + c.vector("udot", c.d.forward(rest), "udot")
-    return found + (c.vector("zdot", event_functions.rates(c.d), "zdot") if c.k.system.nz else ())
+    zero_tau = Matrix.zeros(c.k.graph, c.k.system.nu)
+    rates = c.vector("qdot", c.k.rates, "qdot") + c.vector("udot", c.d.forward(zero_tau), "udot")
+    return rates + (c.vector("zdot", event_functions.rates(c.d), "zdot") if c.k.system.nz else ())
 
 
 @recipe
@@ -70,7 +70,7 @@ def coriolis(c: Context) -> tuple[Output, ...]:
 
 
 @recipe
-def applied(c: Context) -> tuple[Output, ...]:
+def applied_forces(c: Context) -> tuple[Output, ...]:
     return c.vector("f", c.d.forces(), "tau")
 
 
@@ -78,10 +78,10 @@ def applied(c: Context) -> tuple[Output, ...]:
 def wrenches(c: Context) -> tuple[Output, ...]:
     bodies, zero = range(len(c.k.system.bodies)), Matrix.zeros(c.k.graph, 3)
     pairs = [c.d.loads.wrenches.get(i, (zero, zero)) for i in bodies]
-    found = {"moment": [x for x, _ in pairs], "force": [x for _, x in pairs]}
+    columns = {"moment": [x for x, _ in pairs], "force": [x for _, x in pairs]}
     outputs = [
         Output(name, (len(bodies), 3), tuple(node for x in rows for node in x.nodes))
-        for name, rows in found.items()
+        for name, rows in columns.items()
     ]
     return (*outputs, *c.vector("joints", generalized(c.k, c.d.loads), "tau"))
 
@@ -177,7 +177,7 @@ def _give_accelerations(c: Context) -> None:
 
 @recipe
 def power(c: Context) -> tuple[Output, ...]:
-    moved = _held_power(c)
+    moved = _constraint_power(c)
     values = []
     for name, value in c.d.loads.power:
         values.append((name, (value + moved.pop(name, 0)).node, "W"))
@@ -189,18 +189,18 @@ def power(c: Context) -> tuple[Output, ...]:
     return _list("power", values)
 
 
-def _held_power(c: Context) -> dict[str, Scalar]:
+def _constraint_power(c: Context) -> dict[str, Scalar]:
     """Power of what elements hold on surfaces that move by themselves: lam G u = -lam g_t."""
-    found: dict[str, Scalar] = {}
-    if not any(force.element.holding() for force in c.k.system.forces):
-        return found
-    own = c.d.constraints
-    for row, rate in own.surfaces:
+    powers: dict[str, Scalar] = {}
+    if not any(force.element.locked_velocities() for force in c.k.system.forces):
+        return powers
+    constraints = c.d.constraints
+    for row, rate in constraints.surfaces:
         if rate.node != ZERO:
             _, lam = c.d.bound(Matrix.zeros(c.k.graph, c.k.system.nu))
-            owner = own.rows[row].owner
-            found[owner] = found.get(owner, Scalar(c.k.graph, ZERO)) - lam[row] * rate
-    return found
+            owner = constraints.rows[row].owner
+            powers[owner] = powers.get(owner, Scalar(c.k.graph, ZERO)) - lam[row] * rate
+    return powers
 
 
 def _relations_power(c: Context) -> list[tuple[str, int, str]]:
@@ -208,12 +208,12 @@ def _relations_power(c: Context) -> list[tuple[str, int, str]]:
     relations = c.k.system.constraints
     if not relations or c.d.constraints.prescribed.is_zero:
         return []
-    own = c.d.constraints
+    constraints = c.d.constraints
     _, lam = c.d.bound(Matrix.zeros(c.k.graph, c.k.system.nu))
-    at = {row.owner: i for i, row in enumerate(own.rows)}
+    at = {row.owner: i for i, row in enumerate(constraints.rows)}
     return [
         (f"{entry.name}.motion", (-lam[at[entry.name]] * rate).node, "W")
-        for entry, rate in zip(relations, own.prescribed, strict=True)
+        for entry, rate in zip(relations, constraints.prescribed, strict=True)
         if rate.node != ZERO
     ]
 

@@ -29,7 +29,7 @@ from ..kinematics.composite_bodies import composites, inward
 from ..kinematics.inertia import of_body, second_moment_of_body
 from ..kinematics.joint_forces import JointForces, along_joint, driving_force, joint_forces
 from ..kinematics.kinematics import Kinematics
-from ..kinematics.loads import Loads, spread
+from ..kinematics.loads import Loads, along_speeds
 from .directions import Direction
 
 
@@ -38,12 +38,12 @@ class Flow:
     """Twice the momentum P and twice K, the integral of v xᵀ dm, about the origin of a body."""
 
     momentum: Matrix
-    spread: Matrix
+    gradient: Matrix
 
     @cached_property
-    def turning(self) -> Matrix:
+    def moment_map(self) -> Matrix:
         """tr(K) - K: the moment that eta causes is this times eta."""
-        k = self.spread
+        k = self.gradient
         x, y, z = k[0, 0], k[1, 1], k[2, 2]
         rows = [
             [y + z, -k[0, 1], -k[0, 2]],
@@ -54,16 +54,16 @@ class Flow:
 
     def force(self, eta: Matrix) -> Matrix:
         """Moment and force (6, 1) that a change of angular velocity asks for."""
-        return Matrix.vstack(self.turning @ eta, eta.cross(self.momentum))
+        return Matrix.vstack(self.moment_map @ eta, eta.cross(self.momentum))
 
     def along(self, s: Matrix) -> Matrix:
         """g (3, 1): the part of that along the motion s (6, 1) is g · eta."""
-        return self.turning.T @ s.block(slice(0, 3)) + self.momentum.cross(s.block(slice(3, 6)))
+        return self.moment_map.T @ s.block(slice(0, 3)) + self.momentum.cross(s.block(slice(3, 6)))
 
 
 @dataclass(frozen=True)
 class Cause:
-    """What one direction does at one joint, in the axes of its body.
+    """Effect of one direction at one joint, in the axes of its body.
 
     Attributes:
         column: Number of the direction.
@@ -124,19 +124,23 @@ class Derivatives:
     # causes
 
     def _causes(self, i: int) -> list[Cause]:
-        """What the directions along the speeds of a joint do there."""
-        found = []
+        """Effects of the directions along the speeds of a joint."""
+        causes = []
         for slot, s in self.k.joints[i].columns:
             for block, shift in (("q", s), ("u", None)):
                 if (block, slot) in self.slots:
                     with self.k.graph.made_by(self.k.system.joints[i].name, f"d{block}"):
-                        found.append(self._cause(i, self.slots[block, slot], shift))
-        return found
+                        causes.append(self._cause(i, self.slots[block, slot], shift))
+        return causes
 
     def _cause(self, i: int, column: int, shift: Matrix | None) -> Cause:
         k, joint = self.k, self.k.joints[i]
-        own, modes = self._own(i, self.directions[column].seeds, shift)
-        dw, dv, drift = own.block(slice(0, 3)), own.block(slice(3, 6)), own.block(slice(6, 12))
+        change, modes = self._joint_change(i, self.directions[column].seeds, shift)
+        dw, dv, drift = (
+            change.block(slice(0, 3)),
+            change.block(slice(3, 6)),
+            change.block(slice(6, 12)),
+        )
         turn, velocity = joint.velocity.block(slice(0, 3)), self.k.v_from_root[i]
         omega, alpha, a, v = self._inboard(i)
         twice = omega * 2
@@ -145,27 +149,27 @@ class Derivatives:
         eta = dw
         if shift is not None:
             xi_w, xi_v = shift.block(slice(0, 3)), shift.block(slice(3, 6))
-            turned = omega.cross(xi_w)
-            eta = turned + dw
-            zeta_w = zeta_w + alpha.cross(xi_w) + omega.cross(turned)
-            zeta_v = zeta_v + a.cross(xi_w) - turned.cross(v * 2)
+            swept = omega.cross(xi_w)
+            eta = swept + dw
+            zeta_w = zeta_w + alpha.cross(xi_w) + omega.cross(swept)
+            zeta_v = zeta_v + a.cross(xi_w) - swept.cross(v * 2)
             zeta_v = zeta_v + alpha.cross(xi_v) + omega.cross(omega.cross(xi_v))
         name = k.system.joints[i].name
         eta.label(name, "eta")
         return Cause(column, shift, eta, Matrix.vstack(zeta_w, zeta_v), modes)
 
-    def _own(
+    def _joint_change(
         self, i: int, seeds: dict[int, int], shift: Matrix | None
     ) -> tuple[Matrix, dict[int, Matrix]]:
         """Changes of S u (6) and of drift + S udot (6), and of the columns of S, child axes."""
         k, g, joint = self.k, self.k.graph, self.k.joints[i]
-        known = dict(seeds)
+        seeds_of_nodes = dict(seeds)
         if shift is not None:
             # the rotation changes by R [xi]: nothing is differentiated through its parameters
             inner = joint.turns[-1]
-            turned = inner @ shift.block(slice(0, 3)).skew
-            pairs = zip(inner.nodes, turned.nodes, strict=True)
-            known |= {n: d for n, d in pairs if g.value(n) is None}
+            rotation_change = inner @ shift.block(slice(0, 3)).skew
+            pairs = zip(inner.nodes, rotation_change.nodes, strict=True)
+            seeds_of_nodes |= {n: d for n, d in pairs if g.value(n) is None}
         moved = joint.drift + joint.S @ self.along[i]
         columns = dict(joint.columns)
         nodes = [
@@ -173,11 +177,11 @@ class Derivatives:
             *moved.nodes,
             *(n for s in columns.values() for n in s.nodes),
         ]
-        found = forward(g, nodes, known)
+        slopes = forward(g, nodes, seeds_of_nodes)
         modes = {
-            slot: Matrix(g, 6, 1, found[12 + 6 * n : 18 + 6 * n]) for n, slot in enumerate(columns)
+            slot: Matrix(g, 6, 1, slopes[12 + 6 * n : 18 + 6 * n]) for n, slot in enumerate(columns)
         }
-        return Matrix(k.graph, 12, 1, found[:12]), modes
+        return Matrix(k.graph, 12, 1, slopes[:12]), modes
 
     def _inboard(self, i: int) -> tuple[Matrix, Matrix, Matrix, Matrix]:
         """omega, alpha, a and v of the parent at the origin and in the axes of body i."""
@@ -190,7 +194,7 @@ class Derivatives:
         return (
             to_child @ omega,
             to_child @ acc.alpha[parent],
-            to_child @ (acc.a[parent] + acc.spread[parent] @ p),
+            to_child @ (acc.a[parent] + acc.gradient[parent] @ p),
             to_child @ (k.v_from_root[parent] + omega.cross(p)),
         )
 
@@ -223,9 +227,9 @@ class Derivatives:
         force: dict[int, dict[int, Matrix]] = defaultdict(dict)
         for i, (moment, push) in self._loads().items():
             for n in range(len(self.directions)):
-                own = Matrix.vstack(moment[n], push[n])
-                if not own.is_zero:
-                    force[i][n] = -own
+                load = Matrix.vstack(moment[n], push[n])
+                if not load.is_zero:
+                    force[i][n] = -load
         for i in range(len(k.joints) - 1, -1, -1):
             with k.graph.made_by(k.system.joints[i].name, "effect"):
                 self._effect(i, causes[i], force)
@@ -235,8 +239,8 @@ class Derivatives:
         k = self.k
         here, total = force.pop(i, {}), Matrix.vstack(self.forces.moment[i], self.forces.force[i])
         for c in causes:
-            own = self.flows[i].force(c.eta) + self.inertias[i].momentum(c.zeta)
-            here[c.column] = here[c.column] + own if c.column in here else own
+            inertial = self.flows[i].force(c.eta) + self.inertias[i].momentum(c.zeta)
+            here[c.column] = here[c.column] + inertial if c.column in here else inertial
         for n, vector in here.items():
             for slot, s in k.joints[i].columns:
                 self._add(slot, n, s.dot(vector).node)
@@ -244,31 +248,31 @@ class Derivatives:
             for slot, change in c.modes.items():
                 self._add(slot, c.column, change.dot(total).node)
             if c.shift is not None:
-                here[c.column] = here[c.column] + _turned(c.shift, total)
+                here[c.column] = here[c.column] + _wrench_change(c.shift, total)
         parent = k.system.bodies[i].parent
         if parent >= 0:
             there = force[parent]
             for n, vector in here.items():
-                carried = inward(k, i, vector)
-                there[n] = there[n] + carried if n in there else carried
+                transported = inward(k, i, vector)
+                there[n] = there[n] + transported if n in there else transported
 
     def _loads(self) -> dict[int, tuple[list[Matrix], list[Matrix]]]:
         """Changes of the applied moments and forces of every body along every direction."""
         g = self.k.graph
         seeds = [d.seeds for d in self.directions]
-        found = {}
+        changes = {}
         for i, wrench in self.loads.wrenches.items():
             moment, force = (directional(g, x.nodes, seeds) for x in wrench)
-            found[i] = (_vectors(g, moment), _vectors(g, force))
-        return found
+            changes[i] = (_vectors(g, moment), _vectors(g, force))
+        return changes
 
     def _elements(self) -> None:
-        """What elements on the joints themselves supply, and the inertia of rotors."""
+        """Forces of elements along the joints themselves, and the inertia of rotors."""
         k, zero = self.k, Matrix.zeros(self.k.graph, 3)
         none = JointForces([zero] * len(k.joints), [zero] * len(k.joints))
         for i in {*self.loads.joints, *self.loads.rotors}:
-            own = driving_force(k, i, none, self.loads, self.along[i])
-            rows = spread(k, i, own)
+            driving = driving_force(k, i, none, self.loads, self.along[i])
+            rows = along_speeds(k, i, driving)
             changes = directional(k.graph, list(rows.values()), [d.seeds for d in self.directions])
             for n, column in enumerate(changes):
                 for slot, node in zip(rows, column, strict=True):
@@ -283,13 +287,13 @@ def flows(k: Kinematics) -> list[Flow]:
         if parent >= 0:
             with k.graph.made_by(k.owner(parent), "flow"):
                 momentum = joint.rotation @ result[i].momentum
-                turned = result[i].spread
+                rotated = result[i].gradient
                 for turn in reversed(joint.turns):
-                    turned = turn_general(turn, turned)
+                    rotated = turn_general(turn, rotated)
                 before = result[parent]
                 result[parent] = Flow(
                     before.momentum + momentum,
-                    before.spread + turned + momentum.outer(joint.position),
+                    before.gradient + rotated + momentum.outer(joint.position),
                 )
     return result
 
@@ -299,11 +303,11 @@ def _flow(k: Kinematics, i: int) -> Flow:
     with k.graph.made_by(k.owner(i), "flow"):
         inertia, omega, v = of_body(k, i), k.omega[i] * 2, k.v_from_root[i] * 2
         momentum = v * inertia.mass + omega.cross(inertia.moment)
-        spread = v.outer(inertia.moment) + omega.skew @ second_moment_of_body(k, i)
-        return Flow(momentum, spread)
+        gradient = v.outer(inertia.moment) + omega.skew @ second_moment_of_body(k, i)
+        return Flow(momentum, gradient)
 
 
-def _turned(shift: Matrix, wrench: Matrix) -> Matrix:
+def _wrench_change(shift: Matrix, wrench: Matrix) -> Matrix:
     """Change of moment and force (6, 1) that move with a displaced body."""
     w, v = shift.block(slice(0, 3)), shift.block(slice(3, 6))
     moment, force = wrench.block(slice(0, 3)), wrench.block(slice(3, 6))

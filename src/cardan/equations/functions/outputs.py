@@ -1,4 +1,4 @@
-"""What a moving system shows: poses, velocities, energy, momentum, reactions, outputs."""
+"""Outputs of a moving system: poses, velocities, energy, momentum, reactions, outputs."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from ..kinematics.energies import ground_moment, kinetic, weight
 from ..kinematics.inertia import of_body
 from ..kinematics.joint_forces import JointForces, along_joint, driving_force, joint_forces
 from ..kinematics.kinematics import Kinematics
-from ..kinematics.loads import applied, together
+from ..kinematics.loads import applied, merged
 from .dynamics import Dynamics
 
 
@@ -45,9 +45,9 @@ def frame_jacobian(k: Kinematics, frame: int) -> Matrix:
         # what moves with a joint turns about the origin of its body
         arm = at - k.ground_position[body]
         for slot, s in k.joints[body].columns:
-            turning = k.ground_rotation[body] @ s.block(slice(0, 3))
-            moving = k.ground_rotation[body] @ s.block(slice(3, 6)) + turning.cross(arm)
-            columns[slot] = columns[slot] + Matrix.vstack(turning, moving)
+            angular = k.ground_rotation[body] @ s.block(slice(0, 3))
+            moving = k.ground_rotation[body] @ s.block(slice(3, 6)) + angular.cross(arm)
+            columns[slot] = columns[slot] + Matrix.vstack(angular, moving)
         body = k.system.bodies[body].parent
     return Matrix.hstack(*columns) if nu else Matrix(g, 6, 0, ())
 
@@ -63,7 +63,7 @@ def acceleration(d: Dynamics, acc: Accelerations, frame: int) -> Matrix:
     k, f = d.k, d.k.system.frames[frame]
     if f.body < 0:
         return Matrix.zeros(k.graph, 6)
-    linear = acc.a[f.body] + acc.spread[f.body] @ k.place(frame)
+    linear = acc.a[f.body] + acc.gradient[f.body] @ k.place(frame)
     r = k.ground_rotation[f.body]
     return Matrix.vstack(r @ acc.alpha[f.body], r @ linear + d.gravity)
 
@@ -100,9 +100,9 @@ def momentum(k: Kinematics) -> Matrix:
     total = Matrix.zeros(k.graph, 6)
     for i in range(len(k.system.bodies)):
         with k.graph.made_by(k.owner(i), "momentum"):
-            own = of_body(k, i).momentum(Matrix.vstack(k.omega[i], k.v[i]))
-            linear = k.ground_rotation[i] @ own.block(slice(3, 6))
-            angular = k.ground_rotation[i] @ own.block(slice(0, 3))
+            body_momentum = of_body(k, i).momentum(Matrix.vstack(k.omega[i], k.v[i]))
+            linear = k.ground_rotation[i] @ body_momentum.block(slice(3, 6))
+            angular = k.ground_rotation[i] @ body_momentum.block(slice(0, 3))
             angular = angular + k.ground_position[i].cross(linear)
             total = total + Matrix.vstack(angular, linear)
     return total
@@ -111,7 +111,7 @@ def momentum(k: Kinematics) -> Matrix:
 # forces of joints
 
 
-def external(d: Dynamics, keep: set[str] | None = None) -> dict[int, tuple[Matrix, Matrix]]:
+def external(d: Dynamics, part_names: set[str] | None = None) -> dict[int, tuple[Matrix, Matrix]]:
     """Moment and force of the block ``wrench`` on every body, at its origin in its axes.
 
     Args:
@@ -123,12 +123,12 @@ def external(d: Dynamics, keep: set[str] | None = None) -> dict[int, tuple[Matri
         for part in body.parts:
             nodes = [k.graph.var("wrench", 6 * row + j) for j in range(6)]
             row += 1
-            if keep is not None and part.name not in keep:
+            if part_names is not None and part.name not in part_names:
                 continue
-            turned = k.ground_rotation[i].T
-            force = turned @ Matrix(k.graph, 3, 1, nodes[3:])
+            to_body = k.ground_rotation[i].T
+            force = to_body @ Matrix(k.graph, 3, 1, nodes[3:])
             at = k.place(part.frame)
-            moment = turned @ Matrix(k.graph, 3, 1, nodes[:3]) + at.cross(force)
+            moment = to_body @ Matrix(k.graph, 3, 1, nodes[:3]) + at.cross(force)
             if i in result:
                 moment, force = result[i][0] + moment, result[i][1] + force
             result[i] = (moment, force)
@@ -149,9 +149,9 @@ def reaction(d: Dynamics, name: str) -> Matrix:
     """
     udot, acc = accelerated(d)
     closing = closing_wrenches(d, d.tau, udot, acc)
-    for own in closing:
-        if own.cut.name == name:
-            return own.wrench
+    for one in closing:
+        if one.cut.name == name:
+            return one.wrench
     forces = joint_forces(d.k, acc, with_closing(d.k, d.loads, closing))
     for i, joint in enumerate(d.k.system.joints):
         if joint.name == name:
@@ -169,11 +169,7 @@ def on_declared_child(k: Kinematics, i: int, wrench: Matrix) -> Matrix:
 
 
 def _fixed_reaction(
-    d: Dynamics,
-    name: str,
-    acc: Accelerations,
-    joints: JointForces,
-    closing: tuple[Closing, ...],
+    d: Dynamics, name: str, acc: Accelerations, joints: JointForces, closing: tuple[Closing, ...]
 ) -> Matrix:
     """Reaction inside a rigid body: balance of the parts outboard of a fixed joint."""
     k = d.k
@@ -181,24 +177,24 @@ def _fixed_reaction(
     outboard = _outboard(parts, name)
     moment, force = Matrix.zeros(k.graph, 3), Matrix.zeros(k.graph, 3)
     for j in outboard:
-        own = _part_force(d, body, parts[j], acc)
-        moment, force = moment + own[0], force + own[1]
+        part_force = _part_force(d, body, parts[j], acc)
+        moment, force = moment + part_force[0], force + part_force[1]
     applied_here = _applied(d, body, parts, outboard, closing)
     moment, force = moment - applied_here[0], force - applied_here[1]
     # joints that leave from the outboard parts pull on them
     for i, joint in enumerate(k.system.joints):
         frame = k.system.frames[joint.parent_frame]
         if frame.body == body and frame.part in outboard:
-            carried = k.joints[i].rotation @ joints.force[i]
-            turned = k.joints[i].rotation @ joints.moment[i]
-            moment = moment + turned + k.joints[i].position.cross(carried)
-            force = force + carried
-    held = next(p for p in parts if p.joint == name)
-    at = k.system.frames[held.joint_frame]
+            child_force = k.joints[i].rotation @ joints.force[i]
+            child_moment = k.joints[i].rotation @ joints.moment[i]
+            moment = moment + child_moment + k.joints[i].position.cross(child_force)
+            force = force + child_force
+    fixed_part = next(p for p in parts if p.joint == name)
+    at = k.system.frames[fixed_part.joint_frame]
     axes = k.matrix(3, 3, at.rotation).T
     wrench = Matrix.vstack(axes @ (moment - k.vector(at.position).cross(force)), axes @ force)
     # declared the other way round, the part is the parent of its joint
-    return -wrench if held.reversed else wrench
+    return -wrench if fixed_part.reversed else wrench
 
 
 def _holder(k: Kinematics, name: str) -> tuple[int, tuple[Part, ...]]:
@@ -211,11 +207,11 @@ def _holder(k: Kinematics, name: str) -> tuple[int, tuple[Part, ...]]:
 
 def _outboard(parts: tuple[Part, ...], name: str) -> set[int]:
     """Indices of the parts that a fixed joint carries; parts follow those they are fixed to."""
-    carried: set[int] = set()
+    outboard: set[int] = set()
     for j, part in enumerate(parts):
-        if part.joint == name or part.inboard in carried:
-            carried.add(j)
-    return carried
+        if part.joint == name or part.inboard in outboard:
+            outboard.add(j)
+    return outboard
 
 
 def _part_force(d: Dynamics, body: int, part: Part, acc: Accelerations) -> tuple[Matrix, Matrix]:
@@ -229,23 +225,19 @@ def _part_force(d: Dynamics, body: int, part: Part, acc: Accelerations) -> tuple
         still = -d.gravity
         return inertia.moment.cross(still), still * inertia.mass
     second = second_moment(inertia.tensor)
-    return second_moment_force(inertia, second, acc.a[body], acc.spread[body])
+    return second_moment_force(inertia, second, acc.a[body], acc.gradient[body])
 
 
 def _applied(
-    d: Dynamics,
-    body: int,
-    parts: tuple[Part, ...],
-    chosen: set[int],
-    closing: tuple[Closing, ...],
+    d: Dynamics, body: int, parts: tuple[Part, ...], chosen: set[int], closing: tuple[Closing, ...]
 ) -> tuple[Matrix, Matrix]:
-    """What elements, the block ``wrench`` and circuits apply to some parts of a body."""
+    """Wrench that elements, the block ``wrench`` and loops apply to some parts of a body."""
     frames = d.k.system.frames
     mine = {i for i, f in enumerate(frames) if f.body == body and f.part in chosen}
     zero = Matrix.zeros(d.k.graph, 3)
     moment, force = applied(d.k, mine).wrenches.get(body, (zero, zero))
     outside = external(d, {parts[j].name for j in chosen}) if body >= 0 else {}
-    loads = replace(d.loads, wrenches=together({body: (moment, force)}, outside))
+    loads = replace(d.loads, wrenches=merged({body: (moment, force)}, outside))
     return with_closing(d.k, loads, closing, mine).wrenches[body]
 
 

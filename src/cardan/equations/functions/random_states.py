@@ -28,7 +28,7 @@ DEPENDENT = 1e-9
 class States:
     """Places where expressions are looked at: block -> (n, entries), consistent with what binds.
 
-    ``count`` is n; it may be smaller than asked for, where circuits do not close everywhere.
+    ``count`` is n; it may be smaller than asked for, where loops do not close everywhere.
     """
 
     values: dict[str, Array]
@@ -36,10 +36,10 @@ class States:
 
     def of(self, function: Function) -> dict[str, Array]:
         """Output -> (n, *shape); places where it is not finite give NaN."""
-        found = evaluate(function, self.values, "numpy")
+        results = evaluate(function, self.values, "numpy")
         return {
             output.name: np.broadcast_to(
-                np.asarray(found[output.name], dtype=np.float64), (self.count, *output.shape)
+                np.asarray(results[output.name], dtype=np.float64), (self.count, *output.shape)
             )
             for output in function.outputs
         }
@@ -64,7 +64,7 @@ def function_of(
 
 
 def drawn(
-    equations: EquationRecord, count: int, rng: np.random.Generator, given: dict[str, Array]
+    equations: EquationRecord, count: int, rng: np.random.Generator, base: dict[str, Array]
 ) -> States:
     """States with coordinates anywhere, speeds that the constraints allow, and accelerations.
 
@@ -75,7 +75,7 @@ def drawn(
         given: Blocks ``p r z s`` and ``t``, each (entries) or (count, entries).
     """
     system = equations.system
-    values: dict[str, Any] = {**given}
+    values: dict[str, Any] = {**base}
     q = np.array([default for _, _, default in blocks.coordinates(system)])
     for joint in system.joints:
         if joint.q >= 0 and joint.q0 is not None:
@@ -103,11 +103,11 @@ def _closed(
         values["q"] = search(functions, values, values["q"])
     g = np.asarray(evaluate(functions["constraints"], values, "numpy")["g"], dtype=np.float64)
     g = np.broadcast_to(g, (count, g.shape[-1]))
-    kept = (np.abs(g) < CLOSED * 1e-3).all(axis=-1) & np.isfinite(values["q"]).all(axis=-1)
+    closed = (np.abs(g) < CLOSED * 1e-3).all(axis=-1) & np.isfinite(values["q"]).all(axis=-1)
     chosen = {
-        name: x[kept] if np.ndim(x) == 2 and len(x) == count else x for name, x in values.items()
+        name: x[closed] if np.ndim(x) == 2 and len(x) == count else x for name, x in values.items()
     }
-    return chosen, int(kept.sum())
+    return chosen, int(closed.sum())
 
 
 def _consistent(equations: EquationRecord, c: Context, states: States) -> None:
@@ -115,24 +115,24 @@ def _consistent(equations: EquationRecord, c: Context, states: States) -> None:
     d, closed = c.d, equations.system.closed
     named = {"M": d.mass_matrix, "drive": d.forces() - d.bias()}
     if closed:
-        own = d.constraints
-        held = {"G": own.jacobian, "rates": own.rates}
-        found = states.of(function_of(equations, c, held, friction=False))
+        constraints = d.constraints
+        expressions = {"G": constraints.jacobian, "rates": constraints.rates}
+        results = states.of(function_of(equations, c, expressions, friction=False))
         with np.errstate(all="ignore"):
-            turned = np.nan_to_num(found["G"])
-            step = np.linalg.pinv(turned, rcond=DEPENDENT) @ np.nan_to_num(found["rates"])
+            jacobian = np.nan_to_num(results["G"])
+            step = np.linalg.pinv(jacobian, rcond=DEPENDENT) @ np.nan_to_num(results["rates"])
         states.values["u"] = states.values["u"] - step[..., 0]
-        named |= {"G": own.jacobian, "gamma": own.gamma}
-    found = {n: np.nan_to_num(x) for n, x in states.of(function_of(equations, c, named)).items()}
+        named |= {"G": constraints.jacobian, "gamma": constraints.gamma}
+    results = {n: np.nan_to_num(x) for n, x in states.of(function_of(equations, c, named)).items()}
     # in units in which every speed has mass 1 and every constraint length 1
-    units = 1.0 / np.sqrt(divisors(np.diagonal(found["M"], axis1=1, axis2=2)))[..., np.newaxis]
-    mass, right = units * found["M"] * np.swapaxes(units, 1, 2), units * found["drive"]
+    units = 1.0 / np.sqrt(divisors(np.diagonal(results["M"], axis1=1, axis2=2)))[..., np.newaxis]
+    mass, right = units * results["M"] * np.swapaxes(units, 1, 2), units * results["drive"]
     if closed:
-        G, n, m = found["G"] * np.swapaxes(units, 1, 2), mass.shape[-1], found["G"].shape[-2]
+        G, n, m = results["G"] * np.swapaxes(units, 1, 2), mass.shape[-1], results["G"].shape[-2]
         sizes = divisors(np.linalg.norm(G, axis=-1, keepdims=True))
         rows, G = np.zeros((states.count, n + m, n + m)), G / sizes
         rows[:, :n, :n], rows[:, :n, n:], rows[:, n:, :n] = mass, np.swapaxes(G, 1, 2), G
-        mass, right = rows, np.concatenate([right, found["gamma"] / sizes], axis=1)
+        mass, right = rows, np.concatenate([right, results["gamma"] / sizes], axis=1)
     solved = np.linalg.pinv(mass, rcond=1e-12, hermitian=True) @ right
     states.values["udot"] = (units * solved[:, : equations.system.nu])[..., 0]
 

@@ -1,4 +1,4 @@
-"""Which functions of the table a system has, and what its C calls them."""
+"""Functions of the table that a system has, and their names in C."""
 
 from __future__ import annotations
 
@@ -32,24 +32,24 @@ def c_name(system: System, name: str, of: str | None) -> str:
     if FUNCTIONS[name].of == "function":
         return _derivative_name(of)
     if FUNCTIONS[name].of == "joint":
-        known = [*system.moving_joints, *system.fixed]
+        names = [*system.moving_joints, *system.fixed]
     else:
-        known = [f.name for f in system.frames]
-    return blocks.c_name(name, of, known)
+        names = [f.name for f in system.frames]
+    return blocks.c_name(name, of, names)
 
 
 def _derivative_name(of: str) -> str:
     """``derivative__forward_dynamics_q_u``; with a mark where that alone would be ambiguous."""
     request = request_of(of)
-    words = (request.function, *([request.of] if request.of else []), *request.wrt)
-    plain = "_".join(blocks.identifier(word) for word in words)
+    parts = (request.function, *([request.of] if request.of else []), *request.wrt)
+    plain = "_".join(blocks.identifier(word) for word in parts)
     if request.of or not set(request.wrt) <= set(DIRECTIONS) or len(plain) > LONGEST:
         plain = f"{plain[:LONGEST]}_{hashlib.sha256(str(request).encode()).hexdigest()[:8]}"
     return f"derivative__{re.sub('_+', '_', plain)}"
 
 
 def is_rewritable(name: str, of: str | None) -> bool:
-    """Whether a function is the same however the bodies are described."""
+    """True when a function is the same however the bodies are described."""
     if FUNCTIONS[name].of == "function":
         name = request_of(of or "").function
     return FUNCTIONS[name].rewritable
@@ -62,7 +62,7 @@ def about(name: str, of: str | None) -> str:
 
 
 def blocks_of(wrt: str | Sequence[str]) -> tuple[str, ...]:
-    """What a function is differentiated by.
+    """Blocks by which a function is differentiated.
 
     Raises:
         DerivationError: nothing.
@@ -73,7 +73,7 @@ def blocks_of(wrt: str | Sequence[str]) -> tuple[str, ...]:
 
 
 def check(name: str, of: str | None) -> None:
-    """Whether a function is asked for as it should be.
+    """Check the request for a function.
 
     Raises:
         DerivationError: there is none of that name, or it takes a frame or joint and has none.
@@ -116,7 +116,7 @@ def _unmet(system: System, name: str, need: str) -> str:
         )
     if need == "closed form" and not system.closures:
         return (
-            f"function '{name}' is one of systems with circuits in closed form, as "
+            f"function '{name}' is one of systems with loops in closed form, as "
             f"derive(constraints='closed_form') makes them; '{system.name}' has none"
         )
     return ""

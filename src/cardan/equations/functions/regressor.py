@@ -24,7 +24,7 @@ from ...ir.graph import ONE, ZERO
 from ...ir.matrix import Matrix
 from ...spatial.moments import moved, turn_symmetric
 from ...topology.internal_states import dotted, slides
-from ..constraints.reaction_friction import pressed
+from ..constraints.reaction_friction import friction_forces
 from ..kinematics.inertia import of_body
 from ..kinematics.kinematics import Kinematics
 from ..kinematics.loads import Loads, places, summed
@@ -40,7 +40,7 @@ CELLS = ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2))
 
 @dataclass(frozen=True)
 class Column:
-    """What one parameter does.
+    """Column of one parameter.
 
     Attributes:
         name, unit: Of the parameter.
@@ -60,7 +60,7 @@ class Column:
 
     @property
     def empty(self) -> bool:
-        """Whether it does nothing, whatever the motion."""
+        """True when it does nothing, whatever the motion."""
         scalars = (self.kinetic, self.potential, self.power)
         return self.force.is_zero and all(x.node == ZERO for x in scalars)
 
@@ -80,10 +80,10 @@ class Columns:
 
     @cached_property
     def all(self) -> tuple[Column, ...]:
-        """Those of the bodies, then those of the force elements that do something."""
-        found = [column for i in range(len(self.k.system.bodies)) for column in self._body(i)]
+        """Columns of the bodies, then of the force elements that are not zero."""
+        columns = [column for i in range(len(self.k.system.bodies)) for column in self._body(i)]
         elements = [column for n in range(len(self.k.system.forces)) for column in self._force(n)]
-        return (*found, *(column for column in elements if not column.empty))
+        return (*columns, *(column for column in elements if not column.empty))
 
     # bodies
 
@@ -101,7 +101,7 @@ class Columns:
         back, at = k.matrix(3, 3, frame.rotation).T, k.vector(frame.position)
         with g.made_by(k.owner(i), "regressor"):
             omega, alpha = back @ k.omega[i], back @ self.acc.alpha[i]
-            a = back @ (self.acc.a[i] + self.acc.spread[i] @ at)
+            a = back @ (self.acc.a[i] + self.acc.gradient[i] @ at)
             v = back @ (k.v[i] + k.omega[i].cross(at))
             up = -(back @ (k.ground_rotation[i].T @ self.c.d.gravity))
             place = k.ground_position[i] + k.ground_rotation[i] @ at
@@ -110,26 +110,29 @@ class Columns:
             units = [
                 Matrix.vector(g, [ONE if n == j else ZERO for n in range(3)]) for j in range(3)
             ]
-            found = [(none, a, v.dot(v) * 0.5, -self.c.d.gravity.dot(place))]
+            entries = [(none, a, v.dot(v) * 0.5, -self.c.d.gravity.dot(place))]
             for n, e in enumerate(units):
-                carried = alpha.cross(e) + omega.cross(omega.cross(e))
-                found.append((e.cross(a), carried, v.dot(omega.cross(e)), up[n]))
+                convective = alpha.cross(e) + omega.cross(omega.cross(e))
+                entries.append((e.cross(a), convective, v.dot(omega.cross(e)), up[n]))
             for row, column in CELLS:
                 unit = _unit(units, row, column)
                 moment = unit @ alpha + omega.cross(unit @ omega)
-                found.append((moment, none, omega.dot(unit @ omega) * 0.5, zero))
+                entries.append((moment, none, omega.dot(unit @ omega) * 0.5, zero))
             values = self._values(i, back, at)
             return [
                 Column(f"{body.name}.{entry}", unit, value, self._projected(ways, n, f), t, w, zero)
                 for entry, unit, value, (n, f, t, w) in zip(
-                    ENTRIES, UNITS, values, found, strict=True
+                    ENTRIES, UNITS, values, entries, strict=True
                 )
             ]
 
     def _ways(self, i: int, back: Matrix, at: Matrix) -> dict[int, tuple[Matrix, Matrix]]:
         """Partial velocities of the frame of a body in its axes: speed -> (angular, linear)."""
-        own = self.partials[i]
-        return {r: (back @ w, back @ (own.linear[r] + w.cross(at))) for r, w in own.angular.items()}
+        partials_of_body = self.partials[i]
+        return {
+            r: (back @ w, back @ (partials_of_body.linear[r] + w.cross(at)))
+            for r, w in partials_of_body.angular.items()
+        }
 
     def _projected(
         self, ways: dict[int, tuple[Matrix, Matrix]], moment: Matrix, force: Matrix
@@ -141,35 +144,35 @@ class Columns:
 
     def _values(self, i: int, back: Matrix, at: Matrix) -> tuple[int, ...]:
         """The ten numbers of a body about its own frame."""
-        own = moved(of_body(self.k, i), -at)
-        tensor = turn_symmetric(back, own.tensor)
+        inertia = moved(of_body(self.k, i), -at)
+        tensor = turn_symmetric(back, inertia.tensor)
         cells = tuple(tensor[cell].node for cell in CELLS)
-        return (own.mass.node, *(back @ own.moment).nodes, *cells)
+        return (inertia.mass.node, *(back @ inertia.moment).nodes, *cells)
 
     # force elements
 
     def _force(self, n: int) -> list[Column]:
-        """What a unit of every linear quantity of an element adds to what it does without any."""
+        """Columns of the linear quantities of an element: the action of a unit of each."""
         k, force = self.k, self.k.system.forces[n]
         at = places(k, force)
-        told = force.element.quantities()
+        quantities = force.element.quantities()
         linear = [name for name in force.element.linear() if name in at.data]
         linear = [name for name in linear if constant(at.data[name])]
         nothing = {name: Matrix.zeros(k.graph, 1) for name in linear}
         bare = summed(k, (force,), nothing)
-        found = []
+        columns = []
         for name in linear:
             one = {name: Matrix.vector(k.graph, [ONE])}
             loads = summed(k, (force,), {**nothing, **one})
             force_of, power = self._needed(loads) - self._needed(bare), _power(k, loads, bare)
             full, value = dotted(force.name, name), at.data[name][0].node
-            unit = self._unit_of(n, told[name].unit)
+            unit = self._unit_of(n, quantities[name].unit)
             kinetic, potential = self._rotating(loads), loads.potential - bare.potential
-            found.append(Column(full, unit, value, force_of, kinetic, potential, power))
-        return found
+            columns.append(Column(full, unit, value, force_of, kinetic, potential, power))
+        return columns
 
     def _unit_of(self, n: int, written: str) -> str:
-        """Of a quantity that has one for turning and another for sliding."""
+        """Unit of a quantity that has one for rotation and another for translation."""
         system = self.k.system
         return written_unit(written, slides(system.joints, system.forces[n].joints.values()))
 
@@ -178,9 +181,11 @@ class Columns:
         k, g = self.k, self.k.graph
         nodes = [ZERO] * k.system.nu
         for i, (moment, force) in loads.wrenches.items():
-            own = self.partials[i]
-            for r, w in own.angular.items():
-                nodes[r] = g.sub(nodes[r], (w.dot(moment) + own.linear[r].dot(force)).node)
+            partials_of_body = self.partials[i]
+            for r, w in partials_of_body.angular.items():
+                nodes[r] = g.sub(
+                    nodes[r], (w.dot(moment) + partials_of_body.linear[r].dot(force)).node
+                )
         for i, force in loads.joints.items():
             for r, way in k.partials_of(k.speeds[i]).items():
                 nodes[r] = g.sub(nodes[r], way.dot(force).node)
@@ -209,8 +214,8 @@ def _unit(units: Sequence[Matrix], row: int, column: int) -> Matrix:
 
 def _power(k: Kinematics, loads: Loads, bare: Loads) -> Scalar:
     total = Scalar(k.graph, ZERO)
-    for sign, own in ((1, loads), (-1, bare)):
-        for _, value in own.power:
+    for sign, some_loads in ((1, loads), (-1, bare)):
+        for _, value in some_loads.power:
             total = total + value * sign
     return total
 
@@ -232,7 +237,7 @@ def energy_regressor(c: Context) -> tuple[Output, ...]:
         DerivationError: something moves by itself; what it takes is not among tau. Or the friction
             of a joint follows from its reaction, and so from accelerations.
     """
-    friction = pressed(c.k.system)
+    friction = friction_forces(c.k.system)
     if friction:
         raise DerivationError(
             f"energy_regressor: the friction of '{friction[0].name}' follows from reactions, whose "

@@ -15,7 +15,7 @@ from ...ir.function import Output
 from ...ir.graph import ZERO
 from ...ir.matrix import Matrix
 from ..constraints.constraint_functions import constraint_rates, constraints
-from ..constraints.reaction_friction import pressed
+from ..constraints.reaction_friction import friction_forces
 from ..kinematics.increments import integrated
 from .context import Context, recipe, settled
 from .derivatives import columns_of, inverse_columns
@@ -48,15 +48,15 @@ def balance_tangent(c: Context) -> tuple[Output, ...]:
     speeds, rows = c.names["u"], tuple(row.name for row in c.d.constraints.rows)
     bound: tuple[Output, ...] = ()
     if c.k.system.closed:
-        own = c.d.constraints
+        constraints = c.d.constraints
         seeds = [d.seeds for d in flat]
         forces = directional(g, _constraint_forces(c).nodes, seeds)
         pairs = zip(columns, forces, strict=True)
         columns = [[g.sub(a, b) for a, b in zip(*pair, strict=True)] for pair in pairs]
-        turned = directional(g, own.rates.nodes, seeds[:nu])
+        rate_slopes = directional(g, constraints.rates.nodes, seeds[:nu])
         bound = (
-            _square("R", rows, speeds, turned),
-            Output("G", (len(rows), nu), own.jacobian.nodes, _named(rows, speeds)),
+            _square("R", rows, speeds, rate_slopes),
+            Output("G", (len(rows), nu), constraints.jacobian.nodes, _named(rows, speeds)),
         )
     mass = c.d.mass_matrix
     return (
@@ -70,7 +70,7 @@ def balance_tangent(c: Context) -> tuple[Output, ...]:
 def _force_columns(c: Context, along: list[Direction]) -> list[list[int]]:
     """Changes of M udot + h - f; friction that follows from reactions is that of the model's own
     motion, as in the balance, and changes as that does."""
-    if not pressed(c.k.system):
+    if not friction_forces(c.k.system):
         return inverse_columns(c, along)
     force = settled(c, c.vector("balance", c.d.inverse(c.udot), "tau"))
     return columns_of(c, "balance", force, along)
@@ -96,10 +96,10 @@ def move(c: Context) -> tuple[Output, ...]:
     for joint in system.joints:
         if joint.u >= 0:
             size = len(joint.element.speeds)
-            own = joint.element.tangent(step.block(slice(joint.u, joint.u + size)))
+            tangent_map = joint.element.tangent(step.block(slice(joint.u, joint.u + size)))
             for i in range(size):
                 start = (joint.u + i) * system.nu + joint.u
-                nodes[start : start + size] = own.row(i)
+                nodes[start : start + size] = tangent_map.row(i)
     speeds = c.names["u"]
     tangent = Output("T", (system.nu, system.nu), tuple(nodes), _named(speeds, speeds))
     return (*c.vector("q", integrated(c.d), "q"), tangent)

@@ -31,18 +31,24 @@ def rhs_jacobian(c: Context) -> tuple[Output, ...]:
     along, shares = _coordinates(c)
     blocks = [directions(c.k, block, c.names) for block in ("u", "z", "t", "r")]
     outputs = rhs(c)
-    found = columns_of(c, "rhs", outputs, [*along, *(d for block in blocks for d in block)])
+    columns = columns_of(c, "rhs", outputs, [*along, *(d for block in blocks for d in block)])
     by_q = [
-        [inner(g, [found[n][i] for n, _ in s], [f for _, f in s]) for i in range(len(found[0]))]
+        [inner(g, [columns[n][i] for n, _ in s], [f for _, f in s]) for i in range(len(columns[0]))]
         for s in shares
     ]
     # what is left comes as it was asked for: u, z, t, r
-    rest, own = found[len(along) :], c.k.system.nu + c.k.system.nz
+    further, state_count = columns[len(along) :], c.k.system.nu + c.k.system.nz
     rows = [name for output in outputs for name in output.entries]
     states = (*c.names["q"], *c.names["u"], *c.names["z"])
-    by_t = Output("d_t", (len(rows),), tuple(rest[own]), tuple(f"{row},t" for row in rows))
-    result = (_matrix("d_x", rows, states, [*by_q, *rest[:own]]), by_t)
-    return (*result, _matrix("d_r", rows, c.names["r"], rest[own + 1 :])) if blocks[3] else result
+    by_t = Output(
+        "d_t", (len(rows),), tuple(further[state_count]), tuple(f"{row},t" for row in rows)
+    )
+    result = (_matrix("d_x", rows, states, [*by_q, *further[:state_count]]), by_t)
+    return (
+        (*result, _matrix("d_r", rows, c.names["r"], further[state_count + 1 :]))
+        if blocks[3]
+        else result
+    )
 
 
 def _matrix(
@@ -72,13 +78,13 @@ def _coordinates(c: Context) -> tuple[list[Direction], list[Shares]]:
             slots = range(
                 joint.q + joint.element.quaternion, joint.q + joint.element.quaternion + 4
             )
-            _turned(c, slots, moves, shares)
-    used = sorted({n for own in shares for n, _ in own})
+            _rotation_shares(c, slots, moves, shares)
+    used = sorted({n for entry in shares for n, _ in entry})
     number = {n: k for k, n in enumerate(used)}
     return [along[n] for n in used], [[(number[n], f) for n, f in own] for own in shares]
 
 
-def _turned(
+def _rotation_shares(
     c: Context, slots: range, moves: Sequence[dict[int, int]], shares: list[Shares]
 ) -> None:
     """Columns of a unit quaternion, from its three speeds where these alone move it."""

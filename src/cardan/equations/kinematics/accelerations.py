@@ -24,12 +24,12 @@ from .loads import Loads
 class Accelerations:
     """Angular acceleration and acceleration of the origin of every body minus gravity, body axes.
 
-    ``spread`` is U = [alpha] + [omega][omega] of every body.
+    ``gradient`` is U = [alpha] + [omega][omega] of every body.
     """
 
     alpha: list[Matrix]
     a: list[Matrix]
-    spread: list[Matrix]
+    gradient: list[Matrix]
 
 
 def accelerations(
@@ -62,17 +62,17 @@ def accelerations(
             result.alpha.append(k.carry(i, f"{word}alpha", alpha))
         with k.graph.made_by(name, f"{word}a"):
             if body.parent >= 0:
-                carried = result.a[body.parent] + result.spread[body.parent] @ joint.position
+                at_joint = result.a[body.parent] + result.gradient[body.parent] @ joint.position
             else:
-                carried = -gravity
-            result.a.append(k.carry(i, f"{word}a", to_child @ carried + a))
+                at_joint = -gravity
+            result.a.append(k.carry(i, f"{word}a", to_child @ at_joint + a))
         with k.graph.made_by(name, f"{word}U"):
             omega = k.omega[i] if moving else Matrix.zeros(k.graph, 3)
-            result.spread.append(k.carry(i, f"{word}U", _spread(omega, result.alpha[i]), CELLS))
+            result.gradient.append(k.carry(i, f"{word}U", _gradient(omega, result.alpha[i]), CELLS))
     return result
 
 
-def _spread(omega: Matrix, alpha: Matrix) -> Matrix:
+def _gradient(omega: Matrix, alpha: Matrix) -> Matrix:
     """[alpha] + [omega][omega]."""
     x, y, z = omega
     xx, yy, zz = x * x, y * y, z * z
@@ -95,18 +95,18 @@ def inertia_force(k: Kinematics, i: int, acc: Accelerations) -> tuple[Matrix, Ma
     k.graph.describe(inertia_force)
     inertia, second = of_body(k, i), second_moment_of_body(k, i)
     with k.graph.made_by(k.owner(i), "inertia_force"):
-        return second_moment_force(inertia, second, acc.a[i], acc.spread[i])
+        return second_moment_force(inertia, second, acc.a[i], acc.gradient[i])
 
 
 def second_moment_force(
-    inertia: Inertia, second: Matrix, a: Matrix, spread: Matrix
+    inertia: Inertia, second: Matrix, a: Matrix, gradient: Matrix
 ) -> tuple[Matrix, Matrix]:
-    """Moment and force that accelerate an inertia: origin by a, field by U = ``spread``."""
-    moment = _turning(spread, second) + inertia.moment.cross(a)
-    return moment, a * inertia.mass + spread @ inertia.moment
+    """Moment and force that accelerate an inertia: origin by a, field by U = ``gradient``."""
+    moment = _second_moment(gradient, second) + inertia.moment.cross(a)
+    return moment, a * inertia.mass + gradient @ inertia.moment
 
 
-def _turning(u: Matrix, j: Matrix) -> Matrix:
+def _second_moment(u: Matrix, j: Matrix) -> Matrix:
     """2 vee(skew(U J)) of a symmetric J; entries off the diagonal of J meet differences of U."""
     rows = []
     for x, y, z in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
@@ -119,8 +119,10 @@ def _turning(u: Matrix, j: Matrix) -> Matrix:
     return Matrix.vector(u.graph, rows)
 
 
-def own_force(k: Kinematics, i: int, acc: Accelerations, loads: Loads) -> tuple[Matrix, Matrix]:
-    """What a body needs from its joints: rate of change of momentum less applied forces."""
+def inertial_wrench(
+    k: Kinematics, i: int, acc: Accelerations, loads: Loads
+) -> tuple[Matrix, Matrix]:
+    """Rate of change of momentum less applied forces: the load on the joints of a body."""
     moment, force = inertia_force(k, i, acc)
     if i in loads.wrenches:
         with k.graph.made_by(k.owner(i), "f"):

@@ -43,10 +43,10 @@ def speeds_of_joints(
 
 def by_speeds(x: Matrix, nu: int) -> dict[int, Matrix]:
     """Slot -> derivative of a velocity by the speed in it, where there is any."""
-    found = {}
+    columns = {}
     for slot in range(nu):
         dots = forward(x.graph, x.nodes, {x.graph.var("u", slot): ONE})
         column = Matrix(x.graph, x.rows, x.columns, dots)
         if not column.is_zero:
-            found[slot] = column
-    return found
+            columns[slot] = column
+    return columns

@@ -1,4 +1,4 @@
-"""What composite bodies, rigid with all that their joint carries, make of M.
+"""Mass matrix by composite bodies, rigid with all that their joint carries.
 
 Source: Walker and Orin, J. Dyn. Sys. Meas. Control 104 (1982); Featherstone, Rigid Body Dynamics
 Algorithms (2008), section 6.2.
@@ -32,18 +32,18 @@ def composites(k: Kinematics) -> list[Inertia]:
         result[i].tensor.label(name, "composite_inertia", CELLS)
         if parent >= 0 and not result[i].is_zero:
             with k.graph.made_by(k.owner(parent), "inertia"):
-                result[parent] = result[parent] + carried(k, i, result[i])
+                result[parent] = result[parent] + on_parent(k, i, result[i])
     return result
 
 
-def carried(k: Kinematics, i: int, inertia: Inertia) -> Inertia:
+def on_parent(k: Kinematics, i: int, inertia: Inertia) -> Inertia:
     """An inertia of body i about the origin and in the axes of its parent."""
     joint = k.joints[i]
     tensor = inertia.tensor
     for turn in reversed(joint.turns):
         tensor = turn_symmetric(turn, tensor)
-    turned = Inertia(inertia.mass, joint.rotation @ inertia.moment, tensor)
-    return moved(turned, joint.position)
+    rotated = Inertia(inertia.mass, joint.rotation @ inertia.moment, tensor)
+    return moved(rotated, joint.position)
 
 
 def projected(k: Kinematics, inertias: Sequence[Inertia], loads: Loads) -> Matrix:
@@ -115,8 +115,8 @@ def _add_rotor(k: Kinematics, entries: list[list[int]], i: int, loads: Loads) ->
     if shares is None:
         first, unit = k.system.joints[i].u, Matrix.identity(k.graph, loads.rotors[i].rows)
         shares = {first + n: unit.column(n) for n in range(unit.columns)}
-    for row, own in shares.items():
+    for row, share in shares.items():
         for column, other in shares.items():
             if column <= row:
-                added = own.dot(rotor @ other).node
+                added = share.dot(rotor @ other).node
                 entries[row][column] = k.graph.add(entries[row][column], added)

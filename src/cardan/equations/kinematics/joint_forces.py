@@ -1,4 +1,4 @@
-"""What joints transmit at given accelerations: forces inward, and inverse dynamics by them.
+"""Forces that joints transmit at given accelerations, and inverse dynamics by them.
 
 Source: Luh, Walker and Paul, J. Dyn. Sys. Meas. Control 102 (1980).
 """
@@ -10,9 +10,9 @@ from dataclasses import dataclass
 from ...ir.graph import ZERO
 from ...ir.matrix import Matrix
 from ..recursion.recursion_boundary import Sums
-from .accelerations import Accelerations, accelerations, own_force
+from .accelerations import Accelerations, accelerations, inertial_wrench
 from .kinematics import Kinematics
-from .loads import Loads, spread
+from .loads import Loads, along_speeds
 
 
 @dataclass(frozen=True)
@@ -31,7 +31,7 @@ def joint_forces(k: Kinematics, acc: Accelerations, loads: Loads) -> JointForces
     """
     k.graph.describe(joint_forces)
     n = len(k.system.bodies)
-    sums = Sums(k, ("n", "f"), [own_force(k, i, acc, loads) for i in range(n)])
+    sums = Sums(k, ("n", "f"), [inertial_wrench(k, i, acc, loads) for i in range(n)])
     result: dict[int, tuple[Matrix, Matrix]] = {}
     for i in range(n - 1, -1, -1):
         moment, force = result[i] = sums[i][0], sums[i][1]
@@ -40,9 +40,9 @@ def joint_forces(k: Kinematics, acc: Accelerations, loads: Loads) -> JointForces
         parent, joint = k.system.bodies[i].parent, k.joints[i]
         if parent >= 0:
             with k.graph.made_by(k.owner(i), "f"):
-                carried = joint.rotation @ force
-                turned = joint.rotation @ moment + joint.position.cross(carried)
-                sums.add(parent, i, (turned, carried))
+                parent_force = joint.rotation @ force
+                parent_moment = joint.rotation @ moment + joint.position.cross(parent_force)
+                sums.add(parent, i, (parent_moment, parent_force))
     return JointForces([result[i][0] for i in range(n)], [result[i][1] for i in range(n)])
 
 
@@ -57,8 +57,8 @@ def inverse_dynamics(
     tau = [ZERO] * k.system.nu
     for i in range(len(k.joints) - 1, -1, -1):
         with k.graph.made_by(k.system.joints[i].name, "tau"):
-            own = driving_force(k, i, forces, loads, along[i], moving)
-            for slot, node in spread(k, i, own).items():
+            force_along = driving_force(k, i, forces, loads, along[i], moving)
+            for slot, node in along_speeds(k, i, force_along).items():
                 tau[slot] = k.graph.add(tau[slot], node)
     result = Matrix(k.graph, k.system.nu, 1, tau)
     for joint in k.system.joints:
@@ -75,9 +75,9 @@ def driving_force(
     s = k.joints[i].S
     value = s.T @ Matrix.vstack(forces.moment[i], forces.force[i])
     if i in loads.rotors:
-        rotor, given = udot, k.given_acceleration(i) if moving else None
-        if given is not None:
-            rotor = rotor + given
+        rotor, prescribed = udot, k.prescribed_acceleration(i) if moving else None
+        if prescribed is not None:
+            rotor = rotor + prescribed
         value = value + loads.rotors[i] @ rotor
     if i in loads.joints:
         value = value - loads.joints[i]
@@ -101,12 +101,12 @@ def along_joint(k: Kinematics, i: int, udot: Matrix) -> Matrix:
 
 def bias(k: Kinematics, loads: Loads, gravity: Matrix, moving: bool = True) -> Matrix:
     """h (nu, 1): what moves the system without udot and forces."""
-    rest = Matrix.zeros(k.graph, k.system.nu)
+    zero_udot = Matrix.zeros(k.graph, k.system.nu)
     still = Loads({}, {}, loads.potential, (), loads.rotors)
-    return inverse_dynamics(k, rest, still, gravity, moving)
+    return inverse_dynamics(k, zero_udot, still, gravity, moving)
 
 
 def forces(k: Kinematics, loads: Loads) -> Matrix:
     """f (nu, 1): what holds the applied forces at rest without gravity, negated."""
-    rest = Matrix.zeros(k.graph, k.system.nu)
-    return -inverse_dynamics(k, rest, loads, Matrix.zeros(k.graph, 3), moving=False)
+    zero_udot = Matrix.zeros(k.graph, k.system.nu)
+    return -inverse_dynamics(k, zero_udot, loads, Matrix.zeros(k.graph, 3), moving=False)

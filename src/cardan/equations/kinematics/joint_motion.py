@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class JointPose:
-    """Where a body is against its parent, and how it can move from there.
+    """Pose of a body relative to its parent, and its motion from there.
 
     Attributes:
         q: Coordinates of the joint as expressions of the system's.
@@ -101,24 +101,24 @@ def joint_motion(k: Kinematics, i: int) -> JointMotion:
         velocity = k.carry(i, "relative", (at.S @ u).note("relative"), (), joint.name)
     with g.made_by(joint.name, "drift"):
         drift = _drift(k, i, at.modes, u, velocity)
-        given = k.given_acceleration(i)
-        if given is not None:
-            drift = drift + at.S @ given
+        prescribed = k.prescribed_acceleration(i)
+        if prescribed is not None:
+            drift = drift + at.S @ prescribed
         drift.note("relative")
     columns = _columns(k, i, at.S)
     return JointMotion(at.q, u, at.turns, at.rotation, at.position, at.S, columns, velocity, drift)
 
 
-def turn(k: Kinematics, made: Turn | None) -> Matrix | None:
+def turn(k: Kinematics, axis_turn: Turn | None) -> Matrix | None:
     """R from the axes of a body to those that do not turn with it.
 
     Joints with parallel axes turn by ``turn = sum of their angles``.
     """
     k.graph.describe(turn)
-    if made is None:
+    if axis_turn is None:
         return None
-    with k.graph.made_by(k.system.joints[made.joints[-1][0]].name, "turn"):
-        return _about(k, made.axis, made.joints)
+    with k.graph.made_by(k.system.joints[axis_turn.joints[-1][0]].name, "turn"):
+        return _about(k, axis_turn.axis, axis_turn.joints)
 
 
 def _about(k: Kinematics, axis: int, joints: tuple[tuple[int, int], ...]) -> Matrix:
@@ -166,14 +166,14 @@ def _with_offset(k: Kinematics, i: int) -> Matrix:
 
 def _drift(k: Kinematics, i: int, s: Matrix, u: Matrix, velocity: Matrix) -> Matrix:
     """Sdot u + [0; omega x v] of a joint, in the joint's own words where it has them."""
-    own = k.system.joints[i].element.convective(k.coordinates[i], u, **k.data[i])
-    if own is not None:
-        return k.settled(i, own)
+    convective = k.system.joints[i].element.convective(k.coordinates[i], u, **k.data[i])
+    if convective is not None:
+        return k.settled(i, convective)
     w, v = velocity.block(slice(0, 3)), velocity.block(slice(3, 6))
-    turning = Matrix.vstack(Matrix.zeros(k.graph, 3), w.cross(v))
+    transport = Matrix.vstack(Matrix.zeros(k.graph, 3), w.cross(v))
     if all(k.graph.value(x) is not None for x in s.nodes):
-        return turning
-    return k.derivative(s) @ u + turning
+        return transport
+    return k.derivative(s) @ u + transport
 
 
 def _columns(k: Kinematics, i: int, s: Matrix) -> tuple[tuple[int, Matrix], ...]:

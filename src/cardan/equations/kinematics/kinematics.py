@@ -20,7 +20,7 @@ from ...ir.rewrite import rebuild
 from ...topology.prescribed_motion import input_rates
 from ...topology.system import Joint, Named, System
 from ..constraints.closures import Closures
-from ..constraints.kinematic_coefficients import Following
+from ..constraints.kinematic_coefficients import KinematicCoefficients
 from ..recursion.recursion_boundary import CELLS, XYZ, Cuts
 from . import paths
 from .chosen_speeds import by_speeds, speeds_of_joints
@@ -38,14 +38,14 @@ class Kinematics:
             the system's u are then these.
         cut: Whether values that bodies hand on become leaves, so that steps of a recursion can be
             told apart. Nothing may be differentiated through them.
-        following: Gives names to what closed circuits determine, for people to read.
+        following: Gives names to what closed loops determine, for people to read.
     """
 
     def __init__(
         self, system: System, speeds: Sequence[Named] = (), cut: bool = False,
-        following: Following | None = None,
+        coefficients: KinematicCoefficients | None = None,
     ) -> None:  # fmt: skip
-        self.system, self.following = system, following
+        self.system, self.coefficients = system, coefficients
         self.graph = system.graph.fork().describe(Kinematics)
         self.cuts = Cuts(self.graph) if cut else None
         # angular acceleration and acceleration of a frame (6, 1), where udot is known
@@ -57,10 +57,10 @@ class Kinematics:
         self._replace: dict[int, int] = {}
         if speeds:
             # motions of frames among them are those by the speeds of the joints
-            plain, own = Kinematics(system), [speed.node for speed in speeds]
-            own = rebuild(plain.graph, plain.resolve(own), into=self.graph)[1]
+            plain, speed_nodes = Kinematics(system), [speed.node for speed in speeds]
+            speed_nodes = rebuild(plain.graph, plain.resolve(speed_nodes), into=self.graph)[1]
             names, slots = [speed.name for speed in speeds], self.block("u", 0, system.nu)
-            self.chosen_by_joints, joint_speeds = speeds_of_joints(self.graph, own, names)
+            self.chosen_by_joints, joint_speeds = speeds_of_joints(self.graph, speed_nodes, names)
             self._replace = dict(zip(slots.nodes, joint_speeds.nodes, strict=True))
 
     def matrix(self, rows: int, columns: int, nodes: Sequence[int]) -> Matrix:
@@ -111,7 +111,7 @@ class Kinematics:
 
     @cached_property
     def closures(self) -> Closures:
-        """The circuits that are solved in closed form."""
+        """The loops that are solved in closed form."""
         return Closures(self)
 
     @cached_property
@@ -128,14 +128,14 @@ class Kinematics:
         """u of a joint."""
         return self._joint_values(i, "u")
 
-    def given_acceleration(self, i: int) -> Matrix | None:
-        """What udot of a joint is where that of the system is 0, None for 0."""
+    def prescribed_acceleration(self, i: int) -> Matrix | None:
+        """Acceleration of a joint where udot of the system is 0, None for 0."""
         joint = self.system.joints[i]
         if joint.closure >= 0:
             return self.closures.velocity(joint.closure).bias[i]
         if joint.motion is not None:
             return self.vector([joint.motion.acceleration])
-        # circuits ask for this before their rates are known
+        # loops ask for this before their rates are known
         return self._changing(self.speeds[i], self.slot_seeds) if self.chosen else None
 
     def shares(self, i: int) -> dict[int, Matrix] | None:
@@ -220,7 +220,7 @@ class Kinematics:
 
     @cached_property
     def slot_seeds(self) -> dict[int, int]:
-        """The same without what closed circuits determine."""
+        """The same without what closed loops determine."""
         g = self.graph
         coordinates = {g.var("q", k): node for k, node in enumerate(self.rates.nodes)}
         return {g.var("t", 0): ONE} | input_rates(g, self.system.inputs) | coordinates
@@ -275,8 +275,8 @@ class Kinematics:
             with self.graph.made_by(self.owner(i), quantity):
                 v = joint.velocity.block(slice(3, 6))
                 if body.parent >= 0:
-                    carried = result[body.parent] + self.omega[body.parent].cross(joint.position)
-                    v = joint.rotation.T @ carried + v
+                    at_joint = result[body.parent] + self.omega[body.parent].cross(joint.position)
+                    v = joint.rotation.T @ at_joint + v
                 elif from_root:
                     v = Matrix.zeros(self.graph, 3)
                 result.append(self.carry(i, quantity, v))
@@ -319,8 +319,8 @@ class Kinematics:
         if parent < 0:
             return joint.drift
         w_rel, v_rel = joint.velocity.block(slice(0, 3)), joint.velocity.block(slice(3, 6))
-        carried = (joint.rotation.T @ self.omega[parent]).note("parent_omega")
-        return joint.drift + Matrix.vstack(carried.cross(w_rel), carried.cross(v_rel) * 2)
+        parent_omega = (joint.rotation.T @ self.omega[parent]).note("parent_omega")
+        return joint.drift + Matrix.vstack(parent_omega.cross(w_rel), parent_omega.cross(v_rel) * 2)
 
     # what is fixed to a body
 
@@ -331,8 +331,8 @@ class Kinematics:
 
     def fixed_to(self, body: int, x: Matrix) -> Matrix:
         """Vectors in the axes of a body, (3, n), told as those of its motion are."""
-        turned = self.turns[body] if body >= 0 else None
-        return x if turned is None else turned @ x
+        rotation = self.turns[body] if body >= 0 else None
+        return x if rotation is None else rotation @ x
 
     def place(self, frame: int) -> Matrix:
         """Origin of a frame from that of its body."""
@@ -374,13 +374,13 @@ class Kinematics:
         f = self.system.frames[frame]
         if f.body < 0:
             return Matrix.zeros(self.graph, 3)
-        return paths.own_axes(self, frame).T @ self.omega[f.body]
+        return paths.frame_axes(self, frame).T @ self.omega[f.body]
 
     def arm(self, start: int, end: int) -> Matrix:
         return paths.arm(self, start, end)
 
-    def seen(self, x: Matrix, start: int, end: int) -> Matrix:
-        return paths.seen(self, x, start, end)
+    def in_frame(self, x: Matrix, start: int, end: int) -> Matrix:
+        return paths.in_frame(self, x, start, end)
 
     def q(self, joint: int) -> Matrix:
         return self.coordinates[joint]

@@ -19,15 +19,15 @@ class Memo(Generic[T]):
     def __init__(self, count: int, make: Callable[[int], T]) -> None:
         self._count = count
         self._make = make
-        self._made: dict[int, T] = {}
+        self._values: dict[int, T] = {}
 
     def __len__(self) -> int:
         return self._count
 
     def __getitem__(self, i: int) -> T:
-        if i not in self._made:
-            self._made[i] = self._make(i)
-        return self._made[i]
+        if i not in self._values:
+            self._values[i] = self._make(i)
+        return self._values[i]
 
     def __iter__(self) -> Iterator[T]:
         return (self[i] for i in range(self._count))

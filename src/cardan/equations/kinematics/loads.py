@@ -1,4 +1,4 @@
-"""What the force elements of a system do to its bodies and joints."""
+"""Loads of the force elements of a system on its bodies and joints."""
 
 from __future__ import annotations
 
@@ -41,11 +41,11 @@ class Loads:
 
     def with_outside(self, more: Wrenches) -> Loads:
         """The same with wrenches that no element makes."""
-        outside = together(self.outside, more)
-        return replace(self, wrenches=together(self.wrenches, more), outside=outside)
+        outside = merged(self.outside, more)
+        return replace(self, wrenches=merged(self.wrenches, more), outside=outside)
 
 
-def together(one: Wrenches, other: Wrenches) -> Wrenches:
+def merged(one: Wrenches, other: Wrenches) -> Wrenches:
     """Sums of two sets of wrenches."""
     total = dict(one)
     for body, (torque, force) in other.items():
@@ -61,26 +61,26 @@ def none(k: Kinematics) -> Loads:
 
 
 def without_potential(k: Kinematics, loads: Loads) -> Loads:
-    """Of the loads of a system those that no potential stands for."""
-    own = applied(k, stored=False)
-    return replace(own, wrenches=together(own.wrenches, loads.outside))
+    """Loads of a system without those that have a potential."""
+    without_stored = applied(k, stored=False)
+    return replace(without_stored, wrenches=merged(without_stored.wrenches, loads.outside))
 
 
-def applied(k: Kinematics, keep: set[int] | None = None, stored: bool = True) -> Loads:
+def applied(k: Kinematics, frames: set[int] | None = None, stored: bool = True) -> Loads:
     """All force elements, summed per body and joint.
 
     Args:
         keep: Frames whose loads count, those of the ground too; by default all that move.
         stored: Whether the loads of actions with a potential count.
     """
-    return summed(k, k.system.forces, {}, keep, stored)
+    return summed(k, k.system.forces, {}, frames, stored)
 
 
 def summed(
     k: Kinematics,
     forces: Sequence[Force],
-    given: Mapping[str, Matrix],
-    keep: set[int] | None = None,
+    overrides: Mapping[str, Matrix],
+    frames: set[int] | None = None,
     stored: bool = True,
 ) -> Loads:
     """Some force elements, with given numbers in place of their own quantities."""
@@ -92,14 +92,14 @@ def summed(
         kind = force.element.kind
         k.graph.describe(type(force.element), kind)
         with k.graph.made_by(force.name, kind):
-            for action in _actions(k, force, given):
+            for action in _actions(k, force, overrides):
                 counted = stored or action.potential is None
                 for load in action.loads if counted else ():
                     frame = k.system.frames[load.frame]
                     load.force.hint(force.name, f"force_on_{frame.name}")
                     load.torque.hint(force.name, f"torque_on_{frame.name}")
                     moves = frame.body >= 0
-                    if moves if keep is None else load.frame in keep:
+                    if moves if frames is None else load.frame in frames:
                         _add_wrench(k, wrenches, load)
                 for joint_load in action.joint_loads if counted else ():
                     _add_joint(joints, joint_load)
@@ -108,7 +108,7 @@ def summed(
                 else:
                     before = power.get(force.name, Scalar(k.graph, ZERO))
                     power[force.name] = before + _power(k, action)
-    rotors = _rotors(k, forces, given)
+    rotors = _rotors(k, forces, overrides)
     return Loads(wrenches, joints, potential, tuple(power.items()), rotors)
 
 
@@ -117,18 +117,20 @@ def _data(k: Kinematics, force: Force) -> dict[str, Matrix]:
 
 
 def places(k: Kinematics, force: Force) -> Places:
-    """Where an element acts and what it keeps."""
+    """Attachments and states of an element."""
     element = force.element
     z = k.block("z", force.z, len(element.internals()))
     s = k.block("s", force.s, len(element.modes()))
-    held = Scalar(k.graph, k.graph.atom(f"{force.name}.pressing")) if element.pressed else None
-    return Places(k, _data(k, force), force.frames, force.joints, z, s, held)
+    reaction_atom = (
+        Scalar(k.graph, k.graph.atom(f"{force.name}.pressing")) if element.by_reaction else None
+    )
+    return Places(k, _data(k, force), force.frames, force.joints, z, s, reaction_atom)
 
 
-def _actions(k: Kinematics, force: Force, given: Mapping[str, Matrix]) -> tuple[Action, ...]:
+def _actions(k: Kinematics, force: Force, overrides: Mapping[str, Matrix]) -> tuple[Action, ...]:
     at = places(k, force)
     try:
-        return force.element.act(replace(at, data={**at.data, **given}))
+        return force.element.act(replace(at, data={**at.data, **overrides}))
     except StructuralZero as problem:
         raise StructuralZero(
             f"force '{force.name}': it divides by what is always zero, such as the distance of two "
@@ -137,12 +139,12 @@ def _actions(k: Kinematics, force: Force, given: Mapping[str, Matrix]) -> tuple[
 
 
 def _rotors(
-    k: Kinematics, forces: Sequence[Force], given: Mapping[str, Matrix]
+    k: Kinematics, forces: Sequence[Force], overrides: Mapping[str, Matrix]
 ) -> dict[int, Matrix]:
     rotors: dict[int, Matrix] = {}
     for force in forces:
         with k.graph.made_by(force.name, "rotor"):
-            data = {**_data(k, force), **given}
+            data = {**_data(k, force), **overrides}
             for role, inertia in force.element.rotor_inertia(data).items():
                 joint = force.joints[role]
                 rotors[joint] = rotors[joint] + inertia if joint in rotors else inertia
@@ -171,7 +173,7 @@ def _power(k: Kinematics, action: Action) -> Scalar:
     for load in action.loads:
         velocity, omega = k.velocity(load.frame), k.angular_velocity(load.frame)
         if load.axes:
-            velocity, omega = (k.seen(x, 0, load.axes) for x in (velocity, omega))
+            velocity, omega = (k.in_frame(x, 0, load.axes) for x in (velocity, omega))
         total = total + load.force.dot(velocity) + load.torque.dot(omega)
     for joint_load in action.joint_loads:
         total = total + joint_load.force.dot(k.u(joint_load.joint))
@@ -182,12 +184,12 @@ def generalized(k: Kinematics, loads: Loads) -> Matrix:
     """Generalized force of the joint loads alone (nu, 1)."""
     nodes = [ZERO] * k.system.nu
     for i, force in loads.joints.items():
-        for slot, node in spread(k, i, force).items():
+        for slot, node in along_speeds(k, i, force).items():
             nodes[slot] = k.graph.add(nodes[slot], node)
     return Matrix(k.graph, len(nodes), 1, nodes)
 
 
-def spread(k: Kinematics, joint: int, force: Matrix) -> dict[int, int]:
+def along_speeds(k: Kinematics, joint: int, force: Matrix) -> dict[int, int]:
     """A force along the speeds of one joint as a generalized force of the system: slot -> node."""
     shares = k.shares(joint)
     if shares is None:

@@ -42,28 +42,28 @@ def candidates(equations: EquationRecord, c: Context) -> tuple[list[Candidate], 
     """Momenta, in the order in which they are preferred, and the energy."""
     k, g = c.k, c.k.graph
     kinetic, potential = outputs.energy(c.d)
-    whole = outputs.momentum(k)
-    angular, linear = whole.block(slice(0, 3)), whole.block(slice(3, 6))
-    found = [
+    total = outputs.momentum(k)
+    angular, linear = total.block(slice(0, 3)), total.block(slice(3, 6))
+    listed = [
         Candidate(f"linear momentum along {x}", MOMENTUM, linear[i]) for i, x in enumerate(AXES)
     ]
-    found += [
+    listed += [
         Candidate(f"angular momentum about {x}", ANGULAR, angular[i]) for i, x in enumerate(AXES)
     ]
     names, units = c.names["u"], c.units["u"]
     if 0 < len(names) <= LARGEST:
         for j, node in enumerate(energies.momenta(k, c.d.loads.rotors).nodes):
             unit = {"rad/s": ANGULAR, "m/s": MOMENTUM}.get(units[j], "")
-            found.append(
+            listed.append(
                 Candidate(f"momentum of {names[j].replace('.u', '', 1)}", unit, Scalar(g, node))
             )
     if any(body.mass != ZERO for body in k.system.bodies):
         about = angular - outputs.center_of_mass(k).cross(linear)
-        found += [
+        listed += [
             Candidate(f"angular momentum about {x} through the center of mass", ANGULAR, about[i])
             for i, x in enumerate(AXES)
         ]
-    return found, Candidate("energy", "J", kinetic + potential)
+    return listed, Candidate("energy", "J", kinetic + potential)
 
 
 def watched(equations: EquationRecord, c: Context, every: list[Candidate]) -> Function:
@@ -81,7 +81,7 @@ def watched(equations: EquationRecord, c: Context, every: list[Candidate]) -> Fu
 
 
 @dataclass(frozen=True)
-class Seen:
+class Observation:
     """Values and rates (n, candidates) relative to what a candidate usually amounts to (scale)."""
 
     values: Array
@@ -89,26 +89,26 @@ class Seen:
     scale: Array
 
     @property
-    def kept(self) -> list[int]:
+    def constant(self) -> list[int]:
         """Candidates whose rate vanishes."""
         largest = np.abs(self.rates).max(axis=0, initial=0.0)
         return [int(k) for k in np.flatnonzero(largest < ZERO_RATE)]
 
 
 def drawn_at(
-    equations: EquationRecord, count: int, rng: np.random.Generator, given: dict[str, Array]
+    equations: EquationRecord, count: int, rng: np.random.Generator, base: dict[str, Array]
 ) -> States:
     """States at times of their own."""
-    return drawn(equations, count, rng, given | {"t": rng.normal(size=(count, 1))})
+    return drawn(equations, count, rng, base | {"t": rng.normal(size=(count, 1))})
 
 
-def observed(watched: Function, states: States) -> Seen:
+def observed(watched: Function, states: States) -> Observation:
     """The candidates at the states at which all are finite."""
     if not states.count:
         size = watched.outputs[0].size
-        return Seen(np.zeros((0, size)), np.zeros((0, size)), np.ones(size))
-    found = states.of(watched)
-    value, rate = found["value"][..., 0], found["rate"][..., 0]
+        return Observation(np.zeros((0, size)), np.zeros((0, size)), np.ones(size))
+    results = states.of(watched)
+    value, rate = results["value"][..., 0], results["rate"][..., 0]
     udot, u = states.values["udot"], states.values["u"]
     sizes = 1.0 + np.abs(udot).max(axis=1, initial=0.0) + np.square(u).sum(axis=1)
     fine = np.isfinite(value).all(axis=1) & np.isfinite(rate).all(axis=1) & (sizes < 1e6)
@@ -116,4 +116,4 @@ def observed(watched: Function, states: States) -> Seen:
     usual = np.sqrt(np.square(value).mean(axis=0)) if len(value) else np.ones(value.shape[1])
     # one that is zero throughout has no rate either
     scale = np.where(usual > 0.0, usual, 1.0)
-    return Seen(value / scale, rate / scale, scale)
+    return Observation(value / scale, rate / scale, scale)

@@ -14,33 +14,33 @@ if TYPE_CHECKING:
 def arm(k: Kinematics, start: int, end: int) -> Matrix:
     """From the origin of a frame to that of another (3, 1), in axes of the latter."""
     first, last = (k.system.frames[frame].body for frame in (start, end))
-    top = _meeting(k, first, last)
+    top = _common_ancestor(k, first, last)
     span = _point(k, end, top) - _point(k, start, top)
-    return own_axes(k, end).T @ _down(k, span, last, top)
+    return frame_axes(k, end).T @ _down(k, span, last, top)
 
 
-def seen(k: Kinematics, x: Matrix, start: int, end: int) -> Matrix:
+def in_frame(k: Kinematics, x: Matrix, start: int, end: int) -> Matrix:
     """A vector in axes of a frame (3, 1), in those of another."""
     first, last = (k.system.frames[frame].body for frame in (start, end))
-    top = _meeting(k, first, last)
-    x = _up(k, own_axes(k, start) @ x, first, top)
-    return own_axes(k, end).T @ _down(k, x, last, top)
+    top = _common_ancestor(k, first, last)
+    x = _up(k, frame_axes(k, start) @ x, first, top)
+    return frame_axes(k, end).T @ _down(k, x, last, top)
 
 
 def into_body(k: Kinematics, x: Matrix, start: int, body: int) -> Matrix:
     """A vector in axes of a frame (3, 1), in those the vectors of a body are told in."""
     first = k.system.frames[start].body
-    top = _meeting(k, first, body)
-    return _down(k, _up(k, own_axes(k, start) @ x, first, top), body, top)
+    top = _common_ancestor(k, first, body)
+    return _down(k, _up(k, frame_axes(k, start) @ x, first, top), body, top)
 
 
-def own_axes(k: Kinematics, frame: int) -> Matrix:
+def frame_axes(k: Kinematics, frame: int) -> Matrix:
     """R from axes of a frame to those of its body."""
     f = k.system.frames[frame]
     return k.fixed_to(f.body, k.matrix(3, 3, f.rotation))
 
 
-def _meeting(k: Kinematics, first: int, last: int) -> int:
+def _common_ancestor(k: Kinematics, first: int, last: int) -> int:
     """The body nearest to two others that carries both, or is one of them."""
     if k.cuts is not None and first != last:
         # a step of a recursion knows of a body only what is handed on

@@ -14,13 +14,16 @@ from ...topology.system import Atom, System
 
 
 class Moving(Motion, Protocol):
-    """What placeholders need to know: the motion, names, and accelerations where udot is known."""
+    """Quantities that placeholders read:
+
+    the motion, names, and accelerations where udot is known.
+    """
 
     system: System
     acceleration: Callable[[int], Matrix] | None
 
 
-def resolved(k: Moving, given: Mapping[int, int], nodes: Sequence[int]) -> tuple[int, ...]:
+def resolved(k: Moving, replacements: Mapping[int, int], nodes: Sequence[int]) -> tuple[int, ...]:
     """Nodes with placeholders put in.
 
     Args:
@@ -31,12 +34,12 @@ def resolved(k: Moving, given: Mapping[int, int], nodes: Sequence[int]) -> tuple
     Raises:
         DerivationError: an expression divides by what is always 0 in this scene, or the like.
     """
-    if not k.system.atoms and not given:
+    if not k.system.atoms and not replacements:
         return tuple(nodes)
     g = k.graph
-    replace = {n: r for n, r in given.items() if n < len(k.system.graph)}
+    replace = {n: r for n, r in replacements.items() if n < len(k.system.graph)}
     for i in live(g, nodes):
-        # symbols of a joint's own are no atoms of the system: the joint resolves them
+        # symbols of a joint's own are not atoms of the system: the joint resolves them
         if g.nodes[i][0] == "atom" and g.nodes[i][1] in k.system.atoms:
             replace[i] = placeholder(k, k.system.atoms[g.nodes[i][1]])
     if not replace:
@@ -89,9 +92,9 @@ def _relative_velocity(k: Moving, atom: Atom) -> Matrix:
 
 def _relative_acceleration(k: Moving, atom: Atom, of: Callable[[int], Matrix]) -> Matrix:
     """Acceleration of a frame's origin as seen from another frame, in ground axes."""
-    base, own = of(atom.wrt), of(atom.frame)
+    base, acceleration = of(atom.wrt), of(atom.frame)
     alpha, omega = base.block(slice(0, 3)), k.angular_velocity(atom.wrt)
     offset = k.position(atom.frame) - k.position(atom.wrt)
     transport = alpha.cross(offset) + omega.cross(omega.cross(offset))
     coriolis = omega.cross(_relative_velocity(k, atom)) * 2
-    return own.block(slice(3, 6)) - base.block(slice(3, 6)) - transport - coriolis
+    return acceleration.block(slice(3, 6)) - base.block(slice(3, 6)) - transport - coriolis

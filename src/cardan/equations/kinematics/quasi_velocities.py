@@ -22,20 +22,20 @@ from ...ir.matrix import Matrix
 from .kinematics import Kinematics
 from .loads import Loads, without_potential
 from .partial_velocities import generalized_forces
-from .rotation_rates import derivative, turned, turning_joints
+from .rotation_rates import derivative, rotating_joints, rotation_seeds
 
 
 def displacements(k: Kinematics) -> list[dict[int, int]]:
     """Coordinates and entries of rotations -> their changes along every speed."""
-    g, found, turning = k.graph, [], turning_joints(k)
+    g, displacements_of_speeds, rotating = k.graph, [], rotating_joints(k)
     for slot in range(k.system.nu):
         column = forward(g, k.rates.nodes, {g.var("u", slot): ONE})
         seeds = {g.var("q", m): node for m, node in enumerate(column) if node != ZERO}
-        for i, speeds in turning:
+        for i, speeds in rotating:
             dots = forward(g, speeds.nodes, {g.var("u", slot): ONE})
-            seeds |= turned(k, i, Matrix(g, speeds.rows, 1, dots))
-        found.append(seeds)
-    return found
+            seeds |= rotation_seeds(k, i, Matrix(g, speeds.rows, 1, dots))
+        displacements_of_speeds.append(seeds)
+    return displacements_of_speeds
 
 
 def slopes(k: Kinematics, x: Scalar) -> Matrix:
@@ -44,7 +44,7 @@ def slopes(k: Kinematics, x: Scalar) -> Matrix:
     return Matrix(k.graph, len(columns), 1, [column[0] for column in columns])
 
 
-def carried_along(k: Kinematics, momenta: Matrix) -> Matrix:
+def transport_terms(k: Kinematics, momenta: Matrix) -> Matrix:
     """Momenta on what displacements along every speed do to the speeds: p . c_r (nu, 1)."""
     if k.chosen:
         return _of_chosen(k, momenta)
@@ -53,11 +53,11 @@ def carried_along(k: Kinematics, momenta: Matrix) -> Matrix:
         if joint.u < 0:
             continue
         unit = Matrix.identity(k.graph, len(joint.element.speeds))
-        own = momenta.block(slice(joint.u, joint.u + unit.rows))
+        joint_momenta = momenta.block(slice(joint.u, joint.u + unit.rows))
         with k.graph.made_by(joint.name, "bracket"):
             for n in range(unit.rows):
                 change = joint.element.bracket(k.speeds[i], unit.column(n))
-                nodes[joint.u + n] = own.dot(change).node
+                nodes[joint.u + n] = joint_momenta.dot(change).node
     return Matrix(k.graph, len(nodes), 1, nodes)
 
 
@@ -70,13 +70,13 @@ def _of_chosen(k: Kinematics, momenta: Matrix) -> Matrix:
         if joint.u < 0:
             continue
         speeds, nodes = k.speeds[i], [ZERO] * nu
-        own = of_joints.block(slice(joint.u, joint.u + speeds.rows))
-        columns, resting = k.partials_of(speeds), Matrix.zeros(g, speeds.rows)
+        joint_momenta = of_joints.block(slice(joint.u, joint.u + speeds.rows))
+        columns, zero_column = k.partials_of(speeds), Matrix.zeros(g, speeds.rows)
         for r in range(nu):
-            column = columns.get(r, resting)
+            column = columns.get(r, zero_column)
             moved = Matrix(g, speeds.rows, 1, forward(g, speeds.nodes, along[r]))
             change = derivative(k, column) - moved + joint.element.bracket(speeds, column)
-            nodes[r] = own.dot(change).node
+            nodes[r] = joint_momenta.dot(change).node
         total = total + Matrix(g, nu, 1, nodes)
     return total
 

@@ -17,24 +17,24 @@ from .kinematics import Kinematics
 def derivative(k: Kinematics, x: Matrix) -> Matrix:
     """Entry by entry time derivative at udot = 0; rotations turn as angular velocities say."""
     seeds = dict(k.time_seeds)
-    for i, speeds in turning_joints(k):
-        seeds |= turned(k, i, speeds)
+    for i, speeds in rotating_joints(k):
+        seeds |= rotation_seeds(k, i, speeds)
     return Matrix(k.graph, x.rows, x.columns, forward(k.graph, x.nodes, seeds))
 
 
-def turning_joints(k: Kinematics) -> list[tuple[int, Matrix]]:
+def rotating_joints(k: Kinematics) -> list[tuple[int, Matrix]]:
     """Joints whose group does not commute, and their speeds."""
-    found = []
+    pairs = []
     for i, joint in enumerate(k.system.joints):
         if joint.u >= 0:
             u = k.block("u", joint.u, len(joint.element.speeds))
             v = k.block("udot", joint.u, len(joint.element.speeds))
             if not joint.element.bracket(u, v).is_zero:
-                found.append((i, k.speeds[i]))
-    return found
+                pairs.append((i, k.speeds[i]))
+    return pairs
 
 
-def turned(k: Kinematics, i: int, u: Matrix) -> dict[int, int]:
+def rotation_seeds(k: Kinematics, i: int, u: Matrix) -> dict[int, int]:
     """Entries of the rotation of a joint -> their changes along u: R [S u], whatever its angles."""
     g, element, q, data = k.graph, k.system.joints[i].element, k.coordinates[i], k.data[i]
     R = element.pose(q, **data)[0]

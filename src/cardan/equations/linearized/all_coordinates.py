@@ -20,7 +20,7 @@ from ...ir.matrix import Matrix
 
 
 @dataclass(frozen=True)
-class Whole:
+class FullMatrices:
     """The matrices of all increments.
 
     Attributes:
@@ -55,9 +55,9 @@ class Whole:
     ya: Matrix
     N: Matrix
 
-    def map(self, f: Callable[[Matrix], Matrix]) -> Whole:
+    def map(self, f: Callable[[Matrix], Matrix]) -> FullMatrices:
         """The same with every matrix replaced."""
-        return Whole(**{entry.name: f(getattr(self, entry.name)) for entry in fields(self)})
+        return FullMatrices(**{entry.name: f(getattr(self, entry.name)) for entry in fields(self)})
 
 
 # what the two ways to a linear model have to say: all that costs work

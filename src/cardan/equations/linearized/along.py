@@ -50,10 +50,10 @@ class LinearizedAlong:
     states: tuple[str, ...]
     inputs: tuple[str, ...]
     outputs: tuple[str, ...]
-    _between: Callable[[Array], Array] = field(repr=False)
+    _interpolant: Callable[[Array], Array] = field(repr=False)
 
     def transition(self, rtol: float = 1e-9) -> Array:
-        """What becomes of a small motion: x(t) = transition x(t[0]), (nt, nx, nx).
+        """Transition matrix of small motions: x(t) = transition x(t[0]), (nt, nx, nx).
 
         Raises:
             SolveError: A changes too fast between the times.
@@ -61,11 +61,11 @@ class LinearizedAlong:
         parts, last = 1, self._stepped(1)
         for _ in range(HALVINGS):
             parts *= 2
-            found = self._stepped(parts)
-            gap = np.abs(found - last).max(initial=0.0)
-            if gap <= 2**ORDER * rtol * np.abs(found).max(initial=0.0):
-                return np.asarray(found + (found - last) / (2**ORDER - 1))
-            last = found
+            refined = self._stepped(parts)
+            gap = np.abs(refined - last).max(initial=0.0)
+            if gap <= 2**ORDER * rtol * np.abs(refined).max(initial=0.0):
+                return np.asarray(refined + (refined - last) / (2**ORDER - 1))
+            last = refined
         raise SolveError(
             f"'{self.name}': small motions are not found to {rtol:g}: A changes too fast between "
             "the times of the motion. Give it at more times"
@@ -79,15 +79,15 @@ class LinearizedAlong:
         step = np.diff(self.t) / parts
         starts = self.t[:-1, None] + np.diff(self.t)[:, None] * shares
         times = starts[..., None] + step[:, None, None] * GAUSS
-        A = self._between(times.ravel()).reshape(*times.shape, *self.A.shape[1:])
+        A = self._interpolant(times.ravel()).reshape(*times.shape, *self.A.shape[1:])
         exponent = _exponent(step[:, None, None, None], A[:, :, 0], A[:, :, 1], A[:, :, 2])
-        found = [np.eye(self.A.shape[1])]
+        products = [np.eye(self.A.shape[1])]
         for factors in expm(exponent):
-            total = found[-1]
+            total = products[-1]
             for factor in factors:
                 total = factor @ total
-            found.append(total)
-        return np.array(found)
+            products.append(total)
+        return np.array(products)
 
     @property
     def multipliers(self) -> Complex:
@@ -119,23 +119,23 @@ def _exponent(h: Array, first: Array, middle: Array, last: Array) -> Array:
     return one + three / 12 + bracket(-20 * one - three + inner, two + outer) / 240
 
 
-def over(found: Linearized, t: ArrayLike, values: dict[str, Any]) -> LinearizedAlong:
+def over(linear: Linearized, t: ArrayLike, values: dict[str, Any]) -> LinearizedAlong:
     """A :class:`Linearized` at times."""
     times = np.atleast_1d(np.asarray(t, dtype=np.float64))
 
     def numbers(at: Array) -> dict[str, Array]:
-        own = found.at({**values, "t": at})
-        return {name: np.broadcast_to(x, (len(at), *x.shape[-2:])) for name, x in own.items()}
+        matrices = linear.at({**values, "t": at})
+        return {name: np.broadcast_to(x, (len(at), *x.shape[-2:])) for name, x in matrices.items()}
 
-    return _record(found, times, numbers(times), lambda at: numbers(at)["A"])
+    return _record(linear, times, numbers(times), lambda at: numbers(at)["A"])
 
 
 def _record(
-    found: Linearized, t: Array, own: dict[str, Array], between: Callable[[Array], Array]
+    linear: Linearized, t: Array, matrices: dict[str, Array], interpolant: Callable[[Array], Array]
 ) -> LinearizedAlong:
-    A, B, C, D = (own[name].copy() for name in "ABCD")
-    names = found.states, found.inputs, found.outputs
-    return LinearizedAlong(found.name, t, A, B, C, D, *names, between)
+    A, B, C, D = (matrices[name].copy() for name in "ABCD")
+    names = linear.states, linear.inputs, linear.outputs
+    return LinearizedAlong(linear.name, t, A, B, C, D, *names, interpolant)
 
 
 def along(
@@ -148,7 +148,7 @@ def along(
     """Linear models along a motion; see :meth:`cardan.api.equations.Equations.linearize_along`."""
     from .linear import linearized
 
-    _refuse_others(equations, motion)
+    _check_motion(equations, motion)
     blocks = {letter: np.asarray(getattr(motion, letter)) for letter in "quzr"}
     start = {
         letter: {
@@ -158,27 +158,31 @@ def along(
         for letter, table in blocks.items()
     }
     modes = dict(zip(equations.blocks["s"].entries, np.asarray(motion.s)[0].tolist(), strict=True))
-    found = linearized(
+    linear = linearized(
         equations, {**start, "s": modes, "udot": "free", "t": None}, None, inputs, outputs,
         independent, "from_start",
     )  # fmt: skip
     parameters = dict(motion.model.parameters) if motion.model is not None else {}
 
     def numbers(table: dict[str, Array], times: Array) -> dict[str, Array]:
-        given = {
+        values = {
             f"{name}(t)": table[letter][:, k]
             for letter in "quzr"
             for k, name in enumerate(equations.blocks[letter].entries)
         }
-        own = found.at({**parameters, **given, "t": times})
-        return {name: np.broadcast_to(x, (len(times), *x.shape[-2:])) for name, x in own.items()}
+        matrices_at = linear.at({**parameters, **values, "t": times})
+        return {
+            name: np.broadcast_to(x, (len(times), *x.shape[-2:])) for name, x in matrices_at.items()
+        }
 
-    own = numbers(blocks, motion.t)
-    _judge(found, own["A"])
-    return _record(found, motion.t, own, _dense(motion, numbers) or _spline(motion.t, own["A"]))
+    matrices = numbers(blocks, motion.t)
+    _judge(linear, matrices["A"])
+    return _record(
+        linear, motion.t, matrices, _dense(motion, numbers) or _spline(motion.t, matrices["A"])
+    )
 
 
-def _refuse_others(equations: EquationRecord, motion: Any) -> None:
+def _check_motion(equations: EquationRecord, motion: Any) -> None:
     """The motion must be one of this system, in one mode."""
     shape = (len(equations.coordinates), len(equations.speeds))
     if (motion.q.shape[1], motion.u.shape[1]) != shape:
@@ -194,12 +198,12 @@ def _refuse_others(equations: EquationRecord, motion: Any) -> None:
         )
 
 
-def _judge(found: Linearized, A: Array) -> None:
+def _judge(linear: Linearized, A: Array) -> None:
     """Independent ones must stay so."""
     if not np.isfinite(A).all() or np.abs(A).max(initial=0.0) > LARGEST * (
         1.0 + float(np.median(np.abs(A).max(axis=(1, 2))))
     ):
-        names = ", ".join(found.coordinates)
+        names = ", ".join(linear.coordinates)
         raise DerivationError(
             f"linearize_along: {names} are not independent all along the motion: name others by "
             "independent=, or give a part of it"
@@ -211,15 +215,15 @@ def _dense(motion: Any, numbers: Any) -> Callable[[Array], Array] | None:
     if motion.dense is None or (motion.r.size and motion.inputs_at is None):
         return None
 
-    def between(times: Array) -> Array:
+    def interpolant(times: Array) -> Array:
         x = motion.at(times)
         nq, nu = motion.nq, motion.u.shape[1]
         r = motion.inputs_at(times) if motion.r.size else np.zeros((len(times), 0))
         table = {"q": x[:, :nq], "u": x[:, nq : nq + nu], "z": x[:, nq + nu :], "r": r}
-        found: Array = numbers(table, times)["A"]
-        return found
+        A_at: Array = numbers(table, times)["A"]
+        return A_at
 
-    return between
+    return interpolant
 
 
 def _spline(t: Array, A: Array) -> Callable[[Array], Array]:

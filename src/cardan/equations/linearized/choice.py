@@ -1,4 +1,4 @@
-"""Which increments and speeds are independent."""
+"""Choose the independent increments and speeds."""
 
 from __future__ import annotations
 
@@ -11,8 +11,10 @@ from ...arrays import Array
 from ...errors import DerivationError
 from .pivoting import independent, independent_rows, null_space
 
-WANTED = 1e3  # weight of what the user wants to be independent
-GIVEN = 30.0  # of what has a value: it stays independent unless it moves that much less than others
+REQUEST_WEIGHT = 1e3  # weight of what the user wants to be independent
+VALUE_WEIGHT = (
+    30.0  # of what has a value: it stays independent unless it moves that much less than others
+)
 
 
 @dataclass(frozen=True)
@@ -32,7 +34,9 @@ class Choice:
     rows_w: list[int]
 
 
-def choice(G: Array, positions: int, wanted: Mapping[str, int], given: Sequence[int]) -> Choice:
+def choice(
+    G: Array, positions: int, requested: Mapping[str, int], with_values: Sequence[int]
+) -> Choice:
     """By pivoting on G (m, nu), whose first rows are of position level, wanted ones first.
 
     Args:
@@ -46,20 +50,27 @@ def choice(G: Array, positions: int, wanted: Mapping[str, int], given: Sequence[
     """
     nu = G.shape[1]
     weights = np.ones(nu)
-    weights[list(given)] = GIVEN
-    weights[list(wanted.values())] = WANTED
+    weights[list(with_values)] = VALUE_WEIGHT
+    weights[list(requested.values())] = REQUEST_WEIGHT
     w = independent(G, weights)
     rolled = weights.copy()
-    rolled[w] = np.maximum(rolled[w], 0.5 * WANTED)
-    held = G[:positions]
-    y = independent(held, rolled)
-    for name, slot in wanted.items():
+    rolled[w] = np.maximum(rolled[w], 0.5 * REQUEST_WEIGHT)
+    position_rows = G[:positions]
+    y = independent(position_rows, rolled)
+    for name, slot in requested.items():
         if slot not in w and slot not in y:
             raise DerivationError(
                 f"linearize: '{name}' cannot be independent besides the others: "
                 f"{null_space(G).shape[1]} speeds are"
             )
-    other_y, other_w = ([k for k in range(nu) if k not in own] for own in (y, w))
+    other_y, other_w = (
+        [k for k in range(nu) if k not in independent_slots] for independent_slots in (y, w)
+    )
     return Choice(
-        y, other_y, independent_rows(held[:, other_y]), w, other_w, independent_rows(G[:, other_w])
+        y,
+        other_y,
+        independent_rows(position_rows[:, other_y]),
+        w,
+        other_w,
+        independent_rows(G[:, other_w]),
     )

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from ...errors import DerivationError, listed, near
 from ...ir.matrix import Matrix
 from ...ir.solve import solve
-from .all_coordinates import Whole
+from .all_coordinates import FullMatrices
 from .reduced import Reduced
 from .reference import Reference, picked
 
@@ -28,14 +28,14 @@ class Plant:
 
 def plant(
     at: Reference,
-    whole: Whole,
+    full: FullMatrices,
     x: Reduced,
     inputs: Iterable[str] | None,
     outputs: Iterable[str] | None,
 ) -> Plant:
     """x = [increments, speeds, internal states]."""
     g, ny, nw = at.graph, len(at.y), len(at.w)
-    nz = whole.Zz.rows
+    nz = full.Zz.rows
     push, driven = _forces(at, x, inputs)
     right = Matrix.hstack(-x.K, -x.C, -x.by_z, push)
     with g.made_by("M", "factor"):
@@ -46,17 +46,17 @@ def plant(
     V = Matrix.hstack(x.Y, x.W, Matrix.zeros(g, x.J.rows, nz))
     inner = Matrix.hstack(Matrix.zeros(g, nz, ny + nw), Matrix.identity(g, nz))
     kinematics = Matrix.hstack(x.Ty, x.Tw, Matrix.zeros(g, ny, nz))
-    zdot = whole.Ze @ J + whole.Zv @ V + whole.Zz @ inner
+    zdot = full.Ze @ J + full.Zv @ V + full.Zz @ inner
     wdot = Matrix.hstack(x.Vy, x.Vw, Matrix.zeros(g, x.J.rows, nz)) + x.W @ accelerations
     pushed = solution.block(slice(None), slice(states, None))
     by_r = _columns(at, driven)
-    B = Matrix.vstack(Matrix.zeros(g, ny, len(driven)), pushed, whole.Zr @ by_r)
-    seen = whole.ye @ J + whole.yv @ V + whole.yz @ inner + whole.ya @ wdot
-    through = whole.yr @ by_r + whole.ya @ (x.W @ pushed)
-    rows = _Rows(at, whole.N @ J, V, inner, seen, through)
-    C, D, told = rows.chosen(outputs)
+    B = Matrix.vstack(Matrix.zeros(g, ny, len(driven)), pushed, full.Zr @ by_r)
+    output_matrix = full.ye @ J + full.yv @ V + full.yz @ inner + full.ya @ wdot
+    through = full.yr @ by_r + full.ya @ (x.W @ pushed)
+    rows = _Rows(at, full.N @ J, V, inner, output_matrix, through)
+    C, D, output_names = rows.chosen(outputs)
     A = Matrix.vstack(kinematics, accelerations, zdot)
-    return Plant(A, B, C, D, push, driven, told)
+    return Plant(A, B, C, D, push, driven, output_names)
 
 
 def _columns(at: Reference, driven: tuple[str, ...]) -> Matrix:
@@ -78,9 +78,9 @@ def _forces(
             continue
         slot = next((n for n in (name, f"{name}.u") if n in at.names["u"]), None)
         if slot is None:
-            known = (*at.names["r"], *at.names["u"])
+            candidates = (*at.names["r"], *at.names["u"])
             raise DerivationError(
-                f"linearize: there is no input or speed '{name}'.{near(name, known)}"
+                f"linearize: there is no input or speed '{name}'.{near(name, candidates)}"
             )
         columns.append(picked(x.W, [at.names["u"].index(slot)], range(len(at.w))).T)
     return Matrix.hstack(*columns), tuple(chosen)
@@ -88,38 +88,43 @@ def _forces(
 
 @dataclass(frozen=True)
 class _Rows:
-    """What may be seen, by the states."""
+    """Rows of possible outputs, by the states."""
 
     at: Reference
     places: Matrix
     speeds: Matrix
     inner: Matrix
-    seen: Matrix
+    output_rows: Matrix
     through: Matrix
 
     def chosen(self, names: Iterable[str] | None) -> tuple[Matrix, Matrix, tuple[str, ...]]:
         """C, D and names: declared outputs, or all coordinates where there are none."""
         declared = [o.name for o in self.at.system.outputs]
-        wanted = declared or list(self.at.names["q"])
+        selected = declared or list(self.at.names["q"])
         if names is not None:
-            wanted = listed("outputs", names, "height")
+            selected = listed("outputs", names, "height")
         rows, through = [], []
         none = (0,) * self.through.columns
-        for name in wanted:
-            known = self.at.names
+        for name in selected:
+            names_by_block = self.at.names
             if name in declared:
-                rows.append(self.seen.row(declared.index(name)))
+                rows.append(self.output_rows.row(declared.index(name)))
                 through.append(self.through.row(declared.index(name)))
                 continue
             through.append(none)
-            if name in known["q"]:
-                rows.append(self.places.row(known["q"].index(name)))
-            elif name in known["u"]:
-                rows.append(self.speeds.row(known["u"].index(name)))
-            elif name in known["z"]:
-                rows.append(self.inner.row(known["z"].index(name)))
+            if name in names_by_block["q"]:
+                rows.append(self.places.row(names_by_block["q"].index(name)))
+            elif name in names_by_block["u"]:
+                rows.append(self.speeds.row(names_by_block["u"].index(name)))
+            elif name in names_by_block["z"]:
+                rows.append(self.inner.row(names_by_block["z"].index(name)))
             else:
-                every = (*declared, *known["q"], *known["u"], *known["z"])
+                every = (
+                    *declared,
+                    *names_by_block["q"],
+                    *names_by_block["u"],
+                    *names_by_block["z"],
+                )
                 raise DerivationError(
                     f"linearize: there is no output, coordinate or speed '{name}'."
                     f"{near(name, every)}"
@@ -129,5 +134,5 @@ class _Rows:
         return (
             C,
             Matrix(g, len(rows), len(none), [x for row in through for x in row]),
-            tuple(wanted),
+            tuple(selected),
         )

@@ -13,65 +13,65 @@ if TYPE_CHECKING:
 GENERAL = r"\dot x = A x + B r, \quad y = C x + D r"
 
 
-def latex(found: Linearized) -> str:
+def latex(linear: Linearized) -> str:
     """The equations of second order if there are some, else those of first order."""
     try:
-        return second_order_latex(found.second_order())
+        return second_order_latex(linear.second_order())
     except DerivationError:
         pass
     try:
-        equations = found._reference.equations
-        A, B, C, D = (of_matrix(equations, getattr(found, name)) for name in "ABCD")
+        equations = linear._reference.equations
+        A, B, C, D = (of_matrix(equations, getattr(linear, name)) for name in "ABCD")
     except DerivationError:
         return GENERAL
     return rf"\dot x = {A} x + {B} r, \quad y = {C} x + {D} r"
 
 
-def second_order_latex(found: SecondOrder) -> str:
+def second_order_latex(system: SecondOrder) -> str:
     """M y'' + (D + G) y' + (K + N) y = B r; letters for what is too long."""
-    equations = found.matrices.reference.equations
+    equations = system.matrices.reference.equations
     signs = (("M", r"\ddot y"), ("damping", r"\dot y"), ("K", "y"))
     left = [
-        f"{_matrix(equations, found, name)} {sign}"
+        f"{_matrix(equations, system, name)} {sign}"
         for name, sign in signs
-        if not found.matrices.matrices[name].is_zero
+        if not system.matrices.matrices[name].is_zero
     ]
-    given = (("forces", "r"), ("inner", "z"))
+    external = (("forces", "r"), ("inner", "z"))
     right = [
-        f"{_matrix(equations, found, name)} {sign}"
-        for name, sign in given
-        if not found.matrices.matrices[name].is_zero
+        f"{_matrix(equations, system, name)} {sign}"
+        for name, sign in external
+        if not system.matrices.matrices[name].is_zero
     ]
     return f"{' + '.join(left)} = {' + '.join(right) or '0'}"
 
 
-def _matrix(equations: Any, found: SecondOrder, name: str) -> str:
+def _matrix(equations: Any, system: SecondOrder, name: str) -> str:
     try:
-        return of_matrix(equations, getattr(found, name))
+        return of_matrix(equations, getattr(system, name))
     except DerivationError:
         return {"damping": "(D + G)", "K": "(K + N)", "forces": "B", "inner": "Z"}.get(name, name)
 
 
-def overview(found: Linearized) -> str:
+def overview(linear: Linearized) -> str:
     """The model for people: what it is about, its states, its matrices as far as they are short."""
-    lines = [f"'{found.name}' linearized about {_about(found)}"]
+    lines = [f"'{linear.name}' linearized about {_about(linear)}"]
     for word in ("states", "inputs", "outputs"):
-        lines.append(f"  {word:8}{', '.join(getattr(found, word)) or 'none'}")
+        lines.append(f"  {word:8}{', '.join(getattr(linear, word)) or 'none'}")
     try:
-        second = found.second_order()
+        second = linear.second_order()
     except DerivationError as problem:
         lines.append(f"  {str(problem).removeprefix('linearize: ')}")
-        lines += [line for name in "ABCD" for line in _rows(found, name)]
+        lines += [line for name in "ABCD" for line in _rows(linear, name)]
         return "\n".join(lines)
     return "\n".join([*lines, *rows_of(second)])
 
 
-def rows_of(found: SecondOrder) -> list[str]:
+def rows_of(system: SecondOrder) -> list[str]:
     """The equations of second order, and every matrix that is not zero."""
-    inner = "" if found.matrices.matrices["inner"].is_zero else " + Z z"
-    about = f",  y = {', '.join(found.coordinates)}"
+    inner = "" if system.matrices.matrices["inner"].is_zero else " + Z z"
+    about = f",  y = {', '.join(system.coordinates)}"
     lines = [f"  M y'' + (D + G) y' + (K + N) y = B r{inner}{about}"]
-    told = (
+    listed_rows = (
         ("M", "M"),
         ("D", "dissipative"),
         ("G", "gyroscopic"),
@@ -80,23 +80,23 @@ def rows_of(found: SecondOrder) -> list[str]:
         ("B", "forces"),
         ("Z", "inner"),
     )
-    return lines + [line for letter, name in told for line in _rows(found, name, letter)]
+    return lines + [line for letter, name in listed_rows for line in _rows(system, name, letter)]
 
 
-def _about(found: Linearized) -> str:
-    at = found._reference
+def _about(linear: Linearized) -> str:
+    at = linear._reference
     moving = any(at.values[leaf] for leaf in at.block("u"))
     kind = "a motion" if moving or at.timed else "rest"
-    if not found.needed:
+    if not linear.needed:
         return kind
-    forces = ", ".join(f"{_text(value)} along {name}" for name, value in found.needed.items())
+    forces = ", ".join(f"{_text(value)} along {name}" for name, value in linear.needed.items())
     return f"{kind} that is none by itself; it takes {forces}"
 
 
-def _rows(found: Any, name: str, letter: str = "") -> list[str]:
+def _rows(linear: Any, name: str, letter: str = "") -> list[str]:
     """A matrix row by row; nothing for one of zeros."""
     try:
-        matrix = getattr(found, name)
+        matrix = getattr(linear, name)
     except DerivationError:
         return [f"  {letter or name}: too long to write out; symbolic('{name}') or at()"]
     if not any(matrix):

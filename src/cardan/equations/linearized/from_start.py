@@ -28,8 +28,8 @@ from ...ir.graph import ZERO
 from ...ir.matrix import Matrix
 from ..functions.directions import Direction, directions
 from . import differentiated
-from .all_coordinates import Whole
-from .gross import Gross, halves, turned_along
+from .all_coordinates import FullMatrices
+from .gross import Gross, halves, wrench_change
 from .local import Local
 from .outward import outward
 from .reference import Reference
@@ -37,7 +37,7 @@ from .reference import Reference
 
 @dataclass(frozen=True)
 class Cause:
-    """What a direction does at one joint, told on its outer body (6, 1) each.
+    """Effect of a direction at one joint, on its outer body (6, 1) each.
 
     Attributes:
         column: Number of the direction.
@@ -58,9 +58,9 @@ class Cause:
         return self.change.block(slice(0, 3))
 
 
-def whole(at: Reference) -> Whole:
+def full_matrices(at: Reference) -> FullMatrices:
     """All matrices at the reference."""
-    return Whole(**SmallMotions(at).matrices(), **outward(at, differentiated.columns))
+    return FullMatrices(**SmallMotions(at).matrices(), **outward(at, differentiated.columns))
 
 
 class SmallMotions:
@@ -86,53 +86,53 @@ class SmallMotions:
         self._elements()
 
     def matrices(self) -> dict[str, Matrix]:
-        """What :data:`whole.DYNAMIC` names, and by_z and by_r."""
+        """Matrices of :data:`.all_coordinates.DYNAMIC`, and by_z and by_r."""
         nu, seeds = self.at.system.nu, self.seeds
-        found = {"M": Matrix(self.graph, nu, nu, [x for row in self.M for x in row])}
+        matrices = {"M": Matrix(self.graph, nu, nu, [x for row in self.M for x in row])}
         start = 0
         for name, block in zip(("K", "C", "by_z", "by_r"), self.blocks.values(), strict=True):
             columns = self.balance[start : start + len(block)]
-            found[name] = self._matrix(columns, nu)
+            matrices[name] = self._matrix(columns, nu)
             start += len(block)
-        found["by_r"] = -found["by_r"]
+        matrices["by_r"] = -matrices["by_r"]
         n = len(self.blocks["q"])
         for law, along in ((self.local.rates, ("R", "G")), (self.local.accelerated, ("Qe", "Qv"))):
             columns = [list(self.local.change(law, s).nodes) for s in seeds[: 2 * n]]
-            found[along[0]] = self._matrix(columns[:n], law.rows)
-            found[along[1]] = self._matrix(columns[n:], law.rows)
-        return found
+            matrices[along[0]] = self._matrix(columns[:n], law.rows)
+            matrices[along[1]] = self._matrix(columns[n:], law.rows)
+        return matrices
 
     def _matrix(self, columns: Sequence[Sequence[int]], rows: int) -> Matrix:
         nodes = [column[i] for i in range(rows) for column in columns]
         return Matrix(self.graph, rows, len(columns), nodes)
 
     def _add(self, column: int, slot: int, node: int) -> None:
-        own = self.balance[column]
-        own[slot] = self.graph.add(own[slot], node)
+        row = self.balance[column]
+        row[slot] = self.graph.add(row[slot], node)
 
     def _with_loads(self) -> list[Matrix]:
         """Forces that joints transmit, of everything outboard (6, 1)."""
         result = list(self.gross.forces)
         for body, wrench in self.local.wrenches.items():
-            own, i = Matrix.vstack(*(self.local.put(x) for x in wrench)), body
+            load, i = Matrix.vstack(*(self.local.put(x) for x in wrench)), body
             while i >= 0:
-                result[i] = result[i] - own
-                own, i = self.gross.inward(i, own), self.bodies[i].parent
+                result[i] = result[i] - load
+                load, i = self.gross.inward(i, load), self.bodies[i].parent
         return result
 
     # causes
 
     def _causes(self, i: int) -> list[Cause]:
-        """What the directions do at a joint."""
-        found, own = list[Cause](), self.gross.own[i]
+        """Effects of the directions at a joint."""
+        causes, motion = list[Cause](), self.gross.motion[i]
         for n, d in enumerate(self.directions):
             J = self._displacement(i, d)
-            more, added = self._change(own.twist, d), self._change(own.acceleration, d)
+            more, added = self._change(motion.twist, d), self._change(motion.acceleration, d)
             if not (J.is_zero and more.is_zero and added.is_zero):
-                modes = {s: self._change(x, d) for s, x in own.columns.items()}
+                modes = {s: self._change(x, d) for s, x in motion.columns.items()}
                 modes = {s: x for s, x in modes.items() if not x.is_zero}
-                found.append(self._cause(i, n, J, more, added, modes))
-        return found
+                causes.append(self._cause(i, n, J, more, added, modes))
+        return causes
 
     def _cause(
         self, i: int, n: int, J: Matrix, more: Matrix, added: Matrix, modes: dict[int, Matrix]
@@ -140,13 +140,13 @@ class SmallMotions:
         """The formulas above."""
         inner, outer = self.gross.inner[i], self.gross.outer[i]
         (theta, s), (d_w, d_v), (b_w, b_v) = halves(J), halves(more), halves(added)
-        omega, turned = inner.omega, inner.omega.cross(theta)
-        zeta_w = inner.alpha.cross(theta) + omega.cross(turned) + b_w
+        omega, swept_omega = inner.omega, inner.omega.cross(theta)
+        zeta_w = inner.alpha.cross(theta) + omega.cross(swept_omega) + b_w
         zeta_w = zeta_w + (omega + outer.omega).cross(d_w)
         swept = omega.cross(s)
         zeta_v = inner.alpha.cross(s) + omega.cross(swept) + inner.a.cross(theta) + b_v
-        zeta_v = zeta_v + (inner.v.cross(turned) + omega.cross(d_v) + outer.v.cross(d_w)) * 2
-        change = Matrix.vstack(turned, swept + inner.v.cross(theta)) + more
+        zeta_v = zeta_v + (inner.v.cross(swept_omega) + omega.cross(d_v) + outer.v.cross(d_w)) * 2
+        change = Matrix.vstack(swept_omega, swept + inner.v.cross(theta)) + more
         return Cause(n, J, change, Matrix.vstack(zeta_w, zeta_v), modes)
 
     def _change(self, x: Matrix, d: Direction) -> Matrix:
@@ -168,13 +168,13 @@ class SmallMotions:
     # inertia
 
     def _outboard(self) -> None:
-        """What joints feel of causes inboard of them: of I zeta and T eta, handed inward."""
+        """Response at joints to causes inboard of them: of I zeta and T eta, transmitted inward."""
         gross = self.gross
         for j in range(len(self.bodies)):
             for slot, s in gross.columns[j].items():
                 inertial, flowing = gross.inertias[j].momentum(s), gross.flows[j]
                 w, v = halves(s)
-                along = flowing.turning.T @ w + flowing.momentum.cross(v)
+                along = flowing.moment_map.T @ w + flowing.momentum.cross(v)
                 i = j
                 while i >= 0:
                     self._feel(i, slot, inertial, along, i == j)
@@ -199,7 +199,10 @@ class SmallMotions:
             M[column][row] = g.add(M[column][row], node)
 
     def _inboard(self) -> None:
-        """What joints feel of causes outboard of them, and of loads: forces handed inward."""
+        """Response at joints to causes outboard of them, and to loads:
+
+        forces transmitted inward.
+        """
         waiting = self._loads()
         for i in range(len(self.bodies) - 1, -1, -1):
             force, parent = waiting[i], self.bodies[i].parent
@@ -209,57 +212,57 @@ class SmallMotions:
             for c in self.causes[i]:
                 for slot, change in c.modes.items():
                     self._add(c.column, slot, change.dot(self.forces[i]).node)
-                own = self._response(i, c)
-                force[c.column] = force[c.column] + own if c.column in force else own
+                term = self._response(i, c)
+                force[c.column] = force[c.column] + term if c.column in force else term
             if parent >= 0:
                 there = waiting[parent]
                 for n, x in force.items():
-                    own = self.gross.inward(i, x)
-                    there[n] = there[n] + own if n in there else own
+                    term = self.gross.inward(i, x)
+                    there[n] = there[n] + term if n in there else term
 
     def _response(self, i: int, c: Cause) -> Matrix:
         """Change of the forces of all that a joint moves (6, 1)."""
         gross = self.gross
-        own = gross.inertias[i].momentum(c.zeta) + gross.flows[i].force(c.eta)
-        return own + turned_along(c.J, self.forces[i])
+        response = gross.inertias[i].momentum(c.zeta) + gross.flows[i].force(c.eta)
+        return response + wrench_change(c.J, self.forces[i])
 
     # forces
 
     def _moved(self) -> list[dict[int, int]]:
         """Changes of the leaves along every direction, where laws read them."""
-        read, found = self.local.read(), [dict(d.seeds) for d in self.directions]
+        read, seeds = self.local.read(), [dict(d.seeds) for d in self.directions]
         zero = Matrix.zeros(self.graph, 6)
         parts: list[dict[int, tuple[Matrix, ...]]] = []
         for i, body in enumerate(self.bodies):
-            own = dict[int, tuple[Matrix, ...]]()
+            changes = dict[int, tuple[Matrix, ...]]()
             if body.parent >= 0:
                 for n, x in parts[body.parent].items():
-                    own[n] = tuple(self.gross.outward(i, part) for part in x)
+                    changes[n] = tuple(self.gross.outward(i, part) for part in x)
             for c in self.causes[i]:
                 before, more = (
-                    own.get(c.column, (zero,) * 3),
+                    changes.get(c.column, (zero,) * 3),
                     self.local.true(i, c.J, c.change, c.zeta),
                 )
-                own[c.column] = tuple(a + b for a, b in zip(before, more, strict=True))
-            parts.append(own)
+                changes[c.column] = tuple(a + b for a, b in zip(before, more, strict=True))
+            parts.append(changes)
             if i in read:
-                for n, (J, change, zeta) in own.items():
-                    found[n] |= self.local.seeds(i, J, change, zeta)
-        return found
+                for n, (J, change, zeta) in changes.items():
+                    seeds[n] |= self.local.seeds(i, J, change, zeta)
+        return seeds
 
     def _loads(self) -> list[dict[int, Matrix]]:
         """Applied and constraint forces, apart from being moved: less of what joints supply."""
         self.seeds = self._moved()
-        found = [dict[int, Matrix]() for _ in self.bodies]
+        loads = [dict[int, Matrix]() for _ in self.bodies]
         for body, wrench in self.local.wrenches.items():
             for n, seeds in enumerate(self.seeds):
                 change = Matrix.vstack(*(self.local.change(x, seeds) for x in wrench))
                 if not change.is_zero:
-                    found[body][n] = -change
-        return found
+                    loads[body][n] = -change
+        return loads
 
     def _elements(self) -> None:
-        """What acts along the speeds themselves, and rotors."""
+        """Forces along the speeds themselves, and rotors."""
         g, along = self.graph, self.local.along
         for n, seeds in enumerate(self.seeds):
             for slot, node in enumerate(self.local.change(along, seeds).nodes):

@@ -20,8 +20,8 @@ from .reference import Reference
 
 
 @dataclass(frozen=True)
-class Own:
-    """What a joint does by itself, as expressions of any state, in the axes of its body.
+class JointChange:
+    """Motion of a joint by itself, as expressions of any state, in the axes of its body.
 
     Attributes:
         columns: Speed -> column of its twist (6, 1).
@@ -70,8 +70,8 @@ class Gross:
         self._udot = Matrix(at.graph, at.system.nu, 1, at.block("udot"))
         along = [along_joint(at.k, i, self._udot) for i in count]
         acc = accelerations(at.k, along, at.d.gravity)
-        self.own = [self._own(i, along[i]) for i in count]
-        self.columns = [{s: put(x) for s, x in own.columns.items()} for own in self.own]
+        self.motion = [self._joint_motion(i, along[i]) for i in count]
+        self.columns = [{s: put(x) for s, x in motion.columns.items()} for motion in self.motion]
         self.rotation = [put(joint.rotation) for joint in at.k.joints]
         self.position = [put(joint.position) for joint in at.k.joints]
         self.inner = [self._inner(i, acc) for i in count]
@@ -80,7 +80,7 @@ class Gross:
             for i in count
         ]
         self.inertias = [Inertia(x.mass, put(x.moment), put(x.tensor)) for x in composites(at.k)]
-        self.flows = [Flow(put(x.momentum), put(x.spread)) for x in flows(at.k)]
+        self.flows = [Flow(put(x.momentum), put(x.gradient)) for x in flows(at.k)]
         self.forces = [put(Matrix.vstack(*inertia_force(at.k, i, acc))) for i in count]
         for i in reversed(count):
             if self.bodies[i].parent >= 0:
@@ -89,16 +89,16 @@ class Gross:
 
     def outward(self, i: int, twist: Matrix) -> Matrix:
         """A twist told on the inner body of a joint, told on the outer one (6, 1)."""
-        (turning, moving), back = halves(twist), self.rotation[i].T
-        return Matrix.vstack(back @ turning, back @ (moving + turning.cross(self.position[i])))
+        (angular, moving), back = halves(twist), self.rotation[i].T
+        return Matrix.vstack(back @ angular, back @ (moving + angular.cross(self.position[i])))
 
     def inward(self, i: int, wrench: Matrix) -> Matrix:
         """A wrench told on the outer body of a joint, told on the inner one (6, 1)."""
         (moment, force), R = halves(wrench), self.rotation[i]
-        carried = R @ force
-        return Matrix.vstack(R @ moment + self.position[i].cross(carried), carried)
+        rotated_force = R @ force
+        return Matrix.vstack(R @ moment + self.position[i].cross(rotated_force), rotated_force)
 
-    def _own(self, i: int, along: Matrix) -> Own:
+    def _joint_motion(self, i: int, along: Matrix) -> JointChange:
         k, joint = self.k, self.k.joints[i]
         columns = dict(joint.columns)
         if k.chosen:
@@ -109,7 +109,7 @@ class Gross:
                 column = Matrix(k.graph, 6, 1, forward(k.graph, joint.velocity.nodes, seeds))
                 if not column.is_zero:
                     columns[slot] = column
-        return Own(columns, joint.velocity, joint.S @ along + joint.drift)
+        return JointChange(columns, joint.velocity, joint.S @ along + joint.drift)
 
     def _inner(self, i: int, acc: Accelerations) -> Field:
         k, joint, parent = self.k, self.k.joints[i], self.bodies[i].parent
@@ -117,7 +117,7 @@ class Gross:
         v = put(k.v_from_root[i] - joint.velocity.block(slice(3, 6)))
         if parent < 0:
             return Field(zero, v, zero, put(back @ -self.at.d.gravity))
-        a = acc.a[parent] + acc.spread[parent] @ joint.position
+        a = acc.a[parent] + acc.gradient[parent] @ joint.position
         return Field(put(back @ k.omega[parent]), v, put(back @ acc.alpha[parent]), put(back @ a))
 
 
@@ -126,7 +126,7 @@ def halves(x: Matrix) -> tuple[Matrix, Matrix]:
     return x.block(slice(0, 3)), x.block(slice(3, 6))
 
 
-def turned_along(moved: Matrix, wrench: Matrix) -> Matrix:
+def wrench_change(moved: Matrix, wrench: Matrix) -> Matrix:
     """Change of a wrench that is carried along by a displacement (6, 1)."""
     (w, v), (moment, force) = halves(moved), halves(wrench)
     return Matrix.vstack(w.cross(moment) + v.cross(force), w.cross(force))

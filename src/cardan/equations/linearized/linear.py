@@ -16,7 +16,7 @@ from .record import Linearized
 from .reduced import reduced
 from .reference import Reference
 
-ROUTES = {"from_start": from_start.whole, "differentiated": differentiated.whole}
+ROUTES = {"from_start": from_start.full_matrices, "differentiated": differentiated.full_matrices}
 
 
 def linearized(
@@ -32,21 +32,28 @@ def linearized(
     if route not in ROUTES:
         raise DerivationError(f"linearize: there is no route '{route}'.{near(route, ROUTES)}")
     with collector_paused():
-        at = Reference(equations, **motion, values=values or {}, wanted=independent)
-        whole = ROUTES[route](at)
-        small = reduced(at, whole)
-        made = plant(at, whole, small, inputs, outputs)
-    states = (
-        *(at.increments[k] for k in at.y),
-        *(at.names["u"][k] for k in at.w),
-        *at.names["z"],
-    )
+        at = Reference(equations, **motion, values=values or {}, independent=independent)
+        full = ROUTES[route](at)
+        small = reduced(at, full)
+        plant_matrices = plant(at, full, small, inputs, outputs)
+    states = (*(at.increments[k] for k in at.y), *(at.names["u"][k] for k in at.w), *at.names["z"])
 
-    def again(wanted: list[str]) -> Linearized:
-        return linearized(equations, motion, values, inputs, outputs, wanted, route)
+    def again(requested: list[str]) -> Linearized:
+        return linearized(equations, motion, values, inputs, outputs, requested, route)
 
     name = equations.system.name
-    return Linearized(name, states, made.inputs, made.outputs, route, at, whole, small, made, again)
+    return Linearized(
+        name,
+        states,
+        plant_matrices.inputs,
+        plant_matrices.outputs,
+        route,
+        at,
+        full,
+        small,
+        plant_matrices,
+        again,
+    )
 
 
 class Linearizable(EquationRecord):
@@ -74,12 +81,12 @@ class Linearizable(EquationRecord):
         Args:
             q, u: The reference by name, numbers or SymPy expressions in parameters, ``t`` and other
                 symbols; coordinates left out are initial values, which are assembled where
-                circuits are open, speeds 0 or what follows from the others.
+                loops are open, speeds 0 or what follows from the others.
             udot: Accelerations of the reference by name, 0 if left out; ``"free"``: those of the
                 motion that goes through the state by itself.
             z, r, s: Internal states, inputs, modes by name; their defaults if left out.
             t: Time [s] at which forces and motions that depend on it are taken; if left out ``t``
-                stays a symbol, but 0 where it moves circuits.
+                stays a symbol, but 0 where it moves loops.
             values: Numbers for symbols of the reference, by name.
             inputs: Inputs, or speeds and joints along which a force acts; all inputs if left out.
             outputs: Outputs, coordinates and speeds; if left out the declared outputs, or all
@@ -90,7 +97,7 @@ class Linearizable(EquationRecord):
                 from the start; ``"differentiated"``: the nonlinear equations are differentiated.
 
         Raises:
-            DerivationError: unknown names, circuits that stay open, speeds that constraints forbid.
+            DerivationError: unknown names, loops that stay open, speeds that constraints forbid.
 
         Source: R. E. Roberson, R. Schwertassek, Dynamics of Multibody Systems (1988), chapter 13.
         """

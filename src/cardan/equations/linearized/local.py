@@ -10,7 +10,7 @@ from collections.abc import Mapping, Sequence
 from copy import copy
 
 from ...elements.closing import closed
-from ...elements.internal_states import Hold
+from ...elements.internal_states import ModeConstraint
 from ...ir.derivative import forward, gradient
 from ...ir.function import live
 from ...ir.graph import ZERO
@@ -19,7 +19,7 @@ from ...topology.system import Cut
 from ..constraints.constraints import POSITION, VELOCITY
 from ..kinematics.joint_forces import along_joint
 from ..kinematics.kinematics import Kinematics
-from ..kinematics.loads import Loads, applied, places, spread
+from ..kinematics.loads import Loads, along_speeds, applied, places
 from .gross import Gross, halves
 from .reference_input import substituted
 
@@ -43,7 +43,7 @@ class Local:
 
     def __init__(self, gross: Gross) -> None:
         self.gross, self.at, self.graph = gross, gross.at, gross.at.graph
-        self._poses = self._placed()
+        self._poses = self._relative_poses()
         self.k = self._kinematics()
         self._values = dict(self.at.values)
         for i in range(len(gross.bodies)):
@@ -61,33 +61,33 @@ class Local:
 
     def leaves(self, i: int) -> dict[str, Matrix]:
         """The quantities of a body as leaves."""
-        found, start = {}, PER_BODY * i
+        leaves, start = {}, PER_BODY * i
         for name, size in SIZES.items():
             nodes = [self.graph.var(BLOCK, start + n) for n in range(size)]
             start += size
-            found[name] = Matrix(self.graph, 3, size // 3, nodes)
-        return found
+            leaves[name] = Matrix(self.graph, 3, size // 3, nodes)
+        return leaves
 
     def _kinematics(self) -> Kinematics:
         """The same system with its bodies as leaves."""
-        made = copy(self.at.k)
+        kinematics = copy(self.at.k)
         bodies = [self.leaves(i) for i in range(len(self.gross.bodies))]
-        made.ground_rotation = [body["rotation"] for body in bodies]
-        made.ground_position = [body["position"] for body in bodies]
-        made.omega = [body["omega"] for body in bodies]
-        made.v = [body["v"] for body in bodies]
-        return made
+        kinematics.ground_rotation = [body["rotation"] for body in bodies]
+        kinematics.ground_position = [body["position"] for body in bodies]
+        kinematics.omega = [body["omega"] for body in bodies]
+        kinematics.v = [body["v"] for body in bodies]
+        return kinematics
 
-    def _placed(self) -> list[tuple[Matrix, Matrix]]:
+    def _relative_poses(self) -> list[tuple[Matrix, Matrix]]:
         """R from body to ground axes and the origin in ground axes, of every body."""
-        found: list[tuple[Matrix, Matrix]] = []
+        poses: list[tuple[Matrix, Matrix]] = []
         for i, body in enumerate(self.gross.bodies):
             rotation, position = self.gross.rotation[i], self.gross.position[i]
             if body.parent >= 0:
-                inner, at = found[body.parent]
+                inner, at = poses[body.parent]
                 rotation, position = inner @ rotation, at + inner @ position
-            found.append((rotation, position))
-        return found
+            poses.append((rotation, position))
+        return poses
 
     def _set_values(self, i: int) -> None:
         outer, v = self.gross.outer[i], self.velocity(i)
@@ -105,9 +105,9 @@ class Local:
         return self._poses[i][0].T @ self.at.put(self.at.d.gravity)
 
     def true(self, i: int, J: Matrix, change: Matrix, zeta: Matrix) -> tuple[Matrix, ...]:
-        """What a joint causes, in velocities against the ground and accelerations with gravity.
+        """Motion by a joint: velocities against the ground and accelerations with gravity.
 
-        Everything that is moved stays under gravity, which is no part of its acceleration.
+        Everything that is moved stays under gravity, which is not a part of its acceleration.
         """
         (theta, _), (eta, slid), (zeta_w, zeta_v) = halves(J), halves(change), halves(zeta)
         root = self.velocity(i) - self.gross.outer[i].v
@@ -140,8 +140,8 @@ class Local:
         """Bodies whose motion the laws read."""
         g, laws = self.graph, [self.along, self.rates, self.accelerated]
         laws += [x for wrench in self.wrenches.values() for x in wrench]
-        reached = live(g, [node for x in laws for node in x.nodes])
-        leaves = (g.nodes[n] for n in reached)
+        nodes = live(g, [node for x in laws for node in x.nodes])
+        leaves = (g.nodes[n] for n in nodes)
         return {node[2] // PER_BODY for node in leaves if node[:2] == ("var", BLOCK)}
 
     def change(self, x: Matrix, seeds: Mapping[int, int]) -> Matrix:
@@ -155,12 +155,12 @@ class Local:
         at, nodes = self.at, [ZERO] * self.at.system.nu
         udot = Matrix(self.graph, at.system.nu, 1, at.block("udot"))
         for i, force in loads.joints.items():
-            for slot, node in spread(self.k, i, force).items():
+            for slot, node in along_speeds(self.k, i, force).items():
                 nodes[slot] = self.graph.add(nodes[slot], node)
         for i, rotor in loads.rotors.items():
-            rate, given = along_joint(at.k, i, udot), at.k.given_acceleration(i)
-            rate = rate if given is None else rate + given
-            for slot, node in spread(self.k, i, rotor @ rate).items():
+            rate, prescribed = along_joint(at.k, i, udot), at.k.prescribed_acceleration(i)
+            rate = rate if prescribed is None else rate + prescribed
+            for slot, node in along_speeds(self.k, i, rotor @ rate).items():
                 nodes[slot] = self.graph.sub(nodes[slot], node)
         return nodes
 
@@ -172,48 +172,50 @@ class Local:
         speeds = self.at.block("u")
         bodies = [self.leaves(i) for i in range(len(self.gross.bodies))]
         twists = [leaf for body in bodies for x in ("omega", "v") for leaf in body[x].nodes]
-        found = gradient(g, power, [*speeds, *twists])
+        slopes = gradient(g, power, [*speeds, *twists])
         for slot in range(len(speeds)):
-            nodes[slot] = g.add(nodes[slot], found[slot])
+            nodes[slot] = g.add(nodes[slot], slopes[slot])
         for i in range(len(bodies)):
-            own = found[len(speeds) + 6 * i : len(speeds) + 6 * i + 6]
-            if any(own):
-                torque, force = Matrix(g, 3, 1, own[:3]), Matrix(g, 3, 1, own[3:])
+            wrench = slopes[len(speeds) + 6 * i : len(speeds) + 6 * i + 6]
+            if any(wrench):
+                torque, force = Matrix(g, 3, 1, wrench[:3]), Matrix(g, 3, 1, wrench[3:])
                 if i in self.wrenches:
                     torque, force = self.wrenches[i][0] + torque, self.wrenches[i][1] + force
                 self.wrenches[i] = (torque, force)
 
     def _rates(self) -> Matrix:
         """G u + g_t in the order of the rows of the system."""
-        k, own = self.k, self.at.d.constraints
-        held, slipping = list[int](), list[int]()
+        k, constraints = self.k, self.at.d.constraints
+        position_rates, slipping = list[int](), list[int]()
         for cut in k.system.cuts:
             rotation, position, twist = self._ends(cut)
             data = {name: k.matrix(*entry) for name, entry in cut.data.items()}
             slope = closed(cut.element, rotation, position, data)[1]
-            held += [slope.block(slice(i, i + 1)).T.dot(twist).node for i in cut.rows]
-            found = cut.element.slip(rotation, position, twist, **data)
-            slipping += [] if found is None else found.nodes
+            position_rates += [slope.block(slice(i, i + 1)).T.dot(twist).node for i in cut.rows]
+            slip = cut.element.slip(rotation, position, twist, **data)
+            slipping += [] if slip is None else slip.nodes
         for i, joint in enumerate(k.system.joints):
             if joint.element.slips:
                 sliding = joint.element.sliding(k.coordinates[i], k.speeds[i], **k.data[i])
                 slipping += [] if sliding is None else sliding.nodes
-        slipping += [(hold.velocity * hold.active).node for hold in self._holds()]
-        levels = {row.owner: row.level for row in own.rows}
+        slipping += [(constraint.velocity * constraint.active).node for constraint in self._holds()]
+        levels = {row.owner: row.level for row in constraints.rows}
         for entry in k.system.constraints:
             node = k.resolve([entry.node])[0]
             if levels[entry.name] == POSITION:
-                held += self._time(Matrix(self.graph, 1, 1, [node])).nodes
+                position_rates += self._time(Matrix(self.graph, 1, 1, [node])).nodes
             elif levels[entry.name] == VELOCITY:
                 slipping.append(node)
-        return Matrix(self.graph, len(held) + len(slipping), 1, [*held, *slipping])
+        return Matrix(
+            self.graph, len(position_rates) + len(slipping), 1, [*position_rates, *slipping]
+        )
 
-    def _holds(self) -> Sequence[Hold]:
+    def _holds(self) -> Sequence[ModeConstraint]:
         return [
-            hold
+            constraint
             for force in self.k.system.forces
-            if force.element.holding()
-            for hold in force.element.holds(places(self.k, force))
+            if force.element.locked_velocities()
+            for constraint in force.element.holds(places(self.k, force))
         ]
 
     def _ends(self, cut: Cut) -> tuple[Matrix, Matrix, Matrix]:
@@ -221,10 +223,10 @@ class Local:
         k, parent, child = self.k, cut.parent_frame, cut.child_frame
         r_p, r_c = k.rotation(parent), k.rotation(child)
         x_p, x_c = k.position(parent), k.position(child)
-        turning = k.angular_velocity(child) - k.angular_velocity(parent)
+        omega = k.angular_velocity(child) - k.angular_velocity(parent)
         moving = k.velocity(child) - k.velocity(parent)
         moving = moving - k.angular_velocity(parent).cross(x_c - x_p)
-        twist = Matrix.vstack(r_c.T @ turning, r_c.T @ moving)
+        twist = Matrix.vstack(r_c.T @ omega, r_c.T @ moving)
         return r_p.T @ r_c, r_p.T @ (x_c - x_p), twist
 
     def _time(self, x: Matrix) -> Matrix:
@@ -232,12 +234,12 @@ class Local:
         seeds = dict(self.at.k.time_seeds)
         seeds |= dict(zip(self.at.block("u"), self.at.block("udot"), strict=True))
         for i in range(len(self.gross.bodies)):
-            own = self.leaves(i)
-            turned = own["rotation"] @ own["omega"].skew
-            moved = own["rotation"] @ own["v"]
+            pose = self.leaves(i)
+            rotation_rate = pose["rotation"] @ pose["omega"].skew
+            moved = pose["rotation"] @ pose["v"]
             for leaves, rate in (
-                (own["rotation"], turned), (own["position"], moved),
-                (own["omega"], own["alpha"]), (own["v"], own["a"]),
+                (pose["rotation"], rotation_rate), (pose["position"], moved),
+                (pose["omega"], pose["alpha"]), (pose["v"], pose["a"]),
             ):  # fmt: skip
                 seeds |= dict(zip(leaves.nodes, rate.nodes, strict=True))
         return Matrix(self.graph, x.rows, 1, forward(self.graph, x.nodes, seeds))

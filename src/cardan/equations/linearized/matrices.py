@@ -37,10 +37,10 @@ class Written:
         """SymPy symbol of every input entry."""
         import sympy
 
-        own = {
+        by_key = {
             (NOMINAL, k): sympy.Symbol(name) for k, name in enumerate(self.reference.symbols.names)
         }
-        return {**self.reference.equations.symbols, **own}
+        return {**self.reference.equations.symbols, **by_key}
 
     def read(self, name: str) -> sympy.Matrix:
         """A matrix in readable form.
@@ -83,7 +83,7 @@ class Written:
         at = self.reference
         return Function("linear", at.graph, at.inputs, tuple(outputs), about="a linear model")
 
-    def numbers(self, given: Mapping[str, Any]) -> dict[str, Array]:
+    def numbers(self, values_by_name: Mapping[str, Any]) -> dict[str, Array]:
         """Values of all matrices.
 
         Args:
@@ -93,11 +93,11 @@ class Written:
         Returns:
             Name -> (..., rows, columns).
         """
-        values = by_name(self.reference, given)
+        values = by_name(self.reference, values_by_name)
         function = self.function()
-        found = evaluate(function, values, "numpy")
+        results = evaluate(function, values, "numpy")
         batch = np.broadcast_shapes(*(np.shape(x)[:-1] for x in values.values()))
         return {
-            o.name: np.broadcast_to(found[o.name], (*batch, *o.shape)).copy()
+            o.name: np.broadcast_to(results[o.name], (*batch, *o.shape)).copy()
             for o in function.outputs
         }

@@ -12,49 +12,52 @@ from ...errors import DerivationError, near
 from .reference import Reference
 from .reference_input import NOMINAL
 
-OPEN = 1e-8  # of circuits: what assembling leaves at the most, with room for other numbers
+OPEN = 1e-8  # of loops: what assembling leaves at the most, with room for other numbers
 
 
-def by_name(at: Reference, given: Mapping[str, Any]) -> dict[str, Array]:
+def by_name(at: Reference, named_values: Mapping[str, Any]) -> dict[str, Array]:
     """Inputs of Functions at the reference: numbers or arrays by name, the rest by default.
 
     Raises:
-        DerivationError: an unknown name, a symbol without a value, or circuits that do not close.
+        DerivationError: an unknown name, a symbol without a value, or loops that do not close.
     """
     parameters, symbols = at.names["p"], at.symbols.values
-    for name in given:
+    for name in named_values:
         if name != "t" and name not in parameters and name not in symbols:
-            known = (*parameters, *symbols)
-            raise DerivationError(f"linearize: there is no symbol '{name}'.{near(name, known)}")
-    p = [given.get(x.name, x.value) for x in at.system.parameters]
-    own = {name: given.get(name, value) for name, value in symbols.items()}
-    for name, value in own.items():
+            names = (*parameters, *symbols)
+            raise DerivationError(f"linearize: there is no symbol '{name}'.{near(name, names)}")
+    p = [named_values.get(x.name, x.value) for x in at.system.parameters]
+    nominal = {name: named_values.get(name, value) for name, value in symbols.items()}
+    for name, value in nominal.items():
         if value is None:
             raise DerivationError(f"linearize: symbol '{name}' needs a value: {name}=...")
     # coordinates that were assembled follow whatever else is said
     followed = [] if at.assembly is None else at.assembly.names
-    if followed and any(name not in ("t", *followed) for name in given):
-        own |= {name: x for name, x in _closed_again(at, p, own).items() if name not in given}
-    values = {"t": [given.get("t", 0.0)], "p": p, NOMINAL: list(own.values())}
-    found = {name: stacked(row) for name, row in values.items()}
-    if given and not at.trusted and not at.open_at(found) <= OPEN:
+    if followed and any(name not in ("t", *followed) for name in named_values):
+        nominal |= {
+            name: x for name, x in _closed_again(at, p, nominal).items() if name not in named_values
+        }
+    values = {"t": [named_values.get("t", 0.0)], "p": p, NOMINAL: list(nominal.values())}
+    stacked_values = {name: stacked(row) for name, row in values.items()}
+    if named_values and not at.trusted and not at.open_at(stacked_values) <= OPEN:
         raise DerivationError(
-            f"linearize: the circuits do not close at the reference with {', '.join(given)} as "
+            "linearize: the loops do not close at the reference with "
+            f"{', '.join(named_values)} as "
             "given. Give coordinates as expressions in what changes, or fewer of them, so that "
             "those left out are assembled anew; or the values as defaults of the scene"
         )
-    return found
+    return stacked_values
 
 
-def _closed_again(at: Reference, p: list[Any], own: Mapping[str, Any]) -> dict[str, Any]:
+def _closed_again(at: Reference, p: list[Any], nominal: Mapping[str, Any]) -> dict[str, Any]:
     """Assembled coordinates at other numbers, state by state."""
     assert at.assembly is not None
-    table, n = stacked([*p, *own.values()]), len(p)
+    table, n = stacked([*p, *nominal.values()]), len(p)
     flat = table.reshape(-1, table.shape[-1])
-    found = np.array([at.assembly.at(row[:n], row[n:]) for row in flat])
-    found = found.reshape(*table.shape[:-1], -1)
+    solutions = np.array([at.assembly.at(row[:n], row[n:]) for row in flat])
+    solutions = solutions.reshape(*table.shape[:-1], -1)
     names = at.names["q"]
-    return {name: found[..., names.index(name)] for name in at.assembly.names}
+    return {name: solutions[..., names.index(name)] for name in at.assembly.names}
 
 
 def stacked(entries: Sequence[Any]) -> Array:

@@ -1,4 +1,4 @@
-"""What surrounds the equations of motion: kinematics, internal states, outputs, to first order."""
+"""Surroundings of the equations of motion: kinematics, internal states, outputs, to first order."""
 
 from __future__ import annotations
 
@@ -16,26 +16,26 @@ Columns = Callable[[Reference, Matrix, Sequence[Direction]], Matrix]
 
 
 def outward(at: Reference, columns: Columns) -> dict[str, Matrix]:
-    """Everything of :class:`whole.Whole` that no dynamics stand in, at the reference."""
+    """The parts of :class:`.FullMatrices` without dynamics, at the reference."""
     _refuse_driven(at)
     wrt = {letter: directions(at.k, letter, at.names) for letter in ("q", "u", "z", "r", "udot")}
-    found = observer(at, wrt["q"])
+    matrices = observer(at, wrt["q"])
     rates = event_functions.rates(at.d) if at.system.nz else Matrix.zeros(at.graph, 0)
     for name, letter in (("Ze", "q"), ("Zv", "u"), ("Zz", "z"), ("Zr", "r")):
-        found[name] = columns(at, rates, wrt[letter])
-    seen = declared(at)
+        matrices[name] = columns(at, rates, wrt[letter])
+    declared_outputs = declared(at)
     for name, letter in (("ye", "q"), ("yv", "u"), ("yz", "z"), ("yr", "r"), ("ya", "udot")):
-        found[name] = columns(at, seen, wrt[letter])
-    return {name: at.put(x) for name, x in found.items()}
+        matrices[name] = columns(at, declared_outputs, wrt[letter])
+    return {name: at.put(x) for name, x in matrices.items()}
 
 
 def _refuse_driven(at: Reference) -> None:
     """Inputs that move what constraints hold would be independent increments of their own."""
-    own = at.d.constraints
-    reached = set(live(at.graph, [*own.position.nodes, *own.rates.nodes]))
-    if reached & set(at.block("r")):
+    constraints = at.d.constraints
+    nodes = set(live(at.graph, [*constraints.position.nodes, *constraints.rates.nodes]))
+    if nodes & set(at.block("r")):
         raise DerivationError(
-            "linearize: inputs prescribe motions inside closed circuits: give these as "
+            "linearize: inputs prescribe motions inside closed loops: give these as "
             "expressions in t, or drive by a force"
         )
 
@@ -61,8 +61,8 @@ def observer(at: Reference, along: Sequence[Direction]) -> dict[str, Matrix]:
         seeds |= dict(zip(at.block("u"), at.block("udot"), strict=True))
         for n, direction in enumerate(along):
             change = forward(g, k.rates.nodes, direction.seeds)
-            turned = forward(g, N[n], seeds)
-            left = [g.sub(a, b) for a, b in zip(change, turned, strict=True)]
+            rate_change = forward(g, N[n], seeds)
+            left = [g.sub(a, b) for a, b in zip(change, rate_change, strict=True)]
             for slot, node in enumerate(_speeds(at, left)):
                 E[slot][n] = node
     by_rows = Matrix(g, nu, nu, [x for row in E for x in row])
@@ -80,27 +80,27 @@ def _rate(at: Reference, x: Matrix) -> Matrix:
 
 
 def _plain(at: Reference) -> bool:
-    """Whether speeds are the rates of coordinates, one by one."""
+    """True when speeds are the rates of coordinates, one by one."""
     return list(at.k.rates.nodes) == at.block("u")
 
 
 def _speeds(at: Reference, rates: list[int]) -> list[int]:
     """Speeds (nu) that belong to rates of the coordinates."""
-    g, found = at.graph, [0] * at.system.nu
+    g, speeds = at.graph, [0] * at.system.nu
     for i, joint in enumerate(at.system.joints):
         if joint.q < 0:
             continue
         q = at.k.coordinates[i]
-        own = Matrix(g, q.rows, 1, rates[joint.q : joint.q + q.rows])
-        if not own.is_zero:
-            u = joint.element.speeds_of(q, own, **at.k.data[i])
-            found[joint.u : joint.u + u.rows] = u.nodes
+        rates_of_joint = Matrix(g, q.rows, 1, rates[joint.q : joint.q + q.rows])
+        if not rates_of_joint.is_zero:
+            u = joint.element.speeds_of(q, rates_of_joint, **at.k.data[i])
+            speeds[joint.u : joint.u + u.rows] = u.nodes
     if not at.equations.chosen:
-        return found
+        return speeds
     # the joint speeds as the scene knows them, told in those that the user chose
     slots = at.block("u")
     total = list[int]()
     for speed in at.equations.chosen:
-        change = forward(g, [speed.node], dict(zip(slots, found, strict=True)))
+        change = forward(g, [speed.node], dict(zip(slots, speeds, strict=True)))
         total += at.k.resolve(change)
     return total

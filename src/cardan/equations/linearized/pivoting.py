@@ -38,21 +38,21 @@ def solved(a: Matrix, b: Matrix, values: Array) -> Matrix:
             if rows[i][column] == ZERO:
                 continue
             factor = g.div(rows[i][column], rows[row][column])
-            wanted = [*columns, *range(n, n + b.columns)]
-            for j in wanted:
+            targets = [*columns, *range(n, n + b.columns)]
+            for j in targets:
                 rows[i][j] = g.sub(rows[i][j], g.mul(factor, rows[row][j]))
             numbers[i] -= numbers[i, column] / numbers[row, column] * numbers[row]
             rows[i][column] = ZERO
-    found = [[ZERO] * b.columns for _ in range(n)]
+    solution = [[ZERO] * b.columns for _ in range(n)]
     done: list[int] = []
     for row, column in reversed(order):
         for m in range(b.columns):
             total = rows[row][n + m]
             for j in done:
-                total = g.sub(total, g.mul(rows[row][j], found[j][m]))
-            found[column][m] = g.div(total, rows[row][column])
+                total = g.sub(total, g.mul(rows[row][j], solution[j][m]))
+            solution[column][m] = g.div(total, rows[row][column])
         done.append(column)
-    return Matrix(g, n, b.columns, [x for line in found for x in line])
+    return Matrix(g, n, b.columns, [x for line in solution for x in line])
 
 
 def _pivot(

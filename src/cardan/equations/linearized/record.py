@@ -14,7 +14,7 @@ from ...arrays import Array
 from ...errors import DerivationError, counted, listed
 from ...ir.function import Function, count, live
 from ...ir.matrix import Matrix
-from .all_coordinates import DYNAMIC, Whole
+from .all_coordinates import DYNAMIC, FullMatrices
 from .first_order import Plant
 from .matrices import Written
 from .reduced import Reduced
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
     from .along import LinearizedAlong
 
-KEPT = 1e-9  # forces below this part of the largest ones at hand are none
+NEGLIGIBLE = 1e-9  # forces below this part of the largest ones at hand are none
 SECOND = (
     "M", "damping", "K", "dissipative", "gyroscopic", "conservative", "circulatory", "forces",
     "inner",
@@ -96,7 +96,7 @@ class Linearized:
 
     Attributes:
         name: Of the model.
-        states: Names of x; ``along base.u.x`` is an increment along a speed that is no rate.
+        states: Names of x; ``along base.u.x`` is an increment along a speed that is not a rate.
         inputs, outputs: Names of r and y.
         route: ``"from_start"`` or ``"differentiated"``: how it was derived.
     """
@@ -107,7 +107,7 @@ class Linearized:
     outputs: tuple[str, ...]
     route: str
     _reference: Reference = field(repr=False)
-    _whole: Whole = field(repr=False)
+    _full: FullMatrices = field(repr=False)
     _reduced: Reduced = field(repr=False)
     _plant: Plant = field(repr=False)
     _with: Callable[[list[str]], Linearized] = field(repr=False)
@@ -150,7 +150,7 @@ class Linearized:
 
         Args:
             parameters: Parameters, symbols of the reference and ``t`` by name, numbers or arrays
-                that broadcast; the rest by default. Assembled circuits are assembled anew.
+                that broadcast; the rest by default. Assembled loops are assembled anew.
             values: The same by keyword.
 
         Raises:
@@ -213,15 +213,15 @@ class Linearized:
                 return other.second_order(names)
         x = second_order(at, self._reduced, places)
         (D, G), (K, N) = parts_of(x.damping), parts_of(x.K)
-        own = dict(
+        matrices = dict(
             zip(
                 SECOND,
                 (x.M, x.damping, x.K, D, G, K, N, self._pushes(places), x.inner),
                 strict=True,
             )
         )
-        told = tuple(at.increments[k] for k in places)
-        return SecondOrder(told, self.inputs, Written(at, own))
+        coordinates_chosen = tuple(at.increments[k] for k in places)
+        return SecondOrder(coordinates_chosen, self.inputs, Written(at, matrices))
 
     def _pushes(self, places: list[int]) -> Matrix:
         """Forces along chosen increments by the inputs of the plant."""
@@ -240,7 +240,7 @@ class Linearized:
 
     @property
     def damping(self) -> sympy.Matrix:
-        """What multiplies y' (n, n): damping and gyroscopic forces."""
+        """Factor of y' (n, n): damping and gyroscopic forces."""
         return self._second.damping
 
     @property
@@ -255,7 +255,7 @@ class Linearized:
 
     @property
     def K(self) -> sympy.Matrix:
-        """What multiplies y (n, n): stiffness and circulatory forces."""
+        """Factor of y (n, n): stiffness and circulatory forces."""
         return self._second.K
 
     @property
@@ -270,14 +270,15 @@ class Linearized:
 
     @property
     def forces(self) -> sympy.Matrix:
-        """What multiplies the inputs (n, nr) in the equations of second order."""
+        """Factor of the inputs (n, nr) in the equations of second order."""
         return self._second.forces
 
     # the reference
 
     @cached_property
     def needed(self) -> dict[str, sympy.Expr]:
-        """Forces along independent speeds without which the reference is no motion; {}: it is one.
+        """Forces along independent speeds without which the reference is not a motion; {}: it is
+        one.
 
         They are looked at in numbers, at the default parameters; symbols of the reference without
         a value have any. The linear model holds while these forces act as they are.
@@ -287,8 +288,10 @@ class Linearized:
         balance = float(np.abs(at.number(at.put(at.balance))).max(initial=0.0))
         # forces that small changes of the motion would make are none
         x = self._reduced
-        own = np.hstack([np.abs(at.number(m)) for m in (x.M, x.C, x.K)]).max(axis=1, initial=0.0)
-        rows = [n for n, x in enumerate(values) if abs(x) > KEPT * max(balance, own[n])]
+        row_sizes = np.hstack([np.abs(at.number(m)) for m in (x.M, x.C, x.K)]).max(
+            axis=1, initial=0.0
+        )
+        rows = [n for n, x in enumerate(values) if abs(x) > NEGLIGIBLE * max(balance, row_sizes[n])]
         if not rows:
             return {}
         read = Written(at, {"needed": picked(at.needed, rows, [0])}).read("needed")
@@ -300,9 +303,9 @@ class Linearized:
 
         These are what was derived: M, damping, stiffness, constraints and what changes them.
         """
-        nodes = [x for name in DYNAMIC for x in getattr(self._whole, name).nodes]
-        graph, known = self._reference.graph, list(self._reference.values.values())
-        before = set(live(graph, known))
+        nodes = [x for name in DYNAMIC for x in getattr(self._full, name).nodes]
+        graph, reference_nodes = self._reference.graph, list(self._reference.values.values())
+        before = set(live(graph, reference_nodes))
         return count(graph, [x for x in live(graph, nodes) if x not in before])
 
     def __repr__(self) -> str:

@@ -14,7 +14,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from ...ir.matrix import Matrix
-from .all_coordinates import Whole
+from .all_coordinates import FullMatrices
 from .reference import Reference, picked
 
 
@@ -46,17 +46,17 @@ class Reduced:
     Vw: Matrix
 
 
-def reduced(at: Reference, x: Whole) -> Reduced:
+def reduced(at: Reference, x: FullMatrices) -> Reduced:
     """The equations of the independent increments and speeds."""
     W = at.W
-    J = at.spread(x.G, at.rows_y, at.dependent_y, at.y)
+    J = at.expanded(x.G, at.rows_y, at.dependent_y, at.y)
     Y = _follow(at, x.R @ J)
     Vw = _follow(at, x.Qv @ W)
     Vy = _follow(at, x.Qe @ J + x.Qv @ Y)
     left = W.T
     inertia = left @ x.M
-    turned = x.E @ J + Y
-    rows = range(turned.columns)
+    rotation_terms = x.E @ J + Y
+    rows = range(rotation_terms.columns)
     tree = not at.system.closed
     return Reduced(
         M=inertia @ W,
@@ -64,7 +64,7 @@ def reduced(at: Reference, x: Whole) -> Reduced:
         K=inertia @ Vy + left @ (x.K @ J + x.C @ Y),
         by_z=left @ x.by_z,
         by_r=left @ x.by_r,
-        Ty=picked(turned, at.y, rows),
+        Ty=picked(rotation_terms, at.y, rows),
         Tw=picked(W, at.y, range(W.columns)),
         Tydot=x.Edot if tree else None,
         J=J,

@@ -20,12 +20,12 @@ from ...ir.graph import ONE, ZERO
 from ...ir.interpreter import evaluate
 from ...ir.matrix import Matrix
 from ...ir.solve import solve
-from ..constraints.reaction_friction import pressed
+from ..constraints.reaction_friction import friction_forces
 from ..functions import blocks
 from ..functions.dynamics import Dynamics
 from ..kinematics.kinematics import Kinematics
 from .assembled import Assembly
-from .choice import WANTED, choice
+from .choice import REQUEST_WEIGHT, choice
 from .pivoting import independent, independent_rows, solved
 from .reference_input import (
     NOMINAL,
@@ -34,8 +34,8 @@ from .reference_input import (
     check_rotations,
     depends,
     entries,
-    given_speeds,
     places_of,
+    specified_speeds,
     substituted,
 )
 
@@ -70,24 +70,25 @@ class Reference:
         s: Mapping[str, Any],
         t: float | None,
         values: Mapping[str, float],
-        wanted: Iterable[str] | None,
+        independent: Iterable[str] | None,
     ) -> None:
         self.equations, self.system = equations, equations.system
-        if pressed(self.system):
+        if friction_forces(self.system):
             raise DerivationError(
-                f"linearize: the friction of '{pressed(self.system)[0].name}' follows from "
+                f"linearize: the friction of '{friction_forces(self.system)[0].name}' follows from "
                 "reactions; model.linearize does it in numbers"
             )
         self.k = Kinematics(self.system, equations.chosen)
         self.d = Dynamics(self.k, "kane" if equations.chosen else "composite")
         self.graph, self.names = self.k.graph, {b.name: b.entries for b in self._blocks}
         self.values: dict[int, int] = {}
-        self.symbols = Symbols(self.graph, self._known(), values)
+        self.symbols = Symbols(self.graph, self._parameter_nodes(), values)
         self._set_constants(z, r, s)
         self._set_positions(q, t)
         if self.symbols.unused():
             raise DerivationError(f"linearize: values: no symbol '{self.symbols.unused()[0]}'")
-        self._choose([] if wanted is None else listed("independent", wanted, "crank"), q, u)
+        names = [] if independent is None else listed("independent", independent, "crank")
+        self._choose(names, q, u)
         self._set_speeds(u)
         self._set_accelerations(udot)
         self._set_multipliers()
@@ -102,9 +103,9 @@ class Reference:
         """Leaves of a block."""
         return [self.graph.var(letter, k) for k in range(len(self.names[letter]))]
 
-    def _known(self) -> dict[str, int]:
-        found = {name: self.graph.var("p", k) for k, name in enumerate(self.names["p"])}
-        return {"t": self.graph.var("t", 0)} | found
+    def _parameter_nodes(self) -> dict[str, int]:
+        nodes = {name: self.graph.var("p", k) for k, name in enumerate(self.names["p"])}
+        return {"t": self.graph.var("t", 0)} | nodes
 
     def put(self, x: Matrix) -> Matrix:
         """Expressions at the reference."""
@@ -119,20 +120,20 @@ class Reference:
 
     @property
     def inputs(self) -> tuple[Block, ...]:
-        """What matrices at the reference may read."""
+        """Blocks that matrices at the reference may read."""
         names = self.symbols.names
-        own = Block(NOMINAL, names, ("",) * len(names))
-        return (*(b for b in self._blocks if b.name in ("t", "p")), own)
+        nominal = Block(NOMINAL, names, ("",) * len(names))
+        return (*(b for b in self._blocks if b.name in ("t", "p")), nominal)
 
     def tried(self, p: Array | None = None) -> dict[str, Any]:
         """Values of the inputs at which pivots are chosen and the reference is checked."""
         rng = np.random.default_rng(5)
         free = rng.uniform(0.5, 1.5, len(self.symbols.names))
-        own = [
+        nominal = [
             x if v is None else v for v, x in zip(self.symbols.values.values(), free, strict=True)
         ]
-        given = [x.value for x in self.system.parameters] if p is None else p
-        return {"t": [TRIED], "p": given, NOMINAL: own}
+        parameters = [x.value for x in self.system.parameters] if p is None else p
+        return {"t": [TRIED], "p": parameters, NOMINAL: nominal}
 
     def trials(self) -> list[Array | None]:
         """Parameters at which something may be seen not to vanish: the default ones, and others.
@@ -155,32 +156,32 @@ class Reference:
     ) -> None:
         """Internal states, inputs and modes."""
         start = blocks.defaults(self.system)
-        for letter, given, what in (
+        for letter, values, what in (
             ("z", z, "internal state"),
             ("r", r, "input"),
             ("s", s, "mode"),
         ):
-            chosen = entries(given, self.names[letter], what)
+            chosen = entries(values, self.names[letter], what)
             self._set(letter, [
                 self.symbols.node(chosen[k]) if k in chosen else self.graph.const(float(x))
                 for k, x in enumerate(start[letter])
             ])  # fmt: skip
 
     def _set_positions(self, q: Mapping[str, Any], t: float | None) -> None:
-        given = entries(q, self.names["q"], "coordinate")
-        check_rotations(self.system, self.names["q"], given)
+        specified = entries(q, self.names["q"], "coordinate")
+        check_rotations(self.system, self.names["q"], specified)
         start = [default for _, _, default in blocks.coordinates(self.system)]
         for joint in self.system.joints:
             if joint.q >= 0 and joint.q0 is not None:
                 start[joint.q : joint.q + len(joint.q0)] = joint.q0
         nodes = [
-            self.symbols.node(given[k]) if k in given else self.graph.const(float(x))
+            self.symbols.node(specified[k]) if k in specified else self.graph.const(float(x))
             for k, x in enumerate(start)
         ]
         self.time = self.graph.var("t", 0)
         self.timed = depends(self.graph, nodes, self.time)
         # what was simulated holds the constraints as well as it can
-        self.trusted = any(isinstance(x, Placeholder) for x in given.values())
+        self.trusted = any(isinstance(x, Placeholder) for x in specified.values())
         if t is None and not self.trusted and not self.timed and self._driven():
             t = 0.0
         if t is not None and not self.timed:
@@ -188,10 +189,10 @@ class Reference:
         self._set("q", nodes)
         self.assembly: Assembly | None = None
         if self.positions and not self.trusted and self.open_at(self.tried()) > CLOSED:
-            self._assemble(given)
+            self._assemble(specified)
 
     def _driven(self) -> bool:
-        """Whether circuits close differently at every time."""
+        """True when loops close differently at every time."""
         return self.system.closed and depends(
             self.graph, self.d.constraints.position.nodes, self.time
         )
@@ -202,23 +203,23 @@ class Reference:
         return self.d.constraints.positions if self.system.closed else 0
 
     def open_at(self, values: Mapping[str, Any]) -> float:
-        """How far circuits are open at the reference, the most of a batch of values."""
+        """Closure error at the reference, the largest of a batch of values."""
         if not self.positions:
             return 0.0
         x = self.put(self.d.constraints.position)
         function = Function("x", self.graph, self.inputs, (Output("x", (x.rows,), x.nodes),))
         return float(np.abs(evaluate(function, values, "numpy")["x"]).max(initial=0.0))
 
-    def _assemble(self, given: Mapping[int, Any]) -> None:
-        """Coordinates that are not given become symbols with the values that close the circuits."""
+    def _assemble(self, specified: Mapping[int, Any]) -> None:
+        """Coordinates that are not given become symbols with the values that close the loops."""
         if self.timed:
             raise DerivationError(
-                "linearize: the coordinates do not close the circuits at all times; give those of "
+                "linearize: the coordinates do not close the loops at all times; give those of "
                 "all joints as expressions in t, or a motion that was simulated"
             )
-        self.assembly = Assembly(self, sorted(given))
+        self.assembly = Assembly(self, sorted(specified))
         for k, name in zip(self.assembly.moved, self.assembly.names, strict=True):
-            node = self.symbols.add(name, float(self.assembly.found[k]))
+            node = self.symbols.add(name, float(self.assembly.solution[k]))
             self.values[self.graph.var("q", k)] = node
 
     # independent increments and speeds
@@ -230,13 +231,14 @@ class Reference:
             return Matrix.zeros(self.graph, 0, self.system.nu)
         return self.put(self.d.constraints.jacobian)
 
-    def _choose(self, wanted: list[str], q: Mapping[str, Any], u: Mapping[str, Any]) -> None:
-        """Which increments and speeds are independent, and which rows of G hold the others."""
-        slots, given = {n: self.slot(n) for n in wanted}, given_speeds(self.names["u"], q, u)
-        found = choice(self.number(self.G), self.positions, slots, given)
-        self.y, self.w = found.y, found.w
-        self.dependent_y, self.dependent_w = found.dependent_y, found.dependent_w
-        self.rows_y, self.rows_w = found.rows_y, found.rows_w
+    def _choose(self, independent: list[str], q: Mapping[str, Any], u: Mapping[str, Any]) -> None:
+        """Choose independent increments and speeds, and the rows of G that determine the others."""
+        slots = {name: self.slot(name) for name in independent}
+        specified = specified_speeds(self.names["u"], q, u)
+        partition = choice(self.number(self.G), self.positions, slots, specified)
+        self.y, self.w = partition.y, partition.w
+        self.dependent_y, self.dependent_w = partition.dependent_y, partition.dependent_w
+        self.rows_y, self.rows_w = partition.rows_y, partition.rows_w
 
     def slot(self, name: str) -> int:
         """Number of a speed, by its name or that of the coordinate it is the rate of.
@@ -246,15 +248,15 @@ class Reference:
         """
         places = places_of(name, self.names["u"])
         if len(places) != 1:
-            known = (*self.increments, *self.names["u"])
+            names = (*self.increments, *self.names["u"])
             raise DerivationError(
-                f"linearize: there is no coordinate or speed '{name}'.{near(name, known)}"
+                f"linearize: there is no coordinate or speed '{name}'.{near(name, names)}"
             )
         return places[0]
 
     @cached_property
     def increments(self) -> tuple[str, ...]:
-        """Name of every increment: the coordinate, or ``along`` a speed that is no rate of one."""
+        """Name of every increment: a coordinate, or ``along`` a speed that is not a rate."""
         rates = {node: k for k, node in enumerate(self.k.rates.nodes)}
         return tuple(
             self.names["q"][rates[leaf]] if leaf in rates else f"along {name}"
@@ -280,65 +282,67 @@ class Reference:
     # speeds, accelerations, multipliers
 
     def _set_speeds(self, u: Mapping[str, Any]) -> None:
-        given = entries(u, self.names["u"], "speed")
-        nodes = [self.symbols.node(given[k]) if k in given else ZERO for k in range(self.system.nu)]
+        specified = entries(u, self.names["u"], "speed")
+        nodes = [ZERO] * self.system.nu
+        for k, value in specified.items():
+            nodes[k] = self.symbols.node(value)
         if self.timed:
-            nodes = [n if k in given else rate for k, (n, rate) in enumerate(
+            nodes = [n if k in specified else rate for k, (n, rate) in enumerate(
                 zip(nodes, self._rates(), strict=True))]  # fmt: skip
         self._set("u", nodes)
         if self.system.closed and not self.trusted:
             rates = self.put(self.d.constraints.rates)
             if np.abs(self.number(rates)).max(initial=0.0) > CLOSED:
-                self._complete("u", rates, given)
+                self._complete("u", rates, specified)
 
     def _rates(self) -> list[int]:
         """Speeds of coordinates that are expressions in t."""
         if self.equations.chosen:
             raise DerivationError("linearize: give u for coordinates that depend on t")
-        found = [ZERO] * self.system.nu
+        rates = [ZERO] * self.system.nu
         for i, joint in enumerate(self.system.joints):
             if joint.q < 0:
                 continue
             q = self.put(self.k.coordinates[i])
             qdot = Matrix(self.graph, q.rows, 1, forward(self.graph, q.nodes, {self.time: ONE}))
             u = joint.element.speeds_of(q, qdot, **self.k.data[i])
-            found[joint.u : joint.u + u.rows] = u.nodes
-        return found
+            rates[joint.u : joint.u + u.rows] = u.nodes
+        return rates
 
-    def _complete(self, letter: str, residual: Matrix, given: Mapping[int, Any]) -> None:
+    def _complete(self, letter: str, residual: Matrix, specified: Mapping[int, Any]) -> None:
         """Dependent entries changed so that the constraints hold, given ones as they are."""
         weights = np.ones(self.system.nu)
-        weights[list(given)] = WANTED**2
-        weights[[k for k in self.w if k not in given]] = WANTED
+        weights[list(specified)] = REQUEST_WEIGHT**2
+        weights[[k for k in self.w if k not in specified]] = REQUEST_WEIGHT
         G = self.number(self.G)
         free = independent(G, weights)
         columns = [k for k in range(self.system.nu) if k not in free]
         rows = independent_rows(G[:, columns])
-        over = [self.names["u"][k] for k in given if k in columns]
+        over = {columns.index(k): self.names["u"][k] for k in specified if k in columns}
         change = self.by_dependent(self.G, rows, columns, picked(residual, rows, [0]))
-        if over and np.abs(self.number(change)[[columns.index(k) for k in given if k in columns]]
-                           ).max() > CLOSED:  # fmt: skip
+        if over and np.abs(self.number(change)[list(over)]).max() > CLOSED:
             raise DerivationError(
-                f"linearize: the constraints do not allow the given speeds: '{over[0]}' follows "
-                "from the others; leave it out"
+                "linearize: the constraints do not allow the given speeds: "
+                f"'{next(iter(over.values()))}' follows from the others; leave it out"
             )
         for n, k in enumerate(columns):
-            if k not in given:
+            if k not in specified:
                 leaf = self.graph.var(letter, k)
                 self.values[leaf] = self.graph.sub(self.values[leaf], change.nodes[n])
 
     def _set_accelerations(self, udot: Mapping[str, Any] | str) -> None:
-        given = {} if isinstance(udot, str) else entries(udot, self.names["udot"], "acceleration")
+        accelerations = {} if isinstance(udot, str) else udot
+        specified = entries(accelerations, self.names["udot"], "acceleration")
         nodes = forward(self.graph, [self.values[x] for x in self.block("u")], {self.time: ONE})
-        for k, value in given.items():
+        for k, value in specified.items():
             nodes[k] = self.symbols.node(value)
         self._set("udot", nodes)
         if self.system.closed:
-            own = self.d.constraints
-            missing = own.jacobian @ Matrix(self.graph, self.system.nu, 1, self.block("udot"))
-            residual = self.put(missing - own.gamma)
+            constraints = self.d.constraints
+            udot_vector = Matrix(self.graph, self.system.nu, 1, self.block("udot"))
+            residual = self.put(constraints.jacobian @ udot_vector - constraints.gamma)
             if np.abs(self.number(residual)).max(initial=0.0) > CLOSED:
-                self._complete("udot", residual, given)
+                self._complete("udot", residual, specified)
         if isinstance(udot, str):
             if udot != FREE:
                 raise DerivationError(f"linearize: udot is by name, or '{FREE}', not '{udot}'")
@@ -347,10 +351,10 @@ class Reference:
     @cached_property
     def W(self) -> Matrix:
         """Changes of all speeds by the independent ones (nu, nw)."""
-        return self.spread(self.G, self.rows_w, self.dependent_w, self.w)
+        return self.expanded(self.G, self.rows_w, self.dependent_w, self.w)
 
-    def spread(self, G: Matrix, rows: list[int], dependent: list[int], free: list[int]) -> Matrix:
-        """What G x = 0 leaves: all entries by the free ones (nu, n)."""
+    def expanded(self, G: Matrix, rows: list[int], dependent: list[int], free: list[int]) -> Matrix:
+        """All entries from the free ones under G x = 0 (nu, n)."""
         change = self.by_dependent(G, rows, dependent, -picked(G, rows, free))
         return self.joined(free, dependent, Matrix.identity(self.graph, len(free)), change)
 
@@ -364,8 +368,7 @@ class Reference:
     @cached_property
     def balance(self) -> Matrix:
         """M udot + h - f at any state (nu, 1), constraint forces not counted."""
-        udot = Matrix(self.graph, self.system.nu, 1, self.block("udot"))
-        return self.d.inverse(udot)
+        return self.d.inverse(Matrix(self.graph, self.system.nu, 1, self.block("udot")))
 
     def _set_free(self) -> None:
         """Accelerations of the motion that starts there by itself."""
@@ -377,13 +380,11 @@ class Reference:
 
     def _set_multipliers(self) -> None:
         """lam by the rows that hold the dependent speeds; redundant ones carry nothing."""
-        m = len(self.names["lam"])
-        nodes = [ZERO] * m
+        nodes = [ZERO] * len(self.names["lam"])
         if self.rows_w:
-            own = picked(self.G, self.rows_w, self.dependent_w).T
+            square = picked(self.G, self.rows_w, self.dependent_w).T
             right = picked(self.put(self.balance), self.dependent_w, [0])
-            found = self.solve(own, right)
-            for row, node in zip(self.rows_w, found.nodes, strict=True):
+            for row, node in zip(self.rows_w, self.solve(square, right).nodes, strict=True):
                 nodes[row] = node
         self._set("lam", nodes)
 

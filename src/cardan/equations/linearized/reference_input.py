@@ -1,4 +1,4 @@
-"""What the user says about a reference motion: names and SymPy expressions, as nodes."""
+"""The user's reference motion: names and SymPy expressions, as nodes."""
 
 from __future__ import annotations
 
@@ -8,13 +8,13 @@ from dataclasses import dataclass
 from typing import Any
 
 from ...arguments import UNIT
-from ...errors import DerivationError, near, shown
+from ...errors import DerivationError, brief, near
 from ...ir.function import live
 from ...ir.graph import Graph
 from ...ir.rewrite import rebuild
 from ...topology.system import System
 
-# the block of symbols that stand in a reference motion and are no parameters
+# the block of symbols that stand in a reference motion and are not parameters
 NOMINAL = "nominal"
 SNAP = 1e-15
 
@@ -27,20 +27,20 @@ class Placeholder:
     value: float
 
 
-def entries(given: Mapping[str, Any], names: Sequence[str], what: str) -> dict[int, Any]:
+def entries(values_by_name: Mapping[str, Any], names: Sequence[str], what: str) -> dict[int, Any]:
     """Entry of a block -> its value; several entries by the name of their joint.
 
     Raises:
         DerivationError: unknown names, texts, or another number of values.
     """
-    found: dict[int, Any] = {}
-    for name, value in given.items():
+    values_by_entry: dict[int, Any] = {}
+    for name, value in values_by_name.items():
         places = places_of(name, names)
         if not places:
             raise DerivationError(f"linearize: there is no {what} '{name}'.{near(name, names)}")
         if isinstance(value, str):
             raise DerivationError(
-                f"linearize: '{name}' is {shown(value)}, a text; give a number or an expression of "
+                f"linearize: '{name}' is {brief(value)}, a text; give a number or an expression of "
                 "SymPy, such as sympy.Symbol('alpha')"
             )
         several = isinstance(value, Sequence) or getattr(value, "ndim", 0) > 0
@@ -50,11 +50,11 @@ def entries(given: Mapping[str, Any], names: Sequence[str], what: str) -> dict[i
             raise DerivationError(
                 f"linearize: '{name}' has {len(places)} entries ({listed}), not {len(values)}"
             )
-        found.update(zip(places, values, strict=True))
-    return found
+        values_by_entry.update(zip(places, values, strict=True))
+    return values_by_entry
 
 
-def check_rotations(system: System, names: Sequence[str], given: Mapping[int, Any]) -> None:
+def check_rotations(system: System, names: Sequence[str], specified: Mapping[int, Any]) -> None:
     """Unit quaternions are named whole, and numbers among them have length 1.
 
     Args:
@@ -67,15 +67,15 @@ def check_rotations(system: System, names: Sequence[str], given: Mapping[int, An
     """
     for joint in system.joints:
         first = joint.element.quaternion
-        own = range(joint.q + first, joint.q + first + 4) if first is not None else range(0)
-        named = [k for k in own if joint.q >= 0 and k in given]
+        quaternion = range(joint.q + first, joint.q + first + 4) if first is not None else range(0)
+        named = [k for k in quaternion if joint.q >= 0 and k in specified]
         if 0 < len(named) < 4:
             raise DerivationError(
                 f"linearize: '{names[named[0]]}' is one component of the unit quaternion of "
                 f"'{joint.name}', which one component does not determine. Give all of "
                 f"'{joint.name}', or none of it"
             )
-        values = [given[k] for k in named]
+        values = [specified[k] for k in named]
         if named and all(isinstance(x, (int, float)) for x in values):
             length = math.hypot(*values)
             if abs(length - 1) > UNIT:
@@ -98,10 +98,12 @@ def places_of(name: str, names: Sequence[str]) -> list[int]:
     return []
 
 
-def given_speeds(names: Sequence[str], q: Mapping[str, Any], u: Mapping[str, Any]) -> list[int]:
+def specified_speeds(names: Sequence[str], q: Mapping[str, Any], u: Mapping[str, Any]) -> list[int]:
     """Places among the names of speeds of those that have a value, or whose coordinate has."""
-    given = [name for name, value in {**q, **u}.items() if not isinstance(value, Placeholder)]
-    return sorted({k for name in given for k in places_of(name, names)})
+    named_values = [
+        name for name, value in {**q, **u}.items() if not isinstance(value, Placeholder)
+    ]
+    return sorted({k for name in named_values for k in places_of(name, names)})
 
 
 class Symbols:
@@ -113,21 +115,21 @@ class Symbols:
         values: Numbers for symbols of the reference, by name.
     """
 
-    def __init__(self, graph: Graph, known: Mapping[str, int], values: Mapping[str, float]) -> None:
+    def __init__(self, graph: Graph, nodes: Mapping[str, int], values: Mapping[str, float]) -> None:
         self.graph = graph
-        self.known = dict(known)
+        self.nodes = dict(nodes)
         self.values: dict[str, float | None] = {}
-        self._given = dict(values)
+        self._default_values = dict(values)
 
     @property
     def names(self) -> tuple[str, ...]:
-        """Of the block ``nominal``."""
+        """Names of the block ``nominal``."""
         return tuple(self.values)
 
     def add(self, name: str, value: float | None = None) -> int:
         """The node of a symbol of the reference."""
         if name not in self.values:
-            self.values[name] = self._given.pop(name, value)
+            self.values[name] = self._default_values.pop(name, value)
         return self.graph.var(NOMINAL, self.names.index(name))
 
     def node(self, value: Any) -> int:
@@ -141,13 +143,15 @@ class Symbols:
         from ...ir.forms.sympy_bridge import from_sympy
 
         expression = sympy.sympify(value, strict=True)
-        own = sorted(expression.free_symbols, key=lambda s: s.name)
-        symbols = {s: self.known[s.name] if s.name in self.known else self.add(s.name) for s in own}
+        used = sorted(expression.free_symbols, key=lambda s: s.name)
+        symbols = {
+            s: self.nodes[s.name] if s.name in self.nodes else self.add(s.name) for s in used
+        }
         return from_sympy(self.graph, expression, symbols)
 
     def unused(self) -> list[str]:
         """Names in ``values`` that stand nowhere."""
-        return list(self._given)
+        return list(self._default_values)
 
 
 def substituted(graph: Graph, nodes: Sequence[int], values: Mapping[int, int]) -> list[int]:
@@ -175,5 +179,5 @@ def _rule(
 
 
 def depends(graph: Graph, nodes: Sequence[int], leaf: int) -> bool:
-    """Whether expressions contain a leaf."""
+    """True when expressions contain a leaf."""
     return leaf in set(live(graph, nodes))

@@ -32,7 +32,7 @@ class Parts:
     inner: Matrix
 
 
-def second_order(at: Reference, x: Reduced, wanted: Sequence[int]) -> Parts:
+def second_order(at: Reference, x: Reduced, chosen: Sequence[int]) -> Parts:
     """The equations of some increments, where no others enter them.
 
     Args:
@@ -42,48 +42,55 @@ def second_order(at: Reference, x: Reduced, wanted: Sequence[int]) -> Parts:
         DerivationError: other increments or speeds enter them, or they are not independent.
     """
     names = at.increments
-    for k in wanted:
+    for k in chosen:
         if k not in at.y or k not in at.w:
             raise DerivationError(
                 f"linearize: '{names[k]}' depends on the others, or they on each other: "
                 f"{len(at.w)} speeds are independent, such as {', '.join(names[w] for w in at.w)}"
             )
-    own_y, own_w = [at.y.index(k) for k in wanted], [at.w.index(k) for k in wanted]
-    other_y = [n for n in range(len(at.y)) if n not in own_y]
-    other_w = [n for n in range(len(at.w)) if n not in own_w]
+    rows_y, rows_w = [at.y.index(k) for k in chosen], [at.w.index(k) for k in chosen]
+    other_y = [n for n in range(len(at.y)) if n not in rows_y]
+    other_w = [n for n in range(len(at.w)) if n not in rows_w]
     for p in at.trials():
-        rows = [at.number(picked(m, own_w, range(m.columns)), p) for m in (x.M, x.C, x.K)]
+        rows = [at.number(picked(m, rows_w, range(m.columns)), p) for m in (x.M, x.C, x.K)]
         sizes = [float(np.abs(row).max(initial=0.0)) for row in rows]
-        own = (other_w, at.w), (other_w, at.w), (other_y, at.y)
-        for row, size, (others, columns) in zip(rows, sizes, own, strict=True):
+        couplings = (other_w, at.w), (other_w, at.w), (other_y, at.y)
+        for row, size, (other_columns, columns) in zip(rows, sizes, couplings, strict=True):
             least = max(ROUNDING * size, EPS * max(sizes))
-            _refuse_others(at, row[:, others], least, [columns[n] for n in others], wanted)
-    M, C, K = picked(x.M, own_w, own_w), picked(x.C, own_w, own_w), picked(x.K, own_w, own_y)
-    turned = picked(x.Ty, own_y, own_y)
-    moved = picked(x.Tw, own_y, own_w) - Matrix.identity(at.graph, len(wanted))
+            _check_decoupled(
+                at, row[:, other_columns], least, [columns[n] for n in other_columns], chosen
+            )
+    M, C, K = picked(x.M, rows_w, rows_w), picked(x.C, rows_w, rows_w), picked(x.K, rows_w, rows_y)
+    rotation_terms = picked(x.Ty, rows_y, rows_y)
+    moved = picked(x.Tw, rows_y, rows_w) - Matrix.identity(at.graph, len(chosen))
     if any(np.abs(at.number(moved, p)).max(initial=0.0) > ROUNDING for p in at.trials()):
-        raise DerivationError("linearize: the independent speeds are no rates of the increments")
-    if not turned.is_zero:
+        raise DerivationError("linearize: the independent speeds are not rates of the increments")
+    if not rotation_terms.is_zero:
         # w = y' - T y
         if x.Tydot is None:
             raise DerivationError(
-                "linearize: increments of turning bodies in closed circuits have no equations of "
+                "linearize: increments of turning bodies in closed loops have no equations of "
                 "second order here. Take A and B"
             )
-        K = K - C @ turned - M @ picked(x.Tydot, wanted, wanted)
-        C = C - M @ turned
-    return Parts(M, C, K, -picked(x.by_z, own_w, range(x.by_z.columns)))
+        K = K - C @ rotation_terms - M @ picked(x.Tydot, chosen, chosen)
+        C = C - M @ rotation_terms
+    return Parts(M, C, K, -picked(x.by_z, rows_w, range(x.by_z.columns)))
 
 
-def _refuse_others(
-    at: Reference, coupling: Array, least: float, others: Sequence[int], wanted: Sequence[int]
+def _check_decoupled(
+    at: Reference,
+    coupling: Array,
+    least: float,
+    other_increments: Sequence[int],
+    chosen: Sequence[int],
 ) -> None:
     """Nothing but what is wanted may stand in its equations beyond rounding."""
     for n, value in enumerate(np.abs(coupling).max(axis=0, initial=0.0)):
         if value > least:
-            told = ", ".join(at.increments[k] for k in wanted)
+            names = ", ".join(at.increments[k] for k in chosen)
             raise DerivationError(
-                f"linearize: '{at.increments[others[n]]}' enters the equations of {told}: take it "
+                f"linearize: '{at.increments[other_increments[n]]}' enters the equations of "
+                f"{names}: take it "
                 "along, or A and B"
             )
 

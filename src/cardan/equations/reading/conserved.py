@@ -1,4 +1,4 @@
-"""What stays constant along every motion of a system: momenta and energy.
+"""Conserved quantities of a system: momenta and energy.
 
 Candidates are the linear momentum, the angular momentum about the origin and about the center of
 mass, and the momentum of every speed, dT/du. Their rates are expressions of the state and of the
@@ -38,7 +38,7 @@ from ..kinematics.momenta import (
     MOMENTUM,
     ZERO_RATE,
     Candidate,
-    Seen,
+    Observation,
     candidates,
     drawn_at,
     observed,
@@ -50,7 +50,7 @@ if TYPE_CHECKING:
 
 # rounding of combinations, relative to their terms
 DEPENDENT = 1e-7
-AT_REST, AT_PARAMETERS = "while the inputs rest", "at these parameters"
+INPUTS_STILL, AT_PARAMETERS = "while the inputs rest", "at these parameters"
 
 
 @dataclass(frozen=True)
@@ -94,7 +94,7 @@ class Quantity:
 
 @dataclass(frozen=True)
 class Conserved:
-    """What a system keeps, and why it does not keep its energy.
+    """Conserved quantities, and the reasons why energy is not.
 
     Attributes:
         quantities: The conserved quantities; none is a linear combination of others.
@@ -125,13 +125,13 @@ class Conserved:
                 return one
         raise KeyError(f"'{name}' is not conserved.{near(name, self.names)}")
 
-    def told(self) -> str:
+    def energy_statement(self) -> str:
         """One sentence on the energy."""
         if not self.count:
-            return "no state was found in which the circuits close, so that nothing can be said"
+            return "no state was found in which the loops close, so that nothing can be said"
         if "energy" in self.names:
-            between = " between events" if self.events else ""
-            return f"energy is conserved{between}"
+            condition = " between events" if self.events else ""
+            return f"energy is conserved{condition}"
         if not self.powers:
             return "energy is not conserved: forces or constraints change with the time"
         who = ", ".join(f"'{name}' {does}" for name, does in self.powers.items())
@@ -141,7 +141,7 @@ class Conserved:
         lines = [f"{len(self.quantities)} conserved quantities"]
         lines += [f"  {one}" for one in self.quantities]
         if "energy" not in self.names:
-            lines.append(self.told())
+            lines.append(self.energy_statement())
         if self.cyclic:
             lines.append("nothing depends on: " + ", ".join(self.cyclic))
         if self.events and self.quantities:
@@ -157,43 +157,45 @@ def conserved(equations: EquationRecord, seed: int = 3) -> Conserved:
         seed: Of the states that are drawn.
     """
     with collector_paused():
-        return _found(equations, np.random.default_rng(seed))
+        return _searched(equations, np.random.default_rng(seed))
 
 
-def _found(equations: EquationRecord, rng: np.random.Generator) -> Conserved:
+def _searched(equations: EquationRecord, rng: np.random.Generator) -> Conserved:
     system, c = equations.system, context_of(equations)
     momenta, energy = candidates(equations, c)
     every = [*momenta, energy]
     function = watched(equations, c, every)
     count = 2 * len(every) + 12
     states = drawn_at(equations, count, rng, blocks.defaults(system))
-    seen = observed(function, states)
-    if len(seen.values) <= len(every):
+    observation = observed(function, states)
+    if len(observation.values) <= len(every):
         return Conserved((), events=bool(system.events))
-    kept = seen.kept
-    chosen = _independent(seen.values, [k for k in kept if k < len(momenta)])
-    also = _aliases(seen.values, chosen, [one.name for one in momenta])
+    constant = observation.constant
+    chosen = _independent(observation.values, [k for k in constant if k < len(momenta)])
+    also = _aliases(observation.values, chosen, [one.name for one in momenta])
     unit = np.eye(len(every))
     picked = [(unit[k], every[k].name, every[k].unit, also[k]) for k in chosen]
-    picked += _combined(seen, momenta, chosen)
-    if len(momenta) in kept:
+    picked += _combined(observation, momenta, chosen)
+    if len(momenta) in constant:
         picked.append((unit[-1], energy.name, energy.unit, ()))
-    others = _elsewhere(equations, function, rng, count)
+    elsewhere = _elsewhere(equations, function, rng, count)
     return Conserved(
         tuple(
-            Quantity(name, same, of, _value(equations, c, every, weights), _when(weights, others))
+            Quantity(
+                name, same, of, _value(equations, c, every, weights), _when(weights, elsewhere)
+            )
             for weights, name, of, same in picked
         ),
         _cyclic(equations, c, states, rng),
-        {} if len(momenta) in kept else _powers(equations, c, states),
-        len(seen.values),
-        float(np.abs(seen.rates[:, kept]).max(initial=0.0)),
+        {} if len(momenta) in constant else _powers(equations, c, states),
+        len(observation.values),
+        float(np.abs(observation.rates[:, constant]).max(initial=0.0)),
         bool(system.events),
     )
 
 
 def _independent(values: Array, among: list[int]) -> list[int]:
-    """Those that are not zero and no linear combination of ones before them.
+    """Rows that are not zero and no linear combination of earlier ones.
 
     Where linear and angular momentum are all constant, that about the center of mass says no more.
     """
@@ -207,12 +209,14 @@ def _independent(values: Array, among: list[int]) -> list[int]:
 
 
 def _left(values: Array, chosen: list[int], k: int) -> float:
-    """What a column has beyond the others."""
+    """Part of a column that the others do not explain."""
     column = values[:, k]
     if not chosen:
         return float(np.abs(column).max(initial=0.0))
-    rest = column - values[:, chosen] @ np.linalg.lstsq(values[:, chosen], column, rcond=None)[0]
-    return float(np.abs(rest).max(initial=0.0))
+    residual = (
+        column - values[:, chosen] @ np.linalg.lstsq(values[:, chosen], column, rcond=None)[0]
+    )
+    return float(np.abs(residual).max(initial=0.0))
 
 
 def _aliases(values: Array, chosen: list[int], names: list[str]) -> dict[int, tuple[str, ...]]:
@@ -229,23 +233,25 @@ def _aliases(values: Array, chosen: list[int], names: list[str]) -> dict[int, tu
 
 
 def _combined(
-    seen: Seen, momenta: list[Candidate], chosen: list[int]
+    observation: Observation, momenta: list[Candidate], chosen: list[int]
 ) -> list[tuple[Array, str, str, tuple[str, ...]]]:
     """Combinations of linear momenta, and of angular ones, that are constant though none is."""
-    found: list[tuple[Array, str, str, tuple[str, ...]]] = []
+    combinations: list[tuple[Array, str, str, tuple[str, ...]]] = []
     for group, unit in ((range(3), MOMENTUM), (range(3, 6), ANGULAR)):
-        free = [k for k in group if k not in chosen and _left(seen.values, [], k) > DEPENDENT]
-        if len(free) < 2 or len(_independent(seen.values, free)) < len(free):
+        free = [
+            k for k in group if k not in chosen and _left(observation.values, [], k) > DEPENDENT
+        ]
+        if len(free) < 2 or len(_independent(observation.values, free)) < len(free):
             continue
         # all in the same unit
-        own = seen.scale[free] / seen.scale[free].max()
-        for row in _null_rows(seen.rates[:, free] * own):
-            weights = np.zeros(len(seen.scale))
+        scales = observation.scale[free] / observation.scale[free].max()
+        for row in _null_rows(observation.rates[:, free] * scales):
+            weights = np.zeros(len(observation.scale))
             weights[free] = row
             along = ", ".join(f"{weights[k]:.6g}" for k in group)
             name = momenta[group[0]].name.removesuffix(AXES[0])
-            found.append((weights, f"{name}({along})", unit, ()))
-    return found
+            combinations.append((weights, f"{name}({along})", unit, ()))
+    return combinations
 
 
 def _null_rows(matrix: Array) -> list[Array]:
@@ -265,23 +271,23 @@ def _null_rows(matrix: Array) -> list[Array]:
 
 def _elsewhere(
     equations: EquationRecord, watched: Function, rng: np.random.Generator, count: int
-) -> dict[str, Seen]:
+) -> dict[str, Observation]:
     """The candidates at other inputs, and at other parameters."""
-    given, found = blocks.defaults(equations.system), {}
-    if len(given["r"]):
-        other = given | {"r": given["r"] + rng.normal(size=len(given["r"]))}
-        found[AT_REST] = observed(watched, drawn_at(equations, count, rng, other))
-    other = given | {"p": given["p"] * (1.0 + 0.05 * rng.normal(size=len(given["p"])))}
-    found[AT_PARAMETERS] = observed(watched, drawn_at(equations, count, rng, other))
-    return found
+    defaults, observations = blocks.defaults(equations.system), {}
+    if len(defaults["r"]):
+        other = defaults | {"r": defaults["r"] + rng.normal(size=len(defaults["r"]))}
+        observations[INPUTS_STILL] = observed(watched, drawn_at(equations, count, rng, other))
+    other = defaults | {"p": defaults["p"] * (1.0 + 0.05 * rng.normal(size=len(defaults["p"])))}
+    observations[AT_PARAMETERS] = observed(watched, drawn_at(equations, count, rng, other))
+    return observations
 
 
-def _when(weights: Array, others: dict[str, Seen]) -> str:
-    """What a quantity hangs on: where others make its rate differ from zero, or none is known."""
+def _when(weights: Array, elsewhere: dict[str, Observation]) -> str:
+    """Condition of a quantity: where others make its rate differ from zero, or none is known."""
     conditions = []
-    for condition, seen in others.items():
-        rate = seen.rates @ (weights * seen.scale)
-        size = np.abs(weights * seen.scale).max()
+    for condition, observation in elsewhere.items():
+        rate = observation.rates @ (weights * observation.scale)
+        size = np.abs(weights * observation.scale).max()
         if not len(rate) or np.abs(rate).max() > ZERO_RATE * size:
             conditions.append(condition)
     return " and ".join(conditions)
@@ -308,7 +314,7 @@ def _cyclic(
         named |= {"G": d.constraints.jacobian, "gamma": d.constraints.gamma}
         named |= {"g": d.constraints.position}
     function = function_of(equations, c, named)
-    before, found = states.of(function), []
+    before, cyclic = states.of(function), []
     # accelerations: rows of small bodies count as much as those of large ones
     weights = 1.0 / divisors(np.diagonal(before["M"], axis1=1, axis2=2))[..., np.newaxis]
     for k, (name, unit, _) in enumerate(blocks.coordinates(system)):
@@ -318,8 +324,8 @@ def _cyclic(
         q[:, k] += rng.normal(size=len(q))
         after = States(states.values | {"q": q}, states.count).of(function)
         if all(_same(before[n], after[n], weights if n in "Mhf" else 1.0) for n in before):
-            found.append(name)
-    return tuple(found)
+            cyclic.append(name)
+    return tuple(cyclic)
 
 
 def _same(a: Array, b: Array, weights: Array | float) -> bool:
@@ -329,12 +335,12 @@ def _same(a: Array, b: Array, weights: Array | float) -> bool:
 
 
 def _powers(equations: EquationRecord, c: Context, states: States) -> dict[str, str]:
-    """What each source of power does in the states that were drawn."""
+    """Power of each source in the sampled states."""
     (output,) = power(c)
     values = Matrix(c.k.graph, len(output.nodes), 1, output.nodes)
-    found = np.nan_to_num(states.of(function_of(equations, c, {"power": values}))["power"][..., 0])
+    powers = np.nan_to_num(states.of(function_of(equations, c, {"power": values}))["power"][..., 0])
     does = {}
-    for name, column in zip(output.entries, found.T, strict=True):
+    for name, column in zip(output.entries, powers.T, strict=True):
         takes, gives = column.min(initial=0.0) < 0.0, column.max(initial=0.0) > 0.0
         if takes or gives:
             does[name] = "takes and gives" if takes and gives else "takes" if takes else "gives"

@@ -1,4 +1,4 @@
-"""Where the terms of the equations come from: M, h and f as sums over bodies and force elements.
+"""Contributions to the equations: M, h and f as sums over bodies and force elements.
 
 M and h are linear in the masses, first moments and inertias of all bodies together, f is the sum of
 what the elements do. The part of one body is therefore what is left where all others are without
@@ -28,14 +28,14 @@ if TYPE_CHECKING:
     from ..record import EquationRecord
 
 NOTHING: Nodes = (ZERO,) * 9
-LETTERS = {"mass_matrix": "M", "bias": "h", "applied": "f"}
-INERTIA, TURNING, WEIGHT = "inertia", "velocities", "weight"
+LETTERS = {"mass_matrix": "M", "bias": "h", "applied_forces": "f"}
+INERTIA, VELOCITIES, WEIGHT = "inertia", "velocities", "weight"
 ROTOR, FORCE = "rotor", "force"
 
 
 @dataclass(frozen=True)
 class Contribution:
-    """What one body or force element adds to M, h or f.
+    """Contribution of one body or force element to M, h or f.
 
     Attributes:
         owner: Name of the body, or of the force element.
@@ -71,7 +71,7 @@ def contributions(equations: EquationRecord, name: str) -> tuple[Contribution, .
 
     Args:
         equations: Their method does not matter: M, h and f are the same by all.
-        name: ``"mass_matrix"``, ``"bias"`` or ``"applied"``.
+        name: ``"mass_matrix"``, ``"bias"`` or ``"applied_forces"``.
 
     Returns:
         In the order of bodies and force elements; whatever contributes nothing is left out.
@@ -80,16 +80,16 @@ def contributions(equations: EquationRecord, name: str) -> tuple[Contribution, .
         DerivationError: another name.
     """
     if name not in LETTERS:
-        known = ", ".join(LETTERS)
+        names = ", ".join(LETTERS)
         raise DerivationError(
-            f"contributions are known of {known}, not of '{name}'.{near(name, LETTERS)}"
+            f"contributions are known of {names}, not of '{name}'.{near(name, LETTERS)}"
         )
     with collector_paused():
-        found = [
+        parts = [
             Contribution(owner, cause, _function(equations, name, k, part))
             for owner, cause, k, part in _parts(equations, name)
         ]
-    return tuple(one for one in found if any(one.function.roots))
+    return tuple(one for one in parts if any(one.function.roots))
 
 
 def _function(equations: EquationRecord, name: str, k: Kinematics, part: Matrix) -> Function:
@@ -102,7 +102,7 @@ def _function(equations: EquationRecord, name: str, k: Kinematics, part: Matrix)
 def _parts(equations: EquationRecord, name: str) -> Iterator[tuple[str, str, Kinematics, Matrix]]:
     """Owner, cause, and the part as expressions of a system in which nothing else has mass."""
     system = equations.system
-    if name == "applied":
+    if name == "applied_forces":
         for force in system.forces:
             d = _alone(equations, replace(system, forces=(force,)))
             yield force.name, FORCE, d.k, d.forces()
@@ -113,7 +113,7 @@ def _parts(equations: EquationRecord, name: str) -> Iterator[tuple[str, str, Kin
             if name == "mass_matrix":
                 yield part.name, INERTIA, d.k, d.mass_matrix
             else:
-                yield part.name, TURNING, d.k, d.bias(gravity=False)
+                yield part.name, VELOCITIES, d.k, d.bias(gravity=False)
                 yield part.name, WEIGHT, d.k, d.bias(moving=False)
     for force in system.forces:
         d = _alone(equations, replace(system, bodies=_massless(system), forces=(force,)))

@@ -1,4 +1,4 @@
-"""How many operations a function takes, and on whose account."""
+"""Operation counts of functions, by owner."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from ...errors import counted
 from ...ir.function import Function, count
-from .loop_report import circuits_told
+from .loop_report import loop_lines
 
 if TYPE_CHECKING:
     from ..record import EquationRecord
@@ -71,7 +71,7 @@ def overview(equations: EquationRecord) -> str:
         f"{counted(len(s.parameters), 'parameter')}, {counted(len(s.inputs), 'input')}",
         "  q: " + _row(equations.coordinates),
         "  u: " + _row(equations.speeds),
-        *circuits_told(equations),
+        *loop_lines(equations),
         f"  {'':18}  mul   add   div  trig  all",
     ]
     for name, counts in equations.operations.items():
@@ -85,5 +85,5 @@ def overview(equations: EquationRecord) -> str:
 
 
 def _row(names: tuple[str, ...]) -> str:
-    shown = ", ".join(names[:10])
-    return shown + (f", ... ({len(names)})" if len(names) > 10 else "")
+    listing = ", ".join(names[:10])
+    return listing + (f", ... ({len(names)})" if len(names) > 10 else "")

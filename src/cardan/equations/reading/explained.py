@@ -13,10 +13,10 @@ class Explained(Readable):
 
     @checked
     def contributions(self, name: str) -> tuple[Contribution, ...]:
-        """What bodies and force elements add to M, h or f; they add up to the whole.
+        """Contributions of bodies and force elements to M, h or f; they add up to the total.
 
         Args:
-            name: ``"mass_matrix"``, ``"bias"`` or ``"applied"``.
+            name: ``"mass_matrix"``, ``"bias"`` or ``"applied_forces"``.
 
         Returns:
             One for every owner and cause, such as ``("lower", "weight")``, with ``.matrix`` as

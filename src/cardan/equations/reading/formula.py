@@ -53,17 +53,17 @@ def _aligned(lines: list[tuple[str, str]]) -> str:
 
 def _parts(equations: Readable) -> list[tuple[str, str]]:
     """M, h, g, G and gamma, one line each; what is long or zero is left out."""
-    found = []
+    parts = []
     for sign, name in PARTS:
-        if length(equations.as_described.function(name)) > SIMPLIFIED:
+        if length(equations.without_rewrites.function(name)) > SIMPLIFIED:
             continue
         try:
             matrix = equations.written(name)
         except DerivationError:
             continue
         if sum(entry.count_ops() for entry in matrix) <= LONGEST and not matrix.is_zero_matrix:
-            found.append((sign, of_matrix(equations, matrix)))
-    return found
+            parts.append((sign, of_matrix(equations, matrix)))
+    return parts
 
 
 def _lines(equations: Readable) -> list[tuple[str, str]]:
@@ -82,7 +82,7 @@ def _lines(equations: Readable) -> list[tuple[str, str]]:
 
 
 def rates_are_speeds(equations: Readable, kinematics: sympy.Matrix) -> bool:
-    """Whether qdot = u says nothing that needs to be written."""
+    """True when qdot = u says nothing that needs to be written."""
     return [str(entry) for entry in kinematics] == list(equations.speeds)
 
 
@@ -91,6 +91,6 @@ def of_matrix(equations: EquationRecord, matrix: sympy.Matrix) -> str:
     import sympy
 
     names = {sympy.Symbol(key): value.latex() for key, value in symbols(equations).items()}
-    others = matrix.free_symbols - set(names)
-    names |= {s: Notation(s.name).latex() for s in others}
+    foreign = matrix.free_symbols - set(names)
+    names |= {s: Notation(s.name).latex() for s in foreign}
     return str(sympy.latex(matrix, symbol_names=names, mat_str="matrix", mul_symbol=r" \, "))

@@ -1,4 +1,4 @@
-"""What is said about the circuits and constraints of a system: what was cut, and why."""
+"""Report on the loops and constraints of a system: the cuts and their reasons."""
 
 from __future__ import annotations
 
@@ -16,31 +16,31 @@ GROUPS = {"planar": "in a plane", "spherical": "about a point"}
 MOST = 12
 
 
-def circuits_told(equations: EquationRecord) -> list[str]:
-    """One line for every circuit, and one on how the constraints are treated."""
+def loop_lines(equations: EquationRecord) -> list[str]:
+    """One line for every loop, and one on how the constraints are treated."""
     system = equations.system
     lines = [_solved(system, closure) for closure in system.closures[:MOST]]
     lines += [_cut(system, cut) for cut in system.cuts[:MOST]]
     hidden = max(0, len(system.closures) - MOST) + max(0, len(system.cuts) - MOST)
     if hidden:
-        lines.append(f"  ... and {hidden} more circuits")
+        lines.append(f"  ... and {hidden} more loops")
     if system.closures and system.cuts:
-        lines.append("  no dyad or leg closes the circuits that are cut: constraints do")
+        lines.append("  no dyad or leg closes the loops that are cut: constraints do")
     if system.closable:
         lines.append(_closable(system))
     if system.closed:
         names, treatment = equations.multipliers, equations.treatment
-        shown = _some(names)
-        lines.append(f"  {counted(len(names), 'constraint')} by {treatment.name}: {shown}")
+        listing = _some(names)
+        lines.append(f"  {counted(len(names), 'constraint')} by {treatment.name}: {listing}")
     return lines
 
 
 def _closable(system: System) -> str:
-    """What closed form would leave, and what it costs."""
+    """Remark on what a closed form would leave, and its cost."""
     joints = [i for closure in system.closable for i in closure.unknown]
     left = system.nq - sum(len(system.joints[i].element.coordinates) for i in joints)
-    rest = len(system.cuts) - len(system.closable)
-    circuits = f", {rest} circuit{'s' * (rest > 1)} with multipliers" if rest else ""
+    open_count = len(system.cuts) - len(system.closable)
+    circuits = f", {open_count} loop{'s' * (open_count > 1)} with multipliers" if open_count else ""
     return (
         f"  constraints='closed_form' would leave {left} of {counted(system.nq, 'coordinate')}"
         f"{circuits}; it does not pass dead points"
@@ -52,9 +52,9 @@ def _solved(system: System, closure: Closure) -> str:
     signs = f"branch {_sign(closure.branch)}"
     if closure.third >= 0:
         signs += f", {system.joints[closure.third].name} {_sign(closure.side)}"
-    rest = f"; {_redundant(closure.cut)}" if left_out(closure.cut) else ""
+    note = f"; {_redundant(closure.cut)}" if left_out(closure.cut) else ""
     ring = _ring(system, closure.cut)
-    return f"  circuit of {ring}: in closed form, {names} follow ({signs}){rest}"
+    return f"  loop of {ring}: in closed form, {names} follow ({signs}){note}"
 
 
 def _sign(number: int) -> str:
@@ -62,8 +62,8 @@ def _sign(number: int) -> str:
 
 
 def _cut(system: System, cut: Cut) -> str:
-    """A circuit that constraints close."""
-    rows, all_rows = len(cut.rows), len(cut.element.held)
+    """A loop that constraints close."""
+    rows, all_rows = len(cut.rows), len(cut.element.locked)
     where = GROUPS.get(cut.group, "")
     if rows == all_rows:
         count = f"{rows} conditions"
@@ -75,7 +75,7 @@ def _cut(system: System, cut: Cut) -> str:
     else:
         kind = system.joints[cut.carrier].element.kind
         at = f"cut at {cut.name} ({kind}), which keeps its coordinates, as {cut.reason}"
-    return f"  circuit of {_ring(system, cut)}: {at}; {count}"
+    return f"  loop of {_ring(system, cut)}: {at}; {count}"
 
 
 def _redundant(cut: Cut) -> str:

@@ -30,7 +30,8 @@ class Mechanics:
         parameters: Symbol -> default value.
         inputs: Inputs r(t), (nr,).
         constraints: Name -> expression of q and t that is kept at 0.
-        velocity_constraints: Name -> expression linear in u that is kept at 0 and is no derivative
+        velocity_constraints: Name -> expression linear in u that is kept at 0 and is not a
+        derivative
             of these. M u' = forcing + Gᵀ lam where there are any.
     """
 
@@ -83,7 +84,7 @@ def mechanics(equations: Readable) -> Mechanics:
         return [moving[letter, k] for k in range(len(equations.blocks[letter]))]
 
     q, u = column("q"), column("u")
-    held, slipping = _constraints(equations, written)
+    position_constraints, slipping = _constraints(equations, written)
     return Mechanics(
         t=time,
         q=sympy.Matrix(len(q), 1, q),
@@ -96,7 +97,7 @@ def mechanics(equations: Readable) -> Mechanics:
             for k, parameter in enumerate(equations.system.parameters)
         },
         inputs=tuple(column("r")),
-        constraints=held,
+        constraints=position_constraints,
         velocity_constraints=slipping,
     )
 
@@ -104,21 +105,21 @@ def mechanics(equations: Readable) -> Mechanics:
 def _constraints(
     equations: Readable, written: Callable[[Any], Any]
 ) -> tuple[dict[str, Any], dict[str, Any]]:
-    """What binds the system, by name: at position level, and at velocity level alone."""
+    """Constraints of the system by name: at position level, and at velocity level alone."""
     rows = equations.constraint_rows
     if not rows:
         return {}, {}
-    held = [row.name for row in rows if row.level == POSITION]
-    others = [row.name for row in rows[len(held) :]]
-    found = dict(zip(held, written(equations.constraints), strict=True))
-    rates = written(equations.written("constraint_rates")) if others else []
-    return found, dict(zip(others, rates[len(held) :], strict=True))
+    position_names = [row.name for row in rows if row.level == POSITION]
+    velocity_names = [row.name for row in rows[len(position_names) :]]
+    positions = dict(zip(position_names, written(equations.constraints), strict=True))
+    rates = written(equations.written("constraint_rates")) if velocity_names else []
+    return positions, dict(zip(velocity_names, rates[len(position_names) :], strict=True))
 
 
 def _functions(equations: Readable) -> dict[tuple[str, int], Any]:
     """Entry of q, u and r -> a function of time; its name has no dots and is taken once."""
     taken = set(equations.parameters)
-    made: dict[tuple[str, int], Any] = {}
+    functions: dict[tuple[str, int], Any] = {}
     for letter in ("q", "u", "r"):
         for k, entry in enumerate(equations.blocks[letter].entries):
             name = base = re.sub(r"\W", "_", entry)
@@ -127,5 +128,5 @@ def _functions(equations: Readable) -> dict[tuple[str, int], Any]:
                 number += 1
                 name = f"{base}_{number}"
             taken.add(name)
-            made[letter, k] = sympy.Function(name)(dynamicsymbols._t)
-    return made
+            functions[letter, k] = sympy.Function(name)(dynamicsymbols._t)
+    return functions

@@ -1,4 +1,4 @@
-"""Equations with names for what closed circuits determine, as SymPy. Loads SymPy."""
+"""Equations with names for what closed loops determine, as SymPy. Loads SymPy."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def named(equations: Readable, name: str) -> tuple[Definitions, Any]:
     Raises:
         DerivationError: an entry is too long to write out.
     """
-    function, following = equations.named_function(name)
+    function, coefficients = equations.named_function(name)
     try:
         matrix = readable(function, equations.symbols)
     except TooLong as problem:
@@ -36,8 +36,8 @@ def named(equations: Readable, name: str) -> tuple[Definitions, Any]:
             f"follows: too long to write out. Use equations.symbolic('{name}')"
         ) from problem
     definitions: Definitions = []
-    for symbol in following.used(function.graph, function.roots):
-        node = following.definitions[symbol]
+    for symbol in coefficients.used(function.graph, function.roots):
+        node = coefficients.definitions[symbol]
         definitions += _definition(function.graph, symbol, node, equations.symbols)
     return definitions, matrix
 
@@ -45,12 +45,12 @@ def named(equations: Readable, name: str) -> tuple[Definitions, Any]:
 def _definition(
     g: Graph, symbol: str, node: int, names: Mapping[tuple[str, int], Any]
 ) -> Definitions:
-    """What a symbol stands for, by intermediates of its own where it is long."""
+    """Definition of a symbol, by intermediates of its own where it is long."""
     value = Matrix(g, 1, 1, [node])
     try:
         return [(sympy.Symbol(symbol), readable(value, names, longest=LONGEST)[0])]
     except TooLong:
-        parts, (whole,) = to_sympy_shared(value, names)
-        own = {part: sympy.Symbol(f"{symbol}.{part}") for part, _ in parts}
-        found = [(own[part], x.xreplace(own)) for part, x in parts]
-        return [*found, (sympy.Symbol(symbol), whole.xreplace(own))]
+        parts, (total,) = to_sympy_shared(value, names)
+        part_symbols = {part: sympy.Symbol(f"{symbol}.{part}") for part, _ in parts}
+        definitions = [(part_symbols[part], x.xreplace(part_symbols)) for part, x in parts]
+        return [*definitions, (sympy.Symbol(symbol), total.xreplace(part_symbols))]

@@ -1,4 +1,4 @@
-"""How names read in formulas: ``theta1.u`` is a θ with the index 1 and a dot.
+"""Notation of names in formulas: ``theta1.u`` is a θ with the index 1 and a dot.
 
 Names are whatever users called their joints: each writer escapes what it writes.
 """
@@ -79,7 +79,7 @@ class Notation:
 
 
 def notation(name: str, dots: int = 0) -> Notation:
-    """How a name is set: digits at its end, and what follows a dot, stand below."""
+    """Notation of a name: digits at its end, and the part after a dot, are subscripts."""
     letters = re.fullmatch(r"([^\W\d_]+)_?(\d+)", name)
     if letters:
         return Notation(letters[1], letters[2], dots)
@@ -102,26 +102,26 @@ def symbols(equations: EquationRecord) -> Mapping[str, Notation]:
     A speed that is the rate of a coordinate is that coordinate with a dot, any other one a u.
     """
     plain = _rates(equations)
-    found: dict[str, Notation] = {}
+    notations: dict[str, Notation] = {}
     for letter in ("p", "r", "q"):
         for name in equations.blocks[letter].entries:
-            found[name] = notation(name)
+            notations[name] = notation(name)
     for name, rate in zip(equations.speeds, equations.blocks["udot"].entries, strict=True):
         coordinate = plain.get(name)
         for key, dots in ((name, 0), (rate, 1)):
             if coordinate is not None:
-                found[key] = notation(coordinate, dots + 1)
+                notations[key] = notation(coordinate, dots + 1)
             else:
-                found[key] = Notation("u", of_rate(name), dots)
-    return _distinct(found)
+                notations[key] = Notation("u", of_rate(name), dots)
+    return _distinct(notations)
 
 
-def _distinct(found: Mapping[str, Notation]) -> Mapping[str, Notation]:
+def _distinct(notations: Mapping[str, Notation]) -> Mapping[str, Notation]:
     """Names that would look the same are set as they are."""
     first: dict[Notation, str] = {}
-    for name, sign in found.items():
+    for name, sign in notations.items():
         first.setdefault(sign, name)
-    return {n: s if first[s] == n else Notation(n) for n, s in found.items()}
+    return {n: s if first[s] == n else Notation(n) for n, s in notations.items()}
 
 
 def _rates(equations: EquationRecord) -> dict[str, str]:

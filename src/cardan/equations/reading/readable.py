@@ -26,7 +26,7 @@ class Readable(EquationRecord):
 
         if name not in self._read:
             try:
-                self._read[name] = readable(self.as_described.function(name), self.symbols)
+                self._read[name] = readable(self.without_rewrites.function(name), self.symbols)
             except TooLong as problem:
                 names = f"equations.named('{name}'), which names what follows, or " * self.follows
                 raise DerivationError(
@@ -49,7 +49,7 @@ class Readable(EquationRecord):
     @property
     def forces(self) -> sympy.Matrix:
         """f (nu, 1) as SymPy: applied forces of the model."""
-        return self.written("applied")
+        return self.written("applied_forces")
 
     @property
     def kinematics(self) -> sympy.Matrix:
@@ -74,7 +74,7 @@ class Readable(EquationRecord):
     @property
     def inertial_parameters(self) -> dict[str, Any]:
         """phi by name, as SymPy expressions of the parameters: ``arm.mass``, ``arm.xx`` ..."""
-        names = self.as_described.function("inertial_parameters").outputs[0].entries
+        names = self.without_rewrites.function("inertial_parameters").outputs[0].entries
         return dict(zip(names, self.written("inertial_parameters"), strict=True))
 
     @property
@@ -84,12 +84,12 @@ class Readable(EquationRecord):
 
     @checked
     def named(self, name: str) -> tuple[list[tuple[Any, Any]], sympy.Matrix]:
-        """A function of a mechanism as books write it, with names for what its circuits determine.
+        """A function of a mechanism as books write it, with names for what its loops determine.
 
-        Where circuits are solved in closed form, a joint that follows keeps the name of its
+        Where loops are solved in closed form, a joint that follows keeps the name of its
         coordinate, ``phi``; ``phi.theta`` is its rate by that of ``theta``, ``phi.theta.theta``
         that of ``phi.theta``, ``phi.bias`` its acceleration at udot = 0 where several speeds move
-        it, and ``phi.t`` its rate where they rest. Without such circuits nothing needs a name.
+        it, and ``phi.t`` its rate where they rest. Without such loops nothing needs a name.
 
         Returns:
             (definitions, matrix): (symbol, expression), each in terms of the ones before it.
@@ -124,6 +124,6 @@ class Readable(EquationRecord):
         from ...ir.forms.sympy_bridge import to_sympy_shared
         from ...passes.trig import trig
 
-        function = trig(self.as_described.function(name))
+        function = trig(self.without_rewrites.function(name))
         replacements, matrix = to_sympy_shared(function, self.symbols, named=True)
         return replacements, matrix

@@ -14,11 +14,11 @@ from typing import Any, NamedTuple
 from ...ir.graph import Graph
 from ...ir.ops import LEAVES
 from ...ir.recursion import STORE, Turns, Visit, ahead
-from ...ir.strided_visits import LONGEST, as_turns, stride_between
+from ...ir.strided_visits import LONGEST, as_turns, visit_stride
 from ...topology.system import Force, Joint, System
 
 # turns kept on both sides of the gap: the first ones differ, their neighbors being others
-KEPT = 6
+MARGIN = 6
 # fewer bodies are not worth it
 FEWEST = 40
 
@@ -53,7 +53,7 @@ class Fold:
     period: int
     turns: int
 
-    def seen(self, visit: Visit, body: int, size: int) -> Visit:
+    def unfolded_visit(self, visit: Visit, body: int, size: int) -> Visit:
         """A visit of a body beyond the gap: what it shares with bodies before it, it shares with
         the last of those left out.
 
@@ -63,7 +63,7 @@ class Fold:
         if body < self.at:
             return visit
         fields = size // (self.numbers[-1] + 1)
-        first, last = (self.at - KEPT * self.period) * fields, self.at * fields
+        first, last = (self.at - MARGIN * self.period) * fields, self.at * fields
         further = self.turns * self.period * fields
 
         def shifted(places: tuple[int, ...]) -> tuple[int, ...]:
@@ -91,18 +91,18 @@ class Fold:
             return None
         # the last two turns before the gap say how it goes on
         pairs = zip(before[-2 * n : -n], before[-n:], strict=True)
-        strides = [stride_between(a, b) for a, b in pairs]
-        known = tuple(s for s in strides if s is not None)
-        if len(known) < n:
+        strides = [visit_stride(a, b) for a, b in pairs]
+        strides_used = tuple(s for s in strides if s is not None)
+        if len(strides_used) < n:
             return None
-        beyond = zip(before[-n:], known, after[:n], strict=True)
+        beyond = zip(before[-n:], strides_used, after[:n], strict=True)
         if any(ahead(a, s, self.turns + 1) != b for a, s, b in beyond):
             return None
-        middle = Turns(tuple(before[-n:]), known, self.turns + 2)
+        middle = Turns(tuple(before[-n:]), strides_used, self.turns + 2)
         before, after = before[:-n], after[n:]
         # turns that belong to it already
         while len(before) >= n and tuple(before[-n:]) == middle.turn(-1):
-            middle = Turns(tuple(before[-n:]), known, middle.times + 1)
+            middle = Turns(tuple(before[-n:]), strides_used, middle.times + 1)
             before = before[:-n]
         while len(after) >= n and tuple(after[:n]) == middle.turn(middle.times):
             middle = middle._replace(times=middle.times + 1)
@@ -119,13 +119,13 @@ def fold(system: System) -> Fold | None:
         (_longest(system, signatures, n) for n in range(1, LONGEST + 1)),
         key=lambda run: run[1] - run[0],
     )
-    turns = (end - start) // period - 2 * KEPT
+    turns = (end - start) // period - 2 * MARGIN
     if turns < 1:
         return None
-    gap, after = start + KEPT * period, start + (KEPT + turns) * period
+    gap, after = start + MARGIN * period, start + (MARGIN + turns) * period
     # nothing may hang on what is left out but the next turn
-    others = (body.parent for body in system.bodies[after + period :])
-    if any(gap <= above < after for above in others):
+    parents = (body.parent for body in system.bodies[after + period :])
+    if any(gap <= above < after for above in parents):
         return None
     return _without(system, gap, turns, period)
 
@@ -134,13 +134,13 @@ def _without(system: System, gap: int, turns: int, period: int) -> Fold:
     """The system without turns from body ``gap`` on."""
     left_out = turns * period
     numbers = [i for i in range(len(system.bodies)) if not gap <= i < gap + left_out]
-    number = {whole: k for k, whole in enumerate(numbers)}
+    number = {original: k for k, original in enumerate(numbers)}
 
-    def parent(whole: int) -> int:
+    def parent(original: int) -> int:
         """Beyond the gap the last bodies before it stand in for those left out."""
-        while whole >= 0 and whole not in number:
-            whole -= period
-        return number.get(whole, -1)
+        while original >= 0 and original not in number:
+            original -= period
+        return number.get(original, -1)
 
     bodies = []
     for whole in numbers:
@@ -196,7 +196,7 @@ def _longest(
 def _stride(
     system: System, signatures: Sequence[Signature | None], i: int, period: int
 ) -> tuple[int, ...] | None:
-    """How far places lie from those a period before; None where the bodies differ."""
+    """Offsets of places from those a period before; None where the bodies differ."""
     a, b = signatures[i - period], signatures[i]
     if a is None or b is None or a.pattern != b.pattern:
         return None
@@ -210,7 +210,7 @@ def _stride(
 
 
 def _signatures(system: System) -> list[Signature | None]:
-    """Of every body; None where it takes part in more than its neighborhood."""
+    """Signature of every body; None where it takes part in more than its neighborhood."""
     count = len(system.bodies)
     children: list[list[int]] = [[] for _ in range(count)]
     for i, body in enumerate(system.bodies):
@@ -220,10 +220,10 @@ def _signatures(system: System) -> list[Signature | None]:
     for force in system.forces:
         for j in set(force.joints.values()):
             forces[j].append(force)
-    found: list[Signature | None] = []
+    signatures: list[Signature | None] = []
     for i in range(count):
         if i in special:
-            found.append(None)
+            signatures.append(None)
             continue
         joint, body = system.joints[i], system.bodies[i]
         nodes = [*joint.rotation, *joint.position, body.mass, *body.first_moment, *body.inertia]
@@ -239,38 +239,38 @@ def _signatures(system: System) -> list[Signature | None]:
         ]
         pattern, places = _pattern(system.graph, nodes)
         if pattern is None:
-            found.append(None)
+            signatures.append(None)
             continue
-        whole = (tuple(map(repr, shapes)), pattern, tuple(children[i]))
-        found.append(Signature(whole, (*places, joint.q, joint.u)))
-    return found
+        signature = (tuple(map(repr, shapes)), pattern, tuple(children[i]))
+        signatures.append(Signature(signature, (*places, joint.q, joint.u)))
+    return signatures
 
 
 def _special(system: System) -> set[int]:
     """Bodies that forces, couplings or motions tie to others or to the time."""
-    found = set[int]()
+    special = set[int]()
     for i, joint in enumerate(system.joints):
         if joint.motion is not None:
-            found.add(i)
+            special.add(i)
         if joint.coupling is not None:
-            found |= {i, joint.coupling.leader}
+            special |= {i, joint.coupling.leader}
     for force in system.forces:
-        found |= {system.frames[f].body for f in force.frames.values()}
+        special |= {system.frames[f].body for f in force.frames.values()}
         joints = set(force.joints.values())
         if len(joints) > 1:
-            found |= joints
+            special |= joints
     for atom in system.atoms.values():
         if atom.quantity in ("q", "u"):
-            found.add(atom.frame)
+            special.add(atom.frame)
         else:
-            found |= {system.frames[f].body for f in (atom.frame, atom.wrt, atom.in_)}
-    return found
+            special |= {system.frames[f].body for f in (atom.frame, atom.wrt, atom.in_)}
+    return special
 
 
 def _kind(element: Any, joints: Collection[str] = ()) -> tuple[object, ...]:
     """An element without its numbers and the names of its joints."""
-    words = [(f.name, getattr(element, f.name)) for f in fields(element)]
-    plain = [(name, x) for name, x in words if isinstance(x, (str, bool, type(None)))]
+    attributes = [(f.name, getattr(element, f.name)) for f in fields(element)]
+    plain = [(name, x) for name, x in attributes if isinstance(x, (str, bool, type(None)))]
     return (type(element), *[(name, x) for name, x in plain if x not in joints])
 
 
@@ -278,7 +278,7 @@ def _pattern(graph: Graph, roots: Sequence[int]) -> tuple[object, tuple[int, ...
     """Expressions in local numbers, and the parameters they read; None if they read more."""
     nodes = graph.nodes
     number: dict[int, int] = {}
-    made: list[tuple[Any, ...]] = []
+    pattern_nodes: list[tuple[Any, ...]] = []
     places: list[int] = []
     stack = list(reversed(roots))
     while stack:
@@ -289,11 +289,11 @@ def _pattern(graph: Graph, roots: Sequence[int]) -> tuple[object, tuple[int, ...
         node = nodes[i]
         op = node[0]
         if op == "const":
-            made.append(node)
+            pattern_nodes.append(node)
         elif op in LEAVES:
             if op != "var" or node[1] != "p":
                 return None, ()
-            made.append(("p", len(places)))
+            pattern_nodes.append(("p", len(places)))
             places.append(node[2])
         else:
             read = node[4:] if op == "solve" else node[1:2] if op == "item" else node[1:]
@@ -301,8 +301,8 @@ def _pattern(graph: Graph, roots: Sequence[int]) -> tuple[object, tuple[int, ...
             if waiting:
                 stack += reversed(waiting)
                 continue
-            rest = node[1:4] if op == "solve" else node[2:] if op == "item" else ()
-            made.append((op, *rest, *[number[k] for k in read]))
+            attributes = node[1:4] if op == "solve" else node[2:] if op == "item" else ()
+            pattern_nodes.append((op, *attributes, *[number[k] for k in read]))
         number[i] = len(number)
         stack.pop()
-    return (tuple(made), tuple([number[i] for i in roots])), tuple(places)
+    return (tuple(pattern_nodes), tuple([number[i] for i in roots])), tuple(places)

@@ -1,4 +1,4 @@
-"""Which functions are written as loops over the bodies, and where their results arise."""
+"""Choose the functions written as loops over the bodies, and the bodies of their results."""
 
 from __future__ import annotations
 
@@ -23,13 +23,13 @@ FOLDED = (
     "bias",
     "gravity",
     "coriolis",
-    "applied",
+    "applied_forces",
     "qdot",
 )
 
 
 def repeats(recursion: Recursion) -> bool:
-    """Whether enough bodies are alike for loops to be shorter."""
+    """True when enough bodies are alike for loops to be shorter."""
     visits = sum(len(sweep) for sweep in recursion.sweeps)
     return visits >= REPEATED * len(recursion.steps)
 
@@ -73,8 +73,8 @@ def by_bodies(
         k = Kinematics(folded.system if folded else system, cut=True)
         function = derive(k)
         assert k.cuts is not None
-        own = homes(system, function, folded)
-        made = recursion(Sweeps(k.cuts, function, own, k.system, folded))
-        if made is not None:
-            return made
+        home_bodies = homes(system, function, folded)
+        looped = recursion(Sweeps(k.cuts, function, home_bodies, k.system, folded))
+        if looped is not None:
+            return looped
     raise AssertionError("a tree that is not folded has its visits")

@@ -29,7 +29,7 @@ CELLS = tuple(i + j for i in XYZ for j in XYZ)
 
 @dataclass(frozen=True)
 class Definition:
-    """What a leaf of the store stands for.
+    """Meaning of a leaf of the store.
 
     Attributes:
         body: Whose value it is.
@@ -83,24 +83,24 @@ class Cuts:
         self,
         body: int,
         quantity: str,
-        own: Sequence[int],
+        body_nodes: Sequence[int],
         added: Sequence[tuple[int, Sequence[int]]],
     ) -> list[int]:
         """Leaves for sums of what a body has itself and what others add, entry by entry."""
-        found: dict[tuple[int, ...], int] = {}
+        leaves: dict[tuple[int, ...], int] = {}
         result = []
-        for k, node in enumerate(own):
+        for k, node in enumerate(body_nodes):
             parts = tuple((by, nodes[k]) for by, nodes in added if nodes[k] != ZERO)
             key = (node, *(part for _, part in parts))
             # both triangles of a symmetric matrix are one value
-            if key not in found:
+            if key not in leaves:
                 field = (quantity, k)
-                found[key] = (
-                    self._leaf(Definition(body, field, len(own), node, parts))
+                leaves[key] = (
+                    self._leaf(Definition(body, field, len(body_nodes), node, parts))
                     if parts
-                    else self._cut(body, field, len(own), node)
+                    else self._cut(body, field, len(body_nodes), node)
                 )
-            result.append(found[key])
+            result.append(leaves[key])
         return result
 
     def _leaf(self, definition: Definition) -> int:
@@ -115,7 +115,7 @@ class Cuts:
         return leaf
 
     def fixed(self, node: int) -> bool:
-        """Whether a node depends on parameters and numbers alone."""
+        """True when a node depends on parameters and numbers alone."""
         nodes, fixed = self.graph.nodes, self._fixed
         for i in range(len(fixed), node + 1):
             entry = nodes[i]
@@ -131,7 +131,7 @@ class Cuts:
 
 
 class Sums:
-    """What every body adds up from itself and from bodies that hand something to it.
+    """Sums over every body and the bodies that transmit something to it.
 
     All is added before it is read.
 
@@ -141,24 +141,26 @@ class Sums:
         own: The body's own parts.
     """
 
-    def __init__(self, k: Kinematics, quantities: Sequence[str], own: Sequence[Parts]) -> None:
+    def __init__(
+        self, k: Kinematics, quantities: Sequence[str], body_parts: Sequence[Parts]
+    ) -> None:
         self._k = k
         self._quantities = quantities
-        self._own = own
-        self._added: list[list[tuple[int, Parts]]] = [[] for _ in own]
+        self._body_parts = body_parts
+        self._added: list[list[tuple[int, Parts]]] = [[] for _ in body_parts]
 
     def add(self, body: int, by: int, parts: Parts) -> None:
         """Body ``by`` hands its part to another one."""
         self._added[body].append((by, parts))
 
     def __getitem__(self, body: int) -> Parts:
-        rows = zip(self._quantities, self._own[body], strict=True)
+        rows = zip(self._quantities, self._body_parts[body], strict=True)
         return tuple(self._sum(body, n, *row) for n, row in enumerate(rows))
 
-    def _sum(self, body: int, n: int, quantity: str, own: Matrix) -> Matrix:
+    def _sum(self, body: int, n: int, quantity: str, body_part: Matrix) -> Matrix:
         k, added = self._k, [(by, parts[n]) for by, parts in self._added[body]]
         if k.cuts is None:
             with k.graph.made_by(k.owner(body), quantity):
-                return sum((x for _, x in added), start=own)
-        nodes = k.cuts.total(body, quantity, own.nodes, [(by, x.nodes) for by, x in added])
-        return Matrix(k.graph, own.rows, own.columns, nodes)
+                return sum((x for _, x in added), start=body_part)
+        nodes = k.cuts.total(body, quantity, body_part.nodes, [(by, x.nodes) for by, x in added])
+        return Matrix(k.graph, body_part.rows, body_part.columns, nodes)

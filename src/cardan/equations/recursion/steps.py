@@ -24,7 +24,7 @@ NUMBERS = -1_000_000_000
 def recursion(sweeps: Sweeps) -> Recursion | None:
     """Tasks in sweeps as steps and visits; None where a folded tree does not unfold."""
     builder = _Steps(sweeps)
-    found = []
+    sweep_list = []
     for phase in sorted({phase for phase, _ in sweeps.by_visit}):
         bodies = sorted(body for at, body in sweeps.by_visit if at == phase)
         later = bodies == [LATER]
@@ -41,14 +41,14 @@ def recursion(sweeps: Sweeps) -> Recursion | None:
             if completed is None:
                 return None
             parts = completed
-        found.append(Sweep(direction, parts))
+        sweep_list.append(Sweep(direction, parts))
     f, steps = sweeps.function, builder.finished()
     outputs = tuple(Output(o.name, o.shape, (), o.entries, o.units) for o in f.outputs)
-    return Recursion(f.name, f.inputs, outputs, steps, tuple(found), sweeps.size, f.about)
+    return Recursion(f.name, f.inputs, outputs, steps, tuple(sweep_list), sweeps.size, f.about)
 
 
 class _Work(NamedTuple):
-    """What one visit does.
+    """Work of one visit.
 
     Attributes:
         order: Nodes that are computed or read, operands first.
@@ -78,11 +78,11 @@ class _Steps:
 
     def finished(self) -> tuple[Function, ...]:
         """The steps; each says for whom it stands."""
-        found = []
+        steps_done = []
         for step, runs in zip(self._steps, self._runs, strict=True):
             more = f" and {len(runs) - 1} more" if len(runs) > 1 else ""
-            found.append(replace(step, about=runs[0] + more))
-        return tuple(found)
+            steps_done.append(replace(step, about=runs[0] + more))
+        return tuple(steps_done)
 
     def visit(self, direction: str, body: int, tasks: Sequence[Task]) -> Visit:
         """The visit of a body, with a step of its own where no other one does the same."""
@@ -95,12 +95,12 @@ class _Steps:
         number = self._number[key]
         self._runs[number].append(self._who(body))
         places = tuple([self.sweeps.places[t.leaf] for t in work.stored])
-        made = Visit(number, work.reads, places, tuple([t.out for t in work.outs]))
+        new_visit = Visit(number, work.reads, places, tuple([t.out for t in work.outs]))
         fold = self.sweeps.fold
-        return made if fold is None else fold.seen(made, body, self.sweeps.size)
+        return new_visit if fold is None else fold.unfolded_visit(new_visit, body, self.sweeps.size)
 
     def _work(self, tasks: Sequence[Task]) -> _Work:
-        """What is read, computed and written at a visit."""
+        """Values read, computed and written at a visit."""
         s, nodes = self.sweeps, self.sweeps.graph.nodes
         definitions = s.cuts.definitions
         inlined = {t.leaf: t.node for t in tasks if t.leaf >= 0 and not definitions[t.leaf].added}
@@ -129,7 +129,7 @@ class _Steps:
         nodes = self.sweeps.graph.nodes
         # below 0: what is read, then numbers
         number = {leaf: -1 - k for k, leaf in enumerate(work.local)}
-        made: list[Node] = []
+        pattern_nodes: list[Node] = []
         for i in work.order:
             node = nodes[i]
             op = node[0]
@@ -142,18 +142,23 @@ class _Steps:
                 number[i] = NUMBERS - i
                 continue
             if op == "item":
-                made.append((op, number[node[1]], node[2]))
+                pattern_nodes.append((op, number[node[1]], node[2]))
             elif op == "solve":
-                made.append((*node[:4], *[number[k] for k in node[4:]]))
+                pattern_nodes.append((*node[:4], *[number[k] for k in node[4:]]))
             elif len(node) == 3:
                 a, b = number[node[1]], number[node[2]]
-                made.append((op, b, a) if b < a and op in COMMUTATIVE else (op, a, b))
+                pattern_nodes.append((op, b, a) if b < a and op in COMMUTATIVE else (op, a, b))
             else:
-                made.append((op, *[number[k] for k in node[1:]]))
-            number[i] = len(made)
+                pattern_nodes.append((op, *[number[k] for k in node[1:]]))
+            number[i] = len(pattern_nodes)
         stored = tuple([(t.adds, number[t.node]) for t in work.stored])
         outs = tuple([number[t.node] for t in work.outs])
-        return tuple(made), stored, outs, *[(b, len(places)) for b, places in work.reads.items()]
+        return (
+            tuple(pattern_nodes),
+            stored,
+            outs,
+            *[(b, len(places)) for b, places in work.reads.items()],
+        )
 
     def _expressions(self, work: _Work) -> tuple[Graph, list[int]]:
         """A graph of a visit's own, and the nodes of what it stores and gives out."""
@@ -161,7 +166,7 @@ class _Steps:
         local.tables, local.formulas = graph.tables.copy(), graph.formulas.copy()
         copies = {leaf: local.var(*entry) for leaf, entry in work.local.items()}
 
-        # a value that is computed here is no leaf here: it goes on as its expression
+        # a value that is computed here is not a leaf here: it goes on as its expression
         def inline(_: Graph, i: int, done: Mapping[int, int]) -> int | None:
             return done[work.inlined[i]] if i in work.inlined else None
 
@@ -174,36 +179,38 @@ class _Steps:
 
     def _step(self, direction: str, body: int, work: _Work) -> Function:
         """A step in words that hold for all its visits."""
-        s, words = self.sweeps, self._words(body)
+        s, roles = self.sweeps, self._role_names(body)
         local, roots = self._expressions(work)
         for where in (local.origins, local.labels):
             items = where.items() if isinstance(where, dict) else enumerate(where)
             for i, (owner, quantity) in list(items):
-                where[i] = (words.get(owner, owner), quantity)
+                where[i] = (roles.get(owner, owner), quantity)
         local.shared = {
-            i: {(words.get(owner, owner), q) for owner, q in of} for i, of in local.shared.items()
+            i: {(roles.get(owner, owner), q) for owner, q in of} for i, of in local.shared.items()
         }
         self._names[direction] += 1
         name = f"{s.function.name}_{direction.split()[0]}_{self._names[direction]}"
 
         def field(place: int) -> str:
             d = s.fields[place]
-            who = self._words(body).get(s.system.bodies[d.body].name, s.system.bodies[d.body].name)
+            who = self._role_names(body).get(
+                s.system.bodies[d.body].name, s.system.bodies[d.body].name
+            )
             return f"{who}.{d.field[0]}_{_component(d)}"
 
         inputs = []
-        known = {b.name: b for b in s.function.inputs}
+        inputs_by_name = {b.name: b for b in s.function.inputs}
         for block, places in work.reads.items():
             if block == STORE:
                 entries, units = tuple(map(field, places)), ("",) * len(places)
             else:
-                entries = tuple(_renamed(known[block].entries[k], words) for k in places)
-                units = tuple(known[block].units[k] for k in places)
+                entries = tuple(_renamed(inputs_by_name[block].entries[k], roles) for k in places)
+                units = tuple(inputs_by_name[block].units[k] for k in places)
             inputs.append(Block(block, entries, units))
         results = [(o.name, k, o) for o in s.function.outputs for k in range(o.size)]
         at = len(work.stored)
         named = tuple(
-            _renamed(o.entries[k], words) if o.entries else o.name
+            _renamed(o.entries[k], roles) if o.entries else o.name
             for o, k in ((results[t.out][2], results[t.out][1]) for t in work.outs)
         )
         outputs = (
@@ -212,16 +219,16 @@ class _Steps:
             ),
             Output(OUT, (len(work.outs),), tuple(roots[at:]), named),
         )
-        owners = tuple(words.values())
+        owners = tuple(roles.values())
         return Function(name, local, tuple(inputs), outputs, owners)
 
-    def _words(self, body: int) -> dict[str, str]:
+    def _role_names(self, body: int) -> dict[str, str]:
         """Names of a body's surroundings -> what they are to it."""
         if body == LATER:
             return {}
         system, parent = self.sweeps.system, self.sweeps.parents[body]
-        words = {system.bodies[parent].name: "parent"} if parent >= 0 else {}
-        return words | {system.joints[body].name: "joint", system.bodies[body].name: "body"}
+        roles = {system.bodies[parent].name: "parent"} if parent >= 0 else {}
+        return roles | {system.joints[body].name: "joint", system.bodies[body].name: "body"}
 
     def _who(self, body: int) -> str:
         if body == LATER:
@@ -235,7 +242,7 @@ def _component(d: Definition) -> str:
     return {3: XYZ, 9: CELLS}.get(d.size, [str(k) for k in range(d.size)])[d.field[1]]
 
 
-def _renamed(entry: str, words: Mapping[str, str]) -> str:
+def _renamed(entry: str, roles: Mapping[str, str]) -> str:
     """A dotted name with its first word in general terms."""
-    owner, dot, rest = entry.partition(".")
-    return f"{words.get(owner, owner)}{dot}{rest}"
+    owner, dot, suffix = entry.partition(".")
+    return f"{roles.get(owner, owner)}{dot}{suffix}"

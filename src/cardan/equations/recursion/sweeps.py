@@ -92,7 +92,7 @@ class Sweeps:
             )
             if home != LEFT_OUT
         ]
-        seen = set[int]()
+        visited = set[int]()
         while waiting:
             # what one visit computes under one name is looked at together
             bundles: dict[tuple[str, int], list[Task]] = defaultdict(list)
@@ -103,9 +103,9 @@ class Sweeps:
                 if body != LATER:
                     self.bundles.append((name, body, bundle))
                 for leaf in self._note(bundle):
-                    if leaf not in seen:
-                        seen.add(leaf)
-                        waiting.extend(self._made(leaf))
+                    if leaf not in visited:
+                        visited.add(leaf)
+                        waiting.extend(self._tasks_of(leaf))
         return sorted(self.cones, key=lambda t: (t.leaf, t.adds, t.body, t.out))
 
     def _note(self, bundle: Sequence[Task]) -> list[int]:
@@ -118,17 +118,17 @@ class Sweeps:
             self.cones[task], self.inputs[task], self.reads[task] = cone, inputs, stored
         return stored
 
-    def _made(self, leaf: int) -> list[Task]:
-        """What makes a stored value."""
+    def _tasks_of(self, leaf: int) -> list[Task]:
+        """Tasks that make a stored value."""
         d = self.cuts.definitions[leaf]
         if not d.added:
             return [Task(d.field[0], d.body, d.node, leaf)]
         name = d.field[0]
-        own = Task(f"{name} of itself", d.body, d.node, leaf)
+        itself = Task(f"{name} of itself", d.body, d.node, leaf)
         added: dict[int, int] = {}
         for by, node in d.added:
             added[by] = self.graph.add(added[by], node) if by in added else node
-        return [own, *(Task(f"{name} added", by, n, leaf, adds=True) for by, n in added.items())]
+        return [itself, *(Task(f"{name} added", by, n, leaf, adds=True) for by, n in added.items())]
 
     # when
 
@@ -140,13 +140,13 @@ class Sweeps:
         while changed:
             changed = False
             for name, relation, read in rules:
-                wanted = _LEAST[relation](phases[read])
-                if wanted > phases[name]:
-                    phases[name], changed = wanted, True
-                if wanted > MOST_SWEEPS:
+                phase = _LEAST[relation](phases[read])
+                if phase > phases[name]:
+                    phases[name], changed = phase, True
+                if phase > MOST_SWEEPS:
                     raise DerivationError(
-                        f"'{self.function.name}' is no recursion over this tree: {name} and {read} "
-                        "wait for each other. Use loops=False"
+                        f"'{self.function.name}' is not a recursion over this tree: {name} and "
+                        f"{read} wait for each other. Use loops=False"
                     )
         return phases
 
@@ -160,8 +160,8 @@ class Sweeps:
             if d.added:
                 # complete when everybody has added
                 adders = {self._relation(body, by) for by, _ in d.added}
-                whole = "outboard" if d.body == body and adders == {"outboard"} else "far"
-                rules.add((name, whole, f"{d.field[0]} added"))
+                from_where = "outboard" if d.body == body and adders == {"outboard"} else "far"
+                rules.add((name, from_where, f"{d.field[0]} added"))
         for task in tasks:
             if task.adds:
                 d = definitions[task.leaf]
@@ -170,7 +170,7 @@ class Sweeps:
         return rules
 
     def _relation(self, reader: int, owner: int) -> str:
-        """Where the owner of a value is seen from a body that reads it."""
+        """Position of the owner of a value as seen from a body that reads it."""
         if reader == owner:
             return "own"
         if reader == LATER:
@@ -185,31 +185,31 @@ class Sweeps:
 
     def _visits(self) -> dict[tuple[int, int], list[Task]]:
         """(phase, body) -> its tasks."""
-        found: dict[tuple[int, int], list[Task]] = defaultdict(list)
+        visits: dict[tuple[int, int], list[Task]] = defaultdict(list)
         last = max(self.phases.values(), default=0) + 1
         for task in self.tasks:
             phase = last if task.body == LATER else self.phases[task.name]
-            found[phase, task.body].append(task)
-        return found
+            visits[phase, task.body].append(task)
+        return visits
 
     # where
 
     def _places(self) -> tuple[dict[int, int], int]:
         """Place in the store of every value that another visit reads: [body][field]."""
         at = {t.leaf: visit for visit, tasks in self.by_visit.items() for t in tasks if t.leaf >= 0}
-        wanted: set[int] = set()
+        stored: set[int] = set()
         for visit, tasks in self.by_visit.items():
             for task in tasks:
                 if task.leaf >= 0 and self.cuts.definitions[task.leaf].added:
-                    wanted.add(task.leaf)
-                wanted.update(leaf for leaf in self.reads[task] if at[leaf] != visit)
-        fields = sorted({self.cuts.definitions[leaf].field for leaf in wanted})
+                    stored.add(task.leaf)
+                stored.update(leaf for leaf in self.reads[task] if at[leaf] != visit)
+        fields = sorted({self.cuts.definitions[leaf].field for leaf in stored})
         number = {field: k for k, field in enumerate(fields)}
         definitions, fold = self.cuts.definitions, self.fold
         bodies = range(len(self.parents)) if fold is None else fold.numbers
         places = {
             leaf: bodies[definitions[leaf].body] * len(fields) + number[definitions[leaf].field]
-            for leaf in sorted(wanted)
+            for leaf in sorted(stored)
         }
         return places, len(fields) * (max(bodies, default=-1) + 1)
 

@@ -166,25 +166,25 @@ class _Writer:
             expression: From SymPy.
             goes_on: Something to add it to stands before it.
         """
-        found = []
-        for piece in self._breaker.pieces(expression):
-            found.append(self._piece(piece, goes_on))
-            goes_on = True
-        return " ".join(found)
-
-    def _piece(self, piece: Any, goes_on: bool) -> str:
         parts = []
-        for sign in piece.before:
+        for segment in self._breaker.segments(expression):
+            parts.append(self._segment(segment, goes_on))
+            goes_on = True
+        return " ".join(parts)
+
+    def _segment(self, segment: Any, goes_on: bool) -> str:
+        parts = []
+        for sign in segment.before:
             parts.append(_operator(sign, goes_on))
             goes_on = False
-        if piece.body is not None:
-            parts.append(self._printer.written(piece.body))
-        for sign, power in piece.after:
-            made = _operator(sign)
+        if segment.body is not None:
+            parts.append(self._printer.written(segment.body))
+        for sign, power in segment.after:
+            symbol = _operator(sign)
             raised = (
-                f"<msup>{made}{self._printer.written(power)}</msup>" if power is not None else ""
+                f"<msup>{symbol}{self._printer.written(power)}</msup>" if power is not None else ""
             )
-            parts.append(raised or made)
+            parts.append(raised or symbol)
         return f'<math displaystyle="true">{"".join(parts)}</math>'
 
     def _sign(self, sign: Notation) -> str:
@@ -212,10 +212,10 @@ class _Writer:
             for row in table.rows
         )
         head = f"<thead><tr>{heads}</tr></thead>\n" * any(table.head)
-        made = f"<table{self._look('table')}>{head}<tbody>{rows}</tbody></table>"
+        markup = f"<table{self._look('table')}>{head}<tbody>{rows}</tbody></table>"
         if len(table.rows) > ROWS:
-            made = f"<details><summary>{len(table.rows)} rows</summary>{made}</details>"
-        yield made
+            markup = f"<details><summary>{len(table.rows)} rows</summary>{markup}</details>"
+        yield markup
 
     def _column(self, cells: list[str | float | d.Math]) -> str:
         """Numbers stand to the right; wide formulas are left out where there is no room."""
@@ -242,8 +242,8 @@ def _is_name(cell: str) -> bool:
 def _number(value: float) -> str:
     """With a true minus, and powers of ten as such."""
     digits, _, power = f"{value:.6g}".partition("e")
-    made = digits.replace("-", "−")
-    return f"{made}\u202f·\u202f10<sup>{int(power)}</sup>".replace("-", "−") if power else made
+    text = digits.replace("-", "−")
+    return f"{text}\u202f·\u202f10<sup>{int(power)}</sup>".replace("-", "−") if power else text
 
 
 def _operator(sign: str, infix: bool = False) -> str:
@@ -271,5 +271,5 @@ class _Names(dict[str, Notation]):
     """Notation of every name; unknown ones are words."""
 
     def get(self, name: str, default: Any = None) -> Any:
-        """As of a dict, but never None."""
+        """Same as ``dict.get``, but never None."""
         return super().get(name) or _fitting(Notation(name))

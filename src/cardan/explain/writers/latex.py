@@ -131,7 +131,8 @@ class _Writer:
 
     def _flow(self, expression: Any) -> str:
         return " ".join(
-            f"${self._tex.piece(piece, DISPLAYED)}$" for piece in self._breaker.pieces(expression)
+            f"${self._tex.segment(segment, DISPLAYED)}$"
+            for segment in self._breaker.segments(expression)
         )
 
     def _table(self, table: d.Table) -> Iterator[str]:
@@ -176,25 +177,25 @@ def plain(math: str) -> str:
     return "".join(c if c.isascii() else _foreign(c, math=True) for c in math)
 
 
-def escaped(words: str) -> str:
+def escaped(text: str) -> str:
     """Text of users for text mode."""
-    made = "".join(
+    characters = "".join(
         _TEXT.get(c, c) if c.isascii() else _MARKS.get(c) or _foreign(c, math=False)
-        for c in re.sub(r"\s+", " ", words)
+        for c in re.sub(r"\s+", " ", text)
     )
-    # names break at their dots; two signs are no dash
-    return re.sub(r"-(?=-)", "-{}", re.sub(r"\.(?=[^\s.])", r".\\allowbreak{}", made))
+    # names break at their dots; two signs are not dash
+    return re.sub(r"-(?=-)", "-{}", re.sub(r"\.(?=[^\s.])", r".\\allowbreak{}", characters))
 
 
 def _foreign(c: str, math: bool) -> str:
     """Latin letters as they are, Greek ones by their command, others by their number."""
-    found = unicode_name(c, "")
-    if found.startswith("LATIN") and ord(c) < 0x180:
+    character_name = unicode_name(c, "")
+    if character_name.startswith("LATIN") and ord(c) < 0x180:
         return rf"\text{{{c}}}" if math else c
-    words = found.split()
-    if found.startswith("GREEK") and len(words) == 4 and words[2] == "LETTER":
-        letter = words[3].lower().replace("lamda", "lambda")
-        letter = letter.capitalize() if words[1] == "CAPITAL" else letter
+    parts = character_name.split()
+    if character_name.startswith("GREEK") and len(parts) == 4 and parts[2] == "LETTER":
+        letter = parts[3].lower().replace("lamda", "lambda")
+        letter = letter.capitalize() if parts[1] == "CAPITAL" else letter
         if letter in GREEK:
             return f"\\{letter}{{}}" if math else rf"\ensuremath{{\{letter}}}"
     number = rf"\texttt{{U+{ord(c):04X}}}"

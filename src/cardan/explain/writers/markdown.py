@@ -91,12 +91,12 @@ class _Writer:
     def _lines(self, left: str, expression: Any) -> list[str]:
         """An expression on as many lines as it needs."""
         rows, used = [left], 0.0
-        for piece in self._breaker.pieces(expression):
-            size = 3.0 * len(piece.before) + 2.0 * len(piece.after)
-            size += self._breaker.width(piece.body) if piece.body is not None else 0.0
+        for segment in self._breaker.segments(expression):
+            size = 3.0 * len(segment.before) + 2.0 * len(segment.after)
+            size += self._breaker.width(segment.body) if segment.body is not None else 0.0
             if used and used + size > LINE:
                 rows, used = [*rows, r"&\quad"], 0.0
-            rows[-1] += f" {self._tex.piece(piece)}"
+            rows[-1] += f" {self._tex.segment(segment)}"
             used += size
         return rows
 
@@ -124,7 +124,7 @@ def _safe(math: str) -> str:
     return "".join(_INSIDE.get(c, c) for c in " ".join(math.split()))
 
 
-def escaped(words: str) -> str:
+def escaped(text: str) -> str:
     """Text of users."""
-    marked = _MARKED.sub(r"\\\1", re.sub(r"\s+", " ", words))
+    marked = _MARKED.sub(r"\\\1", re.sub(r"\s+", " ", text))
     return "".join(_HTML.get(c, c) for c in marked)

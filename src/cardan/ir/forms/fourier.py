@@ -37,7 +37,7 @@ CONSTANT: Wave = (COS, ())
 TERMS, PRODUCTS = 2000, 60_000
 
 # operators that are taken as they are, with nothing inside simplified
-WHOLE = frozenset(["select", "lt", "le", "eq", "and", "or", "not", "table", "item", "solve"])
+OPAQUE = frozenset(["select", "lt", "le", "eq", "and", "or", "not", "table", "item", "solve"])
 
 
 @dataclass
@@ -64,37 +64,37 @@ class Expansion:
         generators: What a generator stands for: ("leaf", node), ("pi",) or
             (operator, polynomials of its operands).
         units: Monomial of an angle -> greatest common divisor of its multiples as written: half
-            of it is no angle of this system.
+            of it is not an angle of this system.
         made: Node -> its polynomial, None where it is too long.
-        long: Nodes too long to be written as part of something that is no polynomial.
+        long: Nodes too long to be written as part of something that is not a polynomial.
     """
 
     graph: Graph
     budget: Budget
     generators: list[tuple[Any, ...]] = field(default_factory=list)
     units: dict[Mono, Multiple] = field(default_factory=dict)
-    made: dict[int, Poly | None] = field(default_factory=dict)
+    polynomials: dict[int, Poly | None] = field(default_factory=dict)
     long: frozenset[int] = frozenset()
     _numbers: dict[tuple[Any, ...], int] = field(default_factory=dict)
 
     def expand(self, nodes: Iterable[int]) -> None:
         """Make the polynomials of nodes in topological order."""
         for i in nodes:
-            if i not in self.made:
+            if i not in self.polynomials:
                 value = self._node(i)
-                self.made[i] = value if value is None or len(value) <= TERMS else None
+                self.polynomials[i] = value if value is None or len(value) <= TERMS else None
 
     def _node(self, i: int) -> Poly | None:
         node = self.graph.nodes[i]
         op = node[0]
         if op == "const":
             return self._number(node[1])
-        if op in ("var", "atom") or op in WHOLE:
+        if op in ("var", "atom") or op in OPAQUE:
             return self._alone(("leaf", i))
-        given = [self.made[k] for k in operands(node)]
-        if any(value is None for value in given):
+        terms = [self.polynomials[k] for k in operands(node)]
+        if any(value is None for value in terms):
             return None
-        values = [value for value in given if value is not None]
+        values = [value for value in terms if value is not None]
         if op in ("add", "sub"):
             return self.sum(values[0], values[1], -1 if op == "sub" else 1)
         if op == "neg":
@@ -129,25 +129,25 @@ class Expansion:
         """a + sign b."""
         if not self.budget.spend(len(b)):
             return None
-        made = dict(a)
+        total = dict(a)
         for key, c in b.items():
-            accumulate(made, key, sign * c)
-        return made
+            accumulate(total, key, sign * c)
+        return total
 
     def product(self, a: Poly, b: Poly) -> Poly | None:
         """a b, products of waves as sums of waves."""
         steps = len(a) * len(b)
         if steps > PRODUCTS or not self.budget.spend(steps):
             return None
-        made: Poly = {}
+        result: Poly = {}
         for (mono_a, wave_a), c in a.items():
             for (mono_b, wave_b), d in b.items():
                 mono, value = times(mono_a, mono_b), c * d
                 if wave_a != CONSTANT and wave_b != CONSTANT:
                     value = value * HALF
                 for wave, sign in beats(wave_a, wave_b):
-                    accumulate(made, (mono, wave), value if sign == 1 else -value)
-        return made
+                    accumulate(result, (mono, wave), value if sign == 1 else -value)
+        return result
 
     def _generator(self, key: tuple[Any, ...]) -> Mono:
         if key not in self._numbers:
@@ -230,17 +230,17 @@ def beats(a: Wave, b: Wave) -> tuple[tuple[Wave, int], ...]:
     if kind_a == COS and kind_b == SIN:
         (kind_a, x), (kind_b, y) = b, a
     kind = SIN if kind_a != kind_b else COS
-    found = []
+    waves = []
     for sign in (-1, 1):
-        wave, turned = canonical(kind, combined(x, y, sign))
+        wave, sign_change = canonical(kind, combined(x, y, sign))
         flip = -1 if kind_a == kind_b == SIN and sign == 1 else 1
-        if turned:
-            found.append((wave, turned * flip))
-    return tuple(found)
+        if sign_change:
+            waves.append((wave, sign_change * flip))
+    return tuple(waves)
 
 
 def _still(a: Poly) -> bool:
-    """Whether no sine or cosine is in it."""
+    """True when no sine or cosine is in it."""
     return all(wave == CONSTANT for _, wave in a)
 
 

@@ -46,18 +46,18 @@ def nested(terms: Sequence[Term], rank: Rank) -> Nested:
         rank: (factor, terms that have it) -> the larger, the earlier it is taken out.
     """
     number, powers = _common(terms)
-    rest = [_divided(term, number, powers) for term in terms]
+    remaining = [_divided(term, number, powers) for term in terms]
     front = tuple(powers.items())
-    if len(rest) == 1:
+    if len(remaining) == 1:
         return Nested(number, front)
     parts: list[Nested] = []
-    while rest:
-        best = _best(rest, rank)
+    while remaining:
+        best = _best(remaining, rank)
         if best is None:
-            parts += [Nested(c, tuple(given.items())) for c, given in rest]
+            parts += [Nested(c, tuple(exponents.items())) for c, exponents in remaining]
             break
-        group = [term for term in rest if term[1].get(best, 0) > 0]
-        rest = [term for term in rest if term[1].get(best, 0) <= 0]
+        group = [term for term in remaining if term[1].get(best, 0) > 0]
+        remaining = [term for term in remaining if term[1].get(best, 0) <= 0]
         parts.append(nested(group, rank))
     brackets = Counter(frozenset(part.inside) for part in parts if part.inside)
     if not any(count > 1 for count in brackets.values()):
@@ -78,7 +78,7 @@ def _bracketed(part: Nested) -> Term:
 
 def _best(terms: Sequence[Term], rank: Rank) -> Any:
     """The factor to be taken out of several terms, None where they have none in common."""
-    counts = Counter(factor for _, given in terms for factor, n in given.items() if n > 0)
+    counts = Counter(factor for _, powers in terms for factor, n in powers.items() if n > 0)
     several = (factor for factor, count in counts.items() if count > 1)
     return max(several, key=lambda factor: rank(factor, counts[factor]), default=None)
 
@@ -100,15 +100,15 @@ def _common(terms: Sequence[Term]) -> tuple[Fraction, Powers]:
         number = -number
     powers: dict[Any, int] = {}
     for factor in terms[0][1]:
-        given = [powers_of.get(factor, 0) for _, powers_of in terms]
-        least = min(given, key=abs)
+        exponents = [powers_of.get(factor, 0) for _, powers_of in terms]
+        least = min(exponents, key=abs)
         # of powers with different signs nothing is common
-        if least and all(n * least > 0 for n in given):
+        if least and all(n * least > 0 for n in exponents):
             powers[factor] = least
     return number, powers
 
 
 def _divided(term: Term, number: Fraction, powers: Powers) -> Term:
-    c, given = term
-    left = {factor: n - powers.get(factor, 0) for factor, n in given.items()}
+    c, exponents = term
+    left = {factor: n - powers.get(factor, 0) for factor, n in exponents.items()}
     return c / number, {factor: n for factor, n in left.items() if n}

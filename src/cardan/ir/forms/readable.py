@@ -20,7 +20,7 @@ from ..exact import is_fraction
 from ..function import live, operands
 from ..graph import Graph
 from ..ops import LEAVES
-from .fourier import COS, WHOLE, Budget, Expansion, Mono, Poly, Wave
+from .fourier import COS, OPAQUE, Budget, Expansion, Mono, Poly, Wave
 from .nesting import Bracket, Nested, Rank, Term, flat, nested
 from .sum_to_product import Sum, shortest, split
 from .sympy_out import Leaves, Names, What, applied, expression_of, shaped, written_out
@@ -82,25 +82,19 @@ class Writer:
         budget: Steps for all of them.
     """
 
-    def __init__(
-        self,
-        graph: Graph,
-        roots: Sequence[int],
-        leaves: Leaves,
-        budget: Budget,
-    ) -> None:
+    def __init__(self, graph: Graph, roots: Sequence[int], leaves: Leaves, budget: Budget) -> None:
         order = live(graph, roots)
         self.sizes, self.terms = _sizes(graph, order)
         long = frozenset(i for i in order if self.sizes[i] > LONGEST)
         self.expansion = Expansion(graph, budget, long=long)
         # what is taken as a whole must be short enough to be written
-        wholes = [i for i in order if graph.nodes[i][0] in (*WHOLE, "var", "atom")]
+        wholes = [i for i in order if graph.nodes[i][0] in (*OPAQUE, "var", "atom")]
         unwritten = _long(graph, order, self.sizes)
         short = [i for i in (*roots, *wholes) if i not in unwritten]
         self.plain: dict[int, Any] = {}
         for i in live(graph, short):
             self.plain[i] = expression_of(graph, i, self.plain, leaves)
-        self.expansion.made.update((i, None) for i in wholes if i not in self.plain)
+        self.expansion.polynomials.update((i, None) for i in wholes if i not in self.plain)
         self.expansion.expand(order)
         self._written: dict[tuple[Any, ...], tuple[float, float, Any]] = {}
         self._sizes: dict[int, float] = {}
@@ -111,19 +105,19 @@ class Writer:
         Raises:
             TooLong: none is short enough.
         """
-        given = self.plain.get(root)
-        poly = self.expansion.made[root]
-        found = [] if poly is None else self.forms(poly)
-        if given is None:
-            short = [form for form in found if form[1] <= LONGEST]
+        plain = self.plain.get(root)
+        poly = self.expansion.polynomials[root]
+        forms = [] if poly is None else self.forms(poly)
+        if plain is None:
+            short = [form for form in forms if form[1] <= LONGEST]
             if not short:
                 raise TooLong(self.sizes[root])
             return min(short, key=_measure)[2]
-        operations, terms = given.count_ops(), self._given_terms(root)
-        better = [form for form in found if form[1] <= operations or form[0] < terms]
-        return min(better, key=_measure)[2] if better else given
+        operations, terms = plain.count_ops(), self._plain_terms(root)
+        better = [form for form in forms if form[1] <= operations or form[0] < terms]
+        return min(better, key=_measure)[2] if better else plain
 
-    def _given_terms(self, root: int) -> int:
+    def _plain_terms(self, root: int) -> int:
         """Terms of an entry as it came, multiplied out; 0 where they are many."""
         if self.terms[root] > NESTED:
             return 0
@@ -131,7 +125,7 @@ class Writer:
 
     def forms(self, poly: Poly) -> list[tuple[int, int, Any]]:
         """Ways to write a polynomial: terms, operations, expression."""
-        found: list[tuple[int, int, Any]] = [] if poly else [(0, 0, sympy.Integer(0))]
+        forms: list[tuple[int, int, Any]] = [] if poly else [(0, 0, sympy.Integer(0))]
         budget = self.expansion.budget
         for terms in self._sums(poly):
             # what is written inside other functions again and again may be long as a whole only
@@ -145,9 +139,9 @@ class Writer:
                     nests.append(nested(terms, rank))
             for nest in nests:
                 if budget.spend(WRITING * (len(terms) + int(size))):
-                    made = self._write(nest)
-                    found.append((len(terms), made.count_ops(), made))
-        return found
+                    expression = self._write(nest)
+                    forms.append((len(terms), expression.count_ops(), expression))
+        return forms
 
     def _size(self, factor: Any) -> float:
         """Operations of a factor at most; infinite where it is too long to be written."""
@@ -155,12 +149,12 @@ class Writer:
             _, angle = factor
             return 1 + sum(2 + self._size(g) for mono, _ in angle for g, _ in mono)
         if factor not in self._sizes:
-            op, *given = self.expansion.generators[factor]
-            polys = given if op not in ("leaf", "pi") else []
+            op, *arguments = self.expansion.generators[factor]
+            polys = arguments if op not in ("leaf", "pi") else []
             inside = max((self._poly(poly)[1] for poly in polys), default=0)
             self._sizes[factor] = 1.0 + inside if inside <= INSIDE else inf
             if op == "leaf":
-                self._sizes[factor] += self.sizes[given[0]]
+                self._sizes[factor] += self.sizes[arguments[0]]
         return self._sizes[factor]
 
     def _sums(self, poly: Poly) -> list[list[Term]]:
@@ -199,12 +193,12 @@ class Writer:
             kind, angle = key
             argument = sympy.Add(*(_number(Fraction(c)) * self._mono(mono) for mono, c in angle))
             return sympy.cos(argument) if kind == COS else sympy.sin(argument)
-        op, *given = self.expansion.generators[key]
+        op, *arguments = self.expansion.generators[key]
         if op == "leaf":
-            return self.plain[given[0]]
+            return self.plain[arguments[0]]
         if op == "pi":
             return sympy.pi
-        written = [self._poly(poly)[2] for poly in given]
+        written = [self._poly(poly)[2] for poly in arguments]
         if op == "inverse":
             return 1 / written[0]
         return written[0] if op == "whole" else applied(op, *written)
@@ -239,32 +233,34 @@ def _sizes(graph: Graph, order: Sequence[int]) -> tuple[dict[int, int], dict[int
         node = graph.nodes[i]
         read = operands(node)
         sizes[i] = sum(sizes[k] for k in read) + (node[0] not in LEAVES)
-        own = [terms[k] for k in read]
+        counts = [terms[k] for k in read]
         if node[0] in ("add", "sub"):
-            terms[i] = sum(own)
+            terms[i] = sum(counts)
         else:
-            terms[i] = prod(own) if node[0] == "mul" else own[0] if node[0] in ("neg", "div") else 1
+            terms[i] = (
+                prod(counts) if node[0] == "mul" else counts[0] if node[0] in ("neg", "div") else 1
+            )
     return sizes, terms
 
 
 def _long(graph: Graph, order: Sequence[int], sizes: Mapping[int, int]) -> frozenset[int]:
     """Nodes that are too long to be written, as a whole or inside a function."""
-    found: set[int] = set()
+    long_nodes: set[int] = set()
     for i in order:
         read = operands(graph.nodes[i])
         function = graph.nodes[i][0] not in POLYNOMIAL
         inside = max((sizes[k] for k in read), default=0) if function else 0
-        if sizes[i] > LONGEST or inside > INSIDE or any(k in found for k in read):
-            found.add(i)
-    return frozenset(found)
+        if sizes[i] > LONGEST or inside > INSIDE or any(k in long_nodes for k in read):
+            long_nodes.add(i)
+    return frozenset(long_nodes)
 
 
-def _opaque(expression: Any, found: dict[Any, Any]) -> Any:
+def _opaque(expression: Any, dummies: dict[Any, Any]) -> Any:
     """An expression with symbols for what multiplying out would only expand inside."""
     kind = expression.func
     if not expression.args or not (kind in (sympy.Add, sympy.Mul) or _is_power(expression)):
-        return expression if expression.is_Atom else found.setdefault(expression, sympy.Dummy())
-    return kind(*(_opaque(part, found) for part in expression.args))
+        return expression if expression.is_Atom else dummies.setdefault(expression, sympy.Dummy())
+    return kind(*(_opaque(part, dummies) for part in expression.args))
 
 
 def _is_power(expression: Any) -> bool:

@@ -47,16 +47,16 @@ def shortest(waves: Mapping[Wave, Fraction], units: Mapping[Mono, Multiple], bud
         for i, (p, a) in enumerate(items):
             for q, b in items[:i]:
                 before = cost(p, a) + cost(q, b) + 1
-                for made in _merged(p, a, q, b, units):
-                    after = sum(cost(x, c) for x, c in made.items()) + len(made) - 1
+                for merged in _merged(p, a, q, b, units):
+                    after = sum(cost(x, c) for x, c in merged.items()) + len(merged) - 1
                     # of two forms as long the one with fewer terms
-                    if (before - after, 2 - len(made)) > gain:
-                        best, gain = (p, q, made), (before - after, 2 - len(made))
+                    if (before - after, 2 - len(merged)) > gain:
+                        best, gain = (p, q, merged), (before - after, 2 - len(merged))
         if best is None:
             break
-        p, q, made = best
+        p, q, merged = best
         del terms[p], terms[q]
-        for product, c in made.items():
+        for product, c in merged.items():
             accumulate(terms, product, c)
     return terms
 
@@ -76,18 +76,18 @@ def _written(angle: Angle) -> int:
 
 def split(terms: Mapping[Product, Fraction], units: Mapping[Mono, Multiple]) -> Sum:
     """The sine of a double angle as 2 sin cos."""
-    made: Sum = {}
+    products: Sum = {}
     for product, c in terms.items():
         factors: list[Wave] = []
         for kind, angle in product:
             single = half(angle)
-            if kind == SIN and _whole(single, units):
+            if kind == SIN and _is_multiple(single, units):
                 factors += [(SIN, single), (COS, single)]
                 c = 2 * c
             else:
                 factors.append((kind, angle))
-        accumulate(made, tuple(sorted(factors)), c)
-    return made
+        accumulate(products, tuple(sorted(factors)), c)
+    return products
 
 
 def _merged(
@@ -101,7 +101,7 @@ def _merged(
     if kind != other:
         return
     plus, minus = half(combined(x, y, 1)), half(combined(x, y, -1))
-    if not (_whole(plus, units) and _whole(minus, units)):
+    if not (_is_multiple(plus, units) and _is_multiple(minus, units)):
         return
     if abs(a) == abs(b):
         yield _pair(common, kind, a, 1 if a == b else -1, plus, minus)
@@ -110,10 +110,7 @@ def _merged(
         (one, c0), (c1, double) = ((p, a), (b, y)) if not left else ((q, b), (a, x))
         single = half(double)
         for wave, sign in (((COS, single), 1), ((SIN, single), -1)):
-            yield {
-                tuple(sorted((*common, wave, wave))): 2 * sign * c1,
-                one: c0 - sign * c1,
-            }
+            yield {tuple(sorted((*common, wave, wave))): 2 * sign * c1, one: c0 - sign * c1}
 
 
 def _pair(common: Product, kind: int, a: Fraction, sign: int, plus: Angle, minus: Angle) -> Sum:
@@ -141,6 +138,6 @@ def _difference(p: Product, q: Product) -> tuple[Product, tuple[Product, Product
     return tuple(common), (tuple(left), tuple(right))
 
 
-def _whole(angle: Angle, units: Mapping[Mono, Multiple]) -> bool:
-    """Whether an angle is made of whole multiples of what occurs."""
+def _is_multiple(angle: Angle, units: Mapping[Mono, Multiple]) -> bool:
+    """True when an angle is made of whole multiples of what occurs."""
     return all(mono in units and (Fraction(c) / units[mono]).denominator == 1 for mono, c in angle)

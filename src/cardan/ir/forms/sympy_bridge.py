@@ -63,7 +63,7 @@ def _convert(graph: Graph, root: Any, done: dict[Any, int]) -> None:
 def _parts(e: Any) -> Sequence[Any]:
     """Subexpressions to convert before e."""
     if isinstance(e, sympy.Piecewise):
-        return [x for piece in e.args for x in piece.args]
+        return [x for branch in e.args for x in branch.args]
     if isinstance(e, sympy.Pow) and e.exp.is_Number:
         return [e.base]
     return () if e.is_Atom else e.args
@@ -83,13 +83,14 @@ def _node(graph: Graph, e: Any, done: Mapping[Any, int], root: Any) -> int:
     if isinstance(e, sympy.Pow) and e.exp.is_Number:
         return graph.power(nodes[0], _finite(e.exp, root))
     if isinstance(e, sympy.Piecewise):
-        return _pieces(graph, e, nodes)
+        return _piecewise(graph, e, nodes)
     convert = FUNCTIONS.get(e.func)
     if convert is None:
-        known = sorted(f.__name__ for f in FUNCTIONS)
+        candidates = sorted(f.__name__ for f in FUNCTIONS)
         raise ModelError(
-            f"'{e.func.__name__}' in '{_shown(root)}' is no function that C code can be written "
-            f"for.{near(e.func.__name__, known)}"
+            f"'{e.func.__name__}' in '{_shortened(root)}' is not a function that C code can be "
+            "written "
+            f"for.{near(e.func.__name__, candidates)}"
         )
     return convert(graph, nodes)
 
@@ -97,15 +98,16 @@ def _node(graph: Graph, e: Any, done: Mapping[Any, int], root: Any) -> int:
 def _atom(graph: Graph, e: Any, done: Mapping[Any, int], root: Any) -> int:
     """A number or a truth value; symbols that are known never come here."""
     if e.is_Symbol:
-        known = [x for x in done if getattr(x, "is_Symbol", False)]
-        names = [x.name for x in known]
+        candidates = [x for x in done if getattr(x, "is_Symbol", False)]
+        names = [x.name for x in candidates]
         if e.name in names:
             raise ModelError(
-                f"symbol '{e.name}' in '{_shown(root)}' is not the model's own: it was made with "
+                f"symbol '{e.name}' in '{_shortened(root)}' is not the model's own: it was made "
+                "with "
                 f"other assumptions. Use the symbol that the model returned for '{e.name}'"
             )
         hint = near(e.name, names)
-        raise ModelError(f"symbol '{e.name}' in '{_shown(root)}' is not known.{hint}")
+        raise ModelError(f"symbol '{e.name}' in '{_shortened(root)}' is not known.{hint}")
     if e == sympy.true or e == sympy.false:
         return ONE if e == sympy.true else ZERO
     return graph.const(_finite(e, root))
@@ -114,14 +116,14 @@ def _atom(graph: Graph, e: Any, done: Mapping[Any, int], root: Any) -> int:
 def _finite(e: Any, root: Any) -> float:
     """A SymPy number as a float."""
     if not (e.is_number and e.is_extended_real and e.is_finite):
-        raise ModelError(f"'{e}' in '{_shown(root)}' is not a finite real number")
+        raise ModelError(f"'{e}' in '{_shortened(root)}' is not a finite real number")
     value = float(e)
     if value in (float("inf"), float("-inf")):
-        raise ModelError(f"'{e}' in '{_shown(root)}' is too large for a number of the machine")
+        raise ModelError(f"'{e}' in '{_shortened(root)}' is too large for a number of the machine")
     return value
 
 
-def _shown(e: Any) -> str:
+def _shortened(e: Any) -> str:
     text = str(e)
     return text if len(text) <= 80 else text[:77] + "..."
 
@@ -145,11 +147,12 @@ def _product(graph: Graph, e: Any, done: Mapping[Any, int]) -> int:
     return graph.div(above, below)
 
 
-def _pieces(graph: Graph, e: Any, nodes: Sequence[int]) -> int:
+def _piecewise(graph: Graph, e: Any, nodes: Sequence[int]) -> int:
     """First piece whose condition holds."""
     if e.args[-1].cond != sympy.true:
         raise ModelError(
-            f"'{_shown(e)}' has no value where none of its conditions holds: end it with the piece "
+            f"'{_shortened(e)}' has no value where none of its conditions holds: end it with the "
+            "piece "
             "(value, True)"
         )
     result = nodes[-2]

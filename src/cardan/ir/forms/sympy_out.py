@@ -30,11 +30,11 @@ def to_sympy(what: What, names: Names | None = None) -> Any:
         names: (block, k) -> SymPy symbol; by default a Function's names of entries.
     """
     graph, roots, rows, columns = written_out(what)
-    found: dict[int, Any] = {}
+    expressions: dict[int, Any] = {}
     leaves = Leaves(graph, what, names)
     for i in live(graph, roots):
-        found[i] = expression_of(graph, i, found, leaves)
-    return shaped(what, rows, columns, [found[i] for i in roots])
+        expressions[i] = expression_of(graph, i, expressions, leaves)
+    return shaped(what, rows, columns, [expressions[i] for i in roots])
 
 
 def to_sympy_shared(
@@ -52,7 +52,7 @@ def to_sympy_shared(
         before it.
     """
     graph, roots, rows, columns = written_out(what)
-    found: dict[int, Any] = {}
+    expressions: dict[int, Any] = {}
     leaves = Leaves(graph, what, names)
     order = live(graph, roots)
     uses = dict.fromkeys(order, 0)
@@ -62,11 +62,11 @@ def to_sympy_shared(
     symbols = leaves.fresh(order, named)
     replacements: list[tuple[Any, Any]] = []
     for i in order:
-        found[i] = expression_of(graph, i, found, leaves)
+        expressions[i] = expression_of(graph, i, expressions, leaves)
         if uses[i] > 1 and graph.nodes[i][0] not in (*LEAVES, "neg", "solve"):
-            replacements.append((symbols(i), found[i]))
-            found[i] = replacements[-1][0]
-    return replacements, shaped(what, rows, columns, [found[i] for i in roots])
+            replacements.append((symbols(i), expressions[i]))
+            expressions[i] = replacements[-1][0]
+    return replacements, shaped(what, rows, columns, [expressions[i] for i in roots])
 
 
 def written_out(what: What) -> tuple[Graph, list[int], int, int]:
@@ -112,10 +112,10 @@ class Leaves:
                     self.names.setdefault((block.name, k), sympy.Symbol(entry))
 
     def symbol(self, i: int) -> Any:
-        op, name, *rest = self.graph.nodes[i]
+        op, name, *indices = self.graph.nodes[i]
         if op == "atom":
             return sympy.Symbol(name)
-        return self.names.get((name, rest[0])) or sympy.Symbol(f"{name}{rest[0]}")
+        return self.names.get((name, indices[0])) or sympy.Symbol(f"{name}{indices[0]}")
 
     def fresh(self, order: Sequence[int], named: bool) -> Callable[[int], Any]:
         """Gives nodes symbols that no leaf has: by label, else x0, x1, ..."""
@@ -127,9 +127,9 @@ class Leaves:
             op, *read = nodes[i]
             if named and op in ("sin", "cos") and nodes[read[0]][0] == "var":
                 owner, quantity = self.symbol(read[0]).name, op
-            words = ".".join(filter(None, (owner, quantity)))
-            forms = (f"{words}_{n}" for n in count(2)) if words else (f"x{n}" for n in count())
-            name = next(name for name in chain([words], forms) if name and name not in taken)
+            base = ".".join(filter(None, (owner, quantity)))
+            forms = (f"{base}_{n}" for n in count(2)) if base else (f"x{n}" for n in count())
+            name = next(name for name in chain([base], forms) if name and name not in taken)
             taken.add(name)
             return sympy.Symbol(name)
 
@@ -148,7 +148,7 @@ def sympy_number(value: float) -> Any:
     return sympy.Float(value)
 
 
-def expression_of(graph: Graph, i: int, found: Mapping[int, Any], leaves: Leaves) -> Any:
+def expression_of(graph: Graph, i: int, expressions: Mapping[int, Any], leaves: Leaves) -> Any:
     """A node in terms of its operands' expressions; solve nodes give matrices."""
     node = graph.nodes[i]
     op = node[0]
@@ -157,18 +157,18 @@ def expression_of(graph: Graph, i: int, found: Mapping[int, Any], leaves: Leaves
     if op in LEAVES:
         return leaves.symbol(i)
     if op == "solve":
-        return _solution(node[2], node[3], [found[k] for k in node[4:]])
+        return _solution(node[2], node[3], [expressions[k] for k in node[4:]])
     if op == "item":
-        return found[node[1]][node[2]]
+        return expressions[node[1]][node[2]]
     if op == "select":
-        condition = _condition(graph, node[1], found)
-        return sympy.Piecewise((found[node[2]], condition), (found[node[3]], True))
+        condition = _condition(graph, node[1], expressions)
+        return sympy.Piecewise((expressions[node[2]], condition), (expressions[node[3]], True))
     if op in RELATIONS or op in LOGIC:
-        return sympy.Piecewise((1, _condition(graph, i, found)), (0, True))
+        return sympy.Piecewise((1, _condition(graph, i, expressions)), (0, True))
     if op == "table":
         number, derivative = (int(graph.nodes[k][1]) for k in node[1:3])
-        return _table(graph, number, derivative)(found[node[3]])
-    return applied(op, *[found[k] for k in node[1:]])
+        return _table(graph, number, derivative)(expressions[node[3]])
+    return applied(op, *[expressions[k] for k in node[1:]])
 
 
 def applied(op: str, *given: Any) -> Any:
@@ -194,14 +194,14 @@ RELATIONS = {"lt": sympy.Lt, "le": sympy.Le, "eq": sympy.Eq}
 LOGIC = {"and": sympy.And, "or": sympy.Or, "not": sympy.Not}
 
 
-def _condition(graph: Graph, i: int, found: Mapping[int, Any]) -> Any:
+def _condition(graph: Graph, i: int, expressions: Mapping[int, Any]) -> Any:
     """A node as a truth value: it is not 0."""
     node = graph.nodes[i]
     if node[0] in RELATIONS:
-        return RELATIONS[node[0]](found[node[1]], found[node[2]])
+        return RELATIONS[node[0]](expressions[node[1]], expressions[node[2]])
     if node[0] in LOGIC:
-        return LOGIC[node[0]](*[_condition(graph, k, found) for k in node[1:]])
-    return sympy.Ne(found[i], 0)
+        return LOGIC[node[0]](*[_condition(graph, k, expressions) for k in node[1:]])
+    return sympy.Ne(expressions[i], 0)
 
 
 def _solution(n: int, m: int, entries: list[Any]) -> Any:

@@ -23,10 +23,11 @@ from typing import Any
 
 from ... import processes
 from ...errors import BuildError
+from ...schema import kernel_files
 from . import cache_folder, prebuilt
 from .cpu_levels import LEVELS, Level, family
 from .object_file import LOCK, NEW, Object, begun, intact, linked, seal, unwritable
-from .parallel_build import together
+from .parallel_build import in_parallel
 from .toolchain import Compiler, compile_shared, find_compiler
 
 VERSION = "4"
@@ -61,19 +62,19 @@ def level() -> Level:
         CompilerMissing: nothing was compiled when cardan was installed, and nothing can be.
         BuildError: CARDAN_LEVEL names none that this processor has.
     """
-    wanted = os.environ.get("CARDAN_LEVEL", "").strip()
-    return _level(wanted, prebuilt.level_object() or _without_level())
+    requested = os.environ.get("CARDAN_LEVEL", "").strip()
+    return _level(requested, prebuilt.level_object() or _without_level())
 
 
 @lru_cache(maxsize=8)
-def _level(wanted: str, by: Path | Compiler) -> Level:
+def _level(requested: str, by: Path | Compiler) -> Level:
     """The level of a name, else the highest."""
     highest = _highest(by)
     levels = {one.name: one for one in family() if one.number <= highest.number}
-    if not wanted or wanted in levels:
-        return levels.get(wanted, highest)
+    if not requested or requested in levels:
+        return levels.get(requested, highest)
     raise BuildError(
-        f"CARDAN_LEVEL={wanted!r} is no set of instructions that this processor has: "
+        f"CARDAN_LEVEL={requested!r} is not a set of instructions that this processor has: "
         f"{', '.join(levels)}"
     )
 
@@ -84,22 +85,22 @@ def _highest(by: Path | Compiler) -> Level:
     if isinstance(by, Path):
         chooser = Object(by, False).library()
     else:
-        chooser = build([prebuilt.DIRECTORY / prebuilt.LEVEL], by=by).load()
+        chooser = build([kernel_files.file(prebuilt.LEVEL)], by=by).load()
     return LEVELS[chooser.cardan_level()]
 
 
 def _remembered(cache: Path, mark: str, ask: Callable[[], str]) -> str:
     file = cache / "compilers.json"
     try:
-        known = {str(k): str(v) for k, v in json.loads(file.read_text(encoding="utf-8")).items()}
+        identities = {str(k): str(v) for k, v in json.loads(file.read_text(encoding="utf-8")).items()}
     except (OSError, ValueError, AttributeError):
-        known = {}
-    if mark not in known:
-        known[mark] = ask()
+        identities = {}
+    if mark not in identities:
+        identities[mark] = ask()
         # a cache that cannot be written to only means that it is asked again
         with suppress(OSError):
-            publish(file, json.dumps(known, indent=1).encode())
-    return known[mark]
+            publish(file, json.dumps(identities, indent=1).encode())
+    return identities[mark]
 
 
 def publish(path: Path, content: bytes) -> None:
@@ -169,10 +170,10 @@ def compiled(
     there = _there(name)
     if there is not None:
         return there
-    return _made_somewhere([name], sources, include, by, reproducible, extra)[0]
+    return _compiled_anywhere([name], sources, include, by, reproducible, extra)[0]
 
 
-def compiled_apart(
+def compiled_separately(
     texts: Sequence[Path],
     include: Path,
     reproducible: bool,
@@ -196,7 +197,7 @@ def compiled_apart(
         BuildError: the compiler failed, or there is no room to write.
     """
     pairs = zip(texts, extra, strict=True)
-    names = [_name([text], [include], by, reproducible, words) for text, words in pairs]
+    names = [_name([text], [include], by, reproducible, flags_of_text) for text, flags_of_text in pairs]
     flags = {name: tuple(words) for name, words in zip(names, extra, strict=True)}
     objects = {name: _there(name) for name in names}
     missing = {n: text for n, text in zip(names, texts, strict=True) if objects[n] is None}
@@ -206,15 +207,15 @@ def compiled_apart(
         share_sizes = {name: size for name, size in sizes.items() if flags[name] == words}
         for share in _shares(share_sizes, sum(sizes.values())):
             what = include, by, reproducible, words
-            tasks.append(partial(_Several.made, share, [missing[n] for n in share], *what))
-    for several in together(tasks):
+            tasks.append(partial(_Several.compiled, share, [missing[n] for n in share], *what))
+    for several in in_parallel(tasks):
         objects |= several.objects
     return [one for name in names if (one := objects[name]) is not None]
 
 
 @dataclass(frozen=True)
 class _Several:
-    """What one run of a compiler made.
+    """Results of one run of a compiler.
 
     Attributes:
         objects: By their names in the cache.
@@ -223,12 +224,12 @@ class _Several:
     objects: dict[str, Object]
 
     @staticmethod
-    def made(names: Sequence[str], *what: Any) -> _Several:
+    def compiled(names: Sequence[str], *what: Any) -> _Several:
         """Compiled under these names."""
-        return _Several(dict(zip(names, _made_somewhere(names, *what), strict=True)))
+        return _Several(dict(zip(names, _compiled_anywhere(names, *what), strict=True)))
 
     def discard(self) -> None:
-        """As :meth:`Object.discard`."""
+        """Same as :meth:`Object.discard`."""
         for one in self.objects.values():
             one.discard()
 
@@ -246,31 +247,31 @@ def _shares(sizes: dict[str, int], total: int) -> list[list[str]]:
     return shares
 
 
-def _made_somewhere(names: Sequence[str], *what: Any) -> list[Object]:
-    """Compiled in the cache, or where else there is room; as :func:`_made` takes it.
+def _compiled_anywhere(names: Sequence[str], *what: Any) -> list[Object]:
+    """Compiled in the cache, or where else there is room; as :func:`_compiled` takes it.
 
     Raises:
         BuildError: the compiler failed, or there is no room to write.
     """
     cache = cache_folder.directory()
     try:
-        return _made([cache / name for name in names], *what)
+        return _compiled([cache / name for name in names], *what)
     except OSError as error:
         elsewhere = cache_folder.instead(cache, f"{error.strerror or error}. {cache_folder.cure(error)}")
     try:
-        return _made([elsewhere / name for name in names], *what)
+        return _compiled([elsewhere / name for name in names], *what)
     except OSError as error:
         raise unwritable(elsewhere, error) from error
 
 
-def found(
+def cached(
     sources: Sequence[Path],
     include: Sequence[Path],
     reproducible: bool,
     by: Compiler,
     extra: Sequence[str] = (),
 ) -> Object | None:
-    """What :func:`compiled` would give, if it is in the cache."""
+    """The object that :func:`compiled` would give, if it is in the cache."""
     return _there(_name(sources, include, by, reproducible, extra))
 
 
@@ -289,20 +290,22 @@ def _name(
 
 
 def headers(sources: Sequence[Path], include: Sequence[Path]) -> set[Path]:
-    """What the sources include, and what that includes: other scenes share texts that know no more.
+    """Headers that the sources include, directly or not:
+
+    other scenes share texts that know no more.
 
     A header counts in every directory where it stands, whichever of them the compiler takes.
     """
-    found: set[Path] = set()
+    included: set[Path] = set()
     left = list(sources)
     while left:
         path = left.pop()
         names = INCLUDE.findall(path.read_text("utf-8", "replace"))
         places = {path.parent, *include}
         more = {file for name in names for place in places if (file := place / name).is_file()}
-        left += more - found
-        found |= more
-    return found
+        left += more - included
+        included |= more
+    return included
 
 
 def _there(name: str) -> Object | None:
@@ -314,7 +317,7 @@ def _there(name: str) -> Object | None:
     return None
 
 
-def _made(
+def _compiled(
     places: Sequence[Path],
     sources: Sequence[Path],
     include: Path | Sequence[Path],
@@ -328,25 +331,25 @@ def _made(
     """
     cache = places[0].parent
     sweep(cache)
-    made = begun(places)
+    objects = begun(places)
     try:
-        output, files = made[0].path, sources
+        output, files = objects[0].path, sources
         if len(places) > 1:
             # the directory of the sources is among those of headers
             text = "".join(f'#include "{source.name}"\n' for source in sources)
             files = [output.with_suffix(".c")]
             files[0].write_text(text, encoding="utf-8")
         folders = [include] if isinstance(include, Path) else include
-        given = reproducible, cache / "zig", extra, sources
-        compile_shared(by, files, folders, output, *given)
+        options = reproducible, cache / "zig", extra, sources
+        compile_shared(by, files, folders, output, *options)
         seal(output)
-        for one in made[1:]:
+        for one in objects[1:]:
             linked(output, one.path)
     except BaseException:
-        for one in made:
+        for one in objects:
             one.discard()
         raise
-    return made
+    return objects
 
 
 def sweep(cache: Path) -> list[Path]:
@@ -364,7 +367,7 @@ def sweep(cache: Path) -> list[Path]:
 
 
 def _abandoned(path: Path) -> bool:
-    """Whether no living process holds the lock of a path."""
+    """True when no living process holds the lock of a path."""
     try:
         handle = os.open(path / LOCK if path.is_dir() else path, os.O_RDWR)
     except FileNotFoundError:

@@ -19,15 +19,15 @@ from functools import lru_cache
 from pathlib import Path
 
 from ...errors import BuildError, BuildWarning, warn
-from .file_trust import OTHERS, OWNERS, exposed
+from .file_trust import GROUP_OR_WORLD, OWNERS, exposed
 
 # others may not even list it: it shows what somebody works on
 PRIVATE = 0o700
 OURS = re.compile(r"[0-9a-f]{64}\.so\Z|models\Z|zig\Z|compilers\.json\Z|\.new-")
 
 
-def wanted() -> Path:
-    """Where the cache should be: ``$CARDAN_CACHE`` or the usual place."""
+def configured() -> Path:
+    """Configured folder of the cache: ``$CARDAN_CACHE`` or the usual place."""
     named = os.environ.get("CARDAN_CACHE")
     usual = os.environ.get("XDG_CACHE_HOME") or os.path.join(os.path.expanduser("~"), ".cache")
     return Path(named or os.path.join(usual, "cardan")).absolute()
@@ -39,15 +39,15 @@ def directory() -> Path:
     One that was removed meanwhile is made again. Who may change it is looked at in every call:
     what lies in it is about to be loaded.
     """
-    path = wanted()
-    found = _usable(path)
+    path = configured()
+    folder = _usable(path)
     try:
-        reason = exposed(found)
+        reason = exposed(folder)
     except OSError:
         _usable.cache_clear()
-        found = _usable(path)
-        reason = exposed(found)
-    return instead(path, f"{reason}. {_ELSEWHERE}") if reason else found
+        folder = _usable(path)
+        reason = exposed(folder)
+    return instead(path, f"{reason}. {_ELSEWHERE}") if reason else folder
 
 
 @lru_cache(maxsize=8)
@@ -71,7 +71,7 @@ def refusal(path: Path) -> str:
     if foreign:
         return f"it holds other things ({foreign}). {_ELSEWHERE}"
     # what others may have written cannot be trusted any more; what they may read is closed
-    if OWNERS and status.st_mode & OTHERS:
+    if OWNERS and status.st_mode & GROUP_OR_WORLD:
         return f"it is not private: others may write to it. Run: rm -r {path}"
     try:
         if stat.S_IMODE(status.st_mode) != PRIVATE:
@@ -103,7 +103,7 @@ _CURES = {
 
 
 def cure(error: OSError) -> str:
-    """What to do where the cache cannot be written to."""
+    """Remedy where the cache cannot be written to."""
     return _CURES.get(error.errno or 0, "Set CARDAN_CACHE to another folder")
 
 
@@ -125,13 +125,13 @@ def instead(path: Path, reason: str) -> Path:
 
 @lru_cache(maxsize=8)
 def _temporary(path: Path, reason: str, process: int) -> Path:
-    made = scratch(process)
+    folder = scratch(process)
     warn(
         f"the compile cache {path} cannot be used: {reason}. What is compiled now is lost when "
         "this process ends",
         BuildWarning,
     )
-    return made
+    return folder
 
 
 _SCRATCH: dict[int, Path] = {}

@@ -33,7 +33,7 @@ class Level:
     zig: tuple[str, ...] = ()
 
     def plainest(self) -> Level:
-        """What all machines like those of this level have."""
+        """The level that all machines of the family have."""
         return next(levels[0] for levels in (X86, ARM, (OTHER,)) if self in levels)
 
 

@@ -13,13 +13,13 @@ from functools import lru_cache
 from pathlib import Path
 
 MOST_LINKS = 40
-OTHERS = stat.S_IWGRP | stat.S_IWOTH
+GROUP_OR_WORLD = stat.S_IWGRP | stat.S_IWOTH
 # Windows has lists of who may do what instead; owners and modes that Python tells there say nothing
 OWNERS = hasattr(os, "geteuid")
 
 
 def exposed(path: Path) -> str:
-    """Which folder on the way to a place others may change; "" if they may not.
+    """Folder on the way to a place that others may change; "" if there is none.
 
     Args:
         path: A folder that exists, as it is named: links on the way are followed and looked at.
@@ -35,34 +35,34 @@ def exposed(path: Path) -> str:
     return ""
 
 
-def own(status: os.stat_result) -> bool:
-    """Whether a file that was opened belongs to this user and others may not write to it."""
+def is_mine(status: os.stat_result) -> bool:
+    """True when a file that was opened belongs to this user and others may not write to it."""
     mine = not OWNERS or (status.st_uid in (0, os.geteuid()) and not _open(status))
     return mine and stat.S_ISREG(status.st_mode)
 
 
 def _open(status: os.stat_result) -> bool:
-    """Whether others may write to something; a group of one's own is nobody else."""
-    mode = status.st_mode & OTHERS
+    """True when others may write to something; a group of one's own is nobody else."""
+    mode = status.st_mode & GROUP_OR_WORLD
     return bool(mode & stat.S_IWOTH or (mode and not _alone(status.st_gid, status.st_uid)))
 
 
 @lru_cache(maxsize=64)
 def _alone(group: int, user: int) -> bool:
-    """Whether a group is the private one of a user, with nobody else in it."""
+    """True when a group is the private one of a user, with nobody else in it."""
     with suppress(ImportError, KeyError):
         import grp
         import pwd
 
-        name, known = pwd.getpwuid(user).pw_name, grp.getgrgid(group)
-        return known.gr_name == name and set(known.gr_mem) <= {name}
+        name, group_entry = pwd.getpwuid(user).pw_name, grp.getgrgid(group)
+        return group_entry.gr_name == name and set(group_entry.gr_mem) <= {name}
     return False
 
 
 def _way(path: str) -> list[tuple[str, os.stat_result]]:
     """Everything that is looked up on the way to a place, links and what they lead to."""
     here, left, links = os.sep, path.split(os.sep)[::-1], 0
-    found = [(here, os.lstat(here))]
+    steps = [(here, os.lstat(here))]
     while left:
         name = left.pop()
         if name in ("", "."):
@@ -72,7 +72,7 @@ def _way(path: str) -> list[tuple[str, os.stat_result]]:
             continue
         place = os.path.join(here, name)
         status = os.lstat(place)
-        found.append((place, status))
+        steps.append((place, status))
         if not stat.S_ISLNK(status.st_mode):
             here = place
             continue
@@ -82,4 +82,4 @@ def _way(path: str) -> list[tuple[str, os.stat_result]]:
         target = os.readlink(place)
         left += target.split(os.sep)[::-1]
         here = os.sep if target.startswith(os.sep) else here
-    return found
+    return steps

@@ -15,6 +15,7 @@ from functools import lru_cache
 from pathlib import Path
 
 from ... import processes
+from ...schema import kernel_files
 from . import cache, prebuilt
 from .cpu_levels import LEVELS, Level, family
 from .object_file import Object
@@ -59,7 +60,7 @@ def _library(level: Level, variant: prebuilt.Variant) -> ctypes.CDLL:
     if installed is not None:
         return Object(installed, False).library()
     built = cache.build(
-        variant.sources(), [prebuilt.DIRECTORY], variant.reproducible, extra=variant.macros
+        variant.sources(), kernel_files.includes(), variant.reproducible, extra=variant.macros
     )
     return built.load()
 
@@ -83,7 +84,7 @@ def install(place: Path, levels: Sequence[Level], by: Compiler, say: Callable[[s
         tempfile.TemporaryDirectory(dir=place) as scratch,
         ThreadPoolExecutor(os.cpu_count()) as pool,
     ):
-        choice = _Library("level", [prebuilt.DIRECTORY / prebuilt.LEVEL], plain)
+        choice = _Library("level", [kernel_files.file(prebuilt.LEVEL)], plain)
         chooser = choice.compiled(place, Path(scratch), say)
         widths: Sequence[int] = prebuilt.WIDTHS
         if not levels:
@@ -120,7 +121,7 @@ def _packed(path: Path) -> int:
 
 @dataclass(frozen=True)
 class _Library:
-    """What becomes one library, as :func:`install` compiles it."""
+    """One library to compile, as :func:`install` does it."""
 
     name: str
     sources: list[Path]
@@ -130,13 +131,13 @@ class _Library:
 
     def compiled(self, place: Path, scratch: Path, say: Callable[[str], None]) -> str:
         """Name of its file in a folder, where it is now."""
-        started, include = time.perf_counter(), [prebuilt.DIRECTORY]
+        started, include = time.perf_counter(), kernel_files.includes()
         headers = cache.headers(self.sources, include)
         name = f"{cache.key(self.sources, headers, self.by, self.reproducible, self.macros)}.so"
         path = place / name
         if not path.exists():
-            given = self.reproducible, scratch / "zig", self.macros
-            compile_shared(self.by, self.sources, include, scratch / name, *given)
+            options = self.reproducible, scratch / "zig", self.macros
+            compile_shared(self.by, self.sources, include, scratch / name, *options)
             os.replace(scratch / name, path)
             say(
                 f"kernels: {self.by.level.name:<10} {self.name:<16}"

@@ -34,7 +34,7 @@ LIFELINES: dict[int, int] = {}
 
 @dataclass(frozen=True)
 class Limits:
-    """What a compiler may take.
+    """Time and memory that a compiler may take.
 
     Attributes:
         seconds: Time, on the clock and of the processor [s].
@@ -46,25 +46,25 @@ class Limits:
 
     @classmethod
     def of_environment(cls) -> Limits:
-        """As ``CARDAN_COMPILE_SECONDS`` and ``CARDAN_COMPILE_MEMORY`` [MiB] say.
+        """Limits from ``CARDAN_COMPILE_SECONDS`` and ``CARDAN_COMPILE_MEMORY`` [MiB].
 
         Raises:
-            BuildError: one is no positive whole number.
+            BuildError: one is not a positive whole number.
         """
-        found = {}
+        limits = {}
         for name in ("seconds", "memory"):
             variable = f"CARDAN_COMPILE_{name.upper()}"
             text = os.environ.get(variable, "").strip()
             if text and not (text.isascii() and text.isdigit() and 0 < int(text) < 10**9):
                 raise BuildError(f"{variable}={text!r} must be a positive whole number")
             if text:
-                found[name] = int(text)
-        return cls(**found)
+                limits[name] = int(text)
+        return cls(**limits)
 
 
 @dataclass(frozen=True)
 class Answer:
-    """How a program ended: its status, what it wrote, and whether its time was up."""
+    """End of a program: its status, its output, and a flag for a timeout."""
 
     status: int
     output: str

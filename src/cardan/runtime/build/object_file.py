@@ -20,7 +20,7 @@ from pathlib import Path
 from ... import processes, regular_file
 from ...errors import BuildError
 from . import cache_folder
-from .file_trust import exposed, own
+from .file_trust import exposed, is_mine
 
 DIGEST = 32
 NEW = ".new-"
@@ -120,7 +120,7 @@ class Object:
 
 
 def unwritable(place: Path, error: OSError) -> BuildError:
-    """What is said where nothing can be written."""
+    """Error for a place that cannot be written to."""
     return BuildError(
         f"{place} cannot be written to ({error.strerror or error}). {cache_folder.cure(error)}"
     )
@@ -132,14 +132,14 @@ def begun(places: Sequence[Path]) -> list[Object]:
     paths = [directory / f"object{k or ''}.so" for k in range(len(places))]
     lock = FileIO(os.open(directory / LOCK, os.O_RDWR | os.O_CREAT), "r+")
     workplace = Workplace(lock, set(paths))
-    made = [Object(path, True, place, workplace) for path, place in zip(paths, places, strict=True)]
+    objects = [Object(path, True, place, workplace) for path, place in zip(paths, places, strict=True)]
     try:
         processes.lock(lock.fileno())
     except BaseException:
-        for one in made:
+        for one in objects:
             one.discard()
         raise
-    return made
+    return objects
 
 
 def linked(file: Path, place: Path) -> None:
@@ -158,13 +158,13 @@ def seal(path: Path) -> None:
 
 
 def intact(path: Path) -> bool:
-    """Whether the file is there, this user's alone, and is what the linker wrote."""
+    """True when the file is there, this user's alone, and is what the linker wrote."""
     try:
         handle = os.open(path, FLAGS)
         with open(handle, "rb") as file:
             status, total = os.fstat(handle), hashlib.sha256()
             left = status.st_size - DIGEST
-            if not own(status) or not 0 <= left <= LARGEST:
+            if not is_mine(status) or not 0 <= left <= LARGEST:
                 return False
             # in chunks: a damaged file may be larger than memory
             while left > 0 and (chunk := file.read(min(left, CHUNK))):

@@ -14,40 +14,40 @@ from . import limited_subprocess
 PATIENCE = 0.02
 
 
-class Made(Protocol):
-    """What a compilation makes."""
+class Removable(Protocol):
+    """Result of a compilation."""
 
     def discard(self) -> None:
         """Throw it away, unless others have it."""
 
 
-T = TypeVar("T", bound=Made)
+T = TypeVar("T", bound=Removable)
 
 
-def together(tasks: Sequence[Callable[[], T]]) -> list[T]:
-    """What all tasks make, in their order; the first error of one ends all."""
+def in_parallel(tasks: Sequence[Callable[[], T]]) -> list[T]:
+    """Results of all tasks, in their order; the first error of one ends all."""
     if len(tasks) < 2:
         return [task() for task in tasks]
     threads: set[int] = set()
     workers = min(len(tasks), os.cpu_count() or 1)
     with ThreadPoolExecutor(workers, "", lambda: threads.add(get_ident())) as pool:
-        running = [pool.submit(task) for task in tasks]
+        futures = [pool.submit(task) for task in tasks]
         try:
-            done = [task.exception() for task in running]
+            done = [task.exception() for task in futures]
         except BaseException:
             # Ctrl-C reaches this thread alone: the compilers of the others end now, those too
             # that a thread is just about to start
             pool.shutdown(wait=False, cancel_futures=True)
-            begun = [task for task in running if not task.cancelled()]
+            begun = [task for task in futures if not task.cancelled()]
             while wait(begun, timeout=PATIENCE).not_done:
                 limited_subprocess.stop(threads)
-            _discard(running)
+            _discard(futures)
             raise
     failed = [error for error in done if error]
     if failed:
-        _discard(running)
+        _discard(futures)
         raise failed[0]
-    return [task.result() for task in running]
+    return [task.result() for task in futures]
 
 
 def _discard(tasks: Sequence[Future[T]]) -> None:

@@ -15,14 +15,13 @@ from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
 
-from ...schema.records import KERNELS
+from ...schema import kernel_files
 from .cpu_levels import Level
 
-DIRECTORY = KERNELS
 LEVEL = "level.c"  # chooses among the others, so that it is built for any processor
 INDEX = "index.json"
 # what works on lanes: shared parameters, or each lane its own
-LANE_SOURCES = (("batch.c", "abreast.c", "lane_*.c", "layouts.c"), ("batch.c",))
+LANE_SOURCES = (("batch.c", "simd_steps.c", "lane_*.c", "layouts.c"), ("batch.c",))
 WIDTHS = (2, 4, 8)
 
 
@@ -42,24 +41,24 @@ class Variant:
 
     @property
     def name(self) -> str:
-        """As ``index.json`` calls it: ``"scalar"``, ``"lanes8-own-exact"``."""
+        """Name in ``index.json``: ``"scalar"``, ``"lanes8-own-exact"``."""
         lanes = f"lanes{self.lanes}" if self.lanes > 1 else "scalar"
         return lanes + "-own" * self.lane_parameters + "-exact" * self.reproducible
 
     @property
     def macros(self) -> tuple[str, ...]:
-        """What the compiler is told beside its flags."""
+        """Macros for the compiler."""
         return macros(self.lanes, self.lane_parameters) if self.lanes > 1 else ()
 
     def sources(self) -> list[Path]:
         """C files."""
         patterns = ("*.c",) if self.lanes == 1 else LANE_SOURCES[self.lane_parameters]
-        paths = {path for pattern in patterns for path in DIRECTORY.glob(pattern)}
-        return sorted(paths - {DIRECTORY / LEVEL})
+        paths = {path for pattern in patterns for path in kernel_files.files(pattern)}
+        return sorted(paths - {kernel_files.file(LEVEL)})
 
 
 def macros(lanes: int, lane_parameters: bool) -> tuple[str, ...]:
-    """What a compiler is told of lanes, and of parameters that each of them has for itself."""
+    """Compiler macros for the lanes, and for parameters that each of them has for itself."""
     parameters = ("-DCARDAN_LANE_PARAMETERS",) if lane_parameters else ()
     return (f"-DCARDAN_LANES={lanes}", *parameters)
 
@@ -76,7 +75,7 @@ def variants(widths: Sequence[int] = WIDTHS) -> Iterator[Variant]:
 def digest(pattern: str = "*.[ch]") -> str:
     """Hash of kernel sources; of all by default."""
     total = hashlib.sha256()
-    for path in sorted(DIRECTORY.glob(pattern)):
+    for path in kernel_files.files(pattern):
         content = path.read_bytes()
         total.update(f"\0{path.name}\0{len(content)}\0".encode())
         total.update(content)
@@ -90,7 +89,7 @@ def machine() -> str:
 
 @dataclass(frozen=True)
 class Index:
-    """What was compiled when cardan was installed.
+    """Index of the libraries compiled when cardan was installed.
 
     Attributes:
         sources: Hash of the sources.
@@ -110,7 +109,7 @@ class Index:
 
     @classmethod
     def of(cls, compiler: str, level: str, objects: dict[str, dict[str, str]]) -> Index:
-        """What was compiled here, of the sources as they are."""
+        """Index of libraries compiled here from the sources as they are."""
         return cls(digest(), machine(), compiler, level, digest(LEVEL), objects)
 
     def text(self) -> bytes:
@@ -119,12 +118,12 @@ class Index:
 
 
 def folder() -> Path:
-    """Where the objects are."""
-    return DIRECTORY / "built"
+    """Folder of the objects."""
+    return kernel_files.KERNELS / "built"
 
 
 def _index() -> Index | None:
-    """What was compiled for machines like this one, of whatever sources."""
+    """Index of libraries for machines like this one, from whatever sources."""
     try:
         index = Index(**json.loads((folder() / INDEX).read_text("utf-8")))
     except (OSError, ValueError, TypeError):
@@ -135,7 +134,7 @@ def _index() -> Index | None:
 
 @lru_cache(maxsize=1)
 def current() -> Index | None:
-    """What is there of these very sources; None if nothing is."""
+    """Index of libraries from these very sources; None without any."""
     index = _index()
     return index if index and index.sources == digest() else None
 

@@ -1,4 +1,4 @@
-"""What lies in the compile cache, and how to get rid of it."""
+"""Contents of the compile cache, and their removal."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from .object_file import NEW, intact
 DAY = 86400.0
 OBJECT = re.compile(r"[0-9a-f]{64}\.so\Z")
 MODEL = re.compile(r"[0-9a-f]{32,64}\Z")
-REST = ("zig", "compilers.json")
+OTHER_CONTENT = ("zig", "compilers.json")
 
 
 @dataclass(frozen=True)
@@ -32,14 +32,14 @@ class Content:
 
 
 def content(place: Path) -> Content:
-    """What a cache holds."""
-    found = list(_things(place))
+    """Contents of a cache."""
+    paths = list(_things(place))
     left = list(place.glob(f"{NEW}*")) if place.is_dir() else []
     return Content(
-        objects=sum(path.suffix == ".so" for path in found),
-        models=sum(path.parent != place for path in found),
+        objects=sum(path.suffix == ".so" for path in paths),
+        models=sum(path.parent != place for path in paths),
         leftovers=len(left),
-        size=_size([*found, *left]),
+        size=_size([*paths, *left]),
     )
 
 
@@ -75,7 +75,7 @@ def _things(place: Path) -> Iterator[Path]:
     if not place.is_dir():
         return
     for path in sorted(place.iterdir()):
-        if OBJECT.match(path.name) or path.name in REST:
+        if OBJECT.match(path.name) or path.name in OTHER_CONTENT:
             yield path
     models = place / "models"
     if models.is_dir():

@@ -33,7 +33,7 @@ OPTIMIZATIONS = ("0", "1", "2", "3")
 ALL_CHAINS = "--param=avoid-fma-max-bits=0"
 FIRST_TO_AVOID = 8
 SHARED_FLAGS = ("-shared", "-fPIC", "-pipe")
-SHOWN = 8
+MAX_PRINTED = 8
 
 
 @dataclass(frozen=True)
@@ -128,8 +128,8 @@ class Candidate(NamedTuple):
     def mark(self) -> str:
         """Text that changes when the compiler does."""
         status = self.binary.stat()
-        words = " ".join(self.command)
-        return f"{words}|{self.binary}|{status.st_mtime_ns}|{status.st_size}"
+        command = " ".join(self.command)
+        return f"{command}|{self.binary}|{status.st_mtime_ns}|{status.st_size}"
 
 
 def candidates() -> Iterator[Candidate]:
@@ -150,16 +150,16 @@ def candidates() -> Iterator[Candidate]:
 def _named(text: str) -> Candidate:
     """The compiler that CC speaks of."""
     try:
-        words = shlex.split(text)
+        arguments = shlex.split(text)
     except ValueError as error:
-        raise BuildError(f"CC={text!r} is no command: {error}") from None
-    path = shutil.which(words[0])
+        raise BuildError(f"CC={text!r} is not a command: {error}") from None
+    path = shutil.which(arguments[0])
     if path is None:
         raise BuildError(
-            f"CC={text!r}: there is no program {words[0]!r} on the PATH. Correct CC, or unset it "
+            f"CC={text!r}: there is no program {arguments[0]!r} on the PATH. Correct CC, or unset it "
             "to have cc, gcc, clang and ziglang tried"
         )
-    return Candidate((path, *words[1:]), Path(path).resolve(), "$CC")
+    return Candidate((path, *arguments[1:]), Path(path).resolve(), "$CC")
 
 
 def ziglang() -> list[Candidate]:
@@ -173,7 +173,7 @@ def ziglang() -> list[Candidate]:
 
 
 def ask_version(command: Sequence[str]) -> str:
-    """What the compiler says about itself: the first line and the target."""
+    """Version of the compiler: its first line and the target."""
     try:
         answer = subprocess.run(
             [*command, "--version"],
@@ -199,16 +199,16 @@ def find_compiler(remembered: Callable[[str, Callable[[], str]], str]) -> Compil
         CompilerMissing: there is no compiler. BuildError: what ``$CC`` names does not answer.
     """
     silent = ""
-    for found in candidates():
-        command = found.command
+    for candidate in candidates():
+        command = candidate.command
         try:
-            identity = remembered(found.mark(), partial(ask_version, command))
+            identity = remembered(candidate.mark(), partial(ask_version, command))
         except BuildError as error:
-            if found.name == "$CC":
+            if candidate.name == "$CC":
                 raise
             silent += f"; {error}"
             continue
-        return Compiler(command, found.binary, identity)
+        return Compiler(command, candidate.binary, identity)
     raise CompilerMissing(
         "no C compiler here: looked for $CC, cc, gcc and clang on the PATH and for the Python "
         f"package ziglang{silent}. Install one of them, such as: pip install 'cardan[compiler]'"
@@ -270,9 +270,9 @@ def _complain(
     """Say what stopped a compiler, and what to do."""
     if any(text in answer.errors for text in FULL):
         raise OSError(errno.ENOSPC, "No space left on device")
-    program, what = Path(command[0]).name, ", ".join(sources[:SHOWN])
-    if len(sources) > SHOWN:
-        what += f" and {len(sources) - SHOWN} more"
+    program, what = Path(command[0]).name, ", ".join(sources[:MAX_PRINTED])
+    if len(sources) > MAX_PRINTED:
+        what += f" and {len(sources) - MAX_PRINTED} more"
     if answer.late or "CPU time limit" in answer.errors:
         raise BuildError(
             f"{program} was stopped: {what} took it longer than {limits.seconds} s. Allow more "
@@ -295,4 +295,4 @@ def _errors(text: str) -> str:
     """The first lines of a compiler's answer that speak of errors."""
     lines = [line for line in text.splitlines() if line.strip()]
     telling = [line for line in lines if "error" in line.lower()]
-    return "\n".join((telling or lines)[:SHOWN]) or "it said nothing"
+    return "\n".join((telling or lines)[:MAX_PRINTED]) or "it said nothing"

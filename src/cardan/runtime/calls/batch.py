@@ -26,7 +26,7 @@ Single = Callable[[list[Array | None], Sequence[int], Array], tuple[int, int]]
 Run = Callable[[int, int], Answer]
 
 FIRST = 256  # states before the time of one is known
-PIECE = 0.03  # seconds between two looks at signals
+CHUNK_SECONDS = 0.03  # seconds between two looks at signals
 FEW = 32  # states from which on lanes are worth a thought
 THREADED = 4e-3  # seconds of work from which on threads pay
 DIFFERENCE = 1e-6  # of the largest entry; builds of one text differ by rounding, if at all
@@ -38,18 +38,18 @@ def cores() -> int:
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
-def threads(asked: int | None = None) -> int:
+def threads(requested: int | None = None) -> int:
     """Threads of a large batch: as asked for, else ``$CARDAN_THREADS``, else the cores.
 
     Raises:
-        BuildError: that is no number of threads.
+        BuildError: that is not a number of threads.
     """
-    text = os.environ.get("CARDAN_THREADS", "").strip() if asked is None else str(asked)
+    text = os.environ.get("CARDAN_THREADS", "").strip() if requested is None else str(requested)
     if not text:
         return cores()
     if not (text.isascii() and text.isdigit()) or int(text) < 1:
-        where = "CARDAN_THREADS" if asked is None else "threads"
-        raise BuildError(f"{where}={text} is no number of threads: 1, 2, ...")
+        where = "CARDAN_THREADS" if requested is None else "threads"
+        raise BuildError(f"{where}={text} is not a number of threads: 1, 2, ...")
     return int(text)
 
 
@@ -84,14 +84,14 @@ class Batch:
         address: int = 0,
         sizes: Sequence[int] = (),
         work_size: int = 0,
-        asked: int | None = None,
+        thread_count: int | None = None,
     ) -> None:
         self.name = name
         self.recipe = recipe
         self.address = address
         self.sizes = tuple(sizes) or (0,) * len(ORDER)
         self.work_size = work_size
-        self.asked = asked
+        self.thread_count = thread_count
         self._lock = threading.RLock()
         # by whether every state has parameters of its own
         self._built: dict[bool, Lanes | None] = {}
@@ -99,7 +99,7 @@ class Batch:
 
     @property
     def cost(self) -> float:
-        """What the compiler is expected to take for a lane build [s]."""
+        """Expected compile time of a lane build [s]."""
         return np.inf if self.recipe is None else self.recipe.seconds
 
     def run(
@@ -115,32 +115,32 @@ class Batch:
             (first status that is not 0, index of that state or -1, whether all numbers that are
             read and all results are known to be finite).
         """
-        states, own = States(blocks, strides, out), strides[SLOT["w"]] != 0
+        states, lane_parameters = States(blocks, strides, out), strides[SLOT["w"]] != 0
         count, single = len(out), one_by_one(one, states)
-        way = (self.found(own, states) if count >= FEW else None) or single
-        found: list[Answer] = []
+        way = (self.lane_run(lane_parameters, states) if count >= FEW else None) or single
+        answers: list[Answer] = []
         at, end = 0, min(count, FIRST)
         while at < count:
             before = time.perf_counter()
-            found.append(way(at, end))
+            answers.append(way(at, end))
             spent = time.perf_counter() - before
             rate, at = spent / (end - at), end
             left = rate * (count - at)
             if way is single and count >= FEW:
-                self._spent[own] += spent
-                if self._spent[own] + left > self.cost:
-                    way = self._better(own, one, states) or single
+                self._spent[lane_parameters] += spent
+                if self._spent[lane_parameters] + left > self.cost:
+                    way = self._better(lane_parameters, one, states) or single
             # whole blocks of lanes
-            piece = max(1, int(PIECE / max(rate, 1e-9)) // LARGEST) * LARGEST
-            if left > THREADED and self.address and threads(self.asked) > 1:
-                found.extend(self._threaded(way, at, count, piece))
+            chunk = max(1, int(CHUNK_SECONDS / max(rate, 1e-9)) // LARGEST) * LARGEST
+            if left > THREADED and self.address and threads(self.thread_count) > 1:
+                answers.extend(self._threaded(way, at, count, chunk))
                 break
-            end = min(count, at + piece)
-        failed = next((answer for answer in found if answer[0]), None)
-        return failed or (0, -1, all(finite for _, _, finite in found))
+            end = min(count, at + chunk)
+        failed = next((answer for answer in answers if answer[0]), None)
+        return failed or (0, -1, all(finite for _, _, finite in answers))
 
     def watches(self, strides: Sequence[int], count: int) -> tuple[bool, ...]:
-        """Whether a run will look for numbers that are not finite, by slot."""
+        """Mask of the slots that a run checks for numbers that are not finite."""
         lanes = count >= FEW and self.ready(strides[SLOT["w"]] != 0) is not None
         return tuple(lanes and size > 0 for size in self.sizes)
 
@@ -150,55 +150,57 @@ class Batch:
         built = self._built.get(False)
         return 1 if built is None else built.width
 
-    def _threaded(self, way: Run, start: int, count: int, piece: int) -> list[Answer]:
+    def _threaded(self, way: Run, start: int, count: int, chunk: int) -> list[Answer]:
         """The states from ``start`` on, shared by threads."""
-        many = threads(self.asked)
+        many = threads(self.thread_count)
         share = -(-(count - start) // (many * LARGEST)) * LARGEST
-        step = min(piece, share)
+        step = min(chunk, share)
         with ThreadPoolExecutor(many, "cardan") as pool:
-            running = [
+            futures = [
                 pool.submit(way, at, min(count, at + step)) for at in range(start, count, step)
             ]
             try:
-                return [task.result() for task in running]
+                return [task.result() for task in futures]
             finally:
                 # Ctrl-C: what has not begun does not begin
-                for task in running:
+                for task in futures:
                     task.cancel()
 
-    def ready(self, own: bool) -> Lanes | None:
+    def ready(self, lane_parameters: bool) -> Lanes | None:
         """The lane build, if it was made before, here or by another process."""
         with self._lock:
-            if self.recipe is not None and own not in self._built:
+            if self.recipe is not None and lane_parameters not in self._built:
                 lanes = width()
-                self._built[own] = self.recipe.there(lanes, own) if lanes > 1 else None
-            return self._built.get(own)
+                self._built[lane_parameters] = (
+                    self.recipe.there(lanes, lane_parameters) if lanes > 1 else None
+                )
+            return self._built.get(lane_parameters)
 
-    def found(self, own: bool, states: States) -> Run | None:
+    def lane_run(self, lane_parameters: bool, states: States) -> Run | None:
         """The call of the lane build, if it was made before."""
-        built = self.ready(own)
+        built = self.ready(lane_parameters)
         if built is None:
             return None
         return built.call(self.address, states, self.sizes, self.work_size)
 
-    def _better(self, own: bool, one: Single, states: States) -> Run | None:
+    def _better(self, lane_parameters: bool, one: Single, states: States) -> Run | None:
         """The call of the lane build, made now; None where there can be none."""
         if self.recipe is None or width() == 1:
-            self._spent[own] = -np.inf
+            self._spent[lane_parameters] = -np.inf
             return None
         try:
-            self.build(own, one, states)
+            self.build(lane_parameters, one, states)
         except BuildError as error:
-            self._spent[own] = -np.inf
+            self._spent[lane_parameters] = -np.inf
             warn(
                 f"{self.name}: no build for several states at once, they are done one by one. "
                 f"{error}",
                 BuildWarning,
             )
             return None
-        return self.found(own, states)
+        return self.lane_run(lane_parameters, states)
 
-    def build(self, own: bool, one: Single, states: States) -> int:
+    def build(self, lane_parameters: bool, one: Single, states: States) -> int:
         """Make the lane build now unless it is there.
 
         Args:
@@ -212,21 +214,21 @@ class Batch:
             BuildError: the compiler failed, or results differ.
         """
         with self._lock:
-            found = self._built.get(own)
+            lanes_built = self._built.get(lane_parameters)
             lanes = 1 if self.recipe is None else width()
             if self.recipe is None or lanes == 1:
                 return 1
-            if found is None:
-                found = self.recipe.made(lanes, own)
+            if lanes_built is None:
+                lanes_built = self.recipe.built_now(lanes, lane_parameters)
                 try:
-                    if found.built.fresh:
-                        self._compare(found, one, states)
+                    if lanes_built.built.fresh:
+                        self._compare(lanes_built, one, states)
                 except BaseException:
-                    found.built.discard()
+                    lanes_built.built.discard()
                     raise
-                found = replace(found, built=found.built.published())
-                self._built[own] = found
-            return found.width
+                lanes_built = replace(lanes_built, built=lanes_built.built.published())
+                self._built[lane_parameters] = lanes_built
+            return lanes_built.width
 
     def _compare(self, lanes: Lanes, one: Single, states: States) -> None:
         """Both builds at the first states.

@@ -18,7 +18,7 @@ from . import abi
 from .batch import Batch
 from .interpreted import Interpreted
 
-SHOWN = 12
+MAX_PRINTED = 12
 LARGEST = np.iinfo(np.intp).max // 8  # numbers that can be addressed
 
 
@@ -123,20 +123,20 @@ class Caller:
         count = prod(lead)
         blocks: list[Array | None] = [None] * len(ORDER)
         strides = [0] * len(ORDER)
-        given: list[tuple[Argument, Array]] = []
+        argument_arrays: list[tuple[Argument, Array]] = []
         for argument, array in zip(self.arguments, arrays, strict=True):
             if array is None:
                 continue
             flat, stride = _rows(array, lead, argument.shape)
-            given.append((argument, flat))
+            argument_arrays.append((argument, flat))
             for slot, first in argument.blocks:
                 blocks[slot], strides[slot] = flat[first:], stride
         prepared = self.w if w is None else w
         blocks[SLOT["w"]], strides[SLOT["w"]] = _rows(prepared, lead, prepared.shape[-1:])
         # lanes look at the numbers while they have them at hand
         watched = self.batch.watches(strides, count)
-        later = [row for row in given if all(watched[slot] for slot, _ in row[0].blocks)]
-        for argument, flat in given:
+        later = [row for row in argument_arrays if all(watched[slot] for slot, _ in row[0].blocks)]
+        for argument, flat in argument_arrays:
             if not all(watched[slot] for slot, _ in argument.blocks):
                 self._check_finite(argument, flat)
         if count * max(1, self.size) > LARGEST:
@@ -153,7 +153,7 @@ class Caller:
     def _room(
         self, lead: tuple[int, ...], count: int, blocks: list[Array | None], out: Any
     ) -> Array:
-        """Where results go, (count, size): for a batch ``out`` itself if it takes them so."""
+        """Array for the results, (count, size): for a batch ``out`` itself if it takes them so."""
         if (
             lead
             and isinstance(out, np.ndarray)
@@ -230,8 +230,8 @@ class Caller:
             return
         first = int(rows[0])
         names = [self.entries[j] for j in np.flatnonzero(bad[first])]
-        more = ", ..." if len(names) > SHOWN else ""
-        what = f"{self.name} has no finite result for {', '.join(names[:SHOWN])}{more}"
+        more = ", ..." if len(names) > MAX_PRINTED else ""
+        what = f"{self.name} has no finite result for {', '.join(names[:MAX_PRINTED])}{more}"
         why = (
             "the mass matrix is singular there (a massless body?) or a coordinate is outside its "
             "domain"
@@ -259,10 +259,10 @@ class Caller:
 
 def _rows(array: Array, lead: tuple[int, ...], trail: tuple[int, ...]) -> tuple[Array, int]:
     """The numbers of an array state by state, and how far apart the states are."""
-    own = array.shape[: array.ndim - len(trail)]
-    if prod(own) == 1:
+    leading = array.shape[: array.ndim - len(trail)]
+    if prod(leading) == 1:
         return np.ascontiguousarray(array).reshape(-1), 0
-    if own != lead:
+    if leading != lead:
         array = np.broadcast_to(array, lead + trail)
     return np.ascontiguousarray(array).reshape(-1), prod(trail)
 
@@ -275,9 +275,9 @@ def _listed(argument: Argument) -> str:
     """The names behind a shape, for the end of an error message."""
     if not argument.shape or not argument.entries:
         return ""
-    shown = ", ".join(argument.entries[:SHOWN])
-    more = ", ..." if len(argument.entries) > SHOWN else ""
-    return f": {argument.what} {shown}{more}"
+    listing = ", ".join(argument.entries[:MAX_PRINTED])
+    more = ", ..." if len(argument.entries) > MAX_PRINTED else ""
+    return f": {argument.what} {listing}{more}"
 
 
 def numbers(where: str, value: Any) -> Array:
@@ -320,10 +320,10 @@ def by_name(where: str, argument: Argument, values: Mapping[str, ArrayLike]) -> 
     """
     lead: tuple[int, ...] = ()
     read: dict[str, Array] = {}
-    for name, given in values.items():
+    for name, entry_value in values.items():
         if name not in argument.places:
             raise ModelError(f"{where}: '{name}' does not exist.{near(name, argument.places)}")
-        value, place = numbers(f"{where}: '{name}'", given), argument.places[name]
+        value, place = numbers(f"{where}: '{name}'", entry_value), argument.places[name]
         size = place.stop - place.start
         if size == 1:
             value = value[..., None]

@@ -1,4 +1,4 @@
-"""What the functions of a compiled model share: how they are called."""
+"""Calls of the functions of a compiled model."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ class Evaluation(ABC):
         """A function, loaded."""
 
     def _check_of(self, name: str, of: str | None) -> None:
-        """Whether there are such a function and its frame or joint.
+        """Check that a function and its frame or joint exist.
 
         Raises:
             ModelError: there are not, or the system has no such function.
@@ -53,12 +53,12 @@ class Evaluation(ABC):
         if name in self.manifest.absent:
             raise ModelError(f"{name}: {self.manifest.absent[name]}")
         kind = FUNCTIONS[name].of
-        known = self.joints if kind == "joint" else self.frames
+        names = self.joints if kind == "joint" else self.frames
         if kind in ("joint", "frame") and of is None:
-            raise ModelError(f"{name}: {kind}=None: give the name of a {kind}.{near('', known)}")
-        if kind != "function" and of is not None and of not in known:
+            raise ModelError(f"{name}: {kind}=None: give the name of a {kind}.{near('', names)}")
+        if kind != "function" and of is not None and of not in names:
             what = kind or "frame"
-            raise ModelError(f"{name}: {what} '{of}' does not exist.{near(of, known)}")
+            raise ModelError(f"{name}: {what} '{of}' does not exist.{near(of, names)}")
 
     def _doubt(self, joint: str, q: State, t: ArrayLike, r: State | None) -> None:  # noqa: B027
         """Warn where the reaction of a joint is not determined at states.
@@ -81,7 +81,7 @@ class Evaluation(ABC):
     @property
     @abstractmethod
     def manifest(self) -> Manifest:
-        """What the compiler states about the model."""
+        """The compiler's statement about the model."""
 
     @property
     @abstractmethod

@@ -1,4 +1,4 @@
-"""What every function of a model costs and how exact it is, measured."""
+"""Measured cost and accuracy of every function of a model."""
 
 from __future__ import annotations
 
@@ -22,11 +22,11 @@ from .measuring import BATCH, Row, timed
 if TYPE_CHECKING:
     from ..models.loaded_model import LoadedModel
 
-JUDGED = 3
+EXACT_STATES = 3
 MAIN = ("rhs", "forward_dynamics", "inverse_dynamics", "mass_matrix", "bias")
 
 
-def functions(model: LoadedModel, seed: int, judged: bool) -> list[Row]:
+def functions(model: LoadedModel, seed: int, with_errors: bool) -> list[Row]:
     """The dynamics and every other function that has C of its own."""
     for name in MAIN:
         # not asked for, or without meaning: udot where M of a massless tip is singular
@@ -35,7 +35,7 @@ def functions(model: LoadedModel, seed: int, judged: bool) -> list[Row]:
     saved, rows = model._objects.saved(), []
     for function in model._load(model._written()):
         values = samples.values(model, function, np.random.default_rng(seed), BATCH)
-        data = saved.get(function.symbol) if judged else None
+        data = saved.get(function.symbol) if with_errors else None
         error = _error(model, function, data, values) if data else None
         rows.append(_measure(function, values, error))
     return rows
@@ -47,7 +47,7 @@ def _measure(function: LoadedFunction, values: dict[str, Array], error: float | 
     many = samples.states(function, values, BATCH)
     # the batch as it is once it pays, in this thread
     lanes = caller.batch.build(False, caller.call, many)
-    way = caller.batch.found(False, many) or one_by_one(caller.call, many)
+    way = caller.batch.lane_run(False, many) or one_by_one(caller.call, many)
     still = one_by_one(caller.call, replace(many, strides=[0] * len(many.strides)))
     return Row(
         function=function.symbol,
@@ -72,7 +72,7 @@ def _error(
     exact = from_dict(saved)
     arguments = function.caller.arguments
     worst = 0.0
-    for k in range(JUDGED):
+    for k in range(EXACT_STATES):
         blocks: dict[str, Any] = {"p": model.parameters.vector.tolist()}
         for argument in arguments:
             flat = np.atleast_1d(values[argument.name][k]).reshape(-1)
@@ -81,6 +81,6 @@ def _error(
                 argument.blocks, [*starts[1:], argument.size], strict=True
             ):
                 blocks[ORDER[slot]] = flat[first:end].tolist()
-        found = function.caller(None, *(values[a.name][k] for a in arguments))
-        worst = max(worst, measuring.error(exact, blocks, found))
+        value = function.caller(None, *(values[a.name][k] for a in arguments))
+        worst = max(worst, measuring.error(exact, blocks, value))
     return worst

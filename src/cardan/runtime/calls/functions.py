@@ -14,5 +14,5 @@ class Functions(Evaluation, ABC):
 
 
 for _row in FUNCTIONS.values():
-    if not (_row.internal or _row.for_reading):
+    if not (_row.internal or _row.for_display):
         setattr(Functions, _row.name, method(_row))

@@ -202,7 +202,7 @@ class Functions(Evaluation, metaclass=ABCMeta):
             (..., nu) [N m or N]
         """
 
-    def applied(
+    def applied_forces(
         self,
         q: State,
         u: State,
@@ -380,7 +380,7 @@ class Functions(Evaluation, metaclass=ABCMeta):
         """Velocity = J u, ground axes.
 
         Rows are [omega, v] of the frame origin. Where joints are prescribed, their part of the
-        velocity is no part of J u.
+        velocity is not a part of J u.
 
         Args:
             frame: name of a frame
@@ -633,7 +633,7 @@ class Functions(Evaluation, metaclass=ABCMeta):
         parameters: Values | None = None,
         out: Array | None = None,
     ) -> Array:
-        """Coordinates, then speeds, of joints that circuits determine.
+        """Coordinates, then speeds, of joints that loops determine.
 
         Args:
             q: coordinates, (..., nq)
@@ -747,7 +747,7 @@ class Functions(Evaluation, metaclass=ABCMeta):
             (..., nclosing) [m or 1]
         """
 
-    def facing(
+    def assembly_signs(
         self,
         q: State,
         *,

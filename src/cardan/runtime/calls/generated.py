@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 class Source(ABC):
-    """Where the functions of a model come from."""
+    """Source of the functions of a model."""
 
     @abstractmethod
     def add(self, model: LoadedModel, missing: Sequence[Key]) -> None:
@@ -46,8 +46,8 @@ class Generated(Source):
             if fresh:
                 model._verify_built(fresh)
             for key, symbol in fresh.items():
-                found: LoadedFunction = loaded[key]
-                loaded[key] = replace(found, code=objects.keep(symbol))
+                function: LoadedFunction = loaded[key]
+                loaded[key] = replace(function, code=objects.publish(symbol))
         except BaseException:
             for key in missing:
                 loaded.pop(key, None)

@@ -43,7 +43,7 @@ def announce() -> None:
 
 
 class _Raised(threading.local):
-    """What functions raised below a kernel that a thread calls.
+    """Errors raised by functions below a kernel that a thread calls.
 
     Attributes:
         error: The first of it.
@@ -53,7 +53,7 @@ class _Raised(threading.local):
     error: BaseException | None = None
     stop: Callable[[], object] | None = None
 
-    def keep(self, error: BaseException) -> None:
+    def store(self, error: BaseException) -> None:
         """Note what was raised, and end the kernel."""
         self.error = self.error or error
         if self.stop is not None:
@@ -79,7 +79,7 @@ def called_back(stop: Callable[[], object] = bool) -> Iterator[None]:
     before = _RAISED.error, _RAISED.stop
     _RAISED.error, _RAISED.stop = None, stop
     try:
-        with on_interrupt(lambda: _RAISED.keep(KeyboardInterrupt())):
+        with on_interrupt(lambda: _RAISED.store(KeyboardInterrupt())):
             yield
     finally:
         error = _RAISED.error
@@ -107,7 +107,10 @@ class PythonFunction:
 
     @property
     def address(self) -> int:
-        """Of a function that kernels can call; inside :func:`called_back`, while this lives."""
+        """Address of a function that kernels can call;
+
+        inside :func:`called_back`, while this lives.
+        """
         return ctypes.cast(self._callback, ctypes.c_void_p).value or 0
 
     def _called(self, blocks: Any, out: int, work: int) -> int:
@@ -123,7 +126,7 @@ class PythonFunction:
                 row[:] = [np.nan] * len(row)
                 return SINGULAR
         except BaseException as error:
-            _RAISED.keep(error)
+            _RAISED.store(error)
             return RAISED
         return 0
 
@@ -137,13 +140,13 @@ class Interpreted:
         nodes = [graph.nodes[i] for i in live]
         read = {node[1] for node in nodes if node[0] == "var"}
         self.blocks = [(b.name, len(b)) for b in function.inputs if b.name in read]
-        self.piece = max(1, NUMBERS // (len(live) + 1))
+        self.chunk = max(1, NUMBERS // (len(live) + 1))
         roots = len(function.roots)
         self._called_back = PythonFunction(lambda *given: self.floats(*given), self.blocks, roots)
 
     @property
     def address(self) -> int:
-        """As :attr:`PythonFunction.address`."""
+        """Same as :attr:`PythonFunction.address`."""
         return self._called_back.address
 
     @cached_property
@@ -156,29 +159,29 @@ class Interpreted:
     def run(
         self, blocks: list[Array | None], strides: Sequence[int], out: Array
     ) -> tuple[int, int]:
-        """As :func:`abi_ctypes.run`; the slot w holds the parameters p."""
+        """Same as :func:`abi_ctypes.run`; the slot w holds the parameters p."""
         status, failed = 0, -1
-        for start in range(0, len(out), self.piece):
-            rows = out[start : start + self.piece]
-            given = {}
+        for start in range(0, len(out), self.chunk):
+            rows = out[start : start + self.chunk]
+            blocks_read = {}
             for name, size in self.blocks:
                 slot = SLOT["w" if name == "p" else name]
                 block, stride = blocks[slot], strides[slot]
                 if block is None:
                     raise SolveError(f"{self.function.name} reads {name}, which is not given")
-                given[name] = _states(block[start * stride :], stride, size, len(rows))
-            answer, bad = self._rows(given, rows)
+                blocks_read[name] = _states(block[start * stride :], stride, size, len(rows))
+            answer, bad = self._rows(blocks_read, rows)
             if answer and not status:
                 status, failed = answer, start + bad
         return status, failed
 
-    def _rows(self, given: dict[str, Array], out: Array) -> tuple[int, int]:
+    def _rows(self, blocks_read: dict[str, Array], out: Array) -> tuple[int, int]:
         """Results of some states; NaN where a system of equations has no solution."""
-        if len(out) > 1 and self._together(given, out):
+        if len(out) > 1 and self._vectorized(blocks_read, out):
             return 0, -1
         failed = -1
         for k in range(len(out)):
-            one = [(x if x.ndim == 1 else x[k]).tolist() for x in given.values()]
+            one = [(x if x.ndim == 1 else x[k]).tolist() for x in blocks_read.values()]
             try:
                 out[k] = self.floats(*one)
             except SolveError:
@@ -186,21 +189,24 @@ class Interpreted:
                 failed = k if failed < 0 else failed
         return SINGULAR if failed >= 0 else 0, failed
 
-    def _together(self, given: dict[str, Array], out: Array) -> bool:
+    def _vectorized(self, blocks_read: dict[str, Array], out: Array) -> bool:
         """Results of all states at once; False if one of them has none."""
         try:
-            self._write(given, out)
+            self._write(blocks_read, out)
         except SolveError:
             return False
         return True
 
-    def _write(self, given: dict[str, Any], out: Array) -> None:
+    def _write(self, blocks_read: dict[str, Any], out: Array) -> None:
         """Results of all states one after the other into (count, size)."""
         from ...ir.interpreter import evaluate
 
-        found, place = evaluate(self.function, given, "numpy"), 0
+        values_by_output, place = evaluate(self.function, blocks_read, "numpy"), 0
         for output in self.function.outputs:
-            values, size = np.asarray(found[output.name], dtype=np.float64), len(output.nodes)
+            values, size = (
+                np.asarray(values_by_output[output.name], dtype=np.float64),
+                len(output.nodes),
+            )
             lead = values.shape[: values.ndim - len(output.shape)]
             out[:, place : place + size] = values.reshape(*lead, size)
             place += size

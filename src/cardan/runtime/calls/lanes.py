@@ -35,7 +35,7 @@ def width() -> int:
     One where there is no compiler: what was compiled before goes on one by one.
 
     Raises:
-        BuildError: CARDAN_LANES is no width, or CC names a compiler that does not work.
+        BuildError: CARDAN_LANES is not a width, or CC names a compiler that does not work.
     """
     text = os.environ.get("CARDAN_LANES", "").strip()
     if not text:
@@ -44,13 +44,13 @@ def width() -> int:
         except CompilerMissing:
             return 1
     if text not in map(str, WIDTHS):
-        raise BuildError(f"CARDAN_LANES={text!r} is no number of lanes: 1, 2, 4 or 8")
+        raise BuildError(f"CARDAN_LANES={text!r} is not a number of lanes: 1, 2, 4 or 8")
     return int(text)
 
 
 @dataclass(frozen=True)
 class States:
-    """What a function is called with, and where its results go.
+    """Arguments of a function over many states, and the array for its results.
 
     Attributes:
         blocks: Arrays in the order of cardan_in; only where they start matters.
@@ -100,8 +100,8 @@ class Lanes:
             work_size: Numbers of work memory it needs.
         """
         size = states.out.shape[1]
-        whole = [-(-n // self.width) * self.width for n in (*sizes, size)]
-        numbers = (sum(whole) + work_size + 1) * self.width
+        padded = [-(-n // self.width) * self.width for n in (*sizes, size)]
+        numbers = (sum(padded) + work_size + 1) * self.width
         strides, lengths = Sizes(*states.strides), Sizes(*sizes)
         # where the blocks that are read begin, and how far one state is from the next [bytes]
         read = (b if n else None for b, n in zip(states.blocks, sizes, strict=True))
@@ -109,16 +109,16 @@ class Lanes:
         steps = [8 * stride for stride in states.strides]
         out = states.out.ctypes.data
         # every thread has memory of its own
-        held = threading.local()
+        thread_memory = threading.local()
 
         def run(start: int, end: int) -> Answer:
             try:
-                begin: int = held.begin
+                begin: int = thread_memory.begin
             except AttributeError:
-                held.memory = np.empty(numbers)
-                begin = held.memory.ctypes.data
+                thread_memory.memory = np.empty(numbers)
+                begin = thread_memory.memory.ctypes.data
                 # vectors begin at multiples of their length
-                held.begin = begin = begin + -begin % (8 * self.width)
+                thread_memory.begin = begin = begin + -begin % (8 * self.width)
             here = [s and s + start * d for s, d in zip(starts, steps, strict=True)]
             failed, finite = ctypes.c_ssize_t(-1), ctypes.c_int(0)
             status = self.driver(
@@ -141,7 +141,7 @@ class Lanes:
 
 @dataclass(frozen=True)
 class Recipe:
-    """What the lane build of a function is made of.
+    """Ingredients of the lane build of a function.
 
     Attributes:
         symbol: Its C name.
@@ -161,22 +161,22 @@ class Recipe:
 
     @cached_property
     def seconds(self) -> float:
-        """What the compiler is expected to take; without end for a text that was removed."""
+        """Expected compile time; infinite for a text that was removed."""
         try:
             return FILE + STATEMENT * self.text.read_bytes().count(b";")
         except OSError:
             return math.inf
 
-    def there(self, lanes: int, own: bool) -> Lanes | None:
+    def there(self, lanes: int, lane_parameters: bool) -> Lanes | None:
         """The build if it is in the cache; none where a text was removed, which names it there."""
-        extra = prebuilt.macros(lanes, own)
+        extra = prebuilt.macros(lanes, lane_parameters)
         try:
-            built = cache.found([self.text], [self.directory], self.reproducible, self.by, extra)
+            built = cache.cached([self.text], [self.directory], self.reproducible, self.by, extra)
         except BuildError:
             return None
-        return None if built is None else self.loaded(built, lanes, own)
+        return None if built is None else self.loaded(built, lanes, lane_parameters)
 
-    def made(self, lanes: int, own: bool) -> Lanes:
+    def built_now(self, lanes: int, lane_parameters: bool) -> Lanes:
         """The build, compiled where it is not there; not yet published.
 
         Args:
@@ -187,17 +187,17 @@ class Recipe:
             BuildError: the compiler failed, or a text was changed.
         """
         self.check()
-        extra = prebuilt.macros(lanes, own)
+        extra = prebuilt.macros(lanes, lane_parameters)
         built = cache.compiled([self.text], [self.directory], self.reproducible, self.by, extra)
         try:
-            return self.loaded(built, lanes, own)
+            return self.loaded(built, lanes, lane_parameters)
         except BaseException:
             built.discard()
             raise
 
-    def loaded(self, built: Object, lanes: int, own: bool) -> Lanes:
+    def loaded(self, built: Object, lanes: int, lane_parameters: bool) -> Lanes:
         library = built.load()
-        driver = _driver(self.reproducible, lanes, own)
+        driver = _driver(self.reproducible, lanes, lane_parameters)
         address = ctypes.cast(library[self.symbol], ctypes.c_void_p).value or 0
         return Lanes(lanes, built, address, driver.cardan_batch, (library, driver))
 
@@ -219,8 +219,8 @@ def unpacked(blocks: Array, lanes: int) -> Array:
 
 
 @lru_cache(maxsize=16)
-def _driver(reproducible: bool, lanes: int, own: bool) -> ctypes.CDLL:
-    library = kernels.library(reproducible, lanes, own)
+def _driver(reproducible: bool, lanes: int, lane_parameters: bool) -> ctypes.CDLL:
+    library = kernels.library(reproducible, lanes, lane_parameters)
     at, count = ctypes.c_void_p, ctypes.c_size_t
     library.cardan_batch.argtypes = [
         *(at, at, Pointers, Sizes, Sizes, count, at, count, at),

@@ -1,4 +1,4 @@
-"""What the manifest says about the blocks of a model, as arguments of its functions."""
+"""Blocks of a model from its manifest, as arguments of its functions."""
 
 from __future__ import annotations
 
@@ -34,22 +34,22 @@ class Places(Mapping[str, slice]):
         self._names, self._joints, self._letter = names, joints, letter
 
     @cached_property
-    def _found(self) -> dict[str, slice]:
-        found = {name: slice(k, k + 1) for k, name in enumerate(self._names)}
+    def _slices(self) -> dict[str, slice]:
+        slices = {name: slice(k, k + 1) for k, name in enumerate(self._names)}
         for joint in self._joints:
             start, size = joint.slot(self._letter)
             if size:
-                found.setdefault(joint.name, slice(start, start + size))
-        return found
+                slices.setdefault(joint.name, slice(start, start + size))
+        return slices
 
     def __getitem__(self, name: str) -> slice:
-        return self._found[name]
+        return self._slices[name]
 
     def __iter__(self) -> Iterator[str]:
-        return iter(self._found)
+        return iter(self._slices)
 
     def __len__(self) -> int:
-        return len(self._found)
+        return len(self._slices)
 
 
 class Layout:
@@ -81,19 +81,23 @@ class Layout:
             for names, letter in ((self.coordinates, "q"), (self.speeds, "u"))
         )
         r = Places(self.inputs)
-        own = {block: Places(names) for block, names in self._own.items()}
-        return {"q": q, "q0": q, "u": u, "udot": u, "tau": u, "du": u, "r": r} | own
+        other = {block: Places(names) for block, names in self._other_names.items()}
+        return {"q": q, "q0": q, "u": u, "udot": u, "tau": u, "du": u, "r": r} | other
 
     def names(self, block: str) -> tuple[str, ...]:
         """Name of every entry of a block."""
-        own = {"q": self.coordinates, "q0": self.coordinates, "r": self.inputs} | self._own
-        return own.get(block, self.speeds)
+        names = {
+            "q": self.coordinates,
+            "q0": self.coordinates,
+            "r": self.inputs,
+        } | self._other_names
+        return names.get(block, self.speeds)
 
     @property
-    def _own(self) -> dict[str, tuple[str, ...]]:
+    def _other_names(self) -> dict[str, tuple[str, ...]]:
         """Blocks that only some systems have."""
-        own = {"z": self.internals, "s": self.modes, "e": self.events}
-        return own | {"lam": self.multipliers}
+        names = {"z": self.internals, "s": self.modes, "e": self.events}
+        return names | {"lam": self.multipliers}
 
     def start(self, block: str) -> Array:
         """Entries of a block that are not named: defaults of q, r, z and s, else zeros."""
@@ -109,7 +113,7 @@ class Layout:
         wrench = tuple(f"{p}.{a}" for p in self.parts for a in AXES)
         state = ((SLOT["q"], 0), (SLOT["u"], nq), *(((SLOT["z"], nq + nu),) if nz else ()))
         names = self.coordinates + self.speeds + self.internals
-        known = {
+        arguments = {
             "t": Argument("t", (), ("t",), ((SLOT["t"], 0),), np.zeros(())),
             "x": Argument("x", (nq + nu + nz,), names, state, None, "entries"),
             "wrench": Argument(
@@ -120,7 +124,7 @@ class Layout:
                 np.zeros((len(self.parts), 6)),
             ),
         }
-        return {name: known.get(name) or self._vector(name) for name in ARGUMENTS}
+        return {name: arguments.get(name) or self._vector(name) for name in ARGUMENTS}
 
     def _vector(self, block: str) -> Argument:
         names, start = self.names(block), self.start(block)

@@ -93,8 +93,8 @@ def prepare_rows(code: Code, p: Array) -> Array:
     return w
 
 
-def calls(code: Code, given: Mapping[str, Array], n: int) -> tuple[Callable[[], Any], Array]:
-    """What calls a function at n states, and where it leaves the results, packed as lanes are.
+def calls(code: Code, block_values: Mapping[str, Array], n: int) -> tuple[Callable[[], Any], Array]:
+    """Callable that evaluates a function at n states, and its results, packed as lanes are.
 
     Args:
         code: Its C.
@@ -103,7 +103,7 @@ def calls(code: Code, given: Mapping[str, Array], n: int) -> tuple[Callable[[], 
     """
     blocks: list[Array | None] = [None] * len(ORDER)
     strides = [0] * len(ORDER)
-    for name, array in given.items():
+    for name, array in block_values.items():
         rows, slot = np.broadcast_to(array, (n, array.shape[-1])), SLOT[name]
         if name == "p":
             rows, slot = prepare_rows(code, rows), SLOT["w"]
@@ -122,7 +122,7 @@ def calls(code: Code, given: Mapping[str, Array], n: int) -> tuple[Callable[[], 
 
 
 def batch(code: Code, arguments: list[Argument], threads: int | None) -> Batch:
-    """What goes through many states of a function.
+    """Runner of a function over many states.
 
     Args:
         code: Its C.
@@ -154,10 +154,10 @@ def assemble(
     """A loaded function out of its C, what it takes, parameter values and the way of batches.
 
     Raises:
-        BuildError: the C reads a block that is no argument.
+        BuildError: the C reads a block that is not an argument.
     """
-    given = {ORDER[slot] for argument in arguments for slot, _ in argument.blocks} | {"p", "w"}
-    unknown = [block for block in code.entry.inputs if block not in given]
+    provided = {ORDER[slot] for argument in arguments for slot, _ in argument.blocks} | {"p", "w"}
+    unknown = [block for block in code.entry.inputs if block not in provided]
     if unknown:
         raise BuildError(f"{code.symbol} reads {', '.join(unknown)}, which {name} does not take")
     code.take({ORDER[slot]: size for slot, size in _sized(arguments)})
@@ -187,6 +187,6 @@ def entry_names(outputs: Sequence[ResultRow]) -> list[str]:
     names: list[str] = []
     for output in outputs:
         size = prod(output.shape)
-        own = output.entries
-        names += own if len(own) == size else [f"{output.name}[{k}]" for k in range(size)]
+        entries = output.entries
+        names += entries if len(entries) == size else [f"{output.name}[{k}]" for k in range(size)]
     return names

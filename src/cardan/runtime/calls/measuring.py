@@ -1,4 +1,4 @@
-"""What one function costs from Python, in C and in lanes."""
+"""Cost of one function from Python, in C and in lanes."""
 
 from __future__ import annotations
 
@@ -60,11 +60,11 @@ def timed(run: Callable[[], Any], states: int) -> float:
     return best / repeat / states * 1e9
 
 
-def error(function: Function, blocks: Mapping[str, Any], found: Array) -> float:
+def error(function: Function, blocks: Mapping[str, Any], value: Array) -> float:
     """Largest |error| / |largest entry| of results at one state against 40 digits."""
     exact = evaluate(function, blocks, "mp", DIGITS)
     numbers = [x for o in function.outputs for x in exact[o.name]]
     largest = max((abs(x) for x in numbers), default=0)
-    errors = [abs(x - float(y)) for x, y in zip(numbers, np.ravel(found), strict=True)]
+    errors = [abs(x - float(y)) for x, y in zip(numbers, np.ravel(value), strict=True)]
     # what is 0 up to the digits has nothing to be measured by
     return float(max(errors) / largest) if largest > TINY else float(max(errors, default=0))

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ...arrays import Array
-from ...errors import ArgumentError, shown
+from ...errors import ArgumentError, brief
 from ...schema.blocks import ARGUMENTS
 from ...schema.functions import FUNCTIONS, ModelFunction
 from ..models import wrenches as outside
@@ -36,8 +36,8 @@ AFTER = {
 SYMBOLS = {"udot", "tau", "h", "f", "g", "qdot", "lam", "phi", "p", "q", "d", "du"}
 # arguments in this order after those that are required, blocks and what some methods have besides
 OPTIONS = ("in_", "tau", "wrenches", "r", "z", "s", "t", "parameters", "out")
-# of arguments that are no blocks: annotation, and what it is
-OTHERS = {
+# of arguments that are not blocks: annotation, and what it is
+HANDWRITTEN = {
     "frame": ("str", "name of a frame"),
     "joint": ("str", "name of a joint, with motion, cut or fixed"),
     "in_": ("Axes", 'axes of the result, ``"ground"`` or ``"frame"``'),
@@ -48,7 +48,7 @@ OTHERS = {
     "out": ("Array | None", "array that is filled and returned"),
 }
 TEXTS = {name: block.text for name, block in ARGUMENTS.items()}
-TEXTS |= {name: text for name, (_, text) in OTHERS.items()}
+TEXTS |= {name: text for name, (_, text) in HANDWRITTEN.items()}
 
 
 class Energy(NamedTuple):
@@ -80,8 +80,8 @@ def _parameters(row: ModelFunction) -> list[Parameter]:
 
 
 def _annotation(name: str) -> str:
-    if name in OTHERS:
-        return OTHERS[name][0]
+    if name in HANDWRITTEN:
+        return HANDWRITTEN[name][0]
     if name in ("t", "x"):
         return "ArrayLike"
     return "State | None" if ARGUMENTS[name].default else "State"
@@ -113,8 +113,8 @@ def method(row: ModelFunction) -> FunctionType:
         kw_defaults=[None] * len(by_name),
         defaults=[],
     )
-    whole = ast.fix_missing_locations(ast.Expression(ast.Lambda(arguments, _body(row, names))))
-    (code,) = filter(_is_code, compile(whole, __file__, "eval").co_consts)
+    expression = ast.fix_missing_locations(ast.Expression(ast.Lambda(arguments, _body(row, names))))
+    (code,) = filter(_is_code, compile(expression, __file__, "eval").co_consts)
     defaults = tuple(one.default for one in by_place if one.default is not Parameter.empty)
     function = FunctionType(
         code.replace(co_name=row.name, co_qualname=row.name), globals(), row.name, defaults
@@ -173,7 +173,7 @@ def _dict(keys: Iterable[str], values: Iterable[ast.expr]) -> ast.expr:
 
 
 def _general(model: Evaluation, key: Key, blocks: ByName, call: ByName) -> Array:
-    """What a function gives under outer forces, in other axes, or with other parameters."""
+    """Value of a function under external forces, in other axes, or with other parameters."""
     out, axes = call.get("out"), call.get("in_", GROUND)
     if call.get("wrenches") is not None or (key[0] == "rhs" and call["tau"] is not None):
         return into(PUSHED[key[0]](model, key, blocks, call), out)
@@ -186,7 +186,7 @@ def _general(model: Evaluation, key: Key, blocks: ByName, call: ByName) -> Array
 def _in_its_axes(model: Evaluation, key: Key, values: tuple[Any, ...], call: ByName) -> Array:
     """A 6-vector of a frame, or columns of them, in its axes."""
     if not isinstance(call["in_"], str) or call["in_"] != "frame":
-        raise ArgumentError(f"in_ must be 'ground' or 'frame', not {shown(call['in_'])}")
+        raise ArgumentError(f"in_ must be 'ground' or 'frame', not {brief(call['in_'])}")
     place = (call["t"], call["q"], call["r"])
     ground = model._evaluate(key, values, call["parameters"], None)
     axes = model._evaluate(("pose", key[1]), place, call["parameters"], None)[..., :3, :3]

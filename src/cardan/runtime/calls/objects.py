@@ -117,7 +117,9 @@ class Objects:
         self.lanes: dict[str, int] = {}
         self.tables: Any = None  # of elements: what no parameter changes
         self.sizes: dict[bytes, float] = {}  # of the mechanism, by parameters
-        self.truth: tuple[tuple[Any, ...], Any] | None = None  # of the last judgement, and for what
+        self.reference: tuple[tuple[Any, ...], Any] | None = (
+            None  # of the last judgement, and for what
+        )
         self._provide = provide
         self.lock = threading.RLock()
         self._loaded: dict[str, Code] = {}
@@ -174,10 +176,10 @@ class Objects:
             content = regular_file.content(path)
             stated = self.manifest.sha256.get(path.name)
             if stated is None or hashlib.sha256(content).hexdigest() == stated:
-                found = json.loads(content)
-                if not isinstance(found, dict):
+                statement = json.loads(content)
+                if not isinstance(statement, dict):
                     raise ValueError("it holds no functions by their names")
-                return found
+                return statement
             # another process writes both, one after the other
             time.sleep(PAUSE * attempt)
             self.manifest = self._read()
@@ -191,11 +193,11 @@ class Objects:
         if data is None:
             path = self.directory / "functions.json"
             raise ModelError(f"{path} does not hold '{name}'. Compile or export the model again")
-        known = self._parsed.get(name)
-        if known is None or known[0] is not data:
+        parsed = self._parsed.get(name)
+        if parsed is None or parsed[0] is not data:
             # the data themselves say whether the file was read again
-            known = self._parsed[name] = data, from_dict(data)
-        return known[1]
+            parsed = self._parsed[name] = data, from_dict(data)
+        return parsed[1]
 
     def symbol(self, name: str, of: str | None = None) -> str:
         """C name of one function, as :meth:`symbols`."""
@@ -231,16 +233,16 @@ class Objects:
         for symbol, entry in functions.items():
             if symbol.split("__")[0] == name and entry.of == of:
                 return str(symbol)
-        asked = f"('{name}', '{of}')" if of else f"'{name}'"
+        requested = f"('{name}', '{of}')" if of else f"'{name}'"
         raise ModelError(
-            f"model '{self.manifest.name}' was compiled without {asked}. Export it again with "
-            f"functions=(..., {asked}), or use it once before pickling.{near(name, functions)}"
+            f"model '{self.manifest.name}' was compiled without {requested}. Export it again with "
+            f"functions=(..., {requested}), or use it once before pickling.{near(name, functions)}"
         )
 
     def load(self, symbols: Sequence[str]) -> list[Code]:
         """The compiled functions; several that must be compiled are compiled at once.
 
-        What is fresh is in no cache yet: :meth:`keep` or :meth:`forget` it after its check.
+        What is fresh is in no cache yet: :meth:`publish` or :meth:`forget` it after its check.
 
         Raises:
             BuildError: the compiler failed; or a text is not the one the manifest speaks of.
@@ -249,10 +251,10 @@ class Objects:
             missing = [s for s in dict.fromkeys(symbols) if s not in self._loaded]
             if missing:
                 self._verify_headers()
-            self._loaded.update(zip(missing, self._made(missing), strict=True))
+            self._loaded.update(zip(missing, self._compiled(missing), strict=True))
             return [self._loaded[s] for s in symbols]
 
-    def keep(self, symbol: str) -> Code:
+    def publish(self, symbol: str) -> Code:
         """A function that passed its check: other processes may find it now."""
         self._loaded[symbol] = code = self._loaded[symbol].checked()
         return code
@@ -265,20 +267,20 @@ class Objects:
             if code is not None:
                 code.discard()
 
-    def _made(self, symbols: Sequence[str]) -> list[Code]:
+    def _compiled(self, symbols: Sequence[str]) -> list[Code]:
         """Functions as C, or as expressions where there is no compiler."""
         paths = [self.text_path(symbol) for symbol in symbols]
         try:
             by = cache.compiler().for_models()
             lanes = [self.lanes.get(symbol, 1) for symbol in symbols]
             extra = [LOADED + (prebuilt.macros(n, True) if n > 1 else by.tuning) for n in lanes]
-            built = cache.compiled_apart(paths, self.directory, self.reproducible, by, extra)
+            built = cache.compiled_separately(paths, self.directory, self.reproducible, by, extra)
         except CompilerMissing as missing:
-            found = [Interpreted(self._expressions(symbol, missing)) for symbol in symbols]
+            codes = [Interpreted(self._expressions(symbol, missing)) for symbol in symbols]
             announce()
             return [
                 Code(symbol, self.manifest.functions[symbol], True, one.address, interpreted=one)
-                for symbol, one in zip(symbols, found, strict=True)
+                for symbol, one in zip(symbols, codes, strict=True)
             ]
         try:
             return [self._connected(s, one, by) for s, one in zip(symbols, built, strict=True)]
@@ -309,8 +311,8 @@ class Objects:
             ) from None
         path, check = self.directory / entry.file, partial(self._verify_sources, symbol)
         recipe = Recipe(name, path, self.directory, self.reproducible, by, check)
-        found = address, prepare, built, library, None, recipe, blocks, self.lanes.get(symbol, 1)
-        return Code(symbol, entry, built.fresh, *found)
+        loaded = address, prepare, built, library, None, recipe, blocks, self.lanes.get(symbol, 1)
+        return Code(symbol, entry, built.fresh, *loaded)
 
     def _expressions(self, symbol: str, missing: CompilerMissing) -> Function:
         """The saved Function of a symbol.

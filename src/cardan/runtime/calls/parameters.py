@@ -59,8 +59,8 @@ class Parameters(Mapping[str, float]):
             ModelError: unknown or structural name; a value that is not finite, or that an element
                 cannot have; a negative mass.
         """
-        given = named("parameters", values, "'mass': 1.0")
-        read = {name: self.checked(name, value) for name, value in given.items()}
+        named_values = named("parameters", values, "'mass': 1.0")
+        read = {name: self.checked(name, value) for name, value in named_values.items()}
         lead = common("parameters", {name: value.shape for name, value in read.items()})
         result = np.broadcast_to(self._values, (*lead, len(self))).copy()
         for name, value in read.items():
@@ -86,11 +86,11 @@ class Parameters(Mapping[str, float]):
                 bad |= value == low
             if bad.any():
                 one = tuple(np.argwhere(bad)[0])
-                told = limit.message.replace("{value}", f"{value[one]:g}")
-                told = told.replace("{other}", f"{low[one]:g}")
+                message = limit.message.replace("{value}", f"{value[one]:g}")
+                message = message.replace("{other}", f"{low[one]:g}")
                 where = f" at {tuple(map(int, one))}" if one else ""
                 name = limit.parameter
-                raise ModelError(f"parameter '{name}'{where}: {limit.element}: {told}")
+                raise ModelError(f"parameter '{name}'{where}: {limit.element}: {message}")
 
     def checked(self, name: str, value: ArrayLike) -> Array:
         """Values (...) that a parameter may have.
@@ -105,8 +105,8 @@ class Parameters(Mapping[str, float]):
                 "out of specialize=, to set it later"
             )
         if name not in self._place:
-            known = [*self._place, *self._structural]
-            raise ModelError(f"parameter '{name}' does not exist.{near(name, known)}")
+            names = [*self._place, *self._structural]
+            raise ModelError(f"parameter '{name}' does not exist.{near(name, names)}")
         array = numbers(f"parameter '{name}'", value)
         if not np.isfinite(array).all():
             bad = np.argwhere(~np.isfinite(array))[0]

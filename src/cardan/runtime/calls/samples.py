@@ -24,21 +24,21 @@ def values(
 ) -> dict[str, Array]:
     """Random arguments, (count, ...): states inside limits; inputs, internal states and modes at
     their defaults."""
-    made: dict[str, Array] = {}
+    arrays: dict[str, Array] = {}
     x = model.random_state(rng, (count,))
     q, u = model.split(x)
     states = {"q": q, "q0": q, "u": u, "x": x, "t": np.full(count, 0.3)}
     for argument in function.caller.arguments:
         if argument.name in "rzs" and argument.default is not None:
-            given = np.broadcast_to(argument.default, (count, *argument.shape)).copy()
-            states[argument.name] = given
+            default = np.broadcast_to(argument.default, (count, *argument.shape)).copy()
+            states[argument.name] = default
         random = rng.uniform(-1, 1, (count, *argument.shape))
-        made[argument.name] = states.get(argument.name, random)
-    return made
+        arrays[argument.name] = states.get(argument.name, random)
+    return arrays
 
 
 def states(
-    function: LoadedFunction, values: dict[str, Array], count: int, own: bool = False
+    function: LoadedFunction, values: dict[str, Array], count: int, lane_parameters: bool = False
 ) -> States:
     """The arguments as blocks, with room for the results of each of ``count`` states.
 
@@ -56,18 +56,20 @@ def states(
             blocks[slot] = np.ascontiguousarray(array).reshape(-1)[first:]
             strides[slot] = argument.size
     w = function.w
-    if own:
+    if lane_parameters:
         w, strides[SLOT["w"]] = np.tile(w, count), len(w)
     blocks[SLOT["w"]] = w
     return States(blocks, strides, np.empty((count, prod(function.caller.shape))))
 
 
-def build(model: LoadedModel, function: LoadedFunction, own: bool = False) -> int:
+def build(model: LoadedModel, function: LoadedFunction, lane_parameters: bool = False) -> int:
     """Make the lane build of a function now; returns its width, 1 where there is none.
 
     Args:
         own: For states with parameters of their own.
     """
-    made = values(model, function, np.random.default_rng(SEED), STATES)
+    arrays = values(model, function, np.random.default_rng(SEED), STATES)
     caller = function.caller
-    return caller.batch.build(own, caller.call, states(function, made, STATES, own))
+    return caller.batch.build(
+        lane_parameters, caller.call, states(function, arrays, STATES, lane_parameters)
+    )

@@ -10,10 +10,10 @@ import json
 from collections.abc import Collection
 from pathlib import Path
 
+from ...atomic_file import replaced
 from ...errors import ModelError
 from ...regular_file import content
 from ...version import VERSION, Format
-from ...whole_file import replaced
 from .contents import Attributes, Contents, FileFormat, Variables
 from .csv import CSV
 from .netcdf import NETCDF
@@ -22,11 +22,11 @@ from .npz import NPZ
 FORMATS: tuple[FileFormat, ...] = (NETCDF, NPZ, CSV)
 HASH = "sha256"
 SOURCE, WRITER = "source", "cardan "  # the text that names the writer, and what is before it
-KINDS = ("run", "ensemble")  # what files hold
+KINDS = {"run": "a run", "ensemble": "an ensemble"}  # what files hold
 MOST = 1 << 40  # bytes of a file
 
 
-def save(path: Path, form: Format, made: Contents, cure: str) -> Path:
+def save(path: Path, form: Format, contents: Contents, cure: str) -> Path:
     """Write a file; one with its name is replaced in one step.
 
     Args:
@@ -41,23 +41,23 @@ def save(path: Path, form: Format, made: Contents, cure: str) -> Path:
     """
     fitting = [one for one in FORMATS if path.suffix in one.endings]
     if not fitting:
-        known = ", ".join(f"{one.endings[0]} ({one.name})" for one in FORMATS)
+        endings = ", ".join(f"{one.endings[0]} ({one.name})" for one in FORMATS)
         raise ModelError(
-            f"{path}: {form.kind}s are written to files whose ending is one of {known}; "
+            f"{path}: {form.kind}s are written to files whose ending is one of {endings}; "
             "to_xarray() gives the numbers to writers of other formats"
         )
-    (wanted,) = fitting
-    kept = {name: one for name, one in made.variables.items() if one.values.size}
-    for name, one in kept.items():
-        if wanted.limit and one.values.nbytes > wanted.limit:
+    (chosen,) = fitting
+    variables = {name: one for name, one in contents.variables.items() if one.values.size}
+    for name, one in variables.items():
+        if chosen.limit and one.values.nbytes > chosen.limit:
             raise ModelError(
-                f"{path}: '{name}' takes {one.values.nbytes / 1e9:.1f} GB, {wanted.name} holds "
-                f"{wanted.limit / 2**30:.0f} GB in one variable. {cure}"
+                f"{path}: '{name}' takes {one.values.nbytes / 1e9:.1f} GB, {chosen.name} holds "
+                f"{chosen.limit / 2**30:.0f} GB in one variable. {cure}"
             )
-    made = Contents(kept, made.notes)
-    own = {f"cardan_{form.word}": form.version, SOURCE: f"{WRITER}{VERSION}"}
+    contents = Contents(variables, contents.notes)
+    header = {f"cardan_{form.word}": form.version, SOURCE: f"{WRITER}{VERSION}"}
     with replaced(path) as new:
-        wanted.write(Path(new), {**own, HASH: made.digest(), **made.notes}, kept)
+        chosen.write(Path(new), {**header, HASH: contents.digest(), **contents.notes}, variables)
     return path
 
 
@@ -81,28 +81,30 @@ def load(path: Path, form: Format, notes: Collection[str]) -> Contents:
         raise ModelError(f"{path} cannot be read: {error.strerror}") from None
     except (ValueError, MemoryError) as error:
         raise ModelError(
-            f"{path} is no {what} of cardan, or is damaged: {error or 'it is too large'}. Save the "
-            f"{what} again"
+            f"{path} is not {KINDS[what]} of cardan, or is damaged: {error or 'it is too large'}. "
+            f"Save the {what} again"
         ) from None
     version = attributes.get(f"cardan_{what}", 0)
     if not form.reads(version):
         if f"cardan_{what}" not in attributes:
-            raise ModelError(f"{path} is no {what} of cardan")
+            raise ModelError(f"{path} is not {KINDS[what]} of cardan")
         writer = str(attributes.get(SOURCE, "")).removeprefix(WRITER)
         raise ModelError(form.refusal(path, version, writer))
     today = {name: form.today((name,), version) for name in attributes}
     counting = {name for name, now in today.items() if now in notes}
     texts = {name: attributes[name] for name in counting if isinstance(attributes[name], str)}
-    found = Contents(variables, texts)
+    contents = Contents(variables, texts)
     # damage may have made a file of an early version out of this one
-    if (version > form.oldest or HASH in attributes) and attributes.get(HASH) != found.digest():
-        others = [k for k in KINDS if k != what and f"cardan_{k}" in attributes]
+    if (version > form.oldest or HASH in attributes) and attributes.get(HASH) != contents.digest():
+        others = [KINDS[k] for k in KINDS if k != what and f"cardan_{k}" in attributes]
         if others and f"cardan_{what}" not in attributes:
-            raise ModelError(f"{path} is no {what} that cardan can read: it holds a {others[0]}")
+            raise ModelError(
+                f"{path} is not {KINDS[what]} that cardan can read: it holds {others[0]}"
+            )
         raise ModelError(
             f"{path} is not what was saved: its hash differs. Copy it or save the {what} again"
         )
-    return _today(found, form, version)
+    return _today(contents, form, version)
 
 
 def writable() -> tuple[str, ...]:
@@ -124,12 +126,12 @@ def _parsed(data: bytes) -> tuple[Attributes, Variables]:
     for one in FORMATS:
         if one.parse is not None and data.startswith(one.magic):
             return one.parse(data)
-    names = " or ".join(one.name for one in FORMATS if one.parse is not None)
-    raise ValueError(f"it is not a file of {names}")
+    names = " nor ".join(one.name for one in FORMATS if one.parse is not None)
+    raise ValueError(f"its format is neither {names}")
 
 
 def _today(contents: Contents, form: Format, version: int) -> Contents:
-    """What an older file holds, under the names of today."""
+    """Contents of an older file under today's names."""
     if not any(older >= version for older in form.renamed):
         return contents
 

@@ -1,4 +1,4 @@
-"""What a saved run or ensemble holds, and what every file format states in its one file."""
+"""Contents of a saved run or ensemble, and the interface of the file formats."""
 
 from __future__ import annotations
 
@@ -34,20 +34,20 @@ class Variable:
 
 @dataclass(frozen=True, eq=False)
 class Contents:
-    """What a file holds: arrays, and texts about all of them, by name."""
+    """Contents of a file: arrays, and texts about all of them, by name."""
 
     variables: Mapping[str, Variable]
     notes: Mapping[str, str]
 
     def digest(self) -> str:
         """Hash of all of it."""
-        found = hashlib.sha256()
+        total = hashlib.sha256()
         for name, one in sorted(self.variables.items()):
-            told = (name, one.dimensions, one.values.shape, sorted(one.attributes.items()))
-            found.update(json.dumps(told).encode())
-            found.update(np.ascontiguousarray(one.values).tobytes())
-        found.update(json.dumps(sorted(self.notes.items())).encode())
-        return found.hexdigest()
+            description = (name, one.dimensions, one.values.shape, sorted(one.attributes.items()))
+            total.update(json.dumps(description).encode())
+            total.update(np.ascontiguousarray(one.values).tobytes())
+        total.update(json.dumps(sorted(self.notes.items())).encode())
+        return total.hexdigest()
 
 
 def letters(texts: Iterable[str], dimension: str, name: str = "") -> Variable:

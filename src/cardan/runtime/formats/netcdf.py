@@ -58,16 +58,16 @@ class _Bytes:
         end = self.place + count
         if count < 0 or end > len(self.data):
             raise ValueError("it is cut off")
-        found = self.data[self.place : end]
+        part = self.data[self.place : end]
         self.place = end + -count % 4
-        return found
+        return part
 
     def integer(self) -> int:
         """A number that is not negative."""
-        found: int = struct.unpack(">i", self.take(4))[0]
-        if found < 0:
+        number: int = struct.unpack(">i", self.take(4))[0]
+        if number < 0:
             raise ValueError("a length is negative")
-        return found
+        return number
 
     def text(self) -> str:
         """A name or a text."""
@@ -82,17 +82,17 @@ class _Bytes:
 
     def attributes(self) -> Attributes:
         """Texts by name; of single numbers the number; None of others."""
-        found: Attributes = {}
+        attributes: Attributes = {}
         for _ in self.many(ATTRIBUTES):
             name, kind, count = self.text(), self.kind(), self.integer()
             raw = self.take(np.dtype(kind).itemsize * count)
-            if name in found:
+            if name in attributes:
                 raise ValueError(f"it has two of '{name}'")
             if kind == "S1":
-                found[name] = raw.decode()
+                attributes[name] = raw.decode()
             else:
-                found[name] = np.frombuffer(raw, kind)[0].item() if count == 1 else None
-        return found
+                attributes[name] = np.frombuffer(raw, kind)[0].item() if count == 1 else None
+        return attributes
 
     def kind(self) -> str:
         """A type, as NumPy has it."""

@@ -51,7 +51,7 @@ def unpacked(content: bytes) -> dict[str, Any]:
 
 
 def plain(content: bytes) -> Any:
-    """What JSON text holds.
+    """Value of a JSON text.
 
     Raises:
         ValueError: it is none, or nested too deeply.
@@ -69,8 +69,8 @@ def _array(file: zipfile.ZipFile, entry: zipfile.ZipInfo) -> tuple[str, Any]:
         raise ValueError(f"'{entry.filename}' is of another version")
     shape, by_columns, kind = np.lib.format.read_array_header_1_0(stream)
     data = stream.getbuffer()[stream.tell() :]
-    whole = all(type(size) is int and size >= 0 for size in shape)
-    if kind.kind not in KINDS or not whole or math.prod(shape) * kind.itemsize != len(data):
+    integral = all(type(size) is int and size >= 0 for size in shape)
+    if kind.kind not in KINDS or not integral or math.prod(shape) * kind.itemsize != len(data):
         raise ValueError(f"'{entry.filename}' does not hold what it speaks of")
     array = np.frombuffer(data, dtype=kind).reshape(shape, order="F" if by_columns else "C")
     return entry.filename.removesuffix(".npy"), array.copy()

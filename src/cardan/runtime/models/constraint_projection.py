@@ -17,18 +17,18 @@ from ...schema.records import Run, check
 from ...schema.rows import column
 from ..calls.interpreted import called_back
 from ..trajectory.closure_errors import Ledger
-from .finite_elements.frames import standing
+from .finite_elements.frames import node_frames
 
 if TYPE_CHECKING:
     from .loaded_model import LoadedModel
 
-CLOSED = 1e-11  # residuals relative to the size that are enough, as in kernels/close.c
+CLOSED = 1e-11  # residuals relative to the size that are enough, as in kernels/run/close.c
 MOST_SIZES = 64  # that are remembered
 
 
 @dataclass(frozen=True)
 class Closing:
-    """What closes the circuits of a model.
+    """Constraint residuals and scales of a model.
 
     Attributes:
         rows: Multipliers of the manifest, those of positions first.
@@ -49,9 +49,9 @@ class Closing:
         meshed = model.manifest.absolute
         return cls(rows, size_of(model) if rows or meshed else 1.0, not meshed)
 
-    def loosened(self, slack: float) -> Closing:
+    def loosened(self, tolerance: float) -> Closing:
         """The same where residuals up to a slack, without units, count as none."""
-        return replace(self, size=self.size * max(1.0, slack / CLOSED))
+        return replace(self, size=self.size * max(1.0, tolerance / CLOSED))
 
     @cached_property
     def positions(self) -> int:
@@ -92,33 +92,35 @@ def size_of(model: LoadedModel) -> float:
 
 def _measured(model: LoadedModel) -> float:
     """The size from the saved scene."""
-    told = model.manifest.elements.frames if model.manifest.absolute else "scene"
-    if told not in model.saved:
+    function = model.manifest.elements.frames if model.manifest.absolute else "scene"
+    if function not in model.saved:
         return 1.0
-    known, vector = model._objects.sizes, model.parameters.vector
-    size = known.get(vector.tobytes())
+    sizes, vector = model._objects.sizes, model.parameters.vector
+    size = sizes.get(vector.tobytes())
     if size is None:
-        found = model._evaluate_saved(told, p=vector)
+        values = model._evaluate_saved(function, p=vector)
         if model.manifest.absolute:
             # where the ground has frames says nothing
-            carried = [row.node is not None for row in model.manifest.frames]
-            places = standing(model)[1][carried]
+            on_nodes = [row.node is not None for row in model.manifest.frames]
+            places = node_frames(model)[1][on_nodes]
         else:
-            parts = [np.ravel(found[key]) for key in ("position", "frame_position")]
+            parts = [np.ravel(values[key]) for key in ("position", "frame_position")]
             places = np.concatenate(parts).reshape(-1, 3)
         lengths = [float(np.linalg.norm(places, axis=1).max(initial=0.0))]
-        own = [np.ravel(found[key]) for key in ("lengths", "sizes", "cut_sizes") if key in found]
-        lengths += [float(np.abs(some).max(initial=0.0)) for some in own]
+        extents = [
+            np.ravel(values[key]) for key in ("lengths", "sizes", "cut_sizes") if key in values
+        ]
+        lengths += [float(np.abs(some).max(initial=0.0)) for some in extents]
         lengths += [beam.length for beam in model.manifest.beams]
         size = max(lengths) or 1.0
-        if len(known) >= MOST_SIZES:
-            known.clear()
-        known[vector.tobytes()] = size
+        if len(sizes) >= MOST_SIZES:
+            sizes.clear()
+        sizes[vector.tobytes()] = size
     return size
 
 
 def columns_of(model: LoadedModel, size: float) -> Array:
-    """What every speed counts in (nu,): sizes of the mechanism, or radians."""
+    """Units of the speeds (nu,): sizes of the mechanism, or radians."""
     units = column(model.manifest.speeds, "unit")
     return np.array([size if name == "m/s" else 1.0 for name in units])
 
@@ -127,7 +129,7 @@ def project(model: LoadedModel, t: Array, x: Array, r: Array, s: Array, ledger: 
     """States on the constraints next to given ones.
 
     Args:
-        model: A model with circuits.
+        model: A model with loops.
         t, x, r, s: Times (n,), states (n, nx), inputs (n, nr), discrete states (n, ns).
         ledger: Of the run they belong to: what it let pass is close enough.
 
@@ -152,7 +154,7 @@ def project(model: LoadedModel, t: Array, x: Array, r: Array, s: Array, ledger: 
         "y": model.nx,
         "r": model.nr,
         "s": model.ns,
-        "at_rest": model.nu + 6 * len(model.manifest.bodies),
+        "zeros": model.nu + 6 * len(model.manifest.bodies),
         "work": max(function.work_size for function in functions),
         "closing": library.cardan_closing_length(ctypes.byref(run)),
     }

@@ -13,7 +13,7 @@ import numpy as np
 
 from ...arguments import checked
 from ...arrays import Array
-from ...errors import ArgumentError, ModelError, near, shown
+from ...errors import ArgumentError, ModelError, brief, near
 from ...schema.blocks import DIRECTIONS
 from ...schema.functions import DIFFERENTIABLE, FUNCTIONS
 from ...schema.request import Request
@@ -57,20 +57,20 @@ class Derivatives(Functions, ABC):
         if not isinstance(pair, tuple) or len(pair) != 2:
             raise ModelError(
                 f"derivative: a name, or a pair such as ('pose', 'hand'), is wanted, "
-                f"not {shown(function)}"
+                f"not {brief(function)}"
             )
         name, of = pair
         if name not in DIFFERENTIABLE:
             raise ModelError(f"derivative of '{name}' does not exist.{near(name, DIFFERENTIABLE)}")
         if bool(FUNCTIONS[name].of) != (of is not None):
-            wanted = "needs a frame or joint: ('pose', 'hand')" if of is None else "takes none"
-            raise ModelError(f"derivative: {name} {wanted}")
+            expected = "needs a frame or joint: ('pose', 'hand')" if of is None else "takes none"
+            raise ModelError(f"derivative: {name} {expected}")
         self._check_of(name, of)
         reads = {*FUNCTIONS[name].reads.replace("x", "q u z").split(), "p"}
         if not wrt or not isinstance(wrt, (str, list, tuple)):
             raise ModelError(
                 "derivative: wrt is a block such as 'q', a parameter or input, or several of "
-                f"them, not {shown(wrt)}"
+                f"them, not {brief(wrt)}"
             )
         entries = (wrt,) if isinstance(wrt, str) else tuple(wrt)
         if wrt is STANDARD:
@@ -88,8 +88,8 @@ class Derivatives(Functions, ABC):
         parameters = tuple(row.name for row in self.manifest.parameters)
         if entry not in (*DIRECTIONS, *inputs, *parameters):
             raise ModelError(
-                f"derivative: '{entry}' is no block ({', '.join(DIRECTIONS)}), parameter or input."
-                f"{near(entry, (*DIRECTIONS, *parameters, *inputs))}"
+                f"derivative: '{entry}' is not a block ({', '.join(DIRECTIONS)}), parameter or "
+                f"input.{near(entry, (*DIRECTIONS, *parameters, *inputs))}"
             )
 
 
@@ -112,7 +112,7 @@ class Derivative:
 
     @cached_property
     def request(self) -> str:
-        """As ``functions=`` of an export takes it: ``("derivative", request)``."""
+        """Entry for ``functions=`` of an export: ``("derivative", request)``."""
         order = {block: n for n, block in enumerate(DIRECTIONS)}
         ordered = sorted(dict.fromkeys(self.wrt), key=lambda x: (order.get(x, len(order)), x))
         return str(Request(self.function, self.of, tuple(ordered)))
@@ -120,8 +120,8 @@ class Derivative:
     @property
     def operations(self) -> dict[str, int]:
         """Number of each operator of its C."""
-        found: dict[str, int] = self._loaded.entry.operations
-        return found
+        counts: dict[str, int] = self._loaded.entry.operations
+        return counts
 
     @property
     def _loaded(self) -> Any:
@@ -146,16 +146,16 @@ class Derivative:
         Raises:
             ArgumentError, ModelError, SolveError: as the function itself.
         """
-        given = self._named(states, rest)
+        values = self._named(states, rest)
         if wrenches is None:
-            found = self._results(given, parameters)
+            results = self._results(values, parameters)
         elif self.function not in PUSHED:
             raise ArgumentError(
                 f"derivative: wrenches go with {' and '.join(PUSHED)}, not with {self.function}"
             )
         else:
-            found = self._pushed(given, wrenches, parameters)
-        listed = [found[name] for name in self.wrt]
+            results = self._pushed(values, wrenches, parameters)
+        listed = [results[name] for name in self.wrt]
         if out is not None:
             outs = (out,) if self.single else tuple(out)
             if len(outs) != len(listed):
@@ -163,40 +163,42 @@ class Derivative:
             listed = [into(x, o) for x, o in zip(listed, outs, strict=True)]
         return listed[0] if self.single else tuple(listed)
 
-    def _named(self, states: Sequence[Any], rest: Mapping[str, Any]) -> dict[str, Any]:
+    def _named(self, states: Sequence[Any], keywords: Mapping[str, Any]) -> dict[str, Any]:
         """Arguments by name."""
         # solvers call rhs(t, x, r)
-        order, known = self._order
+        order, names = self._order
         if len(states) > len(order):
             raise ArgumentError(
                 f"derivative of {self.function} takes {', '.join(order)} in this order and the "
                 f"rest by name, not {len(states)} states"
             )
-        given = dict(zip(order, states, strict=False))
-        for name, value in rest.items():
-            if name not in known or name in given:
-                what = "is given twice" if name in given else "is none of its arguments"
+        values = dict(zip(order, states, strict=False))
+        for name, value in keywords.items():
+            if name not in names or name in values:
+                what = "is given twice" if name in values else "is none of its arguments"
                 raise ArgumentError(
-                    f"derivative of {self.function}: {name} {what}.{near(name, known)}"
+                    f"derivative of {self.function}: {name} {what}.{near(name, names)}"
                 )
-            given[name] = value
-        return given
+            values[name] = value
+        return values
 
-    def _results(self, given: Mapping[str, Any], parameters: Values | None) -> dict[str, Array]:
+    def _results(
+        self, named_values: Mapping[str, Any], parameters: Values | None
+    ) -> dict[str, Array]:
         """One array per block or name."""
         key = ("derivative", self.request)
-        values = tuple(given.get(name, 0.0 if name == "t" else None) for name in self._reads)
+        values = tuple(named_values.get(name, 0.0 if name == "t" else None) for name in self._reads)
         flat = self.model._evaluate(key, values, parameters, None)
-        outputs, found, start = self._loaded.outputs, {}, 0
+        outputs, results, start = self._loaded.outputs, {}, 0
         if len(outputs) == 1:
             return {self.wrt[0]: flat}
         for output in outputs:
             shape = tuple(output.shape)
             end = start + prod(shape)
             part = flat[..., start:end]
-            found[output.name.removeprefix("d_")] = part.reshape(part.shape[:-1] + shape)
+            results[output.name.removeprefix("d_")] = part.reshape(part.shape[:-1] + shape)
             start = end
-        return found
+        return results
 
     @cached_property
     def _reads(self) -> tuple[str, ...]:
@@ -210,26 +212,33 @@ class Derivative:
         return tuple(FUNCTIONS[self.function].required), names
 
     def _pushed(
-        self, given: dict[str, Any], wrenches: Values, parameters: Values | None
+        self, values: dict[str, Any], wrenches: Values, parameters: Values | None
     ) -> dict[str, Array]:
         """With wrenches on frames: tau grows by Jᵀ w, and J changes too."""
-        model, rest = self.model, {name: given.get(name) for name in ("q", "r")}
-        place: dict[str, Any] = {**rest, "t": given.get("t", 0.0), "parameters": parameters}
+        model, position = self.model, {name: values.get(name) for name in ("q", "r")}
+        place: dict[str, Any] = {**position, "t": values.get("t", 0.0), "parameters": parameters}
         changes = self._jacobians(read_wrenches(model, wrenches), place)
         if self.function == "inverse_dynamics":
-            found = self._results(given, parameters)
-            return {name: x - changes[name] if name in changes else x for name, x in found.items()}
-        own = generalized(model, wrenches, place.pop("q"), **place)
-        tau = given.get("tau")
-        pushed = {**given, "tau": own if tau is None else model._vector("tau", tau) + own}
+            results = self._results(values, parameters)
+            return {
+                name: x - changes[name] if name in changes else x for name, x in results.items()
+            }
+        generalized_forces = generalized(model, wrenches, place.pop("q"), **place)
+        tau = values.get("tau")
+        pushed = {
+            **values,
+            "tau": generalized_forces
+            if tau is None
+            else model._vector("tau", tau) + generalized_forces,
+        }
         # M^-1 is what udot gains by tau
         more = Derivative(model, self.function, None, (*dict.fromkeys((*self.wrt, "tau")),))
-        found = more._results(pushed, parameters)
+        results = more._results(pushed, parameters)
         for name, change in changes.items():
             columns = change if change.ndim >= 2 and _has_columns(name) else change[..., None]
-            gained = found["tau"] @ columns
-            found[name] = found[name] + (gained if _has_columns(name) else gained[..., 0])
-        return found
+            gained = results["tau"] @ columns
+            results[name] = results[name] + (gained if _has_columns(name) else gained[..., 0])
+        return results
 
     def _jacobians(
         self, wrenches: Mapping[str, Array], place: Mapping[str, Any]
@@ -237,16 +246,16 @@ class Derivative:
         """Changes of the sum of Jᵀ w by block or name."""
         felt = tuple(name for name in self.wrt if name not in ("u", "tau", "udot"))
         total: dict[str, Array] = {}
-        given = {name: value for name, value in place.items() if name != "parameters"}
+        values = {name: value for name, value in place.items() if name != "parameters"}
         for frame, wrench in wrenches.items() if felt else ():
             jacobian = Derivative(self.model, "frame_jacobian", frame, felt)
-            for name, change in jacobian._results(given, place["parameters"]).items():
+            for name, change in jacobian._results(values, place["parameters"]).items():
                 letters = "...ijk,...i->...jk" if _has_columns(name) else "...ij,...i->...j"
-                own = np.einsum(letters, change, wrench)
-                total[name] = total[name] + own if name in total else own
+                contribution = np.einsum(letters, change, wrench)
+                total[name] = total[name] + contribution if name in total else contribution
         return total
 
 
 def _has_columns(name: str) -> bool:
-    """Whether a derivative by this has an axis of columns."""
+    """True when a derivative by this has an axis of columns."""
     return name in DIRECTIONS and name != "t"

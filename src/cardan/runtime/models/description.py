@@ -1,4 +1,4 @@
-"""What a compiled model says about itself: names, sizes, limits, sources."""
+"""Names, sizes, limits and sources of a compiled model."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from ..calls.parameters import Parameters
 from .derivatives import Derivatives
 
 
-class Described(Derivatives):
+class Description(Derivatives):
     """Names and sizes of a model, from its manifest."""
 
     _objects: Objects
@@ -31,7 +31,7 @@ class Described(Derivatives):
 
     @property
     def directory(self) -> Path:
-        """Where its C files and manifest are."""
+        """Folder of its C files and manifest."""
         return self._objects.directory
 
     @property

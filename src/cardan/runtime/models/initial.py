@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ...arrays import Array
-from ...errors import ArgumentError, ModelError, SolveError, miscounted, near, shown
+from ...errors import ArgumentError, ModelError, SolveError, brief, miscounted, near
 from ...schema.entries import Entry
 from ...schema.manifest import Manifest
 from ...schema.mechanism import JointRow
@@ -27,27 +27,30 @@ def start_of(
     u: Mapping[str, ArrayLike],
     z: Mapping[str, ArrayLike] | None = None,
 ) -> tuple[Array, tuple[str, ...]]:
-    """As :func:`initial_state`; nodes of absolute coordinates go where the joints carry them."""
+    """Same as :func:`initial_state`;
+
+    nodes of absolute coordinates go where the joints carry them.
+    """
     if q or u or z:
-        return _placed(model, q, u, z)
+        return _with_nodes(model, q, u, z)
     if start_of not in model._derived:
-        model._derived[start_of] = _placed(model, q, u, z)
-    x, rest = model._derived[start_of]
-    return x.copy(), rest
+        model._derived[start_of] = _with_nodes(model, q, u, z)
+    x, defaulted = model._derived[start_of]
+    return x.copy(), defaulted
 
 
-def _placed(
+def _with_nodes(
     model: LoadedModel,
     q: Mapping[str, ArrayLike],
     u: Mapping[str, ArrayLike],
     z: Mapping[str, ArrayLike] | None,
 ) -> tuple[Array, tuple[str, ...]]:
-    x, rest = initial_state(model.manifest, q, u, z)
+    x, defaulted = initial_state(model.manifest, q, u, z)
     if not model.manifest.absolute:
-        return x, rest
-    from .finite_elements.carried_nodes import carried
+        return x, defaulted
+    from .finite_elements.joint_driven_nodes import follow_joints
 
-    return carried(model, x, rest), rest
+    return follow_joints(model, x, defaulted), defaulted
 
 
 def initial_state(
@@ -75,7 +78,7 @@ def initial_state(
         SolveError: a value that is not finite, or a quaternion whose length is not 1.
     """
     joints = manifest.joints
-    values, given = [], []
+    values, defaulted = [], []
     for letter, rows, named in (
         ("q", manifest.coordinates, q),
         ("u", manifest.speeds, u),
@@ -85,14 +88,14 @@ def initial_state(
         named_here = _fill(letter, block, rows, manifest, named)
         values.append(block)
         names = column(rows, "name")
-        given.append(
+        defaulted.append(
             names
             if not named_here
             else [n for n, k in zip(names, named_here, strict=True) if not k]
         )
     check_units(manifest, values[0])
     values[0][:] = unit(values[0], manifest.quaternions)
-    return np.concatenate(values), (*given[0], *given[1], *given[2])
+    return np.concatenate(values), (*defaulted[0], *defaulted[1], *defaulted[2])
 
 
 def _defaults(letter: str, rows: Sequence[Entry], joints: Sequence[JointRow]) -> Array:
@@ -130,7 +133,7 @@ def _fill(
         block[place] = _numbers(where, value, entries)
         covered[place] = [True] * len(entries)
     if letter == "q":
-        named_here = {k for k, known in enumerate(covered) if known}
+        named_here = {k for k, is_covered in enumerate(covered) if is_covered}
         refuse_components(manifest, "q=", named_here)
     return covered
 
@@ -159,19 +162,19 @@ def followers(manifest: Manifest, letter: str) -> dict[str, slice]:
         manifest: Of the model.
         letter: ``"q"`` or ``"u"``.
     """
-    found: dict[str, slice] = {}
+    slices: dict[str, slice] = {}
     at = 0
     for joint in having(manifest.joints, "solved"):
-        own = joint.solved.names(letter) if joint.solved else ()
-        if own:
-            found[joint.name] = slice(at, at + len(own))
-        for name in own:
-            found.setdefault(name, slice(at, at + 1))
+        names = joint.solved.names(letter) if joint.solved else ()
+        if names:
+            slices[joint.name] = slice(at, at + len(names))
+        for name in names:
+            slices.setdefault(name, slice(at, at + 1))
             at += 1
-    return found
+    return slices
 
 
-def missing(manifest: Manifest, letter: str, name: str, known: Iterable[str]) -> str:
+def missing(manifest: Manifest, letter: str, name: str, available: Iterable[str]) -> str:
     """Why there is no such entry of q, u or z, with the known names and the likely one.
 
     Who names one component of a rotation is not sent to another one.
@@ -180,13 +183,13 @@ def missing(manifest: Manifest, letter: str, name: str, known: Iterable[str]) ->
     if part:
         return part
     if letter == "z":
-        return f"there is no internal state '{name}'.{near(name, known)}"
+        return f"there is no internal state '{name}'.{near(name, available)}"
     what = {"q": "coordinate", "u": "speed"}[letter]
     # what is there is not misspelled
     follows = _follows(name, what, manifest)
     if follows:
-        return f"{follows}{near('', known)}"
-    return f"there is no joint or {what} '{name}'.{near(name, known)}"
+        return f"{follows}{near('', available)}"
+    return f"there is no joint or {what} '{name}'.{near(name, available)}"
 
 
 def _follows(name: str, what: str, manifest: Manifest) -> str:
@@ -217,7 +220,7 @@ def _numbers(where: str, value: ArrayLike, entries: list[str]) -> Array:
     """The values of some entries, checked."""
     array = np.asarray(value)
     if array.dtype.kind not in "fiub":
-        raise ArgumentError(f"{where}: {shown(value)} is not a number")
+        raise ArgumentError(f"{where}: {brief(value)} is not a number")
     array = np.atleast_1d(array.astype(np.float64))
     if array.shape != (len(entries),):
         raise ArgumentError(miscounted(where, array.size, entries))

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 
 from ...arguments import Seed, checked, kinds_of, read
 from ...arrays import Array
-from ...errors import ArgumentError, ModelError, counted, shown
+from ...errors import ArgumentError, ModelError, brief, counted
 from ...schema.functions import FUNCTIONS, STANDARD
 from ..build import kernels
 from ..calls.calling import by_name, numbers
@@ -23,7 +23,7 @@ from ..calls.layout import Layout
 from ..calls.loaded_function import LoadedFunction
 from ..calls.objects import Key, Objects, Provide
 from ..calls.parameters import Parameters
-from .description import Described
+from .description import Description
 from .random_states import random_state
 
 if TYPE_CHECKING:
@@ -41,8 +41,8 @@ class _Calls(dict[Key, Any]):
         return fast
 
 
-class LoadedModel(Described):
-    """What a compiled model is and what it calls: files, parameters, functions.
+class LoadedModel(Description):
+    """A compiled model and its calls: files, parameters, functions.
 
     Rooms below ``api`` pass this around; ``api.CompiledModel`` adds their analyses for users.
     """
@@ -84,7 +84,7 @@ class LoadedModel(Described):
         self._source = self._source_of()
 
     def _source_of(self) -> Source:
-        """Where functions come from: elements in tables, or C of their own."""
+        """Source of the functions: elements in tables, or C of their own."""
         if not self.manifest.absolute:
             return Generated()
         from .finite_elements.assembled import Assembled
@@ -136,14 +136,14 @@ class LoadedModel(Described):
 
         Nobody gets a function, and no other process finds its object, before it is checked.
         """
-        wanted = list(keys)
+        requested = list(keys)
         with self._objects.lock:
-            missing = [key for key in dict.fromkeys(wanted) if key not in self._functions]
+            missing = [key for key in dict.fromkeys(requested) if key not in self._functions]
             for name, of in missing:
                 self._check_of(name, of)
             if missing:
                 self._source.add(self, missing)
-            return [self._functions[key] for key in wanted]
+            return [self._functions[key] for key in requested]
 
     def prepare(self, *functions: str | Key, batch: bool = False) -> None:
         """Compile functions before they are needed, several at once.
@@ -155,7 +155,7 @@ class LoadedModel(Described):
         batch = read("prepare", "batch", batch, kinds_of("bool"))
         for f in functions:
             if not isinstance(f, str | tuple):
-                raise ArgumentError(f"prepare({shown(f)}): give names, or ('pose', 'hand')")
+                raise ArgumentError(f"prepare({brief(f)}): give names, or ('pose', 'hand')")
         keys = [(f, None) if isinstance(f, str) else f for f in functions]
         if not functions:
             keys = self._written()
@@ -208,7 +208,7 @@ class LoadedModel(Described):
         of = key[1]
         if of is not None and not isinstance(of, str):
             kind = FUNCTIONS[key[0]].of
-            raise ArgumentError(f"{key[0]}: {kind}={shown(of)}: give the name of a {kind}")
+            raise ArgumentError(f"{key[0]}: {kind}={brief(of)}: give the name of a {kind}")
         if parameters is None:
             result: Array = self._calls[key](out, *values)
             return result

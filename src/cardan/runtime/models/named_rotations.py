@@ -14,9 +14,11 @@ from ...arguments import UNIT
 from ...arrays import Array
 from ...errors import ModelError, SolveError
 from ...schema.manifest import Manifest
+from ...schema.mechanism import JointRow
+from ...schema.rows import having
 
+EVERYWHERE = "every rotation"  # beginning of the domain of parameters without singularity
 ZERO = 1e-6  # a length below stands for no rotation
-COMPONENTS = ("w", "x", "y", "z")
 
 
 def refuse_components(manifest: Manifest, where: str, covered: Collection[int]) -> None:
@@ -40,31 +42,32 @@ def refuse_components(manifest: Manifest, where: str, covered: Collection[int]) 
 def component(manifest: Manifest, name: str) -> str:
     """Why a name such as ``base.x`` or ``base.qx`` cannot be given alone; "" if it is another."""
     head, _, last = str(name).rpartition(".")
-    own = f"{head}.{last.removeprefix('q')}"
+    full_name = f"{head}.q{last.removeprefix('q')}"
+    missing = "" if full_name == name else f"there is no coordinate '{name}': "
     for start in manifest.quaternions:
         names = [str(row.name) for row in manifest.coordinates[start : start + 4]]
-        if own in names and last.removeprefix("q") in COMPONENTS:
-            return _one_component(manifest, int(start), own)
+        if full_name in names:
+            return missing + _one_component(manifest, int(start), full_name)
     return ""
 
 
 def _one_component(manifest: Manifest, start: int, name: str) -> str:
     """The message about one component of the quaternion that starts at an entry."""
     rows = manifest.coordinates
-    head, _, last = name.rpartition(".")
+    head, _, last = name.rpartition(".q")
     names = [str(row.name) for row in rows[start : start + 4]]
     owners = (j for j in manifest.joints if j.slot("q")[0] <= start < sum(j.slot("q")))
     owner = next(owners, None)
-    whole, entries = head, names
+    rotation_name, entries = head, names
     if owner is not None:
         first, count = owner.slot("q")
-        whole = str(owner.name)
+        rotation_name = str(owner.name)
         entries = [str(row.name) for row in rows[first : first + count]]
     place = f"{head}.p{last}"
     hint = f" The position along {last} is '{place}'." if place in entries else ""
     return (
-        f"'{name}' ('{head}.q{last}') is one component of the unit quaternion of '{head}', which "
-        f"one component does not determine.{hint} Give the rotation whole: '{whole}': "
+        f"'{name}' is one component of the unit quaternion of '{head}', which "
+        f"one component does not determine.{hint} Give the rotation whole: '{rotation_name}': "
         f"[{', '.join(entry.rpartition('.')[2] for entry in entries)}]"
     )
 
@@ -102,3 +105,19 @@ def check_units(manifest: Manifest, q: Array, where: str = "", first: int = 0) -
         f"{where}the quaternion at '{name}' has length {length:.9g}: a rotation has length 1. "
         "Divide its four components by that; nothing that is named is rescaled"
     )
+
+
+def is_bounded(joint: JointRow) -> bool:
+    """True when the rotation parameters of a joint are singular somewhere."""
+    domain = joint.domain or ""
+    return bool(joint.rotation and domain and not domain.startswith(EVERYWHERE))
+
+
+def bounded(manifest: Manifest) -> tuple[int, ...]:
+    """Entries of q that belong to rotation parameters with a singularity."""
+    owners = {joint.name for joint in having(manifest.joints, "domain") if is_bounded(joint)}
+    if not owners:
+        return ()
+    rows = enumerate(manifest.coordinates)
+    # a joint may have lengths beside
+    return tuple(k for k, row in rows if row.joint in owners and row.unit != "m")

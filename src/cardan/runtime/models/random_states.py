@@ -31,14 +31,14 @@ def random_state(
     """
     rows = manifest.coordinates
     q = np.zeros((*shape, len(rows)))
-    turned = _rotations(manifest)
-    covered = {k for start, name in turned for k in range(start, start + PARAMETERS[name].size)}
+    rotations = _rotations(manifest)
+    covered = {k for start, name in rotations for k in range(start, start + PARAMETERS[name].size)}
     limits = {joint.name: joint.limits for joint in manifest.joints}
     for k, row in enumerate(rows):
         if k not in covered:
             lower, upper = _range(row, limits.get(row.name) or {})
             q[..., k] = rng.uniform(lower, upper, shape)
-    for start, name in turned:
+    for start, name in rotations:
         kind = PARAMETERS[name]
         direction = rng.normal(size=(*shape, 3))
         direction /= np.linalg.norm(direction, axis=-1, keepdims=True)
@@ -53,14 +53,14 @@ def _rotations(manifest: Manifest) -> list[tuple[int, str]]:
     """(first coordinate, parametrization) of every rotation in q."""
     names = manifest.scene.rotations
     pairs = zip(manifest.joints, names, strict=False)
-    found = {joint.q[0]: name for joint, name in pairs if name in PARAMETERS and joint.q}
+    by_joint = {joint.q[0]: name for joint, name in pairs if name in PARAMETERS and joint.q}
     # nodes turn by quaternions too
     nodes = dict.fromkeys(manifest.quaternions, "quaternion")
-    return list({**found, **{k: name for k, name in nodes.items() if k not in found}}.items())
+    return list({**by_joint, **{k: name for k, name in nodes.items() if k not in by_joint}}.items())
 
 
 def _range(row: CoordinateRow, limits: Mapping[str, float]) -> tuple[float, float]:
-    """Where to draw a coordinate from."""
+    """Range from which a coordinate is drawn."""
     reach = {"rad": TURN, "m": MOVE}.get(row.unit, OTHER)
     if row.reach is not None:
         reach = min(reach, INSIDE * row.reach)

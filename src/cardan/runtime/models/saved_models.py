@@ -12,7 +12,7 @@ from typing import Any, TypeVar
 from ... import regular_file
 from ...errors import BuildError, ModelError
 from ...schema.functions import FUNCTIONS
-from ...schema.manifest import Manifest, opened
+from ...schema.manifest import Manifest, checked_manifest
 from ...schema.seal import unsealed
 from ..build import cache, cache_folder
 from ..calls.parameters import Parameters
@@ -42,7 +42,7 @@ def _text(path: Path) -> str:
 
 
 def _content(name: str, text: str) -> bytes:
-    """What a file holds whose text is known; nothing where that is no text of such a file."""
+    """Content of a file of known text; empty where that is not a text of such a file."""
     if not name.endswith(NUMBERS):
         return text.encode()
     try:
@@ -79,7 +79,7 @@ def digest(files: Mapping[str, str]) -> str:
 
 
 def parts(model: LoadedModel) -> tuple[dict[str, str], list[float], bool, str]:
-    """What :func:`restore` takes besides a class: source and manifest, never a binary.
+    """Arguments of :func:`restore` besides a class: source and manifest, never a binary.
 
     Functions of a frame or joint travel as far as they were used.
     """
@@ -134,16 +134,16 @@ def _checked(files: Any, stated: Any) -> Manifest:
     if digest(files) != stated:
         raise _damaged("its texts are not those it was made of")
     try:
-        found = unsealed(files.get(MANIFEST, "null").encode())
+        statement = unsealed(files.get(MANIFEST, "null").encode())
         saved = json.loads(files.get("functions.json", "{}"))
     except (ValueError, RecursionError) as error:
-        raise _damaged(f"a file is no JSON: {error}") from None
-    manifest = opened(found, "a pickled model")
+        raise _damaged(f"a file is not JSON: {error}") from None
+    manifest = checked_manifest(statement, "a pickled model")
     if not isinstance(saved, dict):
         raise _damaged("functions.json holds no functions")
     stated_ones = {e.file: e.sha256 for e in manifest.functions.values()}
-    for name, known in {**stated_ones, **manifest.sha256}.items():
-        if hashlib.sha256(_content(name, files.get(name, ""))).hexdigest() != known:
+    for name, expected in {**stated_ones, **manifest.sha256}.items():
+        if hashlib.sha256(_content(name, files.get(name, ""))).hexdigest() != expected:
             raise _damaged(f"{name} is not the file its manifest speaks of")
     return manifest
 

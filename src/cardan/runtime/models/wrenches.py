@@ -43,7 +43,7 @@ def _at(
     t: ArrayLike = 0.0,
     parameters: Values | None = None,
 ) -> Array:
-    """What a function gives of a frame."""
+    """Value of a function of a frame."""
     return model._evaluate((function, frame), (t, q, r), parameters, None)
 
 

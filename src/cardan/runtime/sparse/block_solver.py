@@ -1,4 +1,4 @@
-"""Block elimination with pivots inside blocks: the C of ``kernels/sparse.h`` for Python."""
+"""Block elimination with pivots inside blocks: the C of ``kernels/sparse/sparse.h`` for Python."""
 
 from __future__ import annotations
 
@@ -18,11 +18,21 @@ from .systems import Reals, checked, guess, named, refused, scales, sides
 STEPS = 10
 ENOUGH = 1e-14
 GOOD = 1e-9
-CARRIED = 1e-3
+MAX_PERTURBATION = 1e-3
 NUMBERS = ("n", "blocks", "values", "supernodes", "factors", "widest")
 MATRIX = ("first", "row", "column", "at", "stride")
 ELIMINATION = (
-    *("order", "multiplier", "start", "panel", "width", "later", "turned", "open_start", "open"),
+    *(
+        "order",
+        "multiplier",
+        "start",
+        "panel",
+        "width",
+        "later",
+        "transposed",
+        "open_start",
+        "open",
+    ),
     *("load_start", "load", "run_start", "run", "target_start", "target"),
 )
 
@@ -44,7 +54,7 @@ def plan_record(plan: Plan) -> PlanRecord:
 
 @dataclass(frozen=True)
 class Memory:
-    """What a factorization is kept in, in the order of ``cardan_sparse_factors``."""
+    """Memory of a factorization, in the order of ``cardan_sparse_factors``."""
 
     values: Reals
     scale: Reals
@@ -99,33 +109,33 @@ class BlockSolver:
         Raises:
             SolveError: an unknown or an equation is empty, or numbers are not finite.
         """
-        given = checked("values", values, self.plan.pattern.values)
+        array = checked("values", values, self.plan.pattern.values)
         self._values = None
         self._scales = scales(self.plan, rows, columns)
         self._factors.rows, self._factors.columns = (
             None if scale is None else scale.ctypes.data for scale in self._scales
         )
         self._factors.count = symmetric
-        if self._call("factor", ctypes.c_int, given, ctypes.byref(self._factors)):
-            raise refused(self.plan, given, self._factors.singular)
-        self._values = given
+        if self._call("factor", ctypes.c_int, array, ctypes.byref(self._factors)):
+            raise refused(self.plan, array, self._factors.singular)
+        self._values = array
 
     def solve(self, b: ArrayLike, transposed: bool = False) -> Reals:
         """x of a x = b for one right-hand side (n,) or several (n, count)."""
         self._ready()
         x = sides(self.plan, b)
         count = ctypes.c_ssize_t(x.size // max(self.plan.pattern.n, 1))
-        name = "solve_turned" if transposed else "solve"
+        name = "solve_transposed" if transposed else "solve"
         self._call(name, None, ctypes.byref(self._factors), count, x, x)
         return x.T
 
     def refine(self, b: ArrayLike, x: ArrayLike, enough: float = ENOUGH) -> tuple[Reals, float]:
         """A better solution (n,) and its backward error, see ``cardan_sparse_refine``."""
         values, n = self._ready(), self.plan.pattern.n
-        given, better, room = checked("b", b, n), checked("x", x, n).copy(), np.zeros(2 * n)
+        right, better, room = checked("b", b, n), checked("x", x, n).copy(), np.zeros(2 * n)
         limits = ctypes.c_double(enough), ctypes.c_ssize_t(STEPS)
         factors = ctypes.byref(self._factors)
-        error = self._call("refine", ctypes.c_double, factors, values, given, *limits, better, room)
+        error = self._call("refine", ctypes.c_double, factors, values, right, *limits, better, room)
         return better, float(error)
 
     def determinant(self) -> tuple[float, float]:
@@ -136,7 +146,7 @@ class BlockSolver:
         return sign.value, float(size)
 
     def inertia(self) -> tuple[int, int, int]:
-        """How many eigenvalues are positive, negative, zero to rounding."""
+        """Number of eigenvalues that are positive, negative, zero to rounding."""
         self._ready()
         if not self._factors.count:
             raise ArgumentError("signs were not counted: factor(values, symmetric=True)")
@@ -159,17 +169,22 @@ class BlockSolver:
 
     @property
     def shifts(self) -> Reals:
-        """What was added to those pivots, in units."""
+        """Shifts that were added to those pivots, in units."""
         self._ready()
         return self._memory.shift[: self._factors.weak]
 
-    def carried(self, b: ArrayLike, x: ArrayLike) -> tuple[float, int]:
-        """How much of b replaced pivots carry, and the unknown; see ``cardan_sparse_carried``."""
+    def perturbation(self, b: ArrayLike, x: ArrayLike) -> tuple[float, int]:
+        """Share of b that replaced pivots take, and the unknown.
+
+        See ``cardan_sparse_perturbation``.
+        """
         self._ready()
         n, unknown = self.plan.pattern.n, ctypes.c_int32()
-        given, found = checked("b", b, n), checked("x", x, n)
+        right, solution = checked("b", b, n), checked("x", x, n)
         factors = ctypes.byref(self._factors)
-        part = self._call("carried", ctypes.c_double, factors, given, found, ctypes.byref(unknown))
+        part = self._call(
+            "perturbation", ctypes.c_double, factors, right, solution, ctypes.byref(unknown)
+        )
         return float(part), unknown.value
 
     def _ready(self) -> Reals:
@@ -181,10 +196,10 @@ class BlockSolver:
         """Call a function of the kernels; arrays go as pointers."""
         function = getattr(self.library, f"cardan_sparse_{name}")
         function.restype = answer
-        given = (
+        addresses = (
             ctypes.c_void_p(x.ctypes.data) if isinstance(x, np.ndarray) else x for x in arguments
         )
-        return function(ctypes.byref(self._record), *given)
+        return function(ctypes.byref(self._record), *addresses)
 
 
 def solver(plan: Plan, reproducible: bool = False) -> BlockSolver:
@@ -202,8 +217,8 @@ def solution(by: BlockSolver, b: ArrayLike) -> Reals:
     if not len(by.weak):
         return x
     x, error = by.refine(b, x)
-    carried, unknown = by.carried(b, x)
-    if carried <= CARRIED and error <= GOOD:
+    perturbation, unknown = by.perturbation(b, x)
+    if perturbation <= MAX_PERTURBATION and error <= GOOD:
         return x
     raise SolveError(
         f"the matrix is singular: nothing but rounding holds {named(by.plan, unknown)}"

@@ -1,4 +1,4 @@
-"""Where the elements of a model stand in its sparse matrices, and how these are factored."""
+"""Places of the elements of a model in its sparse matrices, and their factorization."""
 
 from __future__ import annotations
 
@@ -37,32 +37,32 @@ class Matrices:
         cliques = []
         for group, count, start in zip(tables.groups, having, starts, strict=False):
             sizes.append(np.full(count, group.kind.m))
-            own = (start + np.arange(count))[:, None]
-            cliques.append(np.concatenate([group.place, own], axis=1) if count else group.place)
+            lines = (start + np.arange(count))[:, None]
+            cliques.append(np.concatenate([group.place, lines], axis=1) if count else group.place)
         total = np.concatenate(sizes)
         poses = [kind.node for kind in tables.kinds]
         massless = np.zeros(len(total), bool)
         massless[:places] = ~np.array(poses, bool)[tables.kind] if places else False
-        found = plan(total, cliques, np.arange(len(total)) >= places, massless)
-        matrix, unknown, spots = found.pattern, np.empty(tables.m, dtype=np.intp), []
+        matrix_plan = plan(total, cliques, np.arange(len(total)) >= places, massless)
+        matrix, unknown, spots = matrix_plan.pattern, np.empty(tables.m, dtype=np.intp), []
         for number, (group, count, start) in enumerate(
             zip(tables.groups, having, starts, strict=False)
         ):
             if count:
-                own = matrix.first[start : start + count, None] + np.arange(group.kind.m)
-                unknown[tables.lines(number)] = own
+                lines = matrix.first[start : start + count, None] + np.arange(group.kind.m)
+                unknown[tables.lines(number)] = lines
             stride = matrix.stride[cliques[number]].astype(np.intp)
             both = np.concatenate([matrix.places[number], stride[:, :, None]], axis=2)
             spots.append(both.astype(np.intp))
-        return cls(found, tuple(spots), unknown, _diagonal(tables, found))
+        return cls(matrix_plan, tuple(spots), unknown, _diagonal(tables, matrix_plan))
 
 
-def _diagonal(tables: Tables, found: Plan) -> Integers:
-    """Where the diagonal entry of every speed stands in the values of a matrix."""
-    matrix = found.pattern
-    own = np.flatnonzero(matrix.rows == matrix.column)[: len(tables.kind)]
+def _diagonal(tables: Tables, matrix_plan: Plan) -> Integers:
+    """Index of the diagonal entry of every speed in the values of a matrix."""
+    matrix = matrix_plan.pattern
+    diagonal = np.flatnonzero(matrix.rows == matrix.column)[: len(tables.kind)]
     sizes = matrix.sizes[: len(tables.kind)].astype(np.intp)
     inside = np.arange(tables.nu) - np.repeat(tables.u[:-1], sizes)
-    start = np.repeat(matrix.value[own].astype(np.intp), sizes)
+    start = np.repeat(matrix.value[diagonal].astype(np.intp), sizes)
     step = np.repeat(matrix.stride[: len(sizes)].astype(np.intp) + 1, sizes)
     return np.asarray(start + inside * step, dtype=np.intp)

@@ -48,9 +48,9 @@ def elimination(edges: csr_array) -> Longs:
     roots = np.zeros(parts, np.int64)
     np.maximum.at(roots, part, np.arange(n))
     i, j = edges.nonzero()
-    whole = graph(n + 1, np.concatenate([i, roots]), np.concatenate([j, np.full(parts, n)]))
-    found = depth_first_order(whole, n, directed=False, return_predecessors=False)
-    return np.asarray(found[:0:-1], np.int64)
+    extended = graph(n + 1, np.concatenate([i, roots]), np.concatenate([j, np.full(parts, n)]))
+    order = depth_first_order(extended, n, directed=False, return_predecessors=False)
+    return np.asarray(order[:0:-1], np.int64)
 
 
 def filled(edges: csr_array) -> tuple[Longs, Longs]:
@@ -74,9 +74,4 @@ def _factored(edges: csr_array, order: str) -> Any:
     """The factors of a matrix in which nothing cancels and nothing fades: almost a Laplacian."""
     degree = np.asarray(edges.sum(axis=1)).reshape(-1)
     matrix = (diags_array(degree * (1 + FAINT) + FAINT) - edges).tocsc()
-    return splu(
-        matrix,
-        permc_spec=order,
-        diag_pivot_thresh=0.0,
-        options={"SymmetricMode": True},
-    )
+    return splu(matrix, permc_spec=order, diag_pivot_thresh=0.0, options={"SymmetricMode": True})

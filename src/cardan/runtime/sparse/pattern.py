@@ -1,4 +1,4 @@
-"""Which blocks of a sparse matrix exist, and where elements add to them."""
+"""Blocks of a sparse matrix, and the places where elements add to them."""
 
 from __future__ import annotations
 
@@ -85,7 +85,7 @@ class Pattern:
         )
 
     @cached_property
-    def turned(self) -> tuple[Longs, Longs, Longs]:
+    def transposed(self) -> tuple[Longs, Longs, Longs]:
         """The row of each value, the values column by column (values,), column starts (n + 1,)."""
         columns, starts = self.csr
         rows = np.repeat(np.arange(self.n), np.diff(starts))
@@ -140,16 +140,16 @@ def pattern(
     # pairs of blocks as numbers, and where the pairs of every element are among them
     keys = [blocks[:, :, None] * nb + blocks[:, None, :] for blocks in groups]
     absent = [lam[blocks][:, :, None] & lam[blocks][:, None, :] for blocks in groups]
-    wanted = [key[~without] for key, without in zip(keys, absent, strict=True)]
-    pairs = distinct(np.concatenate([np.flatnonzero(~lam) * (nb + 1), *wanted]))
+    present = [key[~without] for key, without in zip(keys, absent, strict=True)]
+    pairs = distinct(np.concatenate([np.flatnonzero(~lam) * (nb + 1), *present]))
     row, column, value, stride = _laid(pairs, size)
-    found = [np.full(key.shape, -1, np.int32) for key in keys]
-    for place, key, without in zip(found, wanted, absent, strict=True):
+    positions = [np.full(key.shape, -1, np.int32) for key in keys]
+    for place, key, without in zip(positions, present, absent, strict=True):
         place[~without] = value[np.searchsorted(pairs, key)]
     first = np.concatenate([[0], np.cumsum(size)]).astype(np.int32)
     light &= ~lam
     child = _children(groups, ~lam & ~light, lam)
-    return Pattern(first, lam, light, child, row, column, value, stride, tuple(found))
+    return Pattern(first, lam, light, child, row, column, value, stride, tuple(positions))
 
 
 def _children(groups: Sequence[Longs], node: Booleans, lam: Booleans) -> Longs:
@@ -157,9 +157,9 @@ def _children(groups: Sequence[Longs], node: Booleans, lam: Booleans) -> Longs:
     child = np.full(len(node), -1)
     for blocks in groups:
         for k in range(blocks.shape[1]):
-            for own in range(blocks.shape[1]):
-                holds = lam[blocks[:, own]] & node[blocks[:, k]]
-                child[blocks[holds, own]] = blocks[holds, k]
+            for position in range(blocks.shape[1]):
+                holds = lam[blocks[:, position]] & node[blocks[:, k]]
+                child[blocks[holds, position]] = blocks[holds, k]
     return child
 
 
@@ -179,8 +179,8 @@ def _laid(pairs: Longs, size: Longs) -> tuple[Ints, Ints, Ints, Ints]:
     )  # fmt: skip
 
 
-def _mask(name: str, given: ArrayLike | None, nb: int) -> Booleans:
-    mask = np.zeros(nb, bool) if given is None else np.asarray(given, bool).reshape(-1)
+def _mask(name: str, values: ArrayLike | None, nb: int) -> Booleans:
+    mask = np.zeros(nb, bool) if values is None else np.asarray(values, bool).reshape(-1)
     if len(mask) != nb:
         raise ArgumentError(f"{name}: {len(mask)} entries for {nb} blocks")
     return mask

@@ -1,4 +1,4 @@
-"""The symbolic factorization: every table that the C of ``kernels/sparse.h`` reads."""
+"""The symbolic factorization: every table that the C of ``kernels/sparse/sparse.h`` reads."""
 
 from __future__ import annotations
 
@@ -20,14 +20,17 @@ PAD = 4
 
 @dataclass(frozen=True, eq=False)
 class Plan:
-    """How a sparse matrix is factored; see ``cardan_sparse`` in ``kernels/sparse.h``.
+    """Symbolic factorization of a sparse matrix.
+
+    See ``cardan_sparse`` in ``kernels/sparse/sparse.h``.
 
     Attributes:
         pattern: The matrix.
         order: The unknown that is eliminated as the k-th (n,).
-        multiplier: Whether that one is a multiplier (n,): 1, or 2 of a row that closes a circuit.
+        multiplier: Whether that one is a multiplier (n,): 1, or 2 of a row that closes a loop.
         start: The first unknown of each of ns supernodes, in that order (ns + 1,).
-        panel, width, later, turned: Where the panel of a supernode begins in the factors, numbers
+        panel, width, later, transposed: Where the panel of a supernode begins in the factors,
+        numbers
             from one of its rows to the next, unknowns in U, where Lt begins in a row (ns,).
         open_start, open: The panels to be filled before a supernode is eliminated (ns + 1,), (ns,).
         load_start, load: Blocks of the matrix that go to a panel (ns + 1,), (nl, 8).
@@ -43,7 +46,7 @@ class Plan:
     panel: Ints
     width: Ints
     later: Ints
-    turned: Ints
+    transposed: Ints
     open_start: Ints
     open: Ints
     load_start: Ints
@@ -106,7 +109,8 @@ def planned(matrix: Pattern) -> Plan:
     load_start, load = _loads(matrix, panels)
     run_start, run, first = _runs(panels)
     target_start, target, touched = _targets(panels, run_start, run, first)
-    opened = np.argsort(touched, kind="stable")
+    # updates of a panel are listed under the supernode that receives them
+    order = np.argsort(touched, kind="stable")
     supernodes = np.arange(panels.count + 1)
     tables = {
         "order": panels.order,
@@ -115,9 +119,9 @@ def planned(matrix: Pattern) -> Plan:
         "panel": panels.panel,
         "width": panels.width,
         "later": panels.later,
-        "turned": panels.turned,
-        "open_start": np.searchsorted(touched[opened], supernodes),
-        "open": opened,
+        "transposed": panels.transposed,
+        "open_start": np.searchsorted(touched[order], supernodes),
+        "open": order,
         "load_start": load_start,
         "load": load,
         "run_start": run_start,
@@ -134,7 +138,7 @@ def planned(matrix: Pattern) -> Plan:
 
 @dataclass(frozen=True, eq=False)
 class _Panels:
-    """Where everything stands. A vertex is a set of blocks that are eliminated together.
+    """Layout of the factors. A vertex is a set of blocks that are eliminated at once.
 
     Attributes:
         order: The unknown that is eliminated as the k-th (n,).
@@ -142,10 +146,10 @@ class _Panels:
         vertex: The vertex of each block (nb,).
         place: At which place each of nv vertices begins (nv + 1,).
         owner: The supernode of each vertex (nv,).
-        start, panel, width, later, turned: As in :class:`Plan`.
+        start, panel, width, later, transposed: As in :class:`Plan`.
         keys: ns-th supernode times nv plus a later vertex that it meets, ascending (k,).
         at: Where that vertex begins in U (k,).
-        closing: Which blocks are rows that close circuits (nb,).
+        closing: Which blocks are rows that close loops (nb,).
         size: Numbers of all panels.
     """
 
@@ -158,7 +162,7 @@ class _Panels:
     panel: Longs
     width: Longs
     later: Longs
-    turned: Longs
+    transposed: Longs
     keys: Longs
     at: Longs
     closing: Booleans
@@ -172,7 +176,7 @@ class _Panels:
     @staticmethod
     def of(matrix: Pattern) -> _Panels:
         """Order, sets, fill and supernodes of a matrix."""
-        order, vertices, closing = stages.together(matrix)
+        order, vertices, closing = stages.elimination_groups(matrix)
         nv = int(vertices[-1]) + 1 if len(vertices) else 0
         vertex = np.empty_like(vertices)
         vertex[order] = vertices
@@ -181,6 +185,7 @@ class _Panels:
         block[order] = np.cumsum(sizes[order]) - sizes[order]
         weight = np.bincount(vertices, sizes[order], nv).astype(np.int64)
         place = np.concatenate([[0], np.cumsum(weight)])
+        # symbolic factorization: graph of the vertices and fill of each column
         edges = ordering.graph(nv, vertex[matrix.rows], vertex[matrix.column])
         begin, below = ordering.filled(edges)
         # supernodes: vertices with the same later ones, up to some width
@@ -192,45 +197,46 @@ class _Panels:
         mine = np.repeat(np.arange(len(heads)), counts)
         ends = np.cumsum(weight[met])
         later = np.bincount(mine, weight[met], len(heads)).astype(np.int64)
+        # place of each later vertex within the panel
         at = ends - weight[met] - np.repeat(np.cumsum(later) - later, counts)
         # their panels
         start = place[np.append(heads, nv)]
-        turned = _padded(np.diff(start) + later)
-        width = turned + _padded(later)
+        transposed = _padded(np.diff(start) + later)
+        width = transposed + _padded(later)
         size = np.diff(start) * width
         if size.sum() > LARGEST:
             raise ArgumentError(f"factors of {size.sum():,} numbers are too large")
         return _Panels(
             ranges(matrix.first[:-1][order], sizes[order]), block, vertex, place, owner, start,
-            np.cumsum(size) - size, width, later, turned, mine * nv + met, at, closing,
+            np.cumsum(size) - size, width, later, transposed, mine * nv + met, at, closing,
             int(size.sum()),
         )  # fmt: skip
 
     def locate(self, i: Longs, row: Longs, j: Longs, column: Longs) -> tuple[Longs, Longs, Longs]:
-        """Where a block stands whose rows are in vertices i and begin at places ``row``.
+        """Places of blocks whose rows are in vertices i and begin at places ``row``.
 
         Returns:
             The supernode, where the block begins in the factors, whether it is turned.
         """
         panel = np.minimum(self.owner[i], self.owner[j])
-        turned = self.owner[i] > panel
+        transposed = self.owner[i] > panel
         down, across = self._in(panel, i, row), self._in(panel, j, column)
-        own = np.diff(self.start)[panel]
+        size = np.diff(self.start)[panel]
         to = np.where(
-            turned,
-            across * self.width[panel] + self.turned[panel] + down - own,
+            transposed,
+            across * self.width[panel] + self.transposed[panel] + down - size,
             down * self.width[panel] + across,
         )
-        return panel, self.panel[panel] + to, turned.astype(np.int64)
+        return panel, self.panel[panel] + to, transposed.astype(np.int64)
 
     def _in(self, panel: Longs, vertex: Longs, place: Longs) -> Longs:
         """Places of vertices among the unknowns that a panel meets."""
         within = place - self.start[panel]
         beyond = self.owner[vertex] > panel
         p, v = panel[beyond], vertex[beyond]
-        found = self.at[np.searchsorted(self.keys, p * (len(self.place) - 1) + v)]
-        own = np.diff(self.start)[p]
-        within[beyond] = own + found + place[beyond] - self.place[v]
+        offset = self.at[np.searchsorted(self.keys, p * (len(self.place) - 1) + v)]
+        size = np.diff(self.start)[p]
+        within[beyond] = size + offset + place[beyond] - self.place[v]
         return within
 
 
@@ -239,7 +245,7 @@ def _padded(count: Longs) -> Longs:
 
 
 def _heads(begin: Longs, below: Longs, place: Longs) -> Booleans:
-    """Which vertices begin a supernode: those that do not meet what their forerunner meets."""
+    """Vertices that begin a supernode: those that do not meet what their forerunner meets."""
     counts = np.diff(begin)
     nv = len(counts)
     parent = np.full(nv, -1)
@@ -258,14 +264,14 @@ def _loads(matrix: Pattern, panels: _Panels) -> tuple[Longs, Ints]:
     i, j = matrix.rows, matrix.column
     some = (matrix.sizes[i] > 0) & (matrix.sizes[j] > 0)
     i, j, value = i[some], j[some], matrix.value[some]
-    panel, to, turned = panels.locate(
+    panel, to, transposed = panels.locate(
         panels.vertex[i], panels.block[i], panels.vertex[j], panels.block[j]
     )
     sizes, first = matrix.sizes, matrix.first
     by = np.argsort(panel, kind="stable")
     load = np.empty((len(by), 8), np.int32)
     fields: list[NDArray[np.integer]] = [value, matrix.stride[i], to, sizes[i], sizes[j]]
-    for k, numbers in enumerate([*fields, first[i], first[j], turned]):
+    for k, numbers in enumerate([*fields, first[i], first[j], transposed]):
         load[:, k] = numbers[by]
     return np.searchsorted(panel[by], np.arange(panels.count + 1)), load
 
@@ -292,7 +298,7 @@ def _runs(panels: _Panels) -> tuple[Longs, Longs, Longs]:
 def _targets(
     panels: _Panels, run_start: Longs, run: Longs, first: Longs
 ) -> tuple[Longs, Longs, Longs]:
-    """Where the products of all pairs of runs of a supernode go.
+    """Places for the products of all pairs of runs of a supernode.
 
     Returns:
         Where the list of each supernode begins (ns,), the list, and the first supernode that adds

@@ -1,11 +1,11 @@
-"""Which blocks of a sparse matrix are eliminated together.
+"""Groups of blocks of a sparse matrix that are eliminated at once.
 
 Multipliers have no diagonal of their own: each is eliminated when something is there that its rows
 hold, so that pivots are found among the rows at hand. Nodes go one after the other, as fill asks.
 Rows that hold all motion of a node go with that node, one set per node, as a joint goes with its
 body in a tree: the two are regular whatever else the node has, and what is left of the node moves
-with those that its joint hangs on. All other rows close circuits: they wait for the node at which
-the ways from their nodes meet, where all motion in the circuit is known. Coordinates of joints go
+with those that its joint hangs on. All other rows close loops: they wait for the node at which
+the ways from their nodes meet, where all motion in the loop is known. Coordinates of joints go
 with the last of the nodes they are for, and not before rows that hold them.
 """
 
@@ -23,16 +23,16 @@ from .ordering import elimination, graph, ranks
 from .pattern import Longs, Pattern
 
 Bools = Booleans
-CLOSING = 3  # turn of rows that close circuits
+CLOSING = 3  # turn of rows that close loops
 
 
-def together(pattern: Pattern) -> tuple[Longs, Longs, Bools]:
+def elimination_groups(pattern: Pattern) -> tuple[Longs, Longs, Bools]:
     """The order of elimination.
 
     Returns:
         order: The blocks in order of elimination (nb,).
         vertex: Of each of them, which set it belongs to, ascending from 0 (nb,).
-        closing: Which blocks are rows that close circuits, and may follow from others (nb,).
+        closing: Which blocks are rows that close loops, and may follow from others (nb,).
     """
     stage, turn = _both(pattern)
     order = np.lexsort((np.arange(len(stage)), turn, stage))
@@ -49,35 +49,36 @@ def _both(pattern: Pattern) -> tuple[Longs, Longs]:
     """When each block is eliminated, and at which turn among those of its stage (nb,), (nb,).
 
     A node comes first, then the rows that hold it with the coordinates of its joint: what is left
-    for rows that close circuits is what they act on, and those that follow from others show.
+    for rows that close loops is what they act on, and those that follow from others show.
     """
     nb = len(pattern.sizes)
     rows, columns = pattern.rows.astype(np.int64), pattern.column.astype(np.int64)
     light, lam = pattern.massless, pattern.multiplier
     stage = np.full(nb, -1)
-    beside = _most(rows, columns, light[rows] & ~light[columns] & ~lam[columns], np.arange(nb))
+    host = _most(rows, columns, light[rows] & ~light[columns] & ~lam[columns], np.arange(nb))
     # coordinates that no node has are nodes themselves
-    node = ~lam & (~light | (beside < 0))
-    stage[node] = _of_nodes(rows, columns, np.where(node, np.arange(nb), beside), ~lam)
+    node = ~lam & (~light | (host < 0))
+    stage[node] = _of_nodes(rows, columns, np.where(node, np.arange(nb), host), ~lam)
     waiting = light & ~node
     on_nodes = _most(rows, columns, waiting[rows] & node[columns], stage)
     beyond = _most(rows, columns, lam[rows] & waiting[columns], on_nodes)
-    held = _held(pattern, rows, columns, node)
-    for at, row in held.items():
+    # every constraint row is assigned to a block that it can be eliminated with
+    assigned = _assigned_rows(pattern, rows, columns, node)
+    for at, row in assigned.items():
         stage[row] = stage[at]
     for row in np.flatnonzero(lam & (stage < 0)).tolist():
-        at = _closing(pattern, node, stage, held, row)
+        at = _closing(pattern, node, stage, assigned, row)
         stage[row] = at if at < 0 else max(at, int(beyond[row]))
     by_rows = lam[columns] & (stage[columns] >= 0)
     first = nb - _most(rows, columns, waiting[rows] & by_rows, nb - stage)
     stage[waiting] = np.maximum(on_nodes, np.where(first <= nb, first, -1))[waiting]
     # rows on coordinates of joints alone, and rows on nothing
-    rest = lam & (stage < 0)
-    stage[rest] = _most(rows, columns, rest[rows] & ~lam[columns], stage)[rest]
+    unassigned = lam & (stage < 0)
+    stage[unassigned] = _most(rows, columns, unassigned[rows] & ~lam[columns], stage)[unassigned]
     lost = stage < 0
     stage[lost] = nb + np.flatnonzero(lost)
     holds = np.zeros(nb, bool)
-    holds[list(held.values())] = True
+    holds[list(assigned.values())] = True
     with_node = _most(rows, columns, holds[columns], stage) == stage
     turn = np.select([node, holds, light & with_node, lam], [0, 1, 2, CLOSING], 4)
     return stage, turn.astype(np.int64)
@@ -96,11 +97,11 @@ def _of_nodes(rows: Longs, columns: Longs, host: Longs, speed: Bools) -> Longs:
     names, number = np.unique(host[speed], return_inverse=True)
     place = np.full(len(host), -1)
     place[speed] = number
-    between = graph(len(names), place[rows[among]], place[columns[among]])
-    return ranks(elimination(between))
+    adjacency = graph(len(names), place[rows[among]], place[columns[among]])
+    return ranks(elimination(adjacency))
 
 
-def _held(pattern: Pattern, rows: Longs, columns: Longs, node: Bools) -> dict[int, int]:
+def _assigned_rows(pattern: Pattern, rows: Longs, columns: Longs, node: Bools) -> dict[int, int]:
     """Node -> rows that hold all its motion; as many nodes as can be, children of joints first.
 
     A node that is left has to be regular by itself. Bodies that a joint carries may have no mass of
@@ -111,21 +112,23 @@ def _held(pattern: Pattern, rows: Longs, columns: Longs, node: Bools) -> dict[in
     shape = (len(node), len(node))
     first = fit & (pattern.child[rows] == columns)
     offers = coo_array((np.ones(int(first.sum())), (rows[first], columns[first])), shape).tocsr()
-    found = maximum_bipartite_matching(offers, perm_type="column")
-    taken = np.flatnonzero(found >= 0)
-    held = dict(zip(found[taken].tolist(), taken.tolist(), strict=True))
+    matching = maximum_bipartite_matching(offers, perm_type="column")
+    taken = np.flatnonzero(matching >= 0)
+    assigned = dict(zip(matching[taken].tolist(), taken.tolist(), strict=True))
     fitting: dict[int, list[int]] = {}
     for row, at in zip(rows[fit].tolist(), columns[fit].tolist(), strict=True):
         fitting.setdefault(at, []).append(row)
     for at in fitting:
-        if at not in held:
-            _hold_too(at, fitting, held)
-    return held
+        if at not in assigned:
+            _assign_by_exchange(at, fitting, assigned)
+    return assigned
 
 
-def _hold_too(at: int, fitting: Mapping[int, list[int]], held: dict[int, int]) -> None:
+def _assign_by_exchange(
+    at: int, fitting: Mapping[int, list[int]], assigned: dict[int, int]
+) -> None:
     """Hold one more node, if rows can be exchanged among the nodes that are held."""
-    owner = {row: node for node, row in held.items()}
+    owner = {row: node for node, row in assigned.items()}
     before, front = {at: -1}, [at]
     while front:
         here = front.pop()
@@ -133,7 +136,7 @@ def _hold_too(at: int, fitting: Mapping[int, list[int]], held: dict[int, int]) -
             if row not in owner:
                 # every node on the way takes the row that led on, and leaves its own behind
                 while here >= 0:
-                    row, held[here] = held.get(here, -1), row
+                    row, assigned[here] = assigned.get(here, -1), row
                     here = before[here]
                 return
             if owner[row] not in before:
@@ -147,7 +150,9 @@ def _nodes(pattern: Pattern, row: int, node: Bools) -> list[int]:
     return [int(x) for x in met[node[met]]]
 
 
-def _closing(pattern: Pattern, node: Bools, stage: Longs, held: Mapping[int, int], row: int) -> int:
+def _closing(
+    pattern: Pattern, node: Bools, stage: Longs, assigned: Mapping[int, int], row: int
+) -> int:
     """The stage at which the ways from the nodes of a row block meet, -1 if it meets none.
 
     Each way goes from a node to those that its own rows hang it on. Ways that end on the ground, or
@@ -163,11 +168,11 @@ def _closing(pattern: Pattern, node: Bools, stage: Longs, held: Mapping[int, int
             heappop(front)
         if not front and not to_ends:
             break
-        if here not in held:
+        if here not in assigned:
             missing -= int(pattern.sizes[here])
             to_ends = missing > 0
             continue
-        later = [x for x in _nodes(pattern, held[here], node) if stage[x] > at]
+        later = [x for x in _nodes(pattern, assigned[here], node) if stage[x] > at]
         to_ends = to_ends or not later
         for x in later:
             heappush(front, (int(stage[x]), x))

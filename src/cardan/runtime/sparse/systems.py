@@ -29,10 +29,10 @@ def balanced(plan: Plan, values: ArrayLike, sweeps: int = 6) -> tuple[Reals, Rea
     Source: D. Ruiz, A scaling algorithm to equilibrate both rows and columns norms, 2001.
     """
     columns, starts = plan.pattern.csr
-    rows, turned, begins = plan.pattern.turned
+    rows, transposed, begins = plan.pattern.transposed
     size, units = np.abs(np.asarray(values, float)), np.ones((2, plan.pattern.n))
     for _ in range(sweeps):
-        most = _largest(size, starts), _largest(size[turned], begins)
+        most = _largest(size, starts), _largest(size[transposed], begins)
         if all(np.all((x >= EVEN) & (x * EVEN <= 1)) for x in most):
             break
         shares = [1 / np.sqrt(x) for x in most]
@@ -46,8 +46,8 @@ def _largest(size: Reals, starts: NDArray[np.integer]) -> Reals:
     most = np.ones(len(starts) - 1)
     some = np.flatnonzero(np.diff(starts))
     if len(some):
-        found = np.maximum.reduceat(size, starts[some])
-        most[some] = np.where(found > 0, found, 1.0)
+        maxima = np.maximum.reduceat(size, starts[some])
+        most[some] = np.where(maxima > 0, maxima, 1.0)
     return most
 
 
@@ -56,13 +56,13 @@ def guess(n: int) -> Reals:
     return np.asarray(0.5 + (0.6180339887498949 * np.arange(1, n + 1)) % 1)
 
 
-def checked(name: str, given: ArrayLike, size: int) -> Reals:
+def checked(name: str, values: ArrayLike, size: int) -> Reals:
     """An array of that many numbers.
 
     Raises:
         ArgumentError: there are more or fewer.
     """
-    array = np.ascontiguousarray(given, float)
+    array = np.ascontiguousarray(values, float)
     if array.shape != (size,):
         raise ArgumentError(f"{name}: shape {array.shape} instead of ({size},)")
     return array
@@ -74,10 +74,10 @@ def sides(plan: Plan, b: ArrayLike) -> Reals:
     Raises:
         ArgumentError: they are not (n,) or (n, count).
     """
-    given = np.asarray(b, float)
-    if given.ndim not in (1, 2) or given.shape[0] != plan.pattern.n:
-        raise ArgumentError(f"b: shape {given.shape} for {plan.pattern.n} unknowns")
-    return np.array(given.T, order="C")
+    right = np.asarray(b, float)
+    if right.ndim not in (1, 2) or right.shape[0] != plan.pattern.n:
+        raise ArgumentError(f"b: shape {right.shape} for {plan.pattern.n} unknowns")
+    return np.array(right.T, order="C")
 
 
 def scales(
@@ -88,13 +88,13 @@ def scales(
     Raises:
         ArgumentError: one of them is not a positive number.
     """
-    found: list[Reals | None] = []
-    for name, given in (("rows", rows), ("columns", columns)):
-        scale = None if given is None else checked(name, given, plan.pattern.n)
+    scaled: list[Reals | None] = []
+    for name, factors in (("rows", rows), ("columns", columns)):
+        scale = None if factors is None else checked(name, factors, plan.pattern.n)
         if scale is not None and not bool((np.isfinite(scale) & (scale > 0)).all()):
             raise ArgumentError(f"{name}: units are positive numbers")
-        found.append(scale)
-    return found[0], found[1]
+        scaled.append(scale)
+    return scaled[0], scaled[1]
 
 
 def named(plan: Plan, unknown: int) -> str:

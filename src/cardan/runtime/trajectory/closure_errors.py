@@ -1,10 +1,10 @@
-"""How well the circuits of a run stayed closed."""
+"""Closure errors of the loops of a run."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, final
+from typing import TYPE_CHECKING, final
 
 import numpy as np
 
@@ -41,7 +41,7 @@ class Worst:
 @final
 @dataclass(frozen=True)
 class Ledger:
-    """Residuals of all constraints over a run.
+    """Residuals of all constraints over a run; empty without loops.
 
     Attributes:
         position, velocity: Multiplier name -> :class:`Worst`; velocity rows are the rates of the
@@ -98,9 +98,9 @@ def residual_unit(row: MultiplierRow) -> str:
     Args:
         row: Of the multipliers of the manifest: a force belongs to a length.
     """
-    known = {"N": "m", "N*m": "rad"}.get(row.unit)
-    if known is not None:
-        return known if row.level == "position" else f"{known}/s"
+    unit_of_rotation = {"N": "m", "N*m": "rad"}.get(row.unit)
+    if unit_of_rotation is not None:
+        return unit_of_rotation if row.level == "position" else f"{unit_of_rotation}/s"
     return row.unit.removeprefix("J").removeprefix("/(").removesuffix(")")
 
 
@@ -108,41 +108,6 @@ def _unit(row: MultiplierRow, rate: bool) -> str:
     """Unit of a residual or of its rate."""
     unit = residual_unit(row)
     return f"{unit or '1'}/s" if rate and row.level == "position" else unit
-
-
-class Drift(np.ndarray[Any, np.dtype[np.float64]]):
-    """What the energy ledger misses (nt,) [J], with the ledger of the constraints beside it.
-
-    Attributes:
-        constraints: Residuals of the constraints over the run, None without circuits.
-    """
-
-    constraints: Ledger | None
-
-    @classmethod
-    def of(cls, energy: Array, constraints: Ledger | None) -> Drift:
-        """The drift of energy (nt,) [J] and of constraints."""
-        found = np.asarray(energy, dtype=np.float64).view(cls)
-        found.constraints = constraints
-        return found
-
-    def __array_finalize__(self, source: Any) -> None:
-        self.constraints = getattr(source, "constraints", None)
-
-    @property
-    def energy(self) -> Array:
-        """The energy alone (nt,) [J]."""
-        return self.view(np.ndarray)
-
-    @property
-    def position(self) -> dict[str, Worst]:
-        """Worst residuals of positions by multiplier, empty without circuits."""
-        return {} if self.constraints is None else self.constraints.position
-
-    @property
-    def velocity(self) -> dict[str, Worst]:
-        """Worst residuals of velocities by multiplier, empty without circuits."""
-        return {} if self.constraints is None else self.constraints.velocity
 
 
 def residuals_of(motion: TrajectoryRecord) -> dict[str, Array]:
@@ -166,6 +131,6 @@ def multipliers_of(motion: TrajectoryRecord) -> dict[str, Array]:
     if rows and "multipliers" not in motion.stored:
         model = motion._model("the multipliers")
         motion.stored["multipliers"] = model.multipliers(
-            motion.q, motion.u, t=motion.t, r=motion._r, **motion._own
+            motion.q, motion.u, t=motion.t, r=motion._r, **motion._arguments
         )
     return {row.name: motion.stored["multipliers"][:, k] for k, row in enumerate(rows)}

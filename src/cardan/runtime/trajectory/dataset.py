@@ -30,7 +30,7 @@ def to_xarray(motion: TrajectoryRecord) -> Any:
             "q": (("time", "coordinate"), motion.q),
             "u": (("time", "speed"), motion.u),
             "r": (("time", "input"), motion.r),
-            "work": (("time", "source"), motion.given, {"units": "J"}),
+            "work": (("time", "source"), motion.work_done, {"units": "J"}),
         },
         coords={
             "time": ("time", motion.t, {"units": "s"}),
@@ -39,7 +39,11 @@ def to_xarray(motion: TrajectoryRecord) -> Any:
             "input": names["r"],
             "source": list(motion.sources or ()),
         },
-        attrs={"model": manifest.name, "method": motion.conduct.method, "status": motion.status},
+        attrs={
+            "model": manifest.name,
+            "method": motion.solver_info.method,
+            "status": motion.status,
+        },
     )
     for key, dimension, values in (("z", "internal_state", motion.z), ("s", "mode", motion.s)):
         if names[key]:

@@ -44,7 +44,7 @@ class Dense:
         values: Array = self.y[step] + total
         for start in self.quaternions if self.charted else ():
             four = slice(start, start + 4)
-            values[:, four] = turned(self.y[step, four], total[:, start + 1 : start + 4])
+            values[:, four] = rotated(self.y[step, four], total[:, start + 1 : start + 4])
         for start in self.quaternions:
             q = values[:, start : start + 4]
             q /= np.linalg.norm(q, axis=1, keepdims=True)
@@ -53,7 +53,7 @@ class Dense:
         return values
 
 
-def turned(q: Array, v: Array) -> Array:
+def rotated(q: Array, v: Array) -> Array:
     """Quaternions (m, 4) turned by rotation vectors v (m, 3) in body axes: q exp(v / 2)."""
     half = 0.5 * np.linalg.norm(v, axis=1, keepdims=True)
     w, by = np.cos(half), 0.5 * np.sinc(half / np.pi) * v
@@ -61,22 +61,22 @@ def turned(q: Array, v: Array) -> Array:
     return np.hstack([first, q[:, :1] * by + w * q[:, 1:] + np.cross(q[:, 1:], by)])
 
 
-def shortened(spread: Array, part: float) -> Array:
+def shortened(coefficients: Array, part: float) -> Array:
     """The dense output of a step over a part of it.
 
     Args:
         spread: F0, F1, ... (rows, size).
         part: 0 ... 1.
     """
-    rows, size = spread.shape
+    rows, size = coefficients.shape
     a = np.zeros((rows + 1, size))
     # powers of theta, those of phi = theta / part, and back again
     for j in range(rows - 1, -1, -1):
-        a[0] += spread[j]
+        a[0] += coefficients[j]
         down = np.concatenate([np.zeros((1, size)), a[:-1]])
         a = down if j % 2 == 0 else a - down
     a *= part ** np.arange(rows + 1)[:, None]
-    result = np.empty_like(spread)
+    result = np.empty_like(coefficients)
     for j in range(rows):
         if j % 2 == 0:
             # divided by phi; what is left after the row vanishes at phi = 1

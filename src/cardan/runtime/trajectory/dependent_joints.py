@@ -21,7 +21,7 @@ def names(manifest: Manifest) -> list[str]:
 
 
 def _solved(manifest: Manifest) -> list[str]:
-    """Coordinates and speeds of joints that circuits in closed form determine."""
+    """Coordinates and speeds of joints that loops in closed form determine."""
     rows = [j.solved for j in manifest.joints if j.solved]
     return [name for block in ("q", "u") for row in rows for name in row.names(block)]
 
@@ -47,7 +47,7 @@ def history(motion: TrajectoryRecord, name: str) -> Array:
 
 
 def _from_circuit(motion: TrajectoryRecord, name: str) -> Array:
-    """A coordinate or speed of a joint of a circuit in closed form, angles without jumps."""
+    """A coordinate or speed of a joint of a loop in closed form, angles without jumps."""
     if motion.model is None:
         raise ModelError(
             f"motion['{name}']: it follows from others by a function of the model. Compile that "
@@ -62,7 +62,7 @@ def _from_circuit(motion: TrajectoryRecord, name: str) -> Array:
 
 
 def _prescribed(motion: TrajectoryRecord, number: int, rate: bool) -> Array:
-    """What the motion of a joint is prescribed to be, at the times of the run."""
+    """Prescribed motion of a joint at the times of the run."""
     model = motion.model
     if model is None:
         joint = motion.manifest.joints[number].name
@@ -70,11 +70,11 @@ def _prescribed(motion: TrajectoryRecord, number: int, rate: bool) -> Array:
             f"motion['{joint}']: the joint is prescribed, which a file does not hold. Compile the "
             "model and give it: load_motion(path, model=...)"
         )
-    found = model._evaluate_saved(
+    values_of = model._evaluate_saved(
         "scene_motion",
         t=motion.t[:, np.newaxis],
         r=motion.r,
         p=np.broadcast_to(model.parameters.vector, (len(motion.t), len(model.parameters.vector))),
     )["motion"]
-    values: Array = np.broadcast_to(found, (len(motion.t), *np.shape(found)[-2:]))
+    values: Array = np.broadcast_to(values_of, (len(motion.t), *np.shape(values_of)[-2:]))
     return values[:, number, 1 if rate else 0].copy()

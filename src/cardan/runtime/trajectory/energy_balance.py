@@ -1,4 +1,4 @@
-"""Where the energy of a run came from and went."""
+"""Balance of the energy of a run."""
 
 from __future__ import annotations
 
@@ -34,19 +34,19 @@ class Balance:
 
     before: float
     after: float
-    given: float
+    supplied: float
     taken: float
     dissipated: dict[str, float]
     impacts: dict[str, float]
     residual: float
 
     def __str__(self) -> str:
-        words = [f"{self.before:.6g} J, then {self.after:.6g} J"]
-        words += [f"given {self.given:.4g}"] if self.given else []
-        words += [f"taken {self.taken:.4g}"] if self.taken else []
+        parts = [f"{self.before:.6g} J, then {self.after:.6g} J"]
+        parts += [f"given {self.supplied:.4g}"] if self.supplied else []
+        parts += [f"taken {self.taken:.4g}"] if self.taken else []
         for label, some in (("dissipated", self.dissipated), ("lost in impacts", self.impacts)):
-            words += [f"{label} {sum(some.values()):.4g}"] if some else []
-        return ", ".join(words)
+            parts += [f"{label} {sum(some.values()):.4g}"] if some else []
+        return ", ".join(parts)
 
 
 def balance(motion: TrajectoryRecord) -> Balance:
@@ -56,7 +56,7 @@ def balance(motion: TrajectoryRecord) -> Balance:
         ModelError: the model has no function ``energy`` or ``power``.
     """
     total = motion.energy.total
-    given, taken, dissipated = 0.0, 0.0, dict[str, float]()
+    supplied, taken, dissipated = 0.0, 0.0, dict[str, float]()
     jumps = impacts(motion)
     for name, history in motion.work.items():
         if name in jumps:
@@ -66,23 +66,23 @@ def balance(motion: TrajectoryRecord) -> Balance:
         if down > 0 and up <= LEVEL * down:
             dissipated[name] = down - up
         else:
-            given, taken = given + up, taken + down
+            supplied, taken = supplied + up, taken + down
     lost = {name: -float(history[-1]) for name, history in jumps.items()}
-    worst = float(np.abs(motion.drift.energy).max())
-    return Balance(float(total[0]), float(total[-1]), given, taken, dissipated, lost, worst)
+    worst = float(np.abs(motion.energy_residual).max())
+    return Balance(float(total[0]), float(total[-1]), supplied, taken, dissipated, lost, worst)
 
 
 def losses(motion: TrajectoryRecord) -> Array:
     """Change of the energy in everything that happened (count,) [J]; empty where not known."""
     if "losses" in motion.stored:
         return motion.stored["losses"]
-    log = motion.happened.log
+    log = motion.event_log.log
     available = "energy" in motion.manifest.available
     if motion.model is None or not len(log) or not available:
         return np.zeros(0)
-    before, after = motion.happened.states(motion.x.shape[1])
+    before, after = motion.event_log.states(motion.x.shape[1])
     jumped = np.flatnonzero((before != after).any(axis=1))
-    found = np.zeros(len(log))
+    changes = np.zeros(len(log))
     if len(jumped):
         t = log[jumped, 0]
         r = inputs_at(motion, t) if motion.r.shape[1] else None
@@ -93,25 +93,25 @@ def losses(motion: TrajectoryRecord) -> Array:
         change = totals[1] - totals[0]
         # what a projection rounds is no loss
         small = np.abs(change) <= ROUNDING * np.abs(totals).max()
-        found[jumped] = np.where(small, 0.0, change)
-    motion.stored["losses"] = found
-    return found
+        changes[jumped] = np.where(small, 0.0, change)
+    motion.stored["losses"] = changes
+    return changes
 
 
 def impacts(motion: TrajectoryRecord) -> dict[str, Array]:
     """Energy that jumps have given since the start (nt,), negative, by element [J]."""
-    changes, known = losses(motion), motion.happened
-    found: dict[str, Array] = {}
+    changes, event_log = losses(motion), motion.event_log
+    gains: dict[str, Array] = {}
     sign = 1.0 if len(motion) < 2 or motion.t[-1] >= motion.t[0] else -1.0
     # the first of two rows of one time stands before what happened
     first = np.append(motion.t[1:] == motion.t[:-1], False)
-    for line, change in zip(known.log, changes, strict=False):
+    for line, change in zip(event_log.log, changes, strict=False):
         if change == 0:
             continue
-        fired = np.flatnonzero(line[1 : 1 + len(known.rows)])
-        owners = dict.fromkeys(known.rows[k]["element"] for k in fired)
+        fired = np.flatnonzero(line[1 : 1 + len(event_log.rows)])
+        owners = dict.fromkeys(event_log.rows[k]["element"] for k in fired)
         late = sign * (motion.t - line[0])
         behind = (late > 0) | ((late == 0) & ~first)
         name = f"{' + '.join(owners)}.impact"
-        found[name] = found.get(name, 0.0) + np.where(behind, change, 0.0)
-    return found
+        gains[name] = gains.get(name, 0.0) + np.where(behind, change, 0.0)
+    return gains

@@ -1,4 +1,4 @@
-"""What happened in a run."""
+"""Events of a run."""
 
 from __future__ import annotations
 
@@ -41,13 +41,14 @@ class Event:
 
 
 @dataclass(frozen=True, eq=False)
-class Happened:
+class EventLog:
     """Everything that happened in a run, and the discrete states along it.
 
     Attributes:
         s: Discrete states (nt, ns).
         rows: name, element and kind of every event that could happen; with ``decides``, the place
-            of a mode, counted from the end, and the value from which it is no event but the first
+            of a mode, counted from the end, and the value from which it is not an event but the
+            first
             decision about that mode.
         log: When what happened, and [x, s] before and behind it (count, 1 + ne + 2 (nx + ns)).
     """
@@ -69,54 +70,54 @@ class Happened:
 
     @cached_property
     def _fired(self) -> NDArray[np.bool_]:
-        """What happened: (count, ne)."""
-        found: NDArray[np.bool_] = self.log[:, 1 : 1 + len(self.rows)] != 0
-        return found
+        """Mask of the events (count, ne)."""
+        fired: NDArray[np.bool_] = self.log[:, 1 : 1 + len(self.rows)] != 0
+        return fired
 
     @cached_property
     def _samples(self) -> NDArray[np.bool_]:
         """Samples among it (count, ne)."""
         ticks = np.array([row["kind"] == "tick" for row in self.rows], dtype=bool)
-        found: NDArray[np.bool_] = self._fired & ticks
-        return found
+        samples: NDArray[np.bool_] = self._fired & ticks
+        return samples
 
     @cached_property
-    def _told(self) -> NDArray[np.bool_]:
+    def _reported(self) -> NDArray[np.bool_]:
         """Events among it (count, ne): neither samples nor first decisions."""
         start = 1 + len(self.rows)
         before = self.log[:, : start + (self.log.shape[1] - start) // 2]
-        found = self._fired & ~self._samples
+        reported = self._fired & ~self._samples
         for k, row in enumerate(self.rows):
             if "decides" in row:
                 mode, value = row["decides"]
-                found[:, k] &= before[:, int(mode)] != value
-        return found
+                reported[:, k] &= before[:, int(mode)] != value
+        return reported
 
     @property
     def counts(self) -> dict[str, int]:
-        """How many events there were, and how many samples."""
+        """Number of events, and of samples."""
         if not len(self.log):
             return {"events": 0, "ticks": 0}
-        return {"events": int(self._told.sum()), "ticks": int(self._samples.sum())}
+        return {"events": int(self._reported.sum()), "ticks": int(self._samples.sum())}
 
     @property
     def quiet(self) -> Array:
         """Times at which there was no event, but samples or first decisions."""
-        loud = self._told.any(axis=1)
+        loud = self._reported.any(axis=1)
         return np.setdiff1d(self.times[~loud], self.times[loud])
 
     def events(self, nx: int, ticks: bool = False) -> tuple[Event, ...]:
         """One record per event, or per sample, in the order of time."""
-        start, found = 1 + len(self.rows), []
+        start, events = 1 + len(self.rows), []
         half = (self.log.shape[1] - start) // 2
-        for line, fired in zip(self.log, self._samples if ticks else self._told, strict=True):
+        for line, fired in zip(self.log, self._samples if ticks else self._reported, strict=True):
             before, after = line[start : start + half], line[start + half :]
             states = (before[:nx], before[nx:], after[:nx], after[nx:])
             for k in np.flatnonzero(fired):
                 row = self.rows[k]
-                known = str(row["name"]), str(row["element"]), str(row["kind"])
-                found.append(Event(float(line[0]), *known, *states))
-        return tuple(found)
+                labels = str(row["name"]), str(row["element"]), str(row["kind"])
+                events.append(Event(float(line[0]), *labels, *states))
+        return tuple(events)
 
     def modes(self, t: Array, times: Array) -> Array:
         """Discrete states (m, ns) at times (m,) of a run with rows at t (nt,): behind events."""
@@ -124,11 +125,11 @@ class Happened:
             return np.zeros((len(times), 0))
         sign = 1.0 if t[-1] >= t[0] else -1.0
         rows = np.searchsorted(sign * t, sign * times, side="right") - 1
-        found: Array = self.s[np.clip(rows, 0, len(t) - 1)]
-        return found
+        modes: Array = self.s[np.clip(rows, 0, len(t) - 1)]
+        return modes
 
 
-def told(events: Sequence[Event], most: int = 4) -> str:
+def one_line(events: Sequence[Event], most: int = 4) -> str:
     """When one event happened, in words: the first few times and how many more."""
     times = [f"{event.t:.6g}" for event in events[:most]]
     more = f" ... {events[-1].t:.6g}" if len(events) > most else ""

@@ -1,4 +1,4 @@
-"""Where frames are along a motion, whether its model is at hand or not."""
+"""Poses of frames along a motion, with or without its model."""
 
 from __future__ import annotations
 
@@ -25,8 +25,8 @@ def numbers(model: LoadedModel) -> Mapping[str, Array]:
     """Numbers of the scene of a model, see :attr:`.Trajectory.scene`."""
     if model.manifest.absolute:
         return frames.numbers(model)
-    found: Mapping[str, Array] = model._evaluate_saved("scene", p=model.parameters.vector)
-    return found
+    values: Mapping[str, Array] = model._evaluate_saved("scene", p=model.parameters.vector)
+    return values
 
 
 def pose(motion: TrajectoryRecord, frame: str) -> Array:
@@ -38,21 +38,21 @@ def pose(motion: TrajectoryRecord, frame: str) -> Array:
         ModelError: no such frame, or the file does not say how its body moves.
     """
     rows = motion.manifest.frames
-    own = next((row for row in rows if row.name == frame), None)
-    if own is None:
+    frame_row = next((row for row in rows if row.name == frame), None)
+    if frame_row is None:
         raise ModelError(
             f"frame '{frame}' does not exist.{near(frame, [row.name for row in rows])}"
         )
-    place, body = placed(motion, frame), own.body
+    place, body = frame_on_body(motion, frame), frame_row.body
     # nodes of their own, such as those that joints of the user's carry, belong to no body
-    if body == "ground" and not own.node:
+    if body == "ground" and not frame_row.node:
         return np.broadcast_to(place, (len(motion), 4, 4)).copy()
     for row in rows if body != "ground" else ():
         history = motion.stored.get(f"pose {row.name}")
         if row.body == body and history is not None:
-            found: Array = history @ inverse(placed(motion, row.name)) @ place
-            return found
-    if not told(motion):
+            history_of_frame: Array = history @ inverse(frame_on_body(motion, row.name)) @ place
+            return history_of_frame
+    if not is_recorded(motion):
         motion._model(f"the pose of '{frame}'")
     if motion.manifest.absolute:
         parts = (motion.scene[name] for name in ("frame_rotation", "frame_position"))
@@ -80,22 +80,22 @@ def inverse(pose: Array) -> Array:
     return back
 
 
-def told(motion: TrajectoryRecord) -> bool:
-    """Whether a run without its model tells poses by its coordinates alone."""
+def is_recorded(motion: TrajectoryRecord) -> bool:
+    """True when a run without its model tells poses by its coordinates alone."""
     manifest = motion.manifest
     if manifest.absolute:
         return "frame_rotation" in motion.scene
     scene = manifest.scene
-    known = all(
+    complete = all(
         kind.removeprefix(REVERSED) in POSES and (rotation is None or rotation in PARAMETERS)
         for kind, rotation in zip(scene.kinds, scene.rotations, strict=True)
     )
     joints = manifest.joints
-    given = any(joint.prescribed or joint.solved for joint in joints)
-    return not scene.empty and "position" in motion.scene and known and not given
+    driven = any(joint.prescribed or joint.solved for joint in joints)
+    return not scene.empty and "position" in motion.scene and complete and not driven
 
 
-def placed(motion: TrajectoryRecord, frame: str) -> Array:
+def frame_on_body(motion: TrajectoryRecord, frame: str) -> Array:
     """Transform (4, 4) from the axes of a frame to those of the rigid body that carries it.
 
     Raises:
@@ -119,16 +119,16 @@ def line(motion: TrajectoryRecord, beam: str) -> Array:
         ModelError: no such beam.
     """
     rows = motion.manifest.beams
-    pieces = [row for row in rows if row.name == beam]
-    if not pieces:
+    segments = [row for row in rows if row.name == beam]
+    if not segments:
         names = list(dict.fromkeys(row.name for row in rows))
         raise ModelError(f"beam '{beam}' does not exist.{near(beam, names)}")
-    found = [motion.pose(pieces[0].start)[:, None, :3, 3]]
-    for piece in pieces:
-        first, count = piece.q
-        plane = Plane.of(piece.plane)
+    points = [motion.pose(segments[0].start)[:, None, :3, 3]]
+    for segment in segments:
+        first, count = segment.q
+        plane = Plane.of(segment.plane)
         size = 7 if plane is None else 3
         inner = motion.q[:, first : first + size * count].reshape(len(motion), count, size)
-        places = inner[:, :, 4:] if plane is None else inner[:, :, :2] @ plane.spread[3:, :2].T
-        found += [places, motion.pose(piece.end)[:, None, :3, 3]]
-    return np.concatenate(found, axis=1)
+        places = inner[:, :, 4:] if plane is None else inner[:, :, :2] @ plane.to_space[3:, :2].T
+        points += [places, motion.pose(segment.end)[:, None, :3, 3]]
+    return np.concatenate(points, axis=1)

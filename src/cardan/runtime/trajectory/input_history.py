@@ -11,7 +11,7 @@ from ...arrays import Array
 
 
 @dataclass(frozen=True)
-class Pieces:
+class PiecewiseInput:
     """An input by polynomials: c0 + c1 d + c2 d^2 + c3 d^3 with d = t - breaks[k].
 
     Attributes:
@@ -37,9 +37,9 @@ class Recorded:
     """
 
     constants: Array
-    pieces: tuple[Pieces, ...]
-    asked: tuple[int, ...]
-    held: bool
+    tabulated: tuple[PiecewiseInput, ...]
+    called: tuple[int, ...]
+    sampled: bool
     t: Array
     r: Array
 
@@ -53,17 +53,17 @@ class Recorded:
         times = np.atleast_1d(np.asarray(times, dtype=np.float64))
         result = np.tile(self.constants, (len(times), 1))
         order = np.argsort(self.t, kind="stable")
-        known, r = self.t[order], self.r[order]
-        for k in self.asked:
-            if self.held:
+        t_rows, r = self.t[order], self.r[order]
+        for k in self.called:
+            if self.sampled:
                 # a row at the end of a step holds the value that led there
-                next_row = np.clip(np.searchsorted(known, times), 0, len(known) - 1)
+                next_row = np.clip(np.searchsorted(t_rows, times), 0, len(t_rows) - 1)
                 result[:, k] = r[next_row, k]
             else:
-                result[:, k] = np.interp(times, known, r[:, k])
-        for piece in self.pieces:
-            where = np.searchsorted(piece.breaks, times, side="right") - 1
-            where = np.clip(where, 0, len(piece.coefficients) - 1)
-            d, c = times - piece.breaks[where], piece.coefficients[where].T
-            result[:, piece.input] = ((c[3] * d + c[2]) * d + c[1]) * d + c[0]
+                result[:, k] = np.interp(times, t_rows, r[:, k])
+        for segment in self.tabulated:
+            where = np.searchsorted(segment.breaks, times, side="right") - 1
+            where = np.clip(where, 0, len(segment.coefficients) - 1)
+            d, c = times - segment.breaks[where], segment.coefficients[where].T
+            result[:, segment.input] = ((c[3] * d + c[2]) * d + c[1]) * d + c[0]
         return result

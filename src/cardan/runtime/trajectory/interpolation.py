@@ -31,7 +31,7 @@ def states_at(motion: TrajectoryRecord, times: Array) -> Array:
 
 def _states_at(motion: TrajectoryRecord, times: Array) -> Array:
     if motion.dense is None:
-        return _kept(motion, times)
+        return _interpolated(motion, times)
     low, high = sorted((float(motion.t[0]), float(motion.t[-1])))
     outside = times[~((times >= low) & (times <= high))]
     if len(outside):
@@ -40,13 +40,13 @@ def _states_at(motion: TrajectoryRecord, times: Array) -> Array:
     if motion.ledger is not None and motion.model is not None:
         # a polynomial leaves the constraints between its ends
         nx = motion.x.shape[1]
-        r, modes = inputs_at(motion, times), motion.happened.modes(motion.t, times)
+        r, modes = inputs_at(motion, times), motion.event_log.modes(motion.t, times)
         x = project(motion.model, times, values[:, :nx], r, modes, motion.ledger)
         values[:, :nx] = x
     return values
 
 
-def _kept(motion: TrajectoryRecord, times: Array) -> Array:
+def _interpolated(motion: TrajectoryRecord, times: Array) -> Array:
     """Rows (m, nx + sources) of a run that kept nothing between its output times.
 
     Raises:
@@ -62,7 +62,7 @@ def _kept(motion: TrajectoryRecord, times: Array) -> Array:
             f"t={missing[0]:g} s is not an output time of the run, which kept nothing between "
             "them. Simulate with t as an end or (start, end)"
         )
-    return np.concatenate([motion.x[rows], motion.given[rows]], axis=1)
+    return np.concatenate([motion.x[rows], motion.work_done[rows]], axis=1)
 
 
 def inputs_at(motion: TrajectoryRecord, times: Array) -> Array:

@@ -66,9 +66,9 @@ class Curve:
         """Its points, (..., 3)."""
         if self.period:
             s = s - self.period * np.floor(s.real / self.period)
-        piece = np.clip(np.searchsorted(self.breaks, s.real) - 1, 0, len(self.breaks) - 2)
-        step, total = s - self.breaks[piece], np.zeros((*s.shape, 3))
-        for power in np.moveaxis(self.coefficients[:, piece], -1, 0):
+        segment = np.clip(np.searchsorted(self.breaks, s.real) - 1, 0, len(self.breaks) - 2)
+        step, total = s - self.breaks[segment], np.zeros((*s.shape, 3))
+        for power in np.moveaxis(self.coefficients[:, segment], -1, 0):
             total = total * step[..., None] + np.moveaxis(power, 0, -1)
         return np.asarray(total)
 
@@ -86,15 +86,17 @@ def joints_of(manifest: Manifest, numbers: Mapping[str, Array]) -> list[JointDat
     scene, count = manifest.scene, len(manifest.joints)
     none, curves = np.zeros((count, 3)), scene.curves or [None] * count
     axis2, sizes = numbers.get("axis2", none), numbers.get("sizes", none[:, :2])
-    found = []
+    joints = []
     for i, (kind, rotation, curve) in enumerate(
         zip(scene.kinds, scene.rotations, curves, strict=True)
     ):
         line = Curve(np.array(curve[0]), np.array(curve[1]), curve[2]) if curve else None
         pitch, axis = float(numbers["pitch"][i]), numbers["axis"][i]
-        own = KindNumbers(rotation, axis, axis2[i], pitch, sizes[i], line)
-        found.append(joint_data(pose_of(kind.removeprefix(REVERSED), own), kind, rotation))
-    return found
+        numbers_of_kind = KindNumbers(rotation, axis, axis2[i], pitch, sizes[i], line)
+        joints.append(
+            joint_data(pose_of(kind.removeprefix(REVERSED), numbers_of_kind), kind, rotation)
+        )
+    return joints
 
 
 def pose_of(kind: str, numbers: KindNumbers) -> Pose:

@@ -1,4 +1,4 @@
-"""What a saved run must be before anything of it is used: names, sizes, places, numbers.
+"""Checks of a saved run before anything of it is used: names, sizes, places, numbers.
 
 Everything that is later looked up, counted over or put in a page is checked here; a file that says
 something else is refused as a whole.
@@ -30,13 +30,13 @@ from ...schema.fields import (
 )
 from ...schema.manifest import Manifest
 from ..formats.contents import Contents
-from .solver_info import Conduct
+from .solver_info import SolverInfo
 
 COUNTED = ("steps", "rejections", "evaluations", "milliseconds")
 
 
 class RunConduct(Record):
-    """How a run went, as its file says it."""
+    """Solver info of a run in its file."""
 
     method: str = field(text)
     settings: str = field(text)
@@ -49,7 +49,7 @@ class RunConduct(Record):
     statistics: Mapping[str, float] = field(table(number))
 
     def fit(self, run: bool) -> None:
-        """What is counted is there."""
+        """Check that all counts are there."""
         for name in COUNTED:
             if name not in self.statistics:
                 raise Misfit("is missing").within(f".statistics.{name}")
@@ -63,8 +63,8 @@ class RunEvent(Record):
     kind: str = field(one_of(*EVENTS))
     decides: Sequence[float] | None = field(
         listed(number, 2),
-        "place of a mode, counted from the end, and the value from which it is no event but the "
-        "first decision about that mode",
+        "place of a mode, counted from the end, and the value from which it is not an event but "
+        "the first decision about that mode",
         default=None,
     )
 
@@ -89,7 +89,7 @@ BY_FRAME = {"frame_rotation": 9, "frame_position": 3}
 SHAPES = {3: (-1, 3), 9: (-1, 3, 3), 2: (-1, 2)}
 
 
-def checked(held: Contents) -> tuple[dict[str, Any], dict[str, Array], dict[str, Array]]:
+def checked(contents: Contents) -> tuple[dict[str, Any], dict[str, Array], dict[str, Array]]:
     """Notes, numbers and poses of a file.
 
     Returns:
@@ -99,9 +99,9 @@ def checked(held: Contents) -> tuple[dict[str, Any], dict[str, Array], dict[str,
     Raises:
         ValueError: a part is missing, or does not fit the others.
     """
-    notes = _notes(held.notes)
+    notes = _notes(contents.notes)
     values = {
-        name: one.values for name, one in held.variables.items() if one.values.dtype.kind == "f"
+        name: one.values for name, one in contents.variables.items() if one.values.dtype.kind == "f"
     }
     manifest: Manifest = notes["manifest"]
     for name in "qu":
@@ -112,7 +112,7 @@ def checked(held: Contents) -> tuple[dict[str, Any], dict[str, Array], dict[str,
     notes["scene"] = _scene(manifest, notes["scene"])
     frames = {row.name for row in manifest.frames}
     poses = {}
-    for name, one in held.variables.items():
+    for name, one in contents.variables.items():
         if not name.startswith("pose_"):
             continue
         said = one.attributes.get("frame", "")
@@ -131,32 +131,32 @@ def _require(good: bool, what: str) -> None:
 
 def _notes(texts: Mapping[str, str]) -> dict[str, Any]:
     """Everything that is not numbers, each part by itself."""
-    found: dict[str, Any] = {"happenings": [], "signals": None}
+    notes: dict[str, Any] = {"happenings": [], "signals": None}
     for name in ("manifest", "conduct", "scene", "happenings", "sources", "signals"):
-        _require(name in texts or name in found, f"it has no '{name}'")
+        _require(name in texts or name in notes, f"it has no '{name}'")
         if name in texts:
-            found[name] = json.loads(texts[name])
-    found["manifest"] = Manifest.read(found["manifest"], run=True)
-    RunConduct.read(found["conduct"])
+            notes[name] = json.loads(texts[name])
+    notes["manifest"] = Manifest.read(notes["manifest"], run=True)
+    RunConduct.read(notes["conduct"])
     _require(
-        set(found["conduct"]) <= {one.name for one in fields(Conduct)},
+        set(notes["conduct"]) <= {one.name for one in fields(SolverInfo)},
         "it says more than a run has to say about how it went",
     )
     # what may be left out may be nothing too
-    found["conduct"] = {k: v for k, v in found["conduct"].items() if v is not None}
-    found["conduct"]["defaulted"] = tuple(found["conduct"]["defaulted"])
-    rows = listed(RunEvent).read(found["happenings"], True)
-    found["happenings"] = tuple(vars(row) for row in rows)
-    sources = maybe(listed(text)).read(found["sources"], True)
-    found["sources"] = None if sources is None else tuple(sources)
-    found["signals"] = maybe(Signals).read(found["signals"], True)
-    return found
+    notes["conduct"] = {k: v for k, v in notes["conduct"].items() if v is not None}
+    notes["conduct"]["defaulted"] = tuple(notes["conduct"]["defaulted"])
+    rows = listed(RunEvent).read(notes["happenings"], True)
+    notes["happenings"] = tuple(vars(row) for row in rows)
+    sources = maybe(listed(text)).read(notes["sources"], True)
+    notes["sources"] = None if sources is None else tuple(sources)
+    notes["signals"] = maybe(Signals).read(notes["signals"], True)
+    return notes
 
 
 def _scene(manifest: Manifest, scene: Any) -> dict[str, Array]:
     """Numbers of the scene, shaped."""
     _require(isinstance(scene, dict), "its scene is not a table")
-    found: dict[str, Array] = {}
+    scene_arrays: dict[str, Array] = {}
     counts = {**dict.fromkeys(BY_JOINT, "joints"), **dict.fromkeys(BY_FRAME, "frames")}
     for name, value in scene.items():
         try:
@@ -168,27 +168,27 @@ def _scene(manifest: Manifest, scene: Any) -> dict[str, Array]:
             count = len(getattr(manifest, counts[name]))
             _require(array.size == size * count, f"'{name}' of its scene has another size")
             array = array.reshape(SHAPES.get(size, (-1,)))
-        found[name] = array
-    _require(found.get("gravity", np.zeros(3)).shape == (3,), "its gravity is not a vector")
-    told = set(found) & {*BY_JOINT, *BY_FRAME}
-    _require(not told or set(BY_FRAME) <= told, "its scene says nothing of frames")
+        scene_arrays[name] = array
+    _require(scene_arrays.get("gravity", np.zeros(3)).shape == (3,), "its gravity is not a vector")
+    names = set(scene_arrays) & {*BY_JOINT, *BY_FRAME}
+    _require(not names or set(BY_FRAME) <= names, "its scene says nothing of frames")
     needed = {"mass", "first_moment", "position", "rotation", "ratio", "offset", "axis", "pitch"}
-    _require(not told & set(BY_JOINT) or needed <= told, "its scene is damaged")
-    return found
+    _require(not names & set(BY_JOINT) or needed <= names, "its scene is damaged")
+    return scene_arrays
 
 
 def _shaped(values: dict[str, Array], name: str, shape: tuple[int, ...]) -> None:
     """An array of a shape; what has no numbers stands in no file."""
     if 0 in shape:
         values.setdefault(name, np.zeros(shape))
-    found = values[name].shape if name in values else "none"
-    _require(found == shape, f"'{name}' has shape {found}, not {shape}")
+    actual = values[name].shape if name in values else "none"
+    _require(actual == shape, f"'{name}' has shape {actual}, not {shape}")
 
 
 def _numbers(notes: Mapping[str, Any], values: dict[str, Array]) -> None:
     """Arrays that fit each other and the manifest."""
     manifest: Manifest = notes["manifest"]
-    happenings = notes["happenings"]
+    event_rows = notes["happenings"]
     t = values.get("time", np.zeros(0))
     _require(t.ndim == 1 and len(t) > 0, "it has no times")
     _require(bool(np.isfinite(t).all()), "its times are damaged")
@@ -200,25 +200,25 @@ def _numbers(notes: Mapping[str, Any], values: dict[str, Array]) -> None:
     _shaped(values, "work", (count, sources))
     nx = sum(len(manifest.block(letter)) for letter in "quz")
     ns, rows = len(manifest.s), len(manifest.multipliers)
-    for row in happenings:
+    for row in event_rows:
         place = (row.get("decides") or (-1,))[0]
         _require("decides" not in row or -ns <= int(place) <= -1, "an event decides nothing")
-    happened = len(values["events"]) if "events" in values else 0
-    _shaped(values, "events", (happened, 1 + len(happenings) + 2 * (nx + ns)))
+    event_count = len(values["events"]) if "events" in values else 0
+    _shaped(values, "events", (event_count, 1 + len(event_rows) + 2 * (nx + ns)))
     for name, shape in (
         ("kinetic", (count,)),
         ("potential", (count,)),
-        ("losses", (happened,)),
-        ("constraints", (count, manifest.held)),
+        ("losses", (event_count,)),
+        ("constraints", (count, manifest.position_rows)),
         ("multipliers", (count, rows)),
     ):
         if name in values:
             _shaped(values, name, shape)
     _require(("kinetic" in values) == ("potential" in values), "half of its energy is missing")
     if "ledger" in values:
-        own = len(values["ledger"])
-        _require(rows <= own <= 2 * rows, "its ledger has another number of rows")
-        _shaped(values, "ledger", (own, 4))
+        ledger_rows = len(values["ledger"])
+        _require(rows <= ledger_rows <= 2 * rows, "its ledger has another number of rows")
+        _shaped(values, "ledger", (ledger_rows, 4))
     for name in ("spreads", "increments"):
         if name in values:
             axes = values[name].shape
@@ -227,13 +227,13 @@ def _numbers(notes: Mapping[str, Any], values: dict[str, Array]) -> None:
     _signals(notes["signals"], len(manifest.inputs), values)
 
 
-def _signals(told: Signals | None, nr: int, values: dict[str, Array]) -> None:
+def _signals(recorded: Signals | None, nr: int, values: dict[str, Array]) -> None:
     """Inputs by pieces."""
-    if told is None:
+    if recorded is None:
         return
-    _require(len(told.constants) == nr, "its inputs are damaged")
-    _require(all(k < nr for k in (*told.pieces, *told.asked)), "its inputs are damaged")
-    for k in range(len(told.pieces)):
+    _require(len(recorded.constants) == nr, "its inputs are damaged")
+    _require(all(k < nr for k in (*recorded.pieces, *recorded.asked)), "its inputs are damaged")
+    for k in range(len(recorded.pieces)):
         breaks = values.get(f"breaks_{k}", np.zeros(0))
         _require(breaks.ndim == 1 and len(breaks) > 1, "its inputs are damaged")
         _require(bool((np.diff(breaks) >= 0).all()), "its inputs are damaged")

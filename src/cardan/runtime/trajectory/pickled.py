@@ -12,18 +12,19 @@ import numpy as np
 
 from ...errors import ModelError
 from ...schema.fields import dumped
-from ...schema.manifest import Manifest, opened
+from ...schema.manifest import Manifest, checked_manifest
 from ...version import PICKLE, VERSION
 from .closure_errors import Ledger, Worst
 from .dense_output import Dense
-from .event_log import Happened
-from .input_history import Pieces, Recorded
-from .solver_info import Conduct
+from .event_log import EventLog
+from .input_history import PiecewiseInput, Recorded
+from .solver_info import SolverInfo
 from .trajectory import TrajectoryRecord
 
-ARRAYS = ("t", "x", "r", "given")
+ARRAYS = ("t", "x", "r", "work_done")
 RECORDS: dict[str, type[Any]] = {
-    kind.__name__: kind for kind in (Conduct, Dense, Happened, Ledger, Pieces, Recorded, Worst)
+    kind.__name__: kind
+    for kind in (SolverInfo, Dense, EventLog, Ledger, PiecewiseInput, Recorded, Worst)
 }
 RECORD = ""  # the key of the name of a record
 
@@ -38,8 +39,8 @@ def parts(motion: TrajectoryRecord) -> tuple[dict[str, Any], str]:
             model._objects.symbol("pose", body)
     values = {field.name: getattr(motion, field.name) for field in fields(motion)}
     # histories are computed again; those of a file, and what the method found, cannot be
-    found = {name: x for name, x in motion.stored.items() if name == "multipliers"}
-    values["stored"] = found if motion.model is not None else dict(motion.stored)
+    stored = {name: x for name, x in motion.stored.items() if name == "multipliers"}
+    values["stored"] = stored if motion.model is not None else dict(motion.stored)
     stated = digest(values)
     # data only: a pickle names no class that may move
     values["manifest"] = dumped(values["manifest"])
@@ -63,7 +64,7 @@ def read(values: Mapping[str, object]) -> dict[str, Any]:
     manifest = json.loads(str(entries["manifest"]))
     if entries["model"] is None:
         return {**entries, "manifest": Manifest.read(manifest, run=True)}
-    return {**entries, "manifest": opened(manifest, "a pickled motion")}
+    return {**entries, "manifest": checked_manifest(manifest, "a pickled motion")}
 
 
 def records(value: object) -> object:
@@ -76,18 +77,23 @@ def records(value: object) -> object:
 
 def digest(values: Mapping[str, Any]) -> str:
     """Hash of the numbers and names of a motion."""
-    found = hashlib.sha256(dumped(values["manifest"], sort_keys=True).encode())
-    found.update(repr((values["sources"], values["conduct"], values["ledger"])).encode())
-    known = values["happened"]
-    found.update(repr([sorted(row.items()) for row in known.rows]).encode())
-    arrays = [*(values[name] for name in ARRAYS), *_sorted(values["stored"]), known.s, known.log]
+    total = hashlib.sha256(dumped(values["manifest"], sort_keys=True).encode())
+    total.update(repr((values["sources"], values["solver_info"], values["ledger"])).encode())
+    event_log = values["event_log"]
+    total.update(repr([sorted(row.items()) for row in event_log.rows]).encode())
+    arrays = [
+        *(values[name] for name in ARRAYS),
+        *_sorted(values["stored"]),
+        event_log.s,
+        event_log.log,
+    ]
     if values["dense"] is not None:
         arrays += [values["dense"].t, values["dense"].y, values["dense"].spreads]
-        found.update(repr(values["dense"].charted).encode())
+        total.update(repr(values["dense"].charted).encode())
     for array in (*arrays, *_sorted(values["numbers"])):
-        found.update(repr(np.shape(array)).encode())
-        found.update(np.ascontiguousarray(array, dtype=np.float64).tobytes())
-    return found.hexdigest()
+        total.update(repr(np.shape(array)).encode())
+        total.update(np.ascontiguousarray(array, dtype=np.float64).tobytes())
+    return total.hexdigest()
 
 
 def _sorted(values: Mapping[str, Any]) -> list[Any]:
@@ -95,7 +101,7 @@ def _sorted(values: Mapping[str, Any]) -> list[Any]:
 
 
 def reduced(motion: TrajectoryRecord) -> tuple[object, ...]:
-    """What ``__reduce__`` of a motion returns."""
+    """Return value of ``__reduce__`` of a motion."""
     return unpickled, (PICKLE.version, VERSION, *parts(motion))
 
 
@@ -118,14 +124,14 @@ def restore(values: dict[str, Any], stated: str) -> TrajectoryRecord:
     """
     try:
         values = read(values)
-        whole = digest(values) == stated and set(values) == {
+        intact = digest(values) == stated and set(values) == {
             f.name for f in fields(TrajectoryRecord)
         }
     except ModelError:
         raise
     except (KeyError, TypeError, ValueError, AttributeError) as error:
         raise _damaged(f"a part is missing or of another kind ({error})") from None
-    if not whole:
+    if not intact:
         raise _damaged("its content is not what it was made of")
     _check(values)
     return TrajectoryRecord(**values)
@@ -135,23 +141,25 @@ def _check(values: Mapping[str, Any]) -> None:
     """Shapes that fit each other and the manifest."""
     manifest, count = values["manifest"], len(values["t"])
     width = sum(len(manifest.block(letter)) for letter in "quz")
-    given = len(values["sources"] or ())
-    for name, size in (("x", width), ("r", len(manifest.inputs)), ("given", given)):
+    source_count = len(values["sources"] or ())
+    for name, size in (("x", width), ("r", len(manifest.inputs)), ("work_done", source_count)):
         if np.shape(values[name]) != (count, size):
             raise _damaged(f"{name} has shape {np.shape(values[name])}, not ({count}, {size})")
-    known, modes = values["happened"], len(manifest.s)
-    columns = 1 + len(known.rows) + 2 * (width + modes)
-    if (modes and np.shape(known.s) != (count, modes)) or (
-        len(known.log) and np.shape(known.log)[1] != columns
+    event_log, modes = values["event_log"], len(manifest.s)
+    columns = 1 + len(event_log.rows) + 2 * (width + modes)
+    if (modes and np.shape(event_log.s) != (count, modes)) or (
+        len(event_log.log) and np.shape(event_log.log)[1] != columns
     ):
         raise _damaged("its events do not fit its states")
     dense = values["dense"]
-    said = isinstance(values["conduct"], Conduct) and isinstance(values["ledger"], Ledger | None)
+    said = isinstance(values["solver_info"], SolverInfo) and isinstance(
+        values["ledger"], Ledger | None
+    )
     if not said or not isinstance(dense, Dense | None):
         raise _damaged("it does not say how it went")
     if dense is not None and (
-        np.shape(dense.y) != (len(dense.t), width + given)
-        or np.shape(dense.spreads)[::2] != (len(dense.t) - 1, width + given)
+        np.shape(dense.y) != (len(dense.t), width + source_count)
+        or np.shape(dense.spreads)[::2] != (len(dense.t) - 1, width + source_count)
     ):
         raise _damaged("what lies between its times does not fit them")
 

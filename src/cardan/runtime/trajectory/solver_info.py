@@ -1,4 +1,4 @@
-"""How a run went."""
+"""Solver info of a run."""
 
 from __future__ import annotations
 
@@ -8,8 +8,8 @@ FINISHED, EVENT = "finished", "event"
 
 
 @dataclass(frozen=True)
-class Conduct:
-    """How a run went.
+class SolverInfo:
+    """Method, settings, status and statistics of a run.
 
     Attributes:
         method: Integrator.

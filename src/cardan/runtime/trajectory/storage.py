@@ -27,9 +27,9 @@ from ..formats.contents import Contents, Variable
 from . import energy_balance, motion_schema
 from .closure_errors import Ledger
 from .dense_output import Dense
-from .event_log import Happened
-from .input_history import Pieces, Recorded
-from .solver_info import Conduct
+from .event_log import EventLog
+from .input_history import PiecewiseInput, Recorded
+from .solver_info import SolverInfo
 from .trajectory import TrajectoryRecord
 
 if TYPE_CHECKING:
@@ -37,7 +37,7 @@ if TYPE_CHECKING:
 
 NOTES = ("manifest", "conduct", "scene", "happenings", "sources", "signals")
 DENSE = ("spreads", "increments")  # what is between, of quaternions or of their increments
-KEPT = ("kinetic", "potential", "constraints", "multipliers", "losses")
+STORED = ("kinetic", "potential", "constraints", "multipliers", "losses")
 LEFT_OUT = ("functions", "sha256", "available", "finite_elements")
 COLUMNS = "largest before projection, when, largest after it, when"
 FEWER = "Simulate with an array of output times to keep fewer of them"
@@ -57,8 +57,8 @@ def save(motion: TrajectoryRecord, path: str | Path) -> Path:
         ModelError: a variable too large for the format, the ending of another format, or a file
             that cannot be written.
     """
-    made = Contents(_variables(motion), _notes(motion))
-    return formats.save(Path(path), RUN, made, FEWER)
+    contents = Contents(_variables(motion), _notes(motion))
+    return formats.save(Path(path), RUN, contents, FEWER)
 
 
 def _variables(motion: TrajectoryRecord) -> dict[str, Variable]:
@@ -69,61 +69,63 @@ def _variables(motion: TrajectoryRecord) -> dict[str, Variable]:
         rows = manifest.block(key)
         return {"names": _list(column(rows, "name")), "units": _list(column(rows, "unit"))}
 
-    found = {
+    variables = {
         "time": Variable(("time",), motion.t, {"units": "s"}),
         "q": Variable(("time", "coordinate"), motion.q, listed("q")),
         "u": Variable(("time", "speed"), motion.u, listed("u")),
         "r": Variable(("time", "input"), motion.r, listed("r")),
     }
     if manifest.z:
-        found["z"] = Variable(("time", "internal_state"), motion.z, listed("z"))
+        variables["z"] = Variable(("time", "internal_state"), motion.z, listed("z"))
     if manifest.s:
-        found["s"] = Variable(("time", "mode"), motion.s, listed("s"))
-    if len(motion.happened.log):
+        variables["s"] = Variable(("time", "mode"), motion.s, listed("s"))
+    if len(motion.event_log.log):
         about = {"columns": "when, 1 for every event that happened, x and s before, x and s behind"}
-        found["events"] = Variable(("event", "event_column"), motion.happened.log, about)
+        variables["events"] = Variable(("event", "event_column"), motion.event_log.log, about)
         losses = energy_balance.losses(motion)
         if len(losses):
-            found["losses"] = Variable(("event",), losses, {"units": "J"})
+            variables["losses"] = Variable(("event",), losses, {"units": "J"})
     if motion.sources:
         names = {"names": _list(motion.sources), "units": "J"}
-        found["work"] = Variable(("time", "source"), motion.given, names)
+        variables["work"] = Variable(("time", "source"), motion.work_done, names)
     if motion.dense is not None:
         axes = ("step", "row", "entry")
-        found[DENSE[motion.dense.charted]] = Variable(axes, motion.dense.spreads)
-    return {**found, **_signals(motion.inputs_at), **_computed(motion)}
+        variables[DENSE[motion.dense.charted]] = Variable(axes, motion.dense.spreads)
+    return {**variables, **_signals(motion.inputs_at), **_computed(motion)}
 
 
 def _computed(motion: TrajectoryRecord) -> dict[str, Variable]:
-    """What follows from the states by the model."""
-    found = {}
+    """Histories computed from the states by the model."""
+    variables = {}
     available = set(motion.manifest.available)
     if "kinetic" in motion.stored or "energy" in available:
-        found["kinetic"] = Variable(("time",), motion.energy.kinetic, {"units": "J"})
-        found["potential"] = Variable(("time",), motion.energy.potential, {"units": "J"})
+        variables["kinetic"] = Variable(("time",), motion.energy.kinetic, {"units": "J"})
+        variables["potential"] = Variable(("time",), motion.energy.potential, {"units": "J"})
     if motion.ledger is not None:
         table = motion.ledger.table
-        found["ledger"] = Variable(("constraint", "column"), table, {"columns": COLUMNS})
+        variables["ledger"] = Variable(("constraint", "column"), table, {"columns": COLUMNS})
     if "constraints" in motion.stored or ({"constraints"} <= available and motion.constraints):
         residuals = np.stack([*motion.constraints.values()], axis=-1)
-        found["constraints"] = Variable(("time", "position_constraint"), residuals)
+        variables["constraints"] = Variable(("time", "position_constraint"), residuals)
     if "multipliers" in motion.stored:
         forces = motion.stored["multipliers"]
-        found["multipliers"] = Variable(("time", "multiplier"), forces)
+        variables["multipliers"] = Variable(("time", "multiplier"), forces)
     for k, body in enumerate(_bodies(motion)):
         pose = motion.pose(body)[:, :3, :]
-        found[f"pose_{k}"] = Variable(("time", "axis", "column"), pose, {"frame": json.dumps(body)})
-    return found
+        variables[f"pose_{k}"] = Variable(
+            ("time", "axis", "column"), pose, {"frame": json.dumps(body)}
+        )
+    return variables
 
 
 def _signals(recorded: Recorded | None) -> dict[str, Variable]:
     """Inputs by pieces."""
-    found = {}
-    for k, piece in enumerate(recorded.pieces if recorded is not None else ()):
+    variables = {}
+    for k, segment in enumerate(recorded.tabulated if recorded is not None else ()):
         axes = (f"break_{k}", f"piece_{k}", "power")
-        found[f"breaks_{k}"] = Variable(axes[:1], piece.breaks, {"units": "s"})
-        found[f"coefficients_{k}"] = Variable(axes[1:], piece.coefficients)
-    return found
+        variables[f"breaks_{k}"] = Variable(axes[:1], segment.breaks, {"units": "s"})
+        variables[f"coefficients_{k}"] = Variable(axes[1:], segment.coefficients)
+    return variables
 
 
 def _bodies(motion: TrajectoryRecord) -> list[str]:
@@ -142,8 +144,8 @@ def _list(names: Any) -> str:
 
 
 def _notes(motion: TrajectoryRecord) -> dict[str, str]:
-    """What the run says about itself."""
-    kept = {
+    """Notes of a run for its file."""
+    manifest = {
         key: value
         for key, value in vars(motion.manifest).items()
         if key not in LEFT_OUT and (value or Manifest.lacking(key))
@@ -154,16 +156,16 @@ def _notes(motion: TrajectoryRecord) -> dict[str, str]:
     if recorded is not None:
         signals = {
             "constants": recorded.constants.tolist(),
-            "pieces": [piece.input for piece in recorded.pieces],
-            "asked": list(recorded.asked),
-            "held": recorded.held,
+            "pieces": [segment.input for segment in recorded.tabulated],
+            "asked": list(recorded.called),
+            "held": recorded.sampled,
         }
     return {
         "title": f"motion of {motion.manifest.name}".encode("ascii", "replace").decode(),
-        "manifest": dumped(kept),
-        "conduct": json.dumps(asdict(motion.conduct)),
+        "manifest": dumped(manifest),
+        "conduct": json.dumps(asdict(motion.solver_info)),
         "scene": json.dumps(scene),
-        "happenings": json.dumps([dict(row) for row in motion.happened.rows]),
+        "happenings": json.dumps([dict(row) for row in motion.event_log.rows]),
         "sources": json.dumps(motion.sources),
         "signals": json.dumps(signals),
     }
@@ -184,34 +186,34 @@ def load(path: str | Path, model: LoadedModel | None = None) -> TrajectoryRecord
             coordinates.
     """
     path = Path(path)
-    held = formats.load(path, RUN, ("title", *NOTES))
+    contents = formats.load(path, RUN, ("title", *NOTES))
     try:
-        notes, values, poses = motion_schema.checked(held)
-        made = _made(notes, values, model)
+        notes, values, poses = motion_schema.checked(contents)
+        motion = _trajectory(notes, values, model)
     except (ValueError, MemoryError, RecursionError) as error:
         if isinstance(error, ModelError):
             raise
         raise ModelError(
-            f"{path} is no run that cardan can read: {error or 'it is too large'}. Save the run "
+            f"{path} is not a run that cardan can read: {error or 'it is too large'}. Save the run "
             "again"
         ) from None
-    made.stored.update(poses)
+    motion.stored.update(poses)
     if model is not None:
         _compare(path, notes["manifest"], model)
-    return made
+    return motion
 
 
-def _made(
+def _trajectory(
     notes: dict[str, Any], values: dict[str, Array], model: LoadedModel | None
 ) -> TrajectoryRecord:
     """The run of a file whose parts fit each other."""
     manifest = notes["manifest"] if model is None else model.manifest
-    t, s, given = values["time"], values["s"], values["work"]
+    t, s, work = values["time"], values["s"], values["work"]
     states = np.concatenate([values[name] for name in "quz"], axis=1)
     dense = None
     for charted, name in enumerate(DENSE):
         if name in values:
-            rows = np.concatenate([states, given], axis=1)
+            rows = np.concatenate([states, work], axis=1)
             quaternions = tuple(notes["manifest"].quaternions)
             dense = Dense(t, rows, values[name], quaternions, charted=charted > 0)
     multipliers = notes["manifest"].multipliers
@@ -219,31 +221,31 @@ def _made(
         t=t,
         x=states,
         r=values["r"],
-        given=given,
+        work_done=work,
         sources=notes["sources"],
         manifest=manifest,
-        conduct=Conduct(**notes["conduct"]),
+        solver_info=SolverInfo(**notes["conduct"]),
         model=model,
         dense=dense,
         inputs_at=_recorded(notes["signals"], values),
-        stored={k: values[k] for k in KEPT if k in values},
+        stored={k: values[k] for k in STORED if k in values},
         numbers=notes["scene"],
         ledger=Ledger.of(multipliers, values["ledger"]) if "ledger" in values else None,
-        happened=Happened(s, notes["happenings"], values["events"]),
+        event_log=EventLog(s, notes["happenings"], values["events"]),
     )
 
 
-def _recorded(told: motion_schema.Signals | None, values: dict[str, Array]) -> Recorded | None:
+def _recorded(record: motion_schema.Signals | None, values: dict[str, Array]) -> Recorded | None:
     """The inputs of a run."""
-    if told is None:
+    if record is None:
         return None
-    pieces = tuple(
-        Pieces(number, values[f"breaks_{k}"], values[f"coefficients_{k}"])
-        for k, number in enumerate(told.pieces)
+    tabulated = tuple(
+        PiecewiseInput(number, values[f"breaks_{k}"], values[f"coefficients_{k}"])
+        for k, number in enumerate(record.pieces)
     )
-    constants = np.array(told.constants, dtype=np.float64)
-    asked, held = tuple(told.asked), told.held
-    return Recorded(constants, pieces, asked, held, values["time"], values["r"])
+    constants = np.array(record.constants, dtype=np.float64)
+    called, sampled = tuple(record.asked), record.held
+    return Recorded(constants, tabulated, called, sampled, values["time"], values["r"])
 
 
 def _compare(path: Path, manifest: Manifest, model: LoadedModel) -> None:

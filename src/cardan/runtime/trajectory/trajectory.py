@@ -16,14 +16,14 @@ from ...notebooks import html
 from ...schema.manifest import Manifest
 from ..calls.methods import Energy
 from . import dependent_joints
-from .closure_errors import Drift, Ledger, multipliers_of, residuals_of
+from .closure_errors import Ledger, multipliers_of, residuals_of
 from .dense_output import Dense
 from .energy_balance import Balance, balance, impacts
-from .event_log import Event, Happened
-from .frame_history import line, numbers, placed, pose
+from .event_log import Event, EventLog
+from .frame_history import frame_on_body, line, numbers, pose
 from .input_history import Recorded
 from .interpolation import inputs_at, states_at
-from .solver_info import EVENT, FINISHED, Conduct
+from .solver_info import EVENT, FINISHED, SolverInfo
 
 if TYPE_CHECKING:
     from ..models.loaded_model import LoadedModel
@@ -46,46 +46,46 @@ class TrajectoryRecord:
         inputs_at: Inputs (m, nr) at times (m,), None where only those at ``t`` are known.
         stored: Histories read from a file or computed before, by name.
         numbers: The flat scene of a run read from a file, see :attr:`scene`.
-        ledger: Residuals of the constraints over the run, None without circuits.
+        ledger: Residuals of the constraints over the run, None without loops.
         happened: The discrete states along the run, and its events; see :attr:`events`.
     """
 
     t: Array
     x: Array
     r: Array
-    given: Array
+    work_done: Array
     sources: tuple[str, ...] | None
     manifest: Manifest
-    conduct: Conduct
+    solver_info: SolverInfo
     model: LoadedModel | None = None
     dense: Dense | None = None
     inputs_at: Recorded | None = None
     stored: dict[str, Array] = field(default_factory=dict)
     numbers: Mapping[str, Array] = field(default_factory=dict)
     ledger: Ledger | None = None
-    happened: Happened = field(default_factory=Happened)
+    event_log: EventLog = field(default_factory=EventLog)
 
     # what happened
 
     @property
     def success(self) -> bool:
-        """Whether the run reached its end, or an event that ends it."""
-        return self.conduct.status in (FINISHED, EVENT)
+        """True when the run reached its end, or an event that ends it."""
+        return self.solver_info.status in (FINISHED, EVENT)
 
     @property
     def status(self) -> str:
         """``finished``, ``event`` (one ended the run), or why it ended early."""
-        return self.conduct.status
+        return self.solver_info.status
 
     @property
     def message(self) -> str:
         """The status as a sentence."""
-        return self.conduct.message
+        return self.solver_info.message
 
     @property
     def statistics(self) -> dict[str, float]:
         """steps, rejections, evaluations, events, milliseconds and more."""
-        return dict(self.conduct.statistics)
+        return dict(self.solver_info.statistics)
 
     def __repr__(self) -> str:
         from .summary import summary
@@ -128,20 +128,20 @@ class TrajectoryRecord:
     @property
     def s(self) -> Array:
         """Discrete states of elements (nt, ns)."""
-        return self.happened.s if self.happened.s.size else np.zeros((len(self), 0))
+        return self.event_log.s if self.event_log.s.size else np.zeros((len(self), 0))
 
     @cached_property
     def events(self) -> tuple[Event, ...]:
-        """What happened, in the order of time, but for samples: those are :attr:`ticks`.
+        """Events in the order of time, without samples: those are :attr:`ticks`.
 
         Rows at ``t`` stand before and behind a change.
         """
-        return self.happened.events(self.x.shape[1])
+        return self.event_log.events(self.x.shape[1])
 
     @cached_property
     def ticks(self) -> tuple[Event, ...]:
         """Samples of controllers, in the order of time; in ``s``, ``s_after`` what they hold."""
-        return self.happened.events(self.x.shape[1], ticks=True)
+        return self.event_log.events(self.x.shape[1], ticks=True)
 
     def __getitem__(self, name: str) -> Array:
         """History of a coordinate, speed, state of an element, input, output or multiplier.
@@ -164,12 +164,12 @@ class TrajectoryRecord:
         ):
             if name in names:
                 model = self._model(f"{what} '{name}'")
-                given = {"t": self.t, "r": self._r, **self._own}
-                table: Array = getattr(model, function)(self.q, self.u, **given)
+                arguments = {"t": self.t, "r": self._r, **self._arguments}
+                table: Array = getattr(model, function)(self.q, self.u, **arguments)
                 return table[:, names.index(name)]
         forces = [row.name for row in self.manifest.multipliers]
-        known = [*self._places, *follow, *self._outputs, *forces]
-        raise ModelError(f"motion['{name}']: there is no such history.{near(name, known)}")
+        histories = [*self._places, *follow, *self._outputs, *forces]
+        raise ModelError(f"motion['{name}']: there is no such history.{near(name, histories)}")
 
     @cached_property
     def _places(self) -> dict[str, tuple[Array, int | slice]]:
@@ -198,7 +198,7 @@ class TrajectoryRecord:
         return self.r if self.r.shape[1] else None
 
     @property
-    def _own(self) -> dict[str, Any]:
+    def _arguments(self) -> dict[str, Any]:
         """States of elements for functions of the model that read them."""
         return {"z": self.z, "s": self.s}
 
@@ -230,10 +230,15 @@ class TrajectoryRecord:
         """
         at = np.atleast_1d(np.asarray(times, dtype=np.float64))
         y, nx, r = states_at(self, at), self.x.shape[1], inputs_at(self, at)
-        known = self.happened
-        rest: dict[str, Any] = {"dense": None, "stored": {}, "given": y[:, nx:]}
+        event_log = self.event_log
+        changes: dict[str, Any] = {"dense": None, "stored": {}, "work_done": y[:, nx:]}
         return replace(
-            self, t=at, x=y[:, :nx], r=r, happened=replace(known, s=known.modes(self.t, at)), **rest
+            self,
+            t=at,
+            x=y[:, :nx],
+            r=r,
+            event_log=replace(event_log, s=event_log.modes(self.t, at)),
+            **changes,
         )
 
     # energy
@@ -256,24 +261,31 @@ class TrajectoryRecord:
             raise ModelError(
                 "work needs the function 'power': compile(..., functions=[..., 'power'])"
             )
-        given = {name: self.given[:, k] for k, name in enumerate(self.sources)}
-        return given | impacts(self)
+        work = {name: self.work_done[:, k] for k, name in enumerate(self.sources)}
+        return work | impacts(self)
 
     @cached_property
     def balance(self) -> Balance:
-        """Where the energy of the run came from and went [J]."""
+        """Energy balance of the run [J]."""
         return balance(self)
 
     @cached_property
-    def drift(self) -> Drift:
-        """What the energy ledger misses (nt,) [J]: zero but for integration errors.
+    def energy_residual(self) -> Array:
+        """Energy that the ledger cannot account for (nt,) [J]: the error of the integration.
 
-        Total energy minus that at the start minus the work of all sources. Of a system with
-        circuits ``drift.position`` and ``drift.velocity`` hold the worst residuals by multiplier.
+        The total energy less that at the start less the work of all sources.
         """
         total = self.energy.total
-        missing: Array = total - total[0] - sum(self.work.values(), np.zeros(len(total)))
-        return Drift.of(missing, self.ledger)
+        residual: Array = total - total[0] - sum(self.work.values(), np.zeros(len(total)))
+        return residual
+
+    @property
+    def drift(self) -> Ledger:
+        """Largest residual of every constraint, before and after projection.
+
+        ``drift.position`` and ``drift.velocity`` are by multiplier; empty without loops.
+        """
+        return Ledger({}, {}) if self.ledger is None else self.ledger
 
     @property
     def constraints(self) -> dict[str, Array]:
@@ -311,13 +323,15 @@ class TrajectoryRecord:
         return self.numbers if self.model is None else numbers(self.model)
 
     @checked
-    def placed(self, frame: str) -> Array:
+    def frame_on_body(self, frame: str) -> Array:
         """Transform (4, 4) from the axes of a frame to those of the rigid body that carries it."""
-        return placed(self, frame)
+        return frame_on_body(self, frame)
 
     @checked
     def reaction(self, joint: str) -> Array:
         """Wrench (nt, 6) of parent on child at the child joint frame, in its axes; moment first."""
         model = self._model(f"the reaction of '{joint}'")
-        reaction: Array = model.reaction(joint, self.q, self.u, t=self.t, r=self._r, **self._own)
+        reaction: Array = model.reaction(
+            joint, self.q, self.u, t=self.t, r=self._r, **self._arguments
+        )
         return reaction

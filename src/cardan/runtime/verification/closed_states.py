@@ -12,7 +12,15 @@ from ..models.constraint_projection import size_of
 from ..models.initial import start_of
 from .flat_scene import motion_of, unknown
 from .joint_motion import Array, times
-from .loop_constraints import STEP, Circuits, circuits_of, conditions, jacobian, kept, rates_of
+from .loop_constraints import (
+    STEP,
+    Circuits,
+    circuits_of,
+    conditions,
+    jacobian,
+    normalized,
+    rates_of,
+)
 
 if TYPE_CHECKING:
     from ..models.loaded_model import LoadedModel
@@ -33,14 +41,14 @@ NEAR, FAR = 0.05, 0.8
 class Bound:
     """States on the constraints, (n, ...).
 
-    Coordinates and speeds are those of the model, of joints that circuits determine, of joints
-    that close circuits. Conditions on accelerations: ``G [udot, y] + rest = 0`` for some y.
+    Coordinates and speeds are those of the model, of joints that loops determine, of joints
+    that close loops. Conditions on accelerations: ``G [udot, y] + rest = 0`` for some y.
 
     Attributes:
         q, u: Of everything.
         r: Inputs (n, nr).
         G: (n, m, nu + k) for the speeds of the model, then for those of the joints that close
-            circuits; joints that circuits determine are carried along.
+            loops; joints that loops determine are carried along.
         rest: (n, m), what accelerations of the model do not change.
         carries: Speeds of the tree by those of the model (n, nt, nu).
         rests: Accelerations of the tree at udot = 0, (n, nt).
@@ -51,7 +59,7 @@ class Bound:
     u: Array
     r: Array
     G: Array
-    rest: Array
+    bias: Array
     carries: Array
     rests: Array
     missed: Array
@@ -62,7 +70,7 @@ class Bound:
 
 
 def bound(model: LoadedModel) -> bool:
-    """Whether anything beyond the tree binds a model."""
+    """True when anything beyond the tree binds a model."""
     # what modes of elements hold they do not hold where states are judged
     always = [row for row in model.manifest.multipliers if not row.switched]
     return bool(always or model.manifest.cuts)
@@ -70,8 +78,8 @@ def bound(model: LoadedModel) -> bool:
 
 def unbound(model: LoadedModel) -> str:
     """Why what binds a model cannot be judged; "" if it can."""
-    known = len(model.manifest.scene.closers) == len(model.manifest.cuts)
-    return "" if known else "not checked: the poses of joints that close circuits are not saved"
+    complete = len(model.manifest.scene.closers) == len(model.manifest.cuts)
+    return "" if complete else "not checked: the poses of joints that close loops are not saved"
 
 
 def closed_states(
@@ -91,17 +99,17 @@ def closed_states(
         motion = np.broadcast_to(motion, (len(starts), *motion.shape[-2:]))
     size, solved = size_of(model), _solved(model)
     q = _started(model, circuits, starts)
-    own = slice(model.nq, max(tree, model.nq))
+    cut_columns = slice(model.nq, max(tree, model.nq))
     if solved:
         saved = dependents(model, q, u, t, r)[0]
-        q[:, own] = np.where(np.isfinite(saved), saved, q[:, own])
+        q[:, cut_columns] = np.where(np.isfinite(saved), saved, q[:, cut_columns])
     q, missed = _assembled(circuits, q, motion, size, np.ones(circuits.nu))
     good = np.abs(missed).max(axis=-1, initial=0.0) <= CLOSED * size
     if solved:
         # which of several ways to close is the model's own choice
         saved = dependents(model, q, u, t, r)[0]
         good &= np.isfinite(saved).all(axis=-1)
-        q[:, own] = np.where(good[:, None], saved, q[:, own])
+        q[:, cut_columns] = np.where(good[:, None], saved, q[:, cut_columns])
         closers = (np.arange(circuits.nu) >= scene.nu).astype(float)
         q, missed = _assembled(circuits, q, motion, size, closers)
         good &= np.abs(missed[:, 6 * solved :]).max(axis=-1, initial=0.0) <= CLOSED * size
@@ -125,23 +133,23 @@ def closers_at(
     """Coordinates (1, nq) of everything at those of the model (nq,), and what is missed [m, rad].
 
     Args:
-        model, circuits: Whose.
-        q, t, r: Where the circuits are closed.
+        model, loops: Whose.
+        q, t, r: Where the loops are closed.
         motion: Of prescribed joints, (1, nb, 3).
     """
-    whole = _started(model, circuits, q[None])
-    whole[:, : model.nq] = q
+    full_q = _started(model, circuits, q[None])
+    full_q[:, : model.nq] = q
     count = max((first + size for first, size in circuits.scene.q), default=0)
     if _solved(model):
         saved = dependents(model, q[None], np.zeros((1, model.nu)), t, np.asarray(r)[None])[0]
-        whole[:, model.nq : max(count, model.nq)] = saved
+        full_q[:, model.nq : max(count, model.nq)] = saved
     moves = (np.arange(circuits.nu) >= circuits.scene.nu).astype(float)
-    whole, missed = _assembled(circuits, whole, motion, size_of(model), moves)
-    return whole, float(np.abs(missed).max(initial=0.0))
+    full_q, missed = _assembled(circuits, full_q, motion, size_of(model), moves)
+    return full_q, float(np.abs(missed).max(initial=0.0))
 
 
 def _solved(model: LoadedModel) -> int:
-    """Number of circuits in closed form."""
+    """Number of loops in closed form."""
     joints = model.manifest.joints
     return len({joint.solved.loop for joint in joints if joint.solved})
 
@@ -158,20 +166,20 @@ def _started(model: LoadedModel, circuits: Circuits, starts: Array) -> Array:
     # nothing stands exactly at 0, where joints may be stretched
     waves = np.sin(1.0 + np.arange(circuits.nq - model.nq) + 10 * part)
     q[:, model.nq :] += 0.3 * waves
-    return kept(circuits, q)
+    return normalized(circuits, q)
 
 
 def dependents(model: LoadedModel, q: Array, u: Array, t: float, r: Array) -> tuple[Array, Array]:
-    """Coordinates and speeds of joints that circuits determine, as saved with the model."""
-    given: dict[str, Any] = {
+    """Coordinates and speeds of joints that loops determine, as saved with the model."""
+    inputs: dict[str, Any] = {
         "t": np.array([t]),
         "q": q[:, : model.nq],
         "u": u[:, : model.nu],
         "r": r,
     }
     with np.errstate(invalid="ignore"):
-        found = model._evaluate_saved("dependents", p=model.parameters.vector, **given)
-    values, speeds = (np.broadcast_to(found[k], (len(q), found[k].shape[-1])) for k in "qu")
+        evaluated = model._evaluate_saved("dependents", p=model.parameters.vector, **inputs)
+    values, speeds = (np.broadcast_to(evaluated[k], (len(q), evaluated[k].shape[-1])) for k in "qu")
     return values, speeds
 
 
@@ -198,7 +206,7 @@ def _assembled(
         step = -times(np.swapaxes(G, -1, -2), np.linalg.solve(square, missed[..., None])[..., 0])
         longest = np.abs(step).max(axis=-1, keepdims=True)
         step = step * np.minimum(1.0, LONGEST / np.maximum(longest, 1e-300))
-        q = kept(circuits, q + rates_of(circuits, q, step))
+        q = normalized(circuits, q + rates_of(circuits, q, step))
     return q, missed
 
 
@@ -213,30 +221,30 @@ def _bound(
     nu: int,
 ) -> Bound:
     """Speeds that fulfil the conditions, and the conditions on accelerations."""
-    G, given, _ = jacobian(circuits, q, motion)
-    u = u - times(np.linalg.pinv(G, rcond=RANK), times(G, u) + given)
+    G, explicit_rates, _ = jacobian(circuits, q, motion)
+    u = u - times(np.linalg.pinv(G, rcond=RANK), times(G, u) + explicit_rates)
     change = None
     if motion is not None:
         later = np.concatenate([motion[..., 1:], 0 * motion[..., :1]], axis=-1)
         change = motion + 1j * STEP * later
     moved = q + 1j * STEP * rates_of(circuits, q, u)
-    rest = np.asarray(conditions(circuits, moved, u, change)[1].imag / STEP)
+    bias = np.asarray(conditions(circuits, moved, u, change)[1].imag / STEP)
     n, tree = len(q), circuits.scene.nu
     carries, rests = np.broadcast_to(np.eye(nu), (n, nu, nu)), np.zeros((n, nu))
     if solved:
-        # joints that are solved close the first circuits, with as many unknowns as conditions
+        # joints that are solved close the first loops, with as many unknowns as conditions
         rows = 6 * solved
         last = circuits.closers[solved - 1].u
         unknown = np.r_[nu : last[0] + last[1]]
         back = np.linalg.pinv(G[:, :rows, unknown], rcond=RANK)
-        share, fixed = -back @ G[:, :rows, :nu], -times(back, rest[:, :rows])
-        rest = rest[:, rows:] + times(G[:, rows:, unknown], fixed)
-        own = G[:, rows:, :nu] + G[:, rows:, unknown] @ share
-        G = np.concatenate([own, G[:, rows:, unknown[-1] + 1 :]], axis=-1)
+        share, fixed = -back @ G[:, :rows, :nu], -times(back, bias[:, :rows])
+        bias = bias[:, rows:] + times(G[:, rows:, unknown], fixed)
+        reduced = G[:, rows:, :nu] + G[:, rows:, unknown] @ share
+        G = np.concatenate([reduced, G[:, rows:, unknown[-1] + 1 :]], axis=-1)
         carries = np.concatenate([carries, share[:, : tree - nu]], axis=1)
         rests = np.concatenate([rests, fixed[:, : tree - nu]], axis=1)
-    found = Bound(q, u, r, G, rest, carries, rests, missed)
-    return found.only(np.argsort(-_regular(found.G), kind="stable"))
+    constraints = Bound(q, u, r, G, bias, carries, rests, missed)
+    return constraints.only(np.argsort(-_regular(constraints.G), kind="stable"))
 
 
 def _regular(G: Array) -> Array:
@@ -245,8 +253,8 @@ def _regular(G: Array) -> Array:
         return np.ones(len(G))
     values = np.linalg.svd(G, compute_uv=False)
     largest = values[:, :1]
-    kept = np.where(values > RANK * largest, values, np.inf)
-    return np.asarray(kept.min(axis=-1) / largest[:, 0])
+    significant = np.where(values > RANK * largest, values, np.inf)
+    return np.asarray(significant.min(axis=-1) / largest[:, 0])
 
 
 def unjudged(model: LoadedModel) -> str:

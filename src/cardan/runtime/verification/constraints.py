@@ -38,7 +38,7 @@ TIME, MOVE, INPUT = 0.3, 0.3, 0.3
 
 @dataclass(frozen=True)
 class Motion:
-    """Where a model is and how it moves: blocks and their time derivatives.
+    """Motion of a model: blocks and their time derivatives.
 
     Attributes:
         t: Time [s], () or (n,).
@@ -92,9 +92,9 @@ def slope(f: Callable[[Array], Array]) -> tuple[Array, Array]:
     derivative, doubt = before, np.full(before.shape, np.inf)
     for h in STEPS[1:]:
         now = _difference(f, h)
-        apart = np.abs(now - before)
-        better = apart < doubt
-        derivative, doubt = np.where(better, now, derivative), np.where(better, apart, doubt)
+        change = np.abs(now - before)
+        better = change < doubt
+        derivative, doubt = np.where(better, now, derivative), np.where(better, change, doubt)
         if np.all(doubt <= ENOUGH * np.maximum(1.0, np.abs(derivative))):
             break
         before = now
@@ -118,20 +118,20 @@ def errors(levels: Levels, at: Motion) -> dict[str, Array]:
     exact, doubt = slope(lambda h: levels.position(at.after(h)))
     mp = len(exact)
     terms = np.maximum(size[:mp], np.abs(exact))
-    found = {
+    result = {
         RATES: _relative(rates[:mp] - exact, doubt, terms),
         JACOBIAN: _relative(moved + still - rates, np.where(np.isfinite(rates), 0.0, np.inf), size),
     }
     if levels.gamma is not None:
         change, doubt = slope(lambda h: levels.rates(at.after(h)))
-        turned, largest = levels.product(at, at.udot)
-        difference = turned - levels.gamma(at) - change
-        found[GAMMA] = _relative(difference, doubt, np.maximum(largest, np.abs(change)))
-    return found
+        product, largest = levels.product(at, at.udot)
+        difference = product - levels.gamma(at) - change
+        result[GAMMA] = _relative(difference, doubt, np.maximum(largest, np.abs(change)))
+    return result
 
 
 def _relative(difference: Array, doubt: Array, size: Array) -> Array:
-    """What is wrong for sure, over the size of its terms; no number where there is a slope is."""
+    """Certain error over the size of its terms; no number where there is a slope is."""
     size = np.maximum(size, SMALL * size.max(initial=0.0))
     size = np.where(size > 0, size, 1.0)
     wrong = np.maximum(0.0, np.abs(difference) - TRUSTED * doubt) / size
@@ -141,13 +141,13 @@ def _relative(difference: Array, doubt: Array, size: Array) -> Array:
 
 def worst(levels: Levels, motions: Iterable[Motion]) -> dict[str, float]:
     """The largest error of every level at some motions; NaN where nothing could be compared."""
-    found: dict[str, list[Array]] = {}
+    collected: dict[str, list[Array]] = {}
     for at in motions:
         for name, rows in errors(levels, at).items():
-            found.setdefault(name, []).append(rows)
-    together = {name: np.concatenate(rows) for name, rows in found.items()}
+            collected.setdefault(name, []).append(rows)
+    joined = {name: np.concatenate(rows) for name, rows in collected.items()}
     # a level without rows says nothing
-    return {name: float(np.fmax.reduce(rows)) for name, rows in together.items() if len(rows)}
+    return {name: float(np.fmax.reduce(rows)) for name, rows in joined.items() if len(rows)}
 
 
 # where models are asked
@@ -169,19 +169,19 @@ def checks(
         elements = model._source.results(model).mesh  # type: ignore[attr-defined]
         return said(of_elements(model, elements, states, seed))
     loaded = {name for name, of in model._functions if of is None}
-    wanted = [n for n in CHECKED if n in (loaded if functions is None else tuple(functions))]
-    if not wanted:
+    requested = [n for n in CHECKED if n in (loaded if functions is None else tuple(functions))]
+    if not requested:
         return {}
-    found = of_functions(model, states, seed)
-    if isinstance(found, str):
-        return dict.fromkeys(wanted, found)
-    return {name: error for name, error in said(found).items() if name in wanted}
+    errors_by_name = of_functions(model, states, seed)
+    if isinstance(errors_by_name, str):
+        return dict.fromkeys(requested, errors_by_name)
+    return {name: error for name, error in said(errors_by_name).items() if name in requested}
 
 
-def said(found: Mapping[str, float]) -> dict[str, float | str]:
+def said(largest_errors: Mapping[str, float]) -> dict[str, float | str]:
     """Errors, or why there are none."""
     rough = "not checked: the constraints are nowhere smooth"
-    return {name: rough if np.isnan(error) else error for name, error in found.items()}
+    return {name: rough if np.isnan(error) else error for name, error in largest_errors.items()}
 
 
 def _motions(
@@ -200,7 +200,7 @@ def _motions(
         qdot: Their rates at coordinates, speeds and inputs.
     """
     rng, time = np.random.default_rng(seed), np.asarray(TIME)
-    # as the scene tells it: circuits that no motion closes there say nothing against constraints
+    # as the scene tells it: loops that no motion closes there say nothing against constraints
     start, r0 = start_of(model, {}, {})[0][: model.nq], model._layout.start("r")
     names = [row.name for row in model.manifest.inputs]
     for _ in range(states):
@@ -218,7 +218,7 @@ SPOKEN = ("__balance", "__balance_tangent", "__gamma")
 
 
 def binds(symbol: str) -> bool:
-    """Whether a function of an element may say something about constraints."""
+    """True when a function of an element may say something about constraints."""
     return symbol.endswith(SPOKEN)
 
 
@@ -272,8 +272,8 @@ def of_functions(model: LoadedModel, states: int, seed: int) -> dict[str, float]
     p, modes, inner = model.parameters.vector, *(model._layout.start(name) for name in "sz")
 
     def saved(name: str, at: Mapping[str, Any], shape: tuple[int, ...]) -> Array:
-        given = {"p": p, "z": inner, "s": modes, **at}
-        (value,) = evaluate(derived[name], given, "numpy").values()
+        inputs = {"p": p, "z": inner, "s": modes, **at}
+        (value,) = evaluate(derived[name], inputs, "numpy").values()
         return np.broadcast_to(np.asarray(value, dtype=float), shape)
 
     def blocks(at: Motion) -> dict[str, Any]:
@@ -291,8 +291,10 @@ def of_functions(model: LoadedModel, states: int, seed: int) -> dict[str, float]
             G = saved(JACOBIAN, blocks(at), (model.nlam, model.nu))
         return G @ x, np.abs(G * x).max(axis=-1, initial=0.0)
 
-    held = sum(row.level == "position" for row in model.manifest.multipliers)
-    levels = Levels(lambda at: saved("constraints", blocks(at), (len(at.q), held)), rates, product)
+    position_count = sum(row.level == "position" for row in model.manifest.multipliers)
+    levels = Levels(
+        lambda at: saved("constraints", blocks(at), (len(at.q), position_count)), rates, product
+    )
     t = np.array([TIME])
     drawn = _motions(
         model,

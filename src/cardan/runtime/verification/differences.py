@@ -64,25 +64,25 @@ def slope(
     n = len(size)
     steps = LONGEST / np.maximum(size, 1e-300) * SHORTER ** np.arange(STEPS)[:, None]
     away = np.concatenate([REACH, -REACH])[:, None, None] * steps  # (8, STEPS, n)
-    given: dict[str, Array] = {}
+    shifted: dict[str, Array] = {}
     for name, value in at.items():
         wide = np.broadcast_to(value, (*away.shape, *np.shape(value)[-1:]))
         if name in rates:
             wide = wide + away[..., None] * rates[name]
-        given[name] = wide.reshape(away.size, wide.shape[-1])
-    values = np.asarray(f(given))
+        shifted[name] = wide.reshape(away.size, wide.shape[-1])
+    values = np.asarray(f(shifted))
     values = values.reshape(*away.shape, values.size // away.size)
     with np.errstate(invalid="ignore"):
-        found = central(*np.split(values, 2)) / steps[..., None]
-        found = np.where(np.isfinite(found), found, np.inf)
-        apart = np.abs(np.diff(found, axis=0))
-    apart = np.where(np.isfinite(apart), apart, np.inf).max(axis=-1)
-    best = np.argmin(apart, axis=0)
+        quotients = central(*np.split(values, 2)) / steps[..., None]
+        quotients = np.where(np.isfinite(quotients), quotients, np.inf)
+        disagreement = np.abs(np.diff(quotients, axis=0))
+    disagreement = np.where(np.isfinite(disagreement), disagreement, np.inf).max(axis=-1)
+    best = np.argmin(disagreement, axis=0)
     every = np.arange(n)
     # rounding of the values over the step, which two steps may share by chance
     most = np.abs(np.where(np.isfinite(values), values, 0.0)).max(axis=(0, 1, 3), initial=0.0)
     rounding = 4e-16 * most / steps[best + 1, every]
-    return found[best + 1, every], apart[best, every] + rounding
+    return quotients[best + 1, every], disagreement[best, every] + rounding
 
 
 def ways(n: int, size: int) -> list[Array]:
@@ -91,24 +91,27 @@ def ways(n: int, size: int) -> list[Array]:
     return [rng.uniform(0.3, 1.0, (n, size)) * rng.choice([-1.0, 1.0], (n, size)) for _ in "ab"]
 
 
-def missing(found: Array, off: Array, known: Array, *terms: Any) -> float:
-    """What two numbers differ by beyond what either may be off, over their largest term.
+def missing(difference: Array, off: Array, derivative: Array, *terms: Any) -> float:
+    """Difference of two numbers beyond the error of either, over their largest term.
 
     States at which the slope says little are passed over: NaN where it says little at all of them.
     What is not finite where there is a slope is wrong without bound.
     """
-    n = len(found)
-    known = np.asarray(known).reshape(n, -1)
-    if (~np.isfinite(known).all(axis=-1) & np.isfinite(off)).any():
+    n = len(difference)
+    derivative = np.asarray(derivative).reshape(n, -1)
+    if (~np.isfinite(derivative).all(axis=-1) & np.isfinite(off)).any():
         return np.inf
-    sizes = [np.abs(known).max(axis=-1, initial=0.0), np.abs(found).max(axis=-1, initial=0.0)]
+    sizes = [
+        np.abs(derivative).max(axis=-1, initial=0.0),
+        np.abs(difference).max(axis=-1, initial=0.0),
+    ]
     sizes += [np.abs(np.asarray(term)).reshape(n, -1).max(axis=-1, initial=0.0) for term in terms]
     most = np.max(sizes, axis=0)
     scale = np.where(most > 0, most, 1.0)
     sharp = np.isfinite(off) & (off <= SHARP * scale)
     if not sharp.any():
         return np.nan
-    beyond = np.abs(found - known).max(axis=-1, initial=0.0)[sharp] - MARGIN * off[sharp]
+    beyond = np.abs(difference - derivative).max(axis=-1, initial=0.0)[sharp] - MARGIN * off[sharp]
     return float(np.max(np.maximum(beyond, 0.0) / scale[sharp]))
 
 

@@ -34,7 +34,7 @@ def unknown(model: LoadedModel) -> str:
     if moved and "scene_motion" not in model.saved:
         reasons.append("the motion of prescribed joints is not saved")
     if any(joint.solved for joint in manifest.joints) and "dependents" not in model.saved:
-        reasons.append("the joints that circuits determine are not saved")
+        reasons.append("the joints that loops determine are not saved")
     return "not checked: " + "; ".join(reasons[:3]) if reasons else ""
 
 
@@ -43,11 +43,11 @@ def _joint(model: LoadedModel, function: str, kind: str, rotation: str | None) -
     p = model.parameters.vector
 
     def pose(q: Array) -> tuple[Array, Array]:
-        found = model._evaluate_saved(function, q=q, p=p)
-        n, turned, placed = len(q), found["rotation"], found["position"]
+        pose_values = model._evaluate_saved(function, q=q, p=p)
+        n, rotation, position = len(q), pose_values["rotation"], pose_values["position"]
         return (
-            np.broadcast_to(turned, (n, *turned.shape[-2:])).reshape(n, 3, 3),
-            np.broadcast_to(placed, (n, *placed.shape[-1:])).reshape(n, 3),
+            np.broadcast_to(rotation, (n, *rotation.shape[-2:])).reshape(n, 3, 3),
+            np.broadcast_to(position, (n, *position.shape[-1:])).reshape(n, 3),
         )
 
     return joint_data(pose, kind, rotation)
@@ -60,20 +60,22 @@ def scene_of(model: LoadedModel) -> Scene:
     # joints of one pose are one and the same, so that they are evaluated together
     joint = cache(partial(_joint, model))
     rows = zip(scene.poses, scene.kinds, scene.rotations, strict=True)
-    found = scene_from(model.manifest, numbers, [joint(*row) for row in rows])
+    flat = scene_from(model.manifest, numbers, [joint(*row) for row in rows])
     closing = zip(scene.closers, scene.cuts, strict=False)
     closers = (joint(row.pose, kind, row.rotation) for row, kind in closing)
-    return replace(found, closers=tuple(closers))
+    return replace(flat, closers=tuple(closers))
 
 
-def scene_from(manifest: Manifest, given: Mapping[str, Any], known: Sequence[JointData]) -> Scene:
+def scene_from(
+    manifest: Manifest, values: Mapping[str, Any], joint_data: Sequence[JointData]
+) -> Scene:
     """The flat scene of a manifest with these numbers and joints.
 
-    Joints that circuits determine have their coordinates and speeds behind those of the model.
+    Joints that loops determine have their coordinates and speeds behind those of the model.
     """
     joints, scene = manifest.joints, manifest.scene
     place = {joint.name: i for i, joint in enumerate(joints)}
-    numbers = {"axis2": np.zeros((len(joints), 3)), **given}
+    numbers = {"axis2": np.zeros((len(joints), 3)), **values}
     leaders = [place[j.coupled.leader] if j.coupled else -1 for j in joints]
     ends = {"q": len(manifest.coordinates), "u": len(manifest.speeds)}
     slots: dict[str, list[tuple[int, int]]] = {"q": [], "u": []}
@@ -94,7 +96,7 @@ def scene_from(manifest: Manifest, given: Mapping[str, Any], known: Sequence[Joi
         prescribed=tuple(j.prescribed for j in joints),
         numbers=numbers,
         nu=ends["u"],
-        joints=tuple(known),
+        joints=tuple(joint_data),
     )
 
 

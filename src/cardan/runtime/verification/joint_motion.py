@@ -1,4 +1,4 @@
-"""How joints move, by their poses alone, in NumPy, for the judge of every build.
+"""Motion of joints by their poses alone, in NumPy, for the verification of every build.
 
 Whatever the kind of a joint, its pose is differentiated in the complex plane: modes of motion and
 their rates follow. Nothing of spatial, elements or equations is used.
@@ -49,12 +49,12 @@ class Expansion:
 
     def __init__(self, pose: Pose, first: int = 0) -> None:
         self.pose, self.first = pose, first
-        self._known: tuple[tuple[int, bytes], tuple[Array, Array, Array]] | None = None
+        self._last: tuple[tuple[int, bytes], tuple[Array, Array, Array]] | None = None
 
     def __call__(self, q: Array) -> tuple[Array, Array]:
         """Rotation (..., 3, 3) and position (..., 3) at coordinates (..., n)."""
-        turned, shifted = self.pose(q.reshape(prod(q.shape[:-1]), q.shape[-1]))
-        return turned.reshape(*q.shape[:-1], 3, 3), shifted.reshape(*q.shape[:-1], 3)
+        rotation, shifted = self.pose(q.reshape(prod(q.shape[:-1]), q.shape[-1]))
+        return rotation.reshape(*q.shape[:-1], 3, 3), shifted.reshape(*q.shape[:-1], 3)
 
     def derivatives(self, q: Array) -> tuple[Array, Array, Array]:
         """The pose (..., 12) and its first (..., k, 12) and second (..., k, k, 12) derivatives at
@@ -64,9 +64,9 @@ class Expansion:
         """
         lead = q.shape[:-1]
         key = prod(lead), q.tobytes()
-        if self._known is None or self._known[0] != key:
-            self._known = key, self._derivatives(q.reshape(prod(lead), q.shape[-1]))
-        here, first, second = (x.reshape(*lead, *x.shape[1:]) for x in self._known[1])
+        if self._last is None or self._last[0] != key:
+            self._last = key, self._derivatives(q.reshape(prod(lead), q.shape[-1]))
+        here, first, second = (x.reshape(*lead, *x.shape[1:]) for x in self._last[1])
         return here, first, second
 
     def _derivatives(self, q: Array) -> tuple[Array, Array, Array]:
@@ -88,8 +88,8 @@ class Expansion:
 
     def _rows(self, q: Array) -> Array:
         """The pose (..., 12) in one row."""
-        turned, shifted = self(q)
-        return np.concatenate([turned.reshape(*q.shape[:-1], 9), shifted], axis=-1)
+        rotation, shifted = self(q)
+        return np.concatenate([rotation.reshape(*q.shape[:-1], 9), shifted], axis=-1)
 
     def _means(self, q: Array, ways: Array, radius: float) -> tuple[Array, Array]:
         """The pose (..., 12), then first and second derivatives along ways (ways, n).
@@ -101,8 +101,8 @@ class Expansion:
         here, rows = rows[..., 0, 0, :].real, rows[..., 1:, :]
         slopes = (MEANS @ rows).real / radius**ORDERS
         rows = slopes.swapaxes(-3, -2).reshape(*q.shape[:-1], 2, -1)
-        whole, half = (np.concatenate([here, rows[..., k, :]], axis=-1) for k in (0, 1))
-        return whole, half
+        full, half = (np.concatenate([here, rows[..., k, :]], axis=-1) for k in (0, 1))
+        return full, half
 
 
 def settled(means: Callable[[float], tuple[Array, Array]], lead: tuple[int, ...]) -> Array:
@@ -113,12 +113,12 @@ def settled(means: Callable[[float], tuple[Array, Array]], lead: tuple[int, ...]
     best, doubt = np.zeros((*lead, 1)), np.full(lead, np.inf)
     for radius in CIRCLES:
         with np.errstate(all="ignore"):
-            whole, half = means(radius)
-            size = np.maximum(1.0, np.abs(whole).max(axis=-1, initial=0.0))
-            apart = np.abs(whole - half).max(axis=-1, initial=0.0) / size
-        apart = np.where(np.isfinite(apart), apart, np.inf)
-        best = np.where((apart < doubt)[..., None], whole, best)
-        doubt = np.minimum(apart, doubt)
+            full, half = means(radius)
+            size = np.maximum(1.0, np.abs(full).max(axis=-1, initial=0.0))
+            gap = np.abs(full - half).max(axis=-1, initial=0.0) / size
+        gap = np.where(np.isfinite(gap), gap, np.inf)
+        best = np.where((gap < doubt)[..., None], full, best)
+        doubt = np.minimum(gap, doubt)
         if (doubt <= SURE).all():
             break
     return np.asarray(best)
@@ -126,7 +126,7 @@ def settled(means: Callable[[float], tuple[Array, Array]], lead: tuple[int, ...]
 
 @dataclass(frozen=True)
 class JointData:
-    """What is known about one joint.
+    """Data of one joint.
 
     Attributes:
         pose: Of its child in its parent by its coordinates, as declared.
@@ -194,7 +194,7 @@ def times(matrix: Array, vector: Array) -> Array:
     return np.asarray((matrix @ vector[..., None])[..., 0])
 
 
-def placed(joint: JointData, q: Array) -> tuple[Array, Array]:
+def joint_pose(joint: JointData, q: Array) -> tuple[Array, Array]:
     """Rotation (..., 3, 3) and position (..., 3) of C in J; the coordinates may be complex."""
     rotation, position = joint.pose(q)
     if joint.rotation:
@@ -208,7 +208,7 @@ def placed(joint: JointData, q: Array) -> tuple[Array, Array]:
 def joint_motions(
     joints: Sequence[JointData], q: Sequence[Array], u: Sequence[Array]
 ) -> list[JointMotion]:
-    """How joints move, as :func:`joint_motion`; those that are alike in one evaluation."""
+    """Motions of joints, as :func:`joint_motion`; those that are alike in one evaluation."""
     alike: dict[JointData, list[int]] = {}
     for i, joint in enumerate(joints):
         alike.setdefault(joint, []).append(i)
@@ -221,7 +221,7 @@ def joint_motions(
 
 
 def joint_motion(joint: JointData, q: Array, u: Array) -> JointMotion:
-    """How a joint moves.
+    """Motion of a joint.
 
     Args:
         joint: The joint.
@@ -256,17 +256,17 @@ def joint_motion(joint: JointData, q: Array, u: Array) -> JointMotion:
 def _backwards(forth: JointMotion, u: Array) -> JointMotion:
     """The motion of the declared parent against the child: J seen from C."""
     back = np.swapaxes(forth.rotation, -1, -2)
-    turned, p = forth.rotation @ forth.turn, forth.position
+    turn_columns, p = forth.rotation @ forth.turn, forth.position
     # rates in J of the place and of the turning, then as an observer in C sees them
-    w, v = times(turned, u), times(forth.shift, u)
+    w, v = times(turn_columns, u), times(forth.shift, u)
     w_rate = times(forth.rotation, forth.turn_rate)
-    seen = forth.shift_rate - cross(w_rate, p) - 2 * cross(w, v) + cross(w, cross(w, p))
-    columns = np.swapaxes(cross(np.swapaxes(turned, -1, -2), p[..., None, :]), -1, -2)
+    transported = forth.shift_rate - cross(w_rate, p) - 2 * cross(w, v) + cross(w, cross(w, p))
+    columns = np.swapaxes(cross(np.swapaxes(turn_columns, -1, -2), p[..., None, :]), -1, -2)
     return JointMotion(
         rotation=back,
         position=-times(back, p),
-        turn=-turned,
+        turn=-turn_columns,
         shift=-(back @ (forth.shift - columns)),
         turn_rate=-w_rate,
-        shift_rate=-times(back, seen),
+        shift_rate=-times(back, transported),
     )

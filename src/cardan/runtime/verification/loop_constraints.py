@@ -1,6 +1,6 @@
-"""How circuits bind a tree, in NumPy, for the judge of every build.
+"""Loop constraints of a tree, in NumPy, for the verification of every build.
 
-A joint that closes a circuit gets coordinates and speeds of its own, behind those of the tree: its
+A joint that closes a loop gets coordinates and speeds of its own, behind those of the tree: its
 two frames must lie and move against each other as :mod:`.joint_motion` says the joint does. These
 are six conditions per joint, whatever its kind; no closing condition of the catalogue is used.
 
@@ -16,7 +16,7 @@ import numpy as np
 
 from ...schema.manifest import Manifest
 from .joint_motion import Array, JointData, JointMotion, cross, joint_motion, joint_motions, times
-from .newton_euler import Scene, own
+from .newton_euler import Scene, joint_rows
 from .rotations import PARAMETERS, vector_of
 
 STEP = 1e-30
@@ -34,7 +34,7 @@ class End:
 
 @dataclass(frozen=True)
 class Closer:
-    """A joint that closes a circuit.
+    """A joint that closes a loop.
 
     Attributes:
         name: Of the joint.
@@ -53,7 +53,7 @@ class Closer:
 
 @dataclass(frozen=True)
 class Slip:
-    """What may not slip.
+    """Slip that must vanish.
 
     Attributes:
         name: Of the joint.
@@ -72,11 +72,11 @@ class Slip:
 
 @dataclass(frozen=True)
 class Circuits:
-    """A tree, what closes its circuits, and what may not slip.
+    """A tree, what closes its loops, and what may not slip.
 
     Attributes:
         scene: The tree; the system's own coordinates and speeds come first.
-        closers: The joints that close circuits; those solved in closed form first.
+        closers: The joints that close loops; those solved in closed form first.
         slips: Velocities that vanish.
         nq, nu: Number of coordinates and speeds, those of the closers included.
     """
@@ -94,22 +94,22 @@ class Moving:
 
     rotation: Array
     position: Array
-    turning: Array
+    omega: Array
     moving: Array
 
-    def carried(self, rotation: Array, position: Array) -> Moving:
+    def on_body(self, rotation: Array, position: Array) -> Moving:
         """A frame fixed to this one."""
         arm = times(self.rotation, position)
-        moving = self.moving + cross(self.turning, arm)
-        return Moving(self.rotation @ rotation, self.position + arm, self.turning, moving)
+        moving = self.moving + cross(self.omega, arm)
+        return Moving(self.rotation @ rotation, self.position + arm, self.omega, moving)
 
     def after(self, joint: JointMotion, u: Array) -> Moving:
         """The child frame of a joint whose parent frame this is."""
         arm, rotation = times(self.rotation, joint.position), self.rotation @ joint.rotation
         drift = times(self.rotation, times(joint.shift, u))
-        turning = self.turning + times(rotation, times(joint.turn, u))
-        moving = self.moving + cross(self.turning, arm) + drift
-        return Moving(rotation, self.position + arm, turning, moving)
+        omega = self.omega + times(rotation, times(joint.turn, u))
+        moving = self.moving + cross(self.omega, arm) + drift
+        return Moving(rotation, self.position + arm, omega, moving)
 
 
 def frames(scene: Scene, joints: Sequence[JointMotion], u: Sequence[Array]) -> list[Moving]:
@@ -118,16 +118,16 @@ def frames(scene: Scene, joints: Sequence[JointMotion], u: Sequence[Array]) -> l
     bodies, numbers = [Moving(np.eye(3), none, none, none)], scene.numbers
     for i, joint in enumerate(joints):
         inboard = bodies[scene.parents[i] + 1]
-        seat = inboard.carried(numbers["rotation"][i], numbers["position"][i])
+        seat = inboard.on_body(numbers["rotation"][i], numbers["position"][i])
         bodies.append(seat.after(joint, u[i]))
     return bodies
 
 
 def conditions(circuits: Circuits, q: Array, u: Array, motion: Array | None) -> tuple[Array, Array]:
-    """What vanishes where circuits are closed, and what vanishes while they move.
+    """Residuals that vanish where loops are closed, and rates that vanish while they move.
 
     Args:
-        circuits: The system.
+        loops: The system.
         q, u: (..., nq), (..., nu) of everything; leading axes broadcast.
         motion: Value and rate of prescribed joints, (..., nb, 2 or more).
 
@@ -136,7 +136,7 @@ def conditions(circuits: Circuits, q: Array, u: Array, motion: Array | None) -> 
         place; (..., 6 closers + slips): velocities, the first are the rates of the former.
     """
     scene = circuits.scene
-    rows = [own(scene, i, q, (u,), motion) for i in range(len(scene.parents))]
+    rows = [joint_rows(scene, i, q, (u,), motion) for i in range(len(scene.parents))]
     for closer in circuits.closers:
         rows.append(tuple(x[..., s : s + n] for x, (s, n) in ((q, closer.q), (u, closer.u))))
     qs, us = [row[0] for row in rows], [row[1] for row in rows]
@@ -148,12 +148,12 @@ def conditions(circuits: Circuits, q: Array, u: Array, motion: Array | None) -> 
     rates: list[Array] = []
     for i, closer in enumerate(circuits.closers, len(scene.parents)):
         parent, child = (
-            bodies[end.body + 1].carried(end.rotation, end.position)
+            bodies[end.body + 1].on_body(end.rotation, end.position)
             for end in (closer.parent, closer.child)
         )
-        found = _apart(parent, child, parent.after(joints[i], us[i]))
-        missed += found[:2]
-        rates += found[2:]
+        separation = _separation(parent, child, parent.after(joints[i], us[i]))
+        missed += separation[:2]
+        rates += separation[2:]
     for slip in circuits.slips:
         velocity = _slipping(slip, qs[slip.joint], us[slip.joint])
         rates.append(velocity[..., list(slip.rows)])
@@ -161,19 +161,19 @@ def conditions(circuits: Circuits, q: Array, u: Array, motion: Array | None) -> 
     return _joined(missed, lead), _joined(rates, lead)
 
 
-def _apart(parent: Moving, child: Moving, there: Moving) -> tuple[Array, Array, Array, Array]:
+def _separation(parent: Moving, child: Moving, there: Moving) -> tuple[Array, Array, Array, Array]:
     """By which rotation and way a frame misses its place, and the rates of both.
 
     Args:
-        parent, child: Frames of a joint that closes a circuit.
+        parent, child: Frames of a joint that closes a loop.
         there: Where the joint carries the child frame.
     """
     back, axes = (np.swapaxes(x.rotation, -1, -2) for x in (parent, child))
-    turned = np.swapaxes(there.rotation, -1, -2) @ child.rotation
+    relative = np.swapaxes(there.rotation, -1, -2) @ child.rotation
     away = child.position - there.position
-    drift = child.moving - there.moving - cross(parent.turning, away)
-    spin = child.turning - there.turning
-    return vector_of(turned), times(back, away), times(axes, spin), times(back, drift)
+    drift = child.moving - there.moving - cross(parent.omega, away)
+    spin = child.omega - there.omega
+    return vector_of(relative), times(back, away), times(axes, spin), times(back, drift)
 
 
 def _joined(rows: Sequence[Array], lead: tuple[int, ...]) -> Array:
@@ -220,33 +220,33 @@ def rates_of(circuits: Circuits, q: Array, u: Array) -> Array:
         # all rotations of one kind at once: (joints, coordinates) and (joints, 3)
         firsts, starts = np.array(begins).T[..., None]
         at = firsts + np.arange(PARAMETERS[rotation].size)
-        qdot[..., at] = _turned(rotation, q[..., at], u[..., starts + np.arange(3)])
+        qdot[..., at] = _coordinate_rates(rotation, q[..., at], u[..., starts + np.arange(3)])
     return qdot
 
 
 def _blocks(circuits: Circuits) -> list[tuple[tuple[int, int], tuple[int, int], str | None]]:
     """Slots in q and u of every joint that has some, and how its rotation is described."""
     scene = circuits.scene
-    found = [
+    blocks = [
         (scene.q[i], scene.u[i], scene.rotations[i])
         for i in range(len(scene.parents))
         if scene.leaders[i] < 0 and not scene.prescribed[i]
     ]
-    return [*found, *((c.q, c.u, c.joint.rotation) for c in circuits.closers)]
+    return [*blocks, *((c.q, c.u, c.joint.rotation) for c in circuits.closers)]
 
 
-def _turned(rotation: str, q: Array, omega: Array) -> Array:
+def _coordinate_rates(rotation: str, q: Array, omega: Array) -> Array:
     """Rates of the coordinates of a rotation: R [omega] = sum of dR/dq qdot, the shortest."""
     matrix = PARAMETERS[rotation].matrix
     steps = 1j * STEP * np.eye(q.shape[-1])
     slopes = matrix(q[..., None, :] + steps).imag / STEP
     slopes = np.swapaxes(slopes.reshape(*slopes.shape[:-2], 9), -1, -2)
     columns = np.swapaxes(cross(omega[..., None, :], np.eye(3)), -1, -2)
-    wanted = (matrix(q) @ columns).reshape(*q.shape[:-1], 9)
-    return times(np.linalg.pinv(slopes, rcond=1e-9), wanted)
+    target = (matrix(q) @ columns).reshape(*q.shape[:-1], 9)
+    return times(np.linalg.pinv(slopes, rcond=1e-9), target)
 
 
-def kept(circuits: Circuits, q: Array) -> Array:
+def normalized(circuits: Circuits, q: Array) -> Array:
     """Coordinates whose quaternions and direction cosines are those of rotations again."""
     q = q.copy()
     for (first, _), _, rotation in _blocks(circuits):
@@ -263,7 +263,7 @@ def kept(circuits: Circuits, q: Array) -> Array:
 
 
 def circuits_of(manifest: Manifest, scene: Scene, nq: int) -> Circuits:
-    """The circuits of a model by its manifest and flat scene with ``nq`` tree coordinates."""
+    """The loops of a model by its manifest and flat scene with ``nq`` tree coordinates."""
     numbers = scene.numbers
     bodies = {body.name: k for k, body in enumerate(manifest.bodies)}
     ends = {
@@ -283,7 +283,7 @@ def circuits_of(manifest: Manifest, scene: Scene, nq: int) -> Circuits:
 
 
 def _slips(manifest: Manifest, scene: Scene, closers: Sequence[Closer]) -> tuple[Slip, ...]:
-    """What may not slip, by the names of the constraints of velocities."""
+    """Slips that must vanish, by the names of the velocity constraints."""
     names = [joint.name for joint in manifest.joints]
     joints = [*scene.joints, *(closer.joint for closer in closers)]
     lines = [np.stack([scene.numbers[k] for k in ("axis", "axis2")], axis=1)]
@@ -296,10 +296,10 @@ def _slips(manifest: Manifest, scene: Scene, closers: Sequence[Closer]) -> tuple
         if row.level == "velocity" and row.joint in names:
             component = row.name.rpartition(".")[2]
             rows.setdefault(row.joint, []).append(SLIPS.index(component))
-    found = []
+    slips = []
     for name, which in rows.items():
         at = names.index(name)
         # coordinates and speeds of a joint that is told backwards are those of the declared one
         declared = replace(joints[at], reversed=False)
-        found.append(Slip(name, declared, axes[at], at, tuple(which)))
-    return tuple(found)
+        slips.append(Slip(name, declared, axes[at], at, tuple(which)))
+    return tuple(slips)

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .joint_motion import Array, JointData, cross, joint_motions, placed
+from .joint_motion import Array, JointData, cross, joint_motions, joint_pose
 from .joint_motion import times as _times
 
 
@@ -31,7 +31,7 @@ class Scene:
             (nb, 3, 3), position, axis, axis2 (nb, 3), pitch, ratio, offset (nb,); rotor
             (nb,) and sizes (nb, 2) where there are any.
         joints: What is known of every joint, by body.
-        closers: The same of the joints that close circuits.
+        closers: The same of the joints that close loops.
     """
 
     parents: tuple[int, ...]
@@ -50,7 +50,7 @@ class Scene:
 EMPTY = Scene((), (), (), (), (), (), (), {}, 0)
 
 
-def own(
+def joint_rows(
     scene: Scene, i: int, q: Array, rows: tuple[Array, ...], motion: Array | None
 ) -> tuple[Array, ...]:
     """Coordinates of joint i, then its part of every row (u, udot): own, coupled or prescribed."""
@@ -61,15 +61,15 @@ def own(
     leader = scene.leaders[i]
     if leader >= 0:
         ratio, offset = scene.numbers["ratio"][i], scene.numbers["offset"][i]
-        first, *rest = own(scene, leader, q, rows, motion)
-        return (ratio * first + offset, *(ratio * row for row in rest))
+        first, *remaining = joint_rows(scene, leader, q, rows, motion)
+        return (ratio * first + offset, *(ratio * row for row in remaining))
     (start, size), (begin, length) = scene.q[i], scene.u[i]
     return (q[..., start : start + size], *(row[..., begin : begin + length] for row in rows))
 
 
 @dataclass(frozen=True)
 class Moving:
-    """How the bodies of a tree move, in ground axes; the ground is entry 0 of every list.
+    """Motion of the bodies of a tree, in ground axes; the ground is entry 0 of every list.
 
     Attributes:
         turned, place: Rotation (..., 3, 3) and origin (..., 3) of every body.
@@ -80,7 +80,7 @@ class Moving:
         rotors: Rate of the momentum of rotors along the joints, and that momentum, by joint.
     """
 
-    turned: list[Array]
+    rotations: list[Array]
     place: list[Array]
     omega: list[Array]
     velocity: list[Array]
@@ -102,13 +102,13 @@ def moving(
     upright = np.broadcast_to(np.eye(3), (*lead, 3, 3))
     still = np.broadcast_to(-pull * numbers["gravity"], (*lead, 3))
     m = Moving([upright], [none], [none], [none], [none], [still], [], [], [])
-    rows = [own(scene, i, q, (u, udot), motion) for i in range(n)]
+    rows = [joint_rows(scene, i, q, (u, udot), motion) for i in range(n)]
     joints = joint_motions(scene.joints, [row[0] for row in rows], [row[1] for row in rows])
     for i, (joint, (_, ui, udoti)) in enumerate(zip(joints, rows, strict=True)):
         k = scene.parents[i] + 1
-        side = m.turned[k] @ numbers["rotation"][i]
+        side = m.rotations[k] @ numbers["rotation"][i]
         body = side @ joint.rotation
-        arm = _times(m.turned[k], numbers["position"][i]) + _times(side, joint.position)
+        arm = _times(m.rotations[k], numbers["position"][i]) + _times(side, joint.position)
         # relative motion, then the sum with the motion of the parent
         spin = _times(body, _times(joint.turn, ui))
         drift = _times(side, _times(joint.shift, ui))
@@ -117,10 +117,10 @@ def moving(
         m.omega.append(w + spin)
         m.velocity.append(m.velocity[k] + cross(w, arm) + drift)
         m.alpha.append(m.alpha[k] + spin_up + cross(w, spin))
-        carried = cross(m.alpha[k], arm) + cross(w, cross(w, arm)) + 2 * cross(w, drift)
+        convective = cross(m.alpha[k], arm) + cross(w, cross(w, arm)) + 2 * cross(w, drift)
         push = _times(joint.shift, udoti) + joint.shift_rate
-        m.accel.append(m.accel[k] + carried + _times(side, push))
-        m.turned.append(body)
+        m.accel.append(m.accel[k] + convective + _times(side, push))
+        m.rotations.append(body)
         m.place.append(m.place[k] + arm)
         m.arms.append(arm)
         m.axes.append((body @ joint.turn, side @ joint.shift))
@@ -136,14 +136,16 @@ def poses(scene: Scene, q: Array) -> tuple[list[Array], list[Array]]:
         q: (..., nq).
     """
     numbers = scene.numbers
-    turned, place = [np.eye(3)], [np.zeros(3)]
+    rotations, place = [np.eye(3)], [np.zeros(3)]
     for i, joint in enumerate(scene.joints):
         k = scene.parents[i] + 1
-        rotation, position = placed(joint, own(scene, i, q, (), None)[0])
-        side = turned[k] @ numbers["rotation"][i]
-        place.append(place[k] + _times(turned[k], numbers["position"][i]) + _times(side, position))
-        turned.append(side @ rotation)
-    return turned[1:], place[1:]
+        rotation, position = joint_pose(joint, joint_rows(scene, i, q, (), None)[0])
+        side = rotations[k] @ numbers["rotation"][i]
+        place.append(
+            place[k] + _times(rotations[k], numbers["position"][i]) + _times(side, position)
+        )
+        rotations.append(side @ rotation)
+    return rotations[1:], place[1:]
 
 
 def inverse_dynamics(
@@ -158,7 +160,7 @@ def inverse_dynamics(
     """
     m = moving(scene, q, u, udot, motion, pull)
     pairs = [
-        rates_of_momentum(scene.numbers, i, m.turned[i + 1], m.omega[i + 1], a, b)
+        rates_of_momentum(scene.numbers, i, m.rotations[i + 1], m.omega[i + 1], a, b)
         for i, (a, b) in enumerate(zip(m.alpha[1:], m.accel[1:], strict=True))
     ]
     moments, forces = [moment for moment, _ in pairs], [force for _, force in pairs]
@@ -169,7 +171,7 @@ def momenta_of_bodies(scene: Scene, m: Moving) -> tuple[list[Array], list[Array]
     """Angular momentum about its origin and momentum of every body."""
     numbers, spins, pushes = scene.numbers, [], []
     for i in range(len(scene.parents)):
-        body, w, v = m.turned[i + 1], m.omega[i + 1], m.velocity[i + 1]
+        body, w, v = m.rotations[i + 1], m.omega[i + 1], m.velocity[i + 1]
         s = _times(body, numbers["first_moment"][i])
         inertia = body @ numbers["inertia"][i] @ np.swapaxes(body, -1, -2)
         spins.append(_times(inertia, w) + cross(s, v))
@@ -179,7 +181,7 @@ def momenta_of_bodies(scene: Scene, m: Moving) -> tuple[list[Array], list[Array]
 
 def momenta(scene: Scene, m: Moving) -> Array:
     """p (..., nu): derivative of the kinetic energy by the speeds of the tree."""
-    return along_joints(scene, m, *momenta_of_bodies(scene, m), [own for _, own in m.rotors])
+    return along_joints(scene, m, *momenta_of_bodies(scene, m), [spin for _, spin in m.rotors])
 
 
 def rates_of_momentum(
@@ -209,7 +211,7 @@ def along_joints(
 def transmitted(
     scene: Scene, m: Moving, moments: list[Array], forces: list[Array], rotors: list[Array]
 ) -> tuple[Array, list[Array], list[Array]]:
-    """As :func:`along_joints`; and moment and force that every joint hands on to its body."""
+    """Same as :func:`along_joints`; and moment and force that every joint hands on to its body."""
     moments, forces = [*moments], [*forces]
     lead = m.omega[0].shape[:-1]
     tau = np.zeros((*lead, scene.nu), dtype=np.result_type(*moments, float))

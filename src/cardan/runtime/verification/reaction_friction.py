@@ -24,7 +24,7 @@ ROUNDS, SETTLED = 400, 1e-14
 
 
 @dataclass(frozen=True)
-class Pressed:
+class ReactionFriction:
     """Forces at some states, (n, ...), and what they press with.
 
     Attributes:
@@ -38,15 +38,15 @@ class Pressed:
 
     scene: Scene
     joints: tuple[tuple[int, bool], ...]
-    rest: Array
+    other_forces: Array
     along: Array
     coefficient: Array
     moment: Array
     force: Array
 
-    def only(self, chosen: NDArray[np.intp]) -> Pressed:
+    def only(self, chosen: NDArray[np.intp]) -> ReactionFriction:
         """The same at some of the states."""
-        names = ("rest", "along", "coefficient", "moment", "force")
+        names = ("other_forces", "along", "coefficient", "moment", "force")
         return replace(self, **{name: getattr(self, name)[chosen] for name in names})
 
     def at(
@@ -61,7 +61,7 @@ class Pressed:
         scene, m = self.scene, moving(self.scene, q, u, udot, motion)
         moments, forces = [], []
         for i in range(len(scene.parents)):
-            body = m.turned[i + 1]
+            body = m.rotations[i + 1]
             moment, force = rates_of_momentum(
                 scene.numbers, i, body, m.omega[i + 1], m.alpha[i + 1], m.accel[i + 1]
             )
@@ -76,18 +76,18 @@ class Pressed:
         _, _, handed = transmitted(scene, m, moments, forces, [rate for rate, _ in m.rotors])
         friction = np.zeros_like(self.coefficient)
         for k, (i, lined) in enumerate(self.joints):
-            pressing = handed[i]
+            normal = handed[i]
             if lined:
                 axis = scene.numbers["axis"][i] / np.linalg.norm(scene.numbers["axis"][i])
-                line = times(m.turned[i + 1], axis)
-                pressing = pressing - line * (line * pressing).sum(axis=-1, keepdims=True)
-            friction[:, k] = self.coefficient[:, k] * np.linalg.norm(pressing, axis=-1)
-        return np.asarray(self.rest + np.einsum("nk,nkj->nj", friction, self.along))
+                line = times(m.rotations[i + 1], axis)
+                normal = normal - line * (line * normal).sum(axis=-1, keepdims=True)
+            friction[:, k] = self.coefficient[:, k] * np.linalg.norm(normal, axis=-1)
+        return np.asarray(self.other_forces + np.einsum("nk,nkj->nj", friction, self.along))
 
     def under(
         self,
         M: Array,
-        given: Array,
+        extra: Array,
         q: Array,
         u: Array,
         motion: Array | None,
@@ -97,11 +97,11 @@ class Pressed:
 
         NaN where the iteration finds none: friction has no unique solution there.
         """
-        f = self.rest
+        f = self.other_forces
         for _ in range(ROUNDS):
-            udot = np.linalg.solve(M, (f + given)[..., None])[..., 0]
+            udot = np.linalg.solve(M, (f + extra)[..., None])[..., 0]
             new = self.at(q, u, udot, motion, outside)
-            size = np.abs(new).max(axis=-1, keepdims=True) + np.abs(given).max(axis=-1)[:, None]
+            size = np.abs(new).max(axis=-1, keepdims=True) + np.abs(extra).max(axis=-1)[:, None]
             left = np.abs(new - f).max(axis=-1, keepdims=True)
             f = new
             if (left <= SETTLED * size).all():
@@ -109,8 +109,10 @@ class Pressed:
         return np.where(left <= 100 * SETTLED * size, f, np.nan)
 
 
-def pressed(model: LoadedModel, scene: Scene, n: int, given: dict[str, Any]) -> Pressed | None:
-    """What friction of a model follows from reactions, at n states; None where none does.
+def reaction_friction(
+    model: LoadedModel, scene: Scene, n: int, inputs: dict[str, Any]
+) -> ReactionFriction | None:
+    """Friction of a model that follows from reactions, at n states; None without any.
 
     Args:
         model, scene: What is judged.
@@ -122,18 +124,18 @@ def pressed(model: LoadedModel, scene: Scene, n: int, given: dict[str, Any]) -> 
         return None
 
     def saved(name: str) -> dict[str, Array]:
-        return dict(model._evaluate_saved(name, **given))
+        return dict(model._evaluate_saved(name, **inputs))
 
     def wide(values: Array, count: int) -> Array:
         return np.broadcast_to(values, (n, *np.shape(values)[-count:]))
 
-    told, loads = saved("scene_pressing"), saved("wrenches")
-    return Pressed(
+    entries, loads = saved("scene_pressing"), saved("wrenches")
+    return ReactionFriction(
         scene,
         tuple((int(i), bool(lined)) for i, lined in rows),
-        wide(told["rest"], 1),
-        wide(told["along"], 2),
-        wide(told["coefficient"], 1),
+        wide(entries["rest"], 1),
+        wide(entries["along"], 2),
+        wide(entries["coefficient"], 1),
         wide(loads["moment"], 2),
         wide(loads["force"], 2),
     )

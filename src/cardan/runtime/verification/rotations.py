@@ -25,7 +25,7 @@ def cross_matrix(v: Matrix) -> Matrix:
 
 
 def axial(m: Matrix) -> Matrix:
-    """What a matrix (..., 3, 3) turns with: v (..., 3) of its skew part [v]."""
+    """Axial vector v (..., 3) of a matrix (..., 3, 3): that of its skew part [v]."""
     pairs = ((2, 1), (0, 2), (1, 0))
     return np.asarray(np.stack([m[..., i, j] - m[..., j, i] for i, j in pairs], axis=-1) / 2)
 

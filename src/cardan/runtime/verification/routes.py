@@ -10,7 +10,7 @@ import numpy as np
 from ..calls.objects import Key
 from . import bodies, core, forces, increments, linear, motions, slopes
 from .differences import BLURRED
-from .evaluation import Asked
+from .evaluation import Trial
 from .source_expressions import written
 
 
@@ -38,7 +38,7 @@ class Check:
 
 
 # of a function and its frame or joint: the error, or why this route does not lead to it
-Judge = Callable[[Asked, str], float | str]
+Judge = Callable[[Trial, str], float | str]
 JUDGES: dict[str, Judge] = {
     name: judge
     for module in (core, bodies, motions, increments, forces, slopes, linear)
@@ -49,13 +49,13 @@ JUDGES: dict[str, Judge] = {
 FRAMES = ("pose", "velocity", "acceleration", "frame_jacobian")
 
 
-def _placed(asked: Asked, frame: str | None) -> bool:
-    """Whether the flat scene has a frame."""
-    frames = [row.name for row in asked.model.manifest.frames]
-    return frame in frames and "frame_rotation" in asked.scene.numbers
+def _has_pose(trial: Trial, frame: str | None) -> bool:
+    """True when the flat scene has a frame."""
+    frames = [row.name for row in trial.model.manifest.frames]
+    return frame in frames and "frame_rotation" in trial.scene.numbers
 
 
-def judged(asked: Asked, key: Key, thoroughly: bool) -> Check:
+def check(trial: Trial, key: Key, thoroughly: bool) -> Check:
     """Judge a function.
 
     Args:
@@ -65,19 +65,19 @@ def judged(asked: Asked, key: Key, thoroughly: bool) -> Check:
     """
     name, of = key
     error: float | str = "no other route to it"
-    if name in FRAMES and not _placed(asked, of):
+    if name in FRAMES and not _has_pose(trial, of):
         error = "the scene does not say where the frame is"
     elif name in JUDGES:
-        error = JUDGES[name](asked, of or "")
+        error = JUDGES[name](trial, of or "")
     if not isinstance(error, str) and np.isnan(error):
         error = BLURRED
     if isinstance(error, str):
-        return by_text(asked, key, f"not checked: {error}", "" if name in core.JUDGES else "; ")
-    text = written(asked, name, of) if thoroughly else ""
+        return by_text(trial, key, f"not checked: {error}", "" if name in core.JUDGES else "; ")
+    text = written(trial, name, of) if thoroughly else ""
     return Check(label(key), error, "", np.nan if isinstance(text, str) else text)
 
 
-def by_text(asked: Asked, key: Key, reason: str, further: str = "") -> Check:
+def by_text(trial: Trial, key: Key, reason: str, further: str = "") -> Check:
     """A function that nothing speaks for but what it was written from.
 
     Args:
@@ -87,7 +87,7 @@ def by_text(asked: Asked, key: Key, reason: str, further: str = "") -> Check:
         further: What stands before the reason why that does not either; "" for not to say it.
     """
     # where a solve has no unique result, neither has its expression
-    text = "" if reason.endswith(core.SINGULAR) else written(asked, *key)
+    text = "" if reason.endswith(core.SINGULAR) else written(trial, *key)
     if isinstance(text, str):
         return Check(label(key), np.nan, reason + further + text if text and further else reason)
     return Check(label(key), np.nan, reason, text)

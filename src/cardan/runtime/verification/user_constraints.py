@@ -29,11 +29,11 @@ def written(model: LoadedModel) -> list[int]:
 
 
 # what slopes of rates may be off by, of the largest, to say what accelerations have to be
-KNOWN = 1e-11
+RELIABLE = 1e-11
 
 
 def with_written(model: LoadedModel, bound: Bound, t: float) -> Bound | None:
-    """What binds a model, with the constraints that the user wrote.
+    """Constraints of a model, with those that the user wrote.
 
     States at which the slopes of their rates are not known well are left out, such as beside the
     ends of cases; None where that leaves none.
@@ -46,8 +46,8 @@ def with_written(model: LoadedModel, bound: Bound, t: float) -> Bound | None:
         return bound
     n, nu, objects = len(bound.q), model.nu, model._objects
     at = {"t": np.full((n, 1), t), "q": bound.q[:, : model.nq], "u": bound.u[:, :nu], "r": bound.r}
-    rest = {block: model._layout.start(block) for block in "zs"}
-    rest["p"] = model.parameters.vector
+    defaults = {block: model._layout.start(block) for block in "zs"}
+    defaults["p"] = model.parameters.vector
 
     def saved(name: str) -> Any:
         symbol = objects.symbol(name)
@@ -58,8 +58,8 @@ def with_written(model: LoadedModel, bound: Bound, t: float) -> Bound | None:
     )
 
     def value(function: Any, blocks: dict[str, Array], shape: tuple[int, ...]) -> Array:
-        (found,) = evaluate(function, {**rest, **blocks}, "numpy").values()
-        return np.broadcast_to(found, (len(blocks["q"]), *shape))
+        (values,) = evaluate(function, {**defaults, **blocks}, "numpy").values()
+        return np.broadcast_to(values, (len(blocks["q"]), *shape))
 
     m = len(model.manifest.multipliers)
     G = value(jacobian, at, (m, nu))[:, rows]
@@ -68,14 +68,14 @@ def with_written(model: LoadedModel, bound: Bound, t: float) -> Bound | None:
         along["r"] = input_rates(model.inputs, bound.r)
     fastest = np.abs(along["q"]).max(axis=-1, initial=1.0)
     changed, off = slope(lambda blocks: value(rates, blocks, (m,)), at, along, fastest)
-    sure = off <= KNOWN * np.maximum(1.0, np.abs(changed).max(axis=-1, initial=0.0))
+    sure = off <= RELIABLE * np.maximum(1.0, np.abs(changed).max(axis=-1, initial=0.0))
     if not sure.any():
         return None
     wide = np.zeros((n, len(rows), bound.G.shape[-1]))
     wide[..., :nu] = G
-    found = replace(
+    extended = replace(
         bound,
         G=np.concatenate([bound.G, wide], axis=-2),
-        rest=np.concatenate([bound.rest, changed[:, rows]], axis=-1),
+        bias=np.concatenate([bound.bias, changed[:, rows]], axis=-1),
     )
-    return found.only(np.flatnonzero(sure))
+    return extended.only(np.flatnonzero(sure))

@@ -15,12 +15,12 @@ from ..calls.objects import Key
 from . import constraints, core, samples
 from .closed_states import bound, unbound
 from .differences import BOUND
-from .evaluation import Asked
+from .evaluation import Trial
 from .flat_scene import scene_of, unknown
 from .loops import singular
 from .newton_euler import EMPTY, Scene
-from .reference_values import Truth, drawn, finite, largest, masses, truth_of
-from .routes import Check, by_text, judged
+from .reference_values import ReferenceValues, drawn, finite, largest, masses, reference_values
+from .routes import Check, by_text, check
 from .user_constraints import written as constrained
 
 if TYPE_CHECKING:
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from ..models.loaded_model import LoadedModel
 
 # Speeds up to which M is written out and its eigenvalues looked at; beyond, its products do.
-WHOLE = 200
+LARGEST = 200
 # What the accelerations that constraints of the user ask for follow from.
 RATES = {"constraint_rates", "constraint_jacobian", "qdot"}
 # States drawn for each that is wanted: the model's own forces may not exist everywhere.
@@ -43,7 +43,7 @@ CHECKED: list[Key] = [(name, None) for name in core.JUDGES]
 
 @dataclass(frozen=True)
 class Verification:
-    """What was checked, and how well it agrees.
+    """Checked functions, and their errors.
 
     Attributes:
         model: Name of the model.
@@ -82,16 +82,17 @@ class Verification:
         head = f"'{self.model}' at {self.states} random states against {self.judge}"
         lines = [f"{head}; NOT CHECKED: {missing}" if missing else f"{head}: all are checked"]
         for c in self.checks:
-            own = "" if np.isnan(c.written) else f" (its own expressions: {c.written:.1e})"
-            lines.append(f"  {c.function:18} {c.reason + own if c.reason else f'{c.error:.1e}'}")
+            expression_error = (
+                "" if np.isnan(c.written) else f" (its own expressions: {c.written:.1e})"
+            )
+            lines.append(
+                f"  {c.function:18} {c.reason + expression_error if c.reason else f'{c.error:.1e}'}"
+            )
         return "\n".join(lines)
 
 
 def verify(
-    model: LoadedModel,
-    states: int = 3,
-    seed: int = 1,
-    functions: Iterable[str | Key] | None = None,
+    model: LoadedModel, states: int = 3, seed: int = 1, functions: Iterable[str | Key] | None = None
 ) -> Verification:
     """Compare functions at random states; those that cannot be checked are named with the reason.
 
@@ -109,30 +110,35 @@ def verify(
         keys = [key for key in model._written() if key[0] in model.manifest.available]
     else:
         keys = [(key, None) if isinstance(key, str) else key for key in functions]
-    found = _judged(model, states, seed, keys, functions is None)
+    verification = _checked(model, states, seed, keys, functions is None)
     names = None if functions is None else [name for name, of in keys if of is None]
     differences = constraints.checks(model, names, states, seed)
-    return _approved(model, _together(found, differences, states))
+    return _approved(model, _merged(verification, differences, states))
 
 
-def _together(found: Verification, differences: Mapping[str, float | str], n: int) -> Verification:
-    """What both routes found about n states: the larger error, a reason where there is none."""
-    checks = {check.function: check for check in found.checks}
+def _merged(
+    verification: Verification, differences: Mapping[str, float | str], n: int
+) -> Verification:
+    """Combined result of both routes at n states:
+
+    the larger error, a reason where there is none.
+    """
+    checks = {check.function: check for check in verification.checks}
     for name, error in differences.items():
-        known = checks.get(name, Check(name, np.nan, "not checked"))
+        present = checks.get(name, Check(name, np.nan, "not checked"))
         if isinstance(error, str):
-            checks[name] = known if not known.reason else replace(known, reason=error)
-        elif known.reason:
-            checks[name] = replace(known, error=error, reason="")
+            checks[name] = present if not present.reason else replace(present, reason=error)
+        elif present.reason:
+            checks[name] = replace(present, error=error, reason="")
         else:
-            checks[name] = replace(known, error=max(known.error, error))
-    if not differences or found.checks:
-        return replace(found, checks=tuple(checks.values()))
-    return Verification(found.model, n, tuple(checks.values()), DIFFERENCES)
+            checks[name] = replace(present, error=max(present.error, error))
+    if not differences or verification.checks:
+        return replace(verification, checks=tuple(checks.values()))
+    return Verification(verification.model, n, tuple(checks.values()), DIFFERENCES)
 
 
-def _judged(
-    model: LoadedModel, states: int, seed: int, keys: Sequence[Key], whole: bool
+def _checked(
+    model: LoadedModel, states: int, seed: int, keys: Sequence[Key], thoroughly: bool
 ) -> Verification:
     """Every function by the routes that lead to it.
 
@@ -147,25 +153,27 @@ def _judged(
     order = [key for key in CHECKED if key in keys]
     order += [key for key in keys if key not in order]
     if samples.samples_of(model):
-        found = [
+        sample_checks = [
             Check(key[0], *samples.error(model, key[0]))
             if key in CHECKED
-            else _by_text(model, [key], states, seed, samples.APART)[0]
+            else _by_text(model, [key], states, seed, samples.NO_NUMBERS)[0]
             for key in order
         ]
-        return Verification(model.name, len(samples.samples_of(model)), tuple(found), SAMPLES)
-    asked = _asked(model, states, seed, keys)
-    if isinstance(asked, str):
-        return Verification(model.name, 0, tuple(_by_text(model, order, states, seed, asked)))
-    if not len(asked.truth.q):
+        return Verification(
+            model.name, len(samples.samples_of(model)), tuple(sample_checks), SAMPLES
+        )
+    trial = _trial(model, states, seed, keys)
+    if isinstance(trial, str):
+        return Verification(model.name, 0, tuple(_by_text(model, order, states, seed, trial)))
+    if not len(trial.reference.q):
         return Verification(model.name, 0, tuple(_by_text(model, order, states, seed, NOWHERE)))
-    checks = tuple(judged(asked, key, whole) for key in order)
+    checks = tuple(check(trial, key, thoroughly) for key in order)
     if any(check.reason.endswith(core.SINGULAR) for check in checks):
-        warn(_singular_words(model, asked.truth.M), SolveWarning)
-    return Verification(model.name, len(asked.truth.q), checks)
+        warn(_singular_message(model, trial.reference.M), SolveWarning)
+    return Verification(model.name, len(trial.reference.q), checks)
 
 
-def _asked(model: LoadedModel, states: int, seed: int, keys: Sequence[Key]) -> Asked | str:
+def _trial(model: LoadedModel, states: int, seed: int, keys: Sequence[Key]) -> Trial | str:
     """A model at states at which it can be judged; or why there are none."""
     reason = unknown(model)
     if reason or not keys:
@@ -173,18 +181,18 @@ def _asked(model: LoadedModel, states: int, seed: int, keys: Sequence[Key]) -> A
     scene, why = scene_of(model), _unjudged(model)
     solved = scene.nu > model.nu
     if why and solved:
-        # without states at which its circuits are closed nothing of it can be compared
+        # without states at which its loops are closed nothing of it can be compared
         return why
-    truth = _truth(model, scene, states, seed, circuits=not why and bound(model))
-    if bound(model) and not why and truth.bound is None:
+    reference = _reference(model, scene, states, seed, circuits=not why and bound(model))
+    if bound(model) and not why and reference.bound is None:
         why = (
-            "not checked: no position was found in which the circuits close to 1e-12 of their "
+            "not checked: no position was found in which the loops close to 1e-12 of their "
             "size; redundant conditions of rounded numbers leave more"
         )
         if solved:
             return why
-    known = frozenset([*keys, *model._functions])
-    return Asked(model, scene, truth, known, why.removeprefix("not checked: "))
+    callable_keys = frozenset([*keys, *model._functions])
+    return Trial(model, scene, reference, callable_keys, why.removeprefix("not checked: "))
 
 
 def _of_elements(
@@ -201,7 +209,7 @@ def _of_elements(
         states, seed: As of :func:`verify`.
         fresh: Kinds that have one of these functions are judged; all by default.
     """
-    from .finite_elements.elements import judged as by_laws
+    from .finite_elements.elements import check_kinds as by_laws
     from .finite_elements.members import members_of
 
     kinds = {group.kind.name: group.kind for group in elements.tables.groups}
@@ -217,8 +225,10 @@ def _of_elements(
         name = members.table.kind.name
         for form, error, why in by_laws(members) if name in kinds else ():
             label = f"{name} {form}"
-            own = Check(label, np.nan, f"not checked: {why}", error) if why else Check(label, error)
-            checks.append(own)
+            entry = (
+                Check(label, np.nan, f"not checked: {why}", error) if why else Check(label, error)
+            )
+            checks.append(entry)
     return Verification(model.name, states, tuple(checks), LAWS)
 
 
@@ -226,8 +236,8 @@ def _by_text(
     model: LoadedModel, keys: Sequence[Key], states: int, seed: int, reason: str
 ) -> list[Check]:
     """Functions that nothing speaks for but what they were written from."""
-    asked = Asked(model, EMPTY, drawn(model, states, seed)) if keys else None
-    return [by_text(asked, key, reason) for key in keys] if asked else []
+    trial = Trial(model, EMPTY, drawn(model, states, seed)) if keys else None
+    return [by_text(trial, key, reason) for key in keys] if trial else []
 
 
 def _approved(model: LoadedModel, result: Verification) -> Verification:
@@ -281,49 +291,57 @@ def verify_elements(model: LoadedModel, elements: Elements, fresh: Iterable[str]
     from .finite_elements.members import STATES
 
     new = list(fresh)
-    found = _of_elements(model, elements, STATES, 1, new)
+    verification = _of_elements(model, elements, STATES, 1, new)
     differences: dict[str, float | str] = {}
     if model.manifest.multipliers and any(constraints.binds(name) for name in new):
         differences = constraints.said(constraints.of_elements(model, elements, 3, 1))
-    _approved(model, _together(found, differences, STATES))
+    _approved(model, _merged(verification, differences, STATES))
 
 
 def _unjudged(model: LoadedModel) -> str:
     """Why what binds a model is not judged; "" where it is, or where nothing does."""
     if not bound(model):
         return ""
-    if model.nu > WHOLE:
-        return f"not checked: circuits with more than {WHOLE} speeds"
+    if model.nu > LARGEST:
+        return f"not checked: loops with more than {LARGEST} speeds"
     if constrained(model) and RATES - set(model.manifest.available):
         return "not checked: the rates of constraints that the user wrote were not asked for"
     return unbound(model)
 
 
-def _truth(model: LoadedModel, scene: Scene, states: int, seed: int, circuits: bool) -> Truth:
-    """What must come out at some states; M is written out if it is not too large."""
-    given = (states, seed, circuits, "applied" in model.saved, model.parameters.vector.tobytes())
-    known = model._objects.truth
-    if known is not None and known[0] == given:
+def _reference(
+    model: LoadedModel, scene: Scene, states: int, seed: int, circuits: bool
+) -> ReferenceValues:
+    """Reference values at some states; M is written out if it is not too large."""
+    settings = (
+        states,
+        seed,
+        circuits,
+        "applied_forces" in model.saved,
+        model.parameters.vector.tobytes(),
+    )
+    cached = model._objects.reference
+    if cached is not None and cached[0] == settings:
         # one function after the other is judged at the same states
-        return cast(Truth, known[1])
-    large = model.nu > WHOLE
-    truth = truth_of(model, scene, DRAWN if large else DRAWN * states, seed, circuits)
-    truth = truth.only(finite(truth)[: 1 if large else states])
+        return cast(ReferenceValues, cached[1])
+    large = model.nu > LARGEST
+    reference = reference_values(model, scene, DRAWN if large else DRAWN * states, seed, circuits)
+    reference = reference.only(finite(reference)[: 1 if large else states])
     if large:
-        truth = replace(truth, largest=largest(scene, truth))
+        reference = replace(reference, largest=largest(scene, reference))
     else:
-        M = masses(scene, truth)
-        truth = replace(truth, M=M, largest=np.abs(M).max(axis=(1, 2), initial=0.0))
-        if truth.pressed is not None and not singular(truth):
+        M = masses(scene, reference)
+        reference = replace(reference, M=M, largest=np.abs(M).max(axis=(1, 2), initial=0.0))
+        if reference.reaction_friction is not None and not singular(reference):
             # friction in the model's own motion, where there is one alone
-            truth = replace(truth, f=truth.under(np.zeros_like(truth.h)))
-            truth = truth.only(finite(truth))
-    model._objects.truth = given, truth
-    return truth
+            reference = replace(reference, f=reference.under(np.zeros_like(reference.h)))
+            reference = reference.only(finite(reference))
+    model._objects.reference = settings, reference
+    return reference
 
 
-def _singular_words(model: LoadedModel, M: Array | None) -> str:
-    """What nothing resists, and what to do about it."""
+def _singular_message(model: LoadedModel, M: Array | None) -> str:
+    """Message about a singular mass matrix, with a remedy."""
     names = ["some joint"]
     if M is not None:
         direction = np.abs(np.linalg.eigh(M[0])[1][:, 0])

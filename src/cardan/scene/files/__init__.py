@@ -30,13 +30,7 @@ def _xml(path: Path, options: Options) -> SceneRecord:
     return reader(root, options, path.name, path.parent)
 
 
-READERS = {
-    ".urdf": _xml,
-    ".xml": _xml,
-    ".mjcf": _xml,
-    ".yaml": yaml.read,
-    ".yml": yaml.read,
-}
+READERS = {".urdf": _xml, ".xml": _xml, ".mjcf": _xml, ".yaml": yaml.read, ".yml": yaml.read}
 
 
 @checked

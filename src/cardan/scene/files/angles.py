@@ -39,35 +39,35 @@ def snap(word: str, value: float, who: str, snaps: list[str]) -> float:
     return exact
 
 
-def snap_all(words: Sequence[str], angles: list[float], who: str, snaps: list[str]) -> list[float]:
+def snap_all(texts: Sequence[str], angles: list[float], who: str, snaps: list[str]) -> list[float]:
     """Roll, pitch and yaw with roundings replaced; each is listed in ``snaps``."""
     names = ("roll", "pitch", "yaw")
     return [
         snap(word, cleared(word, value, 1.0, f"{who} {name}", snaps), f"{who} {name}", snaps)
-        for word, value, name in zip(words, angles, names, strict=True)
+        for word, value, name in zip(texts, angles, names, strict=True)
     ]
 
 
 def snap_axis(
-    words: Sequence[str], axis: Sequence[float], who: str, snaps: list[str]
+    texts: Sequence[str], axis: Sequence[float], who: str, snaps: list[str]
 ) -> list[float]:
     """An axis without residues; each is listed in ``snaps``."""
     largest = max(map(abs, axis))
     return [
         cleared(word, value, largest, f"{who} axis {name}", snaps)
-        for word, value, name in zip(words, axis, "xyz", strict=True)
+        for word, value, name in zip(texts, axis, "xyz", strict=True)
     ]
 
 
-def cleared(word: str, value: float, beside: float, who: str, snaps: list[str]) -> float:
+def cleared(word: str, value: float, scale: float, who: str, snaps: list[str]) -> float:
     """0 for a residue beside a number of this size, listed in ``snaps``; else the value."""
-    if not 0 < abs(value) <= RESIDUE * beside:
+    if not 0 < abs(value) <= RESIDUE * scale:
         return value
     snaps.append(f"{who}: {word} -> 0")
     return 0.0
 
 
-def turned(inertia: Sequence[float], rpy: Sequence[float]) -> tuple[float, ...]:
+def rotated_inertia(inertia: Sequence[float], rpy: Sequence[float]) -> tuple[float, ...]:
     """Entries xx xy xz yy yz zz of R I Rᵀ with R = Rz(yaw) Ry(pitch) Rx(roll)."""
     if not any(rpy):
         return tuple(inertia)

@@ -43,7 +43,7 @@ def parse(text: str | bytes, name: str) -> Any:
             f"file '{name}': it declares entities or refers to other documents; remove that"
         ) from problem
     except (ParseError, ValueError, LookupError, RecursionError) as problem:
-        raise ModelError(f"file '{name}' is no XML: {problem}") from problem
+        raise ModelError(f"file '{name}' is not XML: {problem}") from problem
     _check_depth(root, name)
     return root
 
@@ -64,9 +64,9 @@ def _numbered(text: str | bytes) -> Any:
         """Writes the line of the parser into every element."""
 
         def start(self, tag: Any, attributes: Any) -> Any:
-            made = super().start(tag, attributes)
-            made.line = parser.parser.CurrentLineNumber  # type: ignore[attr-defined]
-            return made
+            element = super().start(tag, attributes)
+            element.line = parser.parser.CurrentLineNumber  # type: ignore[attr-defined]
+            return element
 
     parser = DefusedXMLParser(target=Builder(element_factory=Numbered))
     parser.feed(text)
@@ -98,8 +98,8 @@ class Element:
 
     def child(self, tag: str) -> Element | None:
         """The first child of that name."""
-        found = self.raw.find(tag)
-        return None if found is None else Element(found, self.where)
+        child = self.raw.find(tag)
+        return None if child is None else Element(child, self.where)
 
     def children(self, tag: str) -> Iterator[Element]:
         return (Element(raw, self.where) for raw in self.raw.findall(tag))
@@ -127,13 +127,13 @@ class Element:
         Raises:
             ModelError: another count, text, NaN or an absurd size.
         """
-        words = self.text(name, default).split()
-        if len(words) != count:
+        texts = self.text(name, default).split()
+        if len(texts) != count:
             raise ModelError(
                 f"{self.where}: {name}={self.text(name, default)[:80]!r} of <{self.raw.tag}> has "
-                f"{len(words)} numbers, but {count} are wanted"
+                f"{len(texts)} numbers, but {count} are wanted"
             )
-        return [self._finite(name, word) for word in words]
+        return [self._finite(name, word) for word in texts]
 
     def several(self, name: str, least: int, most: int, default: str | None = None) -> list[float]:
         """An attribute of a few numbers.
@@ -141,13 +141,13 @@ class Element:
         Raises:
             ModelError: too few or too many, text, NaN or an absurd size.
         """
-        words = self.text(name, default).split()
-        if not least <= len(words) <= most:
+        texts = self.text(name, default).split()
+        if not least <= len(texts) <= most:
             raise ModelError(
                 f"{self.where}: {name}={self.text(name, default)[:80]!r} of <{self.raw.tag}> has "
-                f"{len(words)} numbers, but {least} to {most} are wanted"
+                f"{len(texts)} numbers, but {least} to {most} are wanted"
             )
-        return [self._finite(name, word) for word in words]
+        return [self._finite(name, word) for word in texts]
 
     def _finite(self, name: str, word: str) -> float:
         try:
@@ -156,8 +156,8 @@ class Element:
             value = math.nan
         if not abs(value) <= LARGEST_NUMBER:
             raise ModelError(
-                f"{self.where}: {name} of <{self.raw.tag}> has {word[:40]!r}, which is no number "
-                f"up to {LARGEST_NUMBER:g}"
+                f"{self.where}: {name} of <{self.raw.tag}> has {word[:40]!r}, which is not a "
+                f"number up to {LARGEST_NUMBER:g}"
             )
         return value
 

@@ -74,7 +74,7 @@ def parse(text: str, symbols: Mapping[Any, Any], *, where: str) -> Any:
     if len(text) > LONGEST:
         raise ModelError(f"{where}: an expression has at most {LONGEST} characters")
     try:
-        return _Parser(_tokens(text, where), symbols, where).whole()
+        return _Parser(_tokens(text, where), symbols, where).parse()
     except ModelError:
         raise
     except (ArithmeticError, RecursionError, TypeError, ValueError) as problem:
@@ -89,7 +89,7 @@ def _tokens(text: str, where: str) -> list[Token]:
         if match is None:
             column = len(text) - len(text[position:].lstrip()) + 1
             wrong = text[column - 1 : column + 9]
-            raise ModelError(f"{where}: column {column}: '{wrong}' is no part of an expression")
+            raise ModelError(f"{where}: column {column}: '{wrong}' is not a part of an expression")
         sort = str(match.lastgroup)
         tokens.append(Token(sort, match.group(sort), match.start(sort) + 1))
         position = match.end()
@@ -119,24 +119,26 @@ class _Parser:
         """The sign that comes next, where it is one of these; "" otherwise."""
         return self.take().text if self.next.sort == "sign" and self.next.text in signs else ""
 
-    def error(self, token: Token, words: str) -> ModelError:
-        return ModelError(f"{self.where}: column {token.column}: {words}")
+    def error(self, token: Token, message: str) -> ModelError:
+        return ModelError(f"{self.where}: column {token.column}: {message}")
 
     def unexpected(self, token: Token) -> ModelError:
         if token.sort == "end":
             return self.error(token, "the expression ends too early")
-        words = f"'{token.text[:40]}' is not expected here"
+        message = f"'{token.text[:40]}' is not expected here"
         if token.sort == "name":
-            words += "; values with units stand under parameters, such as {value: 2, unit: kg}"
-        return self.error(token, words)
+            message += "; values with units stand under parameters, such as {value: 2, unit: kg}"
+        return self.error(token, message)
 
-    def whole(self) -> Any:
-        found = self.relation()
+    def parse(self) -> Any:
+        expression = self.relation()
         if self.next.sort != "end":
             raise self.unexpected(self.next)
-        if _is_condition(found):
-            raise ModelError(f"{self.where}: a condition is no value; use select(condition, a, b)")
-        return found
+        if _is_condition(expression):
+            raise ModelError(
+                f"{self.where}: a condition is not a value; use select(condition, a, b)"
+            )
+        return expression
 
     def relation(self) -> Any:
         token, left = self.next, self.sum()
@@ -200,10 +202,10 @@ class _Parser:
             raise self.error(token, "zero has no such power")
         return self.checked(token, _power(base, exponent))
 
-    def value(self, token: Token, found: Any) -> Any:
-        if _is_condition(found):
-            raise self.error(token, "a condition is no value; use select(condition, a, b)")
-        return found
+    def value(self, token: Token, expression: Any) -> Any:
+        if _is_condition(expression):
+            raise self.error(token, "a condition is not a value; use select(condition, a, b)")
+        return expression
 
     def sized(self, make: Callable[..., Any], *parts: Any) -> Any:
         """A sum or product, unless its numbers grow beyond all use."""
@@ -218,9 +220,9 @@ class _Parser:
         if token.sort == "number":
             return self.number(token)
         if token.text == "(" and token.sort == "sign":
-            found = self.relation()
+            expression = self.relation()
             self.close(token)
-            return found
+            return expression
         if token.sort == "name" and self.accept("("):
             return self.motion(token) if token.text in MOTION else self.call(token)
         if token.sort in ("name", "quoted"):
@@ -237,9 +239,9 @@ class _Parser:
             raise self.error(token, f"{token.text} is too large; numbers go up to 1e300")
         return _sympy().Float(value)
 
-    def close(self, opened: Token) -> None:
+    def close(self, opening: Token) -> None:
         if not self.accept(")"):
-            missing = f"before the ) that belongs to column {opened.column}"
+            missing = f"before the ) that belongs to column {opening.column}"
             if self.next.sort == "end":
                 # a comma ends a plain text inside [] and {}
                 hint = "; in [] and {} an expression with commas needs quotes"
@@ -251,15 +253,15 @@ class _Parser:
     def named(self, token: Token) -> Any:
         name = unquoted(token)
         try:
-            found = self.symbols[name]
+            symbol = self.symbols[name]
         except KeyError:
-            found = _sympy().pi if token.text == "pi" else None
-        if found is None:
+            symbol = _sympy().pi if token.text == "pi" else None
+        if symbol is None:
             hint = near(name, [*map(str, self.symbols), *FUNCTIONS, *MOTION])
             raise self.error(token, f"'{name[:80]}' is not known here.{hint}")
-        if not hasattr(found, "free_symbols"):
+        if not hasattr(symbol, "free_symbols"):
             raise self.error(token, f"'{name[:80]}' is a function; write {name[:80]}(x)")
-        return found
+        return symbol
 
     def motion(self, token: Token) -> Any:
         """``q(elbow)``, ``velocity(tip).x``, ``velocity(tip wrt base in cart).x``."""
@@ -278,10 +280,10 @@ class _Parser:
         return self.moving(token, (token.text, name, self.name(), *against.values()))
 
     def moving(self, token: Token, key: tuple[str | None, ...]) -> Any:
-        found = self.symbols.get(key)
-        if found is None:
+        symbol = self.symbols.get(key)
+        if symbol is None:
             raise self.error(token, f"{token.text}({key[1]}): nothing moves here")
-        return found
+        return symbol
 
     def name(self) -> str:
         word = self.take()
@@ -300,13 +302,13 @@ class _Parser:
         logical = name in ("and", "or", "not")
         for argument in arguments:
             if _is_condition(argument) != logical:
-                wanted = "conditions such as t < 1" if logical else "values, no conditions"
-                raise self.error(token, f"{name[:80]} takes {wanted}")
+                expected = "conditions such as t < 1" if logical else "values, no conditions"
+                raise self.error(token, f"{name[:80]} takes {expected}")
         if name in self.symbols:
             return self.table(token, arguments)
         if name not in FUNCTIONS:
-            known = [*FUNCTIONS, "select"]
-            raise self.error(token, f"there is no function '{name[:80]}'." + near(name, known))
+            names = [*FUNCTIONS, "select"]
+            raise self.error(token, f"there is no function '{name[:80]}'." + near(name, names))
         least, most = ARGUMENTS.get(name, (1, 1))
         if not least <= len(arguments) <= most:
             raise self.error(token, f"{name} does not take {len(arguments)} values")
@@ -322,24 +324,24 @@ class _Parser:
         """The value of a measured function."""
         function = self.symbols[token.text]
         if hasattr(function, "free_symbols") or len(arguments) != 1:
-            what = f"'{token.text[:80]}' is no function of {len(arguments)} values"
+            what = f"'{token.text[:80]}' is not a function of {len(arguments)} values"
             raise self.error(token, what)
         return function(*arguments)
 
-    def checked(self, token: Token, found: Any) -> Any:
+    def checked(self, token: Token, expression: Any) -> Any:
         """A result that, where it is a number, is real and of sane size."""
         sympy = _sympy()
-        if found.has(sympy.zoo, sympy.oo, -sympy.oo, sympy.nan):
+        if expression.has(sympy.zoo, sympy.oo, -sympy.oo, sympy.nan):
             raise self.error(token, f"'{token.text[:40]}' is not finite here")
-        if not getattr(found, "is_number", False) or found.is_Rational:
-            return found
-        value = found.evalf(17)
+        if not getattr(expression, "is_number", False) or expression.is_Rational:
+            return expression
+        value = expression.evalf(17)
         if not value.is_Float and not value.is_Rational:
-            raise self.error(token, f"'{token.text[:40]}' is no real number here")
+            raise self.error(token, f"'{token.text[:40]}' is not a real number here")
         if abs(value) > 1e300:
             raise self.error(token, f"'{token.text[:40]}' is too large here")
         # functions of numbers are numbers; roots stay what they are
-        return found if found.is_Pow or found.is_Float else sympy.Float(float(value))
+        return expression if expression.is_Pow or expression.is_Float else sympy.Float(float(value))
 
     def select(self, token: Token, arguments: list[Any]) -> Any:
         """``select(condition, a, condition, b, c)``: the first value whose condition holds."""
@@ -347,14 +349,14 @@ class _Parser:
         if len(arguments) < 3 or len(arguments) % 2 == 0:
             raise self.error(token, "select takes condition, value, ..., and a value otherwise")
         *cases, otherwise = arguments
-        pieces = list(zip(cases[1::2], cases[::2], strict=True))
-        if not all(_is_condition(condition) for _, condition in pieces):
+        branches = list(zip(cases[1::2], cases[::2], strict=True))
+        if not all(_is_condition(condition) for _, condition in branches):
             raise self.error(token, "select needs a condition such as t < 1 before each value")
-        if any(condition.has(sympy.Piecewise) for _, condition in pieces):
+        if any(condition.has(sympy.Piecewise) for _, condition in branches):
             raise self.error(token, "a condition has no select in it; write and, or, not")
         if any(map(_is_condition, (otherwise, *cases[1::2]))):
             raise self.error(token, "select chooses between values, not conditions")
-        return sympy.Piecewise(*pieces, (otherwise, True), evaluate=False)
+        return sympy.Piecewise(*branches, (otherwise, True), evaluate=False)
 
 
 def unquoted(token: Token) -> str:

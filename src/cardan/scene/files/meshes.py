@@ -34,10 +34,10 @@ class Meshes:
         Raises:
             ModelError: it leads out of the declared folders.
         """
-        found = self.locate(reference, where, "mesh")
-        if found is None:
+        path = self.locate(reference, where, "mesh")
+        if path is None:
             self.missing.append(reference)
-        return reference if found is None else str(found)
+        return reference if path is None else str(path)
 
     def locate(self, reference: str, where: str, what: str) -> Path | None:
         """An existing file below the declared folders, None where there is none.
@@ -49,18 +49,18 @@ class Meshes:
             ModelError: it leads out of the declared folders.
         """
         if "\0" in reference or len(reference) > 4096:
-            raise ModelError(f"{where}: {what} {reference[:60]!r} is no file name")
-        scheme, _, rest = reference.partition("://")
-        if not rest:
-            scheme, rest = "", reference
+            raise ModelError(f"{where}: {what} {reference[:60]!r} is not a file name")
+        scheme, _, remainder = reference.partition("://")
+        if not remainder:
+            scheme, remainder = "", reference
         elif scheme not in ("package", "model", "file"):
             raise ModelError(f"{where}: {what} '{reference[:80]}': '{scheme}' paths are not read")
-        parts = PurePosixPath(rest).parts
+        parts = PurePosixPath(remainder).parts
         if ".." in parts and not self._stays(parts):
             raise ModelError(
                 f"{where}: {what} '{reference[:80]}' leads out of the declared folders (packages=)"
             )
-        return next((path for path in self._candidates(rest) if path.is_file()), None)
+        return next((path for path in self._candidates(remainder) if path.is_file()), None)
 
     def _stays(self, parts: tuple[str, ...]) -> bool:
         depth = 0
@@ -70,18 +70,18 @@ class Meshes:
                 return False
         return True
 
-    def _candidates(self, rest: str) -> list[Path]:
+    def _candidates(self, remainder: str) -> list[Path]:
         """Places to look, links followed, that lie below a declared folder."""
         roots = [*self.packages, *([self.folder] if self.folder else [])]
-        found = []
+        candidates = []
         for root in roots:
             home = root.resolve()
-            tries = [home / rest]
-            first, _, after = rest.partition("/")
+            tries = [home / remainder]
+            first, _, after = remainder.partition("/")
             if first == home.name:
                 tries.append(home / after)
-            found += [p for t in tries if (p := t.resolve()).is_relative_to(home)]
-        return found
+            candidates += [p for t in tries if (p := t.resolve()).is_relative_to(home)]
+        return candidates
 
     def notes(self) -> list[str]:
         if not self.missing:
@@ -96,17 +96,17 @@ class Meshes:
 
 
 def shapes(link: Element, meshes: Meshes, origin: Origin) -> tuple[Shape, ...]:
-    """What to draw for a link: its <visual> elements."""
-    found = []
+    """Shapes to draw for a link: its <visual> elements."""
+    shapes_read = []
     for visual in link.children("visual"):
         geometry = visual.child("geometry")
         if geometry is None:
             continue
         position, rpy = origin(visual, f"{link.where} visual")
-        made = _shape(geometry, meshes, position, ("xyz", *rpy) if any(rpy) else None)
-        if made is not None:
-            found.append(made)
-    return tuple(found)
+        shape = _shape(geometry, meshes, position, ("xyz", *rpy) if any(rpy) else None)
+        if shape is not None:
+            shapes_read.append(shape)
+    return tuple(shapes_read)
 
 
 def _shape(

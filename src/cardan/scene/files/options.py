@@ -1,4 +1,4 @@
-"""How files are read, and what they may cost."""
+"""Options and limits of reading files."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ MOST_FILES = 1000
 
 @dataclass
 class Budget:
-    """What one :func:`cardan.load` may read, all included files together."""
+    """Limits on one :func:`cardan.load`, all included files together."""
 
     files: int = 0
 
@@ -34,7 +34,7 @@ class Budget:
 
 @dataclass(frozen=True)
 class Options:
-    """How to read a file, see :func:`cardan.load`.
+    """Options for reading a file; see :func:`cardan.load`.
 
     Attributes:
         parents: The scenes that include the present file, the outermost first.

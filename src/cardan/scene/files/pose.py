@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from ...spatial.numbers import UPRIGHT, Rows, Vector, product, roll_pitch_yaw, transposed, turned
+from ...spatial.numbers import UPRIGHT, Rows, Vector, product, roll_pitch_yaw, rotated, transposed
 from .angles import RESIDUE
 
 
@@ -28,14 +28,14 @@ class Pose:
 
     def point(self, point: Sequence[float]) -> Vector:
         """A point of this frame, seen from the other."""
-        moved = turned(self.rotation, point)
+        moved = rotated(self.rotation, point)
         x, y, z = (a + b for a, b in zip(self.position, moved, strict=True))
         return x, y, z
 
     def inverse(self) -> Pose:
         """The other frame seen from this one."""
         back = transposed(self.rotation)
-        x, y, z = (-entry for entry in turned(back, self.position))
+        x, y, z = (-entry for entry in rotated(back, self.position))
         return Pose(back, (x, y, z))
 
 

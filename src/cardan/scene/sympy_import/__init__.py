@@ -10,7 +10,7 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from ...arguments import checked
-from ...errors import ModelError, shown
+from ...errors import ModelError, brief
 
 if TYPE_CHECKING:
     from ..scene import SceneRecord
@@ -54,20 +54,20 @@ def from_sympy(
 
     Source: T. R. Kane and D. A. Levinson, Dynamics: Theory and Applications, 1985, chapter 6.
     """
-    from .construction import made
+    from .construction import build_scene
     from .texts import refuse_texts
 
-    told = {"equations": equations, "outputs": outputs, "potential": potential}
-    for what, given in told.items():
+    arguments = {"equations": equations, "outputs": outputs, "potential": potential}
+    for what, value in arguments.items():
         try:
-            refuse_texts(what, given)
+            refuse_texts(what, value)
         except RecursionError as problem:
             raise ModelError(f"from_sympy: {what}: lists in lists without end") from problem
     values = {"parameters": parameters, "inputs": inputs}
     for what, table in values.items():
         if table is not None and not isinstance(table, Mapping):
             raise ModelError(
-                f"from_sympy: {what}={shown(table)}: give values by symbol or name, such as "
+                f"from_sympy: {what}={brief(table)}: give values by symbol or name, such as "
                 "{'m': 1.0}"
             )
-    return made(equations, outputs or {}, parameters or {}, inputs or {}, potential, name)
+    return build_scene(equations, outputs or {}, parameters or {}, inputs or {}, potential, name)

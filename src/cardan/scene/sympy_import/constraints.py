@@ -13,7 +13,7 @@ import sympy
 
 from ...arrays import Array
 from ...errors import ModelError
-from .names import DERIVED, Words
+from .names import DERIVED, Names
 from .numbers import numbers
 from .sources import Source
 
@@ -40,12 +40,12 @@ class Bound:
     rates: tuple[Any, ...]
     positions: Mapping[str, Any]
     speeds: Mapping[str, Any]
-    following: Mapping[Any, Any]
+    input_rates: Mapping[Any, Any]
 
     def rate(self, expressions: Sequence[Any]) -> list[Any]:
         """Time derivatives at u' = 0."""
         moving = [*zip(self.q, self.rates, strict=True), (sympy.Symbol("t"), sympy.Integer(1))]
-        moving += self.following.items()
+        moving += self.input_rates.items()
         return [
             sympy.Add(*(e.diff(x) * along for x, along in moving if e.has(x))) for e in expressions
         ]
@@ -75,27 +75,27 @@ class Bound:
 
     def moved(self, values: Mapping[Any, float]) -> dict[Any, float] | None:
         """The values with q and u on the constraints; None where Newton's method fails."""
-        found = dict(values)
-        told = [*self.positions.values()]
-        slopes = [e.diff(x) for e in told for x in self.q]
-        for _ in range(STEPS if told else 0):
-            g = self.at(told, found)
-            slope = self.at(slopes, found).reshape(len(told), -1)
+        solution = dict(values)
+        positions = [*self.positions.values()]
+        slopes = [e.diff(x) for e in positions for x in self.q]
+        for _ in range(STEPS if positions else 0):
+            g = self.at(positions, solution)
+            slope = self.at(slopes, solution).reshape(len(positions), -1)
             if not (np.isfinite(g).all() and np.isfinite(slope).all()):
                 return None
             step = np.linalg.lstsq(slope, -g)[0]
-            found |= {x: found[x] + float(d) for x, d in zip(self.q, step, strict=True)}
+            solution |= {x: solution[x] + float(d) for x, d in zip(self.q, step, strict=True)}
             if np.abs(step).max(initial=0.0) <= CLOSED:
                 break
         else:
-            if told:
+            if positions:
                 return None
-        missing = self.at(self.velocities, found)
-        G = self.matrix(found)
+        missing = self.at(self.velocities, solution)
+        G = self.matrix(solution)
         if not (np.isfinite(G).all() and np.isfinite(missing).all()):
             return None
         step = np.linalg.lstsq(G, -missing)[0] if len(G) else np.zeros(len(self.u))
-        return found | {x: found[x] + float(d) for x, d in zip(self.u, step, strict=True)}
+        return solution | {x: solution[x] + float(d) for x, d in zip(self.u, step, strict=True)}
 
     def independent(self, G: Array) -> list[str]:
         """Names of the constraints of speeds that do not follow from positions.
@@ -108,12 +108,12 @@ class Bound:
         """
         count = len(self.positions)
         rows = G / np.maximum(np.linalg.norm(G, axis=1, keepdims=True), 1e-300)
-        kept, names = rows[:count], list[str]()
+        basis, names = rows[:count], list[str]()
         for name, row in zip(self.speeds, rows[count:], strict=True):
-            grown = np.vstack([kept, row])
-            if _rank(grown) > _rank(kept):
-                kept, names = grown, [*names, name]
-        if _rank(kept) > _rank(rows[count:]):
+            grown = np.vstack([basis, row])
+            if _rank(grown) > _rank(basis):
+                basis, names = grown, [*names, name]
+        if _rank(basis) > _rank(rows[count:]):
             raise ModelError(
                 "from_sympy: velocity_constraints= of a KanesMethod must have the derivatives of "
                 "its configuration_constraints=, which SymPy does not add; here they allow motions "
@@ -126,32 +126,32 @@ def _rank(rows: Array) -> int:
     return int(np.linalg.matrix_rank(rows, tol=DEPENDENT)) if len(rows) else 0
 
 
-def plain(words: Words, source: Source) -> dict[Any, Any]:
+def plain(names: Names, source: Source) -> dict[Any, Any]:
     """Functions of time -> plain symbols, derivatives of coordinates -> their expressions."""
-    t = next(x for x, name in words.names.items() if name == "t")
-    base = {x: sympy.Symbol(name) for x, name in words.names.items()}
+    t = next(x for x, name in names.names.items() if name == "t")
+    base = {x: sympy.Symbol(name) for x, name in names.names.items()}
     base |= {d: 0 for x in source.zero for d in (x, x.diff(t))}
     rates = zip(source.q, source.rates, strict=True)
     return {x.diff(t): rate.xreplace(base) for x, rate in rates} | base
 
 
-def bound_of(words: Words, source: Source, replaced: Mapping[Any, Any]) -> Bound:
+def bound_of(names: Names, source: Source, replaced: Mapping[Any, Any]) -> Bound:
     """Kinematics and constraints of a source in plain symbols."""
     positions, speeds = (
         {name: sympy.sympify(e, strict=True).xreplace(replaced) for name, e in part.items()}
         for part in (source.positions, source.speeds)
     )
-    told = [*positions.values(), *speeds.values()]
-    symbols = {x.name for e in told for x in e.free_symbols}
-    following = dict[Any, Any]()
-    for name in (name for name in words.inputs.values() if name in symbols):
+    expressions = [*positions.values(), *speeds.values()]
+    symbols = {x.name for e in expressions for x in e.free_symbols}
+    input_rates = dict[Any, Any]()
+    for name in (name for name in names.inputs.values() if name in symbols):
         chain = [f"{name}{suffix}" for suffix in DERIVED]
-        following |= {sympy.Symbol(a): sympy.Symbol(b) for a, b in pairwise(chain)}
+        input_rates |= {sympy.Symbol(a): sympy.Symbol(b) for a, b in pairwise(chain)}
     return Bound(
-        tuple(sympy.Symbol(name) for name in words.q),
-        tuple(sympy.Symbol(name) for name in words.u),
+        tuple(sympy.Symbol(name) for name in names.q),
+        tuple(sympy.Symbol(name) for name in names.u),
         tuple(sympy.sympify(e, strict=True).xreplace(replaced) for e in source.rates),
         positions,
         speeds,
-        following,
+        input_rates,
     )

@@ -22,7 +22,7 @@ from ...ir.solve import solve
 from ..scene import SceneRecord
 from .constraints import Bound, bound_of, plain
 from .leaves import leaves
-from .names import Words, scalars, words
+from .names import Names, names_of, scalars
 from .reference import State, samples, states
 from .sources import Source, source_of
 
@@ -33,7 +33,7 @@ ROUNDING = 1e-10
 UNTOLD = "give from_sympy(..., potential=) an expression: then M is taken for the mass matrix"
 
 
-def made(
+def build_scene(
     equations: Any,
     outputs: Mapping[str, Any],
     parameters: Mapping[Any, float],
@@ -41,32 +41,49 @@ def made(
     potential: Any,
     name: str,
 ) -> SceneRecord:
-    """As :func:`cardan.from_sympy`."""
+    """Same as :func:`cardan.from_sympy`."""
     source = source_of(equations)
-    shown = {key: sympy.sympify(e, strict=True) for key, e in outputs.items()}
-    rest = [source.lagrangian] if source.lagrangian is not None else []
-    rest += [] if potential is None else [sympy.sympify(potential, strict=True)]
-    told = words(source, [*scalars(source), *shown.values(), *rest], parameters, source.inputs)
-    replaced = plain(told, source)
-    bound = bound_of(told, source, replaced)
-    found = states(source, told, bound)
-    if not found:
+    output_expressions = {key: sympy.sympify(e, strict=True) for key, e in outputs.items()}
+    scalar_expressions = [source.lagrangian] if source.lagrangian is not None else []
+    scalar_expressions += [] if potential is None else [sympy.sympify(potential, strict=True)]
+    names = names_of(
+        source,
+        [*scalars(source), *output_expressions.values(), *scalar_expressions],
+        parameters,
+        source.inputs,
+    )
+    replaced = plain(names, source)
+    bound = bound_of(names, source, replaced)
+    reference_states = states(source, names, bound)
+    if not reference_states:
         raise ModelError(
             "from_sympy: no state was found at which M, f, the kinematics and the constraints are "
             "all finite and the constraints hold; are the parameters' values possible ones?"
         )
     if source.implied and bound.positions:
-        kept = bound.independent(found[0].G)
-        bound = replace(bound, speeds={key: bound.speeds[key] for key in kept})
-        found = [replace(state, G=bound.matrix(state.values)) for state in found]
-    return _model(source, told, bound, found, shown, replaced, inputs, potential, name)
+        independent = bound.independent(reference_states[0].G)
+        bound = replace(bound, speeds={key: bound.speeds[key] for key in independent})
+        reference_states = [
+            replace(state, G=bound.matrix(state.values)) for state in reference_states
+        ]
+    return _model(
+        source,
+        names,
+        bound,
+        reference_states,
+        output_expressions,
+        replaced,
+        inputs,
+        potential,
+        name,
+    )
 
 
 def _model(
     source: Source,
-    told: Words,
+    names: Names,
     bound: Bound,
-    found: Sequence[State],
+    reference_states: Sequence[State],
     outputs: Mapping[str, Any],
     replaced: Mapping[Any, Any],
     inputs: Mapping[Any, float],
@@ -75,26 +92,26 @@ def _model(
 ) -> SceneRecord:
     """The scene: parameters, inputs, the block of coordinates, constraints and outputs."""
     scene = SceneRecord(name, gravity=(0, 0, 0))
-    for parameter, value in told.parameters.items():
+    for parameter, value in names.parameters.items():
         scene.parameter(parameter, value)
-    _declare_inputs(scene, told, bound, inputs)
-    solved = not all(_symmetric(state.M) for state in found)
-    if solved and any(_singular(state.M) for state in found):
+    _declare_inputs(scene, names, bound, inputs)
+    solved = not all(_symmetric(state.M) for state in reference_states)
+    if solved and any(_singular(state.M) for state in reference_states):
         raise ModelError(
             "from_sympy: M is singular: some speed has no inertia, or M's rows are not those of "
             "all equations. Every acceleration must follow from M u' = f"
         )
     graph, symbols = Graph(), dict[Any, int]()
-    kinematics = _kinematics(graph, symbols, source, told)
-    inertia, forces = _motion(graph, symbols, source, found, solved)
+    kinematics = _kinematics(graph, symbols, source, names)
+    inertia, forces = _motion(graph, symbols, source, reference_states, solved)
     moved = None if solved else (kinematics, inertia, forces)
-    energy = _energy(graph, symbols, source, told, potential, moved)
+    energy = _energy(graph, symbols, source, names, potential, moved)
     joint = Written(
-        told.q,
-        told.u,
+        names.q,
+        names.u,
         kinematics,
-        samples(source, told, bound, found, solved),
-        _without(len(energy), kinematics, told),
+        samples(source, names, bound, reference_states, solved),
+        _without(len(energy), kinematics, names),
     )
     body = scene.body(BLOCK)
     scene.joint(BLOCK, joint, scene.ground, body)
@@ -112,33 +129,33 @@ def _model(
 
 
 def _declare_inputs(
-    scene: SceneRecord, told: Words, bound: Bound, given: Mapping[Any, float]
+    scene: SceneRecord, names: Names, bound: Bound, values: Mapping[Any, float]
 ) -> None:
     """All inputs but those that the constraints of others bring along."""
-    named = {told.names.get(key, str(key)): float(value) for key, value in given.items()}
-    brought = {x.name for x in bound.following.values()}
-    own = [name for name in told.inputs.values() if name not in brought]
+    named = {names.names.get(key, str(key)): float(value) for key, value in values.items()}
+    brought = {x.name for x in bound.input_rates.values()}
+    declared = [name for name in names.inputs.values() if name not in brought]
     for key in named:
-        if key not in own:
-            raise ModelError(f"from_sympy: inputs: there is no input '{key}'.{near(key, own)}")
-    for key in own:
+        if key not in declared:
+            raise ModelError(f"from_sympy: inputs: there is no input '{key}'.{near(key, declared)}")
+    for key in declared:
         scene.input(key, named.get(key, 0.0))
 
 
-def _kinematics(graph: Graph, symbols: dict[Any, int], source: Source, told: Words) -> Ready:
+def _kinematics(graph: Graph, symbols: dict[Any, int], source: Source, names: Names) -> Ready:
     """q' as expressions; fills in what all other expressions may speak of.
 
     Raises:
         ModelError: they depend on inputs, or not linearly on the speeds.
     """
     t = dynamicsymbols._t
-    symbols |= {x: graph.atom(name) for x, name in told.names.items()}
+    symbols |= {x: graph.atom(name) for x, name in names.names.items()}
     symbols |= {d: ZERO for x in source.zero for d in (x, x.diff(t))}
     nodes = all_from_sympy(graph, source.rates, symbols)
     symbols |= {
         x.diff(t): node for x, node in zip(source.q, nodes, strict=True) if x.diff(t) not in symbols
     }
-    moving = set(leaves(source.rates)) & set(told.inputs)
+    moving = set(leaves(source.rates)) & set(names.inputs)
     if moving:
         raise ModelError(
             f"from_sympy: the kinematics q' depend on the input {moving.pop()}; let a speed have "
@@ -152,9 +169,13 @@ def _kinematics(graph: Graph, symbols: dict[Any, int], source: Source, told: Wor
 
 
 def _motion(
-    graph: Graph, symbols: Mapping[Any, int], source: Source, found: Sequence[State], solved: bool
+    graph: Graph,
+    symbols: Mapping[Any, int],
+    source: Source,
+    reference_states: Sequence[State],
+    solved: bool,
 ) -> tuple[Ready, Ready]:
-    """M and f; the identity and u' where M is no mass matrix."""
+    """M and f; the identity and u' where M is not a mass matrix."""
     nu = len(source.u)
     nodes = all_from_sympy(graph, [*source.M, *source.f], symbols)
     M, f = Matrix(graph, nu, nu, nodes[: nu * nu]), Matrix(graph, nu, 1, nodes[nu * nu :])
@@ -172,7 +193,7 @@ def _motion(
 
 
 def _symmetric(M: np.ndarray[Any, Any]) -> bool:
-    """Whether M is symmetric and positive definite, but for rounding."""
+    """True when M is symmetric and positive definite, but for rounding."""
     largest = np.abs(M).max(initial=0.0)
     if np.abs(M - M.T).max(initial=0.0) > ROUNDING * largest:
         return False
@@ -180,7 +201,7 @@ def _symmetric(M: np.ndarray[Any, Any]) -> bool:
 
 
 def _singular(M: np.ndarray[Any, Any]) -> bool:
-    """Whether M has no inverse, in units of its own rows and columns."""
+    """True when M has no inverse, in units of its own rows and columns."""
     size = np.abs(M).max(axis=1, initial=0.0)
     if not size.all():
         return True
@@ -193,7 +214,7 @@ def _energy(
     graph: Graph,
     symbols: Mapping[Any, int],
     source: Source,
-    told: Words,
+    names: Names,
     potential: Any,
     moved: tuple[Ready, Ready, Ready] | None,
 ) -> tuple[Ready, ...]:
@@ -202,7 +223,7 @@ def _energy(
     Of a Lagrangian, -L at rest: with 1/2 uᵀ M u it makes the integral of Jacobi.
 
     Args:
-        moved: q', M and f; None where M is no mass matrix.
+        moved: q', M and f; None where M is not a mass matrix.
 
     Raises:
         ModelError: a potential that is not one of coordinates.
@@ -216,21 +237,23 @@ def _energy(
             "definite: multiply the equations so that 1/2 uᵀ M u is the kinetic energy"
         )
     node = all_from_sympy(graph, [expression], symbols)[0]
-    moving = {dynamicsymbols._t, *told.inputs} | (set(source.u) if potential is not None else set())
+    moving = {dynamicsymbols._t, *names.inputs} | (
+        set(source.u) if potential is not None else set()
+    )
     if moving & set(leaves([expression])):
         if potential is None:
             return ()
         raise ModelError("from_sympy: potential= depends on coordinates and parameters alone")
     speeds = [symbols[x] for x in source.u]
     if potential is not None:
-        return Ready(graph, 1, 1, (node,)), *_spent(node, speeds, told, moved)
+        return Ready(graph, 1, 1, (node,)), *_spent(node, speeds, names, moved)
     node = graph.neg(rebuild(graph, [node], dict.fromkeys(speeds, ZERO), into=graph)[1][0])
     applied = all_from_sympy(graph, source.applied, symbols)
     return Ready(graph, 1, 1, (node,)), Ready(graph, len(applied), 1, tuple(applied))
 
 
 def _spent(
-    potential: int, speeds: Sequence[int], told: Words, moved: tuple[Ready, Ready, Ready]
+    potential: int, speeds: Sequence[int], names: Names, moved: tuple[Ready, Ready, Ready]
 ) -> tuple[Ready, ...]:
     """Forces whose power is the change of 1/2 uᵀ M u and the potential: f + Nᵀ dV/dq + 1/2 M' u.
 
@@ -238,32 +261,32 @@ def _spent(
     """
     kinematics, inertia, forces = moved
     g, nu = kinematics.graph, len(speeds)
-    at_rest = rebuild(g, kinematics.nodes, dict.fromkeys(speeds, ZERO), into=g)[1]
-    if any(at_rest):
+    drift = rebuild(g, kinematics.nodes, dict.fromkeys(speeds, ZERO), into=g)[1]
+    if any(drift):
         return ()
-    along = {g.atom(name): rate for name, rate in zip(told.q, kinematics.nodes, strict=True)}
-    growing = Matrix(g, nu, nu, forward(g, inertia.nodes, along))
+    along = {g.atom(name): rate for name, rate in zip(names.q, kinematics.nodes, strict=True)}
+    mass_rate = Matrix(g, nu, nu, forward(g, inertia.nodes, along))
     # the change of V is linear in the speeds, with the forces that it makes as factors
     (change,) = forward(g, [potential], along)
     pulled = [forward(g, [change], {speed: ONE})[0] for speed in speeds]
     spent = Matrix(g, nu, 1, forces.nodes) + Matrix(g, nu, 1, pulled)
-    spent = spent + growing @ Matrix(g, nu, 1, speeds) * 0.5
+    spent = spent + mass_rate @ Matrix(g, nu, 1, speeds) * 0.5
     return (Ready(g, nu, 1, spent.nodes),)
 
 
-def _without(known: int, kinematics: Ready, told: Words) -> dict[str, str]:
+def _without(level: int, kinematics: Ready, names: Names) -> dict[str, str]:
     """Functions that these equations do not give, and why.
 
     Args:
         known: 1 with a potential, 2 with the forces beside it.
     """
-    found = dict[str, str]()
-    if known < 1:
+    reasons = dict[str, str]()
+    if level < 1:
         why = f"written equations do not tell potential energy; {UNTOLD}"
-        found |= dict.fromkeys(("energy", "hamiltonian"), why)
-    if known < 2:
-        found["power"] = "it is not known which forces have a potential"
+        reasons |= dict.fromkeys(("energy", "hamiltonian"), why)
+    if level < 2:
+        reasons["power"] = "it is not known which forces have a potential"
     graph = kinematics.graph
-    if kinematics.nodes != tuple(graph.atom(name) for name in told.u):
-        found["move"] = "finite motions along the speeds are known where these are q' themselves"
-    return found
+    if kinematics.nodes != tuple(graph.atom(name) for name in names.u):
+        reasons["move"] = "finite motions along the speeds are known where these are q' themselves"
+    return reasons

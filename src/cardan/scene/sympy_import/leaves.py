@@ -1,4 +1,4 @@
-"""What SymPy expressions speak of. Loads SymPy."""
+"""Symbols and functions in SymPy expressions. Loads SymPy."""
 
 from __future__ import annotations
 
@@ -11,21 +11,21 @@ from sympy.core.function import AppliedUndef
 
 def leaves(expressions: Iterable[Any]) -> list[Any]:
     """Symbols, functions of time, derivatives and tables in expressions, as they appear."""
-    seen: set[Any] = set()
-    found: list[Any] = []
+    visited: set[Any] = set()
+    collected: list[Any] = []
     stack = [sympy.sympify(e, strict=True) for e in expressions][::-1]
     while stack:
         e = stack.pop()
-        if e in seen:
+        if e in visited:
             continue
-        seen.add(e)
+        visited.add(e)
         if e.is_Symbol or isinstance(e, (AppliedUndef, sympy.Derivative)) or is_table(e):
-            found.append(e)
+            collected.append(e)
         else:
             stack.extend(reversed(e.args))
-    return found
+    return collected
 
 
 def is_table(e: Any) -> bool:
-    """Whether an expression interpolates measured data."""
+    """True when an expression interpolates measured data."""
     return getattr(e, "cardan_table", None) is not None

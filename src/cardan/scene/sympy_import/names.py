@@ -1,4 +1,4 @@
-"""What the symbols and functions of time in written equations are, and their names. Loads SymPy."""
+"""Names of the symbols and functions of time in written equations. Loads SymPy."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ DERIVED = ("", ".rate", ".acceleration")
 
 
 @dataclass(frozen=True)
-class Words:
+class Names:
     """Names of everything that equations speak of.
 
     Attributes:
@@ -36,9 +36,12 @@ class Words:
     names: Mapping[Any, str]
 
 
-def words(
-    source: Source, expressions: Iterable[Any], given: Mapping[Any, float], inputs: Iterable[Any]
-) -> Words:
+def names_of(
+    source: Source,
+    expressions: Iterable[Any],
+    parameter_values: Mapping[Any, float],
+    inputs: Iterable[Any],
+) -> Names:
     """Names for what the expressions of a source have.
 
     Args:
@@ -52,21 +55,23 @@ def words(
     """
     t = dynamicsymbols._t
     q = tuple(_called(x, "coordinate") for x in source.q)
-    own = dict(zip(source.q, q, strict=True))
-    u = tuple(_speed(x, own) for x in source.u)
-    names: dict[Any, str] = {t: "t"} | own | dict(zip(source.u, u, strict=True))
+    coordinate_names = dict(zip(source.q, q, strict=True))
+    u = tuple(_speed(x, coordinate_names) for x in source.u)
+    names: dict[Any, str] = {t: "t"} | coordinate_names | dict(zip(source.u, u, strict=True))
     rates = {x.diff(t) for x in source.q}
     zero = {x for v in source.zero for x in (v, v.diff(t))}
-    found = leaves(expressions)
-    moving = {x: _input(x, source) for x in found if not x.is_Symbol}
+    leaves_of_all = leaves(expressions)
+    moving = {x: _input(x, source) for x in leaves_of_all if not x.is_Symbol}
     moving = {x: name for x, name in moving.items() if not (x in names or x in rates or x in zero)}
     moving |= {x: _called(x, "input") for x in inputs}
     ordered = dict(sorted(moving.items(), key=lambda pair: pair[1]))
-    parameters = _parameters({x for x in found if x.is_Symbol} - {t}, source, given)
+    parameters = _parameters(
+        {x for x in leaves_of_all if x.is_Symbol} - {t}, source, parameter_values
+    )
     names |= ordered | {symbol: symbol.name for symbol in parameters}
     _differ(names)
     values = {symbol.name: value for symbol, value in parameters.items()}
-    return Words(q, u, ordered, values, names)
+    return Names(q, u, ordered, values, names)
 
 
 def _called(x: Any, what: str) -> str:
@@ -77,15 +82,15 @@ def _called(x: Any, what: str) -> str:
     """
     if not isinstance(x, AppliedUndef) or x.args != (dynamicsymbols._t,):
         raise ModelError(
-            f"from_sympy: {what} {x} is no function of time; make it with dynamicsymbols('{x}')"
+            f"from_sympy: {what} {x} is not a function of time; make it with dynamicsymbols('{x}')"
         )
     return str(x.func.__name__)
 
 
-def _speed(x: Any, own: Mapping[Any, str]) -> str:
+def _speed(x: Any, coordinate_names: Mapping[Any, str]) -> str:
     """Name of a speed: ``<coordinate>.u`` where it is the derivative of a coordinate."""
-    if isinstance(x, sympy.Derivative) and x.derivative_count == 1 and x.expr in own:
-        return f"{own[x.expr]}.u"
+    if isinstance(x, sympy.Derivative) and x.derivative_count == 1 and x.expr in coordinate_names:
+        return f"{coordinate_names[x.expr]}.u"
     return _called(x, "speed")
 
 
@@ -112,7 +117,7 @@ def _input(x: Any, source: Source) -> str:
         )
     if not isinstance(base, AppliedUndef) or base.args != (dynamicsymbols._t,):
         raise ModelError(
-            f"from_sympy: '{base}' is no function that C code can be written for. Give its "
+            f"from_sympy: '{base}' is not a function that C code can be written for. Give its "
             "expression; inputs are functions of the time alone"
         )
     if order >= len(DERIVED) or isinstance(base, sympy.Derivative):
@@ -125,7 +130,7 @@ def _many(count: int) -> str:
 
 
 def _parameters(
-    symbols: Iterable[Any], source: Source, given: Mapping[Any, float]
+    symbols: Iterable[Any], source: Source, parameter_values: Mapping[Any, float]
 ) -> dict[Any, float]:
     """Symbol -> default value, by name; those that nothing depends on stand last.
 
@@ -133,31 +138,31 @@ def _parameters(
         ModelError: one has no value.
     """
     ordered = sorted(symbols, key=lambda symbol: str(symbol.name))
-    known = {symbol.name: symbol for symbol in ordered}
-    if len(known) < len(ordered):
+    by_name = {symbol.name: symbol for symbol in ordered}
+    if len(by_name) < len(ordered):
         _differ({symbol: symbol.name for symbol in ordered})
     values = {
         str(getattr(key, "name", key)): value
-        for told in (source.values, given)
-        for key, value in told.items()
+        for mapping in (source.values, parameter_values)
+        for key, value in mapping.items()
     }
-    asked = [str(getattr(key, "name", key)) for key in given]
-    for name in asked:
-        if name not in known:
+    names_listed = [str(getattr(key, "name", key)) for key in parameter_values]
+    for name in names_listed:
+        if name not in by_name:
             raise ModelError(
                 f"from_sympy: parameters: '{name}' does not occur in the equations; leave it out."
-                f"{near(name, known)}"
+                f"{near(name, by_name)}"
             )
-    missing = [name for name in known if name not in values]
+    missing = [name for name in by_name if name not in values]
     if missing:
         listed = ", ".join(f"'{name}': ..." for name in missing)
-        idle = [name for name in values if name not in known]
+        idle = [name for name in values if name not in by_name]
         hint = near(missing[0], idle).replace(" Known:", " Used by nothing:") if idle else ""
         raise ModelError(
             f"from_sympy: {_many(len(missing))} no value: give parameters={{{listed}}}.{hint}"
         )
-    found = {symbol: float(values.pop(name)) for name, symbol in known.items()}
-    return found | {sympy.Symbol(name): float(value) for name, value in values.items()}
+    parameters = {symbol: float(values.pop(name)) for name, symbol in by_name.items()}
+    return parameters | {sympy.Symbol(name): float(value) for name, value in values.items()}
 
 
 def _differ(names: Mapping[Any, str]) -> None:

@@ -19,8 +19,8 @@ def numbers(expressions: Sequence[Any], values: Mapping[Any, float]) -> list[flo
         expressions: In SymPy.
         values: Symbol, function of time or derivative -> its value.
     """
-    found = _Numbers(values)
-    return [found.of(sympy.sympify(e, strict=True)) for e in expressions]
+    evaluator = _Numbers(values)
+    return [evaluator.of(sympy.sympify(e, strict=True)) for e in expressions]
 
 
 class _Numbers:
@@ -52,8 +52,8 @@ class _Numbers:
             if isinstance(e, sympy.Mul):
                 return math.prod(done[x] for x in e.args)
             if isinstance(e, sympy.Pow):
-                found = done[e.base] ** done[e.exp]
-                return found if isinstance(found, float) else math.nan
+                power = done[e.base] ** done[e.exp]
+                return power if isinstance(power, float) else math.nan
             if not _parted(e):
                 # SymPy decides between cases
                 return float(e if e.is_Atom else e.xreplace(self.leaves))
@@ -63,5 +63,5 @@ class _Numbers:
 
 
 def _parted(e: Any) -> bool:
-    """Whether the parts of an expression are numbers themselves."""
+    """True when the parts of an expression are numbers themselves."""
     return not (e.is_Atom or isinstance(e, (sympy.Piecewise, sympy.logic.boolalg.Boolean)))

@@ -1,4 +1,4 @@
-"""What SymPy says about written equations at some states: every build is compared with it.
+"""Reference values by SymPy of written equations: every build is compared with them.
 
 Loads SymPy.
 """
@@ -15,7 +15,7 @@ from sympy.physics.mechanics import dynamicsymbols
 
 from ...arrays import Array
 from .constraints import Bound
-from .names import Words
+from .names import Names
 from .numbers import numbers
 from .sources import Source
 
@@ -23,7 +23,7 @@ SEED = 5
 TIME = 0.3
 # how far coordinates are drawn from 0, again and again until everything is finite there
 REACHES = (0.6, 0.2, 1.2, 3.0) * 6
-WANTED = 3
+STATE_COUNT = 3
 # speeds beyond which one state must do: M is stored
 MANY = 20
 
@@ -43,73 +43,75 @@ class State:
     G: Array
 
 
-def states(source: Source, words: Words, bound: Bound) -> list[State]:
+def states(source: Source, names: Names, bound: Bound) -> list[State]:
     """States at which everything is finite; fewer where that is rare."""
-    rng, found = np.random.default_rng(SEED), list[State]()
-    wanted = WANTED if len(source.u) <= MANY else 1
+    rng, states_list = np.random.default_rng(SEED), list[State]()
+    count = STATE_COUNT if len(source.u) <= MANY else 1
     for reach in REACHES:
-        values = bound.moved(_drawn(rng, reach, words, bound))
-        state = None if values is None else _state(source, words, bound, values)
+        values = bound.moved(_drawn(rng, reach, names, bound))
+        state = None if values is None else _state(source, names, bound, values)
         if state is not None:
-            found.append(state)
-        if len(found) == wanted:
+            states_list.append(state)
+        if len(states_list) == count:
             break
-    return found
+    return states_list
 
 
-def _drawn(rng: np.random.Generator, reach: float, words: Words, bound: Bound) -> dict[Any, float]:
+def _drawn(
+    rng: np.random.Generator, reach: float, source_names: Names, bound: Bound
+) -> dict[Any, float]:
     """Values of all plain symbols."""
     values = {sympy.Symbol("t"): TIME}
     values |= {x: float(reach * rng.uniform(-1, 1)) for x in bound.q}
     values |= {x: float(rng.uniform(-1, 1)) for x in bound.u}
-    names = [*words.inputs.values(), *(x.name for x in bound.following.values())]
-    names += [x.name for x in bound.following]
+    names = [*source_names.inputs.values(), *(x.name for x in bound.input_rates.values())]
+    names += [x.name for x in bound.input_rates]
     values |= {sympy.Symbol(n): float(rng.uniform(-1, 1)) for n in dict.fromkeys(names)}
-    return values | {sympy.Symbol(name): value for name, value in words.parameters.items()}
+    return values | {sympy.Symbol(name): value for name, value in source_names.parameters.items()}
 
 
-def _state(source: Source, words: Words, bound: Bound, values: Mapping[Any, float]) -> State | None:
+def _state(source: Source, names: Names, bound: Bound, values: Mapping[Any, float]) -> State | None:
     """The numbers at a state, None where one is not finite."""
-    t, known = dynamicsymbols._t, dict(values)
-    known |= {x: values[sympy.Symbol(name)] for x, name in words.names.items()}
-    known |= {d: 0.0 for x in source.zero for d in (x, x.diff(t))}
-    rates = numbers(source.rates, known)
-    known |= {x.diff(t): rate for x, rate in zip(source.q, rates, strict=True)}
+    t, values_there = dynamicsymbols._t, dict(values)
+    values_there |= {x: values[sympy.Symbol(name)] for x, name in names.names.items()}
+    values_there |= {d: 0.0 for x in source.zero for d in (x, x.diff(t))}
+    rates = numbers(source.rates, values_there)
+    values_there |= {x.diff(t): rate for x, rate in zip(source.q, rates, strict=True)}
     nu = len(source.u)
-    flat = np.array(numbers([*source.M, *source.f], known))
+    flat = np.array(numbers([*source.M, *source.f], values_there))
     G = bound.matrix(values)
     if not all(np.isfinite(x).all() for x in (flat, G, rates)):
         return None
-    return State(known, flat[: nu * nu].reshape(nu, nu), flat[nu * nu :], G)
+    return State(values_there, flat[: nu * nu].reshape(nu, nu), flat[nu * nu :], G)
 
 
 def samples(
-    source: Source, words: Words, bound: Bound, found: Sequence[State], solved: bool
+    source: Source, names: Names, bound: Bound, states_list: Sequence[State], solved: bool
 ) -> tuple[dict[str, Any], ...]:
     """The reference as plain data for the manifest.
 
     Args:
         solved: Whether M is the identity in what was made of the equations, and f is u'.
     """
-    return tuple(_sample(source, words, bound, state, solved) for state in found)
+    return tuple(_sample(source, names, bound, state, solved) for state in states_list)
 
 
 def _sample(
-    source: Source, words: Words, bound: Bound, state: State, solved: bool
+    source: Source, names: Names, bound: Bound, state: State, solved: bool
 ) -> dict[str, Any]:
     value = {x.name: v for x, v in state.values.items() if isinstance(x, sympy.Symbol)}
     M, f = state.M, state.f
     if solved:
         M, f = np.eye(len(f)), np.asarray(np.linalg.solve(M, f), dtype=np.float64)
     rows, right = _balance(source, bound, state)
-    inputs = [*words.inputs.values(), *(x.name for x in bound.following.values())]
+    inputs = [*names.inputs.values(), *(x.name for x in bound.input_rates.values())]
     return {
         "held": [*bound.positions, *bound.speeds],
         "t": TIME,
-        "q": [value[name] for name in words.q],
-        "u": [value[name] for name in words.u],
+        "q": [value[name] for name in names.q],
+        "u": [value[name] for name in names.u],
         "r": {name: value[name] for name in inputs},
-        "p": dict(words.parameters),
+        "p": dict(names.parameters),
         "qdot": numbers(source.rates, state.values),
         "M": M.tolist(),
         "f": f.tolist(),

@@ -1,4 +1,4 @@
-"""What SymPy's mechanics package holds of equations of motion, told in one way. Loads SymPy."""
+"""Equations of motion of SymPy's mechanics package in one form. Loads SymPy."""
 
 from __future__ import annotations
 
@@ -73,7 +73,7 @@ def source_of(equations: Any) -> Source:
             raise ModelError("from_sympy: call system.form_eoms() first")
         return source_of(equations.eom_method)
     if hasattr(equations, "kindiffdict") and hasattr(equations, "parameters"):
-        return _told(equations)
+        return _of_mechanics(equations)
     if isinstance(equations, Sequence) and 4 <= len(equations) <= 6:
         return _written(*equations)
     raise ModelError(f"from_sympy takes {FORMS}; not {type(equations).__name__}")
@@ -89,7 +89,7 @@ def _kane(kane: Any) -> Source:
     """
     if kane._fr is None or kane._frstar is None:
         raise ModelError("from_sympy: call kane.kanes_equations(bodies, loads) first")
-    q, u, rates, known = tuple(kane.q), tuple(kane.u), kane.kindiffdict(), kane
+    q, u, rates, reduced = tuple(kane.q), tuple(kane.u), kane.kindiffdict(), kane
     derivatives = [x.diff(dynamicsymbols._t) for x in q]
     bound, divides = len(kane._f_nh), _divides(kane, [rates[x] for x in derivatives])
     if bound or divides:
@@ -100,7 +100,7 @@ def _kane(kane: Any) -> Source:
                 + kane._k_ku_implicit * sympy.Matrix(u)
                 + kane._f_k_implicit
             )
-        known = KanesMethod(
+        reduced = KanesMethod(
             kane._inertial,
             list(q),
             list(u),
@@ -108,17 +108,17 @@ def _kane(kane: Any) -> Source:
             u_auxiliary=list(kane._uaux) or None,
             kd_eqs_solver="CRAMER" if divides else "LU",
         )
-        known.kanes_equations(kane.bodylist, kane.forcelist)
-        rates = known.kindiffdict()
-    told = kane._k_nh * sympy.Matrix(u) + kane._f_nh if bound else ()
+        reduced.kanes_equations(kane.bodylist, kane.forcelist)
+        rates = reduced.kindiffdict()
+    velocity_constraints = kane._k_nh * sympy.Matrix(u) + kane._f_nh if bound else ()
     return Source(
         q,
         u,
         tuple(rates[x] for x in derivatives),
-        tuple(known.mass_matrix),
-        tuple(known.forcing),
+        tuple(reduced.mass_matrix),
+        tuple(reduced.forcing),
         positions={f"configuration{i + 1}": x for i, x in enumerate(kane._f_h)},
-        speeds={f"velocity{i + 1}": x for i, x in enumerate(told)},
+        speeds={f"velocity{i + 1}": x for i, x in enumerate(velocity_constraints)},
         implied=True,
         balance=(kane.mass_matrix, kane.forcing),
         zero=tuple(kane._uaux),
@@ -126,20 +126,22 @@ def _kane(kane: Any) -> Source:
 
 
 def _divides(kane: Any, rates: Sequence[Any]) -> bool:
-    """Whether q' as SymPy solved for it divides by zero where the kinematics are regular.
+    """True when q' as SymPy solved for it divides by zero where the kinematics are regular.
 
     That is looked for where all coordinates vanish, and each of them alone.
     """
     K = kane._k_kqdot_implicit
-    q, others = list(kane.q), set(leaves([*rates, *K])) - set(kane.q)
-    known = {x: 0.7 + 0.1 * k for k, x in enumerate(sorted(others, key=str))}
-    apart = [0.3 + 0.2 * k for k in range(len(q))]
+    q, parameter_leaves = list(kane.q), set(leaves([*rates, *K])) - set(kane.q)
+    parameters = {x: 0.7 + 0.1 * k for k, x in enumerate(sorted(parameter_leaves, key=str))}
+    samples = [0.3 + 0.2 * k for k in range(len(q))]
     for zero in [range(len(q)), *([k] for k in range(len(q)))]:
-        at = {x: 0.0 if k in zero else apart[k] for k, x in enumerate(q)}
-        matrix = np.array(numbers([*K], known | at)).reshape(len(q), len(q))
+        at = {x: 0.0 if k in zero else samples[k] for k, x in enumerate(q)}
+        matrix = np.array(numbers([*K], parameters | at)).reshape(len(q), len(q))
         if np.isfinite(matrix).all() and np.linalg.cond(matrix) < REGULAR:
-            found = numbers(rates, known | at)
-            if not (np.isfinite(found).all() and np.abs(found).max(initial=0.0) < REGULAR):
+            rates_there = numbers(rates, parameters | at)
+            if not (
+                np.isfinite(rates_there).all() and np.abs(rates_there).max(initial=0.0) < REGULAR
+            ):
                 return True
     return False
 
@@ -164,8 +166,8 @@ def _lagrange(lagrange: Any) -> Source:
     )
 
 
-def _told(mechanics: Any) -> Source:
-    """What ``equations.to_sympy()`` returns."""
+def _of_mechanics(mechanics: Any) -> Source:
+    """Equations from the result of ``equations.to_sympy()``."""
     return Source(
         tuple(mechanics.q),
         tuple(mechanics.u),
@@ -199,14 +201,14 @@ def _written(q: Any, u: Any, *rest: Any) -> Source:
     if not isinstance(bound, Mapping):
         bound = {f"constraint{i + 1}": x for i, x in enumerate(bound)}
     moving = {*u, *(x.diff(dynamicsymbols._t) for x in q)}
-    told = {name: sympy.sympify(x, strict=True) for name, x in bound.items()}
-    speeds = {name: x for name, x in told.items() if any(x.has(v) for v in moving)}
+    constraints = {name: sympy.sympify(x, strict=True) for name, x in bound.items()}
+    speeds = {name: x for name, x in constraints.items() if any(x.has(v) for v in moving)}
     return Source(
         q,
         u,
         tuple(sympy.sympify(x, strict=True) for x in kinematics),
         tuple(M),
         tuple(f),
-        positions={name: x for name, x in told.items() if name not in speeds},
+        positions={name: x for name, x in constraints.items() if name not in speeds},
         speeds=speeds,
     )

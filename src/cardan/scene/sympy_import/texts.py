@@ -1,4 +1,4 @@
-"""Texts are no expressions: SymPy would run them as Python."""
+"""Texts are not expressions: SymPy would run them as Python."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import numpy as np
 from ...errors import ModelError
 
 
-def refuse_texts(what: str, given: Any) -> None:
+def refuse_texts(what: str, expression: Any) -> None:
     """Complain about a text where an expression belongs.
 
     Args:
@@ -20,16 +20,17 @@ def refuse_texts(what: str, given: Any) -> None:
     Raises:
         ModelError: there is one.
     """
-    if isinstance(given, (str, bytes)):
+    if isinstance(expression, (str, bytes)):
         raise ModelError(
-            f"from_sympy: {what}: {given[:40]!r} is a text, which is not run as an expression; "
+            f"from_sympy: {what}: {expression[:40]!r} is a text, which is not run as an "
+            "expression; "
             "give one of SymPy, such as sympy.Symbol('m')"
         )
-    if isinstance(given, Mapping):
-        for key, value in given.items():
+    if isinstance(expression, Mapping):
+        for key, value in expression.items():
             refuse_texts(f"{what}[{str(key)[:40]!r}]", value)
-    elif isinstance(given, np.ndarray):
-        refuse_texts(what, given.tolist())
-    elif isinstance(given, (list, tuple, set, frozenset)):
-        for value in given:
+    elif isinstance(expression, np.ndarray):
+        refuse_texts(what, expression.tolist())
+    elif isinstance(expression, (list, tuple, set, frozenset)):
+        for value in expression:
             refuse_texts(what, value)

@@ -1,4 +1,4 @@
-"""What the methods of the generalized-alpha family have in common."""
+"""Common data of the methods of the generalized-alpha family."""
 
 from __future__ import annotations
 
@@ -20,6 +20,6 @@ FAMILY = Integrator(
     needs=("balance", "balance_tangent", "move", "qdot"),
     differenced=("balance_tangent",),
     multipliers=True,
-    given_step=True,
+    fixed_step_on_request=True,
     conditions=("assembled", "joint_speeds", "no_internal_states", "own_constraints", "damped"),
 )

@@ -44,7 +44,7 @@ class Integrator:
     differenced: tuple[str, ...] = ()
     multipliers: bool = False
     options: tuple[float, ...] = ()
-    given_step: bool = False
+    fixed_step_on_request: bool = False
     conditions: tuple[str, ...] = ()
     lanes: bool = False
     elements: bool = False

@@ -1,6 +1,6 @@
 """The parametrizations of rotations, by the name a user writes."""
 
-from ...errors import ModelError, near, shown
+from ...errors import ModelError, brief, near
 from .direction_cosines import DirectionCosines
 from .euler_angles import SEQUENCES, EulerAngles
 from .euler_rodrigues import EulerRodrigues
@@ -33,13 +33,13 @@ def parametrization(name: str, owner: str = "rotation") -> Rotation:
     Raises:
         ModelError: there is none.
     """
-    found = ROTATIONS.get(name) if isinstance(name, str) else None
-    if found is None:
+    rotation = ROTATIONS.get(name) if isinstance(name, str) else None
+    if rotation is None:
         raise ModelError(
-            f"{owner}: parametrization {shown(name)} does not exist; use one of these."
+            f"{owner}: parametrization {brief(name)} does not exist; use one of these."
             + near(name, ROTATIONS)
         )
-    return found
+    return rotation
 
 
 __all__ = ["ROTATIONS", "SEQUENCES", "Rotation", "parametrization"]

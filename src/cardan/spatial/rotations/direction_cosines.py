@@ -41,8 +41,7 @@ class DirectionCosines(Rotation):
         _, second, third = self._columns(q)
         first_rate, second_rate = qdot.block(slice(0, 3)), qdot.block(slice(3, 6))
         return Matrix.vector(
-            q.graph,
-            [third.dot(second_rate), -third.dot(first_rate), second.dot(first_rate)],
+            q.graph, [third.dot(second_rate), -third.dot(first_rate), second.dot(first_rate)]
         )
 
     def from_matrix(self, R: Matrix) -> Matrix:

@@ -49,7 +49,7 @@ class EulerAngles(Rotation):
 
     @property
     def domain(self) -> str:  # type: ignore[override]
-        """Where the rates are finite."""
+        """Region in which the rates are finite."""
         return (
             "second angle between 0 and pi" if self.proper else "second angle within +-pi/2"
         ) + ", ends excluded"
@@ -86,10 +86,10 @@ class EulerAngles(Rotation):
     def rates(self, q: Matrix, omega: Matrix) -> Matrix:
         _, b, c = self._ordered(q)
         _, middle, last = self.axes
-        turned = elementary(last, cos(c), sin(c)) @ omega
+        rotated = elementary(last, cos(c), sin(c)) @ omega
         along, across = self._outer(b)
-        first_rate = turned[self._across()] / across
-        return self._written(first_rate, turned[middle], turned[last] - along * first_rate)
+        first_rate = rotated[self._across()] / across
+        return self._written(first_rate, rotated[middle], rotated[last] - along * first_rate)
 
     def omega(self, q: Matrix, qdot: Matrix) -> Matrix:
         _, b, c = self._ordered(q)
@@ -101,8 +101,8 @@ class EulerAngles(Rotation):
             middle: db,
             last: along * da + dc,
         }
-        turned = Matrix.vector(q.graph, [entries[k] for k in range(3)])
-        return elementary(last, cos(c), sin(c)).T @ turned
+        rotated = Matrix.vector(q.graph, [entries[k] for k in range(3)])
+        return elementary(last, cos(c), sin(c)).T @ rotated
 
     def from_matrix(self, R: Matrix) -> Matrix:
         i, j, k = self.axes

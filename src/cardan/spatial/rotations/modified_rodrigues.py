@@ -39,14 +39,14 @@ class ModifiedRodrigues(Rotation):
 
     def rates(self, q: Matrix, omega: Matrix) -> Matrix:
         m = self._unscaled(q)
-        turned = omega * (1 - m.dot(m)) + (m.cross(omega) + m * m.dot(omega)) * 2
-        return turned * (self.scale / 4)
+        mapped = omega * (1 - m.dot(m)) + (m.cross(omega) + m * m.dot(omega)) * 2
+        return mapped * (self.scale / 4)
 
     def omega(self, q: Matrix, qdot: Matrix) -> Matrix:
         m, rate = self._unscaled(q), qdot * (4 / self.scale)
         inverse = 1 / (1 + m.dot(m))
-        turned = rate * (1 - m.dot(m)) + (m * m.dot(rate) - m.cross(rate)) * 2
-        return turned * (inverse * inverse)
+        mapped = rate * (1 - m.dot(m)) + (m * m.dot(rate) - m.cross(rate)) * 2
+        return mapped * (inverse * inverse)
 
     def from_matrix(self, R: Matrix) -> Matrix:
         quaternion = quaternion_of(R)

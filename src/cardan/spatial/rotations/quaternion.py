@@ -22,7 +22,7 @@ class Quaternion(Rotation):
     """
 
     name: str = "quaternion"
-    components: tuple[str, ...] = ("w", "x", "y", "z")
+    components: tuple[str, ...] = ("qw", "qx", "qy", "qz")
     units: tuple[str, ...] = ("", "", "", "")
     defaults: tuple[float, ...] = (1.0, 0.0, 0.0, 0.0)
     domain: str = "every rotation; the four numbers must have length 1"

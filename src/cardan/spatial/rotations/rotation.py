@@ -1,4 +1,4 @@
-"""What every parametrization of a rotation states in its one file."""
+"""Interface of the parametrizations of a rotation; each is one file."""
 
 from __future__ import annotations
 

@@ -46,7 +46,7 @@ def meshed(curve: Curve, elements: int, stops: Sequence[float], up: Array | None
             f"by {np.degrees(turns[k]):.0f} degrees within one element. Take more elements, or "
             "two beams where there is a corner"
         )
-    rotations = _carried(tangents) if up is None else _raised(tangents, up, stations)
+    rotations = _transported_axes(tangents) if up is None else _raised(tangents, up, stations)
     return [
         Line(stations[a : b + 1], positions[a : b + 1], rotations[a : b + 1])
         for a, b in pairwise(ends)
@@ -55,10 +55,10 @@ def meshed(curve: Curve, elements: int, stops: Sequence[float], up: Array | None
 
 def shares(elements: int, stops: Sequence[float]) -> list[int]:
     """Elements of every piece: in proportion to their lengths, at least one each."""
-    wanted = elements * np.diff(stops)
-    counts = np.maximum(np.floor(wanted + 1e-9), 1).astype(int)
+    target = elements * np.diff(stops)
+    counts = np.maximum(np.floor(target + 1e-9), 1).astype(int)
     # those that are left go where most of one is missing
-    for k in np.argsort(counts - wanted, kind="stable")[: max(0, elements - int(counts.sum()))]:
+    for k in np.argsort(counts - target, kind="stable")[: max(0, elements - int(counts.sum()))]:
         counts[k] += 1
     return [int(count) for count in counts]
 
@@ -93,15 +93,16 @@ def _raised(tangents: Array, up: Array, stations: Array) -> Array:
     e3 = _across(tangents, up / np.linalg.norm(up))
     sizes = np.linalg.norm(e3, axis=1)
     if sizes.min() < UPRIGHT:
-        words = ", ".join(f"{x:g}" for x in up)
+        up_text = ", ".join(f"{x:g}" for x in up)
         raise ModelError(
-            f"up=({words}) is parallel to the beam at {stations[int(np.argmin(sizes))]:.4g} m: it "
+            f"up=({up_text}) is parallel to the beam at {stations[int(np.argmin(sizes))]:.4g} m: "
+            "it "
             "says nothing about how the section is turned. Give a direction across the beam"
         )
     return _sections(tangents, e3)
 
 
-def _carried(tangents: Array) -> Array:
+def _transported_axes(tangents: Array) -> Array:
     """Section axes carried along without twist: e3 starts upward, of an upright line e2 along y.
 
     Any axes across the line serve; the angles by which neighbors must be turned so that none is
@@ -115,14 +116,14 @@ def _carried(tangents: Array) -> Array:
         return np.repeat(_sections(tangents[:1], first[None]), len(tangents), axis=0)
     least = np.eye(3)[np.argmin(np.abs(tangents), axis=1)]
     some = _sections(tangents, _across(tangents, least))
-    carried = _turned(some[:-1, :, 2], tangents[:-1], tangents[1:])
-    steps = _angle(carried, some[1:])
+    transported = _transported(some[:-1, :, 2], tangents[:-1], tangents[1:])
+    steps = _angle(transported, some[1:])
     start = _angle(first[None] / np.linalg.norm(first), some[:1])
     angles = np.concatenate([start, start + np.cumsum(steps)])[:, None]
     return _sections(tangents, np.cos(angles) * some[:, :, 2] - np.sin(angles) * some[:, :, 1])
 
 
-def _turned(vectors: Array, before: Array, after: Array) -> Array:
+def _transported(vectors: Array, before: Array, after: Array) -> Array:
     """Vectors (n, 3) turned by the least rotation that takes one direction to another."""
     axis = np.cross(before, after)
     cos = np.sum(before * after, axis=1)[:, None]

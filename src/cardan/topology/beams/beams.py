@@ -77,11 +77,11 @@ class Beams:
 
     def constant(self, rotation: Array, position: Array) -> Placement:
         """A placement in numbers."""
-        whole = np.round(rotation)
-        exact = np.where(np.abs(rotation - whole) < ROUNDING, whole, rotation) + 0.0
+        rounded = np.round(rotation)
+        exact = np.where(np.abs(rotation - rounded) < ROUNDING, rounded, rotation) + 0.0
         const = self.convert.graph.const
-        turned = tuple([const(float(x)) for x in exact.ravel()])
-        return Placement(turned, tuple([const(float(x) + 0.0) for x in position]))
+        rotation_nodes = tuple([const(float(x)) for x in exact.ravel()])
+        return Placement(rotation_nodes, tuple([const(float(x) + 0.0) for x in position]))
 
     def numbers(self, placement: Placement) -> tuple[Array, Array]:
         """Rotation (3, 3) and position (3,) at the values of the parameters, which stay so."""
@@ -115,21 +115,26 @@ class Beams:
         return self._laid[beam.name]
 
     def _lay(self, beam: Beam) -> Laid:
-        turned, moved = np.eye(3), np.zeros(3)
+        base_rotation, moved = np.eye(3), np.zeros(3)
         if beam.base is not None:
-            turned, moved = self.numbers(self._pose(beam.base, beam.name))
+            base_rotation, moved = self.numbers(self._pose(beam.base, beam.name))
         ends = []
         for role, end in zip(("start", "end"), beam.ends, strict=True):
             name = f"{beam.name}.{role}"
             if end.place is None:
-                ends.append(moved + turned @ self._given(end.point, name, "m"))
+                ends.append(moved + base_rotation @ self._numbers_of(end.point, name, "m"))
             else:
                 ends.append(self.numbers(self._pose(end.place, name))[1])
         data = {
-            key: moved + self._given(entry.value, f"{beam.name}.line.{key}", entry.unit) @ turned.T
+            key: moved
+            + self._numbers_of(entry.value, f"{beam.name}.line.{key}", entry.unit) @ base_rotation.T
             for key, entry in beam.line.quantities().items()
         }
-        up = None if beam.up is None else turned @ self._given(beam.up, f"{beam.name}.up")
+        up = (
+            None
+            if beam.up is None
+            else base_rotation @ self._numbers_of(beam.up, f"{beam.name}.up")
+        )
         stops = sorted((s, name) for name, s in beam.stops.items())
         names = (f"{beam.name}.start", *(name for _, name in stops), f"{beam.name}.end")
         where = [0.0, *(s for s, _ in stops), 1.0]
@@ -137,12 +142,14 @@ class Beams:
         curve = beam.line.curve(ends[0], ends[1], data)
         return Laid(names, tuple(meshed(curve, beam.elements, where, up)))
 
-    def _given(self, value: Any, name: str, unit: str = "") -> Array:
+    def _numbers_of(self, value: Any, name: str, unit: str = "") -> Array:
         """Numbers as written, or expressions at the values of the parameters."""
         if isinstance(value, (tuple, list)):
             labels = "xyz" if len(value) == 3 else range(1, len(value) + 1)
             rows = zip(value, labels, strict=True)
-            return np.array([self._given(entry, f"{name}.{label}", unit) for entry, label in rows])
+            return np.array(
+                [self._numbers_of(entry, f"{name}.{label}", unit) for entry, label in rows]
+            )
         # the numbers are used up here: no parameter could change them
         self.convert.fixing = True
         try:
@@ -152,7 +159,10 @@ class Beams:
         return np.asarray(self.values([node])[0])
 
     def coordinates(self, pose: Placement) -> tuple[float, ...]:
-        """Of a free joint from the ground in a pose: unit quaternion w x y z, then position."""
+        """Coordinates of a free joint from the ground in a pose:
+
+        unit quaternion w x y z, then position.
+        """
         rotation, position = self.numbers(pose)
         return (*quaternion(rotation), *(float(x) for x in position))
 

@@ -23,7 +23,7 @@ from ...scene.scene import SceneRecord
 
 @dataclass(frozen=True)
 class BeamNodes:
-    """What the build must know about added nodes.
+    """Data of added nodes for the build.
 
     Attributes:
         beams: Node -> its beam.
@@ -64,7 +64,7 @@ def with_beams(model: SceneRecord) -> tuple[SceneRecord, BeamNodes]:
     extended = copy.copy(model)
     extended.bodies = dict(model.bodies)
     for beam in model.beams.values():
-        for body in own_nodes(beam):
+        for body in node_bodies(beam):
             extended.bodies[body.name] = body
             nodes.beams[body] = beam
     growth = _Growth(model, nodes)
@@ -75,11 +75,11 @@ def with_beams(model: SceneRecord) -> tuple[SceneRecord, BeamNodes]:
     return extended, nodes
 
 
-def own_nodes(beam: Beam) -> list[Body]:
+def node_bodies(beam: Beam) -> list[Body]:
     """The nodes of a beam that are not frames of the user."""
     names = (f"{beam.name}.start", f"{beam.name}.end", *beam.stops)
-    found = ((name, beam.model.nodes[name]) for name in names)
-    return [place.body for name, place in found if place.name == name]
+    places = ((name, beam.model.nodes[name]) for name in names)
+    return [place.body for name, place in places if place.name == name]
 
 
 def _homes(beam: Beam) -> set[Body]:
@@ -107,9 +107,9 @@ class _Growth:
                 self.awaited.setdefault(body, []).append(beam)
         self.ready = [beam for beam, homes in self.waiting.items() if not homes]
         # nodes whose beams have their places; nodes to be reached, in the order of their beams
-        self.known: set[Body] = set()
-        self.loose: deque[Body] = deque()
-        self.reached: set[Body] = set()
+        self.in_tree: set[Body] = set()
+        self.pending: deque[Body] = deque()
+        self.connected: set[Body] = set()
         self.open: list[int] = []
 
     def _attach(self, k: int, joint: Joint) -> None:
@@ -119,12 +119,12 @@ class _Growth:
     def run(self) -> None:
         """Reach what can be reached; bodies without beams that hang nowhere are left."""
         self._reach(self.model.ground)
-        while self._grown() or self._placed() or self._floated():
+        while self._grown() or self._place_beam_nodes() or self._floated():
             pass
         self.nodes.unplaced.update(self.waiting)
 
     def _reach(self, body: Body) -> None:
-        self.reached.add(body)
+        self.connected.add(body)
         for beam in self.awaited.get(body, ()):
             self.waiting[beam].discard(body)
             if not self.waiting[beam]:
@@ -139,28 +139,28 @@ class _Growth:
             joint = self.joints[heappop(self.open)]
             ends = (joint.parent.body, joint.child.body)
             if joint.name in self.ordered or any(
-                body in self.nodes.beams and body not in self.known for body in ends
+                body in self.nodes.beams and body not in self.in_tree for body in ends
             ):
                 continue
             self.ordered[joint.name] = joint
             for body in ends:
-                if body not in self.reached:
+                if body not in self.connected:
                     self._reach(body)
         return len(self.ordered) > before
 
-    def _placed(self) -> bool:
+    def _place_beam_nodes(self) -> bool:
         """Beams whose ends have their places: so do their nodes."""
         ready, self.ready = self.ready, []
         for beam in ready:
             del self.waiting[beam]
-            own = own_nodes(beam)
-            self.known.update(own)
-            self.loose += own
+            node_bodies_here = node_bodies(beam)
+            self.in_tree.update(node_bodies_here)
+            self.pending += node_bodies_here
             for name, kind in beam.releases().items():
                 end = beam.ends[name == f"{beam.name}.end"]
                 assert end.place is not None
                 self._released(name, kind, end.place.body)
-            for body in own:
+            for body in node_bodies_here:
                 for k in self.at.get(body, ()):
                     if self._touched(k):
                         heappush(self.open, k)
@@ -168,7 +168,7 @@ class _Growth:
 
     def _touched(self, k: int) -> bool:
         joint = self.joints[k]
-        return joint.parent.body in self.reached or joint.child.body in self.reached
+        return joint.parent.body in self.connected or joint.child.body in self.connected
 
     def _released(self, name: str, kind: JointElement, body: Body) -> None:
         """The joint of an end that is not clamped."""
@@ -185,16 +185,16 @@ class _Growth:
 
     def _floated(self) -> bool:
         """The next node that no joint reaches, or body with a pose that a beam waits for."""
-        while self.loose and self.loose[0] in self.reached:
-            self.loose.popleft()
-        if self.loose:
-            body = self.loose.popleft()
+        while self.pending and self.pending[0] in self.connected:
+            self.pending.popleft()
+        if self.pending:
+            body = self.pending.popleft()
         else:
             posed = (b for homes in self.waiting.values() for b in homes if b.pose is not None)
-            found = next(posed, None)
-            if found is None:
+            floating = next(posed, None)
+            if floating is None:
                 return False
-            body = found
+            body = floating
         name = self._unwritten(body.name)
         self.ordered[name] = Joint(name, Free(), self.model.ground, body)
         self.nodes.implicit.add(name)

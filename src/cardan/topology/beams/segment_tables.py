@@ -42,7 +42,7 @@ class Line:
 
     @property
     def lengths(self) -> Array:
-        """Of the elements along the beam (n,) [m]."""
+        """Lengths of the elements along the beam (n,) [m]."""
         return np.diff(self.stations)
 
     def __eq__(self, other: object) -> bool:

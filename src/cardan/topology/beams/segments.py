@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 
 from ...elements import material as materials
 from ...elements.forces.line_load import LineLoad
-from ...elements.sections.section import Stiffness
+from ...elements.sections.section import SectionProperties
 from ...errors import ModelError, near
 from ...ir.arithmetic import Scalar
 from ...ir.graph import ZERO
@@ -34,21 +34,21 @@ def segments(scene: SceneRecord, assembly: Assembly) -> tuple[Segment, ...]:
         ModelError: numbers that no beam has.
     """
     loads = _loads(scene, assembly.convert)
-    made = [_made(beam, assembly.convert) for beam in scene.beams.values()]
-    outlines = _checked(made, assembly.convert)
-    found: list[Segment] = []
-    for one, outline in zip(made, outlines, strict=True):
+    materials = [_properties(beam, assembly.convert) for beam in scene.beams.values()]
+    outlines = _checked(materials, assembly.convert)
+    segments_built: list[Segment] = []
+    for one, outline in zip(materials, outlines, strict=True):
         beam, laid = one.beam, assembly.beams.laid(one.beam)
         data = _data(one, assembly.convert) | loads[beam.name]
         frames = [_frame(beam, name, laid, assembly) for name in laid.names]
-        found += [
+        segments_built += [
             Segment(
                 *(beam.name, beam.element, beam.inertia, frames[k], frames[k + 1], data, line),
                 outline,
             )
             for k, line in enumerate(laid.lines)
         ]
-    return tuple(found)
+    return tuple(segments_built)
 
 
 def settle(assembly: Assembly) -> None:
@@ -69,34 +69,34 @@ def _frame(beam: Beam, name: str, laid: Laid, assembly: Assembly) -> int:
     with assembly.graph.made_by(beam.name, "placement"):
         pose = beams.numbers(assembly.reference.poses[body])
         # where the user said; only the axes are those of the section
-        where = beams.numbers(assembly.placed(place, name))[1]
+        where = beams.numbers(assembly.placement_of(place, name))[1]
         local = beams.constant(pose[0].T @ laid.pose(name)[0], where)
         number, home = assembly.home[body]
         part = assembly.rigid(number).index[body.name]
-        whole = home.then(assembly.graph, local)
-        return assembly.new_frame((beam, name), assembly.unwritten(name), number, part, whole)
+        frame_pose = home.then(assembly.graph, local)
+        return assembly.new_frame((beam, name), assembly.unwritten(name), number, part, frame_pose)
 
 
 @dataclass(frozen=True)
-class Made:
-    """What a beam is made of, as expressions: what is written, and what follows."""
+class BeamProperties:
+    """Section and material of a beam as expressions: the written ones, and derived ones."""
 
     beam: Beam
     section: Mapping[str, Scalar]
     material: Mapping[str, Scalar]
-    stiffness: Stiffness
+    stiffness: SectionProperties
 
 
-def _made(beam: Beam, convert: Converter) -> Made:
+def _properties(beam: Beam, convert: Converter) -> BeamProperties:
     with convert.graph.made_by(beam.name, "section"):
         section = _scalars(beam.section.quantities(), f"{beam.name}.section", convert)
         material = _material(beam, convert)
-        return Made(beam, section, material, beam.section.stiffness(section, material))
+        return BeamProperties(beam, section, material, beam.section.stiffness(section, material))
 
 
-def _data(made: Made, convert: Converter) -> Data:
+def _data(properties: BeamProperties, convert: Converter) -> Data:
     """Stiffness, inertia, damping and strain without stress."""
-    beam, graph = made.beam, convert.graph
+    beam, graph = properties.beam, convert.graph
     with graph.made_by(beam.name, "strain"):
         strain = dict.fromkeys(STRAINS, Scalar(graph, ZERO))
         for name, value in beam.prestrain.items():
@@ -104,51 +104,59 @@ def _data(made: Made, convert: Converter) -> Data:
             node = convert.scalar(value, f"{beam.name}.prestrain.{name}", unit)
             strain[name] = Scalar(graph, node)
         rise = Scalar(graph, convert.scalar(beam.temperature, f"{beam.name}.temperature", "K"))
-        strain["stretch"] = strain["stretch"] + made.material["expansion"] * rise
-    numbers = {**vars(made.stiffness), "damping": made.material["damping"]}
+        strain["stretch"] = strain["stretch"] + properties.material["expansion"] * rise
+    numbers = {**vars(properties.stiffness), "damping": properties.material["damping"]}
     data: Data = {name: (1, 1, (value.node,)) for name, value in numbers.items()}
     return data | {"strain": (6, 1, tuple(value.node for value in strain.values()))}
 
 
 def _scalars(quantities: Mapping[str, object], name: str, convert: Converter) -> dict[str, Scalar]:
     """Quantities by name; those of both directions as ``name.e2`` and ``name.e3``."""
-    found = {}
+    scalars = {}
     for key, entry in quantities.items():
         *_, nodes = convert.quantity(entry, f"{name}.{key}")  # type: ignore[arg-type]
         if key in PAIRS:
             for label, node in zip(("e2", "e3"), nodes * (3 - len(nodes)), strict=True):
-                found[f"{key}.{label}"] = Scalar(convert.graph, node)
+                scalars[f"{key}.{label}"] = Scalar(convert.graph, node)
         else:
-            found[key] = Scalar(convert.graph, nodes[0])
-    return found
+            scalars[key] = Scalar(convert.graph, nodes[0])
+    return scalars
 
 
 def _material(beam: Beam, convert: Converter) -> dict[str, Scalar]:
     """``E G nu rho damping expansion``, as far as they are told."""
-    found = _scalars(beam.material.quantities(), f"{beam.name}.material", convert)
-    if "G" in found:
-        found["nu"] = found["E"] / (2 * found["G"]) - 1
-    elif "E" in found:
-        found["G"] = found["E"] / (2 * (1 + found["nu"]))
-    return found
+    constants = _scalars(beam.material.quantities(), f"{beam.name}.material", convert)
+    if "G" in constants:
+        constants["nu"] = constants["E"] / (2 * constants["G"]) - 1
+    elif "E" in constants:
+        constants["G"] = constants["E"] / (2 * (1 + constants["nu"]))
+    return constants
 
 
-def _checked(made: Sequence[Made], convert: Converter) -> list[tuple[float, float, bool]]:
+def _checked(
+    properties: Sequence[BeamProperties], convert: Converter
+) -> list[tuple[float, float, bool]]:
     """Outlines of the sections, whose numbers at the values of the parameters are possible ones.
 
     Raises:
         ModelError: those of a beam are not.
     """
     # all at once: a walk through the graph for each of many beams would take long
-    named = [each for one in made for each in (one.section, one.material, vars(one.stiffness))]
+    named = [
+        each for one in properties for each in (one.section, one.material, vars(one.stiffness))
+    ]
     values = iter(convert.defaults([x.node for each in named for x in each.values()]))
-    told = iter([{key: next(values) for key in each} for each in named])
+    values_of_beam = iter([{key: next(values) for key in each} for each in named])
     outlines = []
-    for one in made:
-        section, material, found = next(told), next(told), next(told)
+    for one in properties:
+        section, material, stiffness = (
+            next(values_of_beam),
+            next(values_of_beam),
+            next(values_of_beam),
+        )
         material = {key: material[key] for key in one.beam.material.quantities()}
         problem = one.beam.section.complaint(section) or materials.complaint(material)
-        for name, value in found.items():
+        for name, value in stiffness.items():
             least = 0.0 if name.startswith("rho") else math.ulp(0.0)
             if not problem and not (math.isfinite(value) and value >= least):
                 problem = f"{name} comes out as {value:g}; check the numbers of its section"
@@ -179,4 +187,6 @@ def _loads(scene: SceneRecord, convert: Converter) -> dict[str, Data]:
                 before = sums[element.beam][where]
                 added = map(convert.graph.add, before, nodes)
                 sums[element.beam][where] = tuple(added)
-    return {beam: {key: (3, 1, nodes) for key, nodes in own.items()} for beam, own in sums.items()}
+    return {
+        beam: {key: (3, 1, nodes) for key, nodes in loads.items()} for beam, loads in sums.items()
+    }

@@ -1,4 +1,4 @@
-"""What a user should know about a system before its equations are derived."""
+"""Warnings about a system before its equations are derived."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from ...scene.summary import notes_of
 from ..assembly import Assembly
 from ..conversion import Converter
 from ..loops.circuits import SAMPLES, Numbers
-from ..scene_warnings import tell
+from ..scene_warnings import warn_about
 from ..system import GROUND, Nodes, System
 
 Moments = Sequence[Any]
@@ -98,15 +98,17 @@ def check_masses(written: Iterable[tuple[str, Nodes]], convert: Converter) -> di
     Raises:
         ModelError: a negative mass.
     """
-    found = dict[str, Moments]()
+    inertias = dict[str, Moments]()
     for name, nodes in written:
         values = convert.defaults(nodes)
         mass(name, values[0], values[1:])
-        found[name] = values[1:]
-    return found
+        inertias[name] = values[1:]
+    return inertias
 
 
-def check_lone_moments(model: SceneRecord, assembly: Assembly, told: Mapping[str, Moments]) -> None:
+def check_lone_moments(
+    model: SceneRecord, assembly: Assembly, expression_inertias: Mapping[str, Moments]
+) -> None:
     """Warn of bodies with one moment of inertia alone that turn about other axes as well.
 
     Args:
@@ -117,63 +119,69 @@ def check_lone_moments(model: SceneRecord, assembly: Assembly, told: Mapping[str
     home = {body.name: place for body, place in assembly.home.items()}
     lone = dict[str, int]()
     for body in model.bodies.values():
-        moments = told.get(body.name, body.inertia)
+        moments = expression_inertias.get(body.name, body.inertia)
         axis = lone_moment(moments) if all(is_number(entry) for entry in moments) else None
         if axis is not None and body.name in home:
             lone[body.name] = axis
     if not lone:
         return
     numbers = Numbers(assembly.convert)
-    turning = turnings(assembly, numbers, [home[name][0] for name in lone])
+    rotation_axes = turnings(assembly, numbers, [home[name][0] for name in lone])
     for name, axis in lone.items():
         number, placement = home[name]
-        outer, axes = turning[number]
-        own = outer @ numbers.pose(placement.rotation, placement.position).rotation
-        across = np.delete(axes @ own, axis, axis=1)
+        outer, axes = rotation_axes[number]
+        body_rotation = outer @ numbers.pose(placement.rotation, placement.position).rotation
+        across = np.delete(axes @ body_rotation, axis, axis=1)
         if np.abs(across).max(initial=0.0) > ALONG:
             text = (
-                f"body '{name}': {unphysical(told.get(name, model.bodies[name].inertia))}. It "
+                f"body '{name}': "
+                f"{unphysical(expression_inertias.get(name, model.bodies[name].inertia))}. It "
                 f"turns about other axes than its own {'xyz'[axis]} too: give the other moments"
             )
-            tell(text, model, ImpossibleWarning)
+            warn_about(text, model, ImpossibleWarning)
 
 
 def turnings(
-    assembly: Assembly, numbers: Numbers, wanted: Iterable[int]
+    assembly: Assembly, numbers: Numbers, body_numbers: Iterable[int]
 ) -> dict[int, tuple[Array, Array]]:
-    """Of rigid bodies: R to the ground with joints at their defaults, and what they turn about.
+    """Rotation to the ground of rigid bodies with joints at their defaults, and their axes of
+    rotation.
 
     Axes (n, 3) are those of the joints from the ground to the body, in ground axes.
     """
     needed = set[int]()
-    for number in wanted:
+    for number in body_numbers:
         while number != GROUND and number not in needed:
             needed.add(number)
             number = assembly.bodies[number].parent
-    found = {GROUND: (np.eye(3), np.zeros((0, 3)))}
+    axes_of_bodies = {GROUND: (np.eye(3), np.zeros((0, 3)))}
     # every body comes after that which carries it
     for number in sorted(needed):
         joint = assembly.joints[number]
-        outer, axes = found[assembly.bodies[number].parent]
+        outer, axes = axes_of_bodies[assembly.bodies[number].parent]
         seat = outer @ numbers.pose(joint.rotation, joint.position).rotation
         moved = []
         for sample in range(SAMPLES):
             pose, modes = numbers.motion(joint.element, joint.data, sample)
             moved.append(seat @ pose.rotation)
             axes = np.concatenate([axes, (moved[-1] @ modes[:3]).T])
-        found[number] = moved[0], axes
-    return found
+        axes_of_bodies[number] = moved[0], axes
+    return axes_of_bodies
 
 
 def massless_tips(system: System) -> list[tuple[str, str]]:
     """Bodies without any mass from there outward, with their joints; M is singular there.
 
-    What a joint that closes a circuit holds is no tip, nor what a beam holds.
+    What a joint that closes a loop holds is not a tip, nor what a beam holds.
     """
     count = len(system.bodies)
-    held = {system.frames[f].body for c in system.closing for f in (c.parent_frame, c.child_frame)}
-    held |= {system.frames[f].body for s in system.segments for f in (s.frame_a, s.frame_b)}
-    heavy = [bool(b.mass or any(b.inertia)) or i in held for i, b in enumerate(system.bodies)]
+    constrained = {
+        system.frames[f].body for c in system.closing for f in (c.parent_frame, c.child_frame)
+    }
+    constrained |= {system.frames[f].body for s in system.segments for f in (s.frame_a, s.frame_b)}
+    heavy = [
+        bool(b.mass or any(b.inertia)) or i in constrained for i, b in enumerate(system.bodies)
+    ]
     for k in range(count - 1, -1, -1):
         parent = system.bodies[k].parent
         if heavy[k] and parent >= 0:

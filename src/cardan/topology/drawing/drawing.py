@@ -18,10 +18,12 @@ Point = tuple[float, float]
 
 
 # a piece of a beam: its name and the bodies it joins
-Piece = tuple[str, str, str]
+BeamArc = tuple[str, str, str]
 
 
-def text(branches: Sequence[Branch], closing: Sequence[Joint], beams: Sequence[Piece] = ()) -> str:
+def text(
+    branches: Sequence[Branch], closing: Sequence[Joint], beams: Sequence[BeamArc] = ()
+) -> str:
     """The tree with one line per body."""
     outboard: dict[str, list[Branch]] = {}
     for branch in branches:
@@ -38,7 +40,7 @@ def text(branches: Sequence[Branch], closing: Sequence[Joint], beams: Sequence[P
         stack += [(deeper, child, k == 0) for k, child in enumerate(below)]
     for joint in closing:
         ends = f"{joint.parent.body.name} .. {joint.child.body.name}"
-        lines.append(f"closes a circuit: {ends}  [{joint.name}: {joint.kind.kind}]")
+        lines.append(f"closes a loop: {ends}  [{joint.name}: {joint.kind.kind}]")
     lines += [f"beam: {start} == {end}  [{name}]" for name, start, end in beams]
     return "\n".join(lines)
 
@@ -48,9 +50,9 @@ def dot(
     bodies: Sequence[str],
     branches: Sequence[Branch],
     closing: Sequence[Joint],
-    beams: Sequence[Piece] = (),
+    beams: Sequence[BeamArc] = (),
 ) -> str:
-    """A directed graph; circuits are closed by dashed arcs, beams are thick ones."""
+    """A directed graph; loops are closed by dashed arcs, beams are thick ones."""
     lines = [f"digraph {quoted(name)} {{", "  rankdir=BT;", "  node [shape=box];"]
     lines += [f"  {quoted(body)};" for body in bodies]
     for joint, style in (
@@ -86,14 +88,16 @@ class Arc:
 
 
 def arcs(
-    branches: Sequence[Branch], closing: Sequence[Joint], beams: Sequence[Piece] = ()
+    branches: Sequence[Branch], closing: Sequence[Joint], beams: Sequence[BeamArc] = ()
 ) -> list[Arc]:
     """The graph of a model as arcs."""
-    found = [Arc(b.joint.name, b.joint.kind.kind, b.inner.name, b.outer.name) for b in branches]
-    found += [
+    arcs_listed = [
+        Arc(b.joint.name, b.joint.kind.kind, b.inner.name, b.outer.name) for b in branches
+    ]
+    arcs_listed += [
         Arc(j.name, j.kind.kind, j.parent.body.name, j.child.body.name, "closing") for j in closing
     ]
-    return [*found, *(Arc(name, "beam", start, end, "beam") for name, start, end in beams)]
+    return [*arcs_listed, *(Arc(name, "beam", start, end, "beam") for name, start, end in beams)]
 
 
 def svg(bodies: Sequence[str], arcs: Sequence[Arc]) -> str:
@@ -190,18 +194,18 @@ def _label(arc: Arc, x: float, y: float, halo: str = "") -> str:
 def _box(body: str, joint: Arc | None, x: float, y: float) -> str:
     width, height = BOX
     rise = 4 if joint is None else -2
-    made = (
+    box = (
         f'<rect x="{x - width / 2:g}" y="{y - height / 2:g}" width="{width}" height="{height}" '
         f'rx="5" fill="#eef3f8" stroke="#456"/><text x="{x:g}" y="{y + rise:g}" '
         f'text-anchor="middle">{escape(_short(body))}<title>{escape(body)}</title></text>'
     )
-    return made if joint is None else made + _label(joint, x, y + 12)
+    return box if joint is None else box + _label(joint, x, y + 12)
 
 
 def _spanning(arcs: Sequence[Arc]) -> list[tuple[str, str]]:
     """(inner, outer) body by body from the ground: along joints first, then along beams."""
-    found: list[tuple[str, str]] = []
-    placed, left = {"ground"}, list(arcs)
+    edges: list[tuple[str, str]] = []
+    connected, left = {"ground"}, list(arcs)
     while left:
         on = next(
             (
@@ -210,20 +214,20 @@ def _spanning(arcs: Sequence[Arc]) -> list[tuple[str, str]]:
                 for arc in left
                 if arc.style == style
                 for ends in ((arc.inner, arc.outer), (arc.outer, arc.inner))
-                if ends[0] in placed and ends[1] not in placed
+                if ends[0] in connected and ends[1] not in connected
             ),
             None,
         )
         if on is None:
             break
-        found.append(on[1])
-        placed.add(on[1][1])
+        edges.append(on[1])
+        connected.add(on[1][1])
         left.remove(on[0])
-    return found
+    return edges
 
 
 def _middle(points: Sequence[Point]) -> Point:
-    """Of a line or a cubic curve."""
+    """Middle of a line or a cubic curve."""
     weights = (0.125, 0.375, 0.375, 0.125) if len(points) == 4 else (0.5, 0.5)
     pairs = list(zip(weights, points, strict=True))
     return sum(w * x for w, (x, _) in pairs), sum(w * y for w, (_, y) in pairs)
@@ -265,7 +269,7 @@ class _Places:
         return body in self._where
 
     def center(self, body: str) -> tuple[float, float]:
-        """Of its box, y downwards."""
+        """Center of the box, y downwards."""
         column, level = self._where[body]
         return COLUMN * (column + 0.5) + 10, self.height - ROW * (level + 0.5) - 10
 
@@ -278,7 +282,7 @@ class _Places:
         return [ends[0], *((x + right, y + down) for x, y in ends), ends[1]]
 
     def _bend(self, arc: Arc) -> Point:
-        """How far aside are the controls of an arc that would run behind boxes."""
+        """Offset of the controls of an arc that would run behind boxes."""
         (a, low), (b, high) = self._where[arc.inner], self._where[arc.outer]
         if arc.style == "tree" or (a != b and low != high):
             return 0.0, 0.0

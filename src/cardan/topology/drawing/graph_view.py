@@ -29,7 +29,7 @@ class GraphView:
         name: Of the model.
         bodies: Names of the bodies, ground first.
         branches: The joints of the spanning tree in regular order.
-        closing: The joints that close circuits, and are cut.
+        closing: The joints that close loops, and are cut.
         reasons: Why each of them was chosen.
         beams: (beam, body, body) of every piece between named nodes, which are bodies here.
     """
@@ -43,7 +43,7 @@ class GraphView:
 
     @property
     def joints(self) -> tuple[str, ...]:
-        """Names of all joints: tree joints first, then those that close circuits."""
+        """Names of all joints: tree joints first, then those that close loops."""
         return tuple(joint.name for joint in self._joints)
 
     @property
@@ -76,7 +76,7 @@ class GraphView:
 
     @property
     def circuit(self) -> Labelled:
-        """Circuits x joints: +1 (-1) where the circuit runs along (against) the joint."""
+        """Loops x joints: +1 (-1) where the loop runs along (against) the joint."""
         tree = list(self.branches)
         rows = []
         for closing in self.closing:
@@ -92,7 +92,7 @@ class GraphView:
                 at = joint.child.body if along else joint.parent.body
             rows.append(tuple(signs.values()))
         names = tuple(joint.name for joint in self.closing)
-        return Labelled(names, self.joints, tuple(rows), "circuit: +1 along, -1 against")
+        return Labelled(names, self.joints, tuple(rows), "loop: +1 along, -1 against")
 
     @property
     def spanning_tree(self) -> tuple[tuple[str, str, str], ...]:
@@ -113,14 +113,14 @@ class GraphView:
             joint = branch.joint
             if joint.couple is not None:
                 leaders[joint.name] = joint.couple.leader
-            elif joint.motion is None and joint.kind.coordinates:
+            elif joint.prescribed is None and joint.kind.coordinates:
                 leaders[joint.name] = joint.name
                 moving.append(joint.name)
-        together: set[tuple[str, str]] = set()
+        coupled: set[tuple[str, str]] = set()
         for path in self._paths().values():
             moved = {_leader(leaders, branch.joint.name) for branch in path} - {None}
-            together |= {(a, b) for a in moved for b in moved if a and b}
-        rows = tuple(tuple(int((a, b) in together) for b in moving) for a in moving)
+            coupled |= {(a, b) for a in moved for b in moved if a and b}
+        rows = tuple(tuple(int((a, b) in coupled) for b in moving) for a in moving)
         return Labelled(tuple(moving), tuple(moving), rows, "mass matrix: blocks by joint")
 
     def _paths(self) -> dict[str, frozenset[Branch]]:
@@ -138,7 +138,7 @@ class GraphView:
         return drawing.dot(self.name, self.bodies, self.branches, self.closing, self.beams)
 
     def svg(self) -> str:
-        """A picture of the tree with its circuits dashed, and beams as thick lines."""
+        """A picture of the tree with its loops dashed, and beams as thick lines."""
         return drawing.svg(self.bodies, drawing.arcs(self.branches, self.closing, self.beams))
 
     def _repr_svg_(self) -> str:
@@ -156,11 +156,11 @@ def view(model: SceneRecord) -> GraphView:
     bodies: list[Body] = [scene.ground, *scene.bodies.values()]
     names, cut = tuple(b.name for b in bodies), tuple(c.joint for c in closing)
     reasons = tuple(c.reason for c in closing)
-    beams = tuple(piece for beam in model.beams.values() for piece in _pieces(beam))
+    beams = tuple(arc for beam in model.beams.values() for arc in _beam_arcs(beam))
     return GraphView(model.name, names, tuple(branches), cut, reasons, beams)
 
 
-def _pieces(beam: Beam) -> list[tuple[str, str, str]]:
+def _beam_arcs(beam: Beam) -> list[tuple[str, str, str]]:
     """(beam, body, body) from each of its named nodes to the next."""
     inner = [beam.model.nodes[name] for _, name in sorted((s, n) for n, s in beam.stops.items())]
     bodies = [place.body.name for place in (beam.start, *inner, beam.end)]

@@ -29,13 +29,13 @@ def pictures(
 
 def _record(shape: Shape, model: SceneRecord) -> dict[str, object]:
     """``kind``, its measures, ``position`` (3), ``rotation`` (3, 3) or None, ``color``."""
-    made: dict[str, object] = {"kind": shape.kind}
+    row: dict[str, object] = {"kind": shape.kind}
     for key, size in shape.size:
-        made[key] = size if isinstance(size, (str, tuple)) else _number(size, model)
-    made["position"] = tuple(_number(x, model) for x in shape.position)
-    made["rotation"] = None if shape.rotation is None else _rotation(shape.rotation, model)
-    made["color"] = shape.color
-    return made
+        row[key] = size if isinstance(size, (str, tuple)) else _number(size, model)
+    row["position"] = tuple(_number(x, model) for x in shape.position)
+    row["rotation"] = None if shape.rotation is None else _rotation(shape.rotation, model)
+    row["color"] = shape.color
+    return row
 
 
 def _number(value: Any, model: SceneRecord) -> float:

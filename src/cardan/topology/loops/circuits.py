@@ -1,8 +1,8 @@
-"""Which closing conditions of a circuit are independent, whatever its motion.
+"""Independent closing conditions of a loop, whatever its motion.
 
-The motions of one end of a circuit against the other lie in the group that its joints generate:
+The motions of one end of a loop against the other lie in the group that its joints generate:
 the plane for parallel axes, the rotations about a point for axes that meet there. Conditions that
-hold all over the group are left out, so that planar and spherical circuits close by the two or
+hold all over the group are left out, so that planar and spherical loops close by the two or
 three conditions of their own geometry. The group is found by its algebra: the twists of the joints
 and all their products [a, b], as many as are independent.
 
@@ -46,10 +46,10 @@ class Pose:
     def inverse(self) -> Pose:
         return Pose(self.rotation.T, -self.rotation.T @ self.position)
 
-    def carried(self, twists: Array) -> Array:
+    def transformed(self, twists: Array) -> Array:
         """Twists (6, n) about the inner origin in inner axes, about the outer one in outer axes."""
-        turning, moving = self.rotation @ twists[:3], self.rotation @ twists[3:]
-        return np.concatenate([turning, moving + cross_matrix(self.position) @ turning])
+        angular, moving = self.rotation @ twists[:3], self.rotation @ twists[3:]
+        return np.concatenate([angular, moving + cross_matrix(self.position) @ angular])
 
 
 def cross_matrix(a: Array) -> Array:
@@ -64,7 +64,7 @@ HERE = Pose(np.eye(3), np.zeros(3))
 def circuit(
     parents: Sequence[int], parent: int, child: int
 ) -> tuple[int, tuple[tuple[int, int], ...]]:
-    """Where the branches to two bodies part, and the joints from there, with their signs.
+    """Joints of a loop from where the branches to two bodies part, with their signs.
 
     Args:
         parents: Parent of every body, -1 for the ground.
@@ -93,7 +93,7 @@ def independent(
     frames: Sequence[Frame],
     convert: Converter,
 ) -> tuple[Cut, ...]:
-    """The cuts with the rows that are independent on the group of their circuit.
+    """The cuts with the rows that are independent on the group of their loop.
 
     Args:
         cuts: With all rows.
@@ -119,7 +119,7 @@ def _independent(
         for sample in range(SAMPLES):
             pose, modes = numbers.motion(joint.element, joint.data, sample)
             moved = seat.then(pose)
-            twists += list(moved.carried(modes).T)
+            twists += list(moved.transformed(modes).T)
             if sample == 0:
                 at[i] = moved
     algebra = closure(twists)
@@ -132,14 +132,14 @@ def _independent(
     for sample in range(SAMPLES):
         pose, _ = numbers.motion(cut.element, cut.data, sample)
         back = seat.then(pose).inverse()
-        blocks.append(numbers.gradient(cut, pose) @ back.carried(algebra.T))
+        blocks.append(numbers.gradient(cut, pose) @ back.transformed(algebra.T))
     rank = int(np.linalg.matrix_rank(blocks[-1], tol=DEPENDENT * max(1.0, abs(blocks[-1]).max())))
     rows = _leading(np.hstack(blocks), rank)
     return dataclasses.replace(cut, rows=rows, group=_group(algebra))
 
 
 def _group(algebra: Array) -> str:
-    """What twists (n, 6) that generate nothing else move in."""
+    """Name of the group that twists (n, 6) generate."""
     turns = int(np.linalg.matrix_rank(algebra[:, :3], tol=DEPENDENT)) if len(algebra) == 3 else 0
     return {1: "planar", 3: "spherical"}.get(turns, "")
 
@@ -153,15 +153,15 @@ def closure(twists: Sequence[Array]) -> Array:
         size = float(np.linalg.norm(new))
         if size == 0:
             continue
-        rest = new / size
+        remainder = new / size
         # twice, so that rounding leaves nothing along the basis
         for _ in range(2):
-            rest = rest - basis.T @ (basis @ rest)
-        left = float(np.linalg.norm(rest))
+            remainder = remainder - basis.T @ (basis @ remainder)
+        left = float(np.linalg.norm(remainder))
         if left > DEPENDENT:
-            rest = rest / left
-            waiting.extend(basis @ product_matrix(rest).T)
-            basis = np.vstack([basis, rest])
+            remainder = remainder / left
+            waiting.extend(basis @ product_matrix(remainder).T)
+            basis = np.vstack([basis, remainder])
     return basis
 
 
@@ -174,15 +174,15 @@ def product_matrix(a: Array) -> Array:
 
 
 def _leading(rows: Array, rank: int) -> tuple[int, ...]:
-    """As many rows as the rank says, each the least dependent on those before it."""
-    rest, chosen = rows.copy(), list[int]()
+    """Leading rows, as many as the rank says, each the least dependent on those before it."""
+    remainder, chosen = rows.copy(), list[int]()
     for _ in range(rank):
-        sizes = np.linalg.norm(rest, axis=1)
+        sizes = np.linalg.norm(remainder, axis=1)
         # the first of equal ones: the same choice on every machine
         best = int(np.flatnonzero(sizes > 0.999 * sizes.max())[0])
         chosen.append(best)
-        along = rest[best] / sizes[best]
-        rest = rest - np.outer(rest @ along, along)
+        along = remainder[best] / sizes[best]
+        remainder = remainder - np.outer(remainder @ along, along)
     return tuple(sorted(chosen))
 
 
@@ -205,28 +205,28 @@ class Numbers:
 
     def motion(self, element: JointElement, data: Data, sample: int) -> tuple[Pose, Array]:
         """Pose and modes S (6, nu) of a joint at its default coordinates, or beside them."""
-        g, given = self.graph, self._data(data)
+        g, data_matrices = self.graph, self._data(data)
         start = [g.const(c.default) for c in element.coordinates]
         q = Matrix(g, len(start), 1, start)
         if sample:
             step = [g.const(0.3 + 0.17 * k) for k in range(len(element.speeds))]
-            q = element.integrate(q, Matrix(g, len(step), 1, step), **given)
-        rotation, position = element.pose(q, **given)
-        modes = element.motion(q, **given)
-        found = self.values(*modes.nodes).reshape(6, modes.columns)
-        return self.pose(rotation.nodes, position.nodes), found
+            q = element.integrate(q, Matrix(g, len(step), 1, step), **data_matrices)
+        rotation, position = element.pose(q, **data_matrices)
+        modes = element.motion(q, **data_matrices)
+        modes_matrix = self.values(*modes.nodes).reshape(6, modes.columns)
+        return self.pose(rotation.nodes, position.nodes), modes_matrix
 
     def start(self, joint: Joint) -> Pose:
-        """Of the outer body in axes of the inner one, at the initial values of a joint."""
-        g, given = self.graph, self._data(joint.data)
+        """Pose of the outer body in axes of the inner one, at the initial values of a joint."""
+        g, data_matrices = self.graph, self._data(joint.data)
         start = joint.q0 or [c.default for c in joint.element.coordinates]
         q = Matrix(g, len(start), 1, [g.const(float(x)) for x in start])
-        rotation, position = joint.element.pose(q, **given)
+        rotation, position = joint.element.pose(q, **data_matrices)
         moved = self.pose(rotation.nodes, position.nodes)
         return self.pose(joint.rotation, joint.position).then(moved)
 
     def gradient(self, cut: Cut, pose: Pose) -> Array:
-        """Of the closing conditions along twists (m, 6)."""
+        """Gradient of the closing conditions along twists (m, 6)."""
         g = self.graph
         rotation = Matrix(g, 3, 3, [g.const(float(x)) for x in pose.rotation.ravel()])
         position = Matrix(g, 3, 1, [g.const(float(x)) for x in pose.position])

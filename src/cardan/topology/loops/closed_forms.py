@@ -1,8 +1,8 @@
-"""Circuits that can be solved in closed form, found by their joints.
+"""Loops that can be solved in closed form, found by their joints.
 
-A circuit with as many free coordinates as closing conditions left over in two or three joints next
+A loop with as many free coordinates as closing conditions left over in two or three joints next
 to the one that closes it is solved for these: two joints of a plane or about a point (a dyad), or
-joints that carry the center of a ball joint (:mod:`.legs`). Circuits are taken one after the other,
+joints that carry the center of a ball joint (:mod:`.legs`). Loops are taken one after the other,
 those that already have the fewest free joints first; what one determines the next may use.
 
 Source: M. Hiller and A. Kecskemethy, work on characteristic pairs of joints.
@@ -17,7 +17,7 @@ from ...errors import TopologyError, near
 from ..system import Closure, Cut, Joint
 from .legs import Axes
 
-# what a circuit moves in and the kinds of the joints that are looked for -> how it is solved
+# what a loop moves in and the kinds of the joints that are looked for -> how it is solved
 PATTERNS: dict[tuple[str, str, tuple[str, ...]], str] = {
     ("planar", "revolute", ("revolute", "revolute")): "planar",
     ("planar", "revolute", ("prismatic", "revolute")): "planar",
@@ -29,16 +29,16 @@ SIGNS = {"+": 1, "-": -1}
 def closed_forms(
     cuts: Sequence[Cut], axes: Axes, free: Sequence[bool], branches: Mapping[str, str]
 ) -> tuple[tuple[Closure, ...], tuple[Cut, ...]]:
-    """The circuits that are solved, in the order of solution, and those that are left.
+    """The loops that are solved, in the order of solution, and those that are left.
 
     Args:
-        cuts: All circuits.
+        cuts: All loops.
         axes, free: The joints of the tree; which of them may follow from the others.
-        branches: Joint that closes a circuit, or motor or slide of its leg -> "+" or "-": which
+        branches: Joint that closes a loop, or motor or slide of its leg -> "+" or "-": which
             solution.
 
     Raises:
-        TopologyError: a branch of a circuit that does not exist or is not solved in closed form.
+        TopologyError: a branch of a loop that does not exist or is not solved in closed form.
     """
     waiting, closures, joints = list(cuts), list[Closure](), axes.joints
     # what others follow must stay a coordinate
@@ -56,7 +56,7 @@ def closed_forms(
             break
         closure = min(ready, key=lambda pair: pair[0])[1]
         closures.append(_named(closure, joints, branches))
-        # what this circuit starts from must not follow from one that comes later
+        # what this loop starts from must not follow from one that comes later
         taken |= {i for i, _ in closure.cut.path}
         waiting.remove(closure.cut)
     _check(branches, closures, waiting, joints)
@@ -74,20 +74,20 @@ def _named(closure: Closure, joints: Sequence[Joint], branches: Mapping[str, str
 def _check(
     branches: Mapping[str, str],
     closures: Sequence[Closure],
-    rest: Sequence[Cut],
+    open_cuts: Sequence[Cut],
     joints: Sequence[Joint],
 ) -> None:
     solved = [closure.cut.name for closure in closures]
     solved += [joints[closure.third].name for closure in closures if closure.third >= 0]
     for name, sign in branches.items():
-        if name in (cut.name for cut in rest):
+        if name in (cut.name for cut in open_cuts):
             raise TopologyError(
-                f"branch of '{name}': this circuit is not solved in closed form, and has no named "
+                f"branch of '{name}': this loop is not solved in closed form, and has no named "
                 "branches. Choose its branch by initial values"
             )
         if name not in solved:
             raise TopologyError(
-                f"branch of '{name}': it closes no circuit, and is no motor or slide of a leg."
+                f"branch of '{name}': it closes no loop, and is not a motor or slide of a leg."
                 f"{near(name, solved)}"
             )
         if sign not in SIGNS:
@@ -95,7 +95,7 @@ def _check(
 
 
 def _open(cut: Cut, taken: Collection[int]) -> list[int]:
-    """Free joints of a circuit, those nearest to the cut first."""
+    """Free joints of a loop, those nearest to the cut first."""
     free: dict[int, list[int]] = {1: [], -1: []}
     for i, sign in reversed(cut.path):
         if i not in taken:
@@ -110,7 +110,7 @@ def _open(cut: Cut, taken: Collection[int]) -> list[int]:
 
 
 def _solution(cut: Cut, axes: Axes, free: Sequence[int]) -> Closure | None:
-    """How to solve a circuit, and for which of its free joints; branches are not chosen."""
+    """Closed form of a loop, and the free joints it solves for; branches are not chosen."""
     joints = axes.joints
     for pair in _pairs(free):
         kinds = tuple(sorted(joints[i].element.kind for i in pair))
@@ -124,5 +124,5 @@ def _solution(cut: Cut, axes: Axes, free: Sequence[int]) -> Closure | None:
 
 def _pairs(free: Sequence[int]) -> list[tuple[int, int]]:
     """Pairs of joints that may be looked for, those nearest to the cut first."""
-    found = [(a, b) for n, b in enumerate(free) for a in free[:n]]
-    return [(min(pair), max(pair)) for pair in found]
+    pairs = [(a, b) for n, b in enumerate(free) for a in free[:n]]
+    return [(min(pair), max(pair)) for pair in pairs]

@@ -25,8 +25,8 @@ def check_coincidence(
         return
     graph = convert.graph
     q = Matrix.vector(graph, [c.default for c in element.coordinates])
-    known = {key: Matrix(graph, *entry) for key, entry in data.items()}
-    rotation, position = element.pose(q, **known)
+    matrices = {key: Matrix(graph, *entry) for key, entry in data.items()}
+    rotation, position = element.pose(q, **matrices)
     values = convert.defaults([*rotation.nodes, *position.nodes])
     identity = [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0]
     off = [abs(a - b) for a, b in zip(values, identity, strict=True)]

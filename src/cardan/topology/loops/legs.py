@@ -1,7 +1,7 @@
-"""Legs: joints with three freedoms that carry the point at which a ball joint closes a circuit.
+"""Legs: joints with three freedoms that carry the point at which a ball joint closes a loop.
 
 Two of the freedoms turn: the axes of a universal joint, two revolute joints whose axes meet, or two
-whose axes are parallel. The third one, a motor or a slide anywhere in the circuit, makes up what
+whose axes are parallel. The third one, a motor or a slide anywhere in the loop, makes up what
 these cannot: the distance from their center, or the distance from their plane.
 
 Source: M. Hiller and A. Kecskemethy, work on characteristic pairs of joints.
@@ -19,14 +19,14 @@ from ...arrays import Array
 from ..system import Cut, Joint
 from .circuits import DEPENDENT, Numbers
 
-# of the free joints of a circuit: legs are looked for among those nearest to the cut
+# of the free joints of a loop: legs are looked for among those nearest to the cut
 NEAREST = 12
 SINGLE = ("revolute", "prismatic")
 
 
 @dataclass(frozen=True)
 class Leg:
-    """How the joints of a leg share its work.
+    """Division of the work of a leg between its joints.
 
     Attributes:
         kind: ``"leg"``: the pair turns about a center; ``"arm"``: its axes are parallel.
@@ -58,23 +58,23 @@ class Axes:
     numbers: Numbers
 
     def legs(self, cut: Cut, free: Sequence[int]) -> Iterator[Leg]:
-        """Legs among the free joints of a circuit that a ball joint closes, nearest to it first.
+        """Legs among the free joints of a loop that a ball joint closes, nearest to it first.
 
         Args:
-            cut: The joint that closes the circuit.
+            cut: The joint that closes the loop.
             free: Joints that may be looked for, those nearest to the cut first.
         """
         if cut.element.kind != "spherical" or len(cut.rows) != 3:
             return
         side = dict(cut.path)
-        found = [
+        legs = [
             leg
             for count in (2, 3)
             for some in _sets(free[:NEAREST], count)
             for leg in self._of(some)
         ]
         # legs whose joints carry each other before those that meet from two sides
-        yield from sorted(found, key=lambda leg: len({side[i] for i in leg.unknown}))
+        yield from sorted(legs, key=lambda leg: len({side[i] for i in leg.unknown}))
 
     def _of(self, some: tuple[int, ...]) -> Iterator[Leg]:
         """Legs of given joints."""
@@ -94,7 +94,7 @@ class Axes:
                 yield Leg(kind, (inner, outer), third)
 
     def _pair(self, inner: int, outer: int) -> str:
-        """What two revolute joints, one carried by the other, do together."""
+        """Name of what two revolute joints, one on the other, do in series."""
         first, second, seat = self._axis(inner), self._axis(outer), self._seat(outer)
         if np.linalg.norm(np.cross(first, seat[0] @ second)) < DEPENDENT:
             return "arm"

@@ -1,4 +1,4 @@
-"""Fixed joints that circuits pass inside the rigid bodies of a system."""
+"""Fixed joints that loops pass inside the rigid bodies of a system."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from ..system import Cut, Part, System
 
 @dataclass(frozen=True)
 class Weld:
-    """A fixed joint that a circuit passes.
+    """A fixed joint that a loop passes.
 
     Attributes:
         joint: Its name.
@@ -25,13 +25,13 @@ class Weld:
 
 
 def passed(system: System, cut: Cut) -> list[Weld]:
-    """Fixed joints that a circuit passes.
+    """Fixed joints that a loop passes.
 
     Args:
         system: Whose bodies are made of parts.
-        cut: What closes the circuit.
+        cut: What closes the loop.
     """
-    found: list[Weld] = []
+    welds: list[Weld] = []
     frames = system.frames
     ends = [
         (frames[frame].body, frames[frame].part) for frame in (cut.parent_frame, cut.child_frame)
@@ -41,21 +41,21 @@ def passed(system: System, cut: Cut) -> list[Weld]:
         while body != cut.base:
             joint = system.joints[body]
             inboard = frames[joint.child_frame].part
-            for held, way in _between(_parts(system, body), part, inboard):
-                found.append(Weld(held.joint, held.joint_frame, sign * way))
+            for weld, way in _joints_on_path(_parts(system, body), part, inboard):
+                welds.append(Weld(weld.joint, weld.joint_frame, sign * way))
             frame = frames[joint.parent_frame]
             body, part = frame.body, frame.part
         sides.append(part)
-    for held, way in _between(_parts(system, cut.base), sides[1], sides[0]):
-        found.append(Weld(held.joint, held.joint_frame, way))
-    return found
+    for weld, way in _joints_on_path(_parts(system, cut.base), sides[1], sides[0]):
+        welds.append(Weld(weld.joint, weld.joint_frame, way))
+    return welds
 
 
 def _parts(system: System, body: int) -> tuple[Part, ...]:
     return system.ground_parts if body < 0 else system.bodies[body].parts
 
 
-def _between(parts: tuple[Part, ...], one: int, other: int) -> Iterator[tuple[Part, int]]:
+def _joints_on_path(parts: tuple[Part, ...], one: int, other: int) -> Iterator[tuple[Part, int]]:
     """Parts that fixed joints between two parts hold: 1 on the side of the first, else -1."""
     # parts come after those that they are fixed to
     while one != other:

@@ -18,7 +18,7 @@ from ...ir.arithmetic import atan2, select, sqrt
 from ...ir.graph import ONE, ZERO, Graph
 from ...ir.matrix import Matrix
 from ...spatial.axis import complement, principal, unit
-from ..frame_change import Placed, reached, retold
+from ..frame_change import FrameChange, change_frames, new_joint_pose
 from ..system import Joint, System
 
 # lines whose sine is below this are parallel: any direction across is normal to both, to rounding
@@ -29,14 +29,14 @@ def axes(system: System) -> System:
     """The system in axes of a better choice."""
     graph = system.graph.fork()
     work = _Work(system, graph)
-    placed = [work.placed(i) for i in range(len(system.bodies))]
+    new_frames = [work.frame_change(i) for i in range(len(system.bodies))]
     joints = {}
     for i in range(len(system.joints)):
         with graph.made_by(system.joints[i].name, "place"):
-            changed = work.joint(i, placed)
+            changed = work.joint(i, new_frames)
         if changed is not None:
             joints[i] = changed
-    return retold(system, graph, placed, joints) if joints else system
+    return change_frames(system, graph, new_frames, joints) if joints else system
 
 
 class _Work:
@@ -54,22 +54,22 @@ class _Work:
         return unit(Matrix(self.graph, *joint.data[name])) if name else None
 
     def _main_children(self) -> dict[int, int]:
-        """Of bodies that may be turned: the child, moved along a line, with most bodies outboard.
+        """Main child of bodies that may be rotated: moved along a line, with most bodies outboard.
 
         Left out where the line of the child has its zeros in the axes of the body.
         """
         bodies = self.system.bodies
-        carried = [1] * len(bodies)
+        outboard_count = [1] * len(bodies)
         best: dict[int, int] = {}
         for i in range(len(bodies) - 1, -1, -1):
             parent = bodies[i].parent
             if parent < 0:
                 continue
-            carried[parent] += carried[i]
+            outboard_count[parent] += outboard_count[i]
             inner = self.system.joints[parent].element
             if self.lines[i] is not None and inner.angle is not None:
                 before = best.get(parent)
-                if before is None or carried[i] > carried[before]:
+                if before is None or outboard_count[i] > outboard_count[before]:
                     best[parent] = i
         return {parent: i for parent, i in best.items() if not self._aligned(parent, i)}
 
@@ -84,7 +84,7 @@ class _Work:
         assert line is not None
         return Matrix(self.graph, 3, 3, self.system.joints[i].rotation) @ line
 
-    def placed(self, i: int) -> Placed:
+    def frame_change(self, i: int) -> FrameChange:
         """New axes of body i: z along its joint's line, x along a normal to it."""
         g, line = self.graph, self.lines[i]
         same = Matrix.identity(g, 3)
@@ -94,44 +94,44 @@ class _Work:
                 if i in self.main:
                     x = _normal(line, self.outer(self.main[i]), x)
                 same = Matrix.hstack(x, line.cross(x), line)
-        return Placed(same, Matrix.zeros(g, 3))
+        return FrameChange(same, Matrix.zeros(g, 3))
 
-    def joint(self, i: int, placed: list[Placed]) -> Joint | None:
+    def joint(self, i: int, new_frames: list[FrameChange]) -> Joint | None:
         """Joint i between new axes; None where it follows from them."""
         g, joint, line = self.graph, self.system.joints[i], self.lines[i]
-        whole, position = reached(self.system, g, placed, i)
+        rotation_matrix, position = new_joint_pose(self.system, g, new_frames, i)
         if line is None:
             return None
         z = Matrix(g, 3, 1, (ZERO, ZERO, ONE))
-        turned = placed[i].turned
-        axis = z if turned else line
+        rotates = new_frames[i].rotates
+        axis = z if rotates else line
         data = {**joint.data, joint.element.line: (3, 1, axis.nodes)}
-        plain = replace(joint, rotation=whole.nodes, position=position.nodes, data=data)
-        given = principal(axis)
-        simple = all(g.value(n) is not None for n in whole.nodes)
-        if given is None or joint.element.angle is None or simple:
-            return plain if turned else None
+        plain = replace(joint, rotation=rotation_matrix.nodes, position=position.nodes, data=data)
+        principal_axis = principal(axis)
+        simple = all(g.value(n) is not None for n in rotation_matrix.nodes)
+        if principal_axis is None or joint.element.angle is None or simple:
+            return plain if rotates else None
         # the parent side that leads the axis where it belongs, with the most zeros
-        (k, sign), b = given, self._outward(i, placed, whole)
+        (k, sign), b = principal_axis, self._outward(i, new_frames, rotation_matrix)
         first = self._across(i, b)
-        if _best(whole, k, b):
-            return plain if turned else None
+        if _best(rotation_matrix, k, b):
+            return plain if rotates else None
         column = b * sign
         columns = {k: column, (k + 1) % 3: first, (k + 2) % 3: column.cross(first)}
         fixed = Matrix.hstack(columns[0], columns[1], columns[2])
         # what is left turns about the axis
-        rest = fixed.T @ whole
+        remainder = fixed.T @ rotation_matrix
         x, y = (k + 1) % 3, (k + 2) % 3
-        angle = atan2(rest[y, x], rest[x, x]) * sign
+        angle = atan2(remainder[y, x], remainder[x, x]) * sign
         return replace(plain, rotation=fixed.nodes, offset=angle.node)
 
-    def _outward(self, i: int, placed: list[Placed], whole: Matrix) -> Matrix:
+    def _outward(self, i: int, new_frames: list[FrameChange], rotation_matrix: Matrix) -> Matrix:
         """Line of joint i in new axes of the parent, x component 0 where x is normal to it."""
         parent = self.system.bodies[i].parent
         b = self.outer(i)
         if parent < 0:
             return b
-        b = placed[parent].rotated(b)
+        b = new_frames[parent].rotated(b)
         if self.main.get(parent) == i:
             return Matrix(self.graph, 3, 1, (ZERO, *b.nodes[1:]))
         return b
@@ -147,14 +147,14 @@ class _Work:
         return _normal(identity.column(2), b, identity.column(0))
 
 
-def _best(whole: Matrix, k: int, b: Matrix) -> bool:
-    """Whether a rotation that leads axis k along b has its zeros already."""
+def _best(rotation_matrix: Matrix, k: int, b: Matrix) -> bool:
+    """True when a rotation that leads axis k along b has its zeros already."""
     if principal(b) is not None:
         return False
-    others = [whole.column(j) for j in range(3) if j != k]
+    other_columns = [rotation_matrix.column(j) for j in range(3) if j != k]
     if ZERO in b.nodes:
-        return any(principal(column) is not None for column in others)
-    return any(ZERO in column.nodes for column in others)
+        return any(principal(column) is not None for column in other_columns)
+    return any(ZERO in column.nodes for column in other_columns)
 
 
 def _normal(a: Matrix, b: Matrix, otherwise: Matrix) -> Matrix:
@@ -167,8 +167,8 @@ def _normal(a: Matrix, b: Matrix, otherwise: Matrix) -> Matrix:
         a.graph.note(step.node, name)
     rows = [select(parallel, o, x * scale) for o, x in zip(otherwise, across, strict=True)]
     # rounding leaves a part along a where lines are nearly parallel: it must go
-    found = Matrix.vector(a.graph, rows).note("across")
-    found = (found - a * a.dot(found)).note("normal")
-    length = sqrt(found.dot(found))
+    direction = Matrix.vector(a.graph, rows).note("across")
+    direction = (direction - a * a.dot(direction)).note("normal")
+    length = sqrt(direction.dot(direction))
     a.graph.note(length.node, "length")
-    return (found / length).note("unit")
+    return (direction / length).note("unit")

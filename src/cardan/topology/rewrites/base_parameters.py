@@ -24,13 +24,7 @@ from typing import TypeAlias
 from ...ir.arithmetic import Scalar
 from ...ir.graph import ZERO, Graph
 from ...ir.matrix import Matrix
-from ...spatial.moments import (
-    Inertia,
-    moved,
-    moved_second,
-    second_moment,
-    turn_symmetric,
-)
+from ...spatial.moments import Inertia, moved, moved_second, second_moment, turn_symmetric
 from ..system import Body, Joint, System
 
 Row: TypeAlias = tuple[Fraction, ...]
@@ -169,29 +163,29 @@ def _modes(graph: Graph, joint: Joint) -> Modes:
     q = Matrix(graph, len(slots), 1, slots)
     data = {name: Matrix(graph, *entry) for name, entry in joint.data.items()}
     s = element.motion(q, **data)
-    found: dict[tuple[float, ...], None] = {}
+    modes: dict[tuple[float, ...], None] = {}
     for j in range(s.columns):
         values = [graph.value(node) for node in s.column(j).nodes]
         if None not in values:
-            found[tuple(v for v in values if v is not None)] = None
+            modes[tuple(v for v in values if v is not None)] = None
         else:
             for k, value in enumerate(values):
                 if value != 0.0:
-                    found[tuple(float(k == row) for row in range(6))] = None
-    return tuple(found)
+                    modes[tuple(float(k == row) for row in range(6))] = None
+    return tuple(modes)
 
 
 def _split(ten: Ten, directions: tuple[Direction, ...]) -> tuple[Ten, Ten]:
-    """What stays with a body, and what goes inward."""
-    graph, own = ten.tensor.graph, ten.entries
-    rest, gone = list(own), [ZERO] * len(own)
+    """Split the inertia into the part that stays with a body, and the part that goes inward."""
+    graph, entries = ten.tensor.graph, ten.entries
+    remaining, gone = list(entries), [ZERO] * len(entries)
     for direction in directions:
-        amount = own[direction.pivot]
+        amount = entries[direction.pivot]
         for entry, multiple in direction.parts:
             part = graph.mul(graph.const(float(multiple)), amount)
             gone[entry] = graph.add(gone[entry], part)
-            rest[entry] = graph.sub(rest[entry], part)
-    return ten.like(rest), ten.like(gone)
+            remaining[entry] = graph.sub(remaining[entry], part)
+    return ten.like(remaining), ten.like(gone)
 
 
 @lru_cache(maxsize=256)
@@ -205,8 +199,7 @@ def _directions(modes: Modes, second: bool) -> tuple[Direction, ...]:
     directions = _reduced(_null_space(conditions))
     return tuple(
         Direction(
-            next(k for k, x in enumerate(row) if x),
-            tuple((k, x) for k, x in enumerate(row) if x),
+            next(k for k, x in enumerate(row) if x), tuple((k, x) for k, x in enumerate(row) if x)
         )
         for row in directions
     )
@@ -275,9 +268,9 @@ def _reduced(rows: list[Row]) -> list[Row]:
             continue
         left.remove(pivot)
         pivot = [x / pivot[k] for x in pivot]
-        for others in (left, done):
-            for n, row in enumerate(others):
+        for rows_there in (left, done):
+            for n, row in enumerate(rows_there):
                 if row[k]:
-                    others[n] = [x - row[k] * y for x, y in zip(row, pivot, strict=True)]
+                    rows_there[n] = [x - row[k] * y for x, y in zip(row, pivot, strict=True)]
         done.append(pivot)
     return [tuple(row) for row in done]

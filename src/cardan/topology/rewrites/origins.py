@@ -13,7 +13,7 @@ from __future__ import annotations
 from ...ir.graph import ZERO, Graph
 from ...ir.matrix import Matrix
 from ...spatial.axis import principal
-from ..frame_change import Placed, reached, retold
+from ..frame_change import FrameChange, change_frames, new_joint_pose
 from ..system import Body, System
 
 # operations: of a component of a position, of one that is a joint further out, and of a product of
@@ -29,28 +29,28 @@ def origins(system: System) -> System:
         if body.parent >= 0:
             children[body.parent].append(i)
     identity, zero = Matrix.identity(graph, 3), Matrix.zeros(graph, 3)
-    placed = [Placed(identity, zero) for _ in system.bodies]
+    new_frames = [FrameChange(identity, zero) for _ in system.bodies]
     moved = False
     for i, body in enumerate(system.bodies):
         with graph.made_by(body.name, "origin"):
-            shift = _shift(system, graph, placed, i, children[i])
+            shift = _shift(system, graph, new_frames, i, children[i])
         if shift is not None:
-            placed[i], moved = Placed(identity, shift), True
-    return retold(system, graph, placed, {}) if moved else system
+            new_frames[i], moved = FrameChange(identity, shift), True
+    return change_frames(system, graph, new_frames, {}) if moved else system
 
 
 def _shift(
-    system: System, graph: Graph, placed: list[Placed], i: int, children: list[int]
+    system: System, graph: Graph, new_frames: list[FrameChange], i: int, children: list[int]
 ) -> Matrix | None:
-    """How far the origin of body i goes along its line; None where it stays."""
+    """Shift of the origin of body i along its line; None where it stays."""
     joint = system.joints[i]
     if not joint.element.line:
         return None
-    own = principal(Matrix(graph, *joint.data[joint.element.line]))
-    rotation, position = reached(system, graph, placed, i)
-    if own is None:
+    line = principal(Matrix(graph, *joint.data[joint.element.line]))
+    rotation, position = new_joint_pose(system, graph, new_frames, i)
+    if line is None:
         return None
-    k, _ = own
+    k, _ = line
     outer = principal(rotation.column(k))
     if outer is None or position.nodes[outer[0]] == ZERO:
         return None

@@ -15,7 +15,7 @@ from dataclasses import replace
 from ...ir.graph import Graph
 from ...ir.matrix import Matrix
 from ...spatial.axis import principal
-from ..frame_change import Placed, reached, retold
+from ..frame_change import FrameChange, change_frames, new_joint_pose
 from ..system import Joint, System, Turn
 
 
@@ -25,19 +25,19 @@ def parallel(system: System) -> System:
     followers = {i for i in range(len(system.joints)) if _follows(system, graph, i)}
     if all(system.joints[i].follows for i in followers):
         return system
-    told = _lined_up(system, graph, followers)
+    aligned = _lined_up(system, graph, followers)
     leading = {system.bodies[i].parent for i in followers}
     turns: list[Turn | None] = []
-    for i, body in enumerate(told.bodies):
-        line = _line(graph, told.joints[i]) if i in leading else None
+    for i, body in enumerate(aligned.bodies):
+        line = _line(graph, aligned.joints[i]) if i in leading else None
         if line is None:
             turns.append(None)
             continue
         before = turns[body.parent] if i in followers else None
         inner = before.joints if before is not None else ()
         turns.append(Turn(line[0], (*inner, (i, line[1]))))
-    bodies = tuple(replace(b, turn=turn) for b, turn in zip(told.bodies, turns, strict=True))
-    return replace(told, bodies=bodies)
+    bodies = tuple(replace(b, turn=turn) for b, turn in zip(aligned.bodies, turns, strict=True))
+    return replace(aligned, bodies=bodies)
 
 
 def _line(graph: Graph, joint: Joint) -> tuple[int, int] | None:
@@ -48,29 +48,29 @@ def _line(graph: Graph, joint: Joint) -> tuple[int, int] | None:
 
 
 def _follows(system: System, graph: Graph, i: int) -> bool:
-    """Whether a joint turns about the direction about which its parent does."""
+    """True when a joint turns about the direction about which its parent does."""
     parent = system.bodies[i].parent
-    own = _line(graph, system.joints[i])
+    line = _line(graph, system.joints[i])
     inner = _line(graph, system.joints[parent]) if parent >= 0 else None
-    if own is None or inner is None:
+    if line is None or inner is None:
         return False
     rotation = Matrix(graph, 3, 3, system.joints[i].rotation)
     if any(graph.value(node) is None for node in rotation.nodes):
         return False
-    outer = principal(rotation.column(own[0]))
+    outer = principal(rotation.column(line[0]))
     return outer is not None and outer[0] == inner[0]
 
 
 def _lined_up(system: System, graph: Graph, followers: set[int]) -> System:
     """The system with the axes of followers along those of their parents, at zero angles."""
     zero = Matrix.zeros(graph, 3)
-    placed: list[Placed] = []
+    new_frames: list[FrameChange] = []
     joints: dict[int, Joint] = {}
     for i, joint in enumerate(system.joints):
-        placed.append(Placed(Matrix.identity(graph, 3), zero))
+        new_frames.append(FrameChange(Matrix.identity(graph, 3), zero))
         if i in followers:
-            rotation, position = reached(system, graph, placed, i)
-            placed[i] = Placed(rotation.T, zero)
+            rotation, position = new_joint_pose(system, graph, new_frames, i)
+            new_frames[i] = FrameChange(rotation.T, zero)
             line = joint.element.line
             axis = rotation @ Matrix(graph, *joint.data[line])
             data = {**joint.data, line: (3, 1, axis.nodes)}
@@ -78,4 +78,4 @@ def _lined_up(system: System, graph: Graph, followers: set[int]) -> System:
             joints[i] = replace(
                 joint, rotation=same.nodes, position=position.nodes, data=data, follows=True
             )
-    return retold(system, graph, placed, joints)
+    return change_frames(system, graph, new_frames, joints)

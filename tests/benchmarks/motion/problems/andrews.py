@@ -1,4 +1,4 @@
-"""Andrews' squeezing mechanism, the classical problem with circuits."""
+"""Andrews' squeezing mechanism, the classical problem with loops."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def published(model: Any, x0: Array) -> Array:
 PROBLEM = Problem(
     name="andrews",
     title="Andrews' squeezer",
-    text="seven bodies in a plane, three circuits, one freedom, driven by 0.033 N m; 0.03 s",
+    text="seven bodies in a plane, three loops, one freedom, driven by 0.033 N m; 0.03 s",
     build=andrews,
     start=dict(zip(NAMES, KNOWN["initial_state"]["q"], strict=True)),
     end=0.03,

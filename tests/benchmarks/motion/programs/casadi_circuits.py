@@ -1,4 +1,4 @@
-"""Planar circuits in CasADi: two points held together per cut joint.
+"""Planar loops in CasADi: two points held together per cut joint.
 
 Source: R. Featherstone, Rigid Body Dynamics Algorithms, 2008, section 8.5.
 """
@@ -18,7 +18,7 @@ PLANE = slice(0, 2)
 
 
 def accelerations(task: Task, tree: Tree, q: Any, u: Any, tau: Any) -> Any:
-    """udot with the circuits of a planar mechanism closed."""
+    """udot with the loops of a planar mechanism closed."""
     poses = _poses(tree)
     names = [body["name"] for body in task.model.manifest["bodies"]]
 
@@ -32,13 +32,13 @@ def accelerations(task: Task, tree: Tree, q: Any, u: Any, tau: Any) -> Any:
 
     for spring in task.problem.loads.springs:
         length = ca.norm_2(anchored(spring.ends[1]) - anchored(spring.ends[0]))
-        energy = spring.stiffness / 2 * (length - spring.length) ** 2
+        energy = spring.stiffness / 2 * (length - spring.rest_length) ** 2
         tau = tau - ca.gradient(energy, q)
     found = circuits(task.model)
     if isinstance(found, str):
         raise ValueError(found)
     gaps = [place(h.bodies[0], h.positions[0]) - place(h.bodies[1], h.positions[1])
-            for h in found.held]  # fmt: skip
+            for h in found.connections]  # fmt: skip
     gap = ca.vertcat(*(each[PLANE] for each in gaps))
     jacobian = ca.jacobian(gap, q)
     drift = ca.jtimes(ca.mtimes(jacobian, u), q, u)

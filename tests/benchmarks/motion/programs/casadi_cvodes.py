@@ -1,6 +1,6 @@
 """CasADi: dynamics written in it, compiled, integrated by its CVODES.
 
-Circuits are closed at the level of accelerations, as multipliers in one linear system.
+Loops are closed at the level of accelerations, as multipliers in one linear system.
 
 Source: J. Andersson et al., CasADi: a software framework for nonlinear optimization, 2019.
 """

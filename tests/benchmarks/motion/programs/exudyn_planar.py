@@ -73,7 +73,7 @@ def _angle(pose: Array) -> float:
 
 
 def _joints(task: Task, system: Any, mark: Callable[[int, Any], int]) -> None:
-    """Hinges of the tree at the origins of their bodies, and those that close circuits."""
+    """Hinges of the tree at the origins of their bodies, and those that close loops."""
     from exudyn.itemInterface import ObjectJointRevolute2D
 
     scene = task.scene
@@ -83,7 +83,7 @@ def _joints(task: Task, system: Any, mark: Callable[[int, Any], int]) -> None:
     found = circuits(task.model)
     if isinstance(found, str):
         raise ValueError(found)
-    for held in found.held:
+    for held in found.connections:
         pairs = zip(held.bodies, held.positions, strict=True)
         ends = [mark(body, place) for body, place in pairs]
         system.AddObject(ObjectJointRevolute2D(markerNumbers=ends))
@@ -98,7 +98,7 @@ def _loads(task: Task, system: Any, mark: Callable[[int, Any], int], names: list
         ends = [mark(names.index(n) if n != "ground" else -1, at) for n, at in spring.ends]
         system.AddObject(
             ObjectConnectorSpringDamper(
-                markerNumbers=ends, referenceLength=spring.length, stiffness=spring.stiffness
+                markerNumbers=ends, referenceLength=spring.rest_length, stiffness=spring.stiffness
             )
         )
     for joint, torque in loads.constant.items():

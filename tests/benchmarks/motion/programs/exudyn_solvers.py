@@ -1,4 +1,4 @@
-"""Exudyn: trees in minimal coordinates by RK67 and DOPRI5, circuits by generalized-alpha.
+"""Exudyn: trees in minimal coordinates by RK67 and DOPRI5, loops by generalized-alpha.
 
 Source: J. Gerstmayr, Exudyn - a C++-based Python package for flexible multibody systems, Multibody
 System Dynamics 60, 2024.

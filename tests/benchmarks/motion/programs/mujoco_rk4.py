@@ -20,7 +20,7 @@ NAME = "MuJoCo"
 def refusal(task: Task) -> str:
     """Trees alone."""
     if task.closed:
-        return "it closes circuits by soft constraints: another motion"
+        return "it closes loops by soft constraints: another motion"
     return peer.refusal(task.scene, task.model.coordinates)
 
 

@@ -1,4 +1,4 @@
-"""scikit-sundae: CVODE, and IDA where circuits are closed, calling the C that cardan wrote.
+"""scikit-sundae: CVODE, and IDA where loops are closed, calling the C that cardan wrote.
 
 Source: A. C. Hindmarsh et al., SUNDIALS: suite of nonlinear and differential/algebraic equation
 solvers, ACM Transactions on Mathematical Software 31, 2005.

@@ -39,7 +39,7 @@ def magic(form: Format) -> bytes:
     return f"cardan {form.word} {form.version}\n".encode()
 
 
-class Growing:
+class AppendLog:
     """An open file of records; one process at a time."""
 
     def __init__(
@@ -109,7 +109,7 @@ class Growing:
         line = HEAD.match(self._read(len(self._magic) + DIGITS, 0))
         if line is None or line[1].decode() != self._form.word:
             word = self._form.word
-            return ModelError(f"checkpoint {self.path} is no file of an {word}: name another")
+            return ModelError(f"checkpoint {self.path} is not a file of an {word}: name another")
         self._end = line.end()
         try:
             writer = number_file.plain(next(self._records(), b"")).get("cardan")
@@ -118,7 +118,7 @@ class Growing:
         return ModelError(self._form.refusal(f"checkpoint {self.path}", int(line[2]), writer))
 
     def _read(self, length: int, start: int) -> bytes:
-        """As many bytes as there are; one call gives 2 GiB at most, less the last page."""
+        """Read up to a number of bytes; one call gives 2 GiB at most, less the last page."""
         parts, done = list[bytes](), 0
         try:
             while done < length:
@@ -199,7 +199,9 @@ def text(value: Any) -> Any:
 
 
 def build_key(model: LoadedModel) -> str:
-    """What decides about the last bit of a run here: compiler, flags, processor and all texts.
+    """Key of everything that decides the last bit of a run:
+
+    compiler, flags, processor and all texts.
 
     The names of the compiled ``rhs``, "Python" without a compiler, and of the integrators.
     """
@@ -222,13 +224,13 @@ def model_key(model: LoadedModel) -> str:
 
 def digest(*values: Any) -> str:
     """Hash of arrays, and of what JSON or ``repr`` can tell."""
-    found = hashlib.sha256()
+    total = hashlib.sha256()
     for value in values:
         if isinstance(value, np.ndarray):
-            found.update(repr((value.shape, value.dtype.str)).encode())
-            found.update(np.ascontiguousarray(value).tobytes())
+            total.update(repr((value.shape, value.dtype.str)).encode())
+            total.update(np.ascontiguousarray(value).tobytes())
         elif isinstance(value, dict):
-            found.update(json.dumps(value, sort_keys=True).encode())
+            total.update(json.dumps(value, sort_keys=True).encode())
         else:
-            found.update(repr(value).encode())
-    return found.hexdigest()
+            total.update(repr(value).encode())
+    return total.hexdigest()

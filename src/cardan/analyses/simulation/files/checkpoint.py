@@ -13,13 +13,13 @@ from typing import Any
 import numpy as np
 
 from .... import regular_file
+from ....atomic_file import replaced
 from ....errors import ModelError
 from ....runtime.formats.number_file import packed, plain, unpacked
 from ....runtime.models.loaded_model import LoadedModel
 from ....schema.integrators import INTEGRATORS
 from ....version import STEPPER, VERSION, written_by
-from ....whole_file import replaced
-from ..events import happenings
+from ..events import event_table_of
 from ..run import Runner, Saved
 from ..settings import Settings, settings
 from ..signals import signals
@@ -57,6 +57,7 @@ def write(runner: Runner, how: Settings, saved: Saved, path: Path) -> None:
             "kept in no file; stepper.save() keeps a checkpoint in memory"
         )
     numbers = {"rtol": how.rtol, "atol": how.atol, "step": how.step}
+    # everything that decides the next step: a run continued from the file has the same bits
     head = {
         STEPPER.word: STEPPER.version,
         "cardan": VERSION,
@@ -64,9 +65,9 @@ def write(runner: Runner, how: Settings, saved: Saved, path: Path) -> None:
         "key": _key(runner),
         "kernels": not runner.interpreted,
         "method": how.method.name,
-        "words": how.words,
+        "words": how.description,
         "max_step": None if math.isinf(how.max_step) else how.max_step,
-        "events": [dict(row) for row in runner.may.rows],
+        "events": [dict(row) for row in runner.event_table.rows],
         "record": record_of(runner),
         "ticks": ticks_of(runner),
         "over": saved.over,
@@ -78,6 +79,7 @@ def write(runner: Runner, how: Settings, saved: Saved, path: Path) -> None:
         "memory": np.frombuffer(saved.memory),
         "digest": np.frombuffer(digest(text, saved.memory), dtype=np.uint8),
     }
+    # written aside and renamed: a killed process leaves the old file
     with replaced(path) as new:
         Path(new).write_bytes(packed(parts))
 
@@ -104,15 +106,15 @@ def read(
     head, memory = _parts(path)
     writer = head.get("cardan")
     how = _settings(head, path)
-    given = signals(model.manifest.inputs, None, None, (0.0, 0.0))
-    runner = runner_of(model, how, given, happenings(model, events))
+    input_signals = signals(model.manifest.inputs, None, None, (0.0, 0.0))
+    runner = runner_of(model, how, input_signals, event_table_of(model, events))
     if head["key"] != _key(runner):
         raise ModelError(
             f"{path} is a checkpoint of '{head['model']}' with other equations or parameters than "
             f"'{model.name}' has here: {written_by(writer)} wrote it. Give the model it was made "
             "with, with_parameters(...) included, or start the run anew"
         )
-    if head["events"] != [dict(row) for row in runner.may.rows]:
+    if head["events"] != [dict(row) for row in runner.event_table.rows]:
         raise ModelError(
             f"{path}: its run watches for {_names(head)}: give the same events=. "
             f"{written_by(writer)} wrote it; where that had other events, start the run anew"
@@ -129,7 +131,7 @@ def read(
 
 
 def _settings(head: dict[str, Any], path: Path) -> Settings:
-    """How a run is stepped, of which the same is asked as of callers."""
+    """Solver settings of a file, checked as those of callers are."""
     if head["method"] not in INTEGRATORS:
         raise ModelError(
             f"{path}: this cardan has no method '{head['method']}'; "
@@ -145,11 +147,11 @@ def _settings(head: dict[str, Any], path: Path) -> Settings:
     except ModelError as error:
         raise impossible(path, str(error)) from error
     # words tell what was asked for before it was bounded
-    return replace(how, method=method, words=head["words"])
+    return replace(how, method=method, description=head["words"])
 
 
 def _names(head: dict[str, Any]) -> str:
-    """What a run watches for, as far as a file says it."""
+    """Names of the events of a run, as far as a file states them."""
     rows = head["events"] if isinstance(head["events"], list) else []
     names = [str(row.get("name")) for row in rows if isinstance(row, dict)]
     return ", ".join(dict.fromkeys(names)) or "none"
@@ -157,14 +159,14 @@ def _names(head: dict[str, Any]) -> str:
 
 def _key(runner: Runner) -> str:
     """Hash of the equations and parameters that a run depends on."""
-    model, found = runner.model, hashlib.sha256()
-    needed = (*runner.settings.method.needs, *runner.may.functions)
+    model, total = runner.model, hashlib.sha256()
+    needed = (*runner.settings.method.needs, *runner.event_table.functions)
     names = ("rhs", *(("power",) if runner.powered else ()), *runner.closing.functions, *needed)
     for name in names:
         symbol = model._function(name).symbol
-        found.update(model._objects.text_path(symbol).read_bytes())
-    found.update(model.parameters.vector.tobytes())
-    return found.hexdigest()
+        total.update(model._objects.text_path(symbol).read_bytes())
+    total.update(model.parameters.vector.tobytes())
+    return total.hexdigest()
 
 
 def _parts(path: Path) -> tuple[dict[str, Any], Any]:
@@ -180,9 +182,9 @@ def _parts(path: Path) -> tuple[dict[str, Any], Any]:
         text, memory, stated = (parts[name] for name in ("head", "memory", "digest"))
         head = plain(text.tobytes())
     except (ValueError, KeyError) as error:
-        raise ModelError(f"{path} is no checkpoint, or is damaged: {NONE}") from error
+        raise ModelError(f"{path} is not a checkpoint, or is damaged: {NONE}") from error
     if not isinstance(head, dict) or STEPPER.word not in head:
-        raise ModelError(f"{path} is no checkpoint: {NONE}")
+        raise ModelError(f"{path} is not a checkpoint: {NONE}")
     if not STEPPER.reads(head[STEPPER.word]):
         raise ModelError(STEPPER.refusal(path, head[STEPPER.word], head.get("cardan")))
     if stated.tobytes() != digest(text.tobytes(), memory.tobytes()):
@@ -192,12 +194,12 @@ def _parts(path: Path) -> tuple[dict[str, Any], Any]:
 
 
 def _check(head: dict[str, Any], path: Path) -> None:
-    """Whether a head has what it must have, of the right types."""
+    """Check that a header has all its entries, of the right types."""
     if not set(head) >= NEEDED:
         raise impossible(path, f"'{min(NEEDED - set(head))}' is missing")
     for name in TEXTS:
         if not isinstance(head[name], str):
-            raise impossible(path, f"'{name}' is no text")
+            raise impossible(path, f"'{name}' is not a text")
     for name in (*NUMBERS, *(("max_step",) if head["max_step"] is not None else ())):
         if type(head[name]) not in (int, float) or not abs(head[name]) < 1e308:
-            raise impossible(path, f"'{name}' is no number")
+            raise impossible(path, f"'{name}' is not a number")

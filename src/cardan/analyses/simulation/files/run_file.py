@@ -14,19 +14,19 @@ from typing import Any
 
 import numpy as np
 
-from ....errors import ModelError, shown
+from ....errors import ModelError, brief
 from ....runtime.formats.number_file import packed, plain, unpacked
 from ....runtime.models.loaded_model import LoadedModel
 from ....schema.integrators import INTEGRATORS
 from ....version import RUN_FILE
 from .. import run_record as abi
-from ..events import Happenings
-from ..recorder import Kept
+from ..events import EventTable
+from ..recorder import Recorder
 from ..run import Runner
 from ..settings import Settings, Start
 from ..signals import Signals
 from ..times import Span
-from .append_log import Growing, build_key, digest, model_key, text
+from .append_log import AppendLog, build_key, digest, model_key, text
 from .saved_record import checked, impossible, record_of, saved_of, sound, ticks_of
 
 # of the record, beside what steppers keep: where it is among its stops and output times
@@ -62,7 +62,7 @@ class RunFile:
             ModelError: it belongs to another run or another process, or is no such file.
         """
         self.path, self.every = path, every
-        self._file = Growing(path, RUN_FILE, whose, CURES)
+        self._file = AppendLog(path, RUN_FILE, whose, CURES)
         try:
             self._records = [_parts(content, path) for content in self._file.contents()]
         except BaseException:
@@ -83,19 +83,19 @@ class RunFile:
         self._file.begin()
         self._records, self.method, self.reason = [], "", ""
 
-    def go_on(self, runner: Runner, kept: Kept) -> int | None:
+    def go_on(self, runner: Runner, recorder: Recorder) -> int | None:
         """Bring a run to where the file ends. Returns the answer there; None for a new file."""
         if not self._records:
             return None
         for one in self._records:
-            kept.rows.append(self._like(one["rows"], runner.rows))
-            kept.spreads.append(self._like(one["spreads"], runner.spreads))
-            kept.logs.append(self._like(one["log"], runner.log))
+            recorder.rows.append(self._like(one["rows"], runner.rows))
+            recorder.spreads.append(self._like(one["spreads"], runner.spreads))
+            recorder.logs.append(self._like(one["log"], runner.log))
             if not all(np.isfinite(one[part]).all() for part in ("rows", "log")):
                 raise impossible(self.path, "its rows or events are not finite")
             if not len(one["rows"]) >= len(one["spreads"]):
                 raise impossible(self.path, "it has more dense output than rows")
-        kept.fresh()
+        recorder.fresh()
         last, run = self._records[-1], runner.record
         head = last["head"]
         saved = saved_of(
@@ -112,7 +112,7 @@ class RunFile:
         # what the start has written is in the file
         run.count = 0
         runner.drained()
-        for row, where in zip(runner.pieces, head["where"], strict=True):
+        for row, where in zip(runner.tabulated, head["where"], strict=True):
             row.where = where
         self._records = []
         return int(head["answer"])
@@ -126,15 +126,15 @@ class RunFile:
     def _check(self, head: dict[str, Any], runner: Runner) -> None:
         """Places among stops, output times and pieces of inputs, which the kernels go on from."""
         run, where = runner.record, head["where"]
-        if not isinstance(where, list) or len(where) != len(runner.pieces):
+        if not isinstance(where, list) or len(where) != len(runner.tabulated):
             raise impossible(self.path, "its inputs are not those of this run")
         numbers = {name: head[name] for name in (*PLACES, "answer")}
         last = {"next_stop": run.stop_count - 1, "next_time": run.time_count, "answer": abi.EVENT}
         checked(numbers, {name: (0, most) for name, most in last.items()}, self.path)
         if head["answer"] not in (abi.MORE, *OVER):
             raise impossible(self.path, f"its answer is {head['answer']}")
-        for k, (piece, row) in enumerate(zip(where, runner.pieces, strict=True)):
-            checked({f"where {k}": piece}, {f"where {k}": (0, row.pieces - 1)}, self.path)
+        for k, (segment, row) in enumerate(zip(where, runner.tabulated, strict=True)):
+            checked({f"where {k}": segment}, {f"where {k}": (0, row.pieces - 1)}, self.path)
 
     def _ahead(self, runner: Runner) -> None:
         """The next stop and where steps must end lie where the run has not been yet."""
@@ -145,14 +145,14 @@ class RunFile:
         ticks = list(runner.ticks)[: run.tick_count]
         ends = {stops[run.next_stop], min([stops[run.next_stop], *(row.next for row in ticks)])}
         # a sample that has come, and has not changed anything yet, is still where steps end
-        if run.happened and any(runner.views["e"][row.event] for row in ticks):
+        if run.event_pending and any(runner.views["e"][row.event] for row in ticks):
             ends.add(run.t)
         if run.until not in ends:
             raise impossible(self.path, f"its steps end at {run.until:g} s")
         if way * run.segment > way * run.t or run.h * way < 0:
             raise impossible(self.path, "its steps lead back")
 
-    def note(self, runner: Runner, kept: Kept, answer: int) -> None:
+    def note(self, runner: Runner, recorder: Recorder, answer: int) -> None:
         """Write what is new, if it is time to or the run is over.
 
         Raises:
@@ -161,23 +161,23 @@ class RunFile:
         over = answer in (*OVER, abi.STOPPED)
         if not over and (answer < 0 or time.monotonic() - self._clock < self.every):
             return
-        kept.take()
-        run, whole = runner.record, runner.save()
+        recorder.take()
+        run, saved = runner.record, runner.save()
         head = {
             "record": record_of(runner),
             "ticks": ticks_of(runner),
             **{name: getattr(run, name) for name in PLACES},
-            "where": [row.where for row in runner.pieces],
+            "where": [row.where for row in runner.tabulated],
             "answer": answer if answer in OVER else abi.MORE,
             "method": runner.settings.method.name,
             "reason": runner.settings.reason,
         }
-        rows, spreads, log = kept.fresh()
+        rows, spreads, log = recorder.fresh()
         self._file.add(
             packed(
                 {
                     "head": text(head),
-                    "memory": np.frombuffer(whole.memory),
+                    "memory": np.frombuffer(saved.memory),
                     "rows": rows,
                     "spreads": spreads,
                     "log": log,
@@ -211,8 +211,8 @@ def run_file(
     every: float,
     model: LoadedModel,
     how: Settings,
-    given: Signals,
-    may: Happenings,
+    input_signals: Signals,
+    event_table: EventTable,
     over: Span,
     begin: Start,
 ) -> Iterator[RunFile | None]:
@@ -226,22 +226,23 @@ def run_file(
         yield None
         return
     if not isinstance(path, str | Path):
-        raise ModelError(f"checkpoint={shown(path)}: name a file, such as 'run.part'")
+        raise ModelError(f"checkpoint={brief(path)}: name a file, such as 'run.part'")
     if not (isinstance(every, int | float) and math.isfinite(every) and every >= 0):
-        raise ModelError(f"every={shown(every)}: the time between two checkpoints [s], 0 or more")
+        raise ModelError(f"every={brief(every)}: the time between two checkpoints [s], 0 or more")
     if model.manifest.absolute:
         raise ModelError(
             f"checkpoint= of simulate: model '{model.name}' is in absolute coordinates, whose runs "
             "are kept in no file; leave it out, and save the motion by motion.save(path)"
         )
-    pieces = [x for p in given.pieces for x in (p.input, p.breaks, p.coefficients)]
+    tables = [x for p in input_signals.tabulated for x in (p.input, p.breaks, p.coefficients)]
     times = np.empty(0) if over.times is None else over.times
-    functions = sorted(given.functions), given.sample
+    functions = sorted(input_signals.functions), input_signals.sample
+    # a file is continued only by the call that wrote it
     whose = {
         "model": model_key(model),
         "build": build_key(model),
-        "start": digest(begin.x, begin.slack, given.constants, *pieces, functions),
-        "settings": digest(how, over.start, over.end, times, may.described),
+        "start": digest(begin.x, begin.closure_tol, input_signals.constants, *tables, functions),
+        "settings": digest(how, over.start, over.end, times, event_table.descriptions),
     }
     file = RunFile(Path(path), every, whose)
     try:

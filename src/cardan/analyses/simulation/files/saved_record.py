@@ -21,7 +21,7 @@ from .. import run_record as abi
 from ..run import Runner, Saved
 
 MOST = 1 << 53  # of what is counted
-TRUTH = ("fresh", "is_dense", "happened")
+FLAGS = ("fresh", "is_dense", "event_pending")
 COUNTS = (
     *("in_segment", "rejected", "ranks", "at_once", "occurred", "pass_part", "pass_parts"),
     *("steps", "rejections", "evaluations", "projections", "passed"),
@@ -30,20 +30,20 @@ COUNTS = (
 TIMES = ("t", "t_old", "t_start", "segment", "h")
 REALS = (
     *("until", "early", "late", "moment", "correction", "size"),
-    *("hold", "best_hold", "pass_start", "pass_length"),
+    *("rank_margin", "best_rank_margin", "pass_start", "pass_length"),
 )
 # from the model, its method and settings
-GIVEN = (
+FROM_MODEL = (
     *("nq", "nu", "nz", "nx", "n", "nr", "ns", "nlam", "signal_count", "quaternion_count"),
     *("bounded_count", "sampled", "charted", "positions", "rates", "ne", "watched", "tick_count"),
     *("stages", "dense_rows", "jumps", "rtol", "atol", "max_step", "on_grid"),
 )
 # what belongs to a process, or to the room that rows have there
-PASSING = (
+OF_PROCESS = (
     *("capacity", "count", "log_capacity", "log_count", "stop_count", "next_stop"),
     *("time_count", "next_time", "budget", "stop"),
 )
-POINTS = 10  # MOST_POINTS of kernels/gauss.h
+POINTS = 10  # MOST_POINTS of kernels/events/gauss.h
 STATUS = 1 << 31
 
 
@@ -52,12 +52,12 @@ def limits(runner: Runner) -> dict[str, tuple[int, int]]:
     run = runner.record
     return {
         **dict.fromkeys(COUNTS, (0, MOST)),
-        "culprit": (-1, run.n + len(runner.may.rows) - 1),
+        "culprit": (-1, run.n + len(runner.event_table.rows) - 1),
         "open_row": (-1, run.positions + run.rates - 1),
         "model_status": (-STATUS, STATUS),
-        **dict.fromkeys(TRUTH, (0, 1)),
+        **dict.fromkeys(FLAGS, (0, 1)),
         "row_open": (0, 2),
-        "held": (0, run.rates),
+        "constraint_rank": (0, run.rates),
         "pass_points": (0, POINTS),
     }
 
@@ -69,12 +69,7 @@ def record_of(runner: Runner) -> dict[str, float]:
 
 
 def saved_of(
-    runner: Runner,
-    numbers: Mapping[str, Any],
-    memory: Any,
-    ticks: Any,
-    path: Path,
-    writer: object,
+    runner: Runner, numbers: Mapping[str, Any], memory: Any, ticks: Any, path: Path, writer: object
 ) -> Saved:
     """The checkpoint as the run takes it.
 
@@ -89,27 +84,27 @@ def saved_of(
     Raises:
         ModelError: another version of cardan wrote them, or they are of no run of this model.
     """
-    whole = runner.save()
+    current = runner.save()
     if getattr(memory, "dtype", None) != np.float64:
         raise impossible(path, "its memory holds no numbers")
     names = set(numbers) if isinstance(numbers, Mapping) else set()
-    if names != set(record_of(runner)) or memory.nbytes != len(whole.memory):
+    if names != set(record_of(runner)) or memory.nbytes != len(current.memory):
         raise ModelError(
             f"{path} was written by {written_by(writer)}, whose runs go on from other numbers; "
             "start the run anew"
         )
     checked(numbers, limits(runner), path)
-    run = Run.from_buffer_copy(whole.record)
+    run = Run.from_buffer_copy(current.record)
     for name, value in numbers.items():
         setattr(run, name, value)
     _fits_itself(run, path)
     if run.on_grid and abs(run.h) != runner.settings.step:
         raise impossible(path, f"its step is {run.h:g} s")
     due = _ticks(runner, ticks, float(numbers["t"]), path)
-    return Saved(bytes(run), memory.tobytes(), whole.owner, due)
+    return Saved(bytes(run), memory.tobytes(), current.owner, due)
 
 
-def checked(numbers: Mapping[str, Any], whole: Mapping[str, tuple[int, int]], path: Path) -> None:
+def checked(numbers: Mapping[str, Any], ranges: Mapping[str, tuple[int, int]], path: Path) -> None:
     """Look at the types and ranges of numbers.
 
     Args:
@@ -121,8 +116,8 @@ def checked(numbers: Mapping[str, Any], whole: Mapping[str, tuple[int, int]], pa
         ModelError: a number is none, or lies outside.
     """
     for name, value in numbers.items():
-        least, most = whole.get(name, (0, 0))
-        if name in whole:
+        least, most = ranges.get(name, (0, 0))
+        if name in ranges:
             right = type(value) is int and least <= value <= most
         else:
             right = (type(value) in (int, float) and abs(value) < 1e308) or value == math.inf
@@ -133,13 +128,13 @@ def checked(numbers: Mapping[str, Any], whole: Mapping[str, tuple[int, int]], pa
 
 
 def impossible(path: Path, what: str) -> ModelError:
-    """What to raise where a file holds what no run writes."""
+    """The error for a file with contents that no run writes."""
     return ModelError(f"{path} is damaged or was changed: {what}. Start the run anew")
 
 
 def _fits_itself(run: Run, path: Path) -> None:
-    """Whether numbers of a record that belong together do."""
-    if run.happened and not run.ne + run.watched:
+    """Check that numbers of a record that belong together fit each other."""
+    if run.event_pending and not run.ne + run.watched:
         raise impossible(path, "an event happens that the model does not have")
     if not run.constraint_jacobian and (run.pass_length != 0 or run.pass_parts != 0):
         raise impossible(path, "it passes a singular position without constraints")
@@ -156,18 +151,18 @@ def ticks_of(runner: Runner) -> list[list[float]]:
     return [[row.count, row.next] for row in list(runner.ticks)[:count]]
 
 
-def _ticks(runner: Runner, given: Any, t: float, path: Path) -> bytes:
+def _ticks(runner: Runner, pairs: Any, t: float, path: Path) -> bytes:
     """The ticks of a run with what a file says about the next ones."""
     rows = type(runner.ticks).from_buffer_copy(bytes(runner.ticks))
     count = runner.record.tick_count
-    right = isinstance(given, list) and len(given) == count
-    if not right or not all(isinstance(pair, list) and len(pair) == 2 for pair in given):
+    right = isinstance(pairs, list) and len(pairs) == count
+    if not right or not all(isinstance(pair, list) and len(pair) == 2 for pair in pairs):
         raise impossible(path, "its samples are not those of the model")
-    for row, (number, due) in zip(rows, given, strict=False):
+    for row, (number, due) in zip(rows, pairs, strict=False):
         checked({"count": number, "next": due}, {"count": (-MOST, MOST)}, path)
-        slack = 1e-8 * row.period
-        regular = abs(row.phase + number * row.period - due) <= slack
-        if not (regular and t <= due <= t + row.period + slack):
+        tolerance = 1e-8 * row.period
+        regular = abs(row.phase + number * row.period - due) <= tolerance
+        if not (regular and t <= due <= t + row.period + tolerance):
             raise impossible(path, f"its next sample is due at {due:g} s")
         row.count, row.next = number, due
     return bytes(rows)

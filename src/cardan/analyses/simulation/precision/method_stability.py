@@ -18,7 +18,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ....arguments import Complexes, checked
 from ....arrays import Array, Booleans
-from ....errors import ArgumentError, ModelError, shown
+from ....errors import ArgumentError, ModelError, brief
 from ....schema.integrators import Integrator
 from ..alpha_methods import Alpha, GeneralizedAlpha
 from ..settings import integrator
@@ -56,7 +56,7 @@ def amplification(
     if isinstance(alpha, Integrator):
         return _one_step(alpha, angle, damping, index)
     if index not in (None, 1, 2, 3):
-        raise ArgumentError(f"index={shown(index)}: None (free), 3 (position), 2 (speed) or 1")
+        raise ArgumentError(f"index={brief(index)}: None (free), 3 (position), 2 (speed) or 1")
     size = 3 if index is None else 4
     after, before = np.zeros((2, *angle.shape, size, size))
     # increments: x' and h x' after the step by everything before it and a after it
@@ -75,6 +75,7 @@ def amplification(
     # what holds it after the step
     if index in (2, 3):
         after[..., 3, 3 - index] = 1.0
+    # index 1: the acceleration is constrained, so the force cancels spring and damper
     elif index == 1:
         after[..., 3, 0], after[..., 3, 1] = angle**2, 2 * damping * angle
         after[..., 3, 3] = -1.0
@@ -108,7 +109,7 @@ def response(method: str, z: Complexes) -> NDArray[np.complexfloating[Any, Any]]
 
 @checked
 def stable_along(method: str, direction: complex) -> float:
-    """How far from 0 along a ray a method is stable: the largest r with |R| <= 1 up to it.
+    """Stability limit of a method along a ray: the largest r with |R| <= 1 up to it.
 
     Args:
         method: As :func:`response` takes it.

@@ -1,4 +1,7 @@
-"""What the errors of integrators are taken from: two runs by other methods, far more exact."""
+"""Reference solutions for the errors of integrators:
+
+two runs by other, far more accurate methods.
+"""
 
 from __future__ import annotations
 
@@ -36,7 +39,7 @@ class Reference:
 
     q: Array
     doubt: float
-    words: str
+    description: str
 
 
 @dataclass(frozen=True)
@@ -65,26 +68,26 @@ def reference(
     Raises:
         SolveError: no method reaches the end.
     """
-    found: list[Candidate] = []
+    accepted: list[Candidate] = []
     troubles: list[str] = []
     for one in _candidates(run, times, distance, derived, allowed, troubles):
-        found.append(one)
-        if len(found) == 2:
+        accepted.append(one)
+        if len(accepted) == 2:
             break
-    if not found:
+    if not accepted:
         raise SolveError(f"no reference: {troubles[-1]}. Take a shorter time, or more patience")
-    first = found[0]
+    first = accepted[0]
     # what ruled the usual methods out says why these were taken
     why = f"; {troubles[-1]}" if troubles else ""
-    if len(found) == 1:
-        own = f", known to {first.doubt:.0e}" if first.doubt else ""
-        words = f"{first.name} {first.how}{own}, which no second method confirms{why}"
-        return Reference(first.q, first.doubt, words)
-    second = found[1]
+    if len(accepted) == 1:
+        accuracy = f", known to {first.doubt:.0e}" if first.doubt else ""
+        description = f"{first.name} {first.how}{accuracy}, which no second method confirms{why}"
+        return Reference(first.q, first.doubt, description)
+    second = accepted[1]
     doubt = max(distance(first.q, second.q), first.doubt, second.doubt)
     before = first.name if first.how == second.how else f"{first.name} {first.how}"
-    words = f"{before} and {second.name} {second.how}, which differ by {doubt:.0e}{why}"
-    return Reference(first.q, doubt, words)
+    description = f"{before} and {second.name} {second.how}, which differ by {doubt:.0e}{why}"
+    return Reference(first.q, doubt, description)
 
 
 def _candidates(
@@ -149,10 +152,12 @@ def _extrapolated(
                 # coarse steps may fail where fine ones do not
                 continue
             break
+        # Richardson extrapolation of a method of order 2
         value = None if coarse is None else (4 * motion.q - coarse) / 3
         if value is not None and before is not None:
             doubt = distance(value, before)
             how = f"in steps of {h:.2g} s extrapolated to 0"
+            # rounding grows again once the steps are too fine
             worse = worse + 1 if best is not None and doubt > best.doubt else 0
             if best is None or doubt < best.doubt:
                 best = Candidate(name, how, value, doubt)

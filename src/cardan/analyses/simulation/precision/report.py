@@ -51,7 +51,7 @@ class Report:
         return f"Report('{self.model}': {counted(len(self.rows), 'function')}{methods})"
 
     def table(self) -> Table:
-        """As a table for the terminal."""
+        """The report as a table for the terminal."""
         from rich.table import Table
 
         title = f"{self.model}: {self.compiler}, called through {self.way}"
@@ -60,13 +60,13 @@ class Report:
         for name in ("ops", "from Python", "in C", "in a batch", "lanes", "error"):
             table.add_column(name, justify="right", no_wrap=True)
         for row in self.rows:
-            times = map(_shown, (row.python_ns, row.call_ns, row.state_ns))
+            times = map(_time_text, (row.python_ns, row.call_ns, row.state_ns))
             error = "-" if row.error is None else f"{row.error:.1e}"
             table.add_row(row.function, str(row.operations), *times, str(row.lanes), error)
         return table
 
 
-def _shown(ns: float) -> str:
+def _time_text(ns: float) -> str:
     return "-" if math.isnan(ns) else f"{ns:.0f} ns"
 
 
@@ -101,12 +101,12 @@ def report(
     """
     from rich.console import Console
 
-    judged = importlib.util.find_spec("mpmath") is not None
-    notes = [] if judged else ["errors need mpmath: pip install mpmath"]
+    with_errors = importlib.util.find_spec("mpmath") is not None
+    notes = [] if with_errors else ["errors need mpmath: pip install mpmath"]
     if model.manifest.absolute:
         notes.append("of elements, <kind>__<function>: one element")
     costs = element_costs.rows if model.manifest.absolute else function_costs.functions
-    rows = costs(model, SEED, judged)
+    rows = costs(model, SEED, with_errors)
     functions = Report(model.name, tuple(rows), _compiler(), abi.NAME, "; ".join(notes))
     Console().print(functions.table())
     if t is None:

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from ....arrays import Array
 from ....errors import ModelError
-from ....runtime.build import prebuilt
+from ....schema import kernel_files
 from ....schema.integrators import KERNELS, Integrator
 
 Matrix = NDArray[np.complexfloating[Any, Any]]
@@ -39,8 +39,10 @@ def response(method: Integrator, z: Matrix) -> Matrix:
         return _rosenbrock(z)
     tableau = _tableau(KERNELS[method.kernel])
     if tableau is None:
-        known = ", ".join(name for name, one in KERNELS.items() if _tableau(one))
-        raise ModelError(f"'{method.name}': a response is known of the kernels {known}, rosenbrock")
+        kernels = ", ".join(name for name, one in KERNELS.items() if _tableau(one))
+        raise ModelError(
+            f"'{method.name}': a response is known of the kernels {kernels}, rosenbrock"
+        )
     a, b = tableau
     unit = np.broadcast_to(np.eye(z.shape[-1], dtype=np.complex128), z.shape)
     stages = _solved(a, z) if a.any(where=np.triu(np.ones_like(a, dtype=bool))) else _followed(a, z)
@@ -59,8 +61,8 @@ def _followed(a: Array, z: Matrix) -> list[Matrix]:
 def _solved(a: Array, z: Matrix) -> list[Matrix]:
     """Stages of an implicit method, all at once: K = Z (1 + a K)."""
     m, count = z.shape[-1], len(a)
-    whole = np.eye(count * m) - _kronecker(a, z)
-    k = np.linalg.solve(whole, _kronecker(np.ones((count, 1)), z))
+    matrix = np.eye(count * m) - _kronecker(a, z)
+    k = np.linalg.solve(matrix, _kronecker(np.ones((count, 1)), z))
     return [k[..., s * m : (s + 1) * m, :] for s in range(count)]
 
 
@@ -91,12 +93,12 @@ def _tableau(method: Integrator) -> tuple[Array, Array] | None:
 @lru_cache(maxsize=1)
 def _tables() -> dict[str, list[list[float]]]:
     """The tables of the kernel, row by row."""
-    text = (prebuilt.DIRECTORY / "rosenbrock_tables.h").read_text("utf-8")
-    found = {}
+    text = kernel_files.text("rosenbrock_tables.h")
+    tables = {}
     for name, body in re.findall(r"real ([AC])\[\d\]\[\d\] = (\{.*?\});", text, re.DOTALL):
-        found[name] = ast.literal_eval(body.replace("{", "[").replace("}", "]"))
+        tables[name] = ast.literal_eval(body.replace("{", "[").replace("}", "]"))
     gamma = re.search(r"real GAMMA = ([\d.]+);", text)
-    return found | {"GAMMA": [[float(gamma[1])]] if gamma else []}
+    return tables | {"GAMMA": [[float(gamma[1])]] if gamma else []}
 
 
 def _rosenbrock(z: Matrix) -> Matrix:

@@ -81,7 +81,8 @@ def precision(
     stopped = False
     said = show or (lambda what, fraction: None)
     said("reference", 0.0)
-    words = bench.refer()
+    # two methods that agree make the reference that errors are measured against
+    description = bench.refer()
     try:
         for k, (name, method) in enumerate(chosen.items()):
             same = twin(model, method)
@@ -93,13 +94,13 @@ def precision(
                     left_out[name] = why
                 if point is not None:
                     points.append(point)
-                    said(point.words, (k + 0.5) / len(chosen))
+                    said(point.description, (k + 0.5) / len(chosen))
     except KeyboardInterrupt:
         stopped = True
     ends = (over.start, over.end)
-    loose = undetermined(model, bench.start, over.start)
+    reactions = undetermined(model, bench.start, over.start)
     return PrecisionRecord(
-        model.name, ends, tuple(points), words, bench.doubt, left_out, stopped, loose
+        model.name, ends, tuple(points), description, bench.doubt, left_out, stopped, reactions
     )
 
 
@@ -107,8 +108,8 @@ def twin(model: LoadedModel, method: Integrator) -> str:
     """The method that a Lie group method is where nothing turns by quaternions, "" of others."""
     if not method.charted or model.manifest.quaternions:
         return ""
-    others = (n for n, m in INTEGRATORS.items() if m.kernel == method.kernel and not m.charted)
-    return next(others, "")
+    candidates = (n for n, m in INTEGRATORS.items() if m.kernel == method.kernel and not m.charted)
+    return next(candidates, "")
 
 
 class Bench:
@@ -118,14 +119,14 @@ class Bench:
         self, model: LoadedModel, times: Array, patience: float, start: dict[str, Any]
     ) -> None:
         self._model, self._times, self._patience, self._start = model, times, patience, start
-        self._known: Array = np.empty(0)
+        self._reference: Array = np.empty(0)
         self.doubt = 0.0
 
     @property
     def start(self) -> Array:
         """Coordinates (nq,) where the reference begins."""
-        found: Array = self._known[0]
-        return found
+        first: Array = self._reference[0]
+        return first
 
     def refer(self) -> str:
         """Compute the reference by two methods; says what it is.
@@ -145,9 +146,9 @@ class Bench:
                 raise KeyboardInterrupt
             return motion
 
-        found = reference(run, self._times, self._distance, derived, allowed)
-        self._known, self.doubt = found.q, found.doubt
-        return found.words
+        solution = reference(run, self._times, self._distance, derived, allowed)
+        self._reference, self.doubt = solution.q, solution.doubt
+        return solution.description
 
     def sweep(self, method: Integrator) -> Iterator[tuple[Point | None, str]]:
         """Points of a method from rough to fine, and why it goes no further."""
@@ -185,8 +186,8 @@ class Bench:
             least, spent = min(least, milliseconds), spent + milliseconds
             if spent > WORTH:
                 break
-        found = motion.statistics
-        looked = found.get("looked", 0)
+        statistics = motion.statistics
+        looked = statistics.get("looked", 0)
         return Point(
             name,
             setting,
@@ -194,9 +195,9 @@ class Bench:
             motion.status,
             self._error(motion) if motion.success else math.inf,
             least,
-            int(found["steps"]),
-            int(found["evaluations"]),
-            found.get("limited", 0) / looked if looked else 0.0,
+            int(statistics["steps"]),
+            int(statistics["evaluations"]),
+            statistics.get("limited", 0) / looked if looked else 0.0,
         )
 
     def _run(self, allowed: float, soon: float = 1.0, **how: Any) -> TrajectoryRecord:
@@ -227,15 +228,15 @@ class Bench:
 
     def _error(self, motion: TrajectoryRecord) -> float:
         """Largest error of a coordinate."""
-        return self._distance(motion.q, self._known)
+        return self._distance(motion.q, self._reference)
 
     def _distance(self, q: Array, other: Array) -> float:
         """Largest difference of a coordinate; quaternions of either sign are one."""
         if len(q) != len(other):
             return math.inf
-        found = q.copy()
+        aligned = q.copy()
         for first in self._model.manifest.quaternions:
             four = slice(first, first + 4)
-            along = (found[:, four] * other[:, four]).sum(axis=1)
-            found[:, four] *= np.where(along < 0, -1.0, 1.0)[:, None]
-        return float(np.abs(found - other).max(initial=0.0))
+            along = (aligned[:, four] * other[:, four]).sum(axis=1)
+            aligned[:, four] *= np.where(along < 0, -1.0, 1.0)[:, None]
+        return float(np.abs(aligned - other).max(initial=0.0))

@@ -1,4 +1,4 @@
-"""How stiff a model is at a state: the fastest rate it has, against the rate at which it moves.
+"""Stiffness of a model at a state: its fastest rate against the rate at which it moves.
 
 Estimated from a few evaluations of the right-hand side, so that nothing is compiled for it.
 
@@ -62,7 +62,7 @@ class Stiffness:
         return FEW + ROUGH * abs(length) * self.present / math.pow(max(rtol, 1e-15), 0.2)
 
     def implicit_pays(self, length: float, rtol: float, steps: float | None = None) -> bool:
-        """Whether an implicit method needs so many fewer steps that it is faster.
+        """True when an implicit method needs so many fewer steps that it is faster.
 
         Args:
             length: Of the run [s].
@@ -75,11 +75,7 @@ class Stiffness:
 
 @checked
 def stiffness(
-    model: LoadedModel,
-    x: ArrayLike,
-    t: float = 0.0,
-    r: State | None = None,
-    s: State | None = None,
+    model: LoadedModel, x: ArrayLike, t: float = 0.0, r: State | None = None, s: State | None = None
 ) -> Stiffness:
     """Rates of a model at a state, from about twenty evaluations of ``rhs``.
 

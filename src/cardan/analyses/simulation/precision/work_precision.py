@@ -44,7 +44,7 @@ class Point:
     limited: float = 0.0
 
     @property
-    def words(self) -> str:
+    def description(self) -> str:
         """Method and setting, as one passes them."""
         return f"{self.method}, {self.setting}={self.value:.2g}"
 
@@ -77,20 +77,20 @@ class PrecisionRecord:
         """The quickest setting of each method that keeps an error, the quickest method first."""
         quickest: dict[str, Point] = {}
         for point in self.points:
-            kept = max(point.error, self.doubt) <= error
-            known = quickest.get(point.method)
-            if kept and (known is None or point.milliseconds < known.milliseconds):
+            accurate = max(point.error, self.doubt) <= error
+            fastest = quickest.get(point.method)
+            if accurate and (fastest is None or point.milliseconds < fastest.milliseconds):
                 quickest[point.method] = point
         return tuple(sorted(quickest.values(), key=lambda point: point.milliseconds))
 
     @property
     def still(self) -> bool:
-        """Whether nothing moves from the start: no run has an error."""
+        """True when nothing moves from the start: no run has an error."""
         return bool(self.points) and not any(point.error for point in self.points)
 
     @property
     def recommendation(self) -> str:
-        """Which method to take for which error, and why."""
+        """Recommended method for every error level, with reasons."""
         return "\n".join(self._sentences())
 
     def _sentences(self) -> Iterator[str]:
@@ -98,24 +98,24 @@ class PrecisionRecord:
             yield "nothing moves from this start, so that there is no error: give another q or u"
             return
         for goal in GOALS:
-            found = self.best(goal)
-            if not found:
+            fastest = self.best(goal)
+            if not fastest:
                 yield f"for an error of {goal:.0e}: nothing that was measured reaches it"
                 continue
-            first = found[0]
+            first = fastest[0]
             sentence = (
-                f"for an error of {goal:.0e}: {first.words}: {first.milliseconds:.3g} ms, "
+                f"for an error of {goal:.0e}: {first.description}: {first.milliseconds:.3g} ms, "
                 f"{first.evaluations} evaluations, error {first.error:.0e}"
             )
-            if len(found) > 1:
-                ratio = found[1].milliseconds / first.milliseconds
-                sentence += f"; next {found[1].words}: {ratio:.3g}x the time"
+            if len(fastest) > 1:
+                ratio = fastest[1].milliseconds / first.milliseconds
+                sentence += f"; next {fastest[1].description}: {ratio:.3g}x the time"
             yield sentence
         yield from self._reasons()
 
     def _reasons(self) -> Iterator[str]:
-        """What the recommended methods are for, and whether the motion is stiff."""
-        chosen = dict.fromkeys(found[0].method for goal in GOALS if (found := self.best(goal)))
+        """Strengths of the recommended methods, and a remark on stiffness."""
+        chosen = dict.fromkeys(fastest[0].method for goal in GOALS if (fastest := self.best(goal)))
         for name in chosen:
             yield f"{name}: {INTEGRATORS[name].applies}"
         stiff = [point for point in self.points if point.limited > STIFF]
@@ -123,11 +123,11 @@ class PrecisionRecord:
             most = max(stiff, key=lambda point: point.limited)
             yield (
                 f"the motion is stiff: stability limited {100 * most.limited:.0f} % of the steps "
-                f"of {most.words}"
+                f"of {most.description}"
             )
 
     def table(self) -> Table:
-        """As a table for the terminal; of what does not move, one setting of each method."""
+        """The table for the terminal; a motion at rest has one setting of each method."""
         from rich.table import Table
 
         first, last = self.span
@@ -139,8 +139,8 @@ class PrecisionRecord:
             table.add_column(name, justify="right", no_wrap=True)
         before = ""
         loosest = {point.method: point for point in reversed(self.points)}
-        shown = [p for p in self.points if not self.still or loosest[p.method] is p]
-        for point in shown:
+        points = [p for p in self.points if not self.still or loosest[p.method] is p]
+        for point in points:
             done = point.status == "finished"
             table.add_row(
                 point.method if point.method != before else "",
@@ -171,8 +171,8 @@ def plot(precision: PrecisionRecord, path: str | Path | None = None) -> Any:
 
     lines = {}
     for method in dict.fromkeys(point.method for point in precision.points):
-        own = [p for p in precision.points if p.method == method and 0 < p.error < float("inf")]
-        lines[method] = ([p.error for p in own], [p.milliseconds for p in own])
+        points = [p for p in precision.points if p.method == method and 0 < p.error < float("inf")]
+        lines[method] = ([p.error for p in points], [p.milliseconds for p in points])
     title = f"{precision.model}: {precision.span[0]:g} s to {precision.span[1]:g} s"
     if precision.still:
         title += "\nnothing moves from this start: there is no error to draw"

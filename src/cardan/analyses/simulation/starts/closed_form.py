@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ....arrays import Array
-from ....errors import ArgumentError, ModelError, SolveError, miscounted, shown
+from ....errors import ArgumentError, ModelError, SolveError, brief, miscounted
 from ....runtime.models.initial import followers
 from ....runtime.models.loaded_model import LoadedModel
 from ....runtime.verification.closed_states import dependents
@@ -26,9 +26,9 @@ from ...mechanisms.searches import drawn
 from ...mechanisms.targets import Target, read
 
 STEP = 1e-5  # of a central difference: Newton's steps need no more
-TURNING = ("revolute", "universal")  # kinds whose coordinates are angles
+ANGULAR_KINDS = ("revolute", "universal")  # kinds whose coordinates are angles
 STARTS = 8  # searches for positions: loops close in several ways
-APART = 1e-9  # speeds that loops carry otherwise, of the largest of them
+SPEED_TOL = 1e-9  # speeds that loops carry otherwise, of the largest of them
 
 
 @dataclass(frozen=True)
@@ -44,28 +44,28 @@ class Follower(Target):
 
     entries: NDArray[np.intp] = field(default_factory=lambda: np.zeros(0, dtype=np.intp))
     scales: Array = field(default_factory=lambda: np.ones(0))
-    turning: NDArray[np.bool_] = field(default_factory=lambda: np.zeros(0, dtype=bool))
+    angular: NDArray[np.bool_] = field(default_factory=lambda: np.zeros(0, dtype=bool))
 
     def residual(self, m: Mechanism, q: Array) -> Array:
-        """What is missing, without units (n,)."""
-        return self._missed(_following(m, q[None])[0])
+        """Residual of the target, without units (n,)."""
+        return self._missed(_dependent_values(m, q[None])[0])
 
     def jacobian(self, m: Mechanism, q: Array) -> Array:
         """Derivative of the residual along steps (n, nu)."""
         ways = STEP * np.concatenate([np.eye(m.nu), -np.eye(m.nu)])
-        ends = _following(m, np.array([m.advance(q, way) for way in ways]))[:, self.entries]
+        ends = _dependent_values(m, np.array([m.advance(q, way) for way in ways]))[:, self.entries]
         # beside a dead point loops close on one side only: no slope is known there
-        apart = np.nan_to_num(ends[: m.nu] - ends[m.nu :])
-        apart = np.where(self.turning, np.remainder(apart + np.pi, 2 * np.pi) - np.pi, apart)
-        return np.asarray(apart / self.scales).T / (2 * STEP)
+        change = np.nan_to_num(ends[: m.nu] - ends[m.nu :])
+        change = np.where(self.angular, np.remainder(change + np.pi, 2 * np.pi) - np.pi, change)
+        return np.asarray(change / self.scales).T / (2 * STEP)
 
-    def _missed(self, following: Array) -> Array:
-        away = following[self.entries] - self.value
-        away = np.where(self.turning, np.remainder(away + np.pi, 2 * np.pi) - np.pi, away)
+    def _missed(self, values: Array) -> Array:
+        away = values[self.entries] - self.value
+        away = np.where(self.angular, np.remainder(away + np.pi, 2 * np.pi) - np.pi, away)
         return np.asarray(away / self.scales)
 
 
-def _following(m: Mechanism, q: Array) -> Array:
+def _dependent_values(m: Mechanism, q: Array) -> Array:
     """Coordinates (n, k) that follow from those of the model (n, nq); NaN where none closes."""
     r = m.model._layout.start("r") if m.r is None else m.r
     return dependents(m.model, q, np.zeros((len(q), m.model.nu)), m.t, np.tile(r, (len(q), 1)))[0]
@@ -73,26 +73,28 @@ def _following(m: Mechanism, q: Array) -> Array:
 
 def _numbers(m: Mechanism, letter: str, name: str, value: Any) -> Array:
     """Values of a joint or entry that follows, checked."""
-    found, where = np.asarray(value, dtype=np.float64).reshape(-1), f"{letter}={{'{name}': ...}}"
-    own = {row.name: row.solved.names(letter) for row in m.model.manifest.joints if row.solved}
-    entries = own.get(name, (name,))
-    if found.size != len(entries):
-        raise ArgumentError(miscounted(where, found.size, entries))
-    if not np.isfinite(found).all():
-        raise SolveError(f"{where} is {shown(value)}; it must be finite")
-    return found
+    numbers, where = np.asarray(value, dtype=np.float64).reshape(-1), f"{letter}={{'{name}': ...}}"
+    dependent = {
+        row.name: row.solved.names(letter) for row in m.model.manifest.joints if row.solved
+    }
+    entries = dependent.get(name, (name,))
+    if numbers.size != len(entries):
+        raise ArgumentError(miscounted(where, numbers.size, entries))
+    if not np.isfinite(numbers).all():
+        raise SolveError(f"{where} is {brief(value)}; it must be finite")
+    return numbers
 
 
 def _follower(m: Mechanism, entries: NDArray[np.intp], value: Array, name: str) -> Follower:
     kinds = _kinds(m.model)[entries]
-    turning = np.isin(kinds, TURNING)
+    angular = np.isin(kinds, ANGULAR_KINDS)
     return Follower(
         name,
         "follower",
         value,
         entries=entries,
         scales=np.where(kinds == "prismatic", m.size, 1.0),
-        turning=turning,
+        angular=angular,
     )
 
 
@@ -102,7 +104,7 @@ def _kinds(model: LoadedModel) -> NDArray[np.str_]:
     return np.array([joint.kind for joint in joints if joint.solved for _ in joint.solved.q])
 
 
-def place(m: Mechanism, q: Array, named: Mapping[str, Any], given: Mapping[str, Any]) -> Array:
+def place(m: Mechanism, q: Array, named: Mapping[str, Any], dependents: Mapping[str, Any]) -> Array:
     """Coordinates (nq,) next to a start, named ones held, of joints that follow too.
 
     Args:
@@ -116,21 +118,16 @@ def place(m: Mechanism, q: Array, named: Mapping[str, Any], given: Mapping[str, 
     places = followers(m.model.manifest, "q")
     count = max(part.stop for part in places.values())
     goals = read(m, named)
-    asked = [
-        _follower(
-            m,
-            np.arange(count)[places[name]],
-            _numbers(m, "q", name, value),
-            name,
-        )
-        for name, value in given.items()
+    prescribed = [
+        _follower(m, np.arange(count)[places[name]], _numbers(m, "q", name, value), name)
+        for name, value in dependents.items()
     ]
-    own = wished(m, goals, q)
-    free = np.setdiff1d(np.arange(count), [k for one in asked for k in one.entries])
+    preferred = wished(m, goals, q)
+    free = np.setdiff1d(np.arange(count), [k for one in prescribed for k in one.entries])
     starts = _starts(m.model, count)
-    near: list[Target] = [own, _softly(_follower(m, free, starts[free], "start"))]
-    end = _next_to(m, [*goals, *asked, *near], q) if len(own.entries) else q
-    for one in asked:
+    near: list[Target] = [preferred, _softly(_follower(m, free, starts[free], "start"))]
+    end = _next_to(m, [*goals, *prescribed, *near], q) if len(preferred.entries) else q
+    for one in prescribed:
         off = np.abs(missed(m, one, end))
         if not (off <= NEARLY).all():
             _refuse(m, end, one)
@@ -144,7 +141,7 @@ def _next_to(m: Mechanism, targets: list[Target], q: Array) -> Array:
     best: Solution | None = None
     for k in range(STARTS):
         begin = drawn(m, q, rng) if k else q
-        if not np.isfinite(_following(m, begin[None])).all():
+        if not np.isfinite(_dependent_values(m, begin[None])).all():
             continue
         end = solver.search(begin)
         if end.met and (best is None or end.cost < (1 - EQUAL) * best.cost):
@@ -159,13 +156,13 @@ def _softly(one: Follower) -> Follower:
 
 
 def _starts(model: LoadedModel, count: int) -> Array:
-    """Where joints that follow start: q0 as declared, else in the reference position."""
-    found = np.zeros(count)
+    """Initial values of dependent joints: q0 as declared, else in the reference position."""
+    values = np.zeros(count)
     places = followers(model.manifest, "q")
     for joint in model.manifest.joints:
         if joint.name in places and joint.solved and joint.q0:
-            found[places[joint.name]] = joint.q0
-    return found
+            values[places[joint.name]] = joint.q0
+    return values
 
 
 def _refuse(m: Mechanism, q: Array, one: Follower) -> None:
@@ -174,45 +171,49 @@ def _refuse(m: Mechanism, q: Array, one: Follower) -> None:
         for row in m.model.manifest.joints
         if row.solved and (row.name == one.name or one.name in row.solved.q)
     )
-    found = _following(m, q[None])[0][one.entries]
-    gives = ", ".join(f"{x:.6g}" for x in found) if np.isfinite(found).all() else "none"
+    computed = _dependent_values(m, q[None])[0][one.entries]
+    gives = ", ".join(f"{x:.6g}" for x in computed) if np.isfinite(computed).all() else "none"
     raise ModelError(
-        f"q={{'{one.name}': {', '.join(f'{x:.6g}' for x in one.value)}}}: the circuit that "
+        f"q={{'{one.name}': {', '.join(f'{x:.6g}' for x in one.value)}}}: the loop that "
         f"'{solution.loop}' closes gives {gives} next to the other named values, on "
         "the branch of its formulas. Name fewer coordinates, or take constraints='multipliers', "
         "which takes either branch"
     )
 
 
-def speed(m: Mechanism, q: Array, u: Array, held: list[int], given: Mapping[str, Any]) -> Array:
-    """Speeds (nu,) next to a start with those of joints that follow, entries ``held`` kept.
+def speed(
+    m: Mechanism, q: Array, u: Array, locked: list[int], named_values: Mapping[str, Any]
+) -> Array:
+    """Speeds (nu,) next to a start with those of joints that follow, entries ``locked`` kept.
 
     Raises:
         ModelError: speeds that do not hold together.
     """
     places = followers(m.model.manifest, "u")
     r = m.model._layout.start("r") if m.r is None else m.r
+    # rates of dependent joints are affine in the speeds: evaluate at 0 and unit speeds
     basis = np.concatenate([np.zeros((1, m.model.nu)), np.eye(m.model.nu)])
     inputs = np.tile(r, (len(basis), 1))
     rates = dependents(m.model, np.tile(q, (len(basis), 1)), basis, m.t, inputs)[1]
-    G, rest = (rates[1:] - rates[0]).T, rates[0]
+    G, offset = (rates[1:] - rates[0]).T, rates[0]
     chosen, values = list[int](), list[float]()
-    for name, value in given.items():
-        own = range(*places[name].indices(len(rest)))
-        chosen += own
+    for name, value in named_values.items():
+        entries = range(*places[name].indices(len(offset)))
+        chosen += entries
         values += _numbers(m, "u", name, value).tolist()
-    free = np.setdiff1d(np.arange(m.model.nu), held)
-    gap = np.concatenate([np.array(values) - rest[chosen] - G[chosen] @ u, -m.rates(q, u)])
+    free = np.setdiff1d(np.arange(m.model.nu), locked)
+    gap = np.concatenate([np.array(values) - offset[chosen] - G[chosen] @ u, -m.rates(q, u)])
     rows = np.concatenate([G[chosen], m.jacobian(q) / m.columns])[:, free]
+    # least change of the free speeds that meets named rates and constraints
     step = np.linalg.lstsq(rows, gap, rcond=None)[0]
-    found = u.copy()
-    found[free] += step
+    speeds = u.copy()
+    speeds[free] += step
     left = np.abs(gap - rows @ step)
     size = max(1.0, float(np.abs(values).max(initial=0.0)))
-    if not (left <= max(APART, m.slack) * size).all():
-        names = ", ".join(f"'{name}'" for name in given)
+    if not (left <= max(SPEED_TOL, m.closure_tol) * size).all():
+        names = ", ".join(f"'{name}'" for name in named_values)
         raise ModelError(
-            f"speeds of {names} cannot hold together with the others that are named: the circuits "
+            f"speeds of {names} cannot hold together with the others that are named: the loops "
             f"miss them by {left.max():.3g}. Leave one of them out"
         )
-    return found
+    return speeds

@@ -1,4 +1,4 @@
-"""Where a run of elements in tables starts: the joints are assembled, nodes and beams go along.
+"""Start of a run of elements in tables: assemble the joints; nodes and beams follow.
 
 Loops that joints alone do not close are closed by all nodes: beams bend then, and what is named is
 held all the same.
@@ -47,15 +47,15 @@ def meshed_start(model: LoadedModel, x: Array, q: Any, u: Any, t: float, r: Arra
         SolveWarning: beams are strained beyond what materials bear.
     """
     start = _Start(model, x, q, u, t, r)
-    place, carried = start.place()
-    speed = start.speed(place, carried)
-    found = np.concatenate([place, speed, start.internal])
-    warn_of_strain(model, found)
-    return found
+    place, by_joints = start.place()
+    speed = start.speed(place, by_joints)
+    state = np.concatenate([place, speed, start.internal])
+    warn_of_strain(model, state)
+    return state
 
 
 def start_of_search(
-    model: LoadedModel, x: Array, q: Any, hold: Mapping[str, Any], t: float, r: Array
+    model: LoadedModel, x: Array, q: Any, locked: Mapping[str, Any], t: float, r: Array
 ) -> Array:
     """A state (nx,) at which a search for rest begins.
 
@@ -68,19 +68,19 @@ def start_of_search(
     Raises:
         ModelError: no state near it fulfills the constraints.
     """
-    names = {**q, **hold} if isinstance(q, Mapping) else hold
+    names = {**q, **locked} if isinstance(q, Mapping) else locked
     start = _Start(model, x, names, None, t, r)
     place = None
     if q is None or isinstance(q, Mapping):
         with suppress(ModelError):
             place = start.place()[0]
     if place is None:
-        place = start.by_nodes(start.q0, _held(model, hold, "q"))
+        place = start.by_nodes(start.q0, _locked_speeds(model, locked, "q"))
     return np.concatenate([place, start.u0, start.internal])
 
 
 class _Start:
-    """What is named of a start, and where it leads.
+    """A start from named values.
 
     Args: as :func:`meshed_start` takes them.
     """
@@ -88,10 +88,13 @@ class _Start:
     def __init__(self, model: LoadedModel, x: Array, q: Any, u: Any, t: float, r: Array) -> None:
         self.model = model
         self.q0, self.u0, self.internal = (part.copy() for part in model.parts_of(x))
-        self.given = {"t": t, "r": r, "z": self.internal}
+        self.arguments = {"t": t, "r": r, "z": self.internal}
         self.q, self.u = _named(model, q, "q"), _named(model, u, "u")
-        kept = [*_own_nodes(model, self.q, "q"), *_own_nodes(model, self.u, "u")]
-        self.m = NodalMechanism(model, t, r, kept, self.q0)
+        node_entries = [
+            *_free_node_entries(model, self.q, "q"),
+            *_free_node_entries(model, self.u, "u"),
+        ]
+        self.m = NodalMechanism(model, t, r, node_entries, self.q0)
         self.scale = max(size_of(model), float(np.abs(self.q0).max(initial=0.0)), 1e-9)
 
     # positions
@@ -101,7 +104,7 @@ class _Start:
         if self.q is None:
             return self._near(self.q0), False
         begin = self.m.carry(self.q0)
-        names = {k: v for k, v in self.q.items() if not self._kept(k, "q")}
+        names = {k: v for k, v in self.q.items() if not self._stays(k, "q")}
         self.m.nodes_named = any(self._nodal(name, "q") for name in names)
         if self._gap(begin) <= CLOSED * self.scale and not self._missed(names, begin):
             return begin, True
@@ -116,29 +119,29 @@ class _Start:
     def _bent(
         self, names: Mapping[str, Any], begin: Array, problem: ModelError
     ) -> tuple[Array, bool]:
-        """As :meth:`place` where beams cannot stay as they are."""
+        """Same as :meth:`place` where beams cannot stay as they are."""
         if self.m.linked and self.m.links:
-            loose = self.m.unlinked()
+            unlinked = self.m.unlinked()
             try:
-                return loose.carry(assembled(loose, read(loose, names), begin).q), True
+                return unlinked.carry(assembled(unlinked, read(unlinked, names), begin).q), True
             except ModelError:
                 pass
-        held = _held(self.model, self.q, "q")
+        locked = _locked_speeds(self.model, self.q, "q")
         try:
-            found = self.by_nodes(begin, held)
+            position = self.by_nodes(begin, locked)
         except ModelError:
             raise problem from None
-        if any(np.abs(missed(self.m, goal, found)).max() > GOOD for goal in read(self.m, names)):
+        if any(np.abs(missed(self.m, goal, position)).max() > GOOD for goal in read(self.m, names)):
             # what is named cannot be held, and is not replaced
             raise problem
-        return self.m.nearest(found, begin), False
+        return self.m.nearest(position, begin), False
 
     def _missed(self, names: Mapping[str, Any], q: Array) -> bool:
-        """Whether something named or a beam is missed, or an axis is turned round."""
+        """True when something named or a beam is missed, or an axis is turned round."""
         m = self.m
         open_by = np.abs(m.residuals(q)).max(initial=0.0)
         off = [np.abs(missed(m, goal, q)).max() for goal in read(m, names)]
-        return bool(max([open_by, *off]) > GOOD) or bool(m.turned(q))
+        return bool(max([open_by, *off]) > GOOD) or bool(m.reversed_axis(q))
 
     def _near(self, q: Array) -> Array:
         """Coordinates that were all given, closed to the last digits."""
@@ -153,15 +156,15 @@ class _Start:
         return self.by_nodes(q, np.zeros(self.model.nu))
 
     def _gaps(self, q: Array) -> Array:
-        found: Array = self.model._evaluate(
-            ("constraints", None), (self.given["t"], q, self.given["r"]), None, None
+        gaps: Array = self.model._evaluate(
+            ("constraints", None), (self.arguments["t"], q, self.arguments["r"]), None, None
         )
-        return found
+        return gaps
 
     def _gap(self, q: Array) -> float:
         return float(np.abs(self._gaps(q)).max(initial=0.0))
 
-    def by_nodes(self, q: Array, held: Array) -> Array:
+    def by_nodes(self, q: Array, locked: Array) -> Array:
         """Newton's steps of all coordinates but those held along a speed.
 
         Raises:
@@ -172,18 +175,18 @@ class _Start:
         if not positions:
             return place
         for _ in range(MOST):
-            found = self._closed("close_position", place, speed, held)
-            last, gap = gap, float(np.abs(found[len(q) :]).max(initial=0.0))
+            step = self._closed("close_position", place, speed, locked)
+            last, gap = gap, float(np.abs(step[len(q) :]).max(initial=0.0))
             good = gap <= GOOD * self.scale and gap >= 0.5 * last
             if gap <= CLOSED * self.scale or good:
                 return place
-            place = found[: len(q)]
+            place = step[: len(q)]
             _normalize(self.model, place)
-        raise ModelError(_open(self.model, found[len(q) :]))
+        raise ModelError(_open(self.model, step[len(q) :]))
 
     # speeds
 
-    def speed(self, q: Array, carried: bool) -> Array:
+    def speed(self, q: Array, by_joints: bool) -> Array:
         """Speeds of everything at a position.
 
         Raises:
@@ -191,32 +194,34 @@ class _Start:
         """
         if self.u is None:
             return self._near_speeds(q)
-        names = {k: v for k, v in self.u.items() if not self._kept(k, "u")}
-        if carried:
+        names = {k: v for k, v in self.u.items() if not self._stays(k, "u")}
+        if by_joints:
             # beams take up what the speeds of their ends differ by
             m = self.m.unlinked()
             if m.closing.rows:
                 refuse_singular(m, q)
             try:
-                found = m.state(q, speeds(m, q, names, self.u0))[1]
+                solved = m.state(q, speeds(m, q, names, self.u0))[1]
                 # nodes that beams alone hold have the speeds that were named
-                own = [self.model.speeds.index(n) for n in _own_nodes(self.model, self.u, "u")]
-                found[own] = self.u0[own]
-                return found
+                entries = [
+                    self.model.speeds.index(n) for n in _free_node_entries(self.model, self.u, "u")
+                ]
+                solved[entries] = self.u0[entries]
+                return solved
             except ModelError:
                 if not table_loading.tables_of(self.model).beams:
                     raise
-        u = self.m.state(q, self.u0)[1] if carried else self.u0
-        held = _held(self.model, self.u, "u")
-        found = self._closed("close_velocity", q, u, held)[: self.model.nu]
-        off = np.abs(found - u)[held != 0].max(initial=0.0)
+        u = self.m.state(q, self.u0)[1] if by_joints else self.u0
+        locked = _locked_speeds(self.model, self.u, "u")
+        solved = self._closed("close_velocity", q, u, locked)[: self.model.nu]
+        off = np.abs(solved - u)[locked != 0].max(initial=0.0)
         if off > GOOD * max(1.0, float(np.abs(u).max(initial=0.0))):
             raise ModelError(
                 f"speeds of {', '.join(f'{name!r}' for name in self.u)} cannot hold together. "
                 "Leave one of them out"
             )
-        self._check_rates(q, found, ", ".join(f"'{name}'" for name in self.u) or "all joints")
-        return found
+        self._check_rates(q, solved, ", ".join(f"'{name}'" for name in self.u) or "all joints")
+        return solved
 
     def _near_speeds(self, q: Array) -> Array:
         """Speeds that were all given, made consistent to the last digits."""
@@ -233,10 +238,10 @@ class _Start:
         return self._closed("close_velocity", q, u, np.zeros(self.model.nu))[: self.model.nu]
 
     def _rates(self, q: Array, u: Array) -> Array:
-        found: Array = self.model._evaluate(
-            ("constraint_rates", None), (self.given["t"], q, u, self.given["r"]), None, None
+        rates: Array = self.model._evaluate(
+            ("constraint_rates", None), (self.arguments["t"], q, u, self.arguments["r"]), None, None
         )
-        return found
+        return rates
 
     def _check_rates(self, q: Array, u: Array, said: str) -> None:
         """Refuse speeds that constraints do not allow."""
@@ -252,31 +257,33 @@ class _Start:
 
     # names
 
-    def _kept(self, name: str, letter: str) -> bool:
-        return bool(_own_nodes(self.model, {name: 0.0}, letter))
+    def _stays(self, name: str, letter: str) -> bool:
+        return bool(_free_node_entries(self.model, {name: 0.0}, letter))
 
     def _nodal(self, name: str, letter: str) -> bool:
-        """Whether a name belongs to a node that joints carry."""
+        """True when a name belongs to a node that joints carry."""
         place = entries(self.model.manifest, letter)[name]
         return place.start not in set(self.m.led.tolist())
 
-    def _closed(self, name: str, q: Array, u: Array, held: Array) -> Array:
+    def _closed(self, name: str, q: Array, u: Array, locked: Array) -> Array:
         source = self.model._source
         assert isinstance(source, Assembled)
-        return source.results(self.model).closed(name, q, u, held, self.given)
+        return source.results(self.model).closed(name, q, u, locked, self.arguments)
 
 
-def _named(model: LoadedModel, given: Any, letter: str) -> Mapping[str, Any] | None:
-    """What was named; None where every entry was given."""
-    if given is not None and not isinstance(given, Mapping):
+def _named(model: LoadedModel, values: Any, letter: str) -> Mapping[str, Any] | None:
+    """The named values; None where every entry is given."""
+    if values is not None and not isinstance(values, Mapping):
         return None
     places = entries(model.manifest, letter)
     size = {"q": model.nq, "u": model.nu}[letter]
-    known = {k for name in given or {} for k in range(*places[name].indices(size))}
-    return None if len(known) == size else given or {}
+    named_entries = {k for name in values or {} for k in range(*places[name].indices(size))}
+    return None if len(named_entries) == size else values or {}
 
 
-def _own_nodes(model: LoadedModel, named: Mapping[str, Any] | None, letter: str) -> list[str]:
+def _free_node_entries(
+    model: LoadedModel, named: Mapping[str, Any] | None, letter: str
+) -> list[str]:
     """Entries of names that belong to nodes which beams alone hold: they stay where they are."""
     if not named:
         return []
@@ -284,29 +291,31 @@ def _own_nodes(model: LoadedModel, named: Mapping[str, Any] | None, letter: str)
     inside = sum(len(line) - 2 for line in tables.beams)
     free = {*manifest.elements.beam_nodes, *range(len(tables.kind) - inside, len(tables.kind))}
     starts = tables.q if letter == "q" else tables.u
-    own = {k for place in free for k in range(starts[place], starts[place + 1])}
+    node_entries = {k for place in free for k in range(starts[place], starts[place + 1])}
     places = entries(manifest, letter)
     names = model.coordinates if letter == "q" else model.speeds
-    given = {k for name in named for k in range(places[name].start, places[name].stop)}
-    return [names[k] for k in sorted(own & given)]
+    named_entries = {k for name in named for k in range(places[name].start, places[name].stop)}
+    return [names[k] for k in sorted(node_entries & named_entries)]
 
 
-def _held(model: LoadedModel, named: Any, letter: str) -> Array:
+def _locked_speeds(model: LoadedModel, named: Any, letter: str) -> Array:
     """1 for the speeds (nu,) along which nothing may change."""
-    held = np.zeros(model.nu)
+    locked = np.zeros(model.nu)
     if not isinstance(named, Mapping) or not named:
-        return held
+        return locked
     places = entries(model.manifest, letter)
     sizes = {"q": model.nq, "u": model.nu}[letter]
-    known = {k for name in named for k in range(*places[name].indices(sizes))}
+    named_entries = {k for name in named for k in range(*places[name].indices(sizes))}
     for joint in model.manifest.joints:
         (start, count), (first, speeds) = joint.slot("q"), joint.slot("u")
         if letter == "u":
-            held[[k for k in range(first, first + speeds) if k in known]] = 1.0
-        elif known & set(range(start, start + count)):
-            own = count == speeds
-            held[[first + k for k in range(speeds) if not own or start + k in known]] = 1.0
-    return held
+            locked[[k for k in range(first, first + speeds) if k in named_entries]] = 1.0
+        elif named_entries & set(range(start, start + count)):
+            same_layout = count == speeds
+            locked[
+                [first + k for k in range(speeds) if not same_layout or start + k in named_entries]
+            ] = 1.0
+    return locked
 
 
 def _normalize(model: LoadedModel, q: Array) -> None:
@@ -315,7 +324,7 @@ def _normalize(model: LoadedModel, q: Array) -> None:
 
 
 def _open(model: LoadedModel, gaps: Array) -> str:
-    """What cannot be closed."""
+    """Message about constraints that cannot be closed."""
     k = int(np.argmax(np.abs(gaps)))
     row = model.manifest.multipliers[k]
     return (

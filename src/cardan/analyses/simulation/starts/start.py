@@ -1,4 +1,4 @@
-"""Where a run of a closed system starts: what is named is held, the rest is assembled."""
+"""Start of a run of a closed system: named values are locked, the rest is assembled."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ def closed_start(model: LoadedModel, begin: Start, q: Any, u: Any, t: float, r: 
     if manifest.absolute:
         return replace(begin, x=meshed_start(model, begin.x, q, u, t, r))
     if followers(manifest, "q"):
-        q, u = (_own(manifest, letter, block) for letter, block in (("q", q), ("u", u)))
+        q, u = (_independent(manifest, letter, block) for letter, block in (("q", q), ("u", u)))
         begin = _followed(model, begin, q, u, t, r)
     always = [row for row in manifest.multipliers if not row.switched]
     if not always or "constraints" not in manifest.available:
@@ -57,17 +57,17 @@ def closed_start(model: LoadedModel, begin: Start, q: Any, u: Any, t: float, r: 
     m = Mechanism.at(model, t, r)
     place, speed, internal = model.parts_of(begin.x)
     place = positions(m, place, named_of("q", model, q))
-    m.slack = m.slack or closure_tolerance(m, place)
+    m.closure_tol = m.closure_tol or closure_tolerance(m, place)
     speed = _speeds(m, place, speed, named_of("u", model, u))
-    return replace(begin, x=np.concatenate([place, speed, internal]), slack=m.slack)
+    return replace(begin, x=np.concatenate([place, speed, internal]), closure_tol=m.closure_tol)
 
 
-def _own(manifest: Manifest, letter: str, given: Any) -> Any:
-    """What was given, less joints that follow from loops."""
-    if not isinstance(given, Mapping):
-        return given
+def _independent(manifest: Manifest, letter: str, values: Any) -> Any:
+    """The named values without joints that follow from loops."""
+    if not isinstance(values, Mapping):
+        return values
     places = followers(manifest, letter)
-    return {name: value for name, value in given.items() if name not in places}
+    return {name: value for name, value in values.items() if name not in places}
 
 
 def _followed(model: LoadedModel, begin: Start, q: Any, u: Any, t: float, r: Array) -> Start:
@@ -78,17 +78,14 @@ def _followed(model: LoadedModel, begin: Start, q: Any, u: Any, t: float, r: Arr
         at = place(m, at, q or {}, begin.followers.get("q", {}))
     if begin.followers.get("u"):
         places = entries(model.manifest, "u")
-        held = [k for name in u or {} for k in range(*places[name].indices(model.nu))]
-        speed = followed(m, at, speed, held, begin.followers["u"])
+        locked = [k for name in u or {} for k in range(*places[name].indices(model.nu))]
+        speed = followed(m, at, speed, locked, begin.followers["u"])
     return replace(begin, x=np.concatenate([at, speed, internal]))
 
 
 @checked
 def initial(
-    model: LoadedModel,
-    q: Values | None = None,
-    u: Values | None = None,
-    z: Values | None = None,
+    model: LoadedModel, q: Values | None = None, u: Values | None = None, z: Values | None = None
 ) -> Array:
     """The state x (nx,) in which a run with these named values starts.
 
@@ -109,14 +106,14 @@ def initial(
     return closed_start(model, begin, q, u, 0.0, model._layout.start("r")).x
 
 
-def named_of(letter: str, model: LoadedModel, given: Any) -> Mapping[str, Any] | None:
-    """What was named; None where every entry was given."""
-    if given is not None and not isinstance(given, Mapping):
+def named_of(letter: str, model: LoadedModel, values: Any) -> Mapping[str, Any] | None:
+    """The named values; None where every entry is given."""
+    if values is not None and not isinstance(values, Mapping):
         return None
     places = entries(model.manifest, letter)
     rows = model.coordinates if letter == "q" else model.speeds
-    known = {k for name in given or {} for k in range(*places[name].indices(len(rows)))}
-    return None if len(known) == len(rows) else given or {}
+    named_entries = {k for name in values or {} for k in range(*places[name].indices(len(rows)))}
+    return None if len(named_entries) == len(rows) else values or {}
 
 
 def positions(m: Mechanism, q: Array, named: Mapping[str, Any] | None) -> Array:
@@ -124,8 +121,8 @@ def positions(m: Mechanism, q: Array, named: Mapping[str, Any] | None) -> Array:
     open_by = float(np.abs(m.residuals(q)).max(initial=0.0))
     if named is None and open_by <= NEARLY:
         end = PositionSolver(m).search(q)
-        if end.turned:
-            raise ModelError(reversed_axis_message(end.turned))
+        if end.reversed_axis:
+            raise ModelError(reversed_axis_message(end.reversed_axis))
         if end.met:
             return end.q
     every = dict(zip(m.model.coordinates, q.tolist(), strict=True))
@@ -134,7 +131,7 @@ def positions(m: Mechanism, q: Array, named: Mapping[str, Any] | None) -> Array:
 
 
 def _speeds(m: Mechanism, q: Array, u: Array, named: Mapping[str, Any] | None) -> Array:
-    """Speeds that circuits allow."""
+    """Speeds that loops allow."""
     if named is not None:
         refuse_singular(m, q)
         return speeds(m, q, named, u)

@@ -7,7 +7,7 @@ import numpy as np
 from ....arrays import Array
 from ....errors import SolveWarning, warn
 from ....runtime.models.finite_elements import table_loading
-from ....runtime.models.finite_elements.carried_nodes import Carrier
+from ....runtime.models.finite_elements.joint_driven_nodes import Carrier
 from ....runtime.models.loaded_model import LoadedModel
 
 LARGE = 0.1  # strain: no linear elastic material is meant to bear more
@@ -77,9 +77,7 @@ def _relative(rotations: Array, positions: Array) -> tuple[Array, Array]:
     safe = np.where(angle > SMALL_ANGLE, angle, 1.0)
     # inverse of the map from a twist to the way it leads
     second = np.where(
-        angle > SMALL_ANGLE,
-        (1 - safe * np.sin(safe) / (2 * (1 - np.cos(safe)))) / safe**2,
-        1 / 12,
+        angle > SMALL_ANGLE, (1 - safe * np.sin(safe) / (2 * (1 - np.cos(safe)))) / safe**2, 1 / 12
     )
     once = np.cross(theta, d)
     return theta, d - once / 2 + second[:, None] * np.cross(theta, once)

@@ -1,4 +1,4 @@
-"""The ways to treat constraints, by name."""
+"""Ways to treat constraints: ``cd.derive(scene, constraints=cd.constraints.Penalty(1e9))``."""
 
 from ....errors import DerivationError, near
 from .augmented import Augmented
@@ -12,32 +12,24 @@ from .treatment import Bound, Labels, Treatment
 
 TREATMENTS: dict[str, type[Treatment]] = {
     treatment.name: treatment
-    for treatment in (
-        Multipliers,
-        Elimination,
-        NullSpace,
-        Baumgarte,
-        Penalty,
-        Augmented,
-        Perturbed,
-    )
+    for treatment in (Multipliers, Elimination, NullSpace, Baumgarte, Penalty, Augmented, Perturbed)
 }
 
 
-def treatment(asked: str | Treatment) -> Treatment:
+def treatment(requested: str | Treatment) -> Treatment:
     """A treatment by its name, or as it is.
 
     Raises:
         DerivationError: there is none of that name.
     """
-    if isinstance(asked, Treatment):
-        return asked
-    if asked in ("auto", "closed_form"):
+    if isinstance(requested, Treatment):
+        return requested
+    if requested in ("auto", "closed_form"):
         return Multipliers()
-    if asked not in TREATMENTS:
-        known = near(asked, (*TREATMENTS, "closed_form"))
-        raise DerivationError(f"constraints='{asked}' is no way to treat them.{known}")
-    return TREATMENTS[asked]()
+    if requested not in TREATMENTS:
+        hint = near(requested, (*TREATMENTS, "closed_form"))
+        raise DerivationError(f"constraints='{requested}' is not a way to treat them.{hint}")
+    return TREATMENTS[requested]()
 
 
 __all__ = [

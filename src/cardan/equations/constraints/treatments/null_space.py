@@ -25,5 +25,5 @@ class NullSpace(Treatment):
         G = bound.jacobian
         n = G.columns
         across = G.T @ solve("semidefinite", (G @ G.T).mirrored, Matrix.hstack(bound.gamma, G))
-        held = across.block(slice(0, n), slice(1, 1 + n))
-        return by_motions(bound, across.column(0), held.mirrored)
+        across_motions = across.block(slice(0, n), slice(1, 1 + n))
+        return by_motions(bound, across.column(0), across_motions.mirrored)

@@ -1,4 +1,4 @@
-"""What every treatment of constraints is given and gives."""
+"""Interface of the treatments of constraints."""
 
 from __future__ import annotations
 
@@ -76,8 +76,8 @@ def by_multipliers(bound: Bound, gamma: Matrix, compliance: float = 0.0) -> tupl
     """udot and lam with G udot + compliance lam = gamma, column by column of drive and gamma.
 
     M is eliminated in static order, ``factor = L, D: M = Lᵀ D L, free_udot = M⁻¹ drive,
-    response = M⁻¹ Gᵀ``; what is left, circuit = G response, is factored with pivoting for
-    ``multipliers = circuit⁻¹ (gamma - G free_udot)``; then
+    response = M⁻¹ Gᵀ``; what is left, loop = G response, is factored with pivoting for
+    ``multipliers = loop⁻¹ (gamma - G free_udot)``; then
     ``udot = free_udot + response multipliers``.
     """
     bound.mass.graph.describe(by_multipliers)
@@ -116,7 +116,7 @@ def by_penalty(
     return udot, lam
 
 
-def by_motions(bound: Bound, one: Matrix, held: Matrix) -> tuple[Matrix, Matrix]:
+def by_motions(bound: Bound, one: Matrix, projector: Matrix) -> tuple[Matrix, Matrix]:
     """udot = one + Z y from the balance along the motions, and the lam that goes with it.
 
     Args:
@@ -126,10 +126,10 @@ def by_motions(bound: Bound, one: Matrix, held: Matrix) -> tuple[Matrix, Matrix]
     """
     G, M = bound.jacobian, bound.mass
     n = M.rows
-    motions = Matrix.identity(G.graph, n) - held
+    motions = Matrix.identity(G.graph, n) - projector
     # X Z = 0: what X adds makes the matrix regular and changes nothing along Z
     masses = [M[i, i].node if i == j else ZERO for i in range(n) for j in range(n)]
-    inertia = motions.T @ (M @ motions) + held.T @ (Matrix(G.graph, n, n, masses) @ held)
+    inertia = motions.T @ (M @ motions) + projector.T @ (Matrix(G.graph, n, n, masses) @ projector)
     y = solve("semidefinite", inertia.mirrored, motions.T @ (bound.drive - M @ one))
     udot = one + motions @ y
     missing = M @ udot - bound.drive

@@ -34,7 +34,10 @@ class Assembled(Source):
         self._results: Results | None = None
 
     def results(self, model: LoadedModel) -> Results:
-        """What evaluates them; made on first use, once for all threads: runs keep its address."""
+        """Evaluator of the functions;
+
+        made on first use, once for all threads: runs keep its address.
+        """
         with model._objects.lock:
             if self._results is None:
                 self._results = Results(load(model), model)
@@ -44,10 +47,10 @@ class Assembled(Source):
         """Make functions callable."""
         for name, of in missing:
             if name not in OF_ELEMENTS:
-                known = ", ".join(OF_ELEMENTS)
+                available = ", ".join(OF_ELEMENTS)
                 raise ModelError(
                     f"model '{model.name}' is in absolute coordinates, which offer no '{name}'. "
-                    f"There are: {known}"
+                    f"There are: {available}"
                 )
             model._functions[name, of] = self._function(model, name, of)
 
@@ -111,8 +114,10 @@ class _Evaluator:
         self, blocks: list[Array | None], strides: Sequence[int], out: Array
     ) -> tuple[int, int]:
         """The results of every row of ``out``."""
-        given = [(n, b, d) for n, b, d in zip(ORDER, blocks, strides, strict=True) if b is not None]
+        present = [
+            (n, b, d) for n, b, d in zip(ORDER, blocks, strides, strict=True) if b is not None
+        ]
         for k in range(len(out)):
-            here = {name: block[k * stride :] for name, block, stride in given}
+            here = {name: block[k * stride :] for name, block, stride in present}
             out[k] = np.reshape(self.function(here), -1)
         return 0, -1

@@ -26,7 +26,7 @@ ENDS, ROWS = 2, 4  # of an element; stress and strain there
 @final
 @dataclass(frozen=True, repr=False, eq=False)
 class BeamStress:
-    """What a beam carries, at the start and at the end of each of its n elements.
+    """Internal forces of a beam, at the start and at the end of each of its n elements.
 
     Axes are those of the section, e1 along the beam. Forces are those of what lies ahead on what
     lies behind: tension is positive. Two neighbors differ at their node by what is applied there.
@@ -63,8 +63,8 @@ class BeamStress:
             ModelError: the section was given by stiffnesses.
         """
         fiber = self.strain[..., 0] + self.curvature[..., 1] * np.asarray(z)
-        found: Array = self._modulus() * (fiber - self.curvature[..., 2] * np.asarray(y))
-        return found
+        stress: Array = self._modulus() * (fiber - self.curvature[..., 2] * np.asarray(y))
+        return stress
 
     @property
     def extreme(self) -> Array:
@@ -75,8 +75,8 @@ class BeamStress:
         far = width * np.hypot(bent[..., 0], bent[..., 1])
         corner = height * bent[..., 0] + width * bent[..., 1]
         fiber = np.abs(self.strain[..., 0]) + (far if is_round else corner)
-        found: Array = self._modulus() * fiber
-        return found
+        stress: Array = self._modulus() * fiber
+        return stress
 
     def _modulus(self) -> float:
         if self.modulus is None:
@@ -109,16 +109,16 @@ def beam(model: LoadedModel, name: str, q: State) -> BeamStress:
     """
     rows = [row for row in model.manifest.beams if row.name == name]
     if not rows:
-        known = list(dict.fromkeys(row.name for row in model.manifest.beams))
-        raise ModelError(f"model '{model.name}' has no beam '{name}'.{near(name, known)}")
+        names = list(dict.fromkeys(row.name for row in model.manifest.beams))
+        raise ModelError(f"model '{model.name}' has no beam '{name}'.{near(name, names)}")
     places = np.asarray(model._vector("q", q), dtype=np.float64)
     if places.shape[-1:] != (model.nq,):
         raise ArgumentError(f"q has shape {places.shape}, expected (..., {model.nq})")
     elements: Elements = model._source.results(model).mesh  # type: ignore[attr-defined]
     lead = places.shape[:-1]
-    found = _along(elements, _members(elements, name), places.reshape(-1, model.nq))
-    found = found.reshape(*lead, -1, ROWS, 6)
-    ends = [found[..., k : k + ENDS, :].reshape(*lead, -1, 6) for k in (0, ENDS)]
+    forces = _along(elements, _members(elements, name), places.reshape(-1, model.nq))
+    forces = forces.reshape(*lead, -1, ROWS, 6)
+    ends = [forces[..., k : k + ENDS, :].reshape(*lead, -1, 6) for k in (0, ENDS)]
     stations = [
         line
         for row, line in zip(model.manifest.beams, elements.tables.stations, strict=True)
@@ -151,13 +151,13 @@ def _members(elements: Elements, name: str) -> list[tuple[int, int]]:
 def _along(elements: Elements, members: list[tuple[int, int]], q: Array) -> Array:
     """Stress and strain at both ends of every element (states, n, 24)."""
     numbers, rows = np.array(members, dtype=np.intp).reshape(-1, 2).T
-    found = np.empty((len(q), len(members), ROWS * 6))
+    stress = np.empty((len(q), len(members), ROWS * 6))
     for k, place in enumerate(q):
         tables = elements.results(FORM, ElementState(place))
         for number in np.unique(numbers):
-            own = numbers == number
-            found[k, own] = tables[number][rows[own]]
-    return found
+            selected = numbers == number
+            stress[k, selected] = tables[number][rows[selected]]
+    return stress
 
 
 @checked

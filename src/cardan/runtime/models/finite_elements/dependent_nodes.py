@@ -21,7 +21,9 @@ GROUND = -1
 
 @dataclass(frozen=True)
 class Motion:
-    """How a node left its reference pose: a rotation about the ground's origin, then a shift.
+    """Displacement of a node from its reference pose:
+
+    a rotation about the ground's origin, then a shift.
 
     Attributes:
         turn: Rotation.
@@ -35,15 +37,11 @@ class Motion:
     velocity: Array
 
 
-_REST = Motion(Rotation.identity(), np.zeros(3), np.zeros(3), np.zeros(3))
+_STILL = Motion(Rotation.identity(), np.zeros(3), np.zeros(3), np.zeros(3))
 
 
 def trailed(
-    tables: Tables,
-    lines: Sequence[Integers],
-    reference: Array,
-    x: Array,
-    held: Collection[int],
+    tables: Tables, lines: Sequence[Integers], reference: Array, x: Array, located: Collection[int]
 ) -> Array:
     """A state (nx,) whose beams follow the nodes that stand where they are told to.
 
@@ -54,56 +52,55 @@ def trailed(
         x: The state, with those nodes where they are to be.
         held: Places that are there already.
     """
-    moved, known = x.copy(), dict[int, Motion]()
-    known[GROUND] = _REST
+    moved, motions = x.copy(), dict[int, Motion]()
+    motions[GROUND] = _STILL
     ends = {int(place) for line in lines for place in (line[0], line[-1])}
-    for place in ends & set(held):
-        known[place] = motion_of(tables, reference, x, place)
-    waiting = joined(lines, known)
+    for place in ends & set(located):
+        motions[place] = motion_of(tables, reference, x, place)
+    waiting = joined(lines, motions)
     while waiting:
         # first what lies between two known ends, then what hangs on one
-        ready = sorted(waiting, key=lambda line: -sum(int(line[k]) in known for k in (0, -1)))
+        ready = sorted(waiting, key=lambda line: -sum(int(line[k]) in motions for k in (0, -1)))
         line = ready[0]
         waiting = [other for other in waiting if other is not line]
-        one, other = (known.get(int(line[k])) for k in (0, -1))
+        one, other = (motions.get(int(line[k])) for k in (0, -1))
         if one is None and other is None:
             break
-        _carry(tables, reference, moved, line, one or other or _REST, other or one or _REST)
+        _carry(tables, reference, moved, line, one or other or _STILL, other or one or _STILL)
         for k, motion in ((0, other), (-1, one)):
-            known.setdefault(int(line[k]), motion or _REST)
+            motions.setdefault(int(line[k]), motion or _STILL)
     return moved
 
 
-def joined(lines: Sequence[Integers], known: Collection[int]) -> list[Integers]:
+def joined(lines: Sequence[Integers], located: Collection[int]) -> list[Integers]:
     """Lines that go on through nodes where nothing else hangs and nobody says where they are."""
     at: dict[int, list[int]] = {}
     for k, line in enumerate(lines):
         for place in (int(line[0]), int(line[-1])):
             at.setdefault(place, []).append(k)
-    through = {place for place, own in at.items() if len(set(own)) == 2 and place not in known}
-    found: list[Integers] = []
+    through = {
+        place
+        for place, lines_there in at.items()
+        if len(set(lines_there)) == 2 and place not in located
+    }
+    chains: list[Integers] = []
     for line in lines:
         # segments of a beam follow each other
-        if found and int(line[0]) in through and found[-1][-1] == line[0]:
-            found[-1] = np.concatenate([found[-1], line[1:]])
+        if chains and int(line[0]) in through and chains[-1][-1] == line[0]:
+            chains[-1] = np.concatenate([chains[-1], line[1:]])
         else:
-            found.append(line)
-    return found
+            chains.append(line)
+    return chains
 
 
 def motion_of(tables: Tables, reference: Array, x: Array, place: int) -> Motion:
-    """How a place left its pose in the reference configuration."""
+    """Displacement of a place from its pose in the reference configuration."""
     at, home = tables.pose(x, place), tables.pose(reference, place)
     now = _rotation(at[:4])
     turn = now * _rotation(home[:4]).inv()
     speed = tables.speeds(x[tables.nq :], place)
     omega = now.apply(speed[:3])
-    return Motion(
-        turn,
-        at[4:] - turn.apply(home[4:]),
-        omega,
-        speed[3:] - np.cross(omega, at[4:]),
-    )
+    return Motion(turn, at[4:] - turn.apply(home[4:]), omega, speed[3:] - np.cross(omega, at[4:]))
 
 
 def _carry(
@@ -125,5 +122,5 @@ def _carry(
 
 
 def _rotation(q: Array) -> Rotation:
-    """Of unit quaternions (..., 4)."""
+    """Rotation matrices of unit quaternions (..., 4)."""
     return Rotation.from_quat(np.roll(q, -1, axis=-1))

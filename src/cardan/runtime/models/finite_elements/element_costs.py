@@ -1,4 +1,4 @@
-"""What elements cost, one by one and in lanes, and the functions that add them up."""
+"""Cost of elements, one by one and in lanes, and of the functions that add them up."""
 
 from __future__ import annotations
 
@@ -23,19 +23,19 @@ if TYPE_CHECKING:
     from .evaluation import Results
 
 # functions of the whole mesh, and what they ask of elements
-WHOLE = {
+ASSEMBLED_CALLS = {
     "rhs": "rhs",
     "forward_dynamics": "accelerations",
     "inverse_dynamics": "balance",
     "energy": "energy",
 }
 ELEMENTS = ("balance", "balance_tangent")
-JUDGED = 3
+EXACT_STATES = 3
 # how far places are moved from where they start: elements are strained, not torn
 MOVED = 1e-2
 
 
-def rows(model: LoadedModel, seed: int, judged: bool) -> list[Row]:
+def rows(model: LoadedModel, seed: int, with_errors: bool) -> list[Row]:
     """Functions of the whole mesh, then elements kind by kind; errors are those of elements."""
     source = model._source
     assert isinstance(source, Assembled)
@@ -52,52 +52,52 @@ def rows(model: LoadedModel, seed: int, judged: bool) -> list[Row]:
         z=model._layout.start("z"),
         s=model._layout.start("s"),
     )
-    return [*_whole(model, results, q, u), *_elements(model, results, at, judged)]
+    return [*_assembled(model, results, q, u), *_elements(model, results, at, with_errors)]
 
 
-def _whole(model: LoadedModel, results: Results, q: Array, u: Array) -> Iterator[Row]:
-    """What adds up the elements, called from Python."""
+def _assembled(model: LoadedModel, results: Results, q: Array, u: Array) -> Iterator[Row]:
+    """Rows of the functions that add up the elements, called from Python."""
     entries = model.manifest.functions
-    for name, asked in WHOLE.items():
+    for name, call in ASSEMBLED_CALLS.items():
         operations = sum(
             len(group) * entries[group.kind.functions[form]].total_operations
             for group in results.tables.groups
-            for form in NEEDED[asked]
+            for form in NEEDED[call]
             if form in group.kind.functions
         )
-        caller, given = model._function(name).caller, {"q": q, "u": u, "udot": 0 * u, "t": 0.0}
-        given["x"] = start_of(model, {}, {})[0]
-        values = [given.get(argument.name) for argument in caller.arguments]
+        caller, inputs = model._function(name).caller, {"q": q, "u": u, "udot": 0 * u, "t": 0.0}
+        inputs["x"] = start_of(model, {}, {})[0]
+        values = [inputs.get(argument.name) for argument in caller.arguments]
         spent = measuring.timed(lambda c=caller, v=values: c(None, *v), 1)  # type: ignore[misc]
         yield Row(name, operations, spent, math.nan, math.nan, 1, None)
 
 
-def _elements(model: LoadedModel, results: Results, at: State, judged: bool) -> Iterator[Row]:
+def _elements(model: LoadedModel, results: Results, at: State, with_errors: bool) -> Iterator[Row]:
     """The functions of every kind of element, for those of its largest group."""
     groups, saved = results.tables.groups, model._objects.saved()
     ordered = sorted(range(len(groups)), key=lambda k: -len(groups[k]))
     largest = {groups[k].kind.name: k for k in reversed(ordered)}
     for number in sorted(largest.values()):
-        group, given = groups[number], results.mesh.read(number, at)
+        group, inputs = groups[number], results.mesh.read(number, at)
         kind = group.kind
         for symbol in (kind.functions[form] for form in ELEMENTS if form in kind.functions):
             code = model._objects.load([symbol])[0]
             which = np.arange(measuring.BATCH) % len(group)
-            rows = {name: x[which] if x.ndim > 1 else x for name, x in given.items()}
+            rows = {name: x[which] if x.ndim > 1 else x for name, x in inputs.items()}
             run, out = loaded_function.calls(code, rows, len(which))
             spent = measuring.timed(run, len(which)) if code.interpreted is None else math.nan
             run()
             single, lanes = (math.nan, spent) if code.lanes > 1 else (spent, math.nan)
             several = unpacked(out, code.lanes)[: len(group)]
-            error = _error(saved[symbol], given, several) if judged else None
+            error = _error(saved[symbol], inputs, several) if with_errors else None
             operations = code.entry.total_operations
             yield Row(symbol, operations, math.nan, single, lanes, code.lanes, error)
 
 
-def _error(saved: dict[str, Any], given: dict[str, Array], found: Array) -> float:
+def _error(saved: dict[str, Any], inputs: dict[str, Array], values: Array) -> float:
     """Largest error of the first elements against 40 digits."""
     function, worst = from_dict(saved), 0.0
-    for k in range(min(JUDGED, len(found))):
-        one = {name: (x[k] if x.ndim > 1 else x).tolist() for name, x in given.items()}
-        worst = max(worst, measuring.error(function, one, found[k]))
+    for k in range(min(EXACT_STATES, len(values))):
+        one = {name: (x[k] if x.ndim > 1 else x).tolist() for name, x in inputs.items()}
+        worst = max(worst, measuring.error(function, one, values[k]))
     return worst

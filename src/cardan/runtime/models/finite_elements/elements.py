@@ -1,4 +1,4 @@
-"""What elements in tables give together, however their functions are evaluated."""
+"""Sums over elements in tables, however their functions are evaluated."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ INNER = 6
 
 @dataclass(frozen=True)
 class State:
-    """What elements are asked at; blocks that are left out count as zeros.
+    """State at which elements are evaluated; blocks that are left out count as zeros.
 
     Attributes:
         q, u, udot: Coordinates (nq,), speeds and their derivatives (nu,).
@@ -50,7 +50,7 @@ class Elements(ABC):
     inner: int
 
     def read(self, number: int, at: State, inner: int = 0) -> dict[str, Array]:
-        """What the functions of a group read, (n, size) each, or (size,) for all of them.
+        """Inputs of the functions of a group, (n, size) each, or (size,) for all of them.
 
         Args:
             number, at: Which group, where.
@@ -60,18 +60,18 @@ class Elements(ABC):
         n = len(group)
         places = tables.places_of(group)
         columns, zero = tables.columns(group), np.zeros(tables.nu)
-        given = {"q": at.q[places], "p": self.data[number]}
+        blocks = {"q": at.q[places], "p": self.data[number]}
         for name, block in (("u", at.u), ("udot", at.udot), ("du", at.du)):
-            given[name] = (zero if block is None else block)[columns]
+            blocks[name] = (zero if block is None else block)[columns]
         lam = np.zeros(tables.m) if at.lam is None else at.lam
-        given["lam"] = lam[tables.lines(number)]
+        blocks["lam"] = lam[tables.lines(number)]
         for name, which, block in (("z", group.z, at.z), ("s", group.s, at.s)):
-            given[name] = np.zeros((n, 0)) if which is None or block is None else block[which]
+            blocks[name] = np.zeros((n, 0)) if which is None or block is None else block[which]
         if at.inner is not None and "mixed" in group.kind.functions:
-            given["z"] = at.inner[inner : inner + INNER * n].reshape(n, INNER)
-        given["r"] = np.zeros(tables.nr) if at.r is None else at.r
-        given["t"] = np.array([at.t])
-        return given
+            blocks["z"] = at.inner[inner : inner + INNER * n].reshape(n, INNER)
+        blocks["r"] = np.zeros(tables.nr) if at.r is None else at.r
+        blocks["t"] = np.array([at.t])
+        return blocks
 
     @abstractmethod
     def balance(self, at: State) -> tuple[Array, Array, Array]:
@@ -87,7 +87,7 @@ class Elements(ABC):
 
     @abstractmethod
     def results(self, form: str, at: State) -> list[Array]:
-        """Of every group that has the function the results of its elements (n, size)."""
+        """Results of the elements (n, size), for every group that has the function."""
 
     @abstractmethod
     def accelerations(self, at: State, tau: Array | None = None) -> tuple[Array, Array]:
@@ -116,57 +116,57 @@ class Elements(ABC):
 
     def settled(self, at: State) -> Array:
         """Unknowns that elements keep themselves in a search, as they are at a position."""
-        asked = replace(at, inner=np.zeros(self.inner), du=np.zeros(self.tables.nu))
-        return self.stepped(asked)
+        start = replace(at, inner=np.zeros(self.inner), du=np.zeros(self.tables.nu))
+        return self.stepped(start)
 
     def stepped(self, at: State) -> Array:
         """The same after the increment ``at.du``."""
-        found = self.results("mixed_step", at)
-        return np.concatenate([rows.ravel() for rows in found]) if found else np.zeros(0)
+        steps = self.results("mixed_step", at)
+        return np.concatenate([rows.ravel() for rows in steps]) if steps else np.zeros(0)
 
     def loads(self, at: State) -> Array:
         """Sizes (nu,) of the loads that act: forces of all elements but joints, beams, springs."""
         groups = [g for g in self.tables.groups if "balance" in g.kind.functions]
-        found: Array = np.zeros(self.tables.nu)
+        loads: Array = np.zeros(self.tables.nu)
         for group, values in zip(groups, self.results("balance", at), strict=True):
             kind = group.kind
             spring = "energy" in kind.functions and "momentum" not in kind.functions
             if not (kind.m or spring):
-                np.add.at(found, self.tables.columns(group), np.abs(values[:, : kind.nu]))
-        return found
+                np.add.at(loads, self.tables.columns(group), np.abs(values[:, : kind.nu]))
+        return loads
 
     def mixed_balance(self, at: State) -> tuple[Array, Array, Array]:
-        """As :meth:`balance`, where elements keep unknowns ``at.inner`` themselves."""
+        """Same as :meth:`balance`, where elements keep unknowns ``at.inner`` themselves."""
         force, gaps, rates = self.balance(at)
-        for group, (plain, own) in self._mixed("balance", at):
+        for group, (plain, mixed) in self._mixed("balance", at):
             nu = group.kind.nu
-            np.add.at(force, self.tables.columns(group), own[:, :nu] - plain[:, :nu])
+            np.add.at(force, self.tables.columns(group), mixed[:, :nu] - plain[:, :nu])
         return force, gaps, rates
 
     def mixed_tangent(self, at: State) -> dict[str, scipy.sparse.csr_matrix]:
-        """As :meth:`tangent`, likewise."""
-        found, changed = self.tangent(at), []
-        for group, (plain, own) in self._mixed("balance_tangent", at):
+        """Same as :meth:`tangent`, likewise."""
+        matrices, changed = self.tangent(at), []
+        for group, (plain, mixed) in self._mixed("balance_tangent", at):
             nu, start = group.kind.nu, group.kind.parts["K"]
             columns = self.tables.columns(group)
-            change = own[:, nu : nu + nu * nu] - plain[:, start : start + nu * nu]
+            change = mixed[:, nu : nu + nu * nu] - plain[:, start : start + nu * nu]
             changed.append(_entries(columns, columns, change))
-        K = found["K"] + _assembled(changed, (self.tables.nu, self.tables.nu))
-        return found | {"K": scipy.sparse.csr_matrix(K)}
+        K = matrices["K"] + _assembled(changed, (self.tables.nu, self.tables.nu))
+        return matrices | {"K": scipy.sparse.csr_matrix(K)}
 
     def _mixed(self, form: str, at: State) -> list[tuple[Table, tuple[Array, Array]]]:
         """Groups of mixed elements with their results of a form, and of the mixed one."""
         groups = self.tables.groups
         plain = [g for g in groups if form in g.kind.functions]
-        own = [g for g in groups if "mixed" in g.kind.functions]
+        mixed_groups = [g for g in groups if "mixed" in g.kind.functions]
         by_group = {id(g): rows for g, rows in zip(plain, self.results(form, at), strict=True)}
-        found = zip(own, self.results("mixed", at), strict=True)
-        return [(group, (by_group[id(group)], rows)) for group, rows in found]
+        pairs = zip(mixed_groups, self.results("mixed", at), strict=True)
+        return [(group, (by_group[id(group)], rows)) for group, rows in pairs]
 
     def tangent(self, at: State) -> dict[str, scipy.sparse.csr_matrix]:
         """K, C, M (nu, nu), R, G (m, nu): derivatives of the balance, rows of constraints."""
         tables = self.tables
-        found: dict[str, list[tuple[Any, Any, Any]]] = {name: [] for name in PARTS}
+        entries: dict[str, list[tuple[Any, Any, Any]]] = {name: [] for name in PARTS}
         numbers = [k for k, g in enumerate(tables.groups) if "balance_tangent" in g.kind.functions]
         results = self.results("balance_tangent", at)
         for number, values in zip(numbers, results, strict=True):
@@ -175,9 +175,9 @@ class Elements(ABC):
             for name, start in group.kind.parts.items():
                 rows = lines if name in "RG" else columns
                 block = values[:, start : start + rows.shape[1] * columns.shape[1]]
-                found[name].append(_entries(rows, columns, block))
+                entries[name].append(_entries(rows, columns, block))
         shapes = {name: (tables.m if name in "RG" else tables.nu, tables.nu) for name in PARTS}
-        return {name: _assembled(found[name], shapes[name]) for name in PARTS}
+        return {name: _assembled(entries[name], shapes[name]) for name in PARTS}
 
 
 def _entries(rows: Any, columns: Any, values: Array) -> tuple[Any, Any, Any]:

@@ -47,7 +47,7 @@ class Frames:
     @classmethod
     def of(cls, model: LoadedModel) -> Frames:
         """The frames of a model at its parameters."""
-        return cls(model.manifest.frames, *standing(model))
+        return cls(model.manifest.frames, *node_frames(model))
 
     def _node(self, frame: str, q: Array) -> tuple[Array, Array]:
         """R (..., 3, 3) and origin (..., 3) of the node that carries a frame."""
@@ -55,15 +55,15 @@ class Frames:
         if start is None:
             return np.eye(3), np.zeros(3)
         size = 7 if plane is None else 3
-        found = pose(plane, q[..., start[0] : start[0] + size])
-        return rotation(found[..., :4]), found[..., 4:]
+        node_pose = pose(plane, q[..., start[0] : start[0] + size])
+        return rotation(node_pose[..., :4]), node_pose[..., 4:]
 
     def _speeds(self, frame: str, u: Array) -> tuple[Array, Array]:
         """Angular velocity in its axes and velocity in ground axes of the node, (3,) each."""
         (_, start), plane = self._starts[frame] or (0, 0), self._planes[frame]
         size = 6 if plane is None else 3
-        found = speeds(plane, u[start : start + size])
-        return found[:3], found[3:]
+        twist = speeds(plane, u[start : start + size])
+        return twist[:3], twist[3:]
 
     def pose(self, frame: str, q: Array) -> Array:
         """Transforms (..., 4, 4) from the axes of a frame to those of the ground."""
@@ -79,8 +79,8 @@ class Frames:
         if start is None:
             return np.zeros(6)
         R, _ = self._node(frame, q)
-        turning, v = self._speeds(frame, u)
-        omega = R @ turning
+        omega_node, v = self._speeds(frame, u)
+        omega = R @ omega_node
         return np.concatenate([omega, v + np.cross(omega, R @ self._position[frame])])
 
     def acceleration(self, frame: str, q: Array, u: Array, udot: Array) -> Array:
@@ -89,8 +89,8 @@ class Frames:
         if start is None:
             return np.zeros(6)
         R, _ = self._node(frame, q)
-        arm, (turning, a) = R @ self._position[frame], self._speeds(frame, udot)
-        omega, alpha = R @ self._speeds(frame, u)[0], R @ turning
+        arm, (alpha_node, a) = R @ self._position[frame], self._speeds(frame, udot)
+        omega, alpha = R @ self._speeds(frame, u)[0], R @ alpha_node
         a = a + np.cross(alpha, arm) + np.cross(omega, np.cross(omega, arm))
         return np.concatenate([alpha, a])
 
@@ -103,18 +103,18 @@ class Frames:
         x, y, z = R @ self._position[frame]
         skew = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
         zero, one = np.zeros((3, 3)), np.eye(3)
-        own, plane = np.block([[R, zero], [-skew @ R, one]]), self._planes[frame]
-        own = own if plane is None else own @ plane.spread
-        J[:, start[1] : start[1] + own.shape[1]] = own
+        block, plane = np.block([[R, zero], [-skew @ R, one]]), self._planes[frame]
+        block = block if plane is None else block @ plane.to_space
+        J[:, start[1] : start[1] + block.shape[1]] = block
         return J
 
 
 def numbers(model: LoadedModel) -> dict[str, Array]:
     """``frame_rotation`` and ``frame_position`` on the places of all frames."""
-    return dict(zip(("frame_rotation", "frame_position"), standing(model), strict=True))
+    return dict(zip(("frame_rotation", "frame_position"), node_frames(model), strict=True))
 
 
-def standing(model: LoadedModel) -> tuple[Array, Array]:
+def node_frames(model: LoadedModel) -> tuple[Array, Array]:
     """Rotations (n, 3, 3) and origins (n, 3) of all frames on their places."""
     at = model._evaluate_saved(model.manifest.elements.frames, p=model.parameters.vector)
     rotations, positions = (np.asarray(at[k], dtype=np.float64) for k in ("rotation", "position"))

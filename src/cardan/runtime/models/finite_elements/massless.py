@@ -15,19 +15,21 @@ SHARE, MOST = 0.2, 3
 
 
 def massless(mesh: Elements, at: State) -> str:
-    """What moves without inertia, in words; "" where everything that can move has some."""
+    """Names of massless motions; "" where everything that can move has inertia."""
     tangent = mesh.tangent(State(at.q, at.u, t=at.t, r=at.r, z=at.z, s=at.s))
     M, G = tangent["M"], tangent["G"]
     if not (np.isfinite(M.data).all() and np.isfinite(G.data).all()):
         return ""
-    own = np.abs(M.diagonal())
-    there = own > ROUNDING * own.max(initial=0.0)
-    if len(own) > FULL:
+    inertias = np.abs(M.diagonal())
+    there = inertias > ROUNDING * inertias.max(initial=0.0)
+    if len(inertias) > FULL:
         # of very many those that have nothing of their own
         return _said(mesh.tables, (~there).astype(np.float64))
-    # in the units in which kernels/mesh_solve.c solves
-    unit = 1 / np.sqrt(np.where(there, own, own[there].min(initial=np.inf) if any(there) else 1.0))
-    allowed = null_space(G.toarray() * unit) if G.shape[0] else np.eye(len(own))
+    # in the units in which kernels/finite_elements/mesh_solve.c solves
+    unit = 1 / np.sqrt(
+        np.where(there, inertias, inertias[there].min(initial=np.inf) if any(there) else 1.0)
+    )
+    allowed = null_space(G.toarray() * unit) if G.shape[0] else np.eye(len(inertias))
     if not allowed.size:
         return ""
     values, vectors = np.linalg.eigh(allowed.T @ (M.toarray() * unit * unit[:, None]) @ allowed)
@@ -58,5 +60,5 @@ def _said(tables: Tables, moved: Array) -> str:
             if moving & set(places):
                 names[name] = None
                 moving -= set(places)
-    told = [f"'{name}'" for name in names]
-    return ", ".join(told[:MOST]) + (", ..." if len(told) > MOST else "")
+    quoted = [f"'{name}'" for name in names]
+    return ", ".join(quoted[:MOST]) + (", ..." if len(quoted) > MOST else "")

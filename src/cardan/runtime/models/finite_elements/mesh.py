@@ -47,7 +47,7 @@ NEEDED = {
 }
 
 
-def _given(kind: ElementKind, nr: int) -> dict[str, int]:
+def _block_sizes(kind: ElementKind, nr: int) -> dict[str, int]:
     """Sizes of the blocks that the functions of a kind are given."""
     along = dict.fromkeys(("u", "udot", "du"), kind.nu)
     # elements of mixed form are given their stress as z while one searches for rest
@@ -83,7 +83,7 @@ class Mesh(Elements):
     ) -> None:
         self.tables = tables
         self.library = library
-        self._keep: list[Any] = []
+        self._references: list[Any] = []
         self._load = load
         self.data = data
         self._codes = dict(load([c for kind in tables.kinds for c in kind.functions.values()]))
@@ -96,12 +96,12 @@ class Mesh(Elements):
         fields = group_fields(tables)
         self.inner = sum(INNER * len(g) for g in tables.groups if "mixed" in g.kind.functions)
         self._groups = groups = (Group * max(1, len(fields)))()
-        for record, own in zip(groups, fields, strict=False):
-            self._fill(record, own)
+        for record, values_of_group in zip(groups, fields, strict=False):
+            self._fill(record, values_of_group)
         movers = self._movers()
         self.plan = tables.once(Matrices.of).plan
         plan = plan_record(self.plan)
-        self._keep += [groups, movers, plan]
+        self._references += [groups, movers, plan]
         self.record = MeshRecord(
             group_count=len(tables.groups),
             mover_count=len(movers),
@@ -128,7 +128,7 @@ class Mesh(Elements):
         if array is None:
             return None
         array = np.ascontiguousarray(array)
-        self._keep.append(array)
+        self._references.append(array)
         return array.ctypes.data
 
     def _fill(self, record: Group | Movers | MeshRecord, fields: Fields) -> None:
@@ -166,7 +166,7 @@ class Mesh(Elements):
                 if name in group.kind.functions:
                     form = record.forms[FORMS.index(name)]
                     code = self._codes[group.kind.functions[name]]
-                    code.take(_given(group.kind, self.tables.nr))
+                    code.take(_block_sizes(group.kind, self.tables.nr))
                     self._form(form, code, data)
         self._connected.update(missing)
         return [symbol for symbol, code in loaded.items() if code.fresh]
@@ -179,7 +179,7 @@ class Mesh(Elements):
         form.size = int(code.entry.output_size)
 
     def _movers(self) -> Any:
-        """Places whose coordinates are no poses, kind by kind."""
+        """Places whose coordinates are not poses, kind by kind."""
         listed = mover_fields(self.tables)
         movers = (Movers * len(listed))()
         for record, (fields, functions) in zip(movers, listed, strict=True):
@@ -203,7 +203,7 @@ class Mesh(Elements):
         return int(self.library.cardan_mesh_call_work(self.reference))
 
     def accelerations(self, at: State, tau: Array | None = None) -> tuple[Array, Array]:
-        """As :meth:`Elements.accelerations`."""
+        """Same as :meth:`Elements.accelerations`."""
         out = np.empty(self.tables.nu + self.tables.m)
         more = None if tau is None else _at(np.ascontiguousarray(tau))
         status = self._status("accelerations", at, more, _at(out))
@@ -216,18 +216,20 @@ class Mesh(Elements):
     # evaluation
 
     def _state(self, at: State) -> tuple[StateRecord, list[Array]]:
-        given = {"q": at.q, "u": at.u, "udot": at.udot, "lam": at.lam}
-        given |= {"z": at.z, "s": at.s, "r": at.r, "du": at.du, "inner": at.inner}
-        held = {name: np.ascontiguousarray(x, float) for name, x in given.items() if x is not None}
-        pointers = {name: x.ctypes.data for name, x in held.items()}
-        return StateRecord(t=at.t, **pointers), list(held.values())
+        blocks = {"q": at.q, "u": at.u, "udot": at.udot, "lam": at.lam}
+        blocks |= {"z": at.z, "s": at.s, "r": at.r, "du": at.du, "inner": at.inner}
+        arrays = {
+            name: np.ascontiguousarray(x, float) for name, x in blocks.items() if x is not None
+        }
+        pointers = {name: x.ctypes.data for name, x in arrays.items()}
+        return StateRecord(t=at.t, **pointers), list(arrays.values())
 
     def _call(self, name: str, at: State, *arguments: Any) -> None:
         _done(name, self._status(name, at, *arguments))
 
     def _status(self, name: str, at: State, *arguments: Any) -> int:
         self.connect(*NEEDED.get(name, ()))
-        record, _held = self._state(at)
+        record, _arrays = self._state(at)
         function = getattr(self.library, f"cardan_mesh_{name}")
         memory = np.empty(self.work)
         return self._run(function, self.reference, ctypes.byref(record), *arguments, _at(memory))
@@ -247,16 +249,16 @@ class Mesh(Elements):
 
     def call(self, name: str, at: State, size: int, tau: Array | None = None) -> Array:
         """A function of the whole mesh with the interface of generated ones."""
-        record, _held = self._state(at)
+        record, _arrays = self._state(at)
         weights = None if tau is None else np.ascontiguousarray(tau, float)
         blocks = {name: getattr(record, name) for name in ("q", "u", "z", "s", "r")}
         time = np.array([at.t])
         blocks |= {"t": time.ctypes.data, "w": ctypes.addressof(self.record)}
         if weights is not None:
             blocks["tau"] = weights.ctypes.data
-        given = (ctypes.c_void_p * len(ORDER))(*(blocks.get(name) for name in ORDER))
+        pointers = (ctypes.c_void_p * len(ORDER))(*(blocks.get(name) for name in ORDER))
         out, memory = np.empty(size), np.empty(self.work)
-        status = self._run(FUNCTION(self.closure(name)), given, *map(_at, (out, memory)))
+        status = self._run(FUNCTION(self.closure(name)), pointers, *map(_at, (out, memory)))
         if status:
             raise SolveError(f"{name} has no solution (status {status})")
         return out
@@ -275,7 +277,7 @@ class Mesh(Elements):
         return out
 
     def results(self, form: str, at: State) -> list[Array]:
-        """Of every group that has the function the results of its elements (n, size)."""
+        """Results of the elements (n, size), for every group that has the function."""
         self.connect(form)
         k = FORMS.index(form)
         with_it = [g for g in self.tables.groups if form in g.kind.functions]
@@ -288,8 +290,8 @@ class Mesh(Elements):
 
     def values(self, at: State, shares: tuple[float, float, float]) -> Array:
         """Values of shares of K, C and M with Gᵀ and G, as ``plan`` has them."""
-        out, given = np.empty(self.plan.pattern.values), np.array(shares, float)
-        self._call("values", at, _at(given), _at(out))
+        out, factors = np.empty(self.plan.pattern.values), np.array(shares, float)
+        self._call("values", at, _at(factors), _at(out))
         return out
 
     def rates(self, q: Array, u: Array) -> Array:

@@ -22,7 +22,7 @@ SIZES = ("nq", "nu", "nz", "ns", "mp", "m")
 
 
 def group_fields(tables: Tables) -> list[Fields]:
-    """Of every ``cardan_group``, but for its forms."""
+    """Fields of every ``cardan_group``, without its forms."""
     listed, inner_start = list[Fields](), 0
     for group, rows, spots in zip(
         tables.groups, tables.rows, tables.once(Matrices.of).spots, strict=True
@@ -47,7 +47,7 @@ def group_fields(tables: Tables) -> list[Fields]:
 
 
 def mover_fields(tables: Tables) -> list[tuple[Fields, dict[str, str]]]:
-    """Of every ``cardan_movers``, and the C names of its functions."""
+    """Fields of every ``cardan_movers``, and the C names of its functions."""
     listed = list[tuple[Fields, dict[str, str]]]()
     for k, kind in enumerate(tables.kinds):
         if kind.name == "node":
@@ -61,7 +61,7 @@ def mover_fields(tables: Tables) -> list[tuple[Fields, dict[str, str]]]:
 
 
 def mesh_fields(tables: Tables, entries: Mapping[str, FunctionRow]) -> Fields:
-    """Of ``cardan_mesh``, but for its groups, its movers and its plan.
+    """Fields of ``cardan_mesh``, without its groups, its movers and its plan.
 
     Args:
         tables: The elements.

@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 FILE = "mesh.npz"
 # elements of a group from which on they go side by side: fewer would leave most lanes unused
 LANE_THRESHOLD = 8
-WHOLE = ("z", "s", "outputs", "powers")
+INTEGER_TABLES = ("z", "s", "outputs", "powers")
 
 
 def tables(manifest: Manifest, directory: Path) -> Tables:
@@ -41,41 +41,43 @@ def tables(manifest: Manifest, directory: Path) -> Tables:
         content = regular_file.content(directory / FILE)
         if hashlib.sha256(content).hexdigest() != manifest.sha256.get(FILE):
             raise ValueError("it is not the file its manifest speaks of")
-        found = _tables(manifest, unpacked(content))
-        _fit(found, manifest)
-        _check_mesh(found, manifest)
-        return found
+        read = _tables(manifest, unpacked(content))
+        _fit(read, manifest)
+        _check_mesh(read, manifest)
+        return read
     except (OSError, ValueError, KeyError, TypeError, IndexError, AttributeError) as error:
         raise ModelError(f"{directory / FILE} does not hold the elements: {error}") from error
 
 
-def _fit(found: Tables, manifest: Manifest) -> None:
+def _fit(read: Tables, manifest: Manifest) -> None:
     """Make sure that the places that the kernels take from tables exist.
 
     Raises:
         ValueError: one does not.
     """
-    kinds, places = len(found.kinds), len(found.kind)
-    inside = found.kind.ndim == 1 and bool(np.all((found.kind >= 0) & (found.kind < kinds)))
-    sizes = (found.nq, found.nu) if inside else ()
+    kinds, places = len(read.kinds), len(read.kind)
+    inside = read.kind.ndim == 1 and bool(np.all((read.kind >= 0) & (read.kind < kinds)))
+    sizes = (read.nq, read.nu) if inside else ()
     if sizes != (len(manifest.coordinates), len(manifest.speeds)):
         raise ValueError("its nodes are not those of the coordinates")
-    for group in found.groups:
+    for group in read.groups:
         n = len(group.place)
         limits = (
             (places, group.place),
-            (found.nz, group.z),
-            (found.ns, group.s),
+            (read.nz, group.z),
+            (read.ns, group.s),
             (len(manifest.outputs), group.outputs),
-            (len(found.powers), group.powers),
+            (len(read.powers), group.powers),
         )
         for most, table in limits:
             if table is not None and not (
                 table.ndim == 2 and len(table) == n and np.all((table >= 0) & (table < most))
             ):
                 raise ValueError(f"an element of '{group.kind.name}' is between no nodes")
-        _check_sizes(found, group)
-        if group.own is not None and (group.own.ndim != 2 or len(group.own) != n):
+        _check_sizes(read, group)
+        if group.attributes is not None and (
+            group.attributes.ndim != 2 or len(group.attributes) != n
+        ):
             raise ValueError(f"the data of '{group.kind.name}' are not those of its elements")
 
 
@@ -153,7 +155,10 @@ def _check_mesh(elements: Tables, manifest: Manifest) -> None:
                 raise ValueError(f"matrices of '{kind.name}' lie outside of its tangent")
     inside = all(np.all((line >= -1) & (line < places)) for line in elements.beams)
     for right, what in (
-        ((elements.mp, elements.m) == (manifest.held, len(manifest.multipliers)), "multipliers"),
+        (
+            (elements.mp, elements.m) == (manifest.position_rows, len(manifest.multipliers)),
+            "multipliers",
+        ),
         (inside and len(elements.beams) == len(manifest.beams), "beams"),
         (all(k < places for k in mesh.beam_nodes), "loose nodes"),
         # squares of them are numbers
@@ -164,34 +169,34 @@ def _check_mesh(elements: Tables, manifest: Manifest) -> None:
 
 
 def _tables(manifest: Manifest, numbers: Mapping[str, Any]) -> Tables:
-    told = manifest.elements
-    kinds = {kind.name: kind for kind in told.kinds}
+    elements = manifest.elements
+    kinds = {kind.name: kind for kind in elements.kinds}
     groups = tuple(
         Table(
             kind=kinds[row.kind],
             place=numbers[f"place_{k}"].astype(np.intp),
             common=row.common,
-            own=numbers.get(f"own_{k}"),
+            attributes=numbers.get(f"own_{k}"),
             members=row.members,
-            **{name: _whole(numbers.get(f"{name}_{k}")) for name in WHOLE},
+            **{name: _integers(numbers.get(f"{name}_{k}")) for name in INTEGER_TABLES},
         )
-        for k, row in enumerate(told.groups)
+        for k, row in enumerate(elements.groups)
     )
     return Tables(
-        kinds=tuple(told.places),
+        kinds=tuple(elements.places),
         kind=numbers["kind"].astype(np.intp),
         groups=groups,
         nr=len(manifest.inputs),
         nz=len(manifest.z),
         ns=len(manifest.s),
-        beams=tuple(numbers[f"line_{k}"].astype(np.intp) for k in range(told.segments)),
-        stations=tuple(numbers[f"stations_{k}"] for k in range(told.segments)),
-        powers=tuple(told.power_sources),
+        beams=tuple(numbers[f"line_{k}"].astype(np.intp) for k in range(elements.segments)),
+        stations=tuple(numbers[f"stations_{k}"] for k in range(elements.segments)),
+        powers=tuple(elements.power_sources),
         outputs=len(manifest.outputs),
     )
 
 
-def _whole(array: Any) -> Any:
+def _integers(array: Any) -> Any:
     return None if array is None else array.astype(np.intp)
 
 
@@ -202,8 +207,8 @@ def tables_of(model: LoadedModel) -> Tables:
         if objects.tables is None:
             objects.tables = tables(model.manifest, model.directory)
             objects.lanes = _side_by_side(objects.tables, model.manifest.functions)
-        found: Tables = objects.tables
-        return found
+        loaded: Tables = objects.tables
+        return loaded
 
 
 def _side_by_side(elements: Tables, entries: Mapping[str, FunctionRow]) -> dict[str, int]:
@@ -218,38 +223,38 @@ def data_of(model: LoadedModel, group: Table) -> Array:
     """Data (n, k) of the elements of a group at the parameters of a model."""
     n, parts = len(group), []
     if group.common:
-        found = model._evaluate_saved(group.common, p=model.parameters.vector)
-        common = np.asarray(found["data"], dtype=np.float64)
+        values = model._evaluate_saved(group.common, p=model.parameters.vector)
+        common = np.asarray(values["data"], dtype=np.float64)
         # (k,) for all of them, or (n, k)
         parts.append(np.broadcast_to(common, (n, common.shape[-1])))
-    if group.own is not None:
-        parts.append(group.own)
+    if group.attributes is not None:
+        parts.append(group.attributes)
     return np.ascontiguousarray(np.concatenate(parts, axis=1)) if parts else np.zeros((n, 0))
 
 
 def load(model: LoadedModel) -> Mesh:
     """The elements of a model at its parameters, ready to be asked."""
-    found = tables_of(model)
+    group_tables = tables_of(model)
     objects = model._objects
 
     def codes(symbols: Sequence[str]) -> dict[str, Code]:
         """Functions of elements, several compiled at once."""
-        wanted = list(dict.fromkeys(symbols))
+        names = list(dict.fromkeys(symbols))
         with objects.lock:
-            return dict(zip(wanted, objects.load(wanted), strict=True))
+            return dict(zip(names, objects.load(names), strict=True))
 
     def judge(elements: Elements, fresh: Sequence[str]) -> None:
         """Functions of elements that pass their check are found by other processes."""
         try:
             model._verify_elements(elements, fresh)
             for symbol in fresh:
-                objects.keep(symbol)
+                objects.publish(symbol)
         except BaseException:
             objects.forget(fresh)
             raise
 
-    data = [data_of(model, group) for group in found.groups]
+    data = [data_of(model, group) for group in group_tables.groups]
     # of the model: whoever loads its functions holds it already
     lock, entries = objects.lock, model.manifest.functions
     lanes = max(objects.lanes.values(), default=1)
-    return Mesh(found, entries, codes, data, lanes, model._kernels(), lock, judge)
+    return Mesh(group_tables, entries, codes, data, lanes, model._kernels(), lock, judge)

@@ -36,7 +36,7 @@ class Table:
     kind: ElementKind
     place: Integers
     common: str = ""
-    own: Array | None = None
+    attributes: Array | None = None
     members: Sequence[str] = ()
     z: Integers | None = None
     s: Integers | None = None
@@ -74,11 +74,11 @@ class Tables:
     outputs: int = 0
 
     def once(self, make: Callable[[Tables], T]) -> T:
-        """What follows from the tables alone, made when it is first asked for."""
-        made: dict[Any, T] = self.__dict__.setdefault("_made", {})
-        if make not in made:
-            made[make] = make(self)
-        return made[make]
+        """Value that follows from the tables alone, computed at the first request."""
+        cached: dict[Any, T] = self.__dict__.setdefault("_made", {})
+        if make not in cached:
+            cached[make] = make(self)
+        return cached[make]
 
     def _starts(self, sizes: list[int]) -> Integers:
         each = np.array(sizes, dtype=np.intp)[self.kind] if len(self.kind) else self.kind
@@ -96,7 +96,7 @@ class Tables:
 
     @property
     def driven(self) -> bool:
-        """Whether something is driven along a motion: its power is that of its multipliers."""
+        """True when something is driven along a motion: its power is that of its multipliers."""
         return any(name.endswith(".motion") for name in self.powers)
 
     @property
@@ -121,39 +121,39 @@ class Tables:
 
     @cached_property
     def rows(self) -> tuple[Integers, ...]:
-        """Of every group (n, 2): first row of positions, first of the others behind those."""
-        found, position, other = [], 0, self.mp
+        """Rows of every group (n, 2): first row of positions, first of the others behind those."""
+        rows, position, other = [], 0, self.mp
         for group in self.groups:
             kind, each = group.kind, np.arange(len(group), dtype=np.intp)
-            rest = kind.m - kind.mp
-            pairs = np.stack([position + kind.mp * each, other + rest * each], axis=1)
-            found.append(np.ascontiguousarray(pairs))
-            position, other = position + kind.mp * len(group), other + rest * len(group)
-        return tuple(found)
+            velocity_rows = kind.m - kind.mp
+            pairs = np.stack([position + kind.mp * each, other + velocity_rows * each], axis=1)
+            rows.append(np.ascontiguousarray(pairs))
+            position, other = position + kind.mp * len(group), other + velocity_rows * len(group)
+        return tuple(rows)
 
     def places_of(self, group: Table) -> Integers:
         """(n, nq) global coordinate of every local one."""
-        return _spread(self.q, group.place)
+        return _entries(self.q, group.place)
 
     def columns(self, group: Table) -> Integers:
         """(n, nu) global speed of every local one."""
-        return _spread(self.u, group.place)
+        return _entries(self.u, group.place)
 
     def lines(self, number: int) -> Integers:
         """(n, m) global row of every local one."""
         kind, rows = self.groups[number].kind, self.rows[number]
-        own = [rows[:, :1] + np.arange(kind.mp), rows[:, 1:] + np.arange(kind.m - kind.mp)]
-        return np.concatenate(own, axis=1)
+        columns = [rows[:, :1] + np.arange(kind.mp), rows[:, 1:] + np.arange(kind.m - kind.mp)]
+        return np.concatenate(columns, axis=1)
 
     # nodes in space
 
     @cached_property
     def planes(self) -> tuple[Plane | None, ...]:
-        """Of every kind of place how nodes of a plane stand in space, None of others."""
+        """Plane of every kind of place in space, None for others."""
         return tuple(Plane.of(kind.plane) for kind in self.kinds)
 
     def plane(self, place: int) -> Plane | None:
-        """How a node of a plane stands in space, None of others."""
+        """Plane of a kind of place in space, None for others."""
         return self.planes[int(self.kind[place])]
 
     def nodes(self, flat: bool) -> Integers:
@@ -170,7 +170,7 @@ class Tables:
         return speeds(self.plane(place), u[self.u[place] : self.u[place + 1]])
 
     def distances(self, q: Array, units: Array) -> Array:
-        """How large the coordinates are that speeds change (nu,), in units; angles count 1.
+        """Sizes of the coordinates that speeds change (nu,), in units; angles count 1.
 
         Of nodes the distance from the origin, of joints the displacement, at least 1.
 
@@ -178,37 +178,37 @@ class Tables:
             q: Coordinates (nq,).
             units: Of every speed (nu,): a length, or 1 of angles.
         """
-        found: Array = np.ones(self.nu)
+        distances: Array = np.ones(self.nu)
         for k, kind in enumerate(self.kinds):
             places = np.flatnonzero(self.kind == k)
-            own = q[self.q[places][:, None] + np.arange(kind.nq)]
+            coordinates = q[self.q[places][:, None] + np.arange(kind.nq)]
             speeds = self.u[places][:, None] + np.arange(kind.nu)
             unit, first = units[speeds], kind.nq if kind.quaternion is None else kind.quaternion
             if kind.node:
-                place = own[:, [n for n in range(kind.nq) if not first <= n < first + 4]]
+                place = coordinates[:, [n for n in range(kind.nq) if not first <= n < first + 4]]
                 far = np.linalg.norm(place, axis=1)[:, None] / unit
-                found[speeds] = np.where(unit == 1.0, 1.0, far)
+                distances[speeds] = np.where(unit == 1.0, 1.0, far)
             elif kind.nq == kind.nu:
-                found[speeds] = np.maximum(np.abs(own) / unit, 1.0)
-        return found
+                distances[speeds] = np.maximum(np.abs(coordinates) / unit, 1.0)
+        return distances
 
     def poses(self, q: Array, places: Integers) -> Array:
         """Unit quaternions and positions (n, 7) of nodes at coordinates of the model."""
-        found = np.empty((len(places), 7))
+        poses = np.empty((len(places), 7))
         for kind, some in self._alike(places):
-            found[some] = pose(
+            poses[some] = pose(
                 Plane.of(kind.plane), q[self._entries(self.q, places[some], kind.nq)]
             )
-        return found
+        return poses
 
     def put(self, x: Array, places: Integers, poses: Array, speeds: Array) -> None:
         """Write poses (n, 7) and speeds (n, 6) of nodes into a state."""
         for kind, some in self._alike(places):
             plane, here, u = Plane.of(kind.plane), poses[some], speeds[some]
             at = self._entries(self.q, places[some], kind.nq)
-            x[at] = here if plane is None else plane.told(here, x[at[:, 2]])
+            x[at] = here if plane is None else plane.coordinates_of(here, x[at[:, 2]])
             at = self.nq + self._entries(self.u, places[some], kind.nu)
-            x[at] = u if plane is None else u @ plane.spread
+            x[at] = u if plane is None else u @ plane.to_space
 
     def _alike(self, places: Integers) -> Iterator[tuple[PlaceKind, Integers]]:
         """Kinds of places, and which of these are of that kind."""
@@ -221,7 +221,7 @@ class Tables:
         return starts[places, None] + np.arange(size)
 
 
-def _spread(starts: Integers, place: Integers) -> Integers:
+def _entries(starts: Integers, place: Integers) -> Integers:
     """(n, k) all numbers of the places (n, places) of elements of one kind."""
     if not place.size:
         return np.zeros((len(place), 0), dtype=np.intp)

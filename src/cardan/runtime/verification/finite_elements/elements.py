@@ -4,7 +4,7 @@ Tangents are differences of balances; balances are those of Lagrange's equations
 are judged by quadrature (:mod:`.shapes`); momenta follow from kinetic energies, what constraints
 transmit from their rows.
 
-Source: Lurie, Analytical Mechanics (2002), chapter 10, for speeds that are no rates.
+Source: Lurie, Analytical Mechanics (2002), chapter 10, for speeds that are not rates.
 """
 
 from __future__ import annotations
@@ -22,16 +22,16 @@ from .shapes import ENERGIES, MOMENTA, STRESSES, quaternion_of
 
 # inputs are shaken by this to see what rounding may do, and how many times
 SHAKEN, LESS = 1e-14, 1e2
-OWN = "no law leads to it"
+NO_LAW = "no law leads to it"
 MATRICES = {"K": ("q", 0), "C": ("u", 0), "M": ("udot", 0), "R": ("q", 1), "G": ("u", 1)}
 
 
-def judged(members: Members) -> Iterator[tuple[str, float, str]]:
+def check_kinds(members: Members) -> Iterator[tuple[str, float, str]]:
     """Name, error and reason of every function of a kind."""
     for form in members.codes:
         error, why = _text(members, form), ""
         try:
-            law = LAWS[form](members) if form in LAWS else OWN
+            law = LAWS[form](members) if form in LAWS else NO_LAW
         except NotThere as missed:
             law = f"needs '{missed}'"
         if isinstance(law, str):
@@ -48,22 +48,22 @@ def _text(members: Members, form: str) -> float:
 
     NaN where expressions give no numbers.
     """
-    known = members.expressions(form)
-    if known is None:
+    expected = members.expressions(form)
+    if expected is None:
         return np.nan
-    found, good = members.call(form), np.isfinite(known).all(axis=-1)
+    results, good = members.call(form), np.isfinite(expected).all(axis=-1)
     if not good.any():
         return np.nan
-    known, found = known[good], found[good]
-    apart = np.nan_to_num(np.abs(found - known), nan=np.inf)
-    size = np.abs(known).max(initial=0.0)
-    if apart.max(initial=0.0) <= 1e-14 * size:
+    expected, results = expected[good], results[good]
+    gap = np.nan_to_num(np.abs(results - expected), nan=np.inf)
+    size = np.abs(expected).max(initial=0.0)
+    if gap.max(initial=0.0) <= 1e-14 * size:
         return 0.0
     rng = np.random.default_rng(11)
-    moved = {k: x * (1 + SHAKEN * rng.uniform(-1, 1, x.shape)) for k, x in members.given.items()}
+    moved = {k: x * (1 + SHAKEN * rng.uniform(-1, 1, x.shape)) for k, x in members.inputs.items()}
     near = members.expressions(form, moved)
-    loose = LESS * np.abs((known if near is None else near[good]) - known).max(initial=0.0)
-    return float(np.maximum(apart - loose, 0.0).max(initial=0.0)) / (size or 1.0)
+    rounding = LESS * np.abs((expected if near is None else near[good]) - expected).max(initial=0.0)
+    return float(np.maximum(gap - rounding, 0.0).max(initial=0.0)) / (size or 1.0)
 
 
 def _tangent(members: Members) -> float | str:
@@ -81,29 +81,29 @@ def _tangent(members: Members) -> float | str:
         scale = np.abs(values).max(axis=(1, 2), initial=0.0)
         for way in ways(n, nu):
             rate = members.along(way) if letter == "q" else way
-            found, off = members.slope(lambda b: members.call("balance", b), {letter: rate})
+            slope, off = members.slope(lambda b: members.call("balance", b), {letter: rate})
             size = np.abs(members.call("balance")).max(axis=-1, initial=0.0)
-            error = missing(found[:, ends], off, times(values, way), scale, size * 1e-3)
+            error = missing(slope[:, ends], off, times(values, way), scale, size * 1e-3)
             worst = worst_of(worst, error)
     return worst
 
 
 def _rates(members: Members, moving: bool = True) -> dict[str, Array]:
-    given = members.given
-    found = {"q": members.along(given["u"]), "t": np.ones((members.count, 1))}
-    if given["r"].shape[-1]:
-        found["r"] = input_rates(members.model.inputs, given["r"])
-    return found | ({"u": given["udot"]} if moving else {})
+    inputs = members.inputs
+    rates = {"q": members.along(inputs["u"]), "t": np.ones((members.count, 1))}
+    if inputs["r"].shape[-1]:
+        rates["r"] = input_rates(members.model.inputs, inputs["r"])
+    return rates | ({"u": inputs["udot"]} if moving else {})
 
 
 def _gamma(members: Members) -> float | str:
     """G udot - gamma is the derivative of G u + g_t."""
     kind = members.table.kind
     ends = slice(kind.nu + kind.mp, None)
-    found, off = members.slope(lambda b: members.call("balance", b), _rates(members))
-    turned, _ = members.slope(lambda b: members.call("balance", b), {"u": members.given["udot"]})
-    known = turned[:, ends] - found[:, ends]
-    return missing(known, off, members.call("gamma"), found[:, ends], turned[:, ends])
+    drift, off = members.slope(lambda b: members.call("balance", b), _rates(members))
+    product, _ = members.slope(lambda b: members.call("balance", b), {"u": members.inputs["udot"]})
+    expected = product[:, ends] - drift[:, ends]
+    return missing(expected, off, members.call("gamma"), drift[:, ends], product[:, ends])
 
 
 def _balance(members: Members) -> float | str:
@@ -115,34 +115,34 @@ def _balance(members: Members) -> float | str:
     # what an element has, compiled or not yet: where it has losses, energy alone is not its law
     forms = {"energy", "power", "zdot"} & set(kind.functions)
     if kind.m or not forms <= set(members.codes):
-        return worst if judges else OWN
+        return worst if judges else NO_LAW
     if members.plain and forms == {"energy"}:
         judges, worst = 1, worst_of(worst, _lagrange(members, value[:, : kind.nu]))
     if forms and "zdot" not in forms:
         judges, worst = 1, worst_of(worst, _ledger(members, value[:, : kind.nu]))
-    return worst if judges else OWN
+    return worst if judges else NO_LAW
 
 
 def _rows(members: Members, value: Array) -> float:
     """G u + g_t is the derivative of g; b has -Gᵀ lam in it."""
-    kind, given, n = members.table.kind, members.given, members.count
+    kind, inputs, n = members.table.kind, members.inputs, members.count
     nu, mp = kind.nu, kind.mp
-    found, off = members.slope(lambda b: members.call("balance", b), _rates(members, moving=False))
+    slope, off = members.slope(lambda b: members.call("balance", b), _rates(members, moving=False))
     rates = value[:, nu + mp :]
-    worst = missing(found[:, nu : nu + mp], off, rates[:, :mp], rates, np.abs(given["u"]))
+    worst = missing(slope[:, nu : nu + mp], off, rates[:, :mp], rates, np.abs(inputs["u"]))
     still = members.call("balance", {"lam": np.zeros((n, kind.m))})[:, :nu]
-    held = value[:, :nu] - still
-    power = (held * given["u"]).sum(axis=-1)
+    constraint_forces = value[:, :nu] - still
+    power = (constraint_forces * inputs["u"]).sum(axis=-1)
     # what depends on speeds in the rows, times the multipliers
-    rest = members.call("balance", {"u": np.zeros((n, nu))})[:, nu + mp :]
-    known = -((rates - rest) * given["lam"]).sum(axis=-1)
-    terms = held * given["u"]
-    return worst_of(worst, relative((power - known)[:, None], terms, known[:, None]))
+    explicit_rates = members.call("balance", {"u": np.zeros((n, nu))})[:, nu + mp :]
+    expected = -((rates - explicit_rates) * inputs["lam"]).sum(axis=-1)
+    terms = constraint_forces * inputs["u"]
+    return worst_of(worst, relative((power - expected)[:, None], terms, expected[:, None]))
 
 
 def _lagrange(members: Members, force: Array) -> float:
     """b = d/dt dT/du + omega x dT/domega - X(T - V), along every speed."""
-    given, nu = members.given, members.table.kind.nu
+    inputs, nu = members.inputs, members.table.kind.nu
     n = members.count
 
     def energies(blocks: Mapping[str, Array]) -> Array:
@@ -152,43 +152,43 @@ def _lagrange(members: Members, force: Array) -> float:
         return _momenta(members, energies, blocks)
 
     rates, off = members.slope(momenta, _rates(members))
-    p, known = momenta(given), rates.copy()
+    p, expected = momenta(inputs), rates.copy()
     for block, first in zip(members.blocks, members.starts[1], strict=False):
         if block.node and block.nq == NODE:
             turn = slice(first, first + 3)
-            known[:, turn] += cross(given["u"][:, turn], p[:, turn])
+            expected[:, turn] += cross(inputs["u"][:, turn], p[:, turn])
     for k in range(nu):
         unit = np.broadcast_to(np.eye(nu)[k], (n, nu))
         change, doubt = members.slope(energies, {"q": members.along(unit)})
-        known[:, k] -= change[:, 0] - change[:, 1]
+        expected[:, k] -= change[:, 0] - change[:, 1]
         off = np.maximum(off, doubt)
-    return missing(known, off, force)
+    return missing(expected, off, force)
 
 
 def _momenta(
     members: Members, energies: Callable[..., Array], blocks: Mapping[str, Array]
 ) -> Array:
     """dT/du: T is of second degree in the speeds, differences of which are exact."""
-    u, found = blocks["u"], []
+    u, columns = blocks["u"], []
     for k in range(u.shape[-1]):
         unit = np.eye(u.shape[-1])[k]
         both = [energies({**blocks, "u": u + sign * unit})[:, 0] for sign in (1.0, -1.0)]
-        found.append((both[0] - both[1]) / 2)
-    return np.stack(found, axis=-1)
+        columns.append((both[0] - both[1]) / 2)
+    return np.stack(columns, axis=-1)
 
 
 def _ledger(members: Members, force: Array) -> float:
     """b . u is the rate of the energy less the power."""
-    given, n = members.given, members.count
-    work = (force * given["u"]).sum(axis=-1)
-    known, off, terms = np.zeros(n), np.zeros(n), [force * given["u"]]
+    inputs, n = members.inputs, members.count
+    work = (force * inputs["u"]).sum(axis=-1)
+    expected, off, terms = np.zeros(n), np.zeros(n), [force * inputs["u"]]
     if "energy" in members.codes:
-        found, off = members.slope(lambda b: members.call("energy", b), _rates(members))
-        known, terms = found.sum(axis=-1), [*terms, found]
+        slope, off = members.slope(lambda b: members.call("energy", b), _rates(members))
+        expected, terms = slope.sum(axis=-1), [*terms, slope]
     if "power" in members.codes:
         power = members.call("power")
-        known, terms = known - power.sum(axis=-1), [*terms, power]
-    return missing(known[:, None], off, work[:, None], *terms)
+        expected, terms = expected - power.sum(axis=-1), [*terms, power]
+    return missing(expected[:, None], off, work[:, None], *terms)
 
 
 def _ends(members: Members) -> tuple[Array, Array, dict[str, Array]] | None:
@@ -205,53 +205,55 @@ def _ends(members: Members) -> tuple[Array, Array, dict[str, Array]] | None:
     form = next(iter(members.codes.values())).symbol
     inputs = members.model._objects.saved()[form]["inputs"]
     names: list[str] = next((b["entries"] for b in inputs if b["name"] == "p"), [])
-    data = {entry: members.given["p"][:, k] for k, entry in enumerate(names)}
+    data = {entry: members.inputs["p"][:, k] for k, entry in enumerate(names)}
     q, u, k = list[Array](), list[Array](), 0
     for end in ("start", "end"):
-        held = f"{end}_px" in data
-        grounded = held and _grounded(members, end, data)
+        attached = f"{end}_px" in data
+        grounded = attached and _grounded(members, end, data)
         pose, speed = np.tile([1.0] + [0.0] * 6, (members.count, 1)), np.zeros((members.count, 6))
         if not grounded:
-            pose = members.given["q"][:, 7 * k : 7 * k + 7]
-            speed = members.given["u"][:, 6 * k : 6 * k + 6]
+            pose = members.inputs["q"][:, 7 * k : 7 * k + 7]
+            speed = members.inputs["u"][:, 6 * k : 6 * k + 6]
             k += 1
-        if held:
-            pose, speed = _carried(pose, speed, end, data)
+        if attached:
+            pose, speed = _end_motion(pose, speed, end, data)
         q, u = [*q, pose], [*u, speed]
     return np.concatenate(q, axis=-1), np.concatenate(u, axis=-1), data
 
 
 def _grounded(members: Members, end: str, data: Mapping[str, Array]) -> bool:
-    """Whether an end is fixed to the ground: the other one is the only node then."""
+    """True when an end is fixed to the ground: the other one is the only node then."""
     other = "end" if end == "start" else "start"
-    words = members.table.kind.name.split("_")
+    parts = members.table.kind.name.split("_")
     if len(members.blocks) == 2:
         return False
-    return f"{other}_px" not in data or words[-2 if end == "start" else -1] == "ground"
+    return f"{other}_px" not in data or parts[-2 if end == "start" else -1] == "ground"
 
 
-def _carried(pose: Array, speed: Array, end: str, data: Mapping[str, Array]) -> tuple[Array, Array]:
+def _end_motion(
+    pose: Array, speed: Array, end: str, data: Mapping[str, Array]
+) -> tuple[Array, Array]:
     """Pose and speeds of a frame that is fixed to another."""
     n = len(pose)
     cells = [data[f"{end}_R{i}{j}"] for i in "123" for j in "123"]
     R = np.stack(cells, axis=-1).reshape(n, 3, 3)
     p = np.stack([data[f"{end}_p{x}"] for x in "xyz"], axis=-1)
-    turned = quaternion(pose[:, :4])
-    place = pose[:, 4:] + times(turned, p)
+    rotation = quaternion(pose[:, :4])
+    place = pose[:, 4:] + times(rotation, p)
     back = np.swapaxes(R, -1, -2)
-    moved = speed[:, 3:] + times(turned, cross(speed[:, :3], p))
-    whole = np.concatenate([quaternion_of(turned @ R), place], axis=-1)
-    return whole, np.concatenate([times(back, speed[:, :3]), moved], axis=-1)
+    moved = speed[:, 3:] + times(rotation, cross(speed[:, :3], p))
+    end_pose = np.concatenate([quaternion_of(rotation @ R), place], axis=-1)
+    return end_pose, np.concatenate([times(back, speed[:, :3]), moved], axis=-1)
 
 
 def _energy(members: Members) -> float | str:
     """By quadrature of strain measures and of point masses, and by what it does."""
     law, ends = _balance(members), _ends(members)
     names = [name for name in ENERGIES if members.table.kind.name.startswith(name)]
-    found = ENERGIES[max(names, key=len)](*ends) if ends and names else None
-    if found is None:
+    energies = ENERGIES[max(names, key=len)](*ends) if ends and names else None
+    if energies is None:
         return law
-    error = relative(members.call("energy") - found, found)
+    error = relative(members.call("energy") - energies, energies)
     return error if isinstance(law, str) else max(error, law)
 
 
@@ -261,20 +263,20 @@ def _momentum(members: Members) -> float | str:
     names = [name for name in MOMENTA if members.table.kind.name.startswith(name)]
     value = members.call("momentum")
     if ends and names:
-        known = MOMENTA[max(names, key=len)](*ends)
-        return relative(value - known, known)
+        expected = MOMENTA[max(names, key=len)](*ends)
+        return relative(value - expected, expected)
     if any(not block.node or block.nq != NODE for block in members.blocks):
-        return "its places are no nodes in space"
+        return "its places are not nodes in space"
     if "ground" in members.table.kind.name:
-        return OWN
-    p = _momenta(members, lambda b: members.call("energy", b), members.given)
-    known = np.zeros((members.count, 6))
+        return NO_LAW
+    p = _momenta(members, lambda b: members.call("energy", b), members.inputs)
+    expected = np.zeros((members.count, 6))
     for a, b, _ in zip(*members.starts, members.blocks, strict=False):
-        q = members.given["q"][:, a : a + NODE]
-        turned = times(quaternion(q[:, :4]), p[:, b : b + 3])
+        q = members.inputs["q"][:, a : a + NODE]
+        linear_part = times(quaternion(q[:, :4]), p[:, b : b + 3])
         linear = p[:, b + 3 : b + 6]
-        known += np.concatenate([turned + cross(q[:, 4:], linear), linear], axis=-1)
-    return relative(value - known, known, p)
+        expected += np.concatenate([linear_part + cross(q[:, 4:], linear), linear], axis=-1)
+    return relative(value - expected, expected, p)
 
 
 def _reaction(members: Members) -> float | str:
@@ -288,55 +290,55 @@ def _reaction(members: Members) -> float | str:
         return "it joins no nodes in space"
     n, kind = members.count, members.table.kind
     still = members.call("balance", {"lam": np.zeros((n, kind.m))})
-    held = members.call("balance")[:, : kind.nu] - still[:, : kind.nu]
+    constraint_forces = members.call("balance")[:, : kind.nu] - still[:, : kind.nu]
     a, b = nodes[-1]
-    turned = times(quaternion(members.given["q"][:, a : a + 4]), held[:, b : b + 3])
-    force, wrench = held[:, b + 3 : b + 6], members.call("reaction")
+    moment = times(quaternion(members.inputs["q"][:, a : a + 4]), constraint_forces[:, b : b + 3])
+    force, wrench = constraint_forces[:, b + 3 : b + 6], members.call("reaction")
     size = np.abs(wrench).max(axis=-1, keepdims=True)
     norms = [np.linalg.norm(x, axis=-1) for x in (force, wrench[:, 3:])]
-    along = [(x * y).sum(axis=-1) for x, y in ((turned, force), (wrench[:, :3], wrench[:, 3:]))]
+    along = [(x * y).sum(axis=-1) for x, y in ((moment, force), (wrench[:, :3], wrench[:, 3:]))]
     first = relative((norms[0] - norms[1])[:, None], size)
     # the moment about any point has the same part along the force, whichever end it acts on
-    apart = np.abs(np.abs(along[0]) - np.abs(along[1]))
-    return max(first, relative(apart[:, None], size * size))
+    gap = np.abs(np.abs(along[0]) - np.abs(along[1]))
+    return max(first, relative(gap[:, None], size * size))
 
 
 def _mixed(members: Members) -> float | str:
     """With the stress that there is: the balance and its tangent."""
-    none = {"du": np.zeros_like(members.given["du"])}
+    none = {"du": np.zeros_like(members.inputs["du"])}
     z = members.call("mixed_step", none)
     value = members.call("mixed", {"z": z})
-    known = np.concatenate([members.call("balance"), members.call("balance_tangent")], axis=-1)
+    expected = np.concatenate([members.call("balance"), members.call("balance_tangent")], axis=-1)
     nu = members.table.kind.nu
     parts = (slice(0, nu), slice(nu, None))
-    return max(relative(value[:, part] - known[:, part], known[:, part]) for part in parts)
+    return max(relative(value[:, part] - expected[:, part], expected[:, part]) for part in parts)
 
 
 def _mixed_step(members: Members) -> float | str:
     """The stress that there is comes from any; small increments lead to that behind them."""
-    du = members.given["du"]
+    du = members.inputs["du"]
     none = {"du": np.zeros_like(du)}
     z = members.call("mixed_step", none)
     again = members.call("mixed_step", {**none, "z": z})
-    worst = relative(again - z, z, members.given["z"])
+    worst = relative(again - z, z, members.inputs["z"])
 
     def settled(blocks: Mapping[str, Array]) -> Array:
         return members.call("mixed_step", {**blocks, "du": np.zeros_like(blocks["du"])})
 
-    found, off = members.slope(settled, {"q": members.along(du)})
+    slope, off = members.slope(settled, {"q": members.along(du)})
     step = members.call("mixed_step", {"z": z}) - z
-    return worst_of(worst, missing(found, off, step, z * 1e-3))
+    return worst_of(worst, missing(slope, off, step, z * 1e-3))
 
 
 def _stress(members: Members) -> float | str:
     """By quadrature of strain measures."""
     ends = _ends(members)
     names = [name for name in STRESSES if members.table.kind.name.startswith(name)]
-    known = STRESSES[max(names, key=len)](ends[0], ends[2]) if ends and names else None
-    if known is None:
-        return OWN
+    expected = STRESSES[max(names, key=len)](ends[0], ends[2]) if ends and names else None
+    if expected is None:
+        return NO_LAW
     value = members.call("stress").reshape(members.count, 4, 6)
-    return max(relative(value[:, k] - known[:, k], known[:, k]) for k in range(4))
+    return max(relative(value[:, k] - expected[:, k], expected[:, k]) for k in range(4))
 
 
 LAWS: dict[str, Callable[[Members], Any]] = {

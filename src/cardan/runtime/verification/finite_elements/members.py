@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from ...models.loaded_model import LoadedModel
 
 # how far places are moved from where they start: angles [rad], lengths in parts of the scene's
-TURNED, SHIFTED = 0.3, 0.03
+ANGLE_STEP, SHIFTED = 0.3, 0.03
 MOST = 2
 # random configurations of the scene at which what was compiled just now is judged
 STATES = 2
@@ -52,18 +52,18 @@ class Members:
 
     model: LoadedModel
     table: Table
-    given: Mapping[str, Array]
+    inputs: Mapping[str, Array]
     codes: Mapping[str, Code]
     blocks: tuple[PlaceKind, ...]
     length: float
-    kept: dict[str, Any] = field(default_factory=dict, repr=False, compare=False)
+    cache: dict[str, Any] = field(default_factory=dict, repr=False, compare=False)
 
     @property
     def count(self) -> int:
         """Number of states."""
-        return len(self.given["q"])
+        return len(self.inputs["q"])
 
-    def call(self, form: str, given: Mapping[str, Array] | None = None) -> Array:
+    def call(self, form: str, overrides: Mapping[str, Array] | None = None) -> Array:
         """Results (n, size) of a function, at other blocks where they are given.
 
         Raises:
@@ -71,19 +71,19 @@ class Members:
         """
         if form not in self.codes:
             raise NotThere(form)
-        code, blocks = self.codes[form], {**self.given, **(given or {})}
+        code, blocks = self.codes[form], {**self.inputs, **(overrides or {})}
         n = max(len(x) for x in blocks.values() if x.ndim > 1)
         run, out = loaded_function.calls(code, blocks, n)
         with np.errstate(all="ignore"):
             run()
         return unpacked(out, code.lanes)[:n]
 
-    def expressions(self, form: str, given: Mapping[str, Array] | None = None) -> Array | None:
+    def expressions(self, form: str, overrides: Mapping[str, Array] | None = None) -> Array | None:
         """Results of the saved expressions, at other blocks if given; None where not saved."""
         saved = self.model._objects.saved().get(self.codes[form].symbol)
         if saved is None:
             return None
-        return results(from_dict(saved), given or self.given, self.count)
+        return results(from_dict(saved), overrides or self.inputs, self.count)
 
     # ways to move
 
@@ -95,31 +95,33 @@ class Members:
 
     @cached_property
     def plain(self) -> bool:
-        """Whether all places are nodes, or have speeds that are rates of coordinates."""
+        """True when all places are nodes, or have speeds that are rates of coordinates."""
         return all("qdot" not in b.functions or b.node for b in self.blocks)
 
     def along(self, du: Array, q: Array | None = None) -> Array:
         """Rates of the coordinates of increments along the speeds."""
-        q = self.given["q"] if q is None else q
-        found = np.zeros_like(q)
+        q = self.inputs["q"] if q is None else q
+        derivative = np.zeros_like(q)
         for block, a, b in zip(self.blocks, *self.starts, strict=False):
-            own = du[:, b : b + block.nu]
+            increment = du[:, b : b + block.nu]
             if block.nq == NODE and block.quaternion is not None:
-                found[:, a : a + 4] = quaternion_rate(q[:, a : a + 4], own[:, :3])
-                found[:, a + 4 : a + 7] = own[:, 3:]
+                derivative[:, a : a + 4] = quaternion_rate(q[:, a : a + 4], increment[:, :3])
+                derivative[:, a + 4 : a + 7] = increment[:, 3:]
             elif "qdot" in block.functions:
                 rates = from_dict(self.model._objects.saved()[block.functions["qdot"]])
-                here = {"q": q[:, a : a + block.nq], "u": own}
-                found[:, a : a + block.nq] = evaluate(rates, here, "numpy")[rates.outputs[0].name]
+                here = {"q": q[:, a : a + block.nq], "u": increment}
+                derivative[:, a : a + block.nq] = evaluate(rates, here, "numpy")[
+                    rates.outputs[0].name
+                ]
             else:
-                found[:, a : a + block.nq] = own
-        return found
+                derivative[:, a : a + block.nq] = increment
+        return derivative
 
     def slope(
-        self, f: Any, rates: Mapping[str, Array], given: Mapping[str, Array] | None = None
+        self, f: Any, rates: Mapping[str, Array], overrides: Mapping[str, Array] | None = None
     ) -> tuple[Array, Array]:
         """Derivative of a function of blocks along rates, and how far it may be off."""
-        at = {**self.given, **(given or {})}
+        at = {**self.inputs, **(overrides or {})}
         size = np.zeros(self.count)
         for name, rate in rates.items():
             scale = self._scale if name == "q" else 1.0
@@ -128,7 +130,7 @@ class Members:
 
     @cached_property
     def _scale(self) -> Array:
-        scale = np.ones(self.given["q"].shape[-1])
+        scale = np.ones(self.inputs["q"].shape[-1])
         for block, a in zip(self.blocks, self.starts[0], strict=False):
             if block.node and block.nq == NODE:
                 scale[a + 4 : a + 7] = self.length
@@ -162,47 +164,49 @@ def members_of(
         largest[groups[k].kind.name] = k
     length = _length(tables)
     states = [_state(model, elements, rng, length) for _ in range(count)]
-    found = []
+    members = []
     for number in sorted(largest.values()):
         group = groups[number]
         rows = np.unique(np.linspace(0, len(group) - 1, min(MOST, len(group))).astype(int))
         parts = [_read(elements, number, at, rows) for at in states]
-        given = {k: np.concatenate([part[k] for part in parts]) for k in parts[0]}
-        own = {f: codes[symbol] for f, symbol in group.kind.functions.items() if symbol in codes}
+        inputs = {k: np.concatenate([part[k] for part in parts]) for k in parts[0]}
+        compiled = {
+            f: codes[symbol] for f, symbol in group.kind.functions.items() if symbol in codes
+        }
         places = (
             tuple(tables.kinds[tables.kind[p]] for p in group.place[0]) if group.place.size else ()
         )
-        found.append(Members(model, group, _drawn(given, rng), own, places, length))
-    return found
+        members.append(Members(model, group, _drawn(inputs, rng), compiled, places, length))
+    return members
 
 
 def _read(elements: Elements, number: int, at: State, rows: Any) -> dict[str, Array]:
-    given = elements.read(number, at)
+    inputs = elements.read(number, at)
     n = len(elements.tables.groups[number])
-    return {k: np.broadcast_to(x, (n, x.shape[-1]))[rows] for k, x in given.items()}
+    return {k: np.broadcast_to(x, (n, x.shape[-1]))[rows] for k, x in inputs.items()}
 
 
-def _drawn(given: dict[str, Array], rng: np.random.Generator) -> dict[str, Array]:
+def _drawn(inputs: dict[str, Array], rng: np.random.Generator) -> dict[str, Array]:
     """Blocks that elements keep to themselves, drawn too."""
-    n, nu = given["u"].shape
-    found = dict(given)
-    found["du"] = 1e-2 * rng.uniform(-1, 1, (n, nu))
-    if not found["z"].shape[-1]:
-        found["z"] = rng.uniform(-1, 1, (n, 6))
-    return found
+    n, nu = inputs["u"].shape
+    drawn = dict(inputs)
+    drawn["du"] = 1e-2 * rng.uniform(-1, 1, (n, nu))
+    if not drawn["z"].shape[-1]:
+        drawn["z"] = rng.uniform(-1, 1, (n, 6))
+    return drawn
 
 
 def _state(model: LoadedModel, elements: Elements, rng: Any, length: float) -> State:
     tables, layout = elements.tables, model._layout
     # as the scene tells it: to assemble it would take the elements that are judged here
     q = start_of(model, {}, {})[0][: tables.nq]
-    step = TURNED * rng.uniform(-1, 1, tables.nu)
+    step = ANGLE_STEP * rng.uniform(-1, 1, tables.nu)
     for kind, start in zip(tables.kind, tables.u[:-1], strict=True):
         place = tables.kinds[kind]
         if place.node and place.nq == NODE:
-            step[start + 3 : start + 6] *= SHIFTED / TURNED * length
+            step[start + 3 : start + 6] *= SHIFTED / ANGLE_STEP * length
         elif place.node:
-            step[start : start + 2] *= SHIFTED / TURNED * length
+            step[start : start + 2] *= SHIFTED / ANGLE_STEP * length
     r = layout.start("r")
     return State(
         q=elements.move(np.asarray(q), step),

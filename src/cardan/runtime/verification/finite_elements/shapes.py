@@ -70,9 +70,9 @@ def _mean(q: Array, length: float) -> Array:
 
 def _free(data: Data, k: int) -> Array:
     """Strain without stress."""
-    own = [data[name][k] for name in SHAPE]
+    measures = [data[name][k] for name in SHAPE]
     thermal = [data[f"strain_{i}"][k] for i in range(1, 7)]
-    return np.asarray(np.array(own) + np.array(thermal))
+    return np.asarray(np.array(measures) + np.array(thermal))
 
 
 def _each(q: Array, of: Callable[[int], Array]) -> Array:
@@ -95,12 +95,12 @@ def _uniform(strain: Callable[[Array, float], Array], soft: bool) -> Callable[..
 
 
 def _stiffness(data: Data, k: int, soft: bool) -> Array:
-    found = np.array([data[name][k] for name in STIFFNESS])
+    diagonal = np.array([data[name][k] for name in STIFFNESS])
     if soft:
         square = float(data["length"][k]) ** 2
-        found[4] = 1 / (1 / found[4] + square / 12 / found[2])
-        found[5] = 1 / (1 / found[5] + square / 12 / found[1])
-    return found
+        diagonal[4] = 1 / (1 / diagonal[4] + square / 12 / diagonal[2])
+        diagonal[5] = 1 / (1 / diagonal[5] + square / 12 / diagonal[1])
+    return diagonal
 
 
 def _field(q: Array, data: Data, k: int) -> tuple[Array, Array, Array]:
@@ -126,7 +126,7 @@ def _field(q: Array, data: Data, k: int) -> tuple[Array, Array, Array]:
     return y, s, A @ s
 
 
-def _varying(q: Array, u: Array, data: Data) -> Array | None:
+def _energy_hellinger_reissner(q: Array, u: Array, data: Data) -> Array | None:
     """Energy of a stress in equilibrium along the helix; None with loads."""
     if any(name.startswith("dead_force") for name in data):
         return None
@@ -143,7 +143,7 @@ def _varying(q: Array, u: Array, data: Data) -> Array | None:
     return _each(q, one)
 
 
-def _stress_varying(q: Array, data: Data) -> Array | None:
+def _stress_hellinger_reissner(q: Array, data: Data) -> Array | None:
     """Stress and strain at both ends."""
     if any(name.startswith("dead_force") for name in data):
         return None
@@ -170,11 +170,13 @@ def _stress_uniform(strain: Callable[[Array, float], Array], soft: bool) -> Call
 
 
 def _springs(q: Array, u: Array, data: Data) -> Array:
-    """Of a bushing or hinge: rotation vector and distance in the axes halfway."""
+    """Energy of a bushing or hinge: rotation vector and distance in the axes halfway."""
 
     def one(k: int) -> Array:
-        rest = [data[f"theta{i}"][k] for i in (1, 2, 3)] + [data[f"e{i}"][k] for i in (1, 2, 3)]
-        y = _mean(q[k], 1.0) - rest
+        reference = [data[f"theta{i}"][k] for i in (1, 2, 3)] + [
+            data[f"e{i}"][k] for i in (1, 2, 3)
+        ]
+        y = _mean(q[k], 1.0) - reference
         if "turn" in data:
             names = ("turn", "tilt", "tilt", "axial", "radial", "radial")
             matrix = np.diag([float(data[name][k]) for name in names])
@@ -204,8 +206,8 @@ def quaternion_of(r: Array) -> Array:
         K = np.zeros((4, 4))
         K[0, 0], K[1:, 1:] = np.trace(m), m + m.T - np.trace(m) * np.eye(3)
         K[0, 1:] = K[1:, 0] = 2 * axial(m)
-        found = np.linalg.eigh(K)[1][:, -1]
-        return np.asarray(found if found[0] >= 0 else -found)
+        vector = np.linalg.eigh(K)[1][:, -1]
+        return np.asarray(vector if vector[0] >= 0 else -vector)
 
     return np.stack([one(m) for m in r])
 
@@ -220,18 +222,20 @@ def _mass_points(q: Array, u: Array, data: Data, k: int) -> list[Lump]:
     """
     (x, v, R, w), length = _ends(q, u, k), float(data["length"][k])
     tangents = length * R[:, :, 0]
-    turning = length * np.stack([R[i] @ np.cross(w[i], [1.0, 0, 0]) for i in range(2)])
+    end_rates = length * np.stack([R[i] @ np.cross(w[i], [1.0, 0, 0]) for i in range(2)])
     soft = data["EI2"][k] / data["GA3"][k] + data["EI3"][k] / data["GA2"][k]
     share = 1 / (1 + 6 * soft / length**2)
-    spin, found = _spin(data, k), list[Lump]()
+    spin, points = _spin(data, k), list[Lump]()
     for z, weight in zip(POINTS, WEIGHTS, strict=True):
-        place, rate = (_cubic(z, a, b, share) for a, b in ((x, tangents), (v, turning)))
+        place, rate = (_cubic(z, a, b, share) for a, b in ((x, tangents), (v, end_rates)))
         near = np.array([0.5 - z, 0.5 + z])
         omega, mass = near @ w, weight * length
         # angular velocities vary in section axes, those of either end
-        turned = sum(near[i] * R[i] @ (spin * omega) for i in range(2)) * mass
-        found.append((mass * data["rhoA"][k], place, rate, omega * spin * omega * mass, turned))
-    return found
+        angular_momentum = sum(near[i] * R[i] @ (spin * omega) for i in range(2)) * mass
+        points.append(
+            (mass * data["rhoA"][k], place, rate, omega * spin * omega * mass, angular_momentum)
+        )
+    return points
 
 
 def _lumps_of(q: Array, u: Array, data: Data, k: int) -> list[Lump]:
@@ -255,10 +259,10 @@ def _energies(points: Callable[..., list[Lump]]) -> Callable[..., Array]:
 
     def energy(q: Array, u: Array, data: Data) -> Array:
         def one(k: int) -> Array:
-            found, g = np.zeros(2), _gravity(data, k)
-            for mass, place, rate, turning, _ in points(q, u, data, k):
-                found += [(mass * rate @ rate + turning.sum()) / 2, -mass * g @ place]
-            return found
+            energies, g = np.zeros(2), _gravity(data, k)
+            for mass, place, rate, spin_energy, _ in points(q, u, data, k):
+                energies += [(mass * rate @ rate + spin_energy.sum()) / 2, -mass * g @ place]
+            return energies
 
         return _each(q, one)
 
@@ -271,8 +275,8 @@ def _momenta(points: Callable[..., list[Lump]]) -> Callable[..., Array]:
     def momentum(q: Array, u: Array, data: Data) -> Array:
         def one(k: int) -> Array:
             parts = [
-                np.concatenate([np.cross(place, mass * rate) + turned, mass * rate])
-                for mass, place, rate, _, turned in points(q, u, data, k)
+                np.concatenate([np.cross(place, mass * rate) + angular_momentum, mass * rate])
+                for mass, place, rate, _, angular_momentum in points(q, u, data, k)
             ]
             return np.asarray(np.sum(parts, axis=0))
 
@@ -283,9 +287,9 @@ def _momenta(points: Callable[..., list[Lump]]) -> Callable[..., Array]:
 
 def _cubic(z: float, ends: Array, tangents: Array, share: float) -> Array:
     """Line between two ends, the parabola of their tangents, and a share of the cubic."""
-    apart, mean = ends[1] - ends[0], tangents.mean(axis=0)
-    line = ends.mean(axis=0) + z * apart + (z * z - 0.25) / 2 * (tangents[1] - tangents[0])
-    return np.asarray(line + share * (mean - apart) * (4 * z**3 - z) / 2)
+    chord, mean = ends[1] - ends[0], tangents.mean(axis=0)
+    line = ends.mean(axis=0) + z * chord + (z * z - 0.25) / 2 * (tangents[1] - tangents[0])
+    return np.asarray(line + share * (mean - chord) * (4 * z**3 - z) / 2)
 
 
 def _gravity(data: Data, k: int) -> Array:
@@ -293,7 +297,7 @@ def _gravity(data: Data, k: int) -> Array:
 
 
 ENERGIES: dict[str, Callable[[Array, Array, Data], Array | None]] = {
-    "hellinger_reissner": _varying,
+    "hellinger_reissner": _energy_hellinger_reissner,
     "helicoidal": _uniform(_helix, soft=False),
     "classical": _uniform(_mean, soft=True),
     "classical_plain": _uniform(_mean, soft=False),
@@ -307,7 +311,7 @@ MOMENTA: dict[str, Callable[[Array, Array, Data], Array]] = {
     "lumped_inertia": _momenta(_lumps_of),
 }
 STRESSES: dict[str, Callable[[Array, Data], Array | None]] = {
-    "hellinger_reissner": _stress_varying,
+    "hellinger_reissner": _stress_hellinger_reissner,
     "helicoidal": _stress_uniform(_helix, soft=False),
     "classical": _stress_uniform(_mean, soft=True),
     "classical_plain": _stress_uniform(_mean, soft=False),

@@ -45,6 +45,6 @@ def from_text(
         folder: Of the file; included files lie below.
 
     Raises:
-        ModelError: it is no MJCF document, or an item of it is at fault; with file and line.
+        ModelError: it is not an MJCF document, or an item of it is at fault; with file and line.
     """
     return of_root(parse(text, name), options or Options(), name, folder)

@@ -1,4 +1,4 @@
-"""What <compiler> says: how angles and orientations are written, where masses come from."""
+"""Settings of <compiler>: conventions of angles and orientations, source of masses."""
 
 from __future__ import annotations
 
@@ -73,26 +73,26 @@ class Compiler:
         Raises:
             ModelError: written twice, or a direction of length 0.
         """
-        given = [name for name in ORIENTATIONS if element.raw.get(name) is not None]
-        if len(given) > 1:
+        attributes = [name for name in ORIENTATIONS if element.raw.get(name) is not None]
+        if len(attributes) > 1:
             raise ModelError(
-                f"{element.where}: its orientation is given by {' and '.join(given)}; keep one"
+                f"{element.where}: its orientation is given by {' and '.join(attributes)}; keep one"
             )
-        if not given:
+        if not attributes:
             return UPRIGHT
-        if given[0] == "quat":
+        if attributes[0] == "quat":
             w, x, y, z = element.numbers("quat", 4)
             self._direction(element, "quat", (w, x, y, z))
             return of_quaternion(w, x, y, z)
-        if given[0] == "axisangle":
+        if attributes[0] == "axisangle":
             *axis, angle = element.numbers("axisangle", 4)
             self._direction(element, "axisangle", axis)
             return about(unit(axis), angle * self.degree)
-        if given[0] == "zaxis":
+        if attributes[0] == "zaxis":
             axis = element.numbers("zaxis", 3)
             self._direction(element, "zaxis", axis)
             return upright_to(axis)
-        if given[0] == "xyaxes":
+        if attributes[0] == "xyaxes":
             return self._two_axes(element)
         rows = UPRIGHT
         for letter, angle in zip(self.sequence, element.numbers("euler", 3), strict=True):
@@ -120,16 +120,16 @@ class Compiler:
             raise ModelError(f"{element.where}: {name} has no direction: its length is 0")
 
 
-def chosen(element: Element, name: str, words: tuple[str, ...], default: str) -> str:
+def chosen(element: Element, name: str, choices: tuple[str, ...], default: str) -> str:
     """An attribute that is one of a few words.
 
     Raises:
         ModelError: another one.
     """
     word = element.text(name, default)
-    if word not in words:
+    if word not in choices:
         raise ModelError(
             f"{element.where}: {name}='{word[:40]}' of <{element.raw.tag}> is none of "
-            f"{', '.join(words)}"
+            f"{', '.join(choices)}"
         )
     return word

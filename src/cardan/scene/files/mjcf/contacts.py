@@ -1,4 +1,4 @@
-"""What would touch in MuJoCo: geoms hold nothing up here, and the reader of a file must know."""
+"""Warning about contacts that MuJoCo would simulate: geoms support nothing here."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from ..document import Element
 
-SHOWN = 4
+MAX_PRINTED = 4
 
 
 class Geom(NamedTuple):
@@ -26,7 +26,7 @@ class Geom(NamedTuple):
 
 
 def collides(geom: Element) -> bool:
-    """Whether a geom may touch others."""
+    """True when a geom may touch others."""
     return bool(geom.number("contype", "1") or geom.number("conaffinity", "1"))
 
 
@@ -36,8 +36,8 @@ def notes(geoms: Sequence[Geom]) -> list[str]:
     moving = [one for one in geoms if one.parent >= 0]
     said = []
     if fixed and moving:
-        names = [f"'{one.name}'" if one.name else one.kind for one in fixed[:SHOWN]]
-        more = ", ..." if len(fixed) > SHOWN else ""
+        names = [f"'{one.name}'" if one.name else one.kind for one in fixed[:MAX_PRINTED]]
+        more = ", ..." if len(fixed) > MAX_PRINTED else ""
         said.append(f"floors and walls of the world ({', '.join(names)}{more}) hold nothing up")
     bodies = {one.body: one.parent for one in moving}
     # a body and its parent do not touch in MuJoCo either

@@ -7,13 +7,13 @@ from typing import Any
 from ....errors import ModelError, near
 from ..document import Element
 from .compiler import ORIENTATIONS
-from .ignored import Unread, known
+from .ignored import Unread, attributes_read
 
 TOP = "main"
 # elements that have defaults -> what is read of them
 KINDS = {name: name for name in ("joint", "geom", "site", "motor")} | {"equality": "weld"}
 # of these only one may be said: the element's own word counts
-TOGETHER = (frozenset(ORIENTATIONS),)
+ALTERNATIVES = (frozenset(ORIENTATIONS),)
 
 
 class Defaults:
@@ -43,15 +43,19 @@ class Defaults:
                 raise ModelError(
                     f"{self.where}:{raw.line}: default class '{name[:80]}' is defined twice"
                 )
-            own = dict(self.classes[parent])
+            merged_class = dict(self.classes[parent])
             for child in raw:
                 if child.tag in KINDS:
                     self.unread.attributes(child, KINDS[child.tag])
-                    given = {k: text for k, text in child.items() if k in known(KINDS[child.tag])}
-                    own[child.tag] = merged(own.get(child.tag, {}), given)
+                    attributes = {
+                        k: text
+                        for k, text in child.items()
+                        if k in attributes_read(KINDS[child.tag])
+                    }
+                    merged_class[child.tag] = merged(merged_class.get(child.tag, {}), attributes)
                 elif child.tag != "default":
                     self.unread.element(child, "default")
-            self.classes[name] = own
+            self.classes[name] = merged_class
             inner = [child for child in raw if child.tag == "default"]
             for child in reversed(inner):
                 if not child.get("class"):
@@ -76,17 +80,17 @@ class Defaults:
         if name not in self.classes:
             listed = near(name, self.classes).replace(" Known:", " Classes:")
             raise ModelError(f"{where}: there is no default class '{name[:80]}'.{listed}")
-        given = self.classes[name].get(tag or raw.tag, {})
-        made = type(raw)(raw.tag, merged(given, raw.attrib))
-        made.line = raw.line
-        made.extend(raw)
-        return Element(made, where)
+        defaults = self.classes[name].get(tag or raw.tag, {})
+        element = type(raw)(raw.tag, merged(defaults, raw.attrib))
+        element.line = raw.line
+        element.extend(raw)
+        return Element(element, where)
 
 
-def merged(given: dict[str, str], own: dict[str, str]) -> dict[str, str]:
+def merged(defaults: dict[str, str], attributes: dict[str, str]) -> dict[str, str]:
     """Attributes of a class with an element's own before them."""
-    hidden = set(own)
-    for alternatives in TOGETHER:
+    hidden = set(attributes)
+    for alternatives in ALTERNATIVES:
         if alternatives & hidden:
             hidden |= alternatives
-    return {key: text for key, text in given.items() if key not in hidden} | dict(own)
+    return {key: text for key, text in defaults.items() if key not in hidden} | dict(attributes)

@@ -26,7 +26,7 @@ REFUSED = ("replicate", "composite", "flexcomp", "attach")
 
 
 @dataclass(frozen=True)
-class Found:
+class BodyElement:
     """A body of the file with what is in it.
 
     Attributes:
@@ -69,7 +69,7 @@ class Document:
         return f"{self.place(raw)}: <{raw.tag}>{named}"
 
     @contextmanager
-    def placed(self, raw: Any) -> Iterator[None]:
+    def at_element(self, raw: Any) -> Iterator[None]:
         """Errors that do not say where they are say that they are here."""
         try:
             yield
@@ -81,12 +81,12 @@ class Document:
     def section(self, name: str) -> Element:
         """All elements of the root of a name as one: their attributes, later ones count."""
         raws = self.root.findall(name)
-        made = type(self.root)(name, {k: text for raw in raws for k, text in raw.attrib.items()})
-        made.extend(child for raw in raws for child in raw)
-        made.line = raws[-1].line if raws else self.root.line
-        return Element(made, self.where(made))
+        joined = type(self.root)(name, {k: text for raw in raws for k, text in raw.attrib.items()})
+        joined.extend(child for raw in raws for child in raw)
+        joined.line = raws[-1].line if raws else self.root.line
+        return Element(joined, self.where(joined))
 
-    def bodies(self, compiler: Compiler) -> Iterator[Found]:
+    def bodies(self, compiler: Compiler) -> Iterator[BodyElement]:
         """The world and all bodies, every parent before its children.
 
         Raises:
@@ -98,15 +98,17 @@ class Document:
         while waiting:
             raw, parent, pose, style = waiting.pop()
             parts, children = [], []
-            for child, around, own in self._inside(raw, raw.get("childclass") or style, compiler):
+            for child, around, style_here in self._inside(
+                raw, raw.get("childclass") or style, compiler
+            ):
                 if child.tag == "body":
                     self.unread.attributes(child)
                     place = around.then(compiler.pose(Element(child, self.where(child))))
-                    children.append((child, count, place, own))
+                    children.append((child, count, place, style_here))
                 else:
-                    parts.append((child, around, own))
+                    parts.append((child, around, style_here))
             name = "" if parent < 0 else self._name(raw, count, taken)
-            yield Found(raw, name, parent, pose, tuple(parts))
+            yield BodyElement(raw, name, parent, pose, tuple(parts))
             count += 1
             if count > MOST_BODIES:
                 raise ModelError(f"file '{self.file}' has more than {MOST_BODIES} bodies")
@@ -127,21 +129,21 @@ class Document:
         return str(name)
 
     def _inside(self, raw: Any, style: str, compiler: Compiler) -> Iterator[tuple[Any, Pose, str]]:
-        """What a body contains, with the poses of the frames around it."""
+        """Contents of a body, with the poses of the frames around it."""
         waiting = [(child, HERE, style) for child in reversed(raw)]
         while waiting:
-            child, around, own = waiting.pop()
+            child, around, style_here = waiting.pop()
             if child.tag in REFUSED:
                 raise ModelError(
                     f"{self.where(child)} is not read, and without it bodies would be missing; "
                     "write its bodies out (MuJoCo saves models so)"
                 )
             if child.tag != "frame":
-                yield child, around, own
+                yield child, around, style_here
                 continue
             self.unread.attributes(child)
             pose = around.then(compiler.pose(Element(child, self.where(child))))
-            inner = child.get("childclass") or own
+            inner = child.get("childclass") or style_here
             waiting += [(grandchild, pose, inner) for grandchild in reversed(child)]
 
 
@@ -152,19 +154,21 @@ def expanded(root: Any, options: Options, file: str, folder: Path | None) -> Any
         ModelError: a file that is missing, outside the declared folders, included twice, or one
             too many.
     """
-    meshes, seen = Meshes(options.packages, folder), {file}
+    meshes, included_files = Meshes(options.packages, folder), {file}
     waiting = [root]
     while waiting:
         raw = waiting.pop()
         for number in range(len(raw) - 1, -1, -1):
             if raw[number].tag == "include":
-                inner = _included(raw[number], options, meshes, file, seen)
+                inner = _included(raw[number], options, meshes, file, included_files)
                 raw[number : number + 1] = list(inner)
         waiting += list(raw)
     return root
 
 
-def _included(raw: Any, options: Options, meshes: Meshes, file: str, seen: set[str]) -> Any:
+def _included(
+    raw: Any, options: Options, meshes: Meshes, file: str, included_files: set[str]
+) -> Any:
     """The root of an included file; its own includes stand in it."""
     where = f"{getattr(raw, 'file', file)}:{raw.line}: <include>"
     name = Element(raw, where).text("file")
@@ -174,9 +178,9 @@ def _included(raw: Any, options: Options, meshes: Meshes, file: str, seen: set[s
             f"{where}: there is no file '{name[:80]}' below the folder of the model; packages= "
             "names other folders"
         )
-    if str(path) in seen or path.name == file:
+    if str(path) in included_files or path.name == file:
         raise ModelError(f"{where}: file '{path.name}' is included twice; MuJoCo takes it once")
-    seen.add(str(path))
+    included_files.add(str(path))
     options.budget.take()
     inner = parse(content(path), path.name)
     for element in inner.iter():

@@ -1,4 +1,4 @@
-"""Equality constraints: joints that close circuits, and couplings of coordinates."""
+"""Equality constraints: joints that close loops, and couplings of coordinates."""
 
 from __future__ import annotations
 
@@ -43,13 +43,13 @@ class Law:
     @property
     def couple(self) -> tuple[Any, ...] | None:
         """The law as a coupling of joints, None where it is none."""
-        c0, c1, *rest = self.coefficients
-        if self.leader is None or any(rest) or c1 == 0 or self.leader == self.follower:
+        c0, c1, *higher = self.coefficients
+        if self.leader is None or any(higher) or c1 == 0 or self.leader == self.follower:
             return None
         return self.leader, c1, self.refs[0] + c0 - c1 * self.refs[1]
 
     def expression(self, scene: SceneRecord) -> Any:
-        """What vanishes, in coordinates of the model."""
+        """Expression that vanishes, in coordinates of the model."""
         y = scene.q(self.follower) - self.refs[0]
         if self.leader is None:
             return y - self.coefficients[0]
@@ -63,30 +63,30 @@ def law(element: Element, name: str, hinges: dict[str, Hinge]) -> Law:
     Raises:
         ModelError: a joint that does not exist or has several coordinates.
     """
-    found = []
+    joints = []
     for key in ("joint1", "joint2"):
         joint = element.text(key) if key == "joint1" else element.raw.get(key)
         if joint is not None:
             if joint not in hinges:
                 listed = near(joint, hinges).replace(" Known:", " Joints:")
-                raise ModelError(f"{element.where}: {key} '{joint[:80]}' is no joint.{listed}")
+                raise ModelError(f"{element.where}: {key} '{joint[:80]}' is not a joint.{listed}")
             if not hinges[joint].single:
                 kind = hinges[joint].kind
                 raise ModelError(
                     f"{element.where}: {key} '{joint}' is a {kind} joint; hinges and slides can "
                     "follow each other"
                 )
-        found.append(joint)
-    given = element.several("polycoef", 1, 5, "0 1 0 0 0")
-    coefficients = (*given, *(0.0, 1.0, 0.0, 0.0, 0.0)[len(given) :])
-    follower, leader = found
+        joints.append(joint)
+    polynomial = element.several("polycoef", 1, 5, "0 1 0 0 0")
+    coefficients = (*polynomial, *(0.0, 1.0, 0.0, 0.0, 0.0)[len(polynomial) :])
+    follower, leader = joints
     refs = (hinges[str(follower)].ref, hinges[leader].ref if leader is not None else 0.0)
     return Law(name, element, str(follower), leader, coefficients, refs)
 
 
 @dataclass(frozen=True)
 class Parts:
-    """What constraints may speak of.
+    """Bodies, sites and joints that constraints may refer to.
 
     Attributes:
         scene: The model.
@@ -101,7 +101,7 @@ class Parts:
     sites: dict[str, tuple[Body, Pose]]
 
     def close(self, element: Element, name: str) -> None:
-        """A <connect> or <weld>: a joint that closes a circuit.
+        """A <connect> or <weld>: a joint that closes a loop.
 
         Raises:
             ModelError: bodies or sites that do not exist, or both the same.
@@ -113,43 +113,43 @@ class Parts:
         parent, child = (self._place(*end, welds) for end in ends)
         self.scene.joint(name, kind, parent, child, cut=True)
 
-    def _place(self, body: Body, pose: Pose, turned: bool) -> Place:
-        turn = written(pose.rotation) if turned else None
+    def _place(self, body: Body, pose: Pose, with_rotation: bool) -> Place:
+        turn = written(pose.rotation) if with_rotation else None
         if turn is None and not any(pose.position):
             return body
         return body.at(*pose.position, rotation=turn)
 
     def _sites(self, element: Element) -> list[tuple[Body, Pose]]:
-        found = []
+        sites = []
         for key in ("site1", "site2"):
             name = element.text(key)
             if name not in self.sites:
                 listed = near(name, self.sites).replace(" Known:", " Sites:")
-                raise ModelError(f"{element.where}: {key} '{name[:80]}' is no site.{listed}")
-            found.append(self.sites[name])
-        return found
+                raise ModelError(f"{element.where}: {key} '{name[:80]}' is not a site.{listed}")
+            sites.append(self.sites[name])
+        return sites
 
     def _bodies(self, element: Element, welds: bool) -> list[tuple[Body, Pose]]:
         one = self._body(element, "body1", element.text("body1"))
         other = self._body(element, "body2", element.text("body2", "world"))
-        between = self.drawn[one].inverse().then(self.drawn[other])
+        relative = self.drawn[one].inverse().then(self.drawn[other])
         if not welds:
             x, y, z = element.numbers("anchor", 3)
             anchor = Pose(UPRIGHT, (x, y, z))
-            return [(one, anchor), (other, between.inverse().then(anchor))]
+            return [(one, anchor), (other, relative.inverse().then(anchor))]
         # a quaternion of zeros means: as drawn
         px, py, pz, *quaternion = element.numbers("relpose", 7, "0 0 0 0 0 0 0")
         if any(quaternion):
-            between = Pose(of_quaternion(*quaternion), (px, py, pz))
-        return [(one, between), (other, HERE)]
+            relative = Pose(of_quaternion(*quaternion), (px, py, pz))
+        return [(one, relative), (other, HERE)]
 
     def _body(self, element: Element, key: str, name: str) -> Body:
         if name not in self.bodies:
             listed = near(name, self.bodies).replace(" Known:", " Bodies:")
-            raise ModelError(f"{element.where}: {key} '{name[:80]}' is no body.{listed}")
+            raise ModelError(f"{element.where}: {key} '{name[:80]}' is not a body.{listed}")
         return self.bodies[name]
 
 
 def active(element: Element) -> bool:
-    """Whether a constraint acts from the start."""
+    """True when a constraint acts from the start."""
     return chosen(element, "active", ("true", "false"), "true") == "true"

@@ -1,4 +1,4 @@
-"""What a file says and the model does not act on, by name."""
+"""Elements of a file that the model does not act on, by name."""
 
 from __future__ import annotations
 
@@ -28,37 +28,37 @@ READ = {
     "equality joint": {"joint1", "joint2", "polycoef", "active"},
     "motor": {"joint", "gear"},
 }
-PLACED = {"pos", "quat", "axisangle", "xyaxes", "zaxis", "euler"}
+POSE_ATTRIBUTES = {"pos", "quat", "axisangle", "xyaxes", "zaxis", "euler"}
 PLACES = ("body", "frame", "inertial", "geom", "site")
 EVERYWHERE = {"name", "class", "pos"}
 
 
-def known(kind: str) -> set[str]:
+def attributes_read(kind: str) -> set[str]:
     """Attributes that are read of an element."""
-    return READ[kind] | EVERYWHERE | (PLACED if kind in PLACES else set())
+    return READ[kind] | EVERYWHERE | (POSE_ATTRIBUTES if kind in PLACES else set())
 
 
 class Unread:
     """Counts elements and attributes that are passed over."""
 
     def __init__(self) -> None:
-        self.found: Counter[str] = Counter()
+        self.counts: Counter[str] = Counter()
 
     def element(self, raw: Any, inside: str = "") -> None:
         """A whole element is passed over."""
-        self.found[f"{inside} {raw.tag}".strip()] += 1
+        self.counts[f"{inside} {raw.tag}".strip()] += 1
 
     def attributes(self, raw: Any, kind: str | None = None) -> None:
         """An element is read: what of it is not?"""
         kind = kind or raw.tag
-        read = known(kind)
+        read = attributes_read(kind)
         for name in raw.attrib:
             if name not in read:
-                self.found[f"{kind} {name}="] += 1
+                self.counts[f"{kind} {name}="] += 1
 
     def notes(self) -> list[str]:
         """All of it in one note, the most frequent first."""
-        if not self.found:
+        if not self.counts:
             return []
-        words = (f"{what} ({n})" if n > 1 else what for what, n in self.found.most_common())
-        return [f"not read: {', '.join(words)}"]
+        names = (f"{what} ({n})" if n > 1 else what for what, n in self.counts.most_common())
+        return [f"not read: {', '.join(names)}"]

@@ -7,9 +7,9 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any
 
-from ....elements.forces.damping import Damping
 from ....elements.forces.drive import Drive
-from ....elements.forces.torsion_spring import TorsionSpring
+from ....elements.forces.joint_damper import JointDamper
+from ....elements.forces.joint_spring import JointSpring
 from ....elements.joints.fixed import Fixed
 from ....elements.joints.free import Free
 from ....elements.joints.joint import Joint as JointElement
@@ -17,7 +17,7 @@ from ....elements.joints.prismatic import Prismatic
 from ....elements.joints.revolute import Revolute
 from ....elements.joints.spherical import Spherical
 from ....errors import ModelError
-from ....spatial.numbers import UPRIGHT, Vector, about, to_quaternion, turned, unit
+from ....spatial.numbers import UPRIGHT, Vector, about, rotated, to_quaternion, unit
 from ...body import Body
 from ...frame import Place
 from ...scene import SceneRecord
@@ -62,7 +62,7 @@ class Hinge:
         return self.kind in SINGLE
 
     @property
-    def made(self) -> JointElement:
+    def joint_element(self) -> JointElement:
         """The joint element."""
         axis = tuple(int(x) if x in (0.0, 1.0, -1.0) else x for x in self.axis)
         if self.kind == "hinge":
@@ -99,7 +99,7 @@ def read(element: Element, name: str, compiler: Compiler, around: Pose) -> Hinge
         raise ModelError(f"{element.where}: its axis has no direction; give such as '0 0 1'")
     factor = 1.0 if kind == "slide" else compiler.degree
     ref = element.number("ref", "0") * factor if kind in SINGLE else 0.0
-    return Hinge(name, kind, element, anchor, turned(around.rotation, unit(axis)), ref, factor)
+    return Hinge(name, kind, element, anchor, rotated(around.rotation, unit(axis)), ref, factor)
 
 
 @dataclass(frozen=True)
@@ -156,7 +156,7 @@ class Chain:
         couple = self.couples.get(hinge.name)
         joint = self.scene.joint(
             hinge.name,
-            hinge.made,
+            hinge.joint_element,
             self._frame(inner, start.then(hinge.before)),
             self._frame(outer, anchor),
             q0=None if couple else q0,
@@ -185,14 +185,14 @@ class Chain:
         damping, stiffness = element.number("damping", "0"), element.number("stiffness", "0")
         armature = element.number("armature", "0")
         if damping:
-            scene.force(f"{name}.damping", Damping(name, damping))
+            scene.force(f"{name}.damping", JointDamper(name, damping))
             self.origin("force", f"{name}.damping", element)
         for key, value in (("stiffness", stiffness), ("armature", armature)):
             if value and not hinge.single:
                 self.ignored.append(f"{key} of {hinge.kind} joint {name}")
         if stiffness and hinge.single:
-            rest = hinge.angle("springref")
-            scene.force(f"{name}.spring", TorsionSpring(name, stiffness, rest=rest))
+            reference = hinge.angle("springref")
+            scene.force(f"{name}.spring", JointSpring(name, stiffness, rest=reference))
             self.origin("force", f"{name}.spring", element)
         if armature and hinge.single:
             scene.force(f"{name}.rotor", Drive(name, armature))

@@ -115,8 +115,8 @@ def solid(geom: Element, kind: str, compiler: Compiler) -> Solid:
     """
     count, replaced = SIZES[kind]
     ends = geom.raw.get("fromto") is not None and replaced
-    wanted = count - 1 if ends and count == 2 else 1 if ends else count
-    size = tuple(geom.several("size", wanted, 3)[:wanted])
+    size_count = count - 1 if ends and count == 2 else 1 if ends else count
+    size = tuple(geom.several("size", size_count, 3)[:size_count])
     if min(size) <= 0:
         raise ModelError(f"{geom.where}: size={geom.text('size')[:60]!r} must be positive")
     if not ends:
@@ -156,15 +156,15 @@ def of_geom(geom: Element, kind: str, compiler: Compiler, around: Pose) -> Mass 
     form = solid(geom, kind, compiler)
     mass = factor if stated is not None else factor * form.volume
     pose = around.then(form.pose)
-    return Mass(mass, pose.position, _turned(pose.rotation, form.moments(mass)))
+    return Mass(mass, pose.position, _rotated(pose.rotation, form.moments(mass)))
 
 
-def _turned(rotation: Rows, moments: Sequence[float]) -> Rows:
+def _rotated(rotation: Rows, moments: Sequence[float]) -> Rows:
     rows = [[m if i == j else 0.0 for j in range(3)] for i, m in enumerate(moments)]
     return rows if rotation == UPRIGHT else congruent(rotation, rows)
 
 
-def together(parts: Sequence[Mass]) -> Mass:
+def combined(parts: Sequence[Mass]) -> Mass:
     """Several parts as one body.
 
     Source: parallel-axis theorem.
@@ -199,7 +199,7 @@ def written(inertial: Element, compiler: Compiler, around: Pose) -> Mass:
     mass, pose = inertial.number("mass"), around.then(compiler.pose(inertial))
     if inertial.raw.get("fullinertia") is None:
         moments = inertial.numbers("diaginertia", 3, "0 0 0")
-        return Mass(mass, pose.position, _turned(pose.rotation, moments))
+        return Mass(mass, pose.position, _rotated(pose.rotation, moments))
     if inertial.raw.get("diaginertia") is not None or compiler.orientation(inertial) != UPRIGHT:
         raise ModelError(
             f"{inertial.where}: fullinertia stands alone, without diaginertia and orientation"

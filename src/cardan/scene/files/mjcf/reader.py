@@ -17,7 +17,7 @@ from ..pose import HERE, Pose, written
 from . import actuators, contacts, equality, joints, masses
 from .compiler import Compiler
 from .defaults import Defaults
-from .document import Document, Found, expanded
+from .document import BodyElement, Document, expanded
 from .equality import Law, Parts
 from .ignored import Unread
 from .joints import Chain, Hinge
@@ -39,16 +39,16 @@ class Reader:
             self.defaults.read(raw)
         self.scene = SceneRecord(root.get("model") or Path(file).stem or "mujoco", self._gravity())
         self.scene.of_robot = True
-        found = list(self.document.bodies(self.compiler))
-        hinges = [self._hinges(body) for body in found]
+        bodies = list(self.document.bodies(self.compiler))
+        hinges = [self._hinges(body) for body in bodies]
         self.hinges = {hinge.name: hinge for row in hinges for hinge in row}
         self.closing: list[tuple[Element, str]] = []
         self.laws: list[Law] = []
         self._equalities()
-        self._build(found, hinges)
+        self._build(bodies, hinges)
         self._close()
         for number, element in enumerate(self._children("actuator")):
-            with self.document.placed(element.raw):
+            with self.document.at_element(element.raw):
                 actuators.add(self.scene, element, f"motor{number}", self.hinges, self.unread)
         self._announce()
 
@@ -85,26 +85,28 @@ class Reader:
                 if (child.tag, name, word) == ("flag", "gravity", "disable"):
                     gravity = [0.0, 0.0, 0.0]
                 else:
-                    self.unread.found[f"{child.tag} {name}="] += 1
+                    self.unread.counts[f"{child.tag} {name}="] += 1
         return triple(gravity, "gravity")
 
     # bodies
 
-    def _hinges(self, found: Found) -> list[Hinge]:
+    def _hinges(self, body_element: BodyElement) -> list[Hinge]:
         """The joints of a body, named.
 
         Raises:
             ModelError: joints of the world, a free joint among others or inside another body.
         """
         hinges: list[Hinge] = []
-        rows = [part for part in found.parts if part[0].tag in ("joint", "freejoint")]
+        rows = [part for part in body_element.parts if part[0].tag in ("joint", "freejoint")]
         for raw, around, style in rows:
             element = self._element(raw, style)
-            if found.parent < 0:
+            if body_element.parent < 0:
                 raise ModelError(f"{element.where}: the world has no joints")
-            name = raw.get("name") or f"{found.name}.joint{len(hinges) + 1 if rows[1:] else ''}"
+            name = (
+                raw.get("name") or f"{body_element.name}.joint{len(hinges) + 1 if rows[1:] else ''}"
+            )
             hinge = joints.read(element, name, self.compiler, around)
-            if hinge.kind == "free" and (found.parent > 0 or len(rows) > 1):
+            if hinge.kind == "free" and (body_element.parent > 0 or len(rows) > 1):
                 raise ModelError(
                     f"{element.where}: a free joint is the only one of a body of the world"
                 )
@@ -112,7 +114,7 @@ class Reader:
         return hinges
 
     def _equalities(self) -> None:
-        """Laws between joints, and what closes circuits."""
+        """Laws between joints, and what closes loops."""
         for number, element in enumerate(self._children("equality")):
             tag = element.raw.tag
             name = element.raw.get("name") or f"{tag}{number}"
@@ -125,7 +127,7 @@ class Reader:
                 self.unread.attributes(element.raw)
                 self.closing.append((element, name))
 
-    def _build(self, found: list[Found], hinges: list[list[Hinge]]) -> None:
+    def _build(self, bodies: list[BodyElement], hinges: list[list[Hinge]]) -> None:
         """Bodies, joints, pictures and sites."""
         scene = self.scene
         self.parts = Parts(scene, {"world": scene.ground}, {scene.ground: HERE}, {})
@@ -137,26 +139,26 @@ class Reader:
         couples = {name: law.couple for name, law in followers.items() if law.couple is not None}
         self.laws = [law for law in self.laws if law not in followers.values()]
         self.chain = Chain(scene, self.compiler, couples, self._free, self._origin)
-        self.names = {one.name for one in found}
+        self.names = {one.name for one in bodies}
         self.touching = [
             contacts.Geom(number, one.parent, kind, geom.text("name", ""))
-            for number, one in enumerate(found)
+            for number, one in enumerate(bodies)
             for geom, kind, _ in self._geoms(one)
             if contacts.collides(geom)
         ]
-        weights = masses.scaled([self._weight(one) for one in found], self.compiler.total)
-        made: list[Body] = []
-        for one, own, weight in zip(found, hinges, weights, strict=True):
-            with self.document.placed(one.raw):
+        weights = masses.scaled([self._weight(one) for one in bodies], self.compiler.total)
+        built: list[Body] = []
+        for one, body_hinges, weight in zip(bodies, hinges, weights, strict=True):
+            with self.document.at_element(one.raw):
                 body = scene.ground if one.parent < 0 else self._body(one, weight)
-                made.append(body)
+                built.append(body)
                 if one.parent >= 0:
-                    parent = made[one.parent]
+                    parent = built[one.parent]
                     self.parts.bodies[one.raw.get("name") or one.name] = body
                     self.parts.drawn[body] = self.parts.drawn[parent].then(one.pose)
-                    self.chain.join(parent, one.pose, body, own, f"{one.name}.weld")
+                    self.chain.join(parent, one.pose, body, body_hinges, f"{one.name}.weld")
             for raw, around, style in one.parts:
-                with self.document.placed(raw):
+                with self.document.at_element(raw):
                     self._part(body, raw, around, style)
 
     def _origin(self, kind: str, name: str, element: Element) -> None:
@@ -169,40 +171,50 @@ class Reader:
             name += "_"
         return name
 
-    def _weight(self, found: Found) -> masses.Mass:
+    def _weight(self, body_element: BodyElement) -> masses.Mass:
         """Mass and inertia of a body: as written, or of its geoms."""
         inertial = None
-        for raw, around, style in found.parts:
+        for raw, around, style in body_element.parts:
             if raw.tag == "inertial":
                 element = self._element(raw, style)
                 inertial = masses.written(element, self.compiler, around)
         # geoms say the mass where nothing else does, or where the file wants it
-        wanted = self.compiler.masses
-        if found.parent < 0 or (wanted != "true" and (inertial is not None or wanted == "false")):
+        policy = self.compiler.masses
+        if body_element.parent < 0 or (
+            policy != "true" and (inertial is not None or policy == "false")
+        ):
             return inertial or masses.NOTHING
         compiler = self.compiler
-        own = [masses.of_geom(g, kind, compiler, around) for g, kind, around in self._geoms(found)]
-        return masses.together([part for part in own if part is not None])
+        geom_masses = [
+            masses.of_geom(g, kind, compiler, around)
+            for g, kind, around in self._geoms(body_element)
+        ]
+        return masses.combined([part for part in geom_masses if part is not None])
 
-    def _geoms(self, found: Found) -> Iterator[tuple[Element, str, Pose]]:
+    def _geoms(self, body_element: BodyElement) -> Iterator[tuple[Element, str, Pose]]:
         """The geoms of a body, their types and the poses of the frames around them."""
-        for raw, around, style in found.parts:
+        for raw, around, style in body_element.parts:
             if raw.tag == "geom":
                 geom = self.defaults.of(raw, self.document.where(raw), style)
                 yield geom, masses.kind_of(geom), around
 
-    def _body(self, found: Found, mass: masses.Mass) -> Body:
+    def _body(self, body_element: BodyElement, mass: masses.Mass) -> Body:
         """A body with its mass and what is drawn of it."""
         drawn: list[Shape] = []
-        for geom, kind, around in self._geoms(found):
+        for geom, kind, around in self._geoms(body_element):
             self.unread.attributes(geom.raw)
             drawn += masses.picture(geom, kind, self.compiler, around)
         rows = mass.inertia
         tensor = [rows[i][j] for i in range(3) for j in range(i, 3)]
         body = self.scene.body(
-            found.name, mass.mass, mass.com, dict(zip(ENTRIES, tensor, strict=True)), None, drawn
+            body_element.name,
+            mass.mass,
+            mass.com,
+            dict(zip(ENTRIES, tensor, strict=True)),
+            None,
+            drawn,
         )
-        self.scene.origins["body", found.name] = self.document.place(found.raw)
+        self.scene.origins["body", body_element.name] = self.document.place(body_element.raw)
         return body
 
     def _part(self, body: Body, raw: Any, around: Pose, style: str) -> None:
@@ -221,18 +233,18 @@ class Reader:
             self.unread.element(raw)
 
     def _close(self) -> None:
-        """Circuits, and the laws that are no couplings."""
+        """Loops, and the laws that are not couplings."""
         for element, name in self.closing:
-            with self.document.placed(element.raw):
+            with self.document.at_element(element.raw):
                 self.parts.close(element, name)
             self._origin("joint", name, element)
         for law in self.laws:
-            with self.document.placed(law.element.raw):
+            with self.document.at_element(law.element.raw):
                 self.scene.constraint(law.name, law.expression(self.scene))
             self._origin("constraint", law.name, law.element)
 
     def _announce(self) -> None:
-        """What a reader of the model must know."""
+        """Notes for the reader of the model."""
         chain, notes = self.chain, self.scene.notes
         notes += contacts.notes(self.touching)
         notes += self.unread.notes()

@@ -1,4 +1,4 @@
-"""URDF robots, with joints that close circuits.
+"""URDF robots, with joints that close loops.
 
 Source: the URDF specification, http://wiki.ros.org/urdf/XML. ``<loop_joint>`` is an extension, see
 :mod:`.loops`.
@@ -38,7 +38,7 @@ def from_text(
         folder: Of the file, for relative mesh paths.
 
     Raises:
-        ModelError: it is no URDF document, or a link or joint of it is at fault.
+        ModelError: it is not a URDF document, or a link or joint of it is at fault.
         TopologyError: links form a loop or nothing joins them.
     """
     return of_root(parse(text, name), options or Options(), name, folder)

@@ -65,7 +65,7 @@ def edges_of(root: Any, file: str) -> list[Edge]:
     return list(edges.values())
 
 
-def known_link(who: str, role: str, link: str, links: Iterable[str]) -> None:
+def check_link(who: str, role: str, link: str, links: Iterable[str]) -> None:
     """A joint joins links that exist.
 
     Raises:
@@ -73,7 +73,7 @@ def known_link(who: str, role: str, link: str, links: Iterable[str]) -> None:
     """
     if link not in links:
         listed = near(link, links).replace(" Known:", " Links:")
-        raise ModelError(f"{who}: {role} '{link}' is no link.{listed}")
+        raise ModelError(f"{who}: {role} '{link}' is not a link.{listed}")
 
 
 def base_of(links: dict[str, Element], edges: list[Edge], file: str) -> str:
@@ -86,11 +86,11 @@ def base_of(links: dict[str, Element], edges: list[Edge], file: str) -> str:
     inboard: dict[str, Edge] = {}
     for edge in edges:
         for role, link in (("parent", edge.parent), ("child", edge.child)):
-            known_link(f"joint '{edge.name}'", role, link, links)
+            check_link(f"joint '{edge.name}'", role, link, links)
         if edge.child in inboard:
             raise TopologyError(
                 f"link '{edge.child}' is the child of two joints, '{inboard[edge.child].name}' and "
-                f"'{edge.name}'; write the one that closes a circuit as <loop_joint> with "
+                f"'{edge.name}'; write the one that closes a loop as <loop_joint> with "
                 "<link1 link=.../> and <link2 link=.../>"
             )
         inboard[edge.child] = edge
@@ -106,11 +106,11 @@ def base_of(links: dict[str, Element], edges: list[Edge], file: str) -> str:
             f"file '{file}' has {len(roots)} links that are nobody's child: {listed}. Join all "
             "but one of them to the rest"
         )
-    _check_reached(roots[0], edges, file)
+    _check_connected(roots[0], edges, file)
     return roots[0]
 
 
-def _check_reached(base: str, edges: list[Edge], file: str) -> None:
+def _check_connected(base: str, edges: list[Edge], file: str) -> None:
     """All links hang on the root.
 
     Raises:
@@ -119,12 +119,12 @@ def _check_reached(base: str, edges: list[Edge], file: str) -> None:
     outboard: dict[str, list[str]] = {}
     for edge in edges:
         outboard.setdefault(edge.parent, []).append(edge.child)
-    reached, stack = {base}, [base]
+    visited, stack = {base}, [base]
     while stack:
         for child in outboard.get(stack.pop(), ()):
-            reached.add(child)
+            visited.add(child)
             stack.append(child)
-    loop = [f"'{edge.child}'" for edge in edges if edge.child not in reached]
+    loop = [f"'{edge.child}'" for edge in edges if edge.child not in visited]
     if loop:
         raise TopologyError(
             f"file '{file}': links {', '.join(loop[:8])} form a loop that does not hang on the "

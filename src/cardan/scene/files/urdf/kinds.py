@@ -32,8 +32,8 @@ def kind_of(element: Element, snap: bool, snaps: list[str]) -> JointElement:
     if kind == "floating":
         return Free()
     family = {"prismatic": Prismatic, "planar": Planar}
-    made: JointElement = family.get(kind, Revolute)(axis_of(element, "axis", snap, snaps))
-    return made
+    element_kind: JointElement = family.get(kind, Revolute)(axis_of(element, "axis", snap, snaps))
+    return element_kind
 
 
 def axis_of(element: Element, tag: str, snap: bool, snaps: list[str]) -> tuple[float, ...]:

@@ -1,4 +1,4 @@
-"""Joints that close circuits, an extension of URDF.
+"""Joints that close loops, an extension of URDF.
 
     <loop_joint name="C" type="revolute">
       <link1 link="coupler"/>
@@ -9,7 +9,7 @@
 
 It joins two links of the tree. Its frame on link1 is given by <origin> like that of any joint, and
 <axis> in that frame. Its frame on link2 is the one that coincides with it in the reference
-configuration, all coordinates zero; where the circuit is not closed there, an <origin> inside
+configuration, all coordinates zero; where the loop is not closed there, an <origin> inside
 <link2> says where the frame is on link2. Types are those of a <joint>, without floating, and
 spherical (or ball), cylindrical and universal with a second direction <axis2>.
 """
@@ -30,7 +30,7 @@ from ...frame import Place
 from ...scene import SceneRecord
 from ..document import Element
 from ..pose import HERE, Pose, written
-from .graph import Edge, known_link
+from .graph import Edge, check_link
 from .kinds import TYPES as PLAIN
 from .kinds import Origin, axis_of, kind_of, origin_of
 
@@ -79,24 +79,22 @@ def close(
 
 
 def _ends(element: Element, bodies: Mapping[str, Body]) -> tuple[str, str]:
-    found = []
+    links = []
     for role in ("link1", "link2"):
         end = element.child(role)
         if end is None:
             raise ModelError(f"{element.where}: <{role} link=.../> is missing")
-        found.append(end.text("link"))
-        known_link(element.where, role, found[-1], bodies)
-    if found[0] == found[1]:
-        raise ModelError(f"{element.where}: it joins link '{found[0]}' to itself")
-    return found[0], found[1]
+        links.append(end.text("link"))
+        check_link(element.where, role, links[-1], bodies)
+    if links[0] == links[1]:
+        raise ModelError(f"{element.where}: it joins link '{links[0]}' to itself")
+    return links[0], links[1]
 
 
 def _kind(element: Element, snap: bool, snaps: list[str]) -> JointElement:
     kind = element.text("type")
     if kind not in TYPES:
-        raise ModelError(
-            f"{element.where}: type '{kind[:40]}' closes no circuit." + near(kind, TYPES)
-        )
+        raise ModelError(f"{element.where}: type '{kind[:40]}' closes no loop." + near(kind, TYPES))
     if kind in ("spherical", "ball"):
         return Spherical()
     if kind in PLAIN:

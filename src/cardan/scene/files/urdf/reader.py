@@ -7,14 +7,14 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from ....elements.forces.damping import Damping
+from ....elements.forces.joint_damper import JointDamper
 from ....elements.joints.fixed import Fixed
 from ....elements.joints.free import Free
 from ....elements.joints.joint import Joint as JointElement
 from ....errors import ModelWarning, warn
 from ...body import Body
 from ...scene import SceneRecord
-from ..angles import turned
+from ..angles import rotated_inertia
 from ..document import Element
 from ..meshes import Meshes, shapes
 from ..options import Options
@@ -67,7 +67,7 @@ class Reader:
                 entries = [
                     inertia.number(f"i{key}", "0") for key in ("xx", "xy", "xz", "yy", "yz", "zz")
                 ]
-                tensor = turned(entries, rpy)
+                tensor = rotated_inertia(entries, rpy)
         keys = ("xx", "xy", "xz", "yy", "yz", "zz")
         drawn = shapes(link, self.meshes, self._origin)
         return self.scene.body(
@@ -114,7 +114,7 @@ class Reader:
             return xyz, rpy
         damping = dynamics.number("damping", "0")
         if damping:
-            scene.force(f"{edge.name}.damping", Damping(edge.name, damping))
+            scene.force(f"{edge.name}.damping", JointDamper(edge.name, damping))
         friction = dynamics.optional("friction")
         if friction:
             scene.joints[edge.name] = dataclasses.replace(joint, friction=friction)
@@ -127,8 +127,8 @@ class Reader:
         names = {"lower": "lower", "upper": "upper", "speed": "velocity", "effort": "effort"}
         if element.text("type") == "continuous":
             names = {"speed": "velocity", "effort": "effort"}
-        found = {key: limit.optional(name) for key, name in names.items()}
-        return {key: value for key, value in found.items() if value is not None}
+        limits = {key: limit.optional(name) for key, name in names.items()}
+        return {key: value for key, value in limits.items() if value is not None}
 
     def _mimic(self, element: Element) -> tuple[Any, ...] | None:
         mimic = element.child("mimic")
@@ -141,18 +141,14 @@ class Reader:
         if leader not in self.moving:
             self.orphans.append(f"{element.text('name')} ({leader})")
             return None
-        return (
-            leader,
-            mimic.number("multiplier", "1"),
-            mimic.number("offset", "0"),
-        )
+        return (leader, mimic.number("multiplier", "1"), mimic.number("offset", "0"))
 
     # what a reader of the model must know
 
     def _announce(self) -> None:
         scene, notes = self.scene, self.scene.notes
         if self.orphans:
-            lost = f"joints {', '.join(self.orphans)} mimic what is no moving joint of the file"
+            lost = f"joints {', '.join(self.orphans)} mimic what is not a moving joint of the file"
             notes.append(f"{lost}; they move freely")
             warn(f"file '{self.file}': {notes[-1]}", ModelWarning)
         for what, names in (

@@ -17,7 +17,7 @@ PLAIN = re.compile(r"[A-Za-z_]\w*(\.\w+)*", re.ASCII)
 SUM, PRODUCT, POWER, ATOM = range(4)
 
 
-class Words:
+class ExpressionText:
     """Writes the expressions of one model.
 
     Attributes:
@@ -78,12 +78,12 @@ class Words:
     def _sum(self, e: Any) -> str:
         text = ""
         for term in e.args:
-            own = self._inside(term, PRODUCT) if text else self._write(term)[0]
-            if text and own.startswith("("):
+            term_text = self._inside(term, PRODUCT) if text else self._write(term)[0]
+            if text and term_text.startswith("("):
                 inner, binding = self._write(term)
-                own = inner if inner.startswith("-") and binding == SUM else own
-            minus = own.startswith("-")
-            text += (" - " + own[1:] if minus else " + " + own) if text else own
+                term_text = inner if inner.startswith("-") and binding == SUM else term_text
+            minus = term_text.startswith("-")
+            text += (" - " + term_text[1:] if minus else " + " + term_text) if text else term_text
         return text
 
     def _product(self, e: Any) -> str:
@@ -93,11 +93,11 @@ class Words:
         below = [1 / f for f in factors if _reciprocal(f)]
         sign, size = ("-", -number) if number.is_negative else ("", number)
         exact = size.is_Rational
-        shown, q = (str(int(size.p)), int(size.q)) if exact else (self._number(size)[0], 1)
+        factor_text, q = (str(int(size.p)), int(size.q)) if exact else (self._number(size)[0], 1)
         texts = [self._inside(f, POWER) for f in above]
-        if shown != "1":
+        if factor_text != "1":
             late = bool(above) and above[0].is_Add
-            texts.insert(len(texts) if late else 0, shown)
+            texts.insert(len(texts) if late else 0, factor_text)
         if sign and above and above[0].is_Add:
             texts, sign = [*texts, "(-1)"], ""
         text = sign + ("*".join(texts) or "1")
@@ -122,7 +122,8 @@ class Words:
         entry = model.atoms.get(name)
         if entry is None:
             raise ModelError(
-                f"{self.where}: '{name}' is no parameter, input, coordinate or motion of the model"
+                f"{self.where}: '{name}' is not a parameter, input, coordinate or motion of the "
+                "model"
             )
         return self._motion(entry)
 
@@ -134,8 +135,8 @@ class Words:
             component = f".{entry.component}" if entry.component else ""
             return f"{entry.quantity}({quoted(entry.place + component)})"
         cells = COMPONENTS[9 if entry.quantity == "rotation" else 3]
-        others = zip(AGAINST, (entry.wrt, entry.in_), strict=True)
-        against = "".join(f" {word} {quoted(o.name)}" for word, o in others if o is not None)
+        frames = zip(AGAINST, (entry.wrt, entry.in_), strict=True)
+        against = "".join(f" {word} {quoted(o.name)}" for word, o in frames if o is not None)
         name = quoted(entry.place.name) + against
         return f"{entry.quantity}({name}).{cells[entry.component]}"
 
@@ -172,8 +173,8 @@ class Words:
         *cases, (otherwise, last) = e.args
         if str(last) != "True":
             raise self._refused(e)
-        words = [part for value, condition in cases for part in (condition, value)]
-        return f"select({', '.join(self._write(word)[0] for word in [*words, otherwise])})"
+        arguments = [part for value, condition in cases for part in (condition, value)]
+        return f"select({', '.join(self._write(word)[0] for word in [*arguments, otherwise])})"
 
     def _refused(self, e: Any) -> ModelError:
         return ModelError(f"{self.where}: '{str(e)[:80]}' cannot be said in a scene file")

@@ -1,4 +1,4 @@
-"""Which frames of a model need a place of their own in its file."""
+"""Frames of a model that need an entry of their own in its file."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from ...frame import Frame
 from ...scene import SceneRecord
 
 
-def written_apart(model: SceneRecord) -> dict[Frame, None]:
+def separate_frames(model: SceneRecord) -> dict[Frame, None]:
     """Frames for the section ``frames``; every other one is written where it is used.
 
     These are the named ones, those used more than once, those whose motion an expression has, and
@@ -24,10 +24,10 @@ def written_apart(model: SceneRecord) -> dict[Frame, None]:
         for place in (entry.place, entry.wrt, entry.in_)
         if isinstance(place, Frame)
     }
-    apart = {f for f in model.frames.values() if f.named or counts[f] != 1 or f in spoken}
-    while wrong := _renamed([frame for frame in uses if frame not in apart], apart):
-        apart |= wrong
-    return {frame: None for frame in model.frames.values() if frame in apart}
+    separate = {f for f in model.frames.values() if f.named or counts[f] != 1 or f in spoken}
+    while wrong := _renamed([frame for frame in uses if frame not in separate], separate):
+        separate |= wrong
+    return {frame: None for frame in model.frames.values() if frame in separate}
 
 
 def _uses(model: SceneRecord) -> list[Frame]:
@@ -40,9 +40,9 @@ def _uses(model: SceneRecord) -> list[Frame]:
     return [place for place in places if isinstance(place, Frame)]
 
 
-def _renamed(inline: list[Frame], apart: set[Frame]) -> set[Frame]:
+def _renamed(inline: list[Frame], separate: set[Frame]) -> set[Frame]:
     """Frames that would get another name than they have: names go to the first who needs one."""
-    taken = {frame.name for frame in apart}
+    taken = {frame.name for frame in separate}
     wrong, next_free = set(), Counter[str]()
     for frame in inline:
         body = frame.body.name

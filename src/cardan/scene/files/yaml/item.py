@@ -51,15 +51,15 @@ class Item:
         """Position and path: the head of a message."""
         return f"{self.position}: {self.path}" if self.path else self.position
 
-    def error(self, words: str) -> ModelError:
-        return ModelError(f"{self.where}: {words}")
+    def error(self, message: str) -> ModelError:
+        return ModelError(f"{self.where}: {message}")
 
-    def at_key(self, words: str) -> ModelError:
+    def at_key(self, message: str) -> ModelError:
         """An error about the key rather than its value."""
-        return ModelError(f"{self.spot}: {self.path}: {words}")
+        return ModelError(f"{self.spot}: {self.path}: {message}")
 
     @contextmanager
-    def placed(self, named: bool = False) -> Iterator[None]:
+    def at_item(self, named: bool = False) -> Iterator[None]:
         """Errors of the model raised inside say where in the file the item stands.
 
         Args:
@@ -91,7 +91,7 @@ class Item:
             ModelError: a list, a mapping or nothing.
         """
         if not isinstance(self.node, Scalar) or self.is_null:
-            raise self.error(f"a text is wanted, not {self.described()}")
+            raise self.error(f"a text is wanted, not {self.description()}")
         return self.node.text
 
     def number(self) -> int | float | None:
@@ -105,14 +105,14 @@ class Item:
             return None
         if len(node.text) > LONGEST_NUMBER:
             raise self.error(f"a number of {len(node.text)} characters is too long")
-        whole = node.text.lstrip("+-").isdigit()
-        value = int(node.text) if whole else float(node.text)
+        integer = node.text.lstrip("+-").isdigit()
+        value = int(node.text) if integer else float(node.text)
         if abs(value) > 1e300:
             raise self.error(f"{node.text} is too large; numbers go up to 1e300")
         return value
 
-    def described(self) -> str:
-        """What stands here, for messages."""
+    def description(self) -> str:
+        """Description of the entry, for messages."""
         if isinstance(self.node, Scalar):
             return "nothing" if self.is_null else f"'{self.node.text[:60]}'"
         return "a list" if isinstance(self.node, Listing) else "a mapping"
@@ -124,7 +124,7 @@ class Item:
             ModelError: no list.
         """
         if not isinstance(self.node, Listing):
-            raise self.error(f"{what} is wanted, not {self.described()}")
+            raise self.error(f"{what} is wanted, not {self.description()}")
         return [
             Item(node, f"{self.path}[{i}]", self.file) for i, node in enumerate(self.node.entries)
         ]
@@ -137,7 +137,7 @@ class Item:
         """
         entries = self.entries("a list of three")
         if len(entries) != 3:
-            split = any(entry.described().count("(") for entry in entries)
+            split = any(entry.description().count("(") for entry in entries)
             hint = "." + COMMAS if split else ""
             raise self.error(f"three entries are wanted, not {len(entries)}{hint}")
         return entries
@@ -149,7 +149,7 @@ class Item:
             ModelError: no mapping.
         """
         if not isinstance(self.node, Mapping):
-            raise self.error(f"{what} is wanted, not {self.described()}")
+            raise self.error(f"{what} is wanted, not {self.description()}")
         head = f"{self.path}." if self.path else ""
         keys = self.node.keys
         return {
@@ -167,23 +167,23 @@ class Item:
         Raises:
             ModelError: no mapping, an unknown key or a missing one.
         """
-        found = self.items(f"{what} such as {example(keys)}")
+        items = self.items(f"{what} such as {example(keys)}")
         names = [key.name for key in keys]
-        for name, item in found.items():
+        for name, item in items.items():
             if name not in names:
                 listed = near(name, names).replace(" Known:", " Keys:")
                 listed = COMMAS if name.count(")") > name.count("(") else listed
                 raise item.at_key(f"{what} has no key '{name[:80]}'.{listed}")
-        missing = [key.name for key in keys if key.required and key.name not in found]
+        missing = [key.name for key in keys if key.required and key.name not in items]
         if missing:
             raise self.error(f"{what} needs the key '{missing[0]}'")
-        empty = [key.name for key in keys if key.required and found[key.name].is_null]
+        empty = [key.name for key in keys if key.required and items[key.name].is_null]
         if empty:
-            raise found[empty[0]].error(f"{what} needs a value here")
-        return {name: item for name, item in found.items() if not item.is_null}
+            raise items[empty[0]].error(f"{what} needs a value here")
+        return {name: item for name, item in items.items() if not item.is_null}
 
 
 def example(keys: Sequence[Key]) -> str:
     """``{joint: ..., damping: ...}``: the keys that must be there, or the first ones."""
-    shown = [key.name for key in keys if key.required] or [key.name for key in keys[:2]]
-    return "{" + ", ".join(f"{name}: ..." for name in shown) + "}"
+    names = [key.name for key in keys if key.required] or [key.name for key in keys[:2]]
+    return "{" + ", ".join(f"{name}: ..." for name in names) + "}"

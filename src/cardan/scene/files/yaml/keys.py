@@ -1,4 +1,4 @@
-"""What may stand where in a scene file: names, and the kind of value each takes.
+"""Keys of a scene file: names, and the kind of value each takes.
 
 Joints, forces, shapes and inertias are not listed here: their keys are the fields of their classes
 and the arguments of their functions, so that a new one can be read on arrival. The JSON schema is
@@ -108,7 +108,7 @@ JOINT = (
     Key("type", "text", True),
     Key("parent", "place", True),
     Key("child", "place", True),
-    Key("motion", "motion"),
+    Key("prescribed", "motion"),
     Key("cut", "flag"),
     Key("q0", "numbers"),
     Key("u0", "numbers"),

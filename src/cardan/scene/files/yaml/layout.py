@@ -1,4 +1,4 @@
-"""How a scene file looks: sections and their items in blocks, what is short on one line."""
+"""Layout of a scene file: sections and their items in blocks, short ones on one line."""
 
 from __future__ import annotations
 

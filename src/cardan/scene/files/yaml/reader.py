@@ -21,7 +21,7 @@ from ..options import Options
 from . import keys, tables
 from .item import Item
 from .scope import FIXED, MOVING
-from .tree import decoded, parse, renamed
+from .tree import FIRST_LINE, decoded, parse, renamed
 from .values import Values
 
 MOST_BODIES = 100_000
@@ -69,17 +69,18 @@ class _Reader:
 
     def __init__(self, root: Item, options: Options, folder: Path | None) -> None:
         self.options = options
-        given = self._sections(self._today(root))
-        title = given["name"].text() if "name" in given else Path(root.file).stem
-        with given.get("name", root).placed():
+        root, version = self._today(root)
+        sections = self._sections(root)
+        title = sections["name"].text() if "name" in sections else Path(root.file).stem
+        with sections.get("name", root).at_item():
             self.model = SceneRecord(title)
         self.meshes = Meshes(options.packages, folder)
-        self.values = Values(self.model, self.meshes, options.snap)
+        self.values = Values(self.model, self.meshes, options.snap, version)
         self.waiting: list[tuple[str, Item]] = []
         for section, scope in _ORDER.items():
             self.values.scope = scope
-            if section in given:
-                getattr(self, f"_{section}")(given[section])
+            if section in sections:
+                getattr(self, f"_{section}")(sections[section])
             if section in ("include", "beams"):
                 self._late_frames(last=section == "beams")
         for note in self.meshes.notes():
@@ -95,21 +96,21 @@ class _Reader:
         return root.fields(keys.TOP, "a scene")
 
     @staticmethod
-    def _today(root: Item) -> Item:
-        """The document under the names that keys have today.
+    def _today(root: Item) -> tuple[Item, int]:
+        """The document under the names that keys have today, and the version of its format.
 
         Raises:
             ModelError: no mapping, no version, or one that is not read.
         """
-        version = root.items("a scene, 'cardan: 1' and more keys,").get("cardan")
+        version = root.items(f"a scene, '{FIRST_LINE}' and more keys,").get("cardan")
         if version is None:
-            raise root.error("the key 'cardan' is missing; a scene begins with 'cardan: 1'")
+            raise root.error(f"the key 'cardan' is missing; a scene begins with '{FIRST_LINE}'")
         number = version.number()
         if not isinstance(number, int):
-            raise version.error(f"version {version.described()} is not read; say 'cardan: 1'")
+            raise version.error(f"version {version.description()} is not read; say '{FIRST_LINE}'")
         if not SCENE.reads(number):
             raise version.error(SCENE.refusal("the scene", number, ""))
-        return dataclasses.replace(root, node=renamed(root.node, (), number))
+        return dataclasses.replace(root, node=renamed(root.node, (), number)), number
 
     def _each(self, section: Item, kind: str, read: Callable[[str, Item], None]) -> None:
         """Read the items of a section and remember where they stand."""
@@ -123,26 +124,26 @@ class _Reader:
         self._each(section, "parameter", self._parameter)
 
     def _parameter(self, name: str, item: Item) -> None:
-        given = self._short(item, "value", keys.PARAMETER, "a parameter")
-        with item.placed(named=True):
-            self.model.parameter(name, given["value"], given.get("unit"))
+        values = self._short(item, "value", keys.PARAMETER, "a parameter")
+        with item.at_item(named=True):
+            self.model.parameter(name, values["value"], values.get("unit"))
 
     def _inputs(self, section: Item) -> None:
         self._each(section, "input", self._input)
 
     def _input(self, name: str, item: Item) -> None:
-        given = {} if item.is_null else self._short(item, "default", keys.INPUT, "an input")
-        with item.placed(named=True):
-            self.model.input(name, given.get("default", 0.0), given.get("unit"))
+        values = {} if item.is_null else self._short(item, "default", keys.INPUT, "an input")
+        with item.at_item(named=True):
+            self.model.input(name, values.get("default", 0.0), values.get("unit"))
 
     def _short(
-        self, item: Item, key: str, known: tuple[keys.Key, ...], what: str
+        self, item: Item, key: str, key_table: tuple[keys.Key, ...], what: str
     ) -> dict[str, Any]:
         """A mapping, or a bare value that stands for the key of that name."""
         if item.is_text:
-            entry = next(entry for entry in known if entry.name == key)
+            entry = next(entry for entry in key_table if entry.name == key)
             return {key: self.values.read(entry, item)}
-        return self.values.record(known, item, what)
+        return self.values.record(key_table, item, what)
 
     def _gravity(self, item: Item) -> None:
         self.model.gravity = triple(self.values.vector(item), "gravity")
@@ -159,21 +160,21 @@ class _Reader:
         self._each(section, "body", self._body)
 
     def _body(self, name: str, item: Item) -> None:
-        given = self.values.record(keys.BODY, item, "a body")
-        pose, base = given.pop("pose", (None, None))
-        with item.placed():
-            made = self.model.body(name, pose=pose, **given)
+        values = self.values.record(keys.BODY, item, "a body")
+        pose, base = values.pop("pose", (None, None))
+        with item.at_item():
+            body = self.model.body(name, pose=pose, **values)
             if base is not None:
                 home = self.model.place(f"body '{name}'", base, "base").body
-                self.model.bodies[name] = dataclasses.replace(made, base=home)
+                self.model.bodies[name] = dataclasses.replace(body, base=home)
 
     def _dh(self, section: Item) -> None:
         self._each(section, "dh", self._chain)
 
     def _chain(self, name: str, item: Item) -> None:
-        given = self.values.record(keys.DH, item, "a table")
-        with item.placed():
-            add_dh(self.model, prefix=f"{name}.", snap=self.options.snap, **given)
+        values = self.values.record(keys.DH, item, "a table")
+        with item.at_item():
+            add_dh(self.model, prefix=f"{name}.", snap=self.options.snap, **values)
 
     def _frames(self, section: Item) -> None:
         """Frames on the bodies that are known by now; the others wait for bodies and nodes."""
@@ -185,8 +186,8 @@ class _Reader:
         waiting, self.waiting = self.waiting, []
         for name, item in waiting:
             body = item.items("a frame such as {body: ...}").get("body")
-            known = body is not None and body.is_text
-            if last or (known and self._is_body(body.text())):  # type: ignore[union-attr]
+            body_named = body is not None and body.is_text
+            if last or (body_named and self._is_body(body.text())):  # type: ignore[union-attr]
                 self._frame(name, item)
             else:
                 self.waiting.append((name, item))
@@ -195,31 +196,31 @@ class _Reader:
         return name in self.model.bodies or name in self.model.nodes
 
     def _frame(self, name: str, item: Item) -> None:
-        made = self.values.frame(item, name)
+        frame = self.values.frame(item, name)
         body, _, count = name.rpartition(".at")
-        if isinstance(made, Frame) and body == made.body.name and count.isdigit():
+        if isinstance(frame, Frame) and body == frame.body.name and count.isdigit():
             # a made name, such as those of Body.at: it names no place of the system
-            self.model.frames[name] = dataclasses.replace(made, named=False)
+            self.model.frames[name] = dataclasses.replace(frame, named=False)
         self.model.origins["frame", name] = item.spot
 
     def _include(self, section: Item) -> None:
         self._each(section, "include", self._subsystem)
 
     def _subsystem(self, name: str, item: Item) -> None:
-        given = self.values.record(keys.INCLUDE, item, "an included file")
+        values = self.values.record(keys.INCLUDE, item, "an included file")
         where = item.items()["file"]
-        how = {key: given[key] for key in ("base", "mimic") if key in given}
-        with where.placed():
-            path = self.meshes.locate(given["file"], where.path, "file")
+        how = {key: values[key] for key in ("base", "mimic") if key in values}
+        with where.at_item():
+            path = self.meshes.locate(values["file"], where.path, "file")
             if path is None or self.options.load is None:
                 raise ModelError(
-                    f"{where.path}: there is no file '{given['file'][:80]}' below the folder of "
+                    f"{where.path}: there is no file '{values['file'][:80]}' below the folder of "
                     "the scene; packages= names other folders"
                 )
             other = self.options.load(path, dataclasses.replace(self.options, **how))
-            other.values.update(given.get("parameters", {}))
-        with item.placed():
-            self.model.include(other, given.get("prefix", name), given.get("at"))
+            other.values.update(values.get("parameters", {}))
+        with item.at_item():
+            self.model.include(other, values.get("prefix", name), values.get("at"))
             if len(self.model.bodies) > MOST_BODIES:
                 raise ModelError(f"more than {MOST_BODIES} bodies; make the scene smaller")
 
@@ -233,15 +234,15 @@ class _Reader:
 
     def _beam(self, name: str, item: Item) -> None:
         self.model.origins["beam", name] = item.spot
-        given = self.values.record(keys.BEAM, item, "a beam")
-        nodes, base = given.pop("nodes", {}), given.pop("base", None)
-        with item.placed():
-            made = self.model.beam(name, **given)
+        values = self.values.record(keys.BEAM, item, "a beam")
+        nodes, base = values.pop("nodes", {}), values.pop("base", None)
+        with item.at_item():
+            beam = self.model.beam(name, **values)
             if base is not None:
                 home = self.model.place(f"beam '{name}'", base, "base").body
-                made = self.model.beams[name] = dataclasses.replace(made, base=home)
+                beam = self.model.beams[name] = dataclasses.replace(beam, base=home)
             for node, s in nodes.items():
-                made.at(s, name=node)
+                beam.at(s, name=node)
 
     # joints, forces, outputs
 
@@ -252,42 +253,42 @@ class _Reader:
             if couple is not None and couple.leader not in self.model.joints:
                 listed = near(couple.leader, self.model.joints).replace(" Known:", " Joints:")
                 said = "couple" if "couple" in item.items() else "leader"
-                raise item.items()[said].error(f"'{couple.leader}' is no joint.{listed}")
+                raise item.items()[said].error(f"'{couple.leader}' is not a joint.{listed}")
 
     def _joint(self, name: str, item: Item) -> None:
         kind = self._type(item, JOINTS, "joint")
         self.values.local = ()
-        given = self.values.record(keys.of_joint(kind), item, f"a {kind} joint")
-        own = {key.name: given.pop(key.name) for key in keys.of_element(JOINTS[kind])
-               if key.name in given}  # fmt: skip
-        base, friction = given.pop("base", None), given.pop("friction", 0.0)
-        del given["type"]
-        with item.placed(named=True):
-            element = JOINTS[kind](**own)
-        with item.placed():
-            made = self.model.joint(name, element, **given)
+        arguments = self.values.record(keys.of_joint(kind), item, f"a {kind} joint")
+        element_values = {key.name: arguments.pop(key.name) for key in keys.of_element(JOINTS[kind])
+               if key.name in arguments}  # fmt: skip
+        base, friction = arguments.pop("base", None), arguments.pop("friction", 0.0)
+        del arguments["type"]
+        with item.at_item(named=True):
+            element = JOINTS[kind](**element_values)
+        with item.at_item():
+            joint = self.model.joint(name, element, **arguments)
             home = None
             if base is not None:
                 home = self.model.place(f"joint '{name}'", base, "base").body
             if home is not None or friction:
-                made = dataclasses.replace(made, base=home, friction=float(friction))
-                self.model.joints[name] = made
+                joint = dataclasses.replace(joint, base=home, friction=float(friction))
+                self.model.joints[name] = joint
 
     def _forces(self, section: Item) -> None:
         self._each(section, "force", self._force)
 
     def _force(self, name: str, item: Item) -> None:
         kind = self._type(item, FORCES, "force")
-        given = self.values.record(keys.of_force(kind), item, f"a {kind}")
-        del given["type"]
-        with item.placed(named=True):
-            element = FORCES[kind](**given)
-        known = self.model.joint_kinds() if element.joints() else {}
+        arguments = self.values.record(keys.of_force(kind), item, f"a {kind}")
+        del arguments["type"]
+        with item.at_item(named=True):
+            element = FORCES[kind](**arguments)
+        joint_kinds = self.model.joint_kinds() if element.joints() else {}
         for role, joint in element.joints().items():
-            if joint not in known:
-                listed = near(joint, known).replace(" Known:", " Joints:")
+            if joint not in joint_kinds:
+                listed = near(joint, joint_kinds).replace(" Known:", " Joints:")
                 raise item.items()[role].error(f"there is no joint '{joint[:80]}'.{listed}")
-        with item.placed():
+        with item.at_item():
             self.model.force(name, element)
 
     def _type(self, item: Item, family: dict[str, Any], what: str) -> str:
@@ -308,17 +309,17 @@ class _Reader:
         self._each(section, "constraint", self._constraint)
 
     def _constraint(self, name: str, item: Item) -> None:
-        given = self._short(item, "expression", keys.OUTPUT, "a constraint")
-        with item.placed():
-            self.model.constraint(name, given["expression"], given.get("unit", ""))
+        values = self._short(item, "expression", keys.OUTPUT, "a constraint")
+        with item.at_item():
+            self.model.constraint(name, values["expression"], values.get("unit", ""))
 
     def _outputs(self, section: Item) -> None:
         self._each(section, "output", self._output)
 
     def _output(self, name: str, item: Item) -> None:
-        given = self._short(item, "expression", keys.OUTPUT, "an output")
-        with item.placed():
-            self.model.output(name, given["expression"], given.get("unit", ""))
+        values = self._short(item, "expression", keys.OUTPUT, "an output")
+        with item.at_item():
+            self.model.output(name, values["expression"], values.get("unit", ""))
 
     # what the reader of the model must know
 
@@ -326,17 +327,17 @@ class _Reader:
         self.model.values.update(self.values.reals(item))
 
     def _simulate(self, item: Item) -> None:
-        given = self.values.record(keys.SIMULATE, item, "simulate")
+        settings = self.values.record(keys.SIMULATE, item, "simulate")
         model = self.model
         joints = [*model.joint_kinds(), *((*model.bodies, *model.nodes) if model.beams else ())]
         for block in ("q", "u"):
-            for name, entry in item.items()[block].items().items() if block in given else ():
+            for name, entry in item.items()[block].items().items() if block in settings else ():
                 if not any(name == j or name.startswith(f"{j}.") for j in joints):
                     listed = near(name, joints).replace(" Known:", " Joints:")
-                    raise entry.at_key(f"'{name[:80]}' is no joint.{listed}")
-        if "time" in given:
-            given = {"t": given.pop("time")} | given
-        self.model.settings.update(given)
+                    raise entry.at_key(f"'{name[:80]}' is not a joint.{listed}")
+        if "time" in settings:
+            settings = {"t": settings.pop("time")} | settings
+        self.model.settings.update(settings)
 
     def _notes(self, item: Item) -> None:
         self.model.notes += self.values.texts(item)

@@ -1,4 +1,4 @@
-"""What expressions of a scene file may speak of."""
+"""Names that expressions of a scene file may use."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from ...terms import COMPONENTS
 
 
 class Scope(Enum):
-    """How much an expression may know; each level knows what stands before it."""
+    """Scope of an expression; each level knows the entries before it."""
 
     NUMBERS = 0  # numbers only
     FIXED = 1  # parameters: what bodies weigh and where they are
@@ -33,12 +33,14 @@ class Names(Mapping[str, Any]):
         tables: Mapping[str, Any],
         local: Sequence[str],
         where: str,
+        version: int,
     ) -> None:
         self.model = model
         self.level = scope.value
         self.tables = tables
         self.local = local
         self.where = where
+        self.version = version
 
     def __getitem__(self, name: Any) -> Any:
         """A symbol, a table, or the motion that :func:`..expression.parse` asks for by a tuple.
@@ -67,12 +69,18 @@ class Names(Mapping[str, Any]):
             try:
                 return getattr(self.model, quantity)(name)
             except ModelError as problem:
+                joint, _, last = name.rpartition(".")
+                # format 1 called the components of a quaternion w, x, y and z
+                if quantity == "q" and self.version == 1 and last in ("w", "x", "y", "z"):
+                    return self.model.q(f"{joint}.q{last}")
                 raise ModelError(f"{self.where}: {problem}") from problem
-        component, *others = words
+        component, *against_names = words
         cells = COMPONENTS[9 if quantity == "rotation" else 3]
         if component not in cells:
             raise ModelError(f"{call}.{component} has no such component: {', '.join(cells)}")
-        against = [None if other is None else self.model.place(call, other) for other in others]
+        against = [
+            None if other is None else self.model.place(call, other) for other in against_names
+        ]
         if quantity == "rotation" and against.pop() is not None:
             raise ModelError(f"{call}: a rotation has wrt, but no in")
         entries = getattr(self.model.place(call, name), quantity)(*against)

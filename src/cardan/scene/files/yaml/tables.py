@@ -21,20 +21,20 @@ def table(values: Values, item: Item) -> Interpolation:
     """The function of a table: ``{x: [...], y: [...], kind: akima}`` or ``{file: torque.csv}``.
 
     Raises:
-        ModelError: neither columns nor a file, a file that is no table, or points that make no
+        ModelError: neither columns nor a file, a file that is not a table, or points that make no
             curve.
     """
-    given = values.record(keys.TABLE, item, "a table")
-    columns = [given.pop(name) for name in ("x", "y") if name in given]
-    file = given.pop("file", None)
+    table_values = values.record(keys.TABLE, item, "a table")
+    columns = [table_values.pop(name) for name in ("x", "y") if name in table_values]
+    file = table_values.pop("file", None)
     if len(columns) != (2 if file is None else 0):
         raise item.error("a table has x and y, two lists of numbers, or file, a CSV of two columns")
     if file is not None:
         source = item.items()["file"]
-        with source.placed():
+        with source.at_item():
             columns = list(_columns(values, source))
-    with item.placed(named=True):
-        return interpolation(*columns, **given)
+    with item.at_item(named=True):
+        return interpolation(*columns, **table_values)
 
 
 def _columns(values: Values, item: Item) -> tuple[list[float], list[float]]:
@@ -63,7 +63,7 @@ def _columns(values: Values, item: Item) -> tuple[list[float], list[float]]:
                 x.append(pair[0])
                 y.append(pair[1])
     except csv.Error as problem:
-        raise ModelError(f"{path.name} is no CSV file: {problem}") from problem
+        raise ModelError(f"{path.name} is not a CSV file: {problem}") from problem
     return x, y
 
 

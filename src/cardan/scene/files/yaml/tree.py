@@ -13,6 +13,7 @@ from typing import Any
 from ....errors import ModelError
 from ....version import SCENE
 
+FIRST_LINE = f"{SCENE.word}: {SCENE.version}"
 LARGEST_TEXT = 8 * 2**20
 MOST_NODES = 500_000
 DEEPEST = 40
@@ -73,10 +74,10 @@ def decoded(data: bytes, name: str) -> str:
     except UnicodeDecodeError as problem:
         line = data.count(b"\n", 0, problem.start) + 1
         raise ModelError(
-            f"{name}:{line}: byte {problem.start} is no UTF-8; save the file as UTF-8 text"
+            f"{name}:{line}: byte {problem.start} is not UTF-8; save the file as UTF-8 text"
         ) from problem
     if not text.strip():
-        raise ModelError(f"file '{name}' is empty; a scene begins with 'cardan: 1'")
+        raise ModelError(f"file '{name}' is empty; a scene begins with '{FIRST_LINE}'")
     return text
 
 
@@ -100,11 +101,11 @@ def parse(text: str, name: str) -> Node:
     except MarkedYAMLError as problem:
         mark = problem.problem_mark or problem.context_mark
         place = f"{name}:{mark.line + 1}:{mark.column + 1}" if mark else name
-        words = " ".join(str(problem.problem or problem.context).split())
-        raise ModelError(f"{place}: no YAML: {words}") from problem
+        problem_text = " ".join(str(problem.problem or problem.context).split())
+        raise ModelError(f"{place}: no YAML: {problem_text}") from problem
     except (YAMLError, ValueError, OverflowError) as problem:
-        words = " ".join(str(problem).split())[:200]
-        raise ModelError(f"file '{name}' is no YAML: {words}") from problem
+        problem_text = " ".join(str(problem).split())[:200]
+        raise ModelError(f"file '{name}' is not YAML: {problem_text}") from problem
 
 
 def renamed(node: Node, place: tuple[str, ...], version: int) -> Node:
@@ -115,7 +116,7 @@ def renamed(node: Node, place: tuple[str, ...], version: int) -> Node:
         entries = [renamed(n, (*place, str(k)), version) for k, n in enumerate(node.entries)]
         return replace(node, entries=entries)
     if isinstance(node, Scalar):
-        return node
+        return replace(node, text=SCENE.text_today(node.text, place, version))
     names = {name: SCENE.today((*place, name), version) for name in node.entries}
     # a name of today in an older scene is as unknown as it was
     names = {name: name if new in node.entries else new for name, new in names.items()}
@@ -152,11 +153,11 @@ class _Builder:
                 closed = self.stack.pop()
                 self._add(event, closed.node, closed.anchor)
         if self.root is None:
-            raise ModelError(f"file '{self.name}' is empty; a scene begins with 'cardan: 1'")
+            raise ModelError(f"file '{self.name}' is empty; a scene begins with '{FIRST_LINE}'")
         return self.root
 
     def _check(self, event: Any, kind: str) -> None:
-        """What no scene needs is refused: other versions, several documents, tags."""
+        """Refuse constructs that no scene needs: other versions, several documents, tags."""
         if kind == "DocumentStartEvent":
             if event.version not in (None, (1, 2)):
                 raise self._error(event, "only YAML 1.2 is read; leave the %YAML line out")
@@ -167,25 +168,25 @@ class _Builder:
         elif getattr(event, "tag", None) is not None:
             raise self._error(event, f"the tag '{event.tag}' is not read; leave it out")
 
-    def _error(self, event: Any, words: str) -> ModelError:
+    def _error(self, event: Any, message: str) -> ModelError:
         mark = event.start_mark
-        return ModelError(f"{self.name}:{mark.line + 1}:{mark.column + 1}: {words}")
+        return ModelError(f"{self.name}:{mark.line + 1}:{mark.column + 1}: {message}")
 
     def _scalar(self, event: Any) -> Scalar:
         if len(event.value) > LONGEST_SCALAR:
             raise self._error(event, f"a text of {len(event.value)} characters is too long")
         if any("\ud800" <= character <= "\udfff" for character in event.value):
-            raise self._error(event, "half a surrogate pair is no character")
+            raise self._error(event, "half a surrogate pair is not a character")
         mark, plain = event.start_mark, event.style in (None, "")
         return Scalar(mark.line + 1, mark.column + 1, event.value, plain)
 
     def _alias(self, event: Any) -> Node:
-        found = self.anchors.get(event.anchor)
-        if found is None:
+        target = self.anchors.get(event.anchor)
+        if target is None:
             inside = event.anchor in self.anchors
             why = "contains itself" if inside else "names no &anchor above it"
             raise self._error(event, f"the alias *{event.anchor[:80]} {why}")
-        return found
+        return target
 
     def _open(self, event: Any, kind: str) -> None:
         mark = event.start_mark

@@ -26,13 +26,15 @@ class Values:
 
     Attributes:
         model: The model being built: names in places and expressions are its own.
+        version: Of the format of the file.
         scope: What expressions may speak of in the present section.
         tables: Measured functions by name.
         frames: Frames made inside a value, by the node: an alias means the same frame.
     """
 
-    def __init__(self, model: SceneRecord, meshes: Meshes, snap: bool) -> None:
+    def __init__(self, model: SceneRecord, meshes: Meshes, snap: bool, version: int) -> None:
         self.model = model
+        self.version = version
         self.meshes = meshes
         self.snap = snap
         self.tables: dict[str, Any] = {}
@@ -44,11 +46,11 @@ class Values:
         """The value of a key."""
         return getattr(self, key.kind)(item)
 
-    def record(self, known: Sequence[Key], item: Item, what: str) -> dict[str, Any]:
+    def record(self, key_table: Sequence[Key], item: Item, what: str) -> dict[str, Any]:
         """The values of a mapping with known keys, as arguments."""
-        given = item.fields(known, what)
+        items = item.fields(key_table, what)
         # in the order of the keys: names of own coordinates come before expressions of them
-        return {key.name: self.read(key, given[key.name]) for key in known if key.name in given}
+        return {key.name: self.read(key, items[key.name]) for key in key_table if key.name in items}
 
     # numbers and expressions
 
@@ -64,14 +66,14 @@ class Values:
         return self._expression(item, self.scope) if number is None else number
 
     def _expression(self, item: Item, scope: Scope) -> Any:
-        names = Names(self.model, scope, self.tables, self.local, item.where)
+        names = Names(self.model, scope, self.tables, self.local, item.where, self.version)
         text = item.text()
-        found = parse(text, names, where=item.where)
-        if found.free_symbols:
-            return found
-        if not found.is_number or not found.is_extended_real or not found.is_finite:
-            raise item.error(f"'{text[:60]}' is no finite number")
-        return int(found) if found.is_Integer else float(found)
+        expression = parse(text, names, where=item.where)
+        if expression.free_symbols:
+            return expression
+        if not expression.is_number or not expression.is_extended_real or not expression.is_finite:
+            raise item.error(f"'{text[:60]}' is not a finite number")
+        return int(expression) if expression.is_Integer else float(expression)
 
     def law(self, item: Item) -> Any:
         """An expression in anything that moves."""
@@ -149,7 +151,7 @@ class Values:
 
     def flag(self, item: Item) -> bool:
         if not item.is_text or item.text() not in ("true", "false"):
-            raise item.error(f"true or false is wanted, not {item.described()}")
+            raise item.error(f"true or false is wanted, not {item.description()}")
         return item.text() == "true"
 
     def direction(self, item: Item) -> Any:
@@ -161,12 +163,12 @@ class Values:
     def place(self, item: Item) -> Place:
         """A body or frame by its name, or a frame made here: ``{body:, at:, rotation:}``."""
         if item.is_text:
-            with item.placed():
+            with item.at_item():
                 return self.model.place(item.path, item.text())
-        known = self.frames.get(id(item.node))
-        if known is None:
-            known = self.frames[id(item.node)] = self.frame(item, None)
-        return known
+        frame = self.frames.get(id(item.node))
+        if frame is None:
+            frame = self.frames[id(item.node)] = self.frame(item, None)
+        return frame
 
     def members(self, item: Item) -> tuple[Place, ...]:
         """A body by its name, or several."""
@@ -175,26 +177,26 @@ class Values:
 
     def frame(self, item: Item, name: str | None) -> Place:
         """A frame on a body."""
-        given = self.record(keys.FRAME, item, "a frame")
-        with item.placed():
-            body = self.model.place(item.path, given["body"], "body")
+        arguments = self.record(keys.FRAME, item, "a frame")
+        with item.at_item():
+            body = self.model.place(item.path, arguments["body"], "body")
             if body is not body.body:
                 raise ModelError(f"{item.path}: '{body.name}' is a frame, not a body")
-            at, rotation = given.get("at", (0, 0, 0)), given.get("rotation")
+            at, rotation = arguments.get("at", (0, 0, 0)), arguments.get("rotation")
             return body.body.at(*at, rotation=rotation, name=name)
 
     def rotation(self, item: Item) -> Any:
         """``[XYZ, a, b, c]`` or 3x3."""
         entries = item.entries("a rotation, [XYZ, a, b, c] or 3x3,")
         if len(entries) == 4 and entries[0].is_text:
-            with entries[0].placed():
+            with entries[0].at_item():
                 check_axes(entries[0].text(), entries[0].path)
             return (entries[0].text(), *(self._angle(entry) for entry in entries[1:]))
         rows = tuple(self.vector(entry) for entry in entries)
         if len(rows) != 3:
             raise item.error("a rotation is [XYZ, a, b, c] or 3x3")
         if all(isinstance(entry, (int, float)) for row in rows for entry in row):
-            with item.placed():
+            with item.at_item():
                 check_orthonormal([[float(x) for x in row] for row in rows], item.path)
         return rows
 
@@ -208,8 +210,8 @@ class Values:
     def pose(self, item: Item) -> tuple[Any, str | None]:
         """A pose as :meth:`Model.body` takes it, and the body in whose axes it is given."""
         if not item.is_list:
-            given = self.record(keys.POSE, item, "a pose")
-            return (given["position"], given.get("rotation")), given.get("base")
+            values = self.record(keys.POSE, item, "a pose")
+            return (values["position"], values.get("rotation")), values.get("base")
         entries = item.entries()
         if len(entries) == 2:
             return (self.vector(entries[0]), self.rotation(entries[1])), None
@@ -223,36 +225,36 @@ class Values:
         """3x3, three principal values, entries by name, or the inertia of a solid."""
         if item.is_list:
             return self.value(item)
-        given = item.items("an inertia")
-        solids = [name for name in given if name in keys.INERTIAS]
+        items = item.items("an inertia")
+        solids = [name for name in items if name in keys.INERTIAS]
         if solids:
             name = solids[0]
-            if len(given) > 1:
+            if len(items) > 1:
                 raise item.error(f"'{name}' stands alone; move the other keys into it")
             function = keys.INERTIAS[name]
-            arguments = self.record(keys.of_function(function), given[name], f"a {name}")
-            with given[name].placed(named=True):
+            arguments = self.record(keys.of_function(function), items[name], f"a {name}")
+            with items[name].at_item(named=True):
                 return function(**arguments)
-        for name, entry in given.items():
+        for name, entry in items.items():
             if name not in INERTIA_ENTRIES:
-                known = [*INERTIA_ENTRIES, *keys.INERTIAS]
-                raise entry.at_key(f"an inertia has no key '{name[:80]}'." + near(name, known))
-        return {name: self.scalar(entry) for name, entry in given.items()}
+                names = [*INERTIA_ENTRIES, *keys.INERTIAS]
+                raise entry.at_key(f"an inertia has no key '{name[:80]}'." + near(name, names))
+        return {name: self.scalar(entry) for name, entry in items.items()}
 
     def shapes(self, item: Item) -> list[Any]:
         """One shape or a list of them: ``{cylinder: {radius:, length:}}``."""
         return [self._shape(entry) for entry in (item.entries() if item.is_list else [item])]
 
     def _shape(self, item: Item) -> Any:
-        given = item.items("a shape such as {sphere: {radius: ...}}")
-        if len(given) != 1:
+        items = item.items("a shape such as {sphere: {radius: ...}}")
+        if len(items) != 1:
             raise item.error("a shape has one key, its kind" + near("", keys.SHAPES))
-        ((name, entry),) = given.items()
+        ((name, entry),) = items.items()
         function = keys.SHAPES.get(name)
         if function is None:
             raise entry.at_key(f"shape '{name[:80]}' does not exist." + near(name, keys.SHAPES))
         arguments = self.record(keys.of_function(function), entry, f"a {name}")
-        with entry.placed(named=True):
+        with entry.at_item(named=True):
             return function(**arguments)
 
     # what beams have
@@ -272,21 +274,21 @@ class Values:
     def _chosen(self, what: str, item: Item) -> Any:
         """A member of a family by its kind."""
         family = keys.CHOICES[what]
-        given = item.items(f"a {what} such as {{{next(iter(family))}: {{...}}}}")
-        if len(given) != 1:
+        items = item.items(f"a {what} such as {{{next(iter(family))}: {{...}}}}")
+        if len(items) != 1:
             raise item.error(f"a {what} has one key, its kind." + near("", family))
-        ((name, entry),) = given.items()
+        ((name, entry),) = items.items()
         if name not in family:
             raise entry.at_key(f"{what} '{name[:80]}' does not exist." + near(name, family))
         arguments = self.record(keys.of_element(family[name]), entry, f"a {name}")
-        with entry.placed(named=True):
+        with entry.at_item(named=True):
             return family[name](**arguments)
 
     def material(self, item: Item) -> Any:
         """``{E:, nu:, rho:}``."""
-        given = self.record(keys.MATERIAL, item, "a material")
-        with item.placed(named=True):
-            return material(**given)
+        values = self.record(keys.MATERIAL, item, "a material")
+        with item.at_item(named=True):
+            return material(**values)
 
     def prestrain(self, item: Item) -> dict[str, Any]:
         """Strains by name."""
@@ -294,7 +296,7 @@ class Values:
 
     def mesh(self, item: Item) -> str:
         """A mesh file below the declared folders."""
-        with item.placed():
+        with item.at_item():
             return self.meshes.find(item.text(), item.path)
 
     def limits(self, item: Item) -> Any:
@@ -318,10 +320,10 @@ class Values:
     def couple(self, item: Item) -> tuple[Any, ...]:
         """(leader, ratio, offset) from a list or a mapping."""
         if not item.is_list:
-            given = self.record(keys.COUPLE, item, "a coupling")
-            return given["leader"], given["ratio"], given.get("offset", 0)
+            values = self.record(keys.COUPLE, item, "a coupling")
+            return values["leader"], values["ratio"], values.get("offset", 0)
         entries = item.entries()
         if len(entries) not in (2, 3):
             raise item.error("a coupling is [leader, ratio] or [leader, ratio, offset]")
-        first, *rest = entries
-        return (first.text(), *(self.scalar(entry) for entry in rest))
+        first, *numbers = entries
+        return (first.text(), *(self.scalar(entry) for entry in numbers))

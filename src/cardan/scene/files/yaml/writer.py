@@ -9,10 +9,10 @@ from pathlib import Path
 from typing import Any
 
 from ....arguments import checked
+from ....atomic_file import written
 from ....elements.validation import AXES
 from ....errors import ModelError
 from ....version import SCENE
-from ....whole_file import written
 from ...beam import Beam
 from ...beam_arguments import ELEMENT, INERTIA, ROLES
 from ...body import INERTIA_ENTRIES, Body
@@ -24,8 +24,8 @@ from ...scene import SceneRecord
 from ...shape import Shape
 from ..angles import snapped
 from . import keys
-from .expression_text import Words
-from .frames import written_apart
+from .expression_text import ExpressionText
+from .frames import separate_frames
 from .layout import Number, dumped
 
 LIMITS = ("lower", "upper", "speed", "effort")
@@ -76,8 +76,8 @@ class _Writer:
     def __init__(self, model: SceneRecord, folder: Path | None) -> None:
         self.model = model
         self.folder = None if folder is None else folder.resolve()
-        self.words = Words(model)
-        self.apart = written_apart(model)
+        self.expressions = ExpressionText(model)
+        self.separate = separate_frames(model)
 
     def document(self) -> dict[str, Any]:
         """The document: sections that say nothing are left out."""
@@ -90,7 +90,7 @@ class _Writer:
             "inputs": {n: self._declared(d, "default") for n, d in model.inputs.items()},
             "tables": {},
             "bodies": {n: self._body(body) for n, body in model.bodies.items()},
-            "frames": {frame.name: self._frame(frame) for frame in self.apart},
+            "frames": {frame.name: self._frame(frame) for frame in self.separate},
             "beams": {n: self._beam(beam) for n, beam in model.beams.items()},
             "joints": {n: self._joint(joint) for n, joint in model.joints.items()},
             "constraints": {n: self._said(c, "constraint") for n, c in model.constraints.items()},
@@ -101,7 +101,9 @@ class _Writer:
             "notes": list(model.notes),
             "snaps": list(model.snaps),
         }
-        sections["tables"] = {n: self._table(points) for n, points in self.words.tables.items()}
+        sections["tables"] = {
+            n: self._table(points) for n, points in self.expressions.tables.items()
+        }
         return {name: section for name, section in sections.items() if section or name == "name"}
 
     # values
@@ -117,7 +119,7 @@ class _Writer:
             return value
         if not hasattr(value, "free_symbols"):
             raise ModelError(f"{where}: {value!r} is neither a number nor an expression")
-        return self.words.text(value, where)
+        return self.expressions.text(value, where)
 
     def rotation(self, value: Any, where: str) -> Any:
         """``[XYZ, a, b, c]`` or 3x3; angles keep what they are when they are read."""
@@ -148,19 +150,19 @@ class _Writer:
 
     def _body(self, body: Body) -> dict[str, Any]:
         where = f"body '{body.name}'"
-        made: dict[str, Any] = {}
+        entry: dict[str, Any] = {}
         if not _zero(body.mass):
-            made["mass"] = self.value(body.mass, where)
+            entry["mass"] = self.value(body.mass, where)
         if not all(map(_zero, body.com)):
-            made["com"] = self.value(body.com, where)
+            entry["com"] = self.value(body.com, where)
         if not all(map(_zero, body.inertia)):
-            made["inertia"] = self._inertia(body.inertia, where)
+            entry["inertia"] = self._inertia(body.inertia, where)
         if body.pose is not None:
-            made["pose"] = self._pose(body, where)
+            entry["pose"] = self._pose(body, where)
         if body.shapes:
             shapes = [self._shape(shape, where) for shape in body.shapes]
-            made["shape"] = shapes[0] if len(shapes) == 1 else shapes
-        return made
+            entry["shape"] = shapes[0] if len(shapes) == 1 else shapes
+        return entry
 
     def _inertia(self, entries: tuple[Any, ...], where: str) -> Any:
         """Principal values where there is nothing else, entries by name otherwise."""
@@ -173,24 +175,24 @@ class _Writer:
     def _pose(self, body: Body, where: str) -> dict[str, Any]:
         assert body.pose is not None
         position, rotation = body.pose
-        made = {"position": self.value(position, where)}
+        entry = {"position": self.value(position, where)}
         if rotation is not None:
-            made["rotation"] = self.rotation(rotation, where)
+            entry["rotation"] = self.rotation(rotation, where)
         if body.base is not None:
-            made["base"] = body.base.name
-        return made
+            entry["base"] = body.base.name
+        return entry
 
     def _shape(self, shape: Shape, where: str) -> dict[str, Any]:
-        made = {name: self.value(size, where) for name, size in shape.size}
-        if "file" in made:
-            made["file"] = self._file(made["file"])
+        entry = {name: self.value(size, where) for name, size in shape.size}
+        if "file" in entry:
+            entry["file"] = self._file(entry["file"])
         if not all(map(_zero, shape.position)):
-            made["position"] = self.value(shape.position, where)
+            entry["position"] = self.value(shape.position, where)
         if shape.rotation is not None:
-            made["rotation"] = self.rotation(shape.rotation, where)
+            entry["rotation"] = self.rotation(shape.rotation, where)
         if shape.color is not None:
-            made["color"] = self.value(shape.color, where)
-        return {shape.kind: made}
+            entry["color"] = self.value(shape.color, where)
+        return {shape.kind: entry}
 
     def _file(self, file: str) -> str:
         """A mesh below the folder of the scene is named from there."""
@@ -201,16 +203,16 @@ class _Writer:
         return path.relative_to(self.folder).as_posix() if inside else file
 
     def _frame(self, frame: Frame) -> dict[str, Any]:
-        where, made = f"frame '{frame.name}'", {"body": frame.body.name}
+        where, entry = f"frame '{frame.name}'", {"body": frame.body.name}
         if not all(map(_zero, frame.coordinates)):
-            made["at"] = self.value(frame.coordinates, where)
+            entry["at"] = self.value(frame.coordinates, where)
         if frame.orientation is not None:
-            made["rotation"] = self.rotation(frame.orientation, where)
-        return made
+            entry["rotation"] = self.rotation(frame.orientation, where)
+        return entry
 
     def _place(self, place: Place | str | None) -> Any:
         """The name of a body or frame, or the frame itself where it has none."""
-        if isinstance(place, Frame) and place not in self.apart:
+        if isinstance(place, Frame) and place not in self.separate:
             return self._frame(place)
         return place if isinstance(place, str) or place is None else place.name
 
@@ -218,48 +220,48 @@ class _Writer:
 
     def _beam(self, beam: Beam) -> dict[str, Any]:
         where = f"beam '{beam.name}'"
-        made: dict[str, Any] = {}
+        keys: dict[str, Any] = {}
         for role, end in zip(ROLES, beam.ends, strict=True):
             free = end.place is None
-            made[role] = self.value(end.point, where) if free else self._place(end.place)
-        made["section"] = {beam.section.kind: self._element(beam.section, where)}
+            keys[role] = self.value(end.point, where) if free else self._place(end.place)
+        keys["section"] = {beam.section.kind: self._element(beam.section, where)}
         material = {
             name: self.value(entry.value, where)
             for name, entry in beam.material.quantities().items()
             if name in ("E", "nu", "G") or not _zero(entry.value)
         }
-        made |= {"material": material} if material else {}
-        made["elements"] = number(beam.elements)
+        keys |= {"material": material} if material else {}
+        keys["elements"] = number(beam.elements)
         if beam.up is not None:
-            made["up"] = self._field("direction", beam.up, where)
+            keys["up"] = self._field("direction", beam.up, where)
         if beam.line.quantities():
-            made["line"] = {beam.line.kind: self._element(beam.line, where)}
-        made |= {"element": beam.element} if beam.element != ELEMENT else {}
-        made |= {"inertia": beam.inertia} if beam.inertia != INERTIA else {}
+            keys["line"] = {beam.line.kind: self._element(beam.line, where)}
+        keys |= {"element": beam.element} if beam.element != ELEMENT else {}
+        keys |= {"inertia": beam.inertia} if beam.inertia != INERTIA else {}
         for role, end in zip(ROLES, beam.ends, strict=True):
-            made |= {f"release_{role}": list(end.released)} if end.released else {}
+            keys |= {f"release_{role}": list(end.released)} if end.released else {}
         if not _zero(beam.temperature):
-            made["temperature"] = self.value(beam.temperature, where)
+            keys["temperature"] = self.value(beam.temperature, where)
         if beam.prestrain:
-            made["prestrain"] = {n: self.value(x, where) for n, x in beam.prestrain.items()}
+            keys["prestrain"] = {n: self.value(x, where) for n, x in beam.prestrain.items()}
         if beam.stops:
-            made["nodes"] = {name: number(s) for name, s in beam.stops.items()}
+            keys["nodes"] = {name: number(s) for name, s in beam.stops.items()}
         if beam.base is not None:
-            made["base"] = beam.base.name
-        return made
+            keys["base"] = beam.base.name
+        return keys
 
     # joints, forces, outputs
 
     def _element(self, element: Any, where: str) -> dict[str, Any]:
         """The fields of a joint, force element, section or line that are not at their defaults."""
-        made: dict[str, Any] = {}
-        self.words.local = tuple(n for q in element.quantities().values() for n in q.local)
+        values: dict[str, Any] = {}
+        self.expressions.local = tuple(n for q in element.quantities().values() for n in q.local)
         for entry, key in zip(fields(element), keys.of_element(type(element)), strict=True):
             value = getattr(element, entry.name)
             if key.required or not (value is None or value == entry.default):
-                made[entry.name] = self._field(key.kind, value, where)
-        self.words.local = ()
-        return made
+                values[entry.name] = self._field(key.kind, value, where)
+        self.expressions.local = ()
+        return values
 
     def _field(self, kind: str, value: Any, where: str) -> Any:
         if kind == "place":
@@ -280,34 +282,34 @@ class _Writer:
 
     def _joint(self, joint: Joint) -> dict[str, Any]:
         where = f"joint '{joint.name}'"
-        made: dict[str, Any] = {"type": joint.kind.kind}
-        made |= self._element(joint.kind, where)
-        made |= {"parent": self._place(joint.parent), "child": self._place(joint.child)}
-        if joint.motion is not None:
-            made["motion"] = self.value(joint.motion, where)
+        entry: dict[str, Any] = {"type": joint.kind.kind}
+        entry |= self._element(joint.kind, where)
+        entry |= {"parent": self._place(joint.parent), "child": self._place(joint.child)}
+        if joint.prescribed is not None:
+            entry["prescribed"] = self.value(joint.prescribed, where)
         if joint.cut:
-            made["cut"] = True
+            entry["cut"] = True
         for name in ("q0", "u0"):
-            given = getattr(joint, name)
-            if given is not None:
-                made[name] = self.value(given[0] if len(given) == 1 else given, where)
+            values = getattr(joint, name)
+            if values is not None:
+                entry[name] = self.value(values[0] if len(values) == 1 else values, where)
         limits = zip(LIMITS, joint.limits, strict=True)
-        made["limits"] = {n: number(limit) for n, limit in limits if limit is not None}
+        entry["limits"] = {n: number(limit) for n, limit in limits if limit is not None}
         if joint.at is not None:
-            made["at"] = self.value(joint.at, where)
+            entry["at"] = self.value(joint.at, where)
         if joint.base is not None:
-            made["base"] = joint.base.name
+            entry["base"] = joint.base.name
         if joint.couple is not None and joint.kind.follows is None:
-            made["couple"] = self._couple(joint.couple, where)
+            entry["couple"] = self._couple(joint.couple, where)
         if joint.friction:
-            made["friction"] = number(joint.friction)
-        return {key: value for key, value in made.items() if key != "limits" or value}
+            entry["friction"] = number(joint.friction)
+        return {key: value for key, value in entry.items() if key != "limits" or value}
 
     def _couple(self, couple: Couple, where: str) -> dict[str, Any]:
-        made = {"leader": couple.leader, "ratio": self.value(couple.ratio, where)}
+        entry = {"leader": couple.leader, "ratio": self.value(couple.ratio, where)}
         if not _zero(couple.offset):
-            made["offset"] = self.value(couple.offset, where)
-        return made
+            entry["offset"] = self.value(couple.offset, where)
+        return entry
 
     def _force(self, name: str, element: Any) -> dict[str, Any]:
         return {"type": element.kind, **self._element(element, f"force '{name}'")}
@@ -319,18 +321,20 @@ class _Writer:
 
     def _settings(self) -> dict[str, Any]:
         """Settings in the order of the keys."""
-        given = dict(self.model.settings)
-        given = ({"time": given.pop("t")} if "t" in given else {}) | given
-        made: dict[str, Any] = {}
+        settings = dict(self.model.settings)
+        settings = ({"time": settings.pop("t")} if "t" in settings else {}) | settings
+        written_settings: dict[str, Any] = {}
         for key in keys.SIMULATE:
-            value = given.pop(key.name, None)
+            value = settings.pop(key.name, None)
             if isinstance(value, Mapping):
-                made[key.name] = {n: self.value(entry, key.name) for n, entry in value.items()}
+                written_settings[key.name] = {
+                    n: self.value(entry, key.name) for n, entry in value.items()
+                }
             elif value is not None:
-                made[key.name] = self.value(value, key.name)
-        for name in given:
+                written_settings[key.name] = self.value(value, key.name)
+        for name in settings:
             raise ModelError(f"settings: '{name}' cannot be said in a scene file")
-        return made
+        return written_settings
 
 
 def number(value: Any) -> Number:

@@ -1,0 +1,60 @@
+"""Parts of a model that comparisons with other programs read.
+
+Adapters in ``peers`` import this and nothing below it: geometry and motion of the joints, the
+tables of functions, and the compile cache that builds their C.
+"""
+
+from __future__ import annotations
+
+from ..ir.interpreter import evaluate
+from ..ir.serialize import from_dict
+from ..runtime.build import toolchain
+from ..runtime.build.cache import build
+from ..runtime.calls import samples
+from ..runtime.calls.batch import one_by_one
+from ..runtime.calls.lanes import States
+from ..runtime.calls.loaded_function import LoadedFunction
+from ..runtime.models.derivatives import Derivative
+from ..runtime.trajectory.joint_poses import KindNumbers, pose_of
+from ..runtime.verification.flat_scene import scene_of
+from ..runtime.verification.joint_motion import cross, joint_data, joint_motions, times
+from ..runtime.verification.loop_constraints import Moving, frames
+from ..runtime.verification.newton_euler import Scene, joint_rows
+from ..runtime.verification.rotations import PARAMETERS
+from ..scene import load
+from ..schema import kernel_files
+from ..schema.blocks import ORDER, SLOT
+from ..schema.mechanism import CutRow
+from .compiled_model import CompiledModel
+from .faces import face
+
+__all__ = [
+    "ORDER",
+    "PARAMETERS",
+    "SLOT",
+    "CompiledModel",
+    "CutRow",
+    "Derivative",
+    "KindNumbers",
+    "LoadedFunction",
+    "Moving",
+    "Scene",
+    "States",
+    "build",
+    "cross",
+    "evaluate",
+    "face",
+    "frames",
+    "from_dict",
+    "joint_data",
+    "joint_motions",
+    "joint_rows",
+    "kernel_files",
+    "load",
+    "one_by_one",
+    "pose_of",
+    "samples",
+    "scene_of",
+    "times",
+    "toolchain",
+]

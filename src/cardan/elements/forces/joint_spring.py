@@ -1,0 +1,61 @@
+"""A spring and damper along a joint."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+from ...ir.matrix import Matrix
+from ..quantity import JointName, Units
+from .force import Action, ForceElement, JointLoad, Places, constant, one_coordinate
+
+
+@dataclass(frozen=True)
+class JointSpring(ForceElement):
+    """A spring with a damper in parallel along the coordinate of a joint.
+
+    The generalized ``force = -stiffness (q - rest) - damping u``.
+
+    Args:
+        joint: Name of a joint with one coordinate, turning or sliding.
+        stiffness: [N m/rad] or [N/m].
+        damping: [N m s/rad] or [N s/m].
+        rest: Coordinate without load [rad] or [m].
+
+    Raises:
+        ModelError: a value that is not a finite number or expression.
+
+    Source: R. E. Roberson and R. Schwertassek, Dynamics of Multibody Systems, 1988, section 12.1.
+    """
+
+    kind: ClassVar[str] = "joint_spring"
+    units: ClassVar[Units] = {
+        **{"stiffness": "N*m/rad|N/m", "damping": "N*m*s/rad|N*s/m", "rest": "rad|m"}
+    }
+    joint: JointName
+    stiffness: Any = 0.0
+    damping: Any = 0.0
+    rest: Any = 0.0
+
+    def linear(self) -> tuple[str, ...]:
+        return ("stiffness", "damping")
+
+    def paired(self) -> bool:
+        return True
+
+    def act(self, at: Places) -> tuple[Action, ...]:
+        motion, data, joints = at.motion, at.data, at.joints
+        joint = joints["joint"]
+        q, u = one_coordinate(motion, joint, f"joint_spring on joint '{self.joint}'")
+        stiffness, damping, rest = (data[n][0] for n in ("stiffness", "damping", "rest"))
+        actions = []
+        if not data["stiffness"].is_zero:
+            turn = q - rest
+            fixed = constant(data["stiffness"]) and constant(data["rest"])
+            energy = stiffness * turn**2 * 0.5 if fixed else None
+            back = Matrix.vector(motion.graph, [-(stiffness * turn)])
+            actions.append(Action(joint_loads=(JointLoad(joint, back),), potential=energy))
+        if not data["damping"].is_zero:
+            drag = Matrix.vector(motion.graph, [-(damping * u)])
+            actions.append(Action(joint_loads=(JointLoad(joint, drag),)))
+        return tuple(actions)

@@ -1,0 +1,298 @@
+/* Functions of a whole mesh with the interface of generated ones; `w` is the mesh.
+ *
+ * Part of cardan. Caller owns all memory.
+ */
+#include "mesh_calls.h"
+#include <math.h>
+
+/* what resists a motion without inertia while loops are closed [kg] */
+static const real LIGHT = 1e-6;
+/* what resists the motion of what is held, of what resists most */
+static const real HEAVY = 1e12;
+/* what redundant rows may leave: of what gaps of positions and speeds explain; whatever these are */
+static const real EXPLAINED = 100, GOOD = 1e-8;
+/* speeds [rad/s, m/s] of what is as good as at rest: beside slower ones the rounding of rates would
+ * explain anything */
+static const real SLOWEST = 1e-6;
+
+int cardan_mesh_call_balance(const cardan_in *in, real *out, real *work)
+{
+    const cardan_state at = cardan_state_of(in);
+
+    return cardan_mesh_balance(cardan_mesh_of(in), &at, out, work);
+}
+
+int cardan_mesh_call_qdot(const cardan_in *in, real *out, real *work)
+{
+    return cardan_mesh_rates(cardan_mesh_of(in), in->q, in->u, out, work);
+}
+
+int cardan_mesh_call_move(const cardan_in *in, real *out, real *work)
+{
+    const cardan_mesh *mesh = cardan_mesh_of(in);
+
+    return cardan_mesh_move(mesh, in->q, in->du, out, out + mesh->nq, work);
+}
+
+int cardan_mesh_call_energy(const cardan_in *in, real *out, real *work)
+{
+    const cardan_state at = cardan_state_of(in);
+    const int status = cardan_mesh_sum(cardan_mesh_of(in), &at, CARDAN_ENERGY, 2, out, work);
+
+    out[2] = out[0] + out[1];
+    return status;
+}
+
+int cardan_mesh_call_momentum(const cardan_in *in, real *out, real *work)
+{
+    const cardan_state at = cardan_state_of(in);
+
+    return cardan_mesh_sum(cardan_mesh_of(in), &at, CARDAN_MOMENTUM, 6, out, work);
+}
+
+/* How much speeds miss of their constraints by rates (m), of the fastest, which is not at rest. */
+static real missed(const cardan_mesh *mesh, const cardan_mesh_system *system, const real *u,
+                   const real *rates)
+{
+    real most = 0, fastest = 0;
+
+    for (ptrdiff_t k = 0; k < mesh->m; k++)
+        most = fmax(most, fabs(system->rows[mesh->unknown[k]] * rates[k]));
+    for (ptrdiff_t i = 0; i < mesh->nu; i++)
+        fastest = fmax(fastest, fmax(u ? fabs(u[i]) : 0, SLOWEST) / system->units[i]);
+    return most > 0 ? most / fastest : 0;
+}
+
+/* Solve for accelerations with what redundant rows leave explained by gaps of the state: where it is
+ * not, a row of its own passed for one of them, and none is taken for redundant because of gaps. */
+static int solve(const cardan_mesh *mesh, const real *u, const real *rates,
+                 cardan_mesh_system *system)
+{
+    int status = cardan_mesh_solve(mesh, system);
+    real most;
+
+    if (status == 0 && system->unfit <= GOOD)
+        return 0;
+    most = fmax(GOOD, EXPLAINED * fmax(system->sine, missed(mesh, system, u, rates)));
+    if (status == 0 && system->unfit <= most)
+        return 0;
+    system->open = NULL;
+    status = cardan_mesh_refactor(mesh, system);
+    if (status == 0)
+        status = cardan_mesh_solve(mesh, system);
+    return status == 0 && system->unfit > most ? CARDAN_UNSOLVED : status;
+}
+
+/* udot (nu) and lam (m) with M udot = f - h + tau + Gᵀ lam, G udot = gamma; tau may be NULL. */
+int cardan_mesh_accelerations(const cardan_mesh *mesh, const cardan_state *requested, const real *tau,
+                              real *out, real *work)
+{
+    const cardan_assembly parts = {{0, 0, 1}, 0, 0, NULL};
+    cardan_mesh_system system = {0};
+    real *missing = work + cardan_mesh_lay(mesh, work, &system);
+    real *gamma = missing + mesh->nu + mesh->mp + mesh->m;
+    cardan_state at = *requested;
+    int assembled, status;
+
+    at.udot = at.lam = NULL;
+    system.open = missing + mesh->nu;
+    status = cardan_mesh_balance(mesh, &at, missing, system.work);
+    if (status == 0)
+        status = cardan_mesh_gamma(mesh, &at, gamma, system.work);
+    if (status == 0)
+        status = cardan_mesh_factor(mesh, &at, &parts, &system, &assembled);
+    /* an unknown that is in no equation has no mass either */
+    if (status == 0)
+        status = cardan_mesh_massless(mesh, &system);
+    else if (status == CARDAN_UNSOLVED)
+        status = CARDAN_SINGULAR;
+    if (status != 0)
+        return status;
+    for (ptrdiff_t i = 0; i < mesh->nu; i++)
+        system.right[i] = (tau ? tau[i] : 0) - missing[i];
+    for (ptrdiff_t k = 0; k < mesh->m; k++)
+        system.right[mesh->unknown[k]] = gamma[k];
+    status = solve(mesh, at.u, missing + mesh->nu + mesh->mp, &system);
+    for (ptrdiff_t i = 0; i < mesh->nu; i++)
+        out[i] = system.solution[i];
+    for (ptrdiff_t k = 0; k < mesh->m; k++)
+        out[mesh->nu + k] = -system.solution[mesh->unknown[k]];
+    return status;
+}
+
+int cardan_mesh_call_forward_dynamics(const cardan_in *in, real *out, real *work)
+{
+    const cardan_state at = cardan_state_of(in);
+
+    return cardan_mesh_accelerations(cardan_mesh_of(in), &at, in->tau, out, work);
+}
+
+/* What the entries of a result of the scene are added to. */
+typedef struct sums {
+    int form;
+    real *out;
+} sums;
+
+static void add(const cardan_mesh *mesh, const cardan_group *g, const cardan_element_lanes *some,
+                real *out, void *to)
+{
+    const sums *total = to;
+    const ptrdiff_t size = g->forms[total->form].size;
+    const ptrdiff_t *which = total->form == CARDAN_POWER ? g->powers : g->outputs;
+
+    (void)mesh;
+    for (ptrdiff_t lane = 0; lane < some->filled; lane++)
+        for (ptrdiff_t i = 0; i < size; i++)
+            total->out[which[some->element[lane] * size + i]] += out[i * some->lanes + lane];
+}
+
+/* Results of elements as entries (count) of the scene's. */
+static int summed(const cardan_mesh *mesh, const cardan_state *at, int form, ptrdiff_t count,
+                  real *out, real *work)
+{
+    sums total = {form, out};
+
+    for (ptrdiff_t i = 0; i < count; i++)
+        out[i] = 0;
+    return cardan_mesh_each(mesh, at, form, add, &total, work);
+}
+
+int cardan_mesh_call_outputs(const cardan_in *in, real *out, real *work)
+{
+    const cardan_mesh *mesh = cardan_mesh_of(in);
+    const cardan_state at = cardan_state_of(in);
+
+    return summed(mesh, &at, CARDAN_OUTPUTS, mesh->outputs, out, work);
+}
+
+/* Of every source (powers); driven joints give that of their multipliers, which are solved for. */
+int cardan_mesh_call_power(const cardan_in *in, real *out, real *work)
+{
+    const cardan_mesh *mesh = cardan_mesh_of(in);
+    real *solution = work + cardan_mesh_call_work(mesh) - mesh->nu - mesh->m;
+    cardan_state at = cardan_state_of(in);
+    int status = 0;
+
+    at.udot = at.lam = NULL;
+    if (mesh->driven) {
+        status = cardan_mesh_accelerations(mesh, &at, NULL, solution, work);
+        at.lam = solution + mesh->nu;
+    }
+    return status != 0 ? status : summed(mesh, &at, CARDAN_POWER, mesh->powers, out, work);
+}
+
+int cardan_mesh_call_rhs(const cardan_in *in, real *out, real *work)
+{
+    const cardan_mesh *mesh = cardan_mesh_of(in);
+    const cardan_state at = cardan_state_of(in);
+    /* behind what is worked with */
+    real *solution = work + cardan_mesh_call_work(mesh) - mesh->nu - mesh->m;
+    int status = cardan_mesh_rates(mesh, in->q, in->u, out, work);
+
+    if (status == 0)
+        status = cardan_mesh_accelerations(mesh, &at, NULL, solution, work);
+    for (ptrdiff_t i = 0; i < mesh->nu; i++)
+        out[mesh->nq + i] = solution[i];
+    return status;
+}
+
+/* Solve M dx + Gᵀ y = 0, G dx = -open; what nothing resists is held a little, and what is to be
+ * held, by `locked` other than 0, as good as fixed. */
+static int closing_step(const cardan_mesh *mesh, const cardan_state *at, const real *locked,
+                        const real *open, ptrdiff_t rows, cardan_mesh_system *system)
+{
+    const cardan_assembly parts = {{0, 0, 1}, 0, 0, NULL};
+    int status = cardan_mesh_matrix(mesh, at, &parts, system);
+    real largest = 0;
+
+    if (status != 0)
+        return status;
+    for (ptrdiff_t i = 0; i < mesh->nu; i++) {
+        real *entry = system->a + mesh->diagonal[i];
+        if (*entry == 0)
+            *entry = LIGHT;
+        largest = fmax(largest, fabs(*entry));
+    }
+    for (ptrdiff_t i = 0; i < mesh->nu && locked; i++)
+        if (locked[i] != 0)
+            system->a[mesh->diagonal[i]] += HEAVY * largest;
+    status = cardan_mesh_refactor(mesh, system);
+    for (ptrdiff_t i = 0; i < mesh->nu; i++)
+        system->right[i] = 0;
+    for (ptrdiff_t k = 0; k < mesh->m; k++)
+        system->right[mesh->unknown[k]] = k < rows ? -open[k] : 0;
+    return status != 0 ? status : cardan_mesh_solve(mesh, system);
+}
+
+/* q (nq) a step nearer to closing all loops, then what was open (mp). */
+int cardan_mesh_call_close_position(const cardan_in *in, real *out, real *work)
+{
+    const cardan_mesh *mesh = cardan_mesh_of(in);
+    const cardan_state at = cardan_state_of(in);
+    cardan_mesh_system system = {0};
+    real *missing = work + cardan_mesh_lay(mesh, work, &system), *open = missing + mesh->nu;
+    int status = cardan_mesh_balance(mesh, &at, missing, system.work);
+
+    for (ptrdiff_t k = 0; k < mesh->mp; k++)
+        out[mesh->nq + k] = open[k];
+    system.open = open;
+    if (status == 0)
+        status = closing_step(mesh, &at, in->tau, open, mesh->mp, &system);
+    return status != 0 ? status
+                       : cardan_mesh_move(mesh, in->q, system.solution, out, NULL, system.work);
+}
+
+/* u (nu) that the constraints allow, then what the given ones missed (m). */
+int cardan_mesh_call_close_velocity(const cardan_in *in, real *out, real *work)
+{
+    const cardan_mesh *mesh = cardan_mesh_of(in);
+    const cardan_state at = cardan_state_of(in);
+    cardan_mesh_system system = {0};
+    real *missing = work + cardan_mesh_lay(mesh, work, &system);
+    real *rates = missing + mesh->nu + mesh->mp;
+    int status = cardan_mesh_balance(mesh, &at, missing, system.work);
+
+    for (ptrdiff_t k = 0; k < mesh->m; k++)
+        out[mesh->nu + k] = rates[k];
+    system.open = missing + mesh->nu;
+    if (status == 0)
+        status = closing_step(mesh, &at, in->tau, rates, mesh->m, &system);
+    for (ptrdiff_t i = 0; i < mesh->nu; i++)
+        out[i] = in->u[i] + system.solution[i];
+    return status;
+}
+
+/* The values (plan->values) of shares[0] K + shares[1] C + shares[2] M with its constraints. */
+int cardan_mesh_values(const cardan_mesh *mesh, const cardan_state *at, const real *shares,
+                       real *a, real *work)
+{
+    const cardan_assembly parts = {{shares[0], shares[1], shares[2]}, 0, 0, NULL};
+    cardan_mesh_system system = {0};
+
+    (void)cardan_mesh_lay(mesh, work, &system);
+    system.a = a;
+    return cardan_mesh_matrix(mesh, at, &parts, &system);
+}
+
+int cardan_mesh_call_mass_matrix(const cardan_in *in, real *out, real *work)
+{
+    const cardan_state at = cardan_state_of(in);
+    const real shares[3] = {0, 0, 1}; /* of K, C and M */
+
+    return cardan_mesh_values(cardan_mesh_of(in), &at, shares, out, work);
+}
+
+/* Numbers of work memory that each of these needs, at most. */
+ptrdiff_t cardan_mesh_call_work(const cardan_mesh *mesh)
+{
+    cardan_mesh_system system;
+    ptrdiff_t most = mesh->work;
+
+    /* q and T of a place */
+    for (ptrdiff_t k = 0; k < mesh->mover_count; k++) {
+        const cardan_movers *movers = &mesh->movers[k];
+        if (most < mesh->work + movers->nq + movers->nu * movers->nu)
+            most = mesh->work + movers->nq + movers->nu * movers->nu;
+    }
+    return most + cardan_mesh_lay(mesh, NULL, &system) + 2 * mesh->nu + mesh->mp + 3 * mesh->m;
+}

@@ -1,0 +1,45 @@
+/* Functions of a whole mesh with the interface of generated ones; `w` is the mesh. Part of cardan. */
+#ifndef CARDAN_MESH_CALLS_H
+#define CARDAN_MESH_CALLS_H
+
+#include "mesh_matrix.h"
+
+static inline const cardan_mesh *cardan_mesh_of(const cardan_in *in)
+{
+    return (const cardan_mesh *)(const void *)in->w;
+}
+
+static inline cardan_state cardan_state_of(const cardan_in *in)
+{
+    const cardan_state at = {in->t ? *in->t : 0, in->q, in->u, in->udot, in->lam,
+                             in->z, in->s, in->r, NULL, NULL};
+
+    return at;
+}
+
+int cardan_mesh_accelerations(const cardan_mesh *mesh, const cardan_state *asked, const real *tau,
+                              real *out, real *work);
+int cardan_mesh_values(const cardan_mesh *mesh, const cardan_state *at, const real *shares,
+                       real *a, real *work);
+int cardan_mesh_call_balance(const cardan_in *in, real *out, real *work);
+int cardan_mesh_call_qdot(const cardan_in *in, real *out, real *work);
+int cardan_mesh_call_move(const cardan_in *in, real *out, real *work);
+int cardan_mesh_call_energy(const cardan_in *in, real *out, real *work);
+int cardan_mesh_call_forward_dynamics(const cardan_in *in, real *out, real *work);
+int cardan_mesh_call_mass_matrix(const cardan_in *in, real *out, real *work);
+int cardan_mesh_call_momentum(const cardan_in *in, real *out, real *work);
+int cardan_mesh_call_outputs(const cardan_in *in, real *out, real *work);
+int cardan_mesh_call_power(const cardan_in *in, real *out, real *work);
+int cardan_mesh_call_rhs(const cardan_in *in, real *out, real *work);
+int cardan_mesh_call_close_position(const cardan_in *in, real *out, real *work);
+int cardan_mesh_call_close_velocity(const cardan_in *in, real *out, real *work);
+ptrdiff_t cardan_mesh_call_work(const cardan_mesh *mesh);
+
+/* mesh_start.c: move what is not held of x = [q, u] until all constraints hold, then the speeds.
+ * quaternions (count): the first entry of each in q. held (nq + nu): not 0 where x stays. Returns 0,
+ * the status of an element, or CARDAN_CONSTRAINT_OPEN where that is not possible. */
+ptrdiff_t cardan_mesh_start_work(const cardan_mesh *mesh);
+int cardan_mesh_start(const cardan_mesh *mesh, real t, const real *r, const ptrdiff_t *quaternions,
+                      ptrdiff_t count, const real *locked, real *x, real *work);
+
+#endif

@@ -1,0 +1,168 @@
+/* The iteration matrix of a mesh, assembled in place of a sparse plan.
+ *
+ * Part of cardan. Caller owns all memory.
+ *
+ *     [k K T + c C + m M   Gᵀ]      T: turns increments of rotations into motions (cardan_mesh_move)
+ *     [G T + lever R T      0]      rows of positions G T; lever: of the rows that bind speeds
+ */
+#include "mesh_matrix.h"
+#include "mesh_lanes.h"
+#include <string.h>
+
+/* a matrix that is being filled */
+typedef struct assembling {
+    const cardan_assembly *parts;
+    real *a;
+} assembling;
+
+/* Speeds of the k-th place of elements that go together. */
+static ptrdiff_t place_of(const cardan_mesh *mesh, const cardan_group *g,
+                          const cardan_element_lanes *some, ptrdiff_t k)
+{
+    const ptrdiff_t *entries = mesh->u + g->place[some->element[0] * g->places + k];
+
+    return entries[1] - entries[0];
+}
+
+/* Whether any of these is another matrix than the unit one: slides and nodes of a plane have that. */
+static int turns(const real *T, ptrdiff_t lanes)
+{
+    int other = 0;
+
+    for (ptrdiff_t i = 0; i < 9; i++)
+        for (ptrdiff_t lane = 0; lane < lanes; lane++)
+            other |= T[i * lanes + lane] != (i % 4 == 0 ? 1 : 0);
+    return other;
+}
+
+/* Turn the columns of `height` rows (nu) from increments of rotations to motions. */
+static void turn(const cardan_mesh *mesh, const cardan_group *g, const cardan_element_lanes *some,
+                 const real *tangent_maps, ptrdiff_t height, real *rows)
+{
+    const real *from[CARDAN_ELEMENT_LANES];
+    real T[9 * CARDAN_ELEMENT_LANES];
+
+    for (ptrdiff_t k = 0; k < g->places && tangent_maps; k++) {
+        const ptrdiff_t n = place_of(mesh, g, some, k);
+
+        if (n == 3 || n == 6) {
+            int does;
+            for (ptrdiff_t lane = 0; lane < some->lanes; lane++)
+                from[lane] = tangent_maps + 9 * g->place[some->element[lane] * g->places + k];
+            (void)cardan_fetch(from, 9, T, some->lanes);
+            does = n == 6 || turns(T, some->lanes);
+            for (ptrdiff_t i = 0; i < height && does; i++)
+                cardan_turn_three(T, some->lanes, rows + i * g->nu * some->lanes);
+        }
+        rows += n * some->lanes;
+    }
+}
+
+/* Add `height` rows (nu) to those of row block k. */
+static void add_rows(real *values, const cardan_mesh *mesh, const cardan_group *g,
+                     const cardan_element_lanes *some, ptrdiff_t k, ptrdiff_t height, const real *rows)
+{
+    const ptrdiff_t blocks = g->places + (g->m > 0), size = blocks * (blocks + 1);
+    const ptrdiff_t *spots[CARDAN_ELEMENT_LANES];
+    real *to[CARDAN_ELEMENT_LANES];
+
+    for (ptrdiff_t lane = 0; lane < some->filled; lane++)
+        spots[lane] = g->spots + some->element[lane] * size + k * (blocks + 1);
+    for (ptrdiff_t l = 0; l < g->places; l++) {
+        const ptrdiff_t n = place_of(mesh, g, some, l);
+
+        for (ptrdiff_t lane = 0; lane < some->filled; lane++)
+            to[lane] = values + spots[lane][l];
+        for (ptrdiff_t i = 0; i < height; i++) {
+            cardan_spill(rows + i * g->nu * some->lanes, n, some->lanes, to, some->filled);
+            for (ptrdiff_t lane = 0; lane < some->filled; lane++)
+                to[lane] += spots[lane][blocks];
+        }
+        rows += n * some->lanes;
+    }
+}
+
+/* Add the rows of constraints (m, nu) as columns. */
+static void add_columns(real *values, const cardan_mesh *mesh, const cardan_group *g,
+                        const cardan_element_lanes *some, const real *rows)
+{
+    const ptrdiff_t blocks = g->places + 1, size = blocks * (blocks + 1);
+
+    for (ptrdiff_t lane = 0; lane < some->filled; lane++) {
+        const real *entries = rows + lane;
+        const ptrdiff_t *spots = g->spots + some->element[lane] * size;
+
+        for (ptrdiff_t k = 0; k < g->places; k++, spots += blocks + 1)
+            for (ptrdiff_t i = 0, n = place_of(mesh, g, some, k); i < n; i++, entries += some->lanes) {
+                real *a = values + spots[g->places] + i * spots[blocks];
+                for (ptrdiff_t r = 0; r < g->m; r++)
+                    a[r] += entries[r * g->nu * some->lanes];
+            }
+    }
+}
+
+/* The rows of the constraints of elements, and their transposed columns. */
+static void add_constraints(const assembling *to, const cardan_mesh *mesh, const cardan_group *g,
+                            const cardan_element_lanes *some, real *out)
+{
+    const cardan_assembly *parts = to->parts;
+    const ptrdiff_t *starts = g->parts, lanes = some->lanes, first = parts->stabilized ? 0 : g->mp;
+    real *G = out + starts[CARDAN_G] * lanes, *R = out + starts[CARDAN_R] * lanes;
+
+    add_columns(to->a, mesh, g, some, G);
+    turn(mesh, g, some, parts->tangent_maps, g->mp, G);
+    if (starts[CARDAN_R] >= 0 && parts->lever != 0) {
+        const ptrdiff_t done = first * g->nu * lanes;
+        turn(mesh, g, some, parts->tangent_maps, g->m - first, R + done);
+        cardan_mix((g->m - first) * g->nu * lanes, parts->lever, R + done, 1, G + done);
+    }
+    add_rows(to->a, mesh, g, some, g->places, g->m, G);
+}
+
+/* Shares of K T, C and M, in place of the first of them; NULL: there is none. */
+static real *shared(const assembling *to, const cardan_mesh *mesh, const cardan_group *g,
+                    const cardan_element_lanes *some, real *out)
+{
+    const ptrdiff_t *starts = g->parts, size = g->nu * g->nu * some->lanes;
+    real *sum = NULL;
+
+    for (int part = CARDAN_K; part <= CARDAN_M; part++) {
+        const real share = to->parts->shares[part];
+        real *entries = out + starts[part] * some->lanes;
+
+        if (starts[part] < 0 || share == 0)
+            continue;
+        if (part == CARDAN_K)
+            turn(mesh, g, some, to->parts->tangent_maps, g->nu, entries);
+        if (sum)
+            cardan_mix(size, share, entries, 1, sum);
+        else
+            cardan_mix(size, share, entries, 0, sum = entries);
+    }
+    return sum;
+}
+
+static void take_matrix(const cardan_mesh *mesh, const cardan_group *g, const cardan_element_lanes *some,
+                        real *out, void *into)
+{
+    const assembling *to = into;
+    const real *sum = shared(to, mesh, g, some, out);
+
+    for (ptrdiff_t k = 0; k < g->places && sum; k++) {
+        const ptrdiff_t n = place_of(mesh, g, some, k);
+        add_rows(to->a, mesh, g, some, k, n, sum);
+        sum += n * g->nu * some->lanes;
+    }
+    if (g->m > 0)
+        add_constraints(to, mesh, g, some, out);
+}
+
+int cardan_mesh_matrix(const cardan_mesh *mesh, const cardan_state *at,
+                       const cardan_assembly *parts, const cardan_mesh_system *system)
+{
+    assembling to = {parts, system->a};
+
+    memset(system->a, 0, (size_t)mesh->plan->values * sizeof(real));
+    return cardan_mesh_each(mesh, at, CARDAN_TANGENT, take_matrix, &to,
+                            system->work + 2 * mesh->plan->n);
+}

@@ -1,0 +1,124 @@
+/* Fixed-step grid, trial loop of the adaptive explicit methods, cubic dense output.
+ *
+ * Part of cardan. Caller owns all memory.
+ */
+#include "explicit.h"
+#include <math.h>
+
+enum { LOOKS = 4 /* the stiffness test runs every fourth step */ };
+
+/* Start a fixed-step run; the sign of h follows the direction of the run. */
+int cardan_fixed_init(cardan_run *run)
+{
+    run->h = copysign(run->h, run->stops[run->stop_count - 1] - run->t);
+    return cardan_refresh(run);
+}
+
+/* End of the next fixed step: the next grid point of the segment, or the stop if it is nearer. */
+real cardan_grid(const cardan_run *run)
+{
+    real stop = run->until;
+    /* t may lie between grid points after a shortened step; 1e-6 absorbs rounding */
+    real done = floor((run->t - run->segment) / run->h + 1e-6);
+    real t = run->segment + (done + 1) * run->h;
+
+    return (stop - t) / run->h < 1e-9 ? stop : t;
+}
+
+/* Stiffness test: count the accepted step as `limited` if stability, not accuracy, limits it.
+ *
+ * Two derivatives at the end time, taken at two nearby states, estimate the dominant eigenvalue:
+ * |lambda| = |f1 - f2| / |y1 - y2|. The step is limited if h |lambda| > 0.8 bound.
+ * Source: E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, 2nd ed., section IV.2.
+ */
+static void look(cardan_run *run, const cardan_explicit *method, real h)
+{
+    const real *other = run->k + method->other * run->n;
+    real slopes = 0, states = 0;
+
+    for (ptrdiff_t i = 0; i < run->nx; i++) {
+        const real slope = run->f[i] - other[i], state = run->y[i] - method->state(run, h, i);
+        slopes += slope * slope;
+        states += state * state;
+    }
+    run->looked++;
+    run->limited += h * h * slopes > 0.8 * 0.8 * method->bound * method->bound * states;
+}
+
+/* Index of the entry with the largest error, or of the last NaN if there is one. The last one is
+ * reported because NaN speeds also make the coordinates NaN, and coordinates come first. */
+static ptrdiff_t worst_of(const cardan_run *run, const cardan_explicit *method, const real *against)
+{
+    real worst = -1;
+    ptrdiff_t culprit = -1;
+
+    for (ptrdiff_t i = 0; i < run->nx; i++) {
+        const real each = fabs(method->part(run, against, i));
+        if (!(each <= worst) && (worst == worst || each != each)) {
+            worst = each;
+            culprit = i;
+        }
+    }
+    return culprit;
+}
+
+/* Take one accepted step from t, y: try step sizes until the error norm is at most 1. */
+int cardan_explicit_step(cardan_run *run, const cardan_explicit *method)
+{
+    int status = cardan_refresh(run);
+
+    while (status == 0 && !run->stop) {
+        real h, t_new, error = 0;
+        int failed;
+
+        /* requested step, shortened or stretched to end exactly at a stop */
+        status = cardan_trial_step(run, &h, &t_new);
+        if (status != 0)
+            return status;
+        run->culprit = -1;
+        failed = method->stages(run, h);
+        if (failed == 0) {
+            error = method->error(run, h, cardan_against(run, run->trial));
+            /* small enough: leave the chart, project onto the constraints, evaluate f there */
+            if (error <= 1) {
+                cardan_leave(run, run->trial);
+                failed = cardan_commit_derivative(run, t_new, run->trial, method->ends);
+            }
+            /* a NaN or infinite error is a failure, not a large error */
+            failed = error - error == 0 ? failed : CARDAN_NOT_FINITE;
+        }
+        if (failed == 0 && error <= 1) {
+            /* in a chart the stage states are no states of the run, so the test is skipped */
+            if (run->steps % LOOKS == 0 && !run->charted)
+                look(run, method, h);
+            /* the change made by the projection counts as an error of the step */
+            cardan_accept_step(run, h, fmax(error, run->correction), method->order);
+            return 0;
+        }
+        /* rejected: retry with a smaller h; status 0 unless h fell below its minimum */
+        status = cardan_reject_step(run, h, error, method->order, failed);
+        if (status != 0 && !(error <= 1))
+            run->culprit = worst_of(run, method, cardan_against(run, run->trial));
+    }
+    return status != 0 ? status : CARDAN_STOPPED;
+}
+
+/* First three rows of the dense output: the cubic Hermite interpolant of the last step.
+ *
+ * `first` (n) is the derivative at the start of the step. The derivative at its end is written to
+ * `last` (n), in chart coordinates if the run is charted. Row 0 is the chord; cardan_interpolate
+ * in run.c says how the rows enter.
+ */
+void cardan_hermite(cardan_run *run, const real *first, real *last)
+{
+    const ptrdiff_t n = run->n;
+    const real h = run->t - run->t_old;
+    real *interpolant = run->interpolant;
+
+    cardan_arrive(run, interpolant, last);
+    for (ptrdiff_t i = 0; i < n; i++) {
+        const real rise = interpolant[i];
+        interpolant[n + i] = h * first[i] - rise;
+        interpolant[2 * n + i] = 2 * rise - h * (last[i] + first[i]);
+    }
+}

@@ -1,0 +1,154 @@
+/*
+ * sparse.h: linear systems of many small blocks, such as those of finite-element coordinates.
+ *
+ * The unknowns come in blocks: speeds of a node or a joint, multipliers of an element. Which blocks
+ * meet, the order of elimination and where every number goes is planned once, in tables
+ * (runtime/sparse/plan.py); nothing is searched, no memory is allocated here.
+ *
+ *   a      the assembled matrix, CSR by numbers: rows of a row block stand one behind the other, and
+ *          each holds the columns of all blocks that it meets, ascending
+ *   panel  a supernode in the factors: its own rows, each [D | U | Lt], where D (n x n) are its own
+ *          unknowns, U the later ones that its rows meet, Lt those whose rows meet its columns,
+ *          turned. Unknowns of a supernode follow each other, pivots are looked for among its rows
+ *
+ * Zero pivots that remain are replaced by small ones and listed: where the matrix is regular, or
+ * its constraints are redundant and consistent, refinement gives the solution all the same.
+ * Denormals are flushed to zero inside, and the mode of the processor is restored.
+ * Source: I. S. Duff, A. M. Erisman, J. K. Reid, Direct Methods for Sparse Matrices, chapters 10-12;
+ * X. S. Li, J. W. Demmel, SuperLU_DIST, ACM TOMS 29 (2003), on static pivots with refinement.
+ */
+#ifndef CARDAN_SPARSE_H
+#define CARDAN_SPARSE_H
+
+#include "cardan.h"
+#include <stddef.h>
+
+/* A block of the matrix on its way into a panel. */
+typedef struct cardan_sparse_load {
+    int32_t from;   /* its first value in a */
+    int32_t stride; /* numbers from one of its rows to the next */
+    int32_t to;     /* where it begins in the factors */
+    int32_t rows, columns;
+    int32_t row, column; /* first unknown of its rows and of its columns, as in a */
+    int32_t transposed;      /* whether it goes to Lt */
+} cardan_sparse_load;
+
+/* Later unknowns that a supernode meets and that follow each other within one later supernode. */
+typedef struct cardan_sparse_run {
+    int32_t at;    /* where they begin in U and Lt */
+    int32_t size;  /* how many */
+    int32_t place; /* the first of them, in order of elimination */
+    int32_t owner; /* the later supernode */
+} cardan_sparse_run;
+
+/* The plan; all tables are constant. */
+typedef struct cardan_sparse {
+    ptrdiff_t n;          /* unknowns */
+    ptrdiff_t blocks;     /* their blocks */
+    ptrdiff_t values;     /* numbers of a */
+    ptrdiff_t supernodes;
+    ptrdiff_t factors;    /* numbers of the factors */
+    ptrdiff_t widest;     /* unknowns of the largest supernode */
+    /* the matrix */
+    const int32_t *first;  /* blocks + 1: the first unknown of a block */
+    const int32_t *row;    /* blocks + 1: where its list begins in `column` */
+    const int32_t *column; /* the blocks that a row block meets, ascending */
+    const int32_t *at;     /* blocks: its first value in a */
+    const int32_t *stride; /* blocks: numbers from one of its rows to the next */
+    /* the elimination */
+    const int32_t *order;      /* n: the unknown that is eliminated as the k-th */
+    const int32_t *multiplier; /* n: whether that one is a multiplier: 1, 2 where it closes a loop */
+    const int32_t *start;      /* supernodes + 1: its first unknown in that order */
+    const int32_t *panel;      /* supernodes: where its panel begins */
+    const int32_t *width;      /* supernodes: numbers from one of its rows to the next */
+    const int32_t *later;      /* supernodes: unknowns in U */
+    const int32_t *transposed;     /* supernodes: where Lt begins in a row */
+    const int32_t *open_start; /* supernodes + 1: where its list begins in `open` */
+    const int32_t *open;       /* supernodes: the panels to be filled when its turn comes */
+    const int32_t *load_start; /* supernodes + 1: where its list begins in `load` */
+    const cardan_sparse_load *load;
+    const int32_t *run_start; /* supernodes + 1: where its list begins in `run` */
+    const cardan_sparse_run *run;
+    const int32_t *target_start; /* supernodes: where its list begins in `target` */
+    const int32_t *target;       /* for run i, for run j: where their product goes */
+} cardan_sparse;
+
+/* The numbers of a factorization. The caller provides the arrays and may read the results. */
+typedef struct cardan_sparse_factors {
+    double *values;        /* plan->factors */
+    double *scale;         /* n: the size of numbers a pivot is judged by */
+    double *work;          /* cardan_sparse_work(plan); solutions use it too */
+    double *shift;         /* n: what was added to pivots, the first `weak` of them */
+    int32_t *pivot;        /* n: with which row of its supernode each was exchanged */
+    int32_t *exchanged;    /* n: with which column of it */
+    int32_t *replaced;     /* n: the k-th unknowns, in order of elimination, they belong to */
+    const double *rows;    /* n: what equations are multiplied with, NULL for 1 */
+    const double *columns; /* n: the units of unknowns, NULL for 1 */
+    double hidden;         /* square of the sine below which rows that close loops are redundant */
+    int32_t count;         /* asks for the signs of eigenvalues of a symmetric matrix */
+    int32_t weak;          /* how many pivots were replaced */
+    int32_t singular;      /* the unknown of which nothing is known, or -1 */
+    int32_t positive;      /* eigenvalues by their signs; the others are zero to rounding */
+    int32_t negative;
+} cardan_sparse_factors;
+
+/* How many numbers of work memory a factorization needs. */
+ptrdiff_t cardan_sparse_work(const cardan_sparse *plan);
+
+/* Factor the matrix a. Returns CARDAN_SINGULAR where an unknown or an equation is empty, or where
+ * numbers are not finite: `singular` then says which unknown, and there are no factors. */
+int cardan_sparse_factor(const cardan_sparse *plan, const double *a, cardan_sparse_factors *f);
+
+/* x = a^-1 b for `count` right-hand sides of n numbers, one behind the other; x may be b. */
+void cardan_sparse_solve(const cardan_sparse *plan, const cardan_sparse_factors *f, ptrdiff_t count,
+                         const double *b, double *x);
+
+/* The same with the transposed matrix. */
+void cardan_sparse_solve_transposed(const cardan_sparse *plan, const cardan_sparse_factors *f,
+                                ptrdiff_t count, const double *b, double *x);
+
+/* y = a x. */
+void cardan_sparse_multiply(const cardan_sparse *plan, const double *a, const double *x, double *y);
+
+/* r = b - a x. Returns the largest of it over the largest sum of what it consists of, in units;
+ * infinity where numbers are not finite. */
+double cardan_sparse_residual(const cardan_sparse *plan, const cardan_sparse_factors *f,
+                              const double *a, const double *b, const double *x, double *r);
+
+/* Improve a solution x of a x = b until its backward error is at most `enough`, within `steps`
+ * steps, as long as that helps. room: 2 n numbers. Returns the backward error: the largest residual
+ * over the largest sum of sizes of what it consists of, both in units. */
+double cardan_sparse_refine(const cardan_sparse *plan, const cardan_sparse_factors *f,
+                            const double *a, const double *b, double enough, ptrdiff_t steps,
+                            double *x, double *room);
+
+/* How much of the right-hand side b the replaced pivots carry in the solution x: nearly nothing where
+ * the matrix is regular, or singular but consistent; about 1 where there is no solution. The unknown
+ * that carries most is left in `unknown`, -1 if none does. */
+double cardan_sparse_perturbation(const cardan_sparse *plan, const cardan_sparse_factors *f,
+                             const double *b, const double *x, int32_t *unknown);
+
+/* A direction x (n) of unknowns that the matrix maps to nothing and in which speeds move: one whose
+ * pivots were replaced. Returns the speed that moves most in units, -1 where there is none: then
+ * pivots were lost in multipliers alone, or at a place where later ones make up for them. */
+int32_t cardan_sparse_free_column(const cardan_sparse *plan, const cardan_sparse_factors *f, double *x);
+
+/* y, in order of elimination and in units, becomes the solution for the right-hand side y. */
+void cardan_sparse_substitute(const cardan_sparse *plan, const cardan_sparse_factors *f, int transposed,
+                              double *y);
+
+/* Count the signs of the eigenvalues of a symmetric D (n x n) of a panel in f. work: n numbers, up
+ * to which diagonals are zero, and n n others. */
+void cardan_sparse_signs(ptrdiff_t n, const double *d, ptrdiff_t width, double *work,
+                         cardan_sparse_factors *f);
+
+/* The logarithm of |det a|; its sign, 1 or -1. Replaced pivots count as they are. */
+double cardan_sparse_determinant(const cardan_sparse *plan, const cardan_sparse_factors *f,
+                                 double *sign);
+
+/* Estimate of the smallest singular value of the matrix in its units, and the unknowns x (n) that
+ * come with it, in units as well, of length 1; x holds a guess other than 0 before. */
+double cardan_sparse_smallest(const cardan_sparse *plan, const cardan_sparse_factors *f,
+                              ptrdiff_t steps, double *x);
+
+#endif

@@ -1,0 +1,311 @@
+/* The factorization of sparse.h: panels are filled, eliminated and handed on. Part of cardan. */
+#include "sparse.h"
+#include "sparse_dense.h"
+
+/* a multiplier that closes a loop */
+#define CLOSES 2
+
+/* pivots below these parts of their size count as zero; what stands for them then */
+#define SPEED_NOISE 3e-14
+#define MULTIPLIER_NOISE 1e-12
+#define REPLACEMENT 1e-8
+/* a pivot in an equation of speeds is taken if it is this part of the largest */
+#define EARLY 1e-2
+/* the one that is symmetric to it, of the largest of its kind */
+#define PREFER 0.1
+/* what stands for a pivot of a multiplier is so much larger at least: it is to hold nothing */
+#define BEYOND 1e4
+
+/* Put a block of the matrix into its panel, in units. */
+static void load(const cardan_sparse_load *item, const double *a, const cardan_sparse_factors *f,
+                 ptrdiff_t width)
+{
+    const double *columns = f->columns ? f->columns + item->column : NULL, *from = a + item->from;
+    double *to = f->values + item->to;
+
+    for (ptrdiff_t i = 0; i < item->rows; i++, from += item->stride) {
+        const double row = f->rows ? f->rows[item->row + i] : 1;
+        if (item->transposed)
+            for (ptrdiff_t j = 0; j < item->columns; j++)
+                to[j * width] = row * from[j] * (columns ? columns[j] : 1);
+        else if (columns)
+            cardan_scaled(item->columns, row, from, columns, to);
+        else
+            for (ptrdiff_t j = 0; j < item->columns; j++)
+                to[j] = row * from[j];
+        to += item->transposed ? 1 : width;
+    }
+}
+
+/* Fill a panel with the numbers of the matrix, before anything else is added to it. */
+static void fill(const cardan_sparse *plan, ptrdiff_t s, const double *a, cardan_sparse_factors *f)
+{
+    const ptrdiff_t first = plan->start[s], n = plan->start[s + 1] - first;
+    const ptrdiff_t width = plan->width[s];
+
+    memset(f->values + plan->panel[s], 0, (size_t)(n * width) * sizeof(double));
+    memset(f->scale + first, 0, (size_t)n * sizeof(double));
+    for (ptrdiff_t i = plan->load_start[s]; i < plan->load_start[s + 1]; i++)
+        load(plan->load + i, a, f, width);
+}
+
+/* Up to which size a pivot is nothing but rounding. */
+static double noise_of(const cardan_sparse *plan, const cardan_sparse_factors *f, ptrdiff_t k)
+{
+    const double noise = plan->multiplier[k] ? MULTIPLIER_NOISE : SPEED_NOISE;
+
+    return (plan->multiplier[k] == CLOSES ? fmax(noise, f->hidden) : noise) * f->scale[k];
+}
+
+/* Count the signs of the eigenvalues of D. */
+static void count(const cardan_sparse *plan, ptrdiff_t s, const double *panel,
+                  cardan_sparse_factors *f)
+{
+    const ptrdiff_t first = plan->start[s], n = plan->start[s + 1] - first;
+    double *noise = f->work;
+
+    for (ptrdiff_t k = 0; k < n; k++)
+        noise[k] = noise_of(plan, f, first + k);
+    cardan_sparse_signs(n, panel, plan->width[s], noise, f);
+}
+
+/* The row that is empty like column k: others are needed as pivots of columns to come. */
+static ptrdiff_t emptiest(ptrdiff_t k, ptrdiff_t n, ptrdiff_t all, const double *panel,
+                          ptrdiff_t width)
+{
+    ptrdiff_t smallest = k;
+    double least = -1;
+
+    for (ptrdiff_t i = k; i < n; i++) {
+        double most = 0;
+        for (ptrdiff_t j = k; j < all; j++)
+            most = fmax(most, fabs(panel[i * width + j]));
+        if (least < 0 || most < least)
+            least = most, smallest = i;
+    }
+    return smallest;
+}
+
+/* The row of the pivot of column k, and its size as noise counts it.
+ *
+ * The largest of its own kind, of speeds or of multipliers, unless the other kind has a much larger
+ * one: redundant multipliers lose the square of their sine then, however small, and in equations of
+ * speeds, where they lose the sine, its square is what counts. held: rows that are of multipliers.
+ */
+static ptrdiff_t pivot_of(const cardan_sparse *plan, ptrdiff_t s, ptrdiff_t k, const double *panel,
+                          const cardan_sparse_factors *f, double *size)
+{
+    const ptrdiff_t first = plan->start[s], n = plan->start[s + 1] - first;
+    const int type = plan->multiplier[first + k] != 0;
+    const double *is_multiplier = f->work;
+    double most[2] = {-1, -1}, scale = f->scale[first + k];
+    ptrdiff_t row[2] = {k, k};
+
+    for (ptrdiff_t i = k; i < n; i++) {
+        const double here = fabs(panel[i * plan->width[s] + k]);
+        const int kind = is_multiplier[i] != 0;
+        if (here > most[kind])
+            most[kind] = here, row[kind] = i;
+    }
+    *size = most[type];
+    if (!(most[type] < EARLY * most[1 - type])) {
+        const ptrdiff_t mate = f->exchanged[first + k];
+        const double here = fabs(panel[mate * plan->width[s] + k]);
+        /* rows go with their columns unless one is much larger */
+        return (is_multiplier[mate] != 0) == type && here >= PREFER * most[type] ? (*size = here, mate)
+                                                                                 : row[type];
+    }
+    *size = type ? fmax(most[type], most[1 - type] * most[1 - type] / scale) : most[1 - type];
+    return row[1 - type];
+}
+
+static void exchange(ptrdiff_t n, double *a, double *b)
+{
+    for (ptrdiff_t j = 0; j < n; j++) {
+        const double swap = a[j];
+        a[j] = b[j];
+        b[j] = swap;
+    }
+}
+
+/* What column k of rows that close loops is of the largest, of what was there before; where that is little it
+ * changes places with the one of those beside it that keeps most. Which of several redundant rows are
+ * lost is chosen so: others would be kept at a small angle to each other, and magnify rounding. */
+static void choose(const cardan_sparse *plan, ptrdiff_t s, ptrdiff_t k, double *panel,
+                   cardan_sparse_factors *f)
+{
+    const ptrdiff_t first = plan->start[s], n = plan->start[s + 1] - first;
+    const ptrdiff_t width = plan->width[s];
+    double *scale = f->scale + first, *lt = panel + plan->transposed[s];
+    double most = fabs(panel[k * width + k]) / (PREFER * scale[k]);
+    const int32_t kind = plan->multiplier[first + k];
+    ptrdiff_t best = k;
+
+    for (ptrdiff_t j = k + 1; j < n && plan->multiplier[first + j] == kind; j++)
+        if (fabs(panel[j * width + j]) > most * scale[j])
+            most = fabs(panel[j * width + j]) / scale[j], best = j;
+    if (best == k)
+        return;
+    f->exchanged[first + k] = (int32_t)best;
+    for (ptrdiff_t i = 0; i < n; i++)
+        exchange(1, panel + i * width + k, panel + i * width + best);
+    exchange(plan->later[s], lt + k * width, lt + best * width);
+    exchange(1, scale + k, scale + best);
+}
+
+/* Which column of a supernode stood first where that with pivot k stands. */
+static ptrdiff_t column_of(const cardan_sparse *plan, ptrdiff_t s, ptrdiff_t k,
+                           const cardan_sparse_factors *f)
+{
+    for (ptrdiff_t j = k; j >= 0; j--) {
+        const ptrdiff_t other = f->exchanged[plan->start[s] + j];
+        k = k == j ? other : k == other ? j : k;
+    }
+    return k;
+}
+
+/* A pivot that is lost in rounding becomes small and certain: negative for multipliers. */
+static int replace(const cardan_sparse *plan, ptrdiff_t s, ptrdiff_t k, double *row, double size,
+                   cardan_sparse_factors *f)
+{
+    const ptrdiff_t column = k - plan->start[s], n = plan->start[s + 1] - plan->start[s];
+    double *pivot = row + column, scale = f->scale[k], small, replacement;
+
+    /* where its panel holds nothing but zeros, what lies beside it gives the size */
+    for (ptrdiff_t j = 0; scale == 0 && j < plan->later[s]; j++)
+        scale = fmax(fabs(row[n + j]), fabs(row[plan->transposed[s] + j]));
+    small = fmax(REPLACEMENT * scale, plan->multiplier[k] ? BEYOND * size : 0);
+    replacement = plan->multiplier[k] || *pivot < 0 ? -small : small;
+    if (!(scale - scale == 0) || scale == 0 || !(*pivot - *pivot == 0)) {
+        f->singular = plan->order[k];
+        return CARDAN_SINGULAR;
+    }
+    f->shift[f->weak] = replacement - *pivot;
+    f->replaced[f->weak++] = (int32_t)(plan->start[s] + column_of(plan, s, column, f));
+    *pivot = replacement;
+    return CARDAN_OK;
+}
+
+/* [D | U] = P L [U of D | L^-1 P U], pivots in the rows; the diagonal keeps their reciprocals. */
+static int eliminate(const cardan_sparse *plan, ptrdiff_t s, double *panel,
+                     cardan_sparse_factors *f)
+{
+    const ptrdiff_t first = plan->start[s], n = plan->start[s + 1] - first;
+    const ptrdiff_t width = plan->width[s], all = n + plan->later[s];
+    double *is_multiplier = f->work;
+
+    for (ptrdiff_t k = 0; k < n; k++)
+        is_multiplier[k] = plan->multiplier[first + k];
+    for (ptrdiff_t k = 0; k < n; k++) {
+        double *row = panel + k * width, *below = row + width;
+        const ptrdiff_t place = first + k;
+        double most, inverse;
+        ptrdiff_t pivot;
+
+        f->exchanged[place] = (int32_t)k;
+        if (plan->multiplier[place] == CLOSES)
+            choose(plan, s, k, panel, f);
+        pivot = pivot_of(plan, s, k, panel, f, &most);
+        if (!(most > noise_of(plan, f, place))) {
+            pivot = emptiest(k, n, all, panel, width);
+            if (replace(plan, s, place, panel + pivot * width, most, f))
+                return CARDAN_SINGULAR;
+        }
+        f->pivot[place] = (int32_t)pivot;
+        if (pivot != k)
+            exchange(all, row, panel + pivot * width), exchange(1, is_multiplier + k, is_multiplier + pivot);
+        inverse = 1 / row[k];
+        row[k] = inverse;
+        if (!(inverse - inverse == 0)) {
+            f->singular = plan->order[place];
+            return CARDAN_SINGULAR;
+        }
+        for (ptrdiff_t i = k + 1; i < n; i++, below += width) {
+            const double factor = below[k] * inverse;
+            below[k] = factor;
+            cardan_minus(all - k - 1, factor, row + k + 1, below + k + 1);
+        }
+    }
+    return CARDAN_OK;
+}
+
+/* Lt = (U of D)^-T Lt */
+static void turn(ptrdiff_t n, ptrdiff_t later, const double *panel, ptrdiff_t width, double *lt)
+{
+    for (ptrdiff_t k = 0; k < n; k++) {
+        const double *row = panel + k * width;
+        double *lt_row = lt + k * width;
+        for (ptrdiff_t j = 0; j < later; j++)
+            lt_row[j] *= row[k];
+        for (ptrdiff_t i = k + 1; i < n; i++)
+            cardan_minus(later, row[i], lt_row, lt + i * width);
+    }
+}
+
+/* Subtract L U from the panels of later unknowns. */
+static void hand_on(const cardan_sparse *plan, ptrdiff_t s, const double *panel,
+                    cardan_sparse_factors *f)
+{
+    const ptrdiff_t n = plan->start[s + 1] - plan->start[s], width = plan->width[s];
+    const double *u = panel + n, *lt = panel + plan->transposed[s];
+    const cardan_sparse_run *end = plan->run + plan->run_start[s + 1];
+    const int32_t *target = plan->target + plan->target_start[s];
+
+    for (const cardan_sparse_run *i = plan->run + plan->run_start[s]; i < end; i++)
+        for (const cardan_sparse_run *j = plan->run + plan->run_start[s]; j < end; j++) {
+            const int transposed = i->owner > j->owner;
+            const ptrdiff_t stride = plan->width[transposed ? j->owner : i->owner];
+            double *to = f->values + *target++;
+            /* what a diagonal was before something is taken from it tells how much was lost */
+            if (i == j)
+                for (ptrdiff_t k = 0; k < i->size; k++) {
+                    const double size = fabs(to[k * stride + k]);
+                    double *scale = f->scale + i->place + k;
+                    *scale = size > *scale ? size : *scale;
+                }
+            if (transposed)
+                cardan_product(j->size, i->size, n, u + j->at, width, lt + i->at, width, to,
+                               stride);
+            else
+                cardan_product(i->size, j->size, n, lt + i->at, width, u + j->at, width, to,
+                               stride);
+        }
+}
+
+ptrdiff_t cardan_sparse_work(const cardan_sparse *plan)
+{
+    return plan->n + plan->widest * plan->widest;
+}
+
+static int factor(const cardan_sparse *plan, const double *a, cardan_sparse_factors *f)
+{
+    for (ptrdiff_t s = 0; s < plan->supernodes; s++) {
+        const ptrdiff_t n = plan->start[s + 1] - plan->start[s], width = plan->width[s];
+        double *panel = f->values + plan->panel[s];
+
+        for (ptrdiff_t i = plan->open_start[s]; i < plan->open_start[s + 1]; i++)
+            fill(plan, plan->open[i], a, f);
+        /* the largest number in each column of D, or what was there before */
+        for (ptrdiff_t i = 0; i < n; i++)
+            cardan_larger(n, panel + i * width, f->scale + plan->start[s]);
+        if (f->count)
+            count(plan, s, panel, f);
+        if (eliminate(plan, s, panel, f))
+            return CARDAN_SINGULAR;
+        turn(n, plan->later[s], panel, width, panel + plan->transposed[s]);
+        hand_on(plan, s, panel, f);
+    }
+    return CARDAN_OK;
+}
+
+int cardan_sparse_factor(const cardan_sparse *plan, const double *a, cardan_sparse_factors *f)
+{
+    const uint64_t mode = cardan_flush();
+    int status;
+
+    f->weak = f->positive = f->negative = 0;
+    f->singular = -1;
+    status = factor(plan, a, f);
+    cardan_restore(mode);
+    return status;
+}

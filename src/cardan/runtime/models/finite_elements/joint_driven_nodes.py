@@ -1,0 +1,239 @@
+"""Nodes carried to where the coordinates of the joints say, for the start of runs and searches."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping
+from functools import cached_property
+from itertools import islice
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ....arrays import Array
+from . import table_loading
+from .dependent_nodes import GROUND, joined, motion_of, trailed
+from .node_pose import pose, speeds
+from .tables import Integers, Tables
+
+if TYPE_CHECKING:
+    from ..loaded_model import LoadedModel
+
+SAVED = "states"
+ASSEMBLY_SIGNS = "assembly_signs "  # before the joint whose axes the numbers are about
+ROUNDING = 1e-14
+# entries of the coordinates and speeds of a node in space
+POSE, MOTION = ("qw", "qx", "qy", "qz", "px", "py", "pz"), ("x", "y", "z", "px", "py", "pz")
+
+
+def follow_joints(
+    model: LoadedModel,
+    x: Array,
+    changeable: Collection[str],
+    t: float = 0.0,
+    r: Array | None = None,
+) -> Array:
+    """A state with its nodes where the joints carry them from the ground, and moving so.
+
+    Args:
+        model: In absolute coordinates.
+        x: State (nx,) whose coordinates and speeds of joints hold.
+        rest: Names of the entries that may change; all others were given.
+        t, r: Time [s] and inputs (nr,), where something is prescribed; 0 and their defaults.
+    """
+    return Carrier(model, changeable, t, r).at(x)
+
+
+class Carrier:
+    """Motion of the nodes of a model with its joints.
+
+    Args:
+        model: In absolute coordinates.
+        free: Names of the entries that may change; all others stay what they are.
+        t, r: Time [s] and inputs (nr,), where something is prescribed; 0 and their defaults.
+    """
+
+    def __init__(
+        self, model: LoadedModel, free: Collection[str], t: float = 0.0, r: Array | None = None
+    ) -> None:
+        self.model, self.t = model, t
+        self.r = model._layout.start("r") if r is None else r
+        self.tables = table_loading.tables_of(model)
+        # coordinates of the tree have the same names here
+        blocks = {block.name: block.entries for block in model._objects.function(SAVED).inputs}
+        self._blocks = blocks
+        names, some = (*model.coordinates, *model.speeds), set(free)
+        # what was given stays as it is, nodes between others too
+        self.fixed = np.array([name not in some for name in names], dtype=bool)
+        self._sources = [_positions(names_of_block, blocks[b]) for b, names_of_block in
+                         (("q", model.coordinates), ("u", model.speeds))]  # fmt: skip
+        self._planes = _planes(model, self.tables, blocks)
+        # nodes that only beams hold go along, unless somebody says where they are
+        self.free_nodes = {
+            k
+            for k in model.manifest.elements.beam_nodes
+            if not self.fixed[self.tables.q[k] : self.tables.q[k + 1]].any()
+        }
+
+    def at(self, x: Array) -> Array:
+        """A state (nx,) with its nodes where joints and beams carry them."""
+        moved, tables = self._by_joints(x), self.tables
+        if not tables.beams:
+            return moved
+        located = set(range(len(tables.kind))) - self.free_nodes
+        count = len(self.fixed)
+        # bodies that joints hold on the end of a beam follow it, and carry the next beam
+        for _ in range(len(self.free_nodes) + 1):
+            trail = trailed(tables, tables.beams, self.reference, moved, located)
+            trail[:count][self.fixed] = moved[:count][self.fixed]
+            before, moved = moved, self._by_joints(trail)
+            # the joints round what beams said: the same again is all there is
+            if np.allclose(moved, before, rtol=ROUNDING, atol=ROUNDING):
+                break
+        return moved
+
+    def moving(self, q: Array, u: Array) -> Array:
+        """Speeds (..., nu) of everything at one position (nq,), for speeds of joints (..., nu)."""
+        stays, tables, nq = self.fixed[len(q) :], self.tables, len(q)
+        moved = np.where(stays, u, _wide(self._nodes(q, u)["u"], u))
+        if not tables.beams:
+            return moved
+        located = set(range(len(tables.kind))) - self.free_nodes
+        for _ in range(len(self.free_nodes) + 1):
+            rows = moved.reshape(-1, self.model.nu)
+            trails = [
+                trailed(tables, tables.beams, self.reference, np.concatenate([q, row]), located)[
+                    nq:
+                ]
+                for row in rows
+            ]
+            trail = np.where(stays, moved, np.reshape(trails, moved.shape))
+            before, moved = moved, np.where(stays, u, _wide(self._nodes(q, trail)["u"], trail))
+            if np.allclose(moved, before, rtol=ROUNDING, atol=ROUNDING):
+                break
+        return moved
+
+    def reversed_axis(self, q: Array) -> str:
+        """The joint closing a loop that stands with an axis turned round at q (nq,); "" if none."""
+        names = [o.name for o in self.model._objects.function(SAVED).outputs]
+        if not any(name.startswith(ASSEMBLY_SIGNS) for name in names):
+            return ""
+        values = self._nodes(q, np.zeros(self.model.nu))
+        wrong = [n for n in names if n.startswith(ASSEMBLY_SIGNS) and np.any(values[n] <= 0)]
+        return wrong[0].removeprefix(ASSEMBLY_SIGNS) if wrong else ""
+
+    @cached_property
+    def links(self) -> list[tuple[int, int]]:
+        """Ends of the lines of beams both of which joints carry; GROUND for the ground."""
+        tables = self.tables
+        ends = {int(place) for line in tables.beams for place in (line[0], line[-1])}
+        joined_places = {GROUND, *(ends - self.free_nodes)}
+        lines = [(int(line[0]), int(line[-1])) for line in joined(tables.beams, joined_places)]
+        return [(a, b) for a, b in lines if a in joined_places and b in joined_places and a != b]
+
+    def displaced(self, q: Array, one: int, other: int) -> tuple[Array, Array, Array]:
+        """Displacements of two places from the reference configuration, and the second one's place
+        there.
+
+        Returns:
+            Transforms (4, 4) of ground axes of what each place carries, and a position (3,).
+        """
+        x = np.concatenate([q, np.zeros(self.model.nu)])
+        moves = []
+        for place in (one, other):
+            displacement = np.eye(4)
+            if place != GROUND:
+                motion = motion_of(self.tables, self.reference, x, place)
+                displacement[:3, :3], displacement[:3, 3] = motion.turn.as_matrix(), motion.shift
+            moves.append(displacement)
+        home = self.tables.pose(self.reference, one if other == GROUND else other)[4:]
+        return moves[0], moves[1], home
+
+    @cached_property
+    def reference(self) -> Array:
+        """Coordinates (nq,) at which beams are without stress: all joints at their own defaults."""
+        joint_coordinates = np.array(self.model.manifest.elements.reference, dtype=np.float64)
+        still = np.zeros(len(self._blocks["u"]))
+        located = self._evaluated(joint_coordinates, still)["q"]
+        reference: Array = self.model._layout.start("q").copy()
+        reference[: len(located)] = located
+        return reference
+
+    def _by_joints(self, x: Array) -> Array:
+        q, u = self.model.split(x)[:2]
+        by_joints, moved = self._nodes(q, u), x.copy()
+        for first, values in ((0, by_joints["q"]), (len(q), by_joints["u"])):
+            part = moved[first : first + len(values)]
+            stays = self.fixed[first : first + len(values)]
+            moved[first : first + len(values)] = np.where(stays, part, values)
+        return moved
+
+    def _nodes(self, q: Array, u: Array) -> Mapping[str, Array]:
+        """The states of nodes by the coordinates and speeds of joints among (..., n)."""
+        tree = [values[..., sources] for values, sources in
+                zip((q, u), self._sources, strict=True)]  # fmt: skip
+        for place, at, along in self._planes:
+            # nodes of a plane told in space
+            plane, tables = self.tables.plane(place), self.tables
+            tree[0][..., at] = pose(plane, q[..., tables.q[place] : tables.q[place + 1]])
+            tree[1][..., along] = speeds(plane, u[..., tables.u[place] : tables.u[place + 1]])
+        return self._evaluated(*tree)
+
+    def _evaluated(self, q: Array, u: Array) -> Mapping[str, Array]:
+        inputs: dict[str, Any] = {
+            "t": np.array([self.t]),
+            "q": q,
+            "u": u,
+            "p": self.model.parameters.vector,
+        }
+        inputs["r"] = self.r[: len(self._blocks["r"])]
+        if q.ndim == u.ndim == 1:
+            # of one state: numbers are faster than arrays
+            plain = {name: block.tolist() for name, block in inputs.items()}
+            one = self.model._evaluate_saved(SAVED, "float", **plain)
+            return {name: np.array(values, dtype=np.float64) for name, values in one.items()}
+        evaluated: Mapping[str, Array] = self.model._evaluate_saved(SAVED, "numpy", **inputs)
+        return evaluated
+
+
+def _positions(names: Collection[str], names_sought: Collection[str]) -> Integers:
+    """Places of names; 0 for those of nodes that are told in a plane."""
+    at = {name: k for k, name in enumerate(names)}
+    return np.array([at.get(name, 0) for name in names_sought], dtype=np.intp)
+
+
+def _wide(values: Array, like: Array) -> Array:
+    """Values of the first entries (..., n), then those of another array (..., m)."""
+    count = values.shape[-1]
+    head = np.broadcast_to(values, (*like.shape[:-1], count))
+    return np.concatenate([head, like[..., count:]], axis=-1)
+
+
+def _planes(
+    model: LoadedModel, tables: Tables, blocks: Mapping[str, Any]
+) -> list[tuple[int, Integers, Integers]]:
+    """Places told in a plane, with the entries of their pose and speeds in those of the tree."""
+    at = {block: {name: k for k, name in enumerate(blocks[block])} for block in "qu"}
+    # nodes inside of beams are the last places and no joints
+    named = len(tables.kind) - sum(len(line) - 2 for line in tables.beams)
+    planes = []
+    for place, row in enumerate(islice(model.manifest.joints, named)):
+        first = f"{row.name}.{POSE[0]}"
+        if tables.plane(place) is not None and first in at["q"]:
+            columns = [at["q"][f"{row.name}.{x}"] for x in POSE]
+            along = [at["u"][f"{row.name}.u.{x}"] for x in MOTION]
+            planes.append((place, np.array(columns), np.array(along)))
+    return planes
+
+
+def leading(model: LoadedModel) -> NDArray[np.bool_]:
+    """Mask of the speeds of joints (nu,): nodes of bodies and beams follow those."""
+    function = model._objects.function(SAVED)
+    speeds_read = next(set(block.entries) for block in function.inputs if block.name == "u")
+    tables = table_loading.tables_of(model)
+    beam_nodes, leads = set(model.manifest.elements.beam_nodes), np.zeros(model.nu, dtype=bool)
+    for place, row in enumerate(model.manifest.joints):
+        start, count = row.slot("u")
+        free = f"{row.name}.u.px" in speeds_read and place not in beam_nodes
+        leads[start : start + count] = free or not tables.kinds[tables.kind[place]].node
+    return leads
