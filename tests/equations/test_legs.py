@@ -140,7 +140,9 @@ def compared(whole: cd.CompiledModel, solved: cd.CompiledModel, count: int = 6) 
 def test_legs_are_found_and_equal_to_multipliers(kind: str) -> None:
     scene = carried(kind, legs=2 if kind == "RUS" else 1)
     solved = cd.compile(scene, constraints="closed_form")
-    assert solved.coordinates == tuple(f"base.{n}" for n in "qw qx qy qz px py pz".split())
+    assert solved.coordinates == tuple(
+        f"base.{n}" for n in ["qw", "qx", "qy", "qz", "px", "py", "pz"]
+    )
     assert solved.nlam == 0
     # every function is judged by an independent program as it is built
     compared(cd.compile(scene), solved)
