@@ -51,22 +51,22 @@ class Kind(NamedTuple):
     description: str
 
 
-def _none(value: Any) -> Any:
+def _none(value: object) -> Any:
     return value if value is None else UNFIT
 
 
-def _flag(value: Any) -> Any:
+def _flag(value: object) -> Any:
     # NumPy before 2 calls its own bool_
     numpy_bool = type(value).__name__ in ("bool", "bool_")
     return bool(value) if numpy_bool else UNFIT
 
 
-def _text(value: Any) -> Any:
+def _text(value: object) -> Any:
     return value if isinstance(value, str) else UNFIT
 
 
 def _integer(least: int, most: int) -> Callable[[Any], Any]:
-    def read(value: Any) -> Any:
+    def read(value: object) -> Any:
         if not isinstance(value, Integral) or isinstance(value, bool):
             return UNFIT
         return int(value) if least <= int(value) <= most else UNFIT
@@ -91,7 +91,7 @@ def _real(value: Any) -> Any:
         return UNFIT
 
 
-def _names(value: Any) -> Any:
+def _names(value: object) -> Any:
     """Names as a list; a tuple or list stays what it is, and one name alone too."""
     if isinstance(value, str):
         return value
@@ -104,7 +104,7 @@ def _names(value: Any) -> Any:
     return names if all(isinstance(name, str) for name in names) else UNFIT
 
 
-def _by_name(value: Any) -> Any:
+def _by_name(value: object) -> Any:
     named = isinstance(value, Mapping) and all(isinstance(name, str) for name in value)
     return value if named else UNFIT
 
@@ -136,7 +136,7 @@ def _array(value: Any) -> Any:
     return value if fits else UNFIT
 
 
-def _complexes(value: Any) -> Any:
+def _complexes(value: object) -> Any:
     """Complex numbers in rows of equal length, as they were given."""
     import numpy as np
 
@@ -152,7 +152,7 @@ def _exact(array: Any) -> bool:
     return array.size > 0 and all(_real(entry) is not UNFIT for entry in array.flat)
 
 
-def _pair(value: Any) -> Any:
+def _pair(value: object) -> Any:
     if isinstance(value, str | Mapping) or _array(value) is UNFIT:
         return UNFIT
     import numpy as np
@@ -169,7 +169,7 @@ def _row(value: Any) -> Any:
     return value if fits and np.ndim(value) == 1 else UNFIT
 
 
-def _times(value: Any) -> Any:
+def _times(value: object) -> Any:
     if isinstance(value, str | bool | Mapping) or _array(value) is UNFIT:
         return UNFIT
     import numpy as np
@@ -184,7 +184,7 @@ def _integer_row(value: Any) -> Any:
     return [int(one) for one in value]
 
 
-def _sizes(value: Any) -> Any:
+def _sizes(value: object) -> Any:
     """A shape: one number stands for itself."""
     row = (value,) if _COUNT(value) is not UNFIT else value
     if not isinstance(row, tuple | list) or any(_COUNT(one) is UNFIT for one in row):
@@ -192,13 +192,13 @@ def _sizes(value: Any) -> Any:
     return tuple(int(one) for one in row) if math.prod(row) <= LARGEST else UNFIT
 
 
-def _choice(value: Any) -> Any:
+def _choice(value: object) -> Any:
     """Two rows of places."""
     rows = value if isinstance(value, tuple) and len(value) == 2 else ("", "")
     return value if all(_integer_row(row) is not UNFIT for row in rows) else UNFIT
 
 
-def _complex(value: Any) -> Any:
+def _complex(value: object) -> Any:
     return complex(value) if isinstance(value, complex) else _real(value)
 
 
@@ -214,7 +214,7 @@ def _path(value: Any) -> Any:
     return value if fits and max(map(len, text.replace("\\", "/").split("/"))) < 256 else UNFIT
 
 
-def _paths(value: Any) -> Any:
+def _paths(value: object) -> Any:
     """Folders as a list; one alone is one folder, not its letters."""
     if _path(value) is not UNFIT:
         return [value]
@@ -227,11 +227,11 @@ def _paths(value: Any) -> Any:
     return paths if all(_path(path) is not UNFIT for path in paths) else UNFIT
 
 
-def _generator(value: Any) -> Any:
+def _generator(value: object) -> Any:
     return value if type(value).__name__ == "Generator" else UNFIT
 
 
-def _callable(value: Any) -> Any:
+def _callable(value: object) -> Any:
     return value if callable(value) and not isinstance(value, type) else UNFIT
 
 
@@ -269,7 +269,7 @@ KINDS: dict[str, Kind] = {
     "tuple[int, ...]": Kind(_sizes, "whole numbers that are not negative, such as (3, 2)"),
     "Choice": Kind(_choice, "independent increments and speeds, as another linear model has them"),
     "complex": Kind(_complex, "a number"),
-    "Mapping[str, Any]": _BY_NAME,
+    "Mapping[str, object]": _BY_NAME,
     "Mapping[str, str]": _BY_NAME,
     "Mapping[str, float]": _NUMBERS,
     "Mapping[str, ArrayLike]": _ARRAYS,
@@ -280,7 +280,8 @@ KINDS: dict[str, Kind] = {
     "Show": Kind(_callable, "a function of what is run and the fraction done"),
 }  # fmt: skip
 # Any, and other names of types that are not classes: their functions know what they are
-_UNCHECKED = frozenset({"Any", "Array", "Key", "LockedValues", "Place", "JointElement", "Provide"})
+_UNCHECKED = {"Any", "Array", "Key", "LockedValues", "Place", "JointElement", "Provide"}
+_UNCHECKED |= {"Direction", "Rows", "Value"}
 
 # class that functions take -> the one of it that users have
 OF_USERS = {
@@ -296,7 +297,7 @@ def _of_class(name: str) -> Kind | None:
     if not name.isidentifier() or name in _UNCHECKED or not name[0].isupper():
         return None
 
-    def read(value: Any) -> Any:
+    def read(value: object) -> Any:
         return value if any(one.__name__ == name for one in type(value).__mro__) else UNFIT
 
     title = OF_USERS.get(name, name.removesuffix("Record"))
@@ -304,7 +305,7 @@ def _of_class(name: str) -> Kind | None:
 
 
 def _alternatives(annotation: str) -> list[str]:
-    """``"str | Mapping[str, Any] | None"`` -> its parts."""
+    """``"str | Mapping[str, object] | None"`` -> its parts."""
     parts, depth = [""], 0
     for letter in annotation:
         depth += (letter in "[(") - (letter in "])")
@@ -315,7 +316,7 @@ def _alternatives(annotation: str) -> list[str]:
     return [part.strip() for part in parts]
 
 
-def kinds_of(annotation: Any) -> tuple[Kind, ...]:
+def kinds_of(annotation: object) -> tuple[Kind, ...]:
     """Kinds that the annotation of an argument accepts; () for anything."""
     if not isinstance(annotation, str):
         return ()
@@ -326,7 +327,7 @@ def kinds_of(annotation: Any) -> tuple[Kind, ...]:
     return () if None in kinds else tuple(kind for kind in kinds if kind is not None)
 
 
-def read(function: str, argument: str, value: Any, kinds: tuple[Kind, ...]) -> Any:
+def read(function: str, argument: str, value: object, kinds: tuple[Kind, ...]) -> Any:
     """The value of an argument as its function wants it.
 
     Raises:
@@ -374,10 +375,8 @@ def checked(function: Callable[P, R]) -> Callable[P, R]:
             if name in kinds:
                 keywords[name] = read(title, name, value, kinds[name])
             elif name not in positional_names and not open_ended:
-                listed = [one for one in positional_names if one not in ("self", "model")]
-                raise ArgumentError(
-                    f"{title}({name}=...): there is no such argument.{near(name, listed)}"
-                )
+                hint = near(name, [x for x in positional_names if x not in ("self", "model")])
+                raise ArgumentError(f"{title}({name}=...): there is no such argument.{hint}")
         return cast(R, plain(*values, **keywords))
 
     return called

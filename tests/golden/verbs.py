@@ -171,7 +171,7 @@ def _imports(module: str) -> Iterator[str]:
         if where != here:
             found[where].add(word)
     ours = {name for name in found if name.startswith("cardan.")}
-    foreign = {name for name in found if name.startswith("numpy")}
+    foreign = {name for name in found if name.startswith(("numpy", "matplotlib"))}
     for group in (set(found) - ours - foreign, foreign, ours):
         places = {_relative(name) if name in ours else name: name for name in group}
         # parents before siblings

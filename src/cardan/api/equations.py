@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from functools import partial
 from pathlib import Path
-from typing import Any, NoReturn, final
+from typing import NoReturn, final
 
 from ..arguments import checked
 from ..equations.finite_elements.record import FiniteElementRecord
@@ -70,7 +70,7 @@ class FiniteElementEquations(FiniteElementRecord):
     def export(
         self,
         directory: str | Path,
-        functions: Sequence[Any] | None = None,
+        functions: Sequence[object] | None = None,
         language: str = "c",
         integrators: Sequence[str] = (),
         reproducible: bool = False,

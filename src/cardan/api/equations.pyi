@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
-from typing import Any, final
+from typing import final
 
 from ..equations.constraints.classification import Classification
 from ..equations.constraints.feasibility import Feasibility
@@ -71,7 +71,7 @@ class Equations(Explained, Linearizable):
     def export(
         self,
         directory: str | Path,
-        functions: Sequence[Any] | None = None,
+        functions: Sequence[object] | None = None,
         language: str = "cython",
         integrators: Sequence[str] = (),
         reproducible: bool = False,
@@ -136,5 +136,5 @@ class FiniteElementEquations(FiniteElementRecord):
         Raises:
             DerivationError: another ending.
         """
-    def export(self, directory: str | Path, functions: Sequence[Any] | None=None, language: str='c', integrators: Sequence[str]=(), reproducible: bool=False, prefix: str='') -> Path:
+    def export(self, directory: str | Path, functions: Sequence[object] | None=None, language: str='c', integrators: Sequence[str]=(), reproducible: bool=False, prefix: str='') -> Path:
         """Write C that needs no cardan, as :meth:`Equations.export` does."""

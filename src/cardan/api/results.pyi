@@ -4,6 +4,7 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Any, final
 
+from matplotlib.figure import Figure
 from numpy.typing import ArrayLike
 
 from ..analyses.ensembles.result import EnsembleRecord
@@ -74,7 +75,7 @@ class Excitation(ExcitationRecord):
     def plot(
         self,
         path: str | Path | None = None,
-    ) -> Any:
+    ) -> Figure:
         """Positions and speeds over a period as a Matplotlib figure, written to ``path``.
         """
 
@@ -85,7 +86,7 @@ class Identification(IdentificationRecord):
     def plot(
         self,
         path: str | Path | None = None,
-    ) -> Any:
+    ) -> Figure:
         """Measured and estimated histories as a Matplotlib figure, written to ``path`` if given.
         """
 
@@ -96,7 +97,7 @@ class Torques(TorquesRecord):
     def plot(
         self,
         path: str | Path | None = None,
-    ) -> Any:
+    ) -> Figure:
         """Forces and powers as a Matplotlib figure, written to ``path`` if given.
         """
 
@@ -130,7 +131,7 @@ class LinearModel(LinearModelRecord):
         omega: ArrayLike | None = None,
         inputs: Iterable[str] | None = None,
         outputs: Iterable[str] | None = None,
-    ) -> Any:
+    ) -> Figure:
         """Sizes and phases of the frequency response (Bode) as a Matplotlib figure.
 
         Args:
@@ -174,7 +175,7 @@ class Modes(ModesRecord):
         self,
         path: str | Path | None = None,
         count: Count = 6,
-    ) -> Any:
+    ) -> Figure:
         """Shapes of the first modes over the numbers of their entries as a Matplotlib figure.
 
         Raises:
@@ -189,7 +190,7 @@ class Locus(LocusRecord):
     def plot(
         self,
         path: str | Path | None = None,
-    ) -> Any:
+    ) -> Figure:
         """Loci in the complex plane, and real and imaginary parts over the first that changes.
 
         Args:
@@ -225,7 +226,7 @@ class Sweep(SweepRecord):
         self,
         path: str | Path | None = None,
         names: Sequence[str] | None = None,
-    ) -> Any:
+    ) -> Figure:
         """Histories over the driver as a Matplotlib figure, written to ``path`` if given.
 
         Raises:
@@ -240,7 +241,7 @@ class Workspace(WorkspaceRecord):
     def plot(
         self,
         path: str | Path | None = None,
-    ) -> Any:
+    ) -> Figure:
         """The places from three sides as a Matplotlib figure, written to ``path`` if given.
 
         Raises:

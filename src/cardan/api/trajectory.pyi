@@ -4,6 +4,8 @@ from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any, final
 
+from matplotlib.figure import Figure
+
 from ..arguments import Count
 from ..runtime.models.finite_elements.beams import BeamStress
 from ..runtime.trajectory.trajectory import TrajectoryRecord
@@ -62,7 +64,7 @@ class Trajectory(TrajectoryRecord):
         self,
         path: str | Path | None = None,
         names: Iterable[str] | None = None,
-    ) -> Any:
+    ) -> Figure:
         """Histories over time as a Matplotlib figure, written to ``path`` if given.
 
         Args:

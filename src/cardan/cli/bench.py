@@ -20,7 +20,7 @@ from __future__ import annotations
 import argparse
 import json
 from dataclasses import asdict
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from ..peers import PEERS
 from ..peers.peer import FUNCTIONS
@@ -88,7 +88,7 @@ def summary(
     file_difference: float | None,
     peak: Peak,
     operations: dict[str, dict[str, int]],
-) -> dict[str, Any]:
+) -> dict[str, object]:
     """The comparison in numbers; times in nanoseconds."""
     rows = [
         {

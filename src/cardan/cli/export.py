@@ -19,7 +19,6 @@ from __future__ import annotations
 import argparse
 import json
 from pathlib import Path
-from typing import Any
 
 from .options import scene as scene_options
 
@@ -44,7 +43,7 @@ def arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--json", action="store_true", help="print JSON for another program")
 
 
-def _function(text: str) -> Any:
+def _function(text: str) -> object:
     """``bias`` or ``pose:hand``."""
     name, colon, of = text.partition(":")
     return (name, of) if colon else name

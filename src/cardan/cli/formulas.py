@@ -89,7 +89,7 @@ def show(options: argparse.Namespace) -> int:
 
 def _reference(
     equations: Equations, options: argparse.Namespace
-) -> tuple[dict[str, Any], dict[str, Any]]:
+) -> tuple[dict[str, object], dict[str, object]]:
     """Coordinates and speeds by name."""
     import sympy
 
@@ -104,7 +104,7 @@ def _reference(
     return q, u
 
 
-def _formulas(linear: Any, representation: Any) -> dict[str, Any]:
+def _formulas(linear: Any, representation: Any) -> dict[str, object]:
     """Names and matrices as text; null where they are too long to write out."""
     names = (
         ["A", "B", "C", "D"] if representation is linear else list(representation.matrices.matrices)
@@ -117,7 +117,7 @@ def _formulas(linear: Any, representation: Any) -> dict[str, Any]:
     }
 
 
-def _matrix(representation: Any, name: str) -> list[list[str]] | None:
+def _matrix(representation: object, name: str) -> list[list[str]] | None:
     try:
         matrix = getattr(representation, name)
     except DerivationError:

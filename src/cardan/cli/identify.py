@@ -134,7 +134,7 @@ def _estimated(model: CompiledModel, options: argparse.Namespace) -> Identificat
     return estimate
 
 
-def numbers(record: Base | Excitation | Identification) -> dict[str, Any]:
+def numbers(record: Base | Excitation | Identification) -> dict[str, object]:
     """The result as data for JSON."""
     from ..analyses.identification.base_parameters import Base
     from ..api.results import Excitation

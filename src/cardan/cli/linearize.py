@@ -30,13 +30,16 @@ from __future__ import annotations
 import argparse
 import json
 from collections.abc import Callable
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from ..errors import ModelError
 from . import formulas
 from .options import equilibrium as equilibrium_options
 from .options import run as run_options
 from .options import sweep as sweep_options
+
+if TYPE_CHECKING:
+    from ..api.results import LinearModel, Locus
 
 
 def arguments(parser: argparse.ArgumentParser) -> None:
@@ -110,7 +113,7 @@ def _linear_record(
     ), numbers
 
 
-def numbers(linear: Any) -> dict[str, Any]:
+def numbers(linear: LinearModel) -> dict[str, object]:
     """A linear model for JSON; eigenvalues as [real, imaginary]."""
     matrices = {name: getattr(linear, name).tolist() for name in "ABCD"}
     return {
@@ -123,7 +126,7 @@ def numbers(linear: Any) -> dict[str, Any]:
     }
 
 
-def locus(record: Any) -> dict[str, Any]:
+def locus(record: Locus) -> dict[str, object]:
     """A root locus for JSON."""
     return {
         "message": record.message,
@@ -149,7 +152,7 @@ def diagram(campbell: Any) -> dict[str, Any]:
     }
 
 
-def changes(sensitivity: Any) -> dict[str, Any]:
+def changes(sensitivity: Any) -> dict[str, object]:
     """Derivatives of eigenvalues for JSON, null where there are none."""
     return {
         "eigenvalues": [[v.real, v.imag] for v in sensitivity.eigenvalues.tolist()],

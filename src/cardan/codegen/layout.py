@@ -225,7 +225,7 @@ def _of_cardan(content: bytes, where: str) -> Manifest | None:
         raise
 
 
-def _has_version(plain: Any) -> bool:
+def _has_version(plain: object) -> bool:
     return isinstance(plain, dict) and ABI.word in plain
 
 

@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
 
 from ..errors import ModelError
-from .quantity import Quantity
+from .quantity import Quantity, Value
 from .validation import is_expression, number, positive
 
 UNITS = {"E": "Pa", "nu": "", "G": "Pa", "rho": "kg/m^3", "damping": "s", "expansion": "1/K"}
@@ -16,12 +15,12 @@ UNITS = {"E": "Pa", "nu": "", "G": "Pa", "rho": "kg/m^3", "damping": "s", "expan
 class Material:
     """A linear elastic material; made by :func:`material`."""
 
-    E: Any = None
-    nu: Any = None
-    G: Any = None
-    rho: Any = 0
-    damping: Any = 0
-    expansion: Any = 0
+    E: Value | None = None
+    nu: Value | None = None
+    G: Value | None = None
+    rho: Value = 0
+    damping: Value = 0
+    expansion: Value = 0
 
     def __post_init__(self) -> None:
         for name in ("E", "G"):
@@ -49,7 +48,12 @@ class Material:
 
 
 def material(
-    E: Any = None, nu: Any = None, G: Any = None, rho: Any = 0, damping: Any = 0, expansion: Any = 0
+    E: Value | None = None,
+    nu: Value | None = None,
+    G: Value | None = None,
+    rho: Value = 0,
+    damping: Value = 0,
+    expansion: Value = 0,
 ) -> Material:
     """A linear elastic material; numbers, parameters or expressions of them.
 
@@ -72,7 +76,7 @@ def material(
     return Material(E, nu, G, rho, damping, expansion)
 
 
-def complaint(values: dict[str, Any]) -> str:
+def complaint(values: dict[str, Value]) -> str:
     """Why no material has these numbers; "" where one may. None is not judged."""
     for name in ("E", "G"):
         if values.get(name) is not None and values[name] <= 0:

@@ -4,14 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, fields
-from typing import Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 from ..errors import ModelError, brief
 from ..ir.graph import Graph
 from .validation import axis, number, vector
 
+if TYPE_CHECKING:
+    import sympy
+
 # What the fields of joints and forces hold, by the name in their annotation: readers and writers
-# of files go by it. ``Any`` is a value: a number, an expression or rows of them.
+# of files go by it.
+Value: TypeAlias = "float | sympy.Expr"  # a number or an expression; a matrix of SymPy too
+Rows = Any  # one value or rows of them
 Direction = Any  # "x", "-z" or three values
 Vector = Any  # three values
 Pair = Any  # one value for both directions across a beam, or two
@@ -51,7 +56,7 @@ class Quantity:
         labels: Names of the entries, row by row; () for x, y, z of a 3-vector, 1x1 has none.
     """
 
-    value: Any
+    value: Rows
     unit: str = ""
     ratio: bool = False
     labels: tuple[str, ...] = ()
@@ -90,7 +95,7 @@ def take(element: Any, who: str, units: Units) -> None:
         object.__setattr__(element, entry.name, value)
 
 
-def quantities_of(element: Any, units: Units) -> dict[str, Quantity]:
+def quantities_of(element: object, units: Units) -> dict[str, Quantity]:
     """The fields that have units and are given, in the order of these."""
     values = {name: getattr(element, name) for name in units}
     return {

@@ -59,7 +59,7 @@ def number(owner: str, name: str, value: Any) -> Any:
     )
 
 
-def positive(owner: str, name: str, value: Any) -> Any:
+def positive(owner: str, name: str, value: object) -> Any:
     """A positive number as float, or an expression.
 
     Raises:
@@ -71,7 +71,7 @@ def positive(owner: str, name: str, value: Any) -> Any:
     return value_checked
 
 
-def vector(owner: str, name: str, value: Any, length: int | None = None) -> tuple[Any, ...]:
+def vector(owner: str, name: str, value: object, length: int | None = None) -> tuple[Any, ...]:
     """Numbers or expressions in order, from any sequence, array or column matrix.
 
     Raises:
@@ -89,7 +89,7 @@ def vector(owner: str, name: str, value: Any, length: int | None = None) -> tupl
     return tuple(number(owner, f"{name}[{i}]", x) for i, x in enumerate(entries))
 
 
-def axis(owner: str, name: str, value: Any) -> tuple[Any, ...]:
+def axis(owner: str, name: str, value: object) -> tuple[Any, ...]:
     """A direction: one of "x" "y" "z" "-x" "-y" "-z", or three numbers or expressions.
 
     Raises:

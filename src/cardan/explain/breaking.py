@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any
 
 import sympy
 
@@ -31,8 +30,8 @@ class Segment:
     """
 
     before: tuple[str, ...]
-    body: Any
-    after: tuple[tuple[str, Any], ...] = ()
+    body: sympy.Expr
+    after: tuple[tuple[str, sympy.Expr], ...] = ()
 
 
 class Breaker:
@@ -46,19 +45,19 @@ class Breaker:
     def __init__(self, symbols: Mapping[str, Notation], room: float) -> None:
         self._symbols = symbols
         self._room = room
-        self._widths: dict[Any, float] = {}
+        self._widths: dict[sympy.Expr, float] = {}
 
-    def segments(self, expression: Any) -> list[Segment]:
+    def segments(self, expression: sympy.Expr) -> list[Segment]:
         """The pieces of an expression in order."""
         return list(self._broken(short(expression)))
 
-    def width(self, e: Any) -> float:
+    def width(self, e: sympy.Expr) -> float:
         """About how many letters wide an expression is."""
         if e not in self._widths:
             self._widths[e] = float(self._width(e))
         return self._widths[e]
 
-    def _width(self, e: Any) -> Any:
+    def _width(self, e: sympy.Expr) -> sympy.Expr:
         if e.is_Symbol:
             sign = self._symbols.get(e.name) or Notation(e.name)
             return float(len(sign.character) + SMALL * len(sign.index))
@@ -77,10 +76,10 @@ class Breaker:
             return sum(inner) + 3.0 * (len(inner) - 1)
         return len(type(e).__name__) + sum(inner) + 2.0 * len(inner)
 
-    def _line(self, factors: Sequence[Any]) -> float:
+    def _line(self, factors: Sequence[sympy.Expr]) -> float:
         return float(sum(self.width(f) + 0.4 + 2.0 * f.is_Add for f in factors))
 
-    def _broken(self, e: Any) -> Iterator[Segment]:
+    def _broken(self, e: sympy.Expr) -> Iterator[Segment]:
         if self.width(e) <= self._room or not e.args:
             yield Segment((), e)
         elif e.is_Add:
@@ -99,14 +98,14 @@ class Breaker:
         else:
             yield from self._call(e)
 
-    def _sum(self, terms: Sequence[Any]) -> Iterator[Segment]:
+    def _sum(self, terms: Sequence[sympy.Expr]) -> Iterator[Segment]:
         for n, term in enumerate(terms):
             minus = term.could_extract_minus_sign()
             inner = self._broken(_negated(term) if minus else term)
             sign = "−" if minus else "+" if n else ""
             yield from _led(sign, inner) if sign else inner
 
-    def _product(self, e: Any) -> Iterator[Segment]:
+    def _product(self, e: sympy.Expr) -> Iterator[Segment]:
         if e.could_extract_minus_sign():
             yield from _led("−", self._broken(_negated(e)))
             return
@@ -122,9 +121,9 @@ class Breaker:
         elif lower:
             yield from _led("/", _closed(_led("(", self._factors(lower, bare=True)), None))
 
-    def _factors(self, factors: Sequence[Any], bare: bool = False) -> Iterator[Segment]:
+    def _factors(self, factors: Sequence[sympy.Expr], bare: bool = False) -> Iterator[Segment]:
         """Factors side by side as far as there is room; ``bare``: they have brackets already."""
-        group: list[Any] = []
+        group: list[sympy.Expr] = []
         for factor in [*factors, None]:
             fits = factor is not None and self._line([*group, factor]) <= self._room
             if fits:
@@ -150,7 +149,7 @@ class Breaker:
             )
             yield from inner
 
-    def _sides(self, e: Any) -> tuple[list[Any], list[Any]]:
+    def _sides(self, e: sympy.Expr) -> tuple[list[sympy.Expr], list[sympy.Expr]]:
         """Factors above and below the line of a fraction."""
         upper, lower = [], []
         for factor in e.args if e.is_Mul else (e,):
@@ -163,17 +162,17 @@ class Breaker:
                 upper.append(factor)
         return upper, lower
 
-    def _enclosed(self, e: Any, power: Any) -> Iterator[Segment]:
+    def _enclosed(self, e: sympy.Expr, power: sympy.Expr) -> Iterator[Segment]:
         return _closed(_led("(", self._broken(e)), power)
 
-    def _call(self, e: Any) -> Iterator[Segment]:
+    def _call(self, e: sympy.Expr) -> Iterator[Segment]:
         name = NAMES.get(type(e).__name__, type(e).__name__.lower())
         for n, arg in enumerate(e.args):
             inner = self._broken(arg)
             inner = _led(f"{name}(", inner) if n == 0 else inner
             yield from _closed(inner, None, ")" if n == len(e.args) - 1 else ",")
 
-    def _cases(self, e: Any) -> Iterator[Segment]:
+    def _cases(self, e: sympy.Expr) -> Iterator[Segment]:
         for n, (value, condition) in enumerate(e.args):
             yield from _closed(_led("{", self._broken(value)) if n == 0 else self._broken(value),
                                None, "")  # fmt: skip
@@ -190,7 +189,7 @@ RELATIONS = {"<=": "≤", ">=": "≥", "!=": "≠", "==": "="}
 NAMES = {"Abs": "abs"}
 
 
-def short(expression: Any) -> Any:
+def short(expression: sympy.Expr) -> sympy.Expr:
     """The expression with numbers of a few digits."""
     if not hasattr(expression, "atoms"):
         return sympy.sympify(expression, strict=True)
@@ -198,7 +197,7 @@ def short(expression: Any) -> Any:
     return expression.xreplace(floats) if floats else expression
 
 
-def _negated(e: Any) -> Any:
+def _negated(e: sympy.Expr) -> sympy.Expr:
     """-e, with the brackets of e."""
     if e.is_Mul and e.args[0].is_Number:
         number = -e.args[0]
@@ -215,7 +214,7 @@ def _led(sign: str, segments: Iterator[Segment]) -> Iterator[Segment]:
     yield from segments
 
 
-def _closed(segments: Iterator[Segment], power: Any, sign: str = ")") -> Iterator[Segment]:
+def _closed(segments: Iterator[Segment], power: sympy.Expr, sign: str = ")") -> Iterator[Segment]:
     """A bracket, with its power, behind the last piece."""
     last = next(segments)
     for segment in segments:

@@ -7,16 +7,19 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Any, TypeAlias
+from typing import TYPE_CHECKING, TypeAlias
 
 from ..equations.reading.notation import Notation
+
+if TYPE_CHECKING:
+    import sympy
 
 
 @dataclass(frozen=True)
 class Math:
     """A SymPy expression within a line."""
 
-    expression: Any
+    expression: sympy.Basic
 
 
 @dataclass(frozen=True)
@@ -61,8 +64,8 @@ class Formula:
     """
 
     left: Notation
-    right: Any
-    terms: tuple[tuple[str, Any], ...] = ()
+    right: sympy.Basic
+    terms: tuple[tuple[str, sympy.Expr], ...] = ()
     origin: str = ""
 
     @property
@@ -133,7 +136,7 @@ class Document:
     symbols: Mapping[str, Notation] = field(default_factory=dict, repr=False)
 
 
-def is_negative(expression: Any) -> bool:
+def is_negative(expression: sympy.Expr) -> bool:
     """True when an expression is written with a leading minus."""
     first = expression.as_ordered_terms()[0] if expression.is_Add else expression
     return bool(first.could_extract_minus_sign())

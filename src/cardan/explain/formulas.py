@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from ..equations.reading.contributions import LETTERS, VELOCITIES, WEIGHT, Contribution
 from ..equations.reading.formula import LONGEST, SIMPLIFIED, rates_are_speeds
@@ -15,6 +15,8 @@ from ..schema.blocks import of_rate
 from . import content as d
 
 if TYPE_CHECKING:
+    import sympy
+
     from ..equations.reading.explained import Explained
 
 
@@ -79,7 +81,7 @@ class Formulas:
         self.equations = equations
         self.limits = limits
         self.symbols: dict[str, Notation] = {}
-        self._definitions: dict[Any, Any] = {}
+        self._definitions: dict[sympy.Expr, sympy.Expr] = {}
 
     def section(self) -> d.Section:
         """All functions that make up the equations of motion."""
@@ -128,7 +130,7 @@ class Formulas:
         if shares is None and name in LETTERS:
             yield from self._owners(name, [(k, index) for k, index, _ in nonzero], letter)
 
-    def _readable(self, name: str) -> Any:
+    def _readable(self, name: str) -> sympy.Matrix:
         """A function as a SymPy matrix; what loops determine keeps its names in it.
 
         Raises:
@@ -159,7 +161,9 @@ class Formulas:
         if longer:
             yield d.Paragraph((f"And {longer} longer ones: equations.named(...) has them.",))
 
-    def _entries(self, name: str, letter: str, matrix: Any) -> list[tuple[int, str, Any]]:
+    def _entries(
+        self, name: str, letter: str, matrix: sympy.Matrix
+    ) -> list[tuple[int, str, sympy.Expr]]:
         """Position, index and value; a symmetric matrix is said once."""
         return [
             (k, index, value)
@@ -182,7 +186,7 @@ class Formulas:
             return [row.name for row in rows if row.level == "position"]
         return equations.coordinates if letter == "q" else speeds
 
-    def _shares(self, name: str, matrix: Any) -> tuple[Contribution, ...] | None:
+    def _shares(self, name: str, matrix: sympy.Matrix) -> tuple[Contribution, ...] | None:
         """Contributions that add up to a matrix; None where they are too long to write out."""
         if name not in LETTERS:
             return ()
@@ -226,7 +230,7 @@ class Formulas:
         if name in LETTERS:
             yield from self._owners(name, [(k, index) for k, index, _ in entries], letter)
 
-    def _sign(self, symbol: Any) -> Notation:
+    def _sign(self, symbol: sympy.Symbol) -> Notation:
         """Choose the notation of a named intermediate for all formulas that follow."""
         return self.symbols.setdefault(symbol.name, intermediate(symbol.name))
 

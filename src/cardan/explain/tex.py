@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from typing import Any
+from typing import TYPE_CHECKING
 
 from ..equations.reading.notation import Notation
+
+if TYPE_CHECKING:
+    import sympy
 
 _SIGNS = {"−": "-", "≤": r"\le", "≥": r"\ge", "≠": r"\ne", "·": r"\cdot", "{": r"\{", "}": r"\}"}
 
@@ -26,7 +29,7 @@ class TeX:
         """A letter with its index."""
         return self._safe(sign.latex())
 
-    def expression(self, expression: Any) -> str:
+    def expression(self, expression: sympy.Expr) -> str:
         """A SymPy expression as a whole."""
         import sympy
 
@@ -39,7 +42,7 @@ class TeX:
         }
         return str(sympy.latex(expression, symbol_names=names, mul_symbol=r" \, "))
 
-    def segment(self, segment: Any, style: str = "") -> str:
+    def segment(self, segment: sympy.Expr, style: str = "") -> str:
         """A piece as :mod:`.breaking` makes them."""
         parts = [_operator(mark) for mark in segment.before]
         if segment.body is not None:

@@ -61,11 +61,11 @@ def _regular(a: Any, b: Any) -> Any:
         ) from problem
 
 
-def _as_float(condition: Any) -> Any:
+def _as_float(condition: object) -> Any:
     return np.asarray(condition, dtype=float)
 
 
-def stumpff(k: int, x: Any) -> Any:
+def stumpff(k: int, x: object) -> Any:
     """c_k(x) of an array, as :func:`cardan.ir.ops.stumpff`."""
     x = np.asarray(x, dtype=float)
     near = 2.0 * np.abs(x) < (k + 1) * (k + 2)

@@ -11,7 +11,7 @@ from .solve import DEPENDENT, LEAST, VANISHED
 Rows = list[list[Any]]
 
 
-def solve(kind: str, a: Rows, b: Rows, eps: Any) -> Rows:
+def solve(kind: str, a: Rows, b: Rows, eps: object) -> Rows:
     """X with A X = B.
 
     Args:

@@ -17,7 +17,7 @@ ARITHMETICS = ("float", "complex", "numpy", "mp")
 
 
 def evaluate(
-    function: Function, values: Mapping[str, Any], arithmetic: str = "float", digits: int = 40
+    function: Function, values: Mapping[str, object], arithmetic: str = "float", digits: int = 40
 ) -> dict[str, Any]:
     """Results of a function.
 
@@ -110,7 +110,7 @@ def _numbers(arithmetic: str, digits: int, values: Mapping[str, Any]) -> Numbers
 
 
 def _inputs(
-    function: Function, values: Mapping[str, Any], numbers: Numbers, order: Sequence[int]
+    function: Function, values: Mapping[str, object], numbers: Numbers, order: Sequence[int]
 ) -> dict[str, Any]:
     """The blocks that are read, as numbers, checked."""
     nodes = function.graph.nodes

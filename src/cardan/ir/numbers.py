@@ -40,7 +40,7 @@ class Numbers:
     real: Callable[[Any], Any]
     eps: Any
 
-    def table(self, table: Table, derivative: int, x: Any) -> Any:
+    def table(self, table: Table, derivative: int, x: object) -> Any:
         """Derivative of a table at x."""
         interval = table.interval(self.real(x))
         h = x - self.number(table.breaks[interval])
@@ -58,7 +58,7 @@ class Numbers:
         return [x for row in elimination.solve(kind, a, b, self.eps) for x in row]
 
 
-def _logic(real: Callable[[Any], Any], one: Any, zero: Any) -> Operators:
+def _logic(real: Callable[[Any], Any], one: object, zero: object) -> Operators:
     """Comparisons and choices, by the real part."""
     return {
         "lt": lambda a, b: one if real(a) < real(b) else zero,
@@ -141,10 +141,10 @@ def _complexes() -> Numbers:
     return Numbers("complex", complex, operators, real, math.ulp(1.0))
 
 
-def _or(f: Callable[..., Any], otherwise: Any) -> Callable[..., Any]:
+def _or(f: Callable[..., Any], otherwise: object) -> Callable[..., Any]:
     """f, or a fixed value outside its domain."""
 
-    def guarded(*operands: Any) -> Any:
+    def guarded(*operands: object) -> Any:
         try:
             return f(*operands)
         except (ValueError, OverflowError, ZeroDivisionError):
@@ -195,13 +195,13 @@ def digits_of(n: int) -> Numbers:
     context.dps = n
     zero, one, nan = context.zero, context.one, context.nan
 
-    def real(x: Any) -> Any:
+    def real(x: object) -> Any:
         return x
 
     def of_real(f: Callable[..., Any]) -> Callable[..., Any]:
         guarded = _or(f, nan)
 
-        def real_only(*operands: Any) -> Any:
+        def real_only(*operands: object) -> Any:
             value = guarded(*operands)
             return value if isinstance(value, context.mpf) else nan
 

@@ -106,7 +106,7 @@ def _saved(node: Node, place: Mapping[int, int]) -> list[Any]:
     return [op, *[place[k] for k in node[1:]]]
 
 
-def from_dict(data: Mapping[str, Any]) -> Function:
+def from_dict(data: Mapping[str, object]) -> Function:
     """The function that :func:`to_dict` saved; a recursion comes back straight-line.
 
     Raises:
@@ -131,7 +131,7 @@ def from_dict(data: Mapping[str, Any]) -> Function:
     return check(Function(name, graph, inputs, outputs, _texts(data, "owners"), about))
 
 
-def _read(saved: Any, number: int, place: Sequence[int]) -> Node:
+def _read(saved: object, number: int, place: Sequence[int]) -> Node:
     """A node on the operands read before it."""
     where = f"node {number} of a saved function"
     if not isinstance(saved, list) or not saved or not isinstance(saved[0], str):
@@ -159,7 +159,7 @@ def _read(saved: Any, number: int, place: Sequence[int]) -> Node:
 
 
 def _recursion(
-    data: Mapping[str, Any], name: str, inputs: tuple[Block, ...], about: str
+    data: Mapping[str, object], name: str, inputs: tuple[Block, ...], about: str
 ) -> Recursion:
     """A recursion whose visits name only what is there."""
     steps = tuple(from_dict(step) for step in _list(data, "steps", MOST_ENTRIES))
@@ -183,7 +183,7 @@ def _recursion(
 
 
 def _part(
-    saved: Any, steps: Sequence[Function], lengths: Mapping[str, int], room: int
+    saved: object, steps: Sequence[Function], lengths: Mapping[str, int], room: int
 ) -> Visit | Turns:
     """A visit, or turns whose first and last visits are inside their blocks."""
     if not isinstance(saved, list) or len(saved) != 3:
@@ -220,7 +220,9 @@ def _stride(saved: Any, visit: Visit) -> Visit:
     return move
 
 
-def _visit(saved: Any, steps: Sequence[Function], lengths: Mapping[str, int], room: int) -> Visit:
+def _visit(
+    saved: object, steps: Sequence[Function], lengths: Mapping[str, int], room: int
+) -> Visit:
     """A visit with as many places as its step has values, all of them inside their blocks."""
     if not isinstance(saved, list) or len(saved) != 4 or not isinstance(saved[1], dict):
         raise ValueError("a saved visit is [step, places read, places stored, results]")
@@ -244,14 +246,14 @@ def _visit(saved: Any, steps: Sequence[Function], lengths: Mapping[str, int], ro
     return Visit(step, read, tuple(stores), tuple(outs))
 
 
-def _shape(saved: Any) -> tuple[int, ...]:
+def _shape(saved: object) -> tuple[int, ...]:
     shape = tuple(_list(saved, "shape", 8))
     if not all(type(n) is int and n >= 0 for n in shape) or math.prod(shape) > MOST_ENTRIES:
         raise ValueError(f"a saved result has a shape of whole numbers, not {shape}")
     return shape
 
 
-def _output(saved: Any, place: Sequence[int]) -> Output:
+def _output(saved: object, place: Sequence[int]) -> Output:
     shape = _shape(saved)
     nodes = _list(saved, "nodes", MOST_ENTRIES)
     if math.prod(shape) != len(nodes):
@@ -264,7 +266,7 @@ def _output(saved: Any, place: Sequence[int]) -> Output:
     )
 
 
-def _table(saved: Any) -> Table:
+def _table(saved: object) -> Table:
     breaks = tuple(map(_number, _list(saved, "breaks", MOST_ENTRIES)))
     rows = _list(saved, "coefficients", MOST_ENTRIES)
     coefficients = tuple(tuple(map(_number, row)) for row in rows if isinstance(row, list))
@@ -275,13 +277,13 @@ def _table(saved: Any) -> Table:
     return Table(breaks, coefficients)
 
 
-def _number(x: Any) -> float:
+def _number(x: object) -> float:
     if isinstance(x, bool) or not isinstance(x, int | float) or not math.isfinite(x):
         raise ValueError(f"a saved table holds finite numbers, not {x!r}")
     return float(x)
 
 
-def _list(data: Any, key: str, most: int) -> list[Any]:
+def _list(data: object, key: str, most: int) -> list[Any]:
     value = data.get(key) if isinstance(data, Mapping) else None
     if not isinstance(value, list):
         raise ValueError(f"a saved function needs the list '{key}'")
@@ -290,14 +292,14 @@ def _list(data: Any, key: str, most: int) -> list[Any]:
     return value
 
 
-def _text(data: Any, key: str) -> str:
+def _text(data: object, key: str) -> str:
     value = data.get(key) if isinstance(data, Mapping) else None
     if not isinstance(value, str):
         raise ValueError(f"a saved function needs the text '{key}'")
     return value
 
 
-def _texts(data: Any, key: str) -> tuple[str, ...]:
+def _texts(data: object, key: str) -> tuple[str, ...]:
     values = _list(data, key, MOST_ENTRIES)
     if not all(isinstance(x, str) for x in values):
         raise ValueError(f"'{key}' of a saved function must hold texts")

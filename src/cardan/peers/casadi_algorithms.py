@@ -8,7 +8,6 @@ Source: R. Featherstone, Rigid Body Dynamics Algorithms, 2008, tables 5.1, 6.2, 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
 
 import casadi as ca
 import numpy as np
@@ -32,21 +31,21 @@ class Tree:
     """
 
     parents: tuple[int, ...]
-    x: list[Any]
-    s: list[Any]
-    inertia: list[Any]
+    x: list[ca.SX]
+    s: list[ca.SX]
+    inertia: list[ca.SX]
     slots: list[slice]
-    lift: Any
+    lift: ca.SX
 
 
-def exact(numbers: Any) -> Any:
+def exact(numbers: object) -> ca.SX:
     """A constant whose zeros, ones and signs are seen."""
     array = np.array(numbers, dtype=float)
     array[abs(array) < 1e-12] = 0.0
     return ca.sparsify(ca.DM(array))
 
 
-def tree(scene: Scene, q: Any) -> Tree:
+def tree(scene: Scene, q: ca.SX) -> Tree:
     """The tree at coordinates q, joint after joint."""
     n, x, s, slots, inertia = scene.numbers, [], [], [], []
     axes = directions(scene)
@@ -72,7 +71,7 @@ def tree(scene: Scene, q: Any) -> Tree:
     return Tree(scene.parents, x, s, inertia, slots, lift)
 
 
-def joint(kind: str, axis: Any, q: Any) -> tuple[Any, Any, Any]:
+def joint(kind: str, axis: ca.SX, q: ca.SX) -> tuple[ca.SX, ca.SX, ca.SX]:
     """Rotation (3, 3) of a joint, displacement (3), and motion subspace in body axes (6, n)."""
     if kind in ("spherical", "free"):
         w, v = q[0], q[1:4]
@@ -87,16 +86,16 @@ def joint(kind: str, axis: Any, q: Any) -> tuple[Any, Any, Any]:
     return turn, ca.DM(3, 1), np.concatenate([axis, none])[:, None]
 
 
-def across(v: Any) -> Any:
+def across(v: ca.SX) -> ca.SX:
     """Operator v x on motion vectors; its negative transpose acts on forces."""
     omega = ca.skew(v[:3])
     return ca.vertcat(ca.horzcat(omega, ca.SX(3, 3)), ca.horzcat(ca.skew(v[3:]), omega))
 
 
-def velocities(t: Tree, u: Any) -> tuple[list[Any], list[Any]]:
+def velocities(t: Tree, u: ca.SX) -> tuple[list[ca.SX], list[ca.SX]]:
     """Velocity of every body, and what it adds to its acceleration."""
-    v: list[Any] = []
-    c: list[Any] = []
+    v: list[ca.SX] = []
+    c: list[ca.SX] = []
     for i, parent in enumerate(t.parents):
         relative = ca.mtimes(t.s[i], u[t.slots[i]])
         v.append(ca.mtimes(t.x[i], v[parent]) + relative if parent >= 0 else ca.SX(relative))
@@ -104,15 +103,15 @@ def velocities(t: Tree, u: Any) -> tuple[list[Any], list[Any]]:
     return v, c
 
 
-def articulated(t: Tree, u: Any, tau: Any) -> Any:
+def articulated(t: Tree, u: ca.SX, tau: ca.SX) -> ca.SX:
     """udot by the articulated-body algorithm."""
     v, c = velocities(t, u)
     inertia = list(t.inertia)
     bias = [-ca.mtimes(across(a).T, ca.mtimes(i, a)) for a, i in zip(v, inertia, strict=True)]
     count = len(t.parents)
-    reach: list[Any] = [None] * count
-    push: list[Any] = [None] * count
-    solved: list[Any] = [None] * count
+    reach: list[ca.SX] = [None] * count
+    push: list[ca.SX] = [None] * count
+    solved: list[ca.SX] = [None] * count
     # inwards
     for i in range(count - 1, -1, -1):
         reach[i] = ca.mtimes(inertia[i], t.s[i])
@@ -126,8 +125,8 @@ def articulated(t: Tree, u: Any, tau: Any) -> Any:
             inertia[parent] += half(ca.mtimes(t.x[i].T, ca.mtimes(left, t.x[i])))
             bias[parent] += ca.mtimes(t.x[i].T, pull)
     # outwards
-    a: list[Any] = []
-    udot: list[Any] = []
+    a: list[ca.SX] = []
+    udot: list[ca.SX] = []
     for i, parent in enumerate(t.parents):
         propagated = ca.mtimes(t.x[i], a[parent] if parent >= 0 else t.lift) + c[i]
         udot.append(solved[i](push[i] - ca.mtimes(reach[i].T, propagated)))
@@ -135,23 +134,23 @@ def articulated(t: Tree, u: Any, tau: Any) -> Any:
     return ca.vertcat(*udot)
 
 
-def half(matrix: Any) -> Any:
+def half(matrix: object) -> ca.SX:
     """A symmetric matrix of which only the upper half is computed."""
     return ca.triu2symm(ca.triu(matrix))
 
 
-def factorized(d: Any) -> Any:
+def factorized(d: ca.SX) -> ca.SX:
     """A small symmetric system as its L D L^T, ready to solve for columns."""
     n = d.shape[0]
     low = ca.SX.eye(n)
-    pivots: list[Any] = []
+    pivots: list[ca.SX] = []
     for j in range(n):
         pivots.append(d[j, j] - sum(low[j, k] ** 2 * pivots[k] for k in range(j)))
         for i in range(j + 1, n):
             remaining = sum(low[i, k] * low[j, k] * pivots[k] for k in range(j))
             low[i, j] = (d[i, j] - remaining) / pivots[j]
 
-    def solve(b: Any) -> Any:
+    def solve(b: ca.SX) -> ca.SX:
         rows = [b[i, :] for i in range(n)]
         for i in range(n):
             for k in range(i):
@@ -165,17 +164,17 @@ def factorized(d: Any) -> Any:
     return solve
 
 
-def newton_euler(t: Tree, u: Any, udot: Any) -> Any:
+def newton_euler(t: Tree, u: ca.SX, udot: ca.SX) -> ca.SX:
     """tau by the recursion of Newton and Euler."""
     v, c = velocities(t, u)
-    a: list[Any] = []
-    f: list[Any] = []
+    a: list[ca.SX] = []
+    f: list[ca.SX] = []
     for i, parent in enumerate(t.parents):
         propagated = ca.mtimes(t.x[i], a[parent] if parent >= 0 else t.lift) + c[i]
         a.append(propagated + ca.mtimes(t.s[i], udot[t.slots[i]]))
         momentum = ca.mtimes(t.inertia[i], v[i])
         f.append(ca.mtimes(t.inertia[i], a[i]) - ca.mtimes(across(v[i]).T, momentum))
-    tau: list[Any] = [None] * len(t.parents)
+    tau: list[ca.SX] = [None] * len(t.parents)
     for i in range(len(t.parents) - 1, -1, -1):
         tau[i] = ca.mtimes(t.s[i].T, f[i])
         if t.parents[i] >= 0:
@@ -183,7 +182,7 @@ def newton_euler(t: Tree, u: Any, udot: Any) -> Any:
     return ca.vertcat(*tau)
 
 
-def composite(t: Tree) -> Any:
+def composite(t: Tree) -> ca.SX:
     """M by composite bodies."""
     inertia = list(t.inertia)
     size = t.slots[-1].stop

@@ -9,7 +9,7 @@ import ctypes
 import importlib.metadata
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from scipy.spatial.transform import Rotation
@@ -20,6 +20,9 @@ from .coordinates import Convention
 from .loop import HERE, Loop, peer_loop
 from .peer import Contender, Peer, installed
 from .tree import central, directions
+
+if TYPE_CHECKING:
+    from types import ModuleType
 
 CONVENTION = Convention(scalar_last=False, position_first=True, linear_first=True, body_axes=False)
 JOINT = {"revolute": "hinge", "prismatic": "slide", "spherical": "ball", "free": "free"}
@@ -101,7 +104,7 @@ def _row(numbers: Any) -> str:
     return " ".join(repr(float(x)) for x in numbers)
 
 
-def model_and_data(mujoco: Any, scene: Scene) -> tuple[Any, Any]:
+def model_and_data(mujoco: ModuleType, scene: Scene) -> tuple[Any, Any]:
     """Model and data with the masses of the tree."""
     model = mujoco.MjModel.from_xml_string(_text(scene))
     data = mujoco.MjData(model)

@@ -128,7 +128,7 @@ class Ours:
         blocks = [np.ascontiguousarray(block) for block in moving]
         where = [address(block) for block in (*blocks, out)]
 
-        def run(repeats: int, references: Any = (arrays, work, out, blocks)) -> float:
+        def run(repeats: int, references: object = (arrays, work, out, blocks)) -> float:
             me = ctypes.byref(program)
             return float(loop(me, NUMBER[name], *where, out.shape[1], len(states), repeats))
 

@@ -12,7 +12,7 @@ import warnings
 from collections.abc import Callable, Sequence
 from contextlib import chdir
 from time import perf_counter
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -21,6 +21,9 @@ from ..arrays import Array
 from . import coordinates
 from .peer import Contender, Peer, States, installed
 from .tree import central, directions
+
+if TYPE_CHECKING:
+    import sympy
 
 # bodies that it derives and builds in seconds
 MOST = 5
@@ -43,7 +46,7 @@ def refusal(scene: Scene, joints: Sequence[str]) -> str:
     return coordinates.refusal(scene, joints)
 
 
-def _kane(scene: Scene) -> tuple[Any, list[Any], list[Any], list[Any]]:
+def _kane(scene: Scene) -> tuple[sympy.Expr, list[sympy.Expr], list[sympy.Expr], list[sympy.Expr]]:
     """KanesMethod of a tree, its coordinates, speeds and forces."""
     from sympy import Matrix, Symbol
     from sympy.physics import mechanics as me
@@ -57,7 +60,7 @@ def _kane(scene: Scene) -> tuple[Any, list[Any], list[Any], list[Any]]:
     origin.set_vel(ground, 0)
     frames, points, bodies, loads = [ground], [origin], [], []
 
-    def vector(frame: Any, numbers: Array) -> Any:
+    def vector(frame: sympy.Expr, numbers: Array) -> sympy.Expr:
         along = zip(numbers, (frame.x, frame.y, frame.z), strict=True)
         return sum((_plain(x) * e for x, e in along), me.Vector(0))
 
@@ -97,7 +100,7 @@ def _kane(scene: Scene) -> tuple[Any, list[Any], list[Any], list[Any]]:
     return kane, q, u, tau
 
 
-def _plain(x: float) -> Any:
+def _plain(x: float) -> sympy.Expr:
     """0 and +-1 as integers, so that SymPy drops them."""
     return int(x) if x in (0.0, 1.0, -1.0) else float(x)
 

@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import importlib.util
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from ..api.comparison import face, load
 from ..pipeline import compile
+
+if TYPE_CHECKING:
+    from types import ModuleType
 
 STATES = 20
 SEED = 4
@@ -51,7 +54,7 @@ def _ordered(model: Any, peer: Any) -> list[int]:
 
 
 def _forward(
-    pinocchio: Any, peer: Any, data: Any, joints: list[int], state: tuple[np.ndarray, ...]
+    pinocchio: ModuleType, peer: Any, data: Any, joints: list[int], state: tuple[np.ndarray, ...]
 ) -> np.ndarray:
     """Pinocchio's accelerations in our order; joints without limits are (cos, sin) there."""
     place, speed, torque = np.zeros(peer.nq), np.zeros(peer.nv), np.zeros(peer.nv)

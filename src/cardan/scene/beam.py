@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from ..elements.centerlines import Centerline
 from ..elements.joints.cylindrical import Cylindrical
@@ -15,6 +15,7 @@ from ..elements.joints.revolute import Revolute
 from ..elements.joints.spherical import Spherical
 from ..elements.joints.universal import Universal
 from ..elements.material import Material
+from ..elements.quantity import Value
 from ..elements.sections import Section
 from ..errors import ModelError
 from . import checks
@@ -51,7 +52,7 @@ class End:
     """
 
     place: Place | None
-    point: tuple[Any, Any, Any] | None = None
+    point: tuple[Value, Value, Value] | None = None
     released: tuple[str, ...] = ()
 
 
@@ -81,12 +82,12 @@ class Beam:
     section: Section
     material: Material
     elements: int
-    up: tuple[Any, ...] | None
+    up: tuple[Value, ...] | None
     line: Centerline
     element: str
     inertia: str
-    temperature: Any
-    prestrain: Mapping[str, Any]
+    temperature: Value
+    prestrain: Mapping[str, Value]
     base: Body | None = None
     stops: dict[str, float] = field(default_factory=dict)
 

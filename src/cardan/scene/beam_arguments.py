@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from ..elements.centerlines import Centerline, Straight
 from ..elements.flexible import BEAMS, INERTIAS
 from ..elements.material import Material
+from ..elements.quantity import Value
 from ..elements.sections import Section
 from ..elements.validation import axis, is_expression, number, vector
 from ..errors import ModelError, brief, near
@@ -33,14 +34,14 @@ STRAINS = ("twist", "curvature2", "curvature3", "stretch", "shear2", "shear3")
 def add_beam(
     model: SceneRecord,
     name: str,
-    ends: Sequence[tuple[Any, Any]],
-    section_and_material: tuple[Any, Any],
-    elements: Any,
-    up: Any,
-    line: Any,
-    kinds: tuple[Any, Any],
-    temperature: Any,
-    prestrain: Mapping[str, Any] | None,
+    ends: Sequence[tuple[object, object]],
+    section_and_material: tuple[object, object],
+    elements: object,
+    up: object,
+    line: object,
+    kinds: tuple[object, object],
+    temperature: object,
+    prestrain: Mapping[str, object] | None,
 ) -> Beam:
     """The work of :meth:`Model.beam`.
 
@@ -96,7 +97,7 @@ def add_nodes(beam: Beam) -> None:
     model.beams[beam.name] = beam
 
 
-def end_of(model: SceneRecord, who: str, role: str, value: Any, released: Any) -> End:
+def end_of(model: SceneRecord, who: str, role: str, value: object, released: object) -> End:
     """An end as written: a frame, a body, a name, or three numbers for a free end.
 
     Raises:
@@ -116,7 +117,7 @@ def end_of(model: SceneRecord, who: str, role: str, value: Any, released: Any) -
     return End(None, _triple(who, role, value))
 
 
-def _released(who: str, role: str, value: Any) -> tuple[str, ...]:
+def _released(who: str, role: str, value: object) -> tuple[str, ...]:
     """Directions in which an end is let go; one may stand alone."""
     listed = (value,) if isinstance(value, str) else value
     if not isinstance(listed, (tuple, list, set, frozenset)):
@@ -132,7 +133,7 @@ def _released(who: str, role: str, value: Any) -> tuple[str, ...]:
     return tuple(listed)
 
 
-def _triple(who: str, role: str, value: Any) -> tuple[Any, Any, Any]:
+def _triple(who: str, role: str, value: object) -> tuple[Value, Value, Value]:
     try:
         x, y, z = vector(who, role, value, 3)
     except ModelError as problem:
@@ -156,7 +157,7 @@ def count_of(who: str, elements: Any) -> int:
     return int(elements)
 
 
-def chosen(who: str, what: str, value: Any, choices: Collection[str]) -> str:
+def chosen(who: str, what: str, value: object, choices: Collection[str]) -> str:
     """A word of a list.
 
     Raises:
@@ -167,7 +168,7 @@ def chosen(who: str, what: str, value: Any, choices: Collection[str]) -> str:
     return str(value)
 
 
-def line_of(who: str, line: Any) -> Centerline:
+def line_of(who: str, line: object) -> Centerline:
     """The centerline as written; straight where none is given.
 
     Raises:
@@ -182,7 +183,7 @@ def line_of(who: str, line: Any) -> Centerline:
     return line
 
 
-def materialized(who: str, section: Any, material: Any) -> tuple[Section, Material]:
+def materialized(who: str, section: object, material: object) -> tuple[Section, Material]:
     """Section and material as written; a general section needs no material.
 
     Raises:
@@ -209,7 +210,7 @@ def materialized(who: str, section: Any, material: Any) -> tuple[Section, Materi
     return section, material
 
 
-def prestrain_of(who: str, strains_named: Mapping[str, Any] | None) -> dict[str, Any]:
+def prestrain_of(who: str, strains_named: Mapping[str, object] | None) -> dict[str, Value]:
     """Strains by name.
 
     Raises:
@@ -227,5 +228,5 @@ def prestrain_of(who: str, strains_named: Mapping[str, Any] | None) -> dict[str,
     return strains
 
 
-def _zero(value: Any) -> bool:
+def _zero(value: object) -> bool:
     return not is_expression(value) and value == 0

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
+from ..elements.quantity import Rows, Value
 from ..errors import ModelError, brief
 from .checks import triple
 from .frame import Frame, Located, rows_of
@@ -34,10 +35,10 @@ class Body(Located):
 
     model: SceneRecord = field(repr=False)
     name: str
-    mass: Any
-    com: tuple[Any, Any, Any]
-    inertia: tuple[Any, ...]
-    pose: tuple[tuple[Any, Any, Any], Any] | None = None
+    mass: Value
+    com: tuple[Value, Value, Value]
+    inertia: tuple[Value, ...]
+    pose: tuple[tuple[Value, Value, Value], Value] | None = None
     shapes: tuple[Shape, ...] = ()
     base: Body | None = None
 
@@ -46,7 +47,13 @@ class Body(Located):
         return self
 
     def at(
-        self, x: Any = 0, y: Any = 0, z: Any = 0, *, rotation: Any = None, name: str | None = None
+        self,
+        x: Value = 0,
+        y: Value = 0,
+        z: Value = 0,
+        *,
+        rotation: Rows | None = None,
+        name: str | None = None,
     ) -> Frame:
         """A frame fixed to the body.
 
@@ -68,7 +75,7 @@ class Body(Located):
         return f"Body({self.name!r})"
 
 
-def tensor(value: Any, name: str) -> tuple[Any, ...]:
+def tensor(value: object, name: str) -> tuple[Value, ...]:
     """Entries xx xy xz yy yz zz of an inertia as written: 3x3, three principal values or a dict.
 
     Raises:
@@ -95,7 +102,7 @@ def tensor(value: Any, name: str) -> tuple[Any, ...]:
     return _symmetric(rows, name)
 
 
-def _symmetric(rows: list[list[Any]], name: str) -> tuple[Any, ...]:
+def _symmetric(rows: list[list[Value]], name: str) -> tuple[Value, ...]:
     # products of rotations round by parts of the largest moment, not of the entry
     numbers = [x for row in rows for x in row if isinstance(x, int | float)]
     rounding = 1e-12 * max((abs(x) for x in numbers), default=0.0)
@@ -112,7 +119,7 @@ def _symmetric(rows: list[list[Any]], name: str) -> tuple[Any, ...]:
     return rows[0][0], rows[0][1], rows[0][2], rows[1][1], rows[1][2], rows[2][2]
 
 
-def read_pose(pose: Any, name: str) -> tuple[tuple[Any, Any, Any], Any] | None:
+def read_pose(pose: object, name: str) -> tuple[tuple[Value, Value, Value], Value] | None:
     """Position and orientation of ``pose=``: (x, y, z), (position, rotation) or a 4x4 matrix.
 
     Raises:
@@ -129,7 +136,7 @@ def read_pose(pose: Any, name: str) -> tuple[tuple[Any, Any, Any], Any] | None:
     return triple(pose, f"body '{name}': pose"), None
 
 
-def shapes_of(name: str, shape: Any) -> tuple[Shape, ...]:
+def shapes_of(name: str, shape: object) -> tuple[Shape, ...]:
     """The shapes of a body.
 
     Raises:

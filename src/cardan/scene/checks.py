@@ -8,13 +8,14 @@ from numbers import Real
 from typing import Any
 
 from ..arguments import UNIT
+from ..elements.quantity import Value
 from ..errors import ImpossibleWarning, ModelError, brief, looks, points, warn
 
 LONGEST_NAME = 200
 ROUNDED = 1e-6  # of the largest moment: what a file loses by rounding
 
 
-def name(what: str, text: Any) -> str:
+def name(what: str, text: object) -> str:
     """A usable name.
 
     Raises:
@@ -62,7 +63,7 @@ def check_distinguishable(model: Any) -> None:
             )
 
 
-def number(who: str, value: Any) -> float:
+def number(who: str, value: Value) -> float:
     """A finite number.
 
     Raises:
@@ -81,14 +82,14 @@ def number(who: str, value: Any) -> float:
     return result
 
 
-def is_number(value: Any) -> bool:
+def is_number(value: object) -> bool:
     """True for real numbers of Python, NumPy and SymPy, fractions too; arrays are none."""
     if isinstance(value, Real):
         return True
     return type(value).__module__ == "numpy" and getattr(value, "ndim", 1) == 0
 
 
-def is_real(value: Any) -> bool:
+def is_real(value: Value) -> bool:
     """True for numbers that a float can be, infinite ones too, and not NaN."""
     try:
         return is_number(value) and not math.isnan(float(value))
@@ -96,7 +97,7 @@ def is_real(value: Any) -> bool:
         return False
 
 
-def quantity(who: str, value: Any) -> Any:
+def quantity(who: str, value: object) -> Value:
     """A number or an expression, as written.
 
     Raises:
@@ -132,7 +133,7 @@ def initial(
     if value is None:
         return None
     one = is_number(value) or isinstance(value, str) or not hasattr(value, "__len__")
-    entries: tuple[Any, ...] = (value,) if one else tuple(value)  # type: ignore[arg-type]
+    entries: tuple[Value, ...] = (value,) if one else tuple(value)  # type: ignore[arg-type]
     if len(entries) != count:
         raise ModelError(f"{who}: {what} has {len(entries)} entries, but {count} are wanted")
     numbers = tuple(number(f"{who}: {what}", entry) for entry in entries)
@@ -146,7 +147,7 @@ def initial(
     return numbers
 
 
-def mass(body: str, value: Any, inertia: Sequence[Any], robot: bool = False) -> None:
+def mass(body: str, value: object, inertia: Sequence[object], robot: bool = False) -> None:
     """Mass and inertia given as numbers can be those of a body.
 
     Args:
@@ -221,7 +222,7 @@ def unphysical(inertia: Sequence[float]) -> str:
     )
 
 
-def triple(value: Any, what: str) -> tuple[Any, Any, Any]:
+def triple(value: Any, what: str) -> tuple[Value, Value, Value]:
     """Three entries of a vector as written.
 
     Raises:
@@ -233,4 +234,5 @@ def triple(value: Any, what: str) -> tuple[Any, Any, Any]:
         entries = ()
     if len(entries) != 3:
         raise ModelError(f"{what}: three entries are wanted, not {brief(value)}")
-    return tuple(quantity(what, entry) for entry in entries)
+    x, y, z = (quantity(what, entry) for entry in entries)
+    return x, y, z

@@ -5,12 +5,13 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, TypeVar
+from typing import TypeVar
 
 from ..arguments import kinds_of, read
 from ..elements.forces.force import ForceElement
 from ..elements.joints.joint import Joint as JointElement
 from ..elements.joints.joint import Reversed
+from ..elements.quantity import Value
 from ..errors import ModelError, ModelWarning, brief, near, outside, warn
 from . import checks
 from .beam import Beam
@@ -25,8 +26,8 @@ class Couple:
     """q = ratio q_leader + offset."""
 
     leader: str
-    ratio: Any
-    offset: Any
+    ratio: Value
+    offset: Value
 
 
 @dataclass(frozen=True, eq=False)
@@ -51,11 +52,11 @@ class Joint:
     kind: JointElement
     parent: Place
     child: Place
-    prescribed: Any = None
+    prescribed: Value | None = None
     q0: tuple[float, ...] | None = None
     u0: tuple[float, ...] | None = None
     limits: Limits = (None, None, None, None)
-    at: tuple[Any, Any, Any] | None = None
+    at: tuple[Value, Value, Value] | None = None
     couple: Couple | None = None
     base: Body | None = None
     friction: float = 0.0
@@ -74,7 +75,7 @@ class Force:
     element: ForceElement
 
 
-def element_of(name: str, kind: JointElement | type[JointElement], axis: Any) -> JointElement:
+def element_of(name: str, kind: JointElement | type[JointElement], axis: object) -> JointElement:
     """The joint element, its axis replaced where one is given."""
     if isinstance(kind, type) and issubclass(kind, JointElement):
         kind = _plain(name, kind)
@@ -162,7 +163,7 @@ def check_start(joint: Joint) -> None:
             warn(f"joint '{joint.name}': q0: {problem}", ModelWarning)
 
 
-def check_cut(who: str, cut: Any, moved: bool) -> None:
+def check_cut(who: str, cut: object, moved: bool) -> None:
     """Check that a joint may be cut as requested.
 
     Raises:
@@ -177,7 +178,7 @@ def check_cut(who: str, cut: Any, moved: bool) -> None:
         )
 
 
-def couple_of(who: str, kind: JointElement, couple: tuple[Any, ...] | None) -> Couple | None:
+def couple_of(who: str, kind: JointElement, couple: tuple[object, ...] | None) -> Couple | None:
     """The joint that a joint follows by its kind or by ``couple``, checked.
 
     Raises:

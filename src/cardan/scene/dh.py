@@ -21,12 +21,13 @@ from ..elements.forces.joint_damper import JointDamper
 from ..elements.joints.fixed import Fixed
 from ..elements.joints.prismatic import Prismatic
 from ..elements.joints.revolute import Revolute
+from ..elements.quantity import Value
 from ..elements.validation import is_expression
 from ..errors import ModelError, brief, near
 from ..spatial.numbers import cosine_sine
 from .checks import is_number
 from .files.angles import snap as quarter
-from .frame import Frame
+from .frame import Frame, Place
 from .scene import SceneRecord
 
 CONVENTIONS = ("standard", "modified")
@@ -49,30 +50,30 @@ class Row:
         q0, limits: As :meth:`Model.joint` takes them.
     """
 
-    a: Any = 0.0
-    alpha: Any = 0.0
-    d: Any = 0.0
-    theta: Any = 0.0
+    a: Value = 0.0
+    alpha: Value = 0.0
+    d: Value = 0.0
+    theta: Value = 0.0
     type: str = "revolute"
     name: str = ""
     link: str = ""
-    mass: Any = None
-    com: Sequence[Any] = (0, 0, 0)
-    inertia: Any = None
-    rotor_inertia: Any = None
-    gear_ratio: Any = 1.0
-    friction: Any = 0.0
-    damping: Any = None
-    q0: Any = None
+    mass: Value | None = None
+    com: Sequence[Value] = (0, 0, 0)
+    inertia: Value | None = None
+    rotor_inertia: Value | None = None
+    gear_ratio: Value = 1.0
+    friction: Value = 0.0
+    damping: Value | None = None
+    q0: Value | None = None
     limits: Any = None
 
 
 @checked
 def from_dh(
-    rows: Iterable[Mapping[str, Any] | Sequence[Any]],
+    rows: Iterable[Mapping[str, Value] | Sequence[Value]],
     convention: str = "standard",
     name: str = "robot",
-    gravity: Sequence[Any] = (0, 0, -9.81),
+    gravity: Sequence[Value] = (0, 0, -9.81),
 ) -> SceneRecord:
     """A serial robot from its Denavit-Hartenberg table.
 
@@ -98,9 +99,9 @@ def from_dh(
 
 def add_dh(
     scene: SceneRecord,
-    rows: Iterable[Mapping[str, Any] | Sequence[Any]],
+    rows: Iterable[Mapping[str, Value] | Sequence[Value]],
     convention: str = "standard",
-    parent: Any = None,
+    parent: Place | str | None = None,
     prefix: str = "",
     snap: bool = True,
 ) -> None:
@@ -132,7 +133,7 @@ def add_dh(
         inner = _add(scene, joint, link, row, convention, inner)
 
 
-def _single(rows: Any) -> bool:
+def _single(rows: object) -> bool:
     return getattr(rows, "shape", None) == ()
 
 
@@ -198,7 +199,7 @@ def _add(scene: SceneRecord, joint: str, link: str, row: Row, convention: str, i
     return body
 
 
-def _cosine_sine(angle: Any) -> tuple[Any, Any]:
+def _cosine_sine(angle: Value) -> tuple[Value, Value]:
     if is_number(angle):
         return cosine_sine(float(angle))
     import sympy

@@ -7,15 +7,18 @@ the time fit anywhere, so that ``-2.0 * q`` may be a torque and ``m * 0.3**2`` a
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
+from typing import TYPE_CHECKING
 
 from ..errors import ModelError
 from .units import NONE, Dimension, unit
 
+if TYPE_CHECKING:
+    import sympy
+
 Units = Mapping[str, "str | None"]
 
 
-def check(expression: Any, expected: str, units: Units, name: str) -> None:
+def check(expression: object, expected: str, units: Units, name: str) -> None:
     """The expression is measured in the unit that is wanted.
 
     Args:
@@ -35,7 +38,7 @@ def check(expression: Any, expected: str, units: Units, name: str) -> None:
         )
 
 
-def dimension(expression: Any, units: Units, name: str) -> Dimension | None:
+def dimension(expression: sympy.Expr, units: Units, name: str) -> Dimension | None:
     """Exponents of the base units; None where anything fits.
 
     Raises:
@@ -62,7 +65,7 @@ def dimension(expression: Any, units: Units, name: str) -> Dimension | None:
     return None
 
 
-def _sum(expression: Any, units: Units, name: str) -> Dimension | None:
+def _sum(expression: sympy.Expr, units: Units, name: str) -> Dimension | None:
     common = None
     for term in expression.args:
         term_dimension = dimension(term, units, name)
@@ -77,7 +80,7 @@ def _sum(expression: Any, units: Units, name: str) -> Dimension | None:
     return common
 
 
-def _product(expression: Any, units: Units, name: str) -> Dimension | None:
+def _product(expression: sympy.Expr, units: Units, name: str) -> Dimension | None:
     total: Dimension = NONE
     for factor in expression.args:
         if factor.is_Rational or factor.is_NumberSymbol:

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Union
+from typing import TYPE_CHECKING, Union
 
 from ..arguments import checked
+from ..elements.quantity import Rows, Value
 
 if TYPE_CHECKING:
+    import sympy
+
     from .body import Body
 
 Place = Union["Frame", "Body"]
@@ -26,14 +29,14 @@ class Located:
     body: Body
     name: str
 
-    def _atoms(self, quantity: str, rows: int, columns: int, *others: Any) -> Any:
+    def _atoms(self, quantity: str, rows: int, columns: int, *others: object) -> sympy.Matrix:
         import sympy
 
         symbols = self.body.model.placeholders(self, quantity, rows * columns, others)
         return sympy.ImmutableMatrix(rows, columns, symbols)
 
     @checked
-    def position(self, wrt: Place | None = None, in_: Place | None = None) -> Any:
+    def position(self, wrt: Place | None = None, in_: Place | None = None) -> sympy.Matrix:
         """Position of the origin (3, 1) [m], against ``wrt``, in the axes of ``in_``.
 
         Args:
@@ -43,22 +46,22 @@ class Located:
         return self._atoms("position", 3, 1, wrt, in_)
 
     @checked
-    def velocity(self, wrt: Place | None = None, in_: Place | None = None) -> Any:
+    def velocity(self, wrt: Place | None = None, in_: Place | None = None) -> sympy.Matrix:
         """Velocity of the origin (3, 1) [m/s] as seen from ``wrt``, in the axes of ``in_``."""
         return self._atoms("velocity", 3, 1, wrt, in_)
 
     @checked
-    def acceleration(self, wrt: Place | None = None, in_: Place | None = None) -> Any:
+    def acceleration(self, wrt: Place | None = None, in_: Place | None = None) -> sympy.Matrix:
         """Acceleration of the origin (3, 1) [m/s^2] as seen from ``wrt``, in axes of ``in_``."""
         return self._atoms("acceleration", 3, 1, wrt, in_)
 
     @checked
-    def angular_velocity(self, wrt: Place | None = None, in_: Place | None = None) -> Any:
+    def angular_velocity(self, wrt: Place | None = None, in_: Place | None = None) -> sympy.Matrix:
         """Angular velocity (3, 1) [rad/s] against ``wrt``, in the axes of ``in_``."""
         return self._atoms("angular_velocity", 3, 1, wrt, in_)
 
     @checked
-    def rotation(self, wrt: Place | None = None) -> Any:
+    def rotation(self, wrt: Place | None = None) -> sympy.Matrix:
         """R (3, 3): coordinates in these axes to coordinates in those of ``wrt`` (the ground)."""
         return self._atoms("rotation", 3, 3, wrt, None)
 
@@ -76,8 +79,8 @@ class Frame(Located):
     """
 
     body: Body
-    coordinates: tuple[Any, Any, Any]
-    orientation: Any
+    coordinates: tuple[Value, Value, Value]
+    orientation: Value
     name: str
     named: bool
 
@@ -85,7 +88,7 @@ class Frame(Located):
         return f"Frame({self.name!r} on {self.body.name!r})"
 
 
-def rows_of(value: Any) -> list[Any]:
+def rows_of(value: object) -> Rows:
     """Rows of a matrix, array or sequence; [] for anything else, which no shape check passes."""
     if hasattr(value, "tolist"):
         value = value.tolist()

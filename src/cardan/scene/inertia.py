@@ -12,6 +12,7 @@ from __future__ import annotations
 from typing import Any
 
 from ..arguments import checked
+from ..elements.quantity import Value
 from ..errors import ModelError, brief
 from .checks import is_number, quantity
 
@@ -20,7 +21,7 @@ Moments = tuple[Any, Any, Any]
 
 
 @checked
-def rod(mass: Any, length: Any, axis: str = "z") -> Moments:
+def rod(mass: Value, length: Value, axis: str = "z") -> Moments:
     """A thin rod: m l^2 / 12 across, 0 along.
 
     Args:
@@ -33,7 +34,7 @@ def rod(mass: Any, length: Any, axis: str = "z") -> Moments:
 
 
 @checked
-def cylinder(mass: Any, radius: Any, length: Any, axis: str = "z") -> Moments:
+def cylinder(mass: Value, radius: Value, length: Value, axis: str = "z") -> Moments:
     """A solid cylinder: m r^2 / 2 along, m (3 r^2 + l^2) / 12 across."""
     mass, radius, length = _numbers("cylinder", mass=mass, radius=radius, length=length)
     return _around(
@@ -42,7 +43,7 @@ def cylinder(mass: Any, radius: Any, length: Any, axis: str = "z") -> Moments:
 
 
 @checked
-def tube(mass: Any, outer: Any, inner: Any, length: Any, axis: str = "z") -> Moments:
+def tube(mass: Value, outer: Value, inner: Value, length: Value, axis: str = "z") -> Moments:
     """A hollow cylinder with outer and inner radius."""
     mass, outer, inner, length = _numbers(
         "tube", mass=mass, outer=outer, inner=inner, length=length
@@ -52,7 +53,7 @@ def tube(mass: Any, outer: Any, inner: Any, length: Any, axis: str = "z") -> Mom
 
 
 @checked
-def sphere(mass: Any, radius: Any) -> Moments:
+def sphere(mass: Value, radius: Value) -> Moments:
     """A solid sphere: 2/5 m r^2."""
     mass, radius = _numbers("sphere", mass=mass, radius=radius)
     moment = 2 * mass * _square(radius) / 5
@@ -60,14 +61,14 @@ def sphere(mass: Any, radius: Any) -> Moments:
 
 
 @checked
-def box(mass: Any, x: Any, y: Any, z: Any) -> Moments:
+def box(mass: Value, x: Value, y: Value, z: Value) -> Moments:
     """A solid box with edges x, y, z [m] along the axes."""
     mass, x, y, z = _numbers("box", mass=mass, x=x, y=y, z=z)
     xx, yy, zz = _square(x), _square(y), _square(z)
     return mass * (yy + zz) / 12, mass * (xx + zz) / 12, mass * (xx + yy) / 12
 
 
-def _numbers(solid: str, **given: Any) -> list[Any]:
+def _numbers(solid: str, **given: Value) -> list[Value]:
     """Numbers of sane size, or expressions, as given.
 
     Raises:
@@ -80,12 +81,12 @@ def _numbers(solid: str, **given: Any) -> list[Any]:
     return list(given.values())
 
 
-def _square(length: Any) -> Any:
+def _square(length: Value) -> Value:
     """Its square; of a whole number a measured one, lest 1 m vanish from m l^2 with its unit."""
     return (float(length) if isinstance(length, int) else length) ** 2
 
 
-def _around(axis: str, along: Any, across: Any) -> Moments:
+def _around(axis: str, along: Value, across: Value) -> Moments:
     if axis not in ("x", "y", "z"):
         raise ModelError(f"axis of an inertia must be 'x', 'y' or 'z', not {brief(axis)}")
     x, y, z = (along if axis == name else across for name in "xyz")

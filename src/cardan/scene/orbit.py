@@ -6,16 +6,19 @@ turns about x, y and z are roll, pitch and yaw.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from ..arguments import checked
 from ..elements.joints.fixed import Fixed
 from ..elements.joints.revolute import Revolute
+from ..elements.quantity import Value
 from ..elements.validation import is_expression, positive
 from ..errors import ModelError, brief
 from .frame import Frame, Located, Place
 
 if TYPE_CHECKING:
+    import sympy
+
     from .scene import SceneRecord
 
 # x forward, y against the normal, z down, in axes of the radius, of the way forward and the normal
@@ -26,11 +29,11 @@ LOCAL = ((0, 0, -1), (1, 0, 0), (0, -1, 0))
 def circular(
     scene: SceneRecord,
     name: str,
-    mu: Any,
-    radius: Any,
-    inclination: Any = 0,
-    node: Any = 0,
-    phase: Any = 0,
+    mu: Value,
+    radius: Value,
+    inclination: Value = 0,
+    node: Value = 0,
+    phase: Value = 0,
     center: Place | None = None,
 ) -> Frame:
     """A frame that goes along a circular orbit, for bodies whose attitude matters and not more.
@@ -68,7 +71,7 @@ def circular(
     return carrier.at(radius, 0, 0, rotation=LOCAL, name=name)
 
 
-def axes(body: Place, center: Place | None = None) -> Any:
+def axes(body: Place, center: Place | None = None) -> sympy.Matrix:
     """Orientation of the local frame of a body on any orbit, of its motion as it is.
 
     Args:
@@ -91,7 +94,7 @@ def axes(body: Place, center: Place | None = None) -> Any:
     return sympy.Matrix.hstack(side.cross(down), side, down)
 
 
-def attitude(body: Place, center: Place | None = None) -> tuple[Any, Any, Any]:
+def attitude(body: Place, center: Place | None = None) -> tuple[sympy.Expr, sympy.Expr, sympy.Expr]:
     """Roll, pitch and yaw of a body against its local frame, see :func:`axes` [rad].
 
     The body gets there from the local frame by yaw about z, then pitch about y, then roll about x.

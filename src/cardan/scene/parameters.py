@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    import sympy
 
 
 @dataclass(frozen=True)
@@ -46,7 +49,7 @@ class Output:
     """A named expression to be computed, in SI."""
 
     name: str
-    expression: Any
+    expression: sympy.Expr
     unit: str
 
 
@@ -55,5 +58,5 @@ class Constraint:
     """A named expression that is kept at 0, in SI."""
 
     name: str
-    expression: Any
+    expression: sympy.Expr
     unit: str

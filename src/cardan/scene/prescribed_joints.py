@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, TypeGuard
 
 from ..elements.joints.joint import Joint as JointElement
 from ..elements.joints.joint import Step
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from .scene import SceneRecord
 
 
-def several(motion: Any) -> bool:
+def several(motion: object) -> TypeGuard[Sequence[object]]:
     """True when ``prescribed=`` says a value for each of several coordinates."""
     return isinstance(motion, Sequence) and not isinstance(motion, str)
 
@@ -27,8 +27,8 @@ def chain(
     name: str,
     kind: JointElement,
     ends: tuple[Place | str, Place | str],
-    motion: Sequence[Any],
-    further: Mapping[str, Any],
+    motion: Sequence[object],
+    further: Mapping[str, object],
 ) -> Joint:
     """The joints ``<name>.<coordinate>`` and bodies without mass between them, all or none.
 
@@ -76,7 +76,7 @@ def _build_chain(
     name: str,
     steps: Sequence[Step],
     ends: tuple[Place | str, Place | str],
-    motion: Mapping[str, Any],
+    motion: Mapping[str, object],
 ) -> Joint:
     place = ends[0]
     for k, step in enumerate(steps):

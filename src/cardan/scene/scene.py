@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from ..arguments import checked
 from ..elements.forces.force import ForceElement
 from ..elements.joints.joint import Joint as JointElement
+from ..elements.quantity import Direction, Rows, Value
 from ..errors import ModelError, brief, counted, near
 from ..notebooks import html
 from . import checks
@@ -61,7 +62,7 @@ class SceneRecord(Vocabulary):
         origins: Place in a file by kind and name of an item, see :mod:`.origins`.
     """
 
-    def __init__(self, name: str, gravity: Sequence[Any] = (0, 0, -9.81)) -> None:
+    def __init__(self, name: str, gravity: Sequence[Value] = (0, 0, -9.81)) -> None:
         self.name = checks.name("model", name)
         self.gravity = triple(gravity, "gravity")
         self.ground = Body(self, "ground", 0, (0, 0, 0), (0,) * 6, ((0, 0, 0), None))
@@ -94,10 +95,10 @@ class SceneRecord(Vocabulary):
     def body(
         self,
         name: str,
-        mass: Any = None,
-        com: Sequence[Any] = (0, 0, 0),
-        inertia: Any = None,
-        pose: Any = None,
+        mass: Value | None = None,
+        com: Sequence[Value] = (0, 0, 0),
+        inertia: Rows | None = None,
+        pose: Rows | None = None,
         shape: Shape | Iterable[Shape] | None = None,
     ) -> Body:
         """Add a rigid body.
@@ -133,7 +134,7 @@ class SceneRecord(Vocabulary):
         return body
 
     def add_frame(
-        self, body: Body, position: Sequence[Any], rotation: Any, name: str | None
+        self, body: Body, position: Sequence[Value], rotation: Rows | None, name: str | None
     ) -> Frame:
         """The work of :meth:`Body.at`."""
         named = name is not None
@@ -191,14 +192,14 @@ class SceneRecord(Vocabulary):
         kind: JointElement | type[JointElement],
         parent: Place | str,
         child: Place | str,
-        prescribed: Any = None,
+        prescribed: Rows | None = None,
         cut: bool = False,
         q0: float | Sequence[float] | None = None,
         u0: float | Sequence[float] | None = None,
         limits: Mapping[str, float] | Sequence[float] | None = None,
-        at: Sequence[Any] | None = None,
-        axis: Any = None,
-        couple: tuple[Any, ...] | None = None,
+        at: Sequence[Value] | None = None,
+        axis: Direction | None = None,
+        couple: tuple[Value, ...] | None = None,
     ) -> Joint:
         """Join two bodies.
 
@@ -285,19 +286,19 @@ class SceneRecord(Vocabulary):
     def beam(
         self,
         name: str,
-        start: Place | str | Sequence[Any],
-        end: Place | str | Sequence[Any],
+        start: Place | str | Sequence[Value],
+        end: Place | str | Sequence[Value],
         section: Section | None = None,
         material: Material | None = None,
         elements: int = 8,
-        up: Any = None,
+        up: Direction | None = None,
         line: Centerline | None = None,
         element: str = ELEMENT,
         inertia: str = INERTIA,
         release_start: str | Sequence[str] = (),
         release_end: str | Sequence[str] = (),
-        temperature: Any = 0,
-        prestrain: Mapping[str, Any] | None = None,
+        temperature: Value = 0,
+        prestrain: Mapping[str, Value] | None = None,
     ) -> Beam:
         """Add a beam: slender, elastic, of one section, in displacements of any size.
 

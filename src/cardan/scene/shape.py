@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
 from ..arguments import checked
+from ..elements.quantity import Value
 from ..errors import ModelError
 from .checks import triple
 
@@ -24,20 +24,20 @@ class Shape:
     """
 
     kind: str
-    size: tuple[tuple[str, Any], ...]
-    position: tuple[Any, Any, Any] = (0, 0, 0)
-    rotation: Any = None
+    size: tuple[tuple[str, Value], ...]
+    position: tuple[Value, Value, Value] = (0, 0, 0)
+    rotation: Value | None = None
     color: tuple[float, float, float, float] | None = None
 
 
 @checked
 def cylinder(
-    radius: Any,
-    length: Any,
+    radius: Value,
+    length: Value,
     *,
     axis: str = "z",
-    position: Sequence[Any] = (0, 0, 0),
-    rotation: Any = None,
+    position: Sequence[Value] = (0, 0, 0),
+    rotation: Value | None = None,
     color: Sequence[float] | None = None,
 ) -> Shape:
     """A cylinder along an axis, its center at ``position``."""
@@ -47,12 +47,12 @@ def cylinder(
 
 @checked
 def capsule(
-    radius: Any,
-    length: Any,
+    radius: Value,
+    length: Value,
     *,
     axis: str = "z",
-    position: Sequence[Any] = (0, 0, 0),
-    rotation: Any = None,
+    position: Sequence[Value] = (0, 0, 0),
+    rotation: Value | None = None,
     color: Sequence[float] | None = None,
 ) -> Shape:
     """A cylinder with half spheres on its ends; ``length`` is that of the cylinder."""
@@ -62,12 +62,12 @@ def capsule(
 
 @checked
 def box(
-    x: Any,
-    y: Any,
-    z: Any,
+    x: Value,
+    y: Value,
+    z: Value,
     *,
-    position: Sequence[Any] = (0, 0, 0),
-    rotation: Any = None,
+    position: Sequence[Value] = (0, 0, 0),
+    rotation: Value | None = None,
     color: Sequence[float] | None = None,
 ) -> Shape:
     """A box with edges x, y, z, its center at ``position``."""
@@ -76,7 +76,7 @@ def box(
 
 @checked
 def sphere(
-    radius: Any, *, position: Sequence[Any] = (0, 0, 0), color: Sequence[float] | None = None
+    radius: Value, *, position: Sequence[Value] = (0, 0, 0), color: Sequence[float] | None = None
 ) -> Shape:
     """A sphere with its center at ``position``."""
     return _shape("sphere", (("radius", radius),), position, None, color)
@@ -87,8 +87,8 @@ def mesh(
     file: str,
     *,
     scale: Sequence[float] = (1.0, 1.0, 1.0),
-    position: Sequence[Any] = (0, 0, 0),
-    rotation: Any = None,
+    position: Sequence[Value] = (0, 0, 0),
+    rotation: Value | None = None,
     color: Sequence[float] | None = None,
 ) -> Shape:
     """A mesh file (STL, OBJ, DAE), scaled along its own axes."""
@@ -97,9 +97,9 @@ def mesh(
 
 def _shape(
     kind: str,
-    size: tuple[tuple[str, Any], ...],
-    position: Sequence[Any],
-    rotation: Any,
+    size: tuple[tuple[str, Value], ...],
+    position: Sequence[Value],
+    rotation: Value | None,
     color: Sequence[float] | None,
 ) -> Shape:
     x, y, z = triple(position, f"shape.{kind}: position")

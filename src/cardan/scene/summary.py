@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from ..elements.forces.friction import Friction
 from ..elements.forces.stop import Stop
@@ -114,7 +114,7 @@ def _table(rows: Sequence[Sequence[str]]) -> list[str]:
     return [*lines, f"... and {hidden} more"] if hidden > 0 else lines
 
 
-def _short(value: Any) -> str:
+def _short(value: object) -> str:
     return f"{value:.6g}" if isinstance(value, (int, float)) else str(value)
 
 

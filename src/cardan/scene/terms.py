@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Sequence
-from typing import Any
+from typing import TYPE_CHECKING
 
 from ..arguments import checked
 from ..elements.forces.force import ForceElement
 from ..elements.joints.joint import Joint as JointElement
 from ..elements.joints.revolute import Revolute
+from ..elements.quantity import Value
 from ..errors import ModelError, near
 from . import checks
 from .beam import Beam
@@ -17,6 +18,9 @@ from .connections import Force, Joint
 from .frame import Located, Place
 from .parameters import Constraint, Declared, Output, Placeholder
 from .units import unit as unit_of
+
+if TYPE_CHECKING:
+    import sympy
 
 COMPONENTS = {1: ("",), 3: ("x", "y", "z"), 9: tuple(f"{i}{j}" for i in "xyz" for j in "xyz")}
 
@@ -38,7 +42,7 @@ class Vocabulary(ABC):
     def place(self, who: str, place: Place | str, role: str = "frame") -> Place:
         """A frame or body of the model."""
 
-    def parameter(self, name: str, value: float, unit: str | None = None) -> Any:
+    def parameter(self, name: str, value: float, unit: str | None = None) -> sympy.Symbol:
         """Declare a parameter.
 
         Args:
@@ -56,7 +60,7 @@ class Vocabulary(ABC):
         self._declare(self.parameters, "parameter", name, value, unit)
         return _symbol(name)
 
-    def input(self, name: str, default: float = 0.0, unit: str | None = None) -> Any:
+    def input(self, name: str, default: float = 0.0, unit: str | None = None) -> sympy.Symbol:
         """Declare an input: a control or a prescribed signal.
 
         Returns:
@@ -80,7 +84,7 @@ class Vocabulary(ABC):
         number = checks.number(f"{what} '{name}'", value) * measured.factor
         where[name] = Declared(name, number, measured.si, unit is not None)
 
-    def output(self, name: str, expression: Any, unit: str = "") -> None:
+    def output(self, name: str, expression: Value, unit: str = "") -> None:
         """Name an expression to be computed along with the motion.
 
         Args:
@@ -94,7 +98,7 @@ class Vocabulary(ABC):
         checks.quantity(f"output '{name}'", expression)
         self.outputs[name] = Output(name, expression, unit_of(unit).si)
 
-    def constraint(self, name: str, expression: Any, unit: str = "") -> None:
+    def constraint(self, name: str, expression: Value, unit: str = "") -> None:
         """Keep an expression at 0: a relation between coordinates, frames or speeds, and t.
 
         An expression without speeds and velocities holds at position level and is differentiated;
@@ -124,7 +128,7 @@ class Vocabulary(ABC):
         self.constraints[name] = Constraint(name, expression, unit_of(unit).si)
 
     @checked
-    def q(self, coordinate: str) -> Any:
+    def q(self, coordinate: str) -> sympy.Symbol:
         """Symbol of a coordinate: ``"elbow"``, or ``"joint.angle"`` where there are several.
 
         Coordinates of written equations (:func:`cardan.from_sympy`) have names of their own.
@@ -132,7 +136,7 @@ class Vocabulary(ABC):
         return self._coordinate("q", coordinate, coordinate)
 
     @checked
-    def u(self, speed: str) -> Any:
+    def u(self, speed: str) -> sympy.Symbol:
         """Symbol of a speed: ``"elbow"``, or ``"joint.x"`` where the joint has several."""
         joint, _, component = speed.partition(".")
         if speed in self.joint_kinds():
@@ -140,7 +144,7 @@ class Vocabulary(ABC):
         return self._coordinate("u", speed, f"{joint}.u" + (f".{component}" if component else ""))
 
     @checked
-    def state(self, name: str) -> Any:
+    def state(self, name: str) -> sympy.Symbol:
         """Symbol of a state that a force element keeps itself, such as ``"motor.force"``.
 
         Args:
@@ -157,7 +161,7 @@ class Vocabulary(ABC):
         rotors = {f"{n}.rotor": Revolute() for n, f in self.forces.items() if _turns(f.element)}
         return named | rotors | {name: joint.kind for name, joint in self.joints.items()}
 
-    def _coordinate(self, quantity: str, full_name: str, symbol: str) -> Any:
+    def _coordinate(self, quantity: str, full_name: str, symbol: str) -> sympy.Symbol:
         kinds = self.joint_kinds()
         for joint, kind in kinds.items():
             # names of written equations stand alone
@@ -181,8 +185,8 @@ class Vocabulary(ABC):
         return _symbol(symbol)
 
     def placeholders(
-        self, place: Located, quantity: str, count: int, observers: Sequence[Any]
-    ) -> list[Any]:
+        self, place: Located, quantity: str, count: int, observers: Sequence[sympy.Symbol]
+    ) -> list[sympy.Symbol]:
         """Symbols that stand for the motion of a frame, see :class:`Located`."""
         names = [
             self.place(f"{place.name}.{quantity}", o) if o is not None else "" for o in observers
@@ -204,7 +208,7 @@ def _turns(element: ForceElement) -> bool:
     return rotor is not None and rotor.ratio is None and rotor.speed is None
 
 
-def _symbol(name: str) -> Any:
+def _symbol(name: str) -> sympy.Symbol:
     from sympy import Symbol
 
     return Symbol(name)

@@ -50,7 +50,7 @@ class Kind(NamedTuple):
     schema: Mapping[str, Any]
 
 
-def kind(what: str, good: Callable[[Any], bool], **schema: Any) -> Kind:
+def kind(what: str, good: Callable[[Any], bool], **schema: object) -> Kind:
     """Entries that fulfil a condition.
 
     Args:
@@ -59,7 +59,7 @@ def kind(what: str, good: Callable[[Any], bool], **schema: Any) -> Kind:
         schema: What a JSON schema says about them.
     """
 
-    def read(value: Any, run: bool) -> Any:
+    def read(value: object, run: bool) -> Any:
         if good(value):
             return value
         raise Misfit(f"is {value!r:.60}, not {what}")
@@ -67,19 +67,19 @@ def kind(what: str, good: Callable[[Any], bool], **schema: Any) -> Kind:
     return Kind(read, schema)
 
 
-def is_text(value: Any) -> bool:
+def is_text(value: object) -> bool:
     """True when a value is a text that can be printed and written."""
     return isinstance(value, str) and (
         value.isascii() or not any("\ud800" <= letter <= "\udfff" for letter in value)
     )
 
 
-def is_integer(value: Any) -> bool:
+def is_integer(value: object) -> bool:
     """True when a value is an integer that is a number as well."""
     return isinstance(value, int) and not isinstance(value, bool) and abs(value) < NUMBERS
 
 
-def is_number(value: Any) -> bool:
+def is_number(value: object) -> bool:
     """True when a value is a number."""
     return isinstance(value, float) or is_integer(value)
 
@@ -122,7 +122,7 @@ def listed(entry: Kind | type[Record], length: int | None = None) -> Kind:
     read_entry, schema = of(entry)
     sizes = {} if length is None else {"minItems": length, "maxItems": length}
 
-    def read(value: Any, run: bool) -> list[Any]:
+    def read(value: object, run: bool) -> list[Any]:
         if not isinstance(value, list):
             raise Misfit(f"is {value!r:.60}, not a list")
         if length is not None and len(value) != length:
@@ -142,7 +142,7 @@ def table(entry: Kind | type[Record], keys: Kind = text) -> Kind:
     """Entries of one kind by their names."""
     read_entry, schema = of(entry)
 
-    def read(value: Any, run: bool) -> dict[str, Any]:
+    def read(value: object, run: bool) -> dict[str, Any]:
         if not isinstance(value, dict):
             raise Misfit(f"is {value!r:.60}, not a table")
         entries = {}
@@ -170,7 +170,7 @@ def maybe(entry: Kind | type[Record]) -> Kind:
 def either(first: Kind, second: Kind) -> Kind:
     """An entry of one of two kinds."""
 
-    def read(value: Any, run: bool) -> Any:
+    def read(value: object, run: bool) -> Any:
         try:
             return first.read(value, run)
         except Misfit:
@@ -183,7 +183,7 @@ def pair() -> Kind:
     """Two counts: where something begins, and how much it is."""
     two = listed(count, 2)
 
-    def read(value: Any, run: bool) -> tuple[int, int]:
+    def read(value: object, run: bool) -> tuple[int, int]:
         start, size = two.read(value, run)
         return start, size
 
@@ -213,7 +213,11 @@ class Field(NamedTuple):
 
 
 def field(
-    entry: Kind | type[Record], about: str = "", *, default: Any = REQUIRED, run: Any = REQUIRED
+    entry: Kind | type[Record],
+    about: str = "",
+    *,
+    default: object = REQUIRED,
+    run: object = REQUIRED,
 ) -> Any:
     """A field of a record.
 
@@ -246,7 +250,7 @@ class Record:
             else:
                 setattr(cls, name, one.default)
 
-    def __init__(self, **entries: Any) -> None:
+    def __init__(self, **entries: object) -> None:
         attributes = vars(self)
         for name, _, default, _ in self._rows:
             value = entries.pop(name, default)
@@ -260,7 +264,7 @@ class Record:
             raise TypeError(f"{type(self).__name__} has no {', '.join(entries)}")
 
     @classmethod
-    def read(cls, plain: Any, run: bool = False) -> Self:
+    def read(cls, plain: object, run: bool = False) -> Self:
         """A record of what JSON holds; entries that it does not know are left out.
 
         Args:
@@ -296,7 +300,7 @@ class Record:
         return cls._about[name].run
 
     @classmethod
-    def trusted(cls, entries: Mapping[str, Any]) -> Self:
+    def trusted(cls, entries: Mapping[str, object]) -> Self:
         """A record of entries that are known to be good."""
         record = object.__new__(cls)
         vars(record).update(entries)
@@ -309,7 +313,7 @@ class Record:
             Misfit: they do not.
         """
 
-    def replaced(self, **changes: Any) -> Self:
+    def replaced(self, **changes: object) -> Self:
         """The same with other entries."""
         return type(self)(**{**vars(self), **changes})
 
@@ -338,7 +342,7 @@ class Record:
 
     if not TYPE_CHECKING:
         # files are documented by their keys; the code of cardan reads attributes
-        def __setattr__(self, name: str, value: Any) -> None:
+        def __setattr__(self, name: str, value: object) -> None:
             raise AttributeError(f"{type(self).__name__} cannot be changed")
 
         def __delattr__(self, name: str) -> None:
@@ -349,7 +353,7 @@ class Record:
                 raise KeyError(key)
             return getattr(self, key)
 
-        def get(self, key: str, default: Any = None) -> Any:
+        def get(self, key: str, default: object = None) -> Any:
             return vars(self).get(key, getattr(type(self), key, default))
 
         def keys(self) -> Iterator[str]:
@@ -365,7 +369,7 @@ class Record:
             return iter(vars(self).items())
 
 
-def plain(part: Any) -> Any:
+def plain(part: object) -> Any:
     """JSON form of a record or rows.
 
     Raises:

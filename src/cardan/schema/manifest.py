@@ -10,7 +10,6 @@ from __future__ import annotations
 import json
 from collections.abc import Iterator, Mapping, Sequence
 from functools import lru_cache
-from typing import Any
 
 from ..errors import ModelError
 from ..version import ABI, MANIFEST, Format
@@ -267,7 +266,7 @@ def _functions(m: Manifest) -> Iterator[str]:
         yield f"{m.position_rows} rows tell of {closed.output_size} constraints of positions"
 
 
-def checked_manifest(plain: Any, where: str) -> Manifest:
+def checked_manifest(plain: object, where: str) -> Manifest:
     """The manifest of a model that came from outside.
 
     Args:

@@ -94,7 +94,7 @@ class Run(Generic[R]):
     def __len__(self) -> int:
         return self.count * len(self.pattern)
 
-    def _plain(self, row: Mapping[str, Any], k: int) -> dict[str, Any]:
+    def _plain(self, row: Mapping[str, object], k: int) -> dict[str, Any]:
         """A row as JSON would have it."""
         which = range(k, k + 1)
         entries = {key: self._entries(entry, which)[0] for key, entry in row.items()}
@@ -107,7 +107,7 @@ class Run(Generic[R]):
         entries = {key: self._entries(x, which)[0] for key, x in self._changing[one].items()}
         return self.record.trusted({**self._constant[one], **entries})
 
-    def _entries(self, entry: Any, which: range) -> list[Any]:
+    def _entries(self, entry: object, which: range) -> list[Any]:
         """An entry of one row of the pattern in some repetitions."""
         rule: Mapping[str, Any] = entry if isinstance(entry, dict) else {}
         if TEXT in rule:
@@ -184,7 +184,7 @@ def _fit(entry: Mapping[str, object]) -> None:
             raise Misfit(f"has a run of rows with the entry {entry!r:.60}")
 
 
-def _varies(entry: Any) -> bool:
+def _varies(entry: object) -> bool:
     return isinstance(entry, dict) and not entry.keys().isdisjoint((TEXT, INTEGER, VALUE))
 
 
@@ -270,7 +270,7 @@ def rows_of(record: type[R]) -> Kind:
     """Rows as a list, or as what repeats."""
     plain_rows = listed(record)
 
-    def read(value: Any, run: bool) -> Sequence[R]:
+    def read(value: object, run: bool) -> Sequence[R]:
         if not (isinstance(value, dict) and value.keys() == {"listed", "runs"}):
             return list(plain_rows.read(value, run))
         try:

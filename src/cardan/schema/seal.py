@@ -21,7 +21,7 @@ SEAL = re.compile(rb'"digest":\s*"([0-9a-f]{64})"')
 HEAD = 200
 
 
-def sealed(data: Mapping[str, Any], **options: Any) -> str:
+def sealed(data: Mapping[str, object], **options: object) -> str:
     """The JSON text of data with its hash as the first entry."""
     text = dumped({KEY: ZEROS.decode(), **data}, **options) + "\n"
     digest = hashlib.sha256(text.encode()).hexdigest()

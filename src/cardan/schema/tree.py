@@ -105,7 +105,7 @@ class Tree(Record):
     )
 
     @classmethod
-    def read(cls, plain: Any, run: bool = False) -> Self:
+    def read(cls, plain: object, run: bool = False) -> Self:
         """Same as :meth:`Record.read`; a saved run says all of it or nothing."""
         return super().read(plain, run and not plain)
 
@@ -115,7 +115,7 @@ class Tree(Record):
         return self.kinds == ()
 
 
-def _is_curve(value: Any) -> bool:
+def _is_curve(value: object) -> bool:
     """Breaks, coefficients (3, pieces, powers) and period."""
     if not isinstance(value, list) or len(value) != 3:
         return False

@@ -349,7 +349,7 @@ class Assembly:
             self.unchecked.append((name, (mass, *entries)))
         return mass, first, tensor
 
-    def new_frame(self, key: Any, name: str, body: int, part: int, placement: Placement) -> int:
+    def new_frame(self, key: object, name: str, body: int, part: int, placement: Placement) -> int:
         """A new frame of the system."""
         self.numbers[key] = len(self.frames)
         self.frames.append(Frame(name, body, part, placement.rotation, placement.position))

@@ -178,7 +178,7 @@ class Converter:
 
     def vector(
         self,
-        values: Sequence[Any],
+        values: Sequence[object],
         name: str,
         unit: str = "",
         ratio: bool = False,
@@ -265,7 +265,7 @@ class Converter:
 
     # rotations
 
-    def rotation(self, value: Any, name: str) -> Nodes:
+    def rotation(self, value: object, name: str) -> Nodes:
         """An orientation as written -> R (9), coordinates in its axes to coordinates outside.
 
         Raises:
@@ -293,7 +293,7 @@ class Converter:
             return self.vector(flat, name, ratio=True, labels=labels)
         return self.sequence("xyz", roll_pitch_yaw(rows), name)
 
-    def sequence(self, axes: str, angles: Sequence[Any], name: str) -> Nodes:
+    def sequence(self, axes: str, angles: Sequence[object], name: str) -> Nodes:
         """Three turns in SciPy's case rule: "XYZ" about body-fixed, "xyz" about fixed axes."""
         check_axes(axes, name)
         labels = ("roll", "pitch", "yaw") if axes == "xyz" else ("angle1", "angle2", "angle3")

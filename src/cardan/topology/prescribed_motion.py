@@ -195,7 +195,7 @@ def check_couplings(joints: Sequence[Joint]) -> None:
 
 
 def named_speeds(
-    model: SceneRecord, system: System, speeds: Mapping[str, Any]
+    model: SceneRecord, system: System, speeds: Mapping[str, object]
 ) -> tuple[Named, ...]:
     """Chosen speeds as expressions in the graph of the system.
 

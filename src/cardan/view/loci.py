@@ -3,20 +3,30 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Any
+from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..arrays import Array, Complex
 from .plot import CURVES, MARKS, done, empty
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 ROUNDED = 1e-10  # of the largest eigenvalue: real parts that are none
 ROUND = 0.1  # whirl beyond this goes round
 
 
 def plot_locus(
-    title: str, label: str, over: Array, values: Complex, marks: Sequence[float], path: Any
-) -> Any:
+    title: str,
+    label: str,
+    over: Array,
+    values: Complex,
+    marks: Sequence[float],
+    path: str | Path | None,
+) -> Figure:
     """Draw eigenvalues in the complex plane, and their parts over what changes.
 
     Args:
@@ -56,9 +66,15 @@ def plot_locus(
 
 
 def plot_campbell(
-    title: str, label: str, speed: Array, frequencies: Array, whirl: Array, unstable: Any,
-    critical: Mapping[int, Sequence[float]], path: Any,
-) -> Any:  # fmt: skip
+    title: str,
+    label: str,
+    speed: Array,
+    frequencies: Array,
+    whirl: Array,
+    unstable: NDArray[np.bool_],
+    critical: Mapping[int, Sequence[float]],
+    path: str | Path | None,
+) -> Figure:
     """Draw frequencies over a speed, with lines of its multiples.
 
     Args:
@@ -101,7 +117,9 @@ def plot_campbell(
     return done(figure, title, path)
 
 
-def plot_response(title: str, omega: Array, responses: Mapping[str, Complex], path: Any) -> Any:
+def plot_response(
+    title: str, omega: Array, responses: Mapping[str, Complex], path: str | Path | None
+) -> Figure:
     """Draw frequency responses: sizes and phases over the angular frequency.
 
     Args:

@@ -17,7 +17,7 @@ MOST_POINTS, MOST_NUMBERS = 60, 3_000_000
 THIN = 1 / 400
 
 
-def tubes(motion: TrajectoryRecord) -> list[dict[str, Any]]:
+def tubes(motion: TrajectoryRecord) -> list[dict[str, object]]:
     """Beams as tubes: name, radius, and the points of the line in every picture (nt, 3 n)."""
     rows = {row.name: row for row in motion.manifest.beams}
     if not rows:
@@ -36,7 +36,7 @@ def tubes(motion: TrajectoryRecord) -> list[dict[str, Any]]:
     return drawn
 
 
-def drawing(motion: TrajectoryRecord) -> dict[str, Any]:
+def drawing(motion: TrajectoryRecord) -> dict[str, object]:
     """Everything the page needs to know, as :func:`.scene.drawing` says it, and ``beams``."""
     manifest, lines = motion.manifest, tubes(motion)
     nodes = {end for row in manifest.beams for end in (row.start, row.end)}

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable
 from os import PathLike
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,6 +14,9 @@ from ..arguments import checked
 from ..atomic_file import folder, replaced
 from ..errors import ModelError, brief, listed, near
 from ..runtime.trajectory.trajectory import TrajectoryRecord
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 POINTS = 1500
 CURVES = 12  # a panel with more names them no longer
@@ -25,7 +28,7 @@ Panels = list[tuple[str, dict[str, Curve]]]
 @checked
 def plot(
     motion: TrajectoryRecord, path: str | Path | None = None, names: Iterable[str] | None = None
-) -> Any:
+) -> Figure:
     """Histories over time as a Matplotlib figure, written to ``path`` if given.
 
     Args:
@@ -44,7 +47,9 @@ def plot(
     return _figure(str(motion.manifest.name), "t [s]", motion.t, panels, path, stepwise)
 
 
-def plot_over(title: str, label: str, over: Curve, curves: dict[str, Curve], path: Any) -> Any:
+def plot_over(
+    title: str, label: str, over: Curve, curves: dict[str, Curve], path: str | Path | None
+) -> Figure:
     """Draw curves over a coordinate, one panel each.
 
     Args:
@@ -60,7 +65,7 @@ def plot_over(title: str, label: str, over: Curve, curves: dict[str, Curve], pat
     return _figure(title, label, over, panels, path)
 
 
-def checked_names(names: Any) -> list[str]:
+def checked_names(names: object) -> list[str]:
     """Names of histories to draw; one alone stands for itself.
 
     Raises:
@@ -72,7 +77,7 @@ def checked_names(names: Any) -> list[str]:
     return entries
 
 
-def plot_points(title: str, points: Curve, path: Any) -> Any:
+def plot_points(title: str, points: Curve, path: str | Path | None) -> Figure:
     """Draw places (n, 3) from three sides.
 
     Returns:
@@ -88,7 +93,9 @@ def plot_points(title: str, points: Curve, path: Any) -> Any:
     return done(figure, title, path)
 
 
-def plot_lines(title: str, label: str, other: str, lines: dict[str, Any], path: Any) -> Any:
+def plot_lines(
+    title: str, label: str, other: str, lines: dict[str, Any], path: str | Path | None
+) -> Any:
     """Draw lines through points on logarithmic axes.
 
     Args:
@@ -114,8 +121,13 @@ def plot_lines(title: str, label: str, other: str, lines: dict[str, Any], path: 
 
 
 def _figure(
-    title: str, label: str, over: Curve, panels: Panels, path: Any, stepwise: Collection[str] = ()
-) -> Any:
+    title: str,
+    label: str,
+    over: Curve,
+    panels: Panels,
+    path: str | Path | None,
+    stepwise: Collection[str] = (),
+) -> Figure:
     """Panels below each other, written to a file if there is one; what is held as stairs."""
     figure = empty((9, 2.4 * len(panels) + 0.6))
     axes = np.atleast_1d(figure.subplots(len(panels), 1, sharex=True))
@@ -131,7 +143,7 @@ def _figure(
     return done(figure, title, path)
 
 
-def empty(size: tuple[float, float]) -> Any:
+def empty(size: tuple[float, float]) -> Figure:
     """An empty figure.
 
     Raises:
@@ -144,7 +156,7 @@ def empty(size: tuple[float, float]) -> Any:
     return Figure(figsize=size, layout="constrained")
 
 
-def done(figure: Any, title: str, path: Any) -> Any:
+def done(figure: Figure, title: str, path: str | Path | None) -> Figure:
     """The figure with its headline, written to a file if there is one.
 
     Raises:

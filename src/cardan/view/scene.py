@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
 from ..arrays import Array
@@ -18,7 +16,7 @@ UNLINKED = ("free", "planar")  # joints that hold nothing together: no link lead
 SOLIDS = ("box", "cylinder", "sphere", "capsule")
 
 
-def drawing(motion: TrajectoryRecord) -> dict[str, Any]:
+def drawing(motion: TrajectoryRecord) -> dict[str, object]:
     """Everything the page needs to know about the bodies, ready for JSON.
 
     Returns:
@@ -84,7 +82,7 @@ def _com(motion: TrajectoryRecord, k: int) -> Array:
     return np.asarray(moment / mass if mass else np.zeros(3))
 
 
-def link(a: Array, b: Array, radius: float) -> dict[str, Any]:
+def link(a: Array, b: Array, radius: float) -> dict[str, object]:
     """A rod that gets thinner from the inboard joint on, with a ball at the joint."""
     ends = {"a": short(a), "b": short(b), "r": radius, "end": TAPER * radius}
     return {"kind": "link", **ends, "joint": True, "color": None}
@@ -92,7 +90,7 @@ def link(a: Array, b: Array, radius: float) -> dict[str, Any]:
 
 def _center(
     motion: TrajectoryRecord, k: int, links: list[tuple[Array, Array]], radius: float
-) -> list[dict[str, Any]]:
+) -> list[dict[str, object]]:
     """A ball where the mass is, on a thin rod if that is beside the links."""
     com = _com(motion, k)
     foot = min(
@@ -119,7 +117,7 @@ def short(x: Array) -> list[float]:
     return values
 
 
-def _shapes(motion: TrajectoryRecord, body: str) -> list[dict[str, Any]]:
+def _shapes(motion: TrajectoryRecord, body: str) -> list[dict[str, object]]:
     """The user's shapes on a body, in its axes; meshes are left to the links."""
     bodies = {row.name: row.body for row in motion.manifest.frames}
     solids = []
@@ -129,7 +127,7 @@ def _shapes(motion: TrajectoryRecord, body: str) -> list[dict[str, Any]]:
     return solids
 
 
-def solid(row: ShapeRow, place: Array) -> dict[str, Any]:
+def solid(row: ShapeRow, place: Array) -> dict[str, object]:
     """A shape of the user; ``place`` (4, 4) is that of its frame in the body."""
     local = np.eye(4)
     local[:3, 3] = row.position

@@ -56,18 +56,18 @@ def ensemble(
     t: float | ArrayLike | None = None,
     *,
     t_eval: ArrayLike | None = None,
-    vary: Plan | Mapping[str, Any] | None = None,
+    vary: Plan | Mapping[str, object] | None = None,
     x0: Any = None,
     q: Any = None,
     u: Any = None,
     z: Any = None,
-    parameters: Mapping[str, Any] | None = None,
-    inputs: Mapping[str, Any] | None = None,
+    parameters: Mapping[str, object] | None = None,
+    inputs: Mapping[str, object] | None = None,
     sample: float | None = None,
-    events: Mapping[str, Any] | None = None,
+    events: Mapping[str, object] | None = None,
     runs: Count | None = None,
     seed: Seed = 0,
-    reduce: str | Sequence[str] | Mapping[str, Any] | None = None,
+    reduce: str | Sequence[str] | Mapping[str, object] | None = None,
     method: str = "auto",
     rtol: float = 1e-6,
     atol: float | None = None,
@@ -148,7 +148,7 @@ def _executor(client: Any, threads: Any) -> Threads | Client:
     return Client(client) if client is not None else Threads(threads_of(threads))
 
 
-def _file(checkpoint: Any) -> Path | None:
+def _file(checkpoint: object) -> Path | None:
     """File in which finished runs are kept; None without one."""
     if checkpoint is None or isinstance(checkpoint, str | Path):
         return None if checkpoint is None else Path(checkpoint)
@@ -234,7 +234,7 @@ def whose(job: Job) -> dict[str, str]:
     }
 
 
-def _reduction_key(reduction: Any) -> str:
+def _reduction_key(reduction: object) -> str:
     """A reduction in words that are the same in every process."""
     function = getattr(reduction, "function", None)
     return repr(reduction) if function is None else f"{function.__module__}.{function.__qualname__}"

@@ -61,7 +61,7 @@ def variables(ensemble: EnsembleRecord) -> dict[str, Variable]:
     return variables
 
 
-def _safe(name: str, taken: Mapping[str, Any]) -> str:
+def _safe(name: str, taken: Mapping[str, object]) -> str:
     """A name that every reader takes, and no other variable has."""
     safe = OTHER.sub("_", name)
     safe = safe if safe[:1].isalpha() else f"_{safe}"

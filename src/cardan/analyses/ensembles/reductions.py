@@ -260,7 +260,7 @@ class Histogram(Reduction):
 
 
 def reductions(
-    requested: str | Sequence[str] | Mapping[str, Any] | None,
+    requested: str | Sequence[str] | Mapping[str, object] | None,
     histories: Sequence[str],
     listed: bool,
 ) -> dict[str, Reduction]:

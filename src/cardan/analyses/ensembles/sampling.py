@@ -34,7 +34,7 @@ class Distribution(Protocol):
     the frozen distributions of ``scipy.stats``, and those of this module.
     """
 
-    def ppf(self, q: Any) -> Any:
+    def ppf(self, q: object) -> Any:
         """Values below which fractions q of all values lie."""
 
 
@@ -45,7 +45,7 @@ class Uniform:
     low: float
     high: float
 
-    def ppf(self, q: Any) -> Any:
+    def ppf(self, q: object) -> Any:
         """Quantiles."""
         return self.low + (self.high - self.low) * np.asarray(q)
 
@@ -57,7 +57,7 @@ class Normal:
     mean: float
     deviation: float
 
-    def ppf(self, q: Any) -> Any:
+    def ppf(self, q: object) -> Any:
         """Quantiles."""
         from scipy.special import ndtri
 
@@ -71,7 +71,7 @@ class LogUniform:
     low: float
     high: float
 
-    def ppf(self, q: Any) -> Any:
+    def ppf(self, q: object) -> Any:
         """Quantiles."""
         return np.exp(Uniform(math.log(self.low), math.log(self.high)).ppf(q))
 
@@ -147,7 +147,7 @@ class Plan:
 
 
 @checked
-def grid(values: Mapping[str, Any] | None = None, **named: Any) -> Plan:
+def grid(values: Mapping[str, object] | None = None, **named: Any) -> Plan:
     """Every combination of values; the last name varies fastest.
 
     Args:
@@ -168,7 +168,7 @@ def grid(values: Mapping[str, Any] | None = None, **named: Any) -> Plan:
 
 
 @checked
-def random(runs: Count, values: Mapping[str, Any], *, seed: Seed = 0) -> Plan:
+def random(runs: Count, values: Mapping[str, object], *, seed: Seed = 0) -> Plan:
     """Independent values.
 
     Args:
@@ -186,7 +186,7 @@ def random(runs: Count, values: Mapping[str, Any], *, seed: Seed = 0) -> Plan:
 
 
 @checked
-def latin_hypercube(runs: Count, values: Mapping[str, Any], *, seed: Seed = 0) -> Plan:
+def latin_hypercube(runs: Count, values: Mapping[str, object], *, seed: Seed = 0) -> Plan:
     """Values that cover each range evenly: one in each of ``runs`` slices as likely as the others.
 
     Args and Raises: as of :func:`random`.
@@ -201,7 +201,7 @@ def latin_hypercube(runs: Count, values: Mapping[str, Any], *, seed: Seed = 0) -
 
 
 @checked
-def sobol(runs: Count, values: Mapping[str, Any], *, seed: Seed = 0) -> Plan:
+def sobol(runs: Count, values: Mapping[str, object], *, seed: Seed = 0) -> Plan:
     """A scrambled Sobol sequence: means over it converge faster than over random values.
 
     Args and Raises: as of :func:`random`; ``runs`` must be a power of 2, which keeps the balance
@@ -220,7 +220,7 @@ def sobol(runs: Count, values: Mapping[str, Any], *, seed: Seed = 0) -> Plan:
     return _filled("sobol", kinds, cube)
 
 
-def distribution(name: str, value: Any) -> Distribution:
+def distribution(name: str, value: object) -> Distribution:
     """``(low, high)`` or a distribution.
 
     Raises:
@@ -237,7 +237,7 @@ def distribution(name: str, value: Any) -> Distribution:
     )
 
 
-def checked_seed(seed: Any) -> int:
+def checked_seed(seed: object) -> int:
     """A seed.
 
     Raises:
@@ -248,13 +248,15 @@ def checked_seed(seed: Any) -> int:
     return int(seed)
 
 
-def _reals(where: str, first: Any, second: Any) -> tuple[float, float]:
+def _reals(where: str, first: object, second: object) -> tuple[float, float]:
     """The two numbers of a distribution."""
     array = numbers(f"{where}({brief(first)}, {brief(second)})", [first, second])
     return float(array[0]), float(array[1])
 
 
-def _merged_values(where: str, values: Mapping[str, Any] | None, named: Mapping[str, Any]) -> Any:
+def _merged_values(
+    where: str, values: Mapping[str, object] | None, named: Mapping[str, object]
+) -> Any:
     if values is not None and not isinstance(values, Mapping):
         raise ModelError(
             f"{where}: {brief(values)} does not say what is varied: give names with values, "
@@ -268,7 +270,7 @@ def _merged_values(where: str, values: Mapping[str, Any] | None, named: Mapping[
     return merged
 
 
-def _axis(name: str, value: Any) -> Array:
+def _axis(name: str, value: object) -> Array:
     """The values of one name in a grid."""
     array = _finite(name, numbers(f"grid: '{name}'", value))
     if isinstance(value, tuple) and array.shape == (3,):
@@ -290,7 +292,7 @@ def _finite(name: str, array: Array) -> Array:
     return array
 
 
-def _distributions(where: str, runs: int, values: Mapping[str, Any]) -> dict[str, Distribution]:
+def _distributions(where: str, runs: int, values: Mapping[str, object]) -> dict[str, Distribution]:
     if not isinstance(runs, int | np.integer) or not 1 <= runs <= MOST:
         raise ModelError(f"{where}: {brief(runs)} is not a number of runs: 1, 2, ...")
     return {n: distribution(n, v) for n, v in _merged_values(where, values, {}).items()}

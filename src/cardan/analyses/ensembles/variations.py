@@ -116,7 +116,7 @@ class Reader:
             self.runs = int(runs), "runs="
         self.covered: dict[tuple[str, int], str] = {}
 
-    def add(self, block: str, name: str, where: str, place: slice, value: Any) -> None:
+    def add(self, block: str, name: str, where: str, place: slice, value: object) -> None:
         """One name with its values."""
         for k in range(place.start, place.stop):
             other = self.covered.setdefault((block, k), where)
@@ -196,14 +196,14 @@ def _entry(model: LoadedModel, block: str, k: int) -> str:
 def varied(
     model: LoadedModel,
     *,
-    x0: Any,
-    q: Any,
-    u: Any,
-    z: Any,
-    parameters: Mapping[str, Any] | None,
-    inputs: Mapping[str, Any] | None,
+    x0: object,
+    q: object,
+    u: object,
+    z: object,
+    parameters: Mapping[str, object] | None,
+    inputs: Mapping[str, object] | None,
     sample_time: float | None,
-    vary: sampling.Plan | Mapping[str, Any] | None,
+    vary: sampling.Plan | Mapping[str, object] | None,
     runs: int | None,
     seed: int,
     over: tuple[float, float],
@@ -242,7 +242,7 @@ def varied(
     return variations, input_signals
 
 
-def _plan(vary: Any) -> Mapping[str, Any]:
+def _plan(vary: object) -> Mapping[str, Any]:
     """Name -> values or a distribution, out of ``vary``."""
     if isinstance(vary, sampling.Plan):
         return vary.values
@@ -255,7 +255,7 @@ def _plan(vary: Any) -> Mapping[str, Any]:
     return named("vary", vary, "'mass': values")
 
 
-def _state(reader: Reader, letter: str, value: Any, where: str) -> None:
+def _state(reader: Reader, letter: str, value: object, where: str) -> None:
     """Coordinates, speeds or internal states, by names or as a block."""
     if value is None:
         return
@@ -273,14 +273,14 @@ def _state(reader: Reader, letter: str, value: Any, where: str) -> None:
         reader.add(letter, name, here, places[name], entry)
 
 
-def _parameter(reader: Reader, name: str, where: str, value: Any) -> None:
+def _parameter(reader: Reader, name: str, where: str, value: object) -> None:
     parameters = reader.model._parameters
     # unknown and structural names are explained there
     k = list(parameters).index(name) if name in parameters else parameters.checked(name, 0.0).size
     reader.add("p", name, where, slice(k, k + 1), value)
 
 
-def _inputs(reader: Reader, inputs: Mapping[str, Any] | None) -> dict[str, Any]:
+def _inputs(reader: Reader, inputs: Mapping[str, object] | None) -> dict[str, Any]:
     """Inputs that all runs share; those with a value per run become columns."""
     shared = {}
     for name, value in named("inputs", inputs, "'force': values").items():
@@ -296,7 +296,7 @@ def _inputs(reader: Reader, inputs: Mapping[str, Any] | None) -> dict[str, Any]:
     return shared
 
 
-def _is_row(value: Any) -> bool:
+def _is_row(value: object) -> bool:
     """True when it is a list of numbers, one per run; (times, values) are two lists."""
     return isinstance(value, list | tuple) and bool(value) and all(map(np.isscalar, value))
 

@@ -48,7 +48,7 @@ class Data:
     tau: Array
     r: Array
 
-    def only(self, rows: Any) -> Data:
+    def only(self, rows: object) -> Data:
         """Some of the samples."""
         return replace(self, **{name: value[rows] for name, value in vars(self).items()})
 
@@ -104,7 +104,7 @@ def write(path: Path, table: Mapping[str, Array]) -> Path:
 
 def measured(
     model: LoadedModel,
-    data: Any,
+    data: object,
     *,
     cutoff: float | None = None,
     period: float | None = None,

@@ -25,6 +25,8 @@ from .data import is_plain, named_columns, write
 from .fourier import Limits, Series, feasible
 
 if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
     from ...runtime.models.loaded_model import LoadedModel
 
 CRITERIA = ("condition", "determinant")
@@ -231,7 +233,7 @@ def _limits(model: LoadedModel, position: Any, speed: Any, acceleration: Any) ->
     )
 
 
-def _most(model: LoadedModel, word: str, named: Any, usual: list[float]) -> Array:
+def _most(model: LoadedModel, word: str, named: object, usual: list[float]) -> Array:
     largest = np.array(usual, dtype=float)
     if isinstance(named, Mapping):
         for name, value in named.items():
@@ -308,7 +310,7 @@ class _Search:
             return start
         done = [0]
 
-        def report_progress(_: Any) -> None:
+        def report_progress(_: object) -> None:
             done[0] += 1
             show(min(1.0, done[0] / steps))
 
@@ -331,7 +333,7 @@ def _scaled(matrix: Array) -> Array:
 
 
 @checked
-def plot(excitation: ExcitationRecord, path: str | Path | None = None) -> Any:
+def plot(excitation: ExcitationRecord, path: str | Path | None = None) -> Figure:
     """Positions and speeds over a period as a Matplotlib figure, written to ``path``."""
     from ...view.plot import plot_over
 

@@ -135,7 +135,7 @@ def _acting(model: LoadedModel, rows: Rows) -> None:
         )
 
 
-def _noise(model: LoadedModel, noise: Any) -> Array | None:
+def _noise(model: LoadedModel, noise: object) -> Array | None:
     """Standard deviation of forces along every speed (nu,).
 
     Raises:

@@ -16,6 +16,8 @@ from .base_parameters import Base
 from .nearest_parameters import nearest
 
 if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
     from ...runtime.models.loaded_model import LoadedModel
 
 # standard deviations below this part of the estimate: it is known well
@@ -181,7 +183,7 @@ def _consistent(phi: dict[str, Any], body: str) -> bool:
 
 
 @checked
-def plot(identification: IdentificationRecord, path: str | Path | None = None) -> Any:
+def plot(identification: IdentificationRecord, path: str | Path | None = None) -> Figure:
     """Measured and estimated histories as a Matplotlib figure, written to ``path`` if given."""
     from ...view.plot import plot_over
 

@@ -19,6 +19,8 @@ from .base_parameters import circuits
 from .data import Data, columns, measured, named_columns, write
 
 if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
     from ...runtime.models.loaded_model import LoadedModel
 
 UNITS = {"rad/s": "N m", "m/s": "N"}
@@ -210,7 +212,7 @@ def _motion(
     return measured(model, motion, ends=True, **smooth)
 
 
-def _values(samples: Any, t: Array, coordinate: bool) -> Any:
+def _values(samples: object, t: Array, coordinate: bool) -> Any:
     """Samples of a coordinate that may be a spline or table."""
     if coordinate and callable(samples):
         return np.asarray(samples(t), dtype=float)
@@ -236,7 +238,7 @@ def torques_of_run(
 
 
 @checked
-def plot(torques: TorquesRecord, path: str | Path | None = None) -> Any:
+def plot(torques: TorquesRecord, path: str | Path | None = None) -> Figure:
     """Forces and powers as a Matplotlib figure, written to ``path`` if given."""
     from ...view.plot import plot_over
 

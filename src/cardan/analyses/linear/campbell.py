@@ -139,14 +139,14 @@ class CampbellRecord:
 @checked
 def campbell(
     model: Any,
-    swept: Mapping[str, Any] | None = None,
+    swept: Mapping[str, object] | None = None,
     *,
     count: Count | None = None,
     corotating: bool | None = None,
     q: Mapping[str, ArrayLike] | ArrayLike | None = None,
-    u: Mapping[str, Any] | None = None,
+    u: Mapping[str, object] | None = None,
     locked: LockedValues | None = None,
-    targets: Mapping[str, Any] | None = None,
+    targets: Mapping[str, object] | None = None,
     free: Iterable[str] | None = None,
     inputs: Mapping[str, float] | None = None,
     parameters: Mapping[str, float] | None = None,

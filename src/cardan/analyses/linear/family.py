@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,6 +26,9 @@ from .linearize import linearize
 from .spectrum import Spectrum, spectrum
 from .trim import trim
 from .trim_arguments import by_entry
+
+if TYPE_CHECKING:
+    from ...runtime.models.loaded_model import LoadedModel
 
 Complex = NDArray[np.complex128]
 COUNT = 31  # members of a range
@@ -78,7 +81,7 @@ class Family:
         coordinates: Whose motions count; all if None.
     """
 
-    model: Any
+    model: LoadedModel
     columns: Mapping[str, Array]
     kinds: Mapping[str, str]
     fixed: Mapping[str, Any]
@@ -168,7 +171,7 @@ class Family:
 
 
 def family(
-    model: Any,
+    model: LoadedModel,
     swept: Mapping[str, Any],
     fixed: Mapping[str, Any],
     count: int | None = None,
@@ -226,7 +229,7 @@ def family(
     return Family(model, columns_of_values, kinds, stays, chosen)
 
 
-def _single(model: Any, name: str) -> bool:
+def _single(model: LoadedModel, name: str) -> bool:
     """True when a name has one value, so that several are a sweep."""
     single = {*model.coordinates, *model.speeds}
     single |= {row.name for row in model.manifest.outputs}
@@ -234,7 +237,7 @@ def _single(model: Any, name: str) -> bool:
     return name in single
 
 
-def _kind(model: Any, name: str) -> str:
+def _kind(model: LoadedModel, name: str) -> str:
     """Block to which a varied quantity belongs."""
     if name in model.parameters:
         return "parameters"

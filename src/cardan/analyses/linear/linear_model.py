@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -18,6 +18,9 @@ from ...errors import ArgumentError, ModelError, counted, listed, near
 from .first_order import Choice
 from .second_order import SecondOrder, reduced
 from .spectrum import Spectrum, spectrum
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 RESTS = 1e-9  # accelerations below this are none
 MAX_PRINTED = 10
@@ -337,7 +340,7 @@ def plot(
     omega: ArrayLike | None = None,
     inputs: Iterable[str] | None = None,
     outputs: Iterable[str] | None = None,
-) -> Any:
+) -> Figure:
     """Sizes and phases of the frequency response (Bode) as a Matplotlib figure.
 
     Args:

@@ -9,7 +9,7 @@ Source: R. E. Roberson, R. Schwertassek, Dynamics of Multibody Systems (1988), c
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -26,10 +26,13 @@ from .first_order import Choice, FirstOrder, first_order, unit_force_acceleratio
 from .linear_model import LinearModelRecord
 from .steady_motion import SteadyMotionRecord
 
+if TYPE_CHECKING:
+    from ...runtime.models.loaded_model import LoadedModel
+
 
 @checked
 def linearize(
-    model: Any,
+    model: LoadedModel,
     x: ArrayLike | Equilibrium | None = None,
     *,
     q: State | None = None,
@@ -106,14 +109,23 @@ class Stance(NamedTuple):
         choice: Independent increments and speeds in which it is steady, None for any.
     """
 
-    model: Any
+    model: LoadedModel
     at: Moment
     locked: list[int]
     tau: Array
     choice: Choice | None
 
 
-def stance(model: Any, x: Any, q: Any, u: Any, z: Any, r: Any, t: float, parameters: Any) -> Stance:
+def stance(
+    model: LoadedModel,
+    x: object,
+    q: object,
+    u: object,
+    z: object,
+    r: object,
+    t: float,
+    parameters: Any,
+) -> Stance:
     """The state that is meant, what is held there by which forces, and the model.
 
     An equilibrium has its multipliers already.

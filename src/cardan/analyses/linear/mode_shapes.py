@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -17,6 +17,11 @@ from ...runtime.trajectory.trajectory import TrajectoryRecord
 from ..statics.static_path import MAX_PRINTED
 from ..systems import dynamic_system_of
 from ..systems.dynamic_system import Moment
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from ...runtime.models.loaded_model import LoadedModel
 
 FULL = 0.25  # of a shape that is played: of the size of the mechanism, or radians
 ROUNDED = 1e-13  # damping ratios below this are none
@@ -41,7 +46,7 @@ class ModesRecord:
         size: Of the mechanism [m].
     """
 
-    model: Any
+    model: LoadedModel
     at: Moment
     values: Complex
     shapes: Any
@@ -139,7 +144,7 @@ class ModesRecord:
 
 
 @checked
-def plot(modes: ModesRecord, path: str | Path | None = None, count: Count = 6) -> Any:
+def plot(modes: ModesRecord, path: str | Path | None = None, count: Count = 6) -> Figure:
     """Shapes of the first modes over the numbers of their entries as a Matplotlib figure.
 
     Raises:

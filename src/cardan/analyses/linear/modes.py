@@ -11,7 +11,7 @@ K. Meerbergen, SIAM Review 43 (2001), 235-286 (quadratic eigenproblem).
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import scipy.linalg
@@ -41,6 +41,9 @@ from .first_order import FULL, Choice, first_order
 from .linearize import stance
 from .mode_shapes import ModesRecord
 
+if TYPE_CHECKING:
+    from ...runtime.models.loaded_model import LoadedModel
+
 Complex = NDArray[np.complex128]
 RESTS = 1e-6  # accelerations below this are none [rad/s^2, or sizes/s^2]
 ALIKE = 1e-8  # of the largest entry: parts of matrices that are rounding
@@ -52,7 +55,7 @@ SHIFT = 1e-3  # rad/s next to 0
 
 @checked
 def modes(
-    model: Any,
+    model: LoadedModel,
     count: Count | None = None,
     x: ArrayLike | Equilibrium | None = None,
     *,
@@ -91,7 +94,7 @@ def modes(
     )
 
 
-def _momentum(model: Any, at: Moment) -> Array:
+def _momentum(model: LoadedModel, at: Moment) -> Array:
     """Momentum by speeds (6, nu); (0, nu) of equations without bodies."""
     if "momentum" in model.manifest.absent:
         return np.zeros((0, len(at.u)))

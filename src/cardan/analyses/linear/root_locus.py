@@ -15,7 +15,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -25,6 +25,11 @@ from ...arrays import Array, Booleans, Complex, Integers
 from ...errors import SolveError, SolveWarning, warn
 from .family import Family, Member, family
 from .stability_change import Interval, StabilityChange, follow
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from ...runtime.models.loaded_model import LoadedModel
 
 DOUBT = 0.4  # costs of an eigenvalue to be another one above which members between are looked at
 DEEPEST = 6  # halvings of a step
@@ -95,15 +100,15 @@ class LocusRecord:
 
 @checked
 def root_locus(
-    model: Any,
-    swept: Mapping[str, Any] | None = None,
+    model: LoadedModel,
+    swept: Mapping[str, object] | None = None,
     *,
     count: Count | None = None,
     coordinates: Iterable[str] | None = None,
     q: Mapping[str, ArrayLike] | ArrayLike | None = None,
-    u: Mapping[str, Any] | None = None,
+    u: Mapping[str, object] | None = None,
     locked: LockedValues | None = None,
-    targets: Mapping[str, Any] | None = None,
+    targets: Mapping[str, object] | None = None,
     free: Iterable[str] | None = None,
     inputs: Mapping[str, float] | None = None,
     parameters: Mapping[str, float] | None = None,
@@ -188,7 +193,7 @@ def _number(value: complex) -> str:
 
 
 @checked
-def plot(locus: LocusRecord, path: str | Path | None = None) -> Any:
+def plot(locus: LocusRecord, path: str | Path | None = None) -> Figure:
     """Loci in the complex plane, and real and imaginary parts over the first that changes.
 
     Args:

@@ -15,7 +15,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import Any, final
+from typing import TYPE_CHECKING, final
 
 import numpy as np
 
@@ -25,6 +25,9 @@ from ...errors import ModelError, listed, near
 from ..statics.equilibrium import Equilibrium, equilibrium
 from .family import Family, Member
 from .steady_motion import SteadyMotionRecord
+
+if TYPE_CHECKING:
+    from ...runtime.models.loaded_model import LoadedModel
 
 STEP = 0.02  # of a parameter, the longest; of 1 where it is 0
 LEVELS = 3
@@ -74,7 +77,7 @@ class Sensitivity:
 
 @checked
 def sensitivity(
-    model: Any,
+    model: LoadedModel,
     parameters: Iterable[str] | str,
     about: Equilibrium | SteadyMotionRecord | None = None,
 ) -> Sensitivity:
@@ -109,7 +112,7 @@ def sensitivity(
     return Sensitivity(model.name, nominal, base.values, values, np.abs(values - rough))
 
 
-def _neighbors(state: Any, names: list[str]) -> Family:
+def _neighbors(state: object, names: list[str]) -> Family:
     """The motions beside one, as parameters change."""
     kinds = dict.fromkeys(names, "parameters")
     if isinstance(state, SteadyMotionRecord):

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from ...arrays import Array
 from ..systems.dynamic_system import Moment, NamedState
 from .first_order import Choice
+
+if TYPE_CHECKING:
+    from ...runtime.models.loaded_model import LoadedModel
 
 MAX_PRINTED = 24
 ROUNDED = 1e-12  # values below this are printed as none
@@ -36,7 +39,7 @@ class SteadyMotionRecord(NamedState):
         at, tau, choice: For analyses that go on from here.
     """
 
-    model: Any
+    model: LoadedModel
     x: Array
     free: Mapping[str, float]
     targets: Mapping[str, float]

@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Iterable, Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -29,6 +29,9 @@ from .steady_motion import SteadyMotionRecord
 from .trim_arguments import trimming
 from .trim_problem import Guess, Trimming
 
+if TYPE_CHECKING:
+    from ...runtime.models.loaded_model import LoadedModel
+
 TIGHT = 1e-11  # steps without units that end the search
 MET = 1e-9  # of what a unit step changes: conditions that hold
 NEWTON, HALVINGS = 60, 14
@@ -40,7 +43,7 @@ AGAIN = 4  # speeds that are set to 0 one after the other
 
 @checked
 def trim(
-    model: Any,
+    model: LoadedModel,
     targets: Mapping[str, float] | None = None,
     *,
     free: Iterable[str] = (),
@@ -94,7 +97,7 @@ def trim(
     return steady
 
 
-def _from(problem: Trimming, q: Any) -> tuple[Trimming, Guess, int, bool, str]:
+def _from(problem: Trimming, q: object) -> tuple[Trimming, Guess, int, bool, str]:
     """The search from a position: the problem it ended with, where, after how many steps, whether
     conditions hold, and the speed with which accelerations change; "" if none do."""
     for _ in range(AGAIN):
@@ -108,7 +111,7 @@ def _from(problem: Trimming, q: Any) -> tuple[Trimming, Guess, int, bool, str]:
     return problem, guess, spent, met, moving
 
 
-def _equilibrium_position(model: Any, problem: Trimming, q: Any) -> Array | None:
+def _equilibrium_position(model: LoadedModel, problem: Trimming, q: Any) -> Array | None:
     """The position in which forces hold wanted coordinates; None where there is none."""
     places = problem.system.speeds
     locked = {name: value for name, value in problem.targets.items() if f"{name}.u" in places}

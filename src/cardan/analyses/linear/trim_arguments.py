@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -12,11 +12,19 @@ from ..mechanisms.consistent_rates import read
 from ..systems.joint_system import JointSystem
 from .trim_problem import FORCE, Trimming
 
+if TYPE_CHECKING:
+    from ...runtime.models.loaded_model import LoadedModel
+
 
 def trimming(
-    system: JointSystem, targets: Any, free: Iterable[str], u: Any, inputs: Any, parameters: Any,
+    system: JointSystem,
+    targets: object,
+    free: Iterable[str],
+    u: object,
+    inputs: object,
+    parameters: object,
     t: float,
-) -> Trimming:  # fmt: skip
+) -> Trimming:
     """The trim that a user described, checked.
 
     Raises:
@@ -43,7 +51,7 @@ def trimming(
     return Trimming(system, aims, kinds, start, base, system.input_vector(inputs), float(t))
 
 
-def by_entry(model: Any, speeds: Mapping[str, Any]) -> dict[str, float]:
+def by_entry(model: LoadedModel, speeds: Mapping[str, Any]) -> dict[str, float]:
     """Speeds by their own names, of joints and speeds with values.
 
     Raises:

@@ -76,7 +76,7 @@ class Trimming:
         p = guess.at.parameters
         return self.system.model.with_parameters(dict(p)) if p else self.system.model
 
-    def begin(self, q: Any) -> Guess:
+    def begin(self, q: object) -> Guess:
         """The start, assembled, with the speeds that were given."""
         at = self.system.start(self.t, q, self.r, {}, dict(self.base) or None)
         start = dict(self.fixed_speeds)
@@ -93,10 +93,10 @@ class Trimming:
             u = speeds(m, at.q, dict(self.fixed_speeds), np.zeros(len(self.system.speeds)))
         return self._accelerated(replace(at, u=u), np.zeros(len(u)))
 
-    def _prescribes(self, start: Mapping[str, Any], name: str) -> bool:
+    def _prescribes(self, start: Mapping[str, object], name: str) -> bool:
         return self.system.speeds.index(name) in self._places(start)
 
-    def _places(self, start: Mapping[str, Any]) -> list[int]:
+    def _places(self, start: Mapping[str, object]) -> list[int]:
         return [int(k) for k in read("u", self.system.model, start)[0]]
 
     def _mechanism(self, at: Moment) -> Mechanism:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -33,13 +32,13 @@ STARTS = 16
 @checked
 def assemble(
     model: LoadedModel,
-    targets: Mapping[str, Any] | None = None,
+    targets: Mapping[str, object] | None = None,
     *,
-    u: Mapping[str, Any] | None = None,
-    udot: Mapping[str, Any] | None = None,
+    u: Mapping[str, object] | None = None,
+    udot: Mapping[str, object] | None = None,
     weights: Mapping[str, float] | None = None,
     locked: Iterable[str] | None = None,
-    branch: Mapping[str, Any] | None = None,
+    branch: Mapping[str, object] | None = None,
     start: Mapping[str, ArrayLike] | ArrayLike | None = None,
     starts: Count = STARTS,
     seed: Seed = 0,
@@ -97,7 +96,7 @@ def assemble(
     return finish(m, goals, chosen, u or {}, udot or {}, solutions, len(candidates))
 
 
-def _begin(model: LoadedModel, start: Any) -> Array:
+def _begin(model: LoadedModel, start: object) -> Array:
     """Coordinates to start from."""
     named = start if isinstance(start, Mapping) else {}
     if start is not None and not isinstance(start, Mapping):
@@ -126,8 +125,8 @@ def finish(
     m: Mechanism,
     targets: Sequence[Target],
     chosen: Solution,
-    u: Mapping[str, Any],
-    udot: Mapping[str, Any],
+    u: Mapping[str, object],
+    udot: Mapping[str, object],
     solutions: int | None,
     starts: int,
 ) -> Assembly:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,7 +16,7 @@ from .mechanism import Mechanism
 CONSISTENT = 1e-9  # of the largest of the given values
 
 
-def speeds(m: Mechanism, q: Array, named: Mapping[str, Any], default: Array) -> Array:
+def speeds(m: Mechanism, q: Array, named: Mapping[str, object], default: Array) -> Array:
     """Speeds (nu,) with G u + g_t = 0, the given ones held, the others next to wanted ones.
 
     Args:
@@ -40,7 +39,7 @@ def speeds(m: Mechanism, q: Array, named: Mapping[str, Any], default: Array) -> 
     return m.speeds_at(q, steps)
 
 
-def accelerations(m: Mechanism, q: Array, u: Array, named: Mapping[str, Any]) -> Array:
+def accelerations(m: Mechanism, q: Array, u: Array, named: Mapping[str, object]) -> Array:
     """Accelerations (nu,) with G udot = gamma, the given ones held, the others as forces have it.
 
     Args:
@@ -62,7 +61,9 @@ def accelerations(m: Mechanism, q: Array, u: Array, named: Mapping[str, Any]) ->
     return m.columns * _meet(m, q, G, udot / m.columns, chosen, gamma, list(named), "udot")
 
 
-def read(what: str, model: LoadedModel, named: Mapping[str, Any]) -> tuple[NDArray[np.intp], Array]:
+def read(
+    what: str, model: LoadedModel, named: Mapping[str, object]
+) -> tuple[NDArray[np.intp], Array]:
     """Places of the named speeds, and their values.
 
     Args:

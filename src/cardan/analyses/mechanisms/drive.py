@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from functools import cached_property
-from typing import Any
 
 import numpy as np
 
@@ -31,7 +30,7 @@ class Stuck(Exception):
 class Drive:
     """Coordinates or inputs that move a mechanism, and what is held beside them."""
 
-    def __init__(self, m: Mechanism, names: Sequence[str], locked: Mapping[str, Any]) -> None:
+    def __init__(self, m: Mechanism, names: Sequence[str], locked: Mapping[str, object]) -> None:
         """Args:
         m: The mechanism.
         names: Coordinates, or inputs that prescribe a motion.

@@ -48,7 +48,7 @@ class Mechanism:
     closure_tol: float = 0.0
     searches: int = 16
 
-    def __init__(self, model: LoadedModel, t: float = 0.0, r: Any = None) -> None:
+    def __init__(self, model: LoadedModel, t: float = 0.0, r: object = None) -> None:
         """Args:
         model: Compiled.
         t: Time, where something is prescribed [s].

@@ -58,7 +58,7 @@ class NodalMechanism(Mechanism):
         self,
         model: LoadedModel,
         t: float = 0.0,
-        r: Any = None,
+        r: object = None,
         fixed: Collection[str] = (),
         q: Array | None = None,
     ) -> None:

@@ -179,7 +179,7 @@ def bound(model: LoadedModel) -> bool:
     return bool(model.manifest.cuts) or bool(rows and "constraint_jacobian" in available)
 
 
-def position(model: LoadedModel, q: Any) -> Array:
+def position(model: LoadedModel, q: object) -> Array:
     """Coordinates (nq,) from an array, from names, or where the model starts."""
     if q is not None and not isinstance(q, Mapping):
         coordinates: Array = model._vector("q", q)

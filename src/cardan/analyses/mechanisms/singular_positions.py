@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any, final
+from typing import final
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -100,7 +100,7 @@ def singular_positions(
     driver: str | None = None,
     locked: LockedValues | None = None,
     start: Mapping[str, ArrayLike] | ArrayLike | None = None,
-    branch: Mapping[str, Any] | None = None,
+    branch: Mapping[str, object] | None = None,
     step: float = STEP,
     t: float = 0.0,
     r: State | None = None,
@@ -140,7 +140,7 @@ def singular_positions(
     return path.follow(begin.q, low, high, step)
 
 
-def _range(over: Any) -> tuple[float, float]:
+def _range(over: object) -> tuple[float, float]:
     ends = np.asarray(over, dtype=np.float64)
     if ends.shape != (2,) or not np.isfinite(ends).all() or ends[0] == ends[1]:
         raise ArgumentError(f"the range is {over!r}; give (first, last), two finite numbers")
@@ -153,7 +153,7 @@ class Path:
     def __init__(
         self,
         m: Mechanism,
-        locked_targets: Mapping[str, Any],
+        locked_targets: Mapping[str, object],
         coordinate: str,
         driver: str,
         sign: float,

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -24,6 +24,9 @@ from .consistent_rates import accelerations, speeds
 from .drive import Drive, Stuck
 from .mechanism import Mechanism, refuse_nodes
 from .targets import locked_values
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 FASTEST = 1e100  # of a driver: its square is a number too
 
@@ -115,7 +118,7 @@ def sweep(
     acceleration: float = 0.0,
     locked: LockedValues | None = None,
     start: Mapping[str, ArrayLike] | ArrayLike | None = None,
-    branch: Mapping[str, Any] | None = None,
+    branch: Mapping[str, object] | None = None,
     t: float = 0.0,
     r: State | None = None,
     check: bool = False,
@@ -236,7 +239,7 @@ def _slopes(table: Array) -> Array:
 @checked
 def plot(
     sweep: SweepRecord, path: str | Path | None = None, names: Sequence[str] | None = None
-) -> Any:
+) -> Figure:
     """Histories over the driver as a Matplotlib figure, written to ``path`` if given.
 
     Raises:

@@ -108,7 +108,7 @@ class Coordinates(Target):
 
 def read(
     m: Mechanism,
-    named: Mapping[str, Any],
+    named: Mapping[str, object],
     weights: Mapping[str, float] | None = None,
     locked: Iterable[str] | None = None,
 ) -> list[Target]:
@@ -157,7 +157,7 @@ def _check_rotations(m: Mechanism, targets: Sequence[Target]) -> None:
     check_units(manifest, q, "targets: ")
 
 
-def _weights(weights: Any) -> dict[str, float]:
+def _weights(weights: object) -> dict[str, float]:
     """Target -> weight, checked but for the names."""
     if not isinstance(weights, Mapping | None):
         raise ModelError(
@@ -170,7 +170,7 @@ def _weights(weights: Any) -> dict[str, float]:
     return {name: float(weight) for name, weight in (weights or {}).items()}
 
 
-def locked_values(m: Mechanism, locked: Any) -> dict[str, Any]:
+def locked_values(m: Mechanism, locked: object) -> dict[str, Any]:
     """Coordinates and frames that keep a value beside what is driven.
 
     Raises:
@@ -187,7 +187,7 @@ def locked_values(m: Mechanism, locked: Any) -> dict[str, Any]:
     )
 
 
-def _target(m: Mechanism, name: str, value: Any) -> Target:
+def _target(m: Mechanism, name: str, value: object) -> Target:
     where, manifest = f"targets: '{name}'", m.model.manifest
     array = np.asarray(value)
     if array.dtype.kind not in "fiub":

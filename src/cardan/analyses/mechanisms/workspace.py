@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -21,6 +21,9 @@ from .mechanism import Mechanism, refuse_nodes
 from .position_solver import PositionSolver
 from .searches import drawn
 from .targets import read
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 SAMPLES = 1000
 AGAIN = 3
@@ -70,7 +73,7 @@ def workspace(
     over: Mapping[str, tuple[float, float]] | None = None,
     samples: Count = SAMPLES,
     start: Mapping[str, ArrayLike] | ArrayLike | None = None,
-    branch: Mapping[str, Any] | None = None,
+    branch: Mapping[str, object] | None = None,
     seed: Seed = 0,
     t: float = 0.0,
     r: State | None = None,
@@ -122,7 +125,7 @@ def workspace(
     return WorkspaceRecord(model.name, frame, points, q, samples)
 
 
-def _range(model: LoadedModel, name: str, ends: Any) -> tuple[float, float]:
+def _range(model: LoadedModel, name: str, ends: object) -> tuple[float, float]:
     if name not in model.coordinates:
         raise ModelError(f"over: there is no coordinate '{name}'.{near(name, model.coordinates)}")
     interval = np.asarray(ends, dtype=np.float64)
@@ -138,7 +141,7 @@ def _nearest(positions: list[Array], places: list[int], values: Mapping[str, flo
 
 
 @checked
-def plot(workspace: WorkspaceRecord, path: str | Path | None = None) -> Any:
+def plot(workspace: WorkspaceRecord, path: str | Path | None = None) -> Figure:
     """The places from three sides as a Matplotlib figure, written to ``path`` if given.
 
     Raises:

@@ -155,7 +155,7 @@ def check_start(model: LoadedModel, x: Array, t: float, r: Array) -> None:
 NOTHING = EventTable((), (), 0, (), ())
 
 
-def event_table_of(model: LoadedModel, events: Mapping[str, Any] | None) -> EventTable:
+def event_table_of(model: LoadedModel, events: Mapping[str, object] | None) -> EventTable:
     """Table of the events of a run of a model.
 
     Args:
@@ -197,7 +197,7 @@ def _row(model: LoadedModel, stated: EventRow) -> dict[str, Any]:
     return row
 
 
-def _watch(model: LoadedModel, name: str, spec: Any) -> Watch:
+def _watch(model: LoadedModel, name: str, spec: object) -> Watch:
     """One entry of ``events=``."""
     what: Any = spec
     options: tuple[Any, ...] = ()
@@ -218,13 +218,13 @@ def _watch(model: LoadedModel, name: str, spec: Any) -> Watch:
     return Watch(name, _value(model, name, what), kind, direction)
 
 
-def _is_crossing(spec: Sequence[Any]) -> bool:
+def _is_crossing(spec: Sequence[object]) -> bool:
     return (
         len(spec) == 2 and isinstance(spec[0], str) and isinstance(spec[1], int | float | np.number)
     )
 
 
-def _value(model: LoadedModel, name: str, what: Any) -> Value:
+def _value(model: LoadedModel, name: str, what: object) -> Value:
     """f(t, x) of a function, or of a coordinate and the value it passes."""
     if callable(what):
         return checked(f"events: the function of '{name}'", what)

@@ -74,7 +74,7 @@ def residual(
     return np.concatenate([np.broadcast_to(p, (*lead, p.shape[-1])) for p in parts], axis=-1)
 
 
-def _row(model: LoadedModel, name: str, values: Any) -> Array:
+def _row(model: LoadedModel, name: str, values: object) -> Array:
     """A vector (..., nq) or (..., nu), by names too where it is tau."""
     count = model.nq if name == "qdot" else model.nu
     array = numbers(name, values) if name == "qdot" else model._vector(name, values)

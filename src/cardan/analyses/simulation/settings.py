@@ -131,7 +131,7 @@ def watched(
     return replace(how, max_step=length / PARTS, description=description)
 
 
-def matching_atol(rtol: Any) -> float:
+def matching_atol(rtol: object) -> float:
     """The absolute tolerance that goes with a relative one where none is given."""
     if not isinstance(rtol, int | float | np.number) or not rtol > 0:
         return LARGEST_ATOL
@@ -199,7 +199,7 @@ class Start:
         return dict(zip(names, self.x.tolist(), strict=True))
 
 
-def start(model: LoadedModel, x0: Any, q: Any, u: Any, z: Any = None) -> Start:
+def start(model: LoadedModel, x0: object, q: object, u: object, z: object = None) -> Start:
     """The initial state from ``x0`` or from ``q``, ``u`` and ``z``, each by names or as an array.
 
     Raises:
@@ -240,18 +240,18 @@ def _within_limits(model: LoadedModel, x: Array, named: Values) -> None:
                 warn(f"joint '{joint.name}': q: {problem}", ModelWarning)
 
 
-def blocks(x0: Any, q: Any, u: Any) -> tuple[Any, Any]:
+def blocks(x0: object, q: object, u: object) -> tuple[Any, Any]:
     """Arguments for q and for u: names, a whole block, or None."""
     return (x0, x0) if x0 is not None else (q, u)
 
 
-def _by_entry(letter: str, value: Any, entries: tuple[str, ...]) -> Values:
+def _by_entry(letter: str, value: object, entries: tuple[str, ...]) -> Values:
     if value is None or isinstance(value, Mapping):
         return value or {}
     return dict(zip(entries, _array(letter, value, entries).tolist(), strict=True))
 
 
-def _array(name: str, value: Any, entries: tuple[str, ...]) -> Array:
+def _array(name: str, value: object, entries: tuple[str, ...]) -> Array:
     array = numbers(name, value)
     if array.shape != (len(entries),):
         raise ArgumentError(

@@ -95,7 +95,7 @@ class Signals:
 
 def signals(
     rows: Sequence[Entry],
-    values: Mapping[str, Any] | None,
+    values: Mapping[str, object] | None,
     sample: float | None,
     span: tuple[float, float],
 ) -> Signals:
@@ -188,7 +188,7 @@ def _number(name: str, value: Any) -> float:
 
 
 def _table(
-    name: str, k: int, value: Sequence[Any], moves: bool, span: tuple[float, float]
+    name: str, k: int, value: Sequence[object], moves: bool, span: tuple[float, float]
 ) -> list[PiecewiseInput]:
     """Pieces through values at times: straight lines, or a smooth curve for a motion."""
     if len(value) != 2:

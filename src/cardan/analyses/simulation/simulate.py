@@ -6,7 +6,6 @@ import time
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
 
 from numpy.typing import ArrayLike
 
@@ -50,13 +49,13 @@ def simulate(
     q: Values | ArrayLike | None = None,
     u: Values | ArrayLike | None = None,
     z: Values | ArrayLike | None = None,
-    events: Mapping[str, Any] | None = None,
+    events: Mapping[str, object] | None = None,
     method: str | GeneralizedAlpha | Alpha = "auto",
     rtol: float = 1e-6,
     atol: float | None = None,
     step: float | None = None,
     max_step: float | None = None,
-    inputs: Mapping[str, Any] | None = None,
+    inputs: Mapping[str, object] | None = None,
     sample: float | None = None,
     checkpoint: str | Path | None = None,
     every: float = 10.0,

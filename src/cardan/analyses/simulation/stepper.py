@@ -6,7 +6,7 @@ import math
 from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
-from typing import Any, final
+from typing import final
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -194,13 +194,13 @@ def stepper(
     q: Values | ArrayLike | None = None,
     u: Values | ArrayLike | None = None,
     z: Values | ArrayLike | None = None,
-    events: Mapping[str, Any] | None = None,
+    events: Mapping[str, object] | None = None,
     method: str | GeneralizedAlpha | Alpha = "auto",
     rtol: float = 1e-6,
     atol: float | None = None,
     step: float | None = None,
     max_step: float | None = None,
-    inputs: Mapping[str, Any] | None = None,
+    inputs: Mapping[str, object] | None = None,
 ) -> Stepper:
     """A stepper at a start.
 
@@ -236,7 +236,7 @@ def stepper(
 
 @checked
 def resume(
-    model: LoadedModel, path: str | Path, *, events: Mapping[str, Any] | None = None
+    model: LoadedModel, path: str | Path, *, events: Mapping[str, object] | None = None
 ) -> Stepper:
     """The stepper of a checkpoint that :meth:`Stepper.save` wrote; it goes on bit for bit.
 
@@ -262,13 +262,13 @@ def step(
     dt: float,
     *,
     t: float = 0.0,
-    events: Mapping[str, Any] | None = None,
+    events: Mapping[str, object] | None = None,
     method: str | GeneralizedAlpha | Alpha = "auto",
     rtol: float = 1e-6,
     atol: float | None = None,
     step: float | None = None,
     max_step: float | None = None,
-    inputs: Mapping[str, Any] | None = None,
+    inputs: Mapping[str, object] | None = None,
 ) -> Array:
     """The states that a time dt leads to.
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
@@ -26,7 +25,7 @@ class Span:
         return abs(self.end - self.start)
 
 
-def span(t: Any, t_eval: Any = None) -> Span:
+def span(t: object, t_eval: object = None) -> Span:
     """A run out of an end time, a pair ``(start, end)`` or output times.
 
     A pair may go backward. A tuple or list of two numbers is a pair; an array, or more numbers, are
@@ -59,7 +58,7 @@ def span(t: Any, t_eval: Any = None) -> Span:
     return _listed(array)
 
 
-def _times(name: str, values: Any) -> Array:
+def _times(name: str, values: object) -> Array:
     """Finite times, one or a row."""
     try:
         array = np.array([] if values is None else values, dtype=np.float64)
@@ -76,7 +75,7 @@ def _times(name: str, values: Any) -> Array:
     return array
 
 
-def _evaluated(t: Any, t_eval: Any) -> Span:
+def _evaluated(t: object, t_eval: object) -> Span:
     """A run with output at given times, whose ends are those of ``t`` where that is given."""
     over = _listed(np.atleast_1d(_times("t_eval", t_eval)))
     if t is None:

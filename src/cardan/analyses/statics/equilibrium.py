@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from typing import Any, final
+from typing import TYPE_CHECKING, Any, final
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -20,6 +20,9 @@ from .newton import Search, equilibrium_search
 from .settling import settled
 from .stability_at_equilibrium import Stability, largest_motions, lockable, stand
 from .static_problem import Load, Point, Problem, scaled
+
+if TYPE_CHECKING:
+    from ...runtime.models.loaded_model import LoadedModel
 
 WAYS = ("full", "ramp", "damped", "creep")
 DIRECT = WAYS[:1]
@@ -65,7 +68,7 @@ class Equilibrium(NamedState):
         point, load: For analyses that go on from here.
     """
 
-    model: Any
+    model: LoadedModel
     x: Array
     lam: Array
     holding_forces: Mapping[str, float]
@@ -123,7 +126,7 @@ class Equilibrium(NamedState):
 
 @checked
 def equilibrium(
-    model: Any,
+    model: LoadedModel,
     *,
     q: Mapping[str, ArrayLike] | ArrayLike | None = None,
     u: Mapping[str, ArrayLike] | None = None,
@@ -177,7 +180,7 @@ def read(
     inputs: Mapping[str, float] | None,
     parameters: Mapping[str, float] | None,
     t: float,
-    u: Mapping[str, Any] | None = None,
+    u: Mapping[str, object] | None = None,
 ) -> Load:
     """The load that a user described, checked."""
     if not isinstance(locked, Mapping | None):
@@ -215,7 +218,11 @@ def _downhill(problem: Problem, search: Search, load: Load) -> Search:
 
 
 def record(
-    model: Any, problem: Problem, search: Search, load: Load, computed: Stability | None = None
+    model: LoadedModel,
+    problem: Problem,
+    search: Search,
+    load: Load,
+    computed: Stability | None = None,
 ) -> Equilibrium:
     """The result as users see it; ``computed``: its stability, if that is known."""
     point, system = search.point, problem.system

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from typing import Any
 
 import numpy as np
 
@@ -60,8 +59,8 @@ class Loading:
 
 
 def loading(
-    system: DynamicSystem, kind_of: Mapping[str, str], base: Load, swept: Mapping[str, Any],
-    locked: Mapping[str, Any],
+    system: DynamicSystem, kind_of: Mapping[str, str], base: Load, swept: Mapping[str, object],
+    locked: Mapping[str, object],
 ) -> Loading:  # fmt: skip
     """A load path out of what a user wrote.
 
@@ -104,7 +103,7 @@ def loading(
     return Loading(system, base, columns, kinds, None if n == 2 else np.linspace(0, 1, n))
 
 
-def column(name: str, values: Any, count: int = 2) -> Array:
+def column(name: str, values: object, count: int = 2) -> Array:
     """Values of one name, checked; two of them are the ends of ``count``.
 
     Raises:

@@ -64,7 +64,7 @@ class Problem:
 
     system: DynamicSystem
 
-    def begin(self, load: Load, q: Any) -> Point:
+    def begin(self, load: Load, q: object) -> Point:
         """A point next to named coordinates, with the multipliers that balance it best."""
         s = self.system
         at = s.start(load.t, q, load.r, load.locked, load.parameters)

@@ -19,6 +19,7 @@ from numpy.typing import ArrayLike
 from ...arguments import Count, LockedValues, checked
 from ...arrays import Array
 from ...errors import ModelError, SolveError, SolveWarning, warn
+from ...runtime.models.loaded_model import LoadedModel
 from ...runtime.trajectory.solver_info import FINISHED
 from ..systems import dynamic_system_of
 from ..systems.dynamic_system import DynamicSystem
@@ -41,7 +42,7 @@ SHORT = 2.0**-6  # steps in which critical loads are passed; of those that are a
 @checked
 def statics(
     model: Any,
-    swept: Mapping[str, Any] | None = None,
+    swept: Mapping[str, object] | None = None,
     *,
     steps: Count = STEPS,
     q: Mapping[str, ArrayLike] | ArrayLike | None = None,
@@ -110,10 +111,10 @@ def _sweepable(model: Any) -> dict[str, str]:
 
 
 def _follow(
-    model: Any,
+    model: LoadedModel,
     problem: Problem,
     way: Loading,
-    q: Any,
+    q: object,
     steps: int,
     rows: list[tuple[float, Equilibrium]],
     crossed: list[Crossing],

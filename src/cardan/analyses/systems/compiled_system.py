@@ -109,7 +109,7 @@ class CompiledSystem(ABC):
     def _arguments(at: Moment) -> dict[str, Any]:
         return {"t": at.t, "r": at.r, "z": at.z, "s": at.s, "parameters": at.parameters}
 
-    def input_vector(self, named: Any) -> Array:
+    def input_vector(self, named: object) -> Array:
         """Same as :meth:`DynamicSystem.input_vector`."""
         vector: Array = self.model._vector("r", {} if named is None else named)
         if vector.shape != (self.model.nr,):

@@ -15,7 +15,7 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Any, Protocol, TypeAlias
+from typing import TYPE_CHECKING, Any, Protocol, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -24,6 +24,9 @@ from scipy.sparse import issparse
 from ...arrays import Array
 from ...errors import ModelError, near
 from .saddle_point import Saddle
+
+if TYPE_CHECKING:
+    from ...runtime.models.loaded_model import LoadedModel
 
 Matrix: TypeAlias = Any  # an array, or a sparse one of scipy
 Parameters = Mapping[str, ArrayLike] | None
@@ -132,7 +135,7 @@ class NamedState(ABC):
         x: State (nx,).
     """
 
-    model: Any
+    model: LoadedModel
     x: Array
 
     @property
@@ -198,7 +201,9 @@ class DynamicSystem(Protocol):
     def leading(self) -> NDArray[np.bool_]:
         """Mask of the speeds of joints (nu,); the others follow from them."""
 
-    def start(self, t: float, q: Any, r: Array, locked: Mapping[str, Any], p: Parameters) -> Moment:
+    def start(
+        self, t: float, q: object, r: Array, locked: Mapping[str, object], p: Parameters
+    ) -> Moment:
         """A moment at rest next to named coordinates, with all loops closed.
 
         Args:
@@ -207,7 +212,9 @@ class DynamicSystem(Protocol):
             hold: Coordinates that have exactly this value.
         """
 
-    def state(self, x0: Any, q: Any, u: Any, z: Any, t: float, r: Array, p: Parameters) -> Moment:
+    def state(
+        self, x0: object, q: object, u: object, z: object, t: float, r: Array, p: Parameters
+    ) -> Moment:
         """A moving state on the constraints, as runs start from it.
 
         Args:
@@ -232,7 +239,7 @@ class DynamicSystem(Protocol):
     def modes_after(self, at: Moment, fired: NDArray[np.bool_]) -> Array:
         """Modes (ns,) behind events (ne,) that happen."""
 
-    def input_vector(self, named: Any) -> Array:
+    def input_vector(self, named: object) -> Array:
         """Inputs (nr,) by name, the rest at their defaults; or (nr,) as they are."""
 
     def changed(self, values: Mapping[str, float]) -> Parameters:
@@ -310,7 +317,7 @@ class DynamicSystem(Protocol):
             ModelError: there is none.
         """
 
-    def steady_state(self, at: Moment, speeds: Mapping[str, Any]) -> Moment:
+    def steady_state(self, at: Moment, speeds: Mapping[str, object]) -> Moment:
         """The moment with speeds that the constraints allow and given ones, and their rates.
 
         Joints keep their speeds; rates are those of a steady motion with them.
@@ -319,7 +326,9 @@ class DynamicSystem(Protocol):
             ModelError: an unknown name, or speeds that cannot hold together.
         """
 
-    def steady_state_tangent(self, at: Moment, speeds: Mapping[str, Any]) -> tuple[Matrix, Matrix]:
+    def steady_state_tangent(
+        self, at: Moment, speeds: Mapping[str, object]
+    ) -> tuple[Matrix, Matrix]:
         """Derivatives of the speeds of :meth:`steady_state` and their rates along increments (nu,
         nu).
         """

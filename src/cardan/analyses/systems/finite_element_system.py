@@ -90,11 +90,10 @@ class FiniteElementSystem(CompiledSystem):
 
     # where to begin
 
-    def start(self, t: float, q: Any, r: Array, locked: Mapping[str, Any], p: Parameters) -> Moment:
-        """Same as :meth:`DynamicSystem.start`;
-
-        the search that begins here closes what stays open.
-        """
+    def start(
+        self, t: float, q: object, r: Array, locked: Mapping[str, object], p: Parameters
+    ) -> Moment:
+        """Same as :meth:`DynamicSystem.start`; the search closes what stays open."""
         model, x = self.start_state(q, locked, p)
         # where this way of closing fails Newton's method has forces to find one
         with suppress(ModelError):
@@ -102,7 +101,9 @@ class FiniteElementSystem(CompiledSystem):
         still, lam = np.zeros(model.nu), np.zeros(len(self.multipliers))
         return Moment(t, x[: model.nq], still, still, lam, r, np.zeros(0), self.modes, p)
 
-    def state(self, x0: Any, q: Any, u: Any, z: Any, t: float, r: Array, p: Parameters) -> Moment:
+    def state(
+        self, x0: object, q: object, u: object, z: object, t: float, r: Array, p: Parameters
+    ) -> Moment:
         """Same as :meth:`DynamicSystem.state`."""
         model = self.model.with_parameters(dict(p)) if p else self.model
         begin = start(model, x0, q, u, z)
@@ -124,7 +125,7 @@ class FiniteElementSystem(CompiledSystem):
             self.tables, names, self.leading, self.columns, self.rows, self.size
         )
 
-    def steady_state(self, at: Moment, named: Mapping[str, Any]) -> Moment:
+    def steady_state(self, at: Moment, named: Mapping[str, object]) -> Moment:
         """Same as :meth:`DynamicSystem.steady_state`:
 
         beams go along rigidly with what carries them.
@@ -150,7 +151,7 @@ class FiniteElementSystem(CompiledSystem):
             )
         return moment
 
-    def _moving(self, at: Moment, named: Mapping[str, Any]) -> tuple[Moment, Array]:
+    def _moving(self, at: Moment, named: Mapping[str, object]) -> tuple[Moment, Array]:
         """The moment with its speeds and their rates, and what stays open."""
         mesh, state = self._elements_and_state(replace(at, u=np.zeros(self.model.nu)))
         drift, G = mesh.balance(state)[2], self.tangents(at).G
@@ -162,11 +163,11 @@ class FiniteElementSystem(CompiledSystem):
         """Same as :meth:`DynamicSystem.steady`."""
         return self._steady(at, self.tangents(at).G) if np.any(at.u) else np.zeros(self.model.nu)
 
-    def _steady(self, at: Moment, G: Any) -> Array:
+    def _steady(self, at: Moment, G: object) -> Array:
         mesh, state = self._elements_and_state(at)
         return self._corotating_motion.rates(at.q, at.u, G, mesh.gamma(state))
 
-    def steady_state_tangent(self, at: Moment, named: Mapping[str, Any]) -> tuple[Any, Any]:
+    def steady_state_tangent(self, at: Moment, named: Mapping[str, object]) -> tuple[Any, Any]:
         """Same as :meth:`DynamicSystem.steady_state_tangent`;
 
         by central differences where axes may " "move.

@@ -164,7 +164,7 @@ class CorotatingMotion:
         return csr_array(coo_array(entries, shape))
 
     def speeds(
-        self, q: Array, G: Any, drift: Array, rows: Integers, values: Array
+        self, q: Array, G: object, drift: Array, rows: Integers, values: Array
     ) -> tuple[Array, Array]:
         """Speeds (nu,) that constraints allow, and what is left open of them and of given ones.
 
@@ -193,7 +193,7 @@ class CorotatingMotion:
         )
         return np.asarray(centripetal_speeds + (T @ solution) * self._columns)
 
-    def _plain(self, G: Any) -> Any:
+    def _plain(self, G: object) -> Any:
         """G without units."""
         return scaled(csr_array(G), 1.0 / self._rows, self._columns)
 

@@ -78,7 +78,7 @@ def _integer(count: float) -> int:
 
 
 def plan(
-    variations: Sequence[tuple[str, Any]], runs: int | None, kind: str, seed: int
+    variations: Sequence[tuple[str, object]], runs: int | None, kind: str, seed: int
 ) -> sampling.Plan | None:
     """Every combination of the listed values; what is distributed is drawn for every run.
 

@@ -96,7 +96,7 @@ class Constants:
         self.lines += [f"{declared} = {{", *lines, "};"]
 
 
-def _entry(value: Any) -> str:
+def _entry(value: object) -> str:
     return f"{{{', '.join(map(str, value))}}}" if isinstance(value, list) else repr(value)
 
 

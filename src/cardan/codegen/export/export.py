@@ -126,7 +126,7 @@ def _texts(data: Manifest, request: ExportRequest, content: Content) -> dict[str
 def export(
     equations: EquationRecord,
     directory: str | Path,
-    functions: Sequence[Any] | None = None,
+    functions: Sequence[object] | None = None,
     language: str = "cython",
     integrators: Sequence[str] = (),
     reproducible: bool = False,

@@ -43,7 +43,7 @@ def export(
     absolute: FiniteElementRecord,
     directory: str | Path,
     plan: Callable[[Path], Planned],
-    functions: Sequence[Any] | None = None,
+    functions: Sequence[object] | None = None,
     language: str = "c",
     integrators: Sequence[str] = (),
     reproducible: bool = False,

@@ -149,7 +149,7 @@ def _joints(absolute: FiniteElementRecord, named: int) -> list[JointRow]:
     return rows
 
 
-def _joint(kind: BlockKind, name: Any, q: tuple[int, int], u: tuple[int, int]) -> Pattern:
+def _joint(kind: BlockKind, name: object, q: tuple[int, int], u: tuple[int, int]) -> Pattern:
     """The row of a place that moves by itself, or the pattern of such rows."""
     quaternion = kind.quaternion
     return {

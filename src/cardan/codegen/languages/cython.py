@@ -7,7 +7,6 @@ import keyword
 import sys
 from collections.abc import Sequence
 from pprint import pformat
-from typing import Any
 
 from ...errors import counted
 from ...schema.blocks import ARGUMENTS, ORDER
@@ -199,7 +198,7 @@ def _named(output: ResultRow) -> list[str]:
     return [f"{entry} [{unit}]" if unit else entry for entry, unit in pairs]
 
 
-def _literal(value: Any) -> str:
+def _literal(value: object) -> str:
     """Python text of names and numbers, wrapped."""
     return pformat(value, width=96, compact=True, sort_dicts=False)
 

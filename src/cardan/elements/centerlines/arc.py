@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar
 
 import numpy as np
 
 from ...arrays import Array
 from ...errors import ModelError
-from ..quantity import Quantity
+from ..quantity import Quantity, Value
 from ..validation import vector
 from .centerline import TOLERANCE, Centerline, Curve
 
@@ -28,8 +28,8 @@ class Arc(Centerline):
     """
 
     kind: ClassVar[str] = "arc"
-    center: Any = None
-    through: Any = None
+    center: Value | None = None
+    through: Value | None = None
 
     def __post_init__(self) -> None:
         options = [name for name in ("center", "through") if getattr(self, name) is not None]

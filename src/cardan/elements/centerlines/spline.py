@@ -4,15 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 import numpy as np
 
 from ...arrays import Array
 from ...errors import ModelError
-from ..quantity import Quantity
+from ..quantity import Quantity, Rows
 from ..validation import vector
 from .centerline import TOLERANCE, Centerline, Curve
+
+if TYPE_CHECKING:
+    from scipy.interpolate import CubicSpline
 
 # Gauss points per piece of a span, and pieces per span: the arc length is exact to rounding on
 # lines without kinks
@@ -33,7 +36,7 @@ class Spline(Centerline):
     """
 
     kind: ClassVar[str] = "spline"
-    points: Any
+    points: Rows
 
     def __post_init__(self) -> None:
         points = self.points.tolist() if hasattr(self.points, "tolist") else self.points
@@ -68,7 +71,7 @@ class Spline(Centerline):
         return _measured(line, line.derivative())
 
 
-def _measured(line: Any, rate: Any) -> Curve:
+def _measured(line: CubicSpline, rate: CubicSpline) -> Curve:
     """A line by its arc length: Gauss sums over short pieces, inverted by Newton's method."""
     count = SEGMENTS * (len(line.x) - 1)
     breaks = np.interp(np.arange(count + 1) / SEGMENTS, np.arange(len(line.x)), line.x)

@@ -76,7 +76,7 @@ class FlexibleElement(HasSource, ABC):
         """
         return self.functions(self.ends(kinds))
 
-    def rows(self, stations: Any, poses: Any) -> Any:
+    def rows(self, stations: object, poses: object) -> Any:
         """The own data of the elements of a beam, (n, len(own)).
 
         Args:
@@ -91,7 +91,7 @@ class FlexibleElement(HasSource, ABC):
         columns = [columns_by_name[name] for name in self.geometric]
         return np.column_stack(columns) if columns else np.empty((len(length), 0))
 
-    def shapes(self, length: Any, poses: Any) -> dict[str, Any]:
+    def shapes(self, length: object, poses: object) -> dict[str, Any]:
         """Data by name that come from the reference shape, (n,) each; see :meth:`rows`."""
         return {}
 

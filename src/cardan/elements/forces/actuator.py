@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from ...errors import ModelError
 from ...ir.arithmetic import Scalar
 from ...ir.matrix import Matrix
 from ..internal_states import Internal
 from ..limits import Limit, not_negative, positive
-from ..quantity import JointName, Units
+from ..quantity import JointName, Units, Value
 from ..validation import number
 from .force import Action, ForceElement, JointLoad, Places
 
@@ -38,10 +38,10 @@ class Actuator(ForceElement):
     kind: ClassVar[str] = "actuator"
     units: ClassVar[Units] = {"command": "N*m|N", "lag": "s", "limit": "N*m|N"}
     joint: JointName
-    command: Any
-    lag: Any
-    limit: Any = None
-    start: Any = 0.0
+    command: Value
+    lag: Value
+    limit: Value | None = None
+    start: Value = 0.0
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "start", number(self.kind, "start", self.start))

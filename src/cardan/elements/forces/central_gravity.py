@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from ...ir.matrix import Matrix
 from ..fields import Central, Pull
 from ..limits import Limit, not_negative
-from ..quantity import Bodies, Place, Units
+from ..quantity import Bodies, Place, Units, Value
 from .force import Places
 from .gravitation import Gravitation
 
@@ -36,7 +36,7 @@ class CentralGravity(Gravitation):
     kind: ClassVar[str] = "central_gravity"
     units: ClassVar[Units] = {"mu": "m^3/s^2"}
     center: Place
-    mu: Any
+    mu: Value
     bodies: Bodies = ()
 
     def limits(self) -> tuple[Limit, ...]:

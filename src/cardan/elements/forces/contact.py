@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from ...errors import ModelError
 from ...ir.arithmetic import Scalar, norm, select, sqrt
 from ...ir.matrix import Matrix
 from ..internal_states import MODE, Change, EventSpec, Jumped, Mode, Solved
 from ..limits import Limit, not_negative, positive
-from ..quantity import RATIO, Direction, Place, Quantity, Units, quantities_of
+from ..quantity import RATIO, Direction, Place, Quantity, Units, Value, quantities_of
 from ..validation import number
 from .force import Action, ForceElement, Load, Places, constant
 
@@ -58,16 +58,16 @@ class Contact(ForceElement):
     }
     sphere: Place
     other: Place
-    radius: Any
-    stiffness: Any
-    damping: Any = 0.0
-    exponent: Any = 1.5
+    radius: Value
+    stiffness: Value
+    damping: Value = 0.0
+    exponent: Value = 1.5
     normal: Direction = "z"
-    other_radius: Any = None
-    mu: Any = 0.0
-    transition_velocity: Any = 1e-3
-    restitution: Any = None
-    speed: Any = None
+    other_radius: Value | None = None
+    mu: Value = 0.0
+    transition_velocity: Value = 1e-3
+    restitution: Value | None = None
+    speed: Value | None = None
 
     def __post_init__(self) -> None:
         if self.restitution is not None or self.speed is not None:

@@ -5,14 +5,14 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from ...errors import ModelError, brief
-from ...ir.arithmetic import select
+from ...ir.arithmetic import Scalar, select
 from ...ir.matrix import Matrix
 from ...ir.rewrite import rebuild
 from ..internal_states import TICK, Change, EventSpec, Internal, Jumped, Mode
-from ..quantity import JointName, LocalNames, Quantity
+from ..quantity import JointName, LocalNames, Quantity, Rows, Value
 from ..validation import number, vector
 from .force import Action, ForceElement, JointLoad, Places
 
@@ -33,7 +33,7 @@ class Controller(ForceElement):
         changes: As many expressions: derivatives of the states, or their next values if sampled.
         force: On the joint [N m] or [N]: expression in coordinates, speeds, inputs, t and the
             states, which stand in it as their symbols.
-        start: Values of the states at the start; () for zeros.
+        start: Rowss of the states at the start; () for zeros.
         sample: Time between samples [s]; the first is at t = 0.
 
     Raises:
@@ -46,10 +46,10 @@ class Controller(ForceElement):
     kind: ClassVar[str] = "controller"
     joint: JointName = ""
     states: LocalNames = ()
-    changes: Any = ()
-    force: Any = None
-    start: Any = ()
-    sample: Any = None
+    changes: Rows = ()
+    force: Rows | None = None
+    start: Rows = ()
+    sample: Value | None = None
 
     def __post_init__(self) -> None:
         named = not isinstance(self.joint, str) or bool(self.joint)
@@ -91,13 +91,13 @@ class Controller(ForceElement):
     def pid(
         cls,
         joint: str,
-        measured: Any,
-        rate: Any = 0,
-        target: Any = 0,
-        kp: Any = 0,
-        ki: Any = 0,
-        kd: Any = 0,
-        limit: Any = None,
+        measured: Value,
+        rate: Value = 0,
+        target: Value = 0,
+        kp: Value = 0,
+        ki: Value = 0,
+        kd: Value = 0,
+        limit: Value | None = None,
         sample: float | None = None,
     ) -> Controller:
         """kp error + ki (its integral) - kd rate on a joint, error = target - measured.
@@ -142,12 +142,12 @@ class Controller(ForceElement):
     def state_space(
         cls,
         joint: str,
-        A: Any,
-        B: Any,
-        C: Any,
-        D: Any,
-        measured: Sequence[Any],
-        start: Sequence[Any] = (),
+        A: Rows,
+        B: Rows,
+        C: Rows,
+        D: Rows,
+        measured: Sequence[Value],
+        start: Sequence[Value] = (),
         sample: float | None = None,
     ) -> Controller:
         """x' = A x + B y, force = C x + D y, y being what is measured.
@@ -175,7 +175,7 @@ class Controller(ForceElement):
             )
         x = [sympy.Symbol(f"x{k + 1}") for k in range(n)]
 
-        def combined(first: Any, second: Any) -> Any:
+        def combined(first: Rows, second: Rows) -> sympy.Expr:
             terms = [*zip(first, x, strict=True), *zip(second, measured, strict=True)]
             return sympy.Add(*(a * b for a, b in terms))
 
@@ -233,7 +233,7 @@ class Controller(ForceElement):
             return ()
         return (EventSpec("sample", TICK, "it samples", period=self.sample),)
 
-    def signs(self, at: Places, solved: object) -> tuple[Any, ...]:
+    def signs(self, at: Places, solved: object) -> tuple[Scalar, ...]:
         return tuple(at.motion.time * 0 + 1 for _ in self.events())
 
     def change(self, at: Places, jumped: Jumped) -> Change:
@@ -247,6 +247,6 @@ class Controller(ForceElement):
         return Change(s=Matrix.vector(at.motion.graph, new))
 
 
-def _several(value: Any) -> Any:
+def _several(value: object) -> Rows:
     """Values in order, where a single one may be written bare."""
     return value if isinstance(value, Sequence) or hasattr(value, "tolist") else (value,)

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from ...errors import ModelError, brief
 from ...ir.arithmetic import Scalar
 from ...ir.matrix import Matrix
-from ..quantity import RATIO, JointName, Quantity, Units, quantities_of
+from ..quantity import RATIO, JointName, Quantity, Units, Value, quantities_of
 from .force import (
     Action,
     ForceElement,
@@ -55,13 +55,13 @@ class Drive(ForceElement):
         **{"ratio": RATIO, "torque": "N*m", "friction": "N*m*s/rad"},
     }
     joint: JointName
-    inertia: Any
-    ratio: Any = 1.0
-    torque: Any = 0.0
-    friction: Any = 0.0
+    inertia: Value
+    ratio: Value = 1.0
+    torque: Value = 0.0
+    friction: Value = 0.0
     gyroscopic: bool = False
-    stiffness: Any = None
-    damping: Any = 0.0
+    stiffness: Value | None = None
+    damping: Value = 0.0
 
     def __post_init__(self) -> None:
         super().__post_init__()

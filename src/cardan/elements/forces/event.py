@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from ...errors import ModelError, brief, near
 from ...ir.arithmetic import Scalar
 from ..internal_states import END, MARK, EventSpec, Solved
-from ..quantity import Units
+from ..quantity import Units, Value
 from .force import Action, ForceElement, Places
 
 DIRECTIONS = {"down": (1,), "up": (-1,), "both": (1, -1)}
@@ -31,7 +31,7 @@ class Event(ForceElement):
 
     kind: ClassVar[str] = "event"
     units: ClassVar[Units] = {"expression": ""}
-    expression: Any
+    expression: Value
     terminal: bool = False
     direction: str = "down"
 

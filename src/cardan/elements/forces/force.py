@@ -24,7 +24,7 @@ from ..internal_states import (
     Solved,
 )
 from ..limits import Limit, judge
-from ..quantity import Quantity, Units, annotated, quantities_of, take
+from ..quantity import Direction, Quantity, Units, Value, annotated, quantities_of, take
 
 
 class Motion(Protocol):
@@ -90,12 +90,12 @@ class RotorBody:
         speed: At which it turns, where that is prescribed [rad/s].
     """
 
-    inertia: Any
+    inertia: Value
     joint: str = ""
-    ratio: Any = None
+    ratio: Value | None = None
     frame: Any = None
-    axis: Any = None
-    speed: Any = None
+    axis: Direction | None = None
+    speed: Value | None = None
 
 
 @dataclass(frozen=True)

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from ...errors import ModelError, brief
 from ...ir.arithmetic import Scalar, select
 from ...ir.matrix import Matrix
 from ..internal_states import END, MODE, Change, EventSpec, Jumped, Mode, ModeConstraint, Solved
 from ..limits import Limit, not_negative, positive
-from ..quantity import JointName, Quantity, Units, quantities_of
+from ..quantity import JointName, Quantity, Units, Value, quantities_of
 from .force import Action, ForceElement, JointLoad, Places, one_coordinate
 
 UNDECIDED, FORWARD, BACKWARD, STICKING = 0, 1, -1, 2
@@ -62,14 +62,14 @@ class Friction(ForceElement):
         "against": "rad/s|m/s",
     }
     joint: JointName
-    coulomb: Any = None
-    static: Any = None
-    stribeck: Any = None
-    viscous: Any = 0.0
-    against: Any = 0.0
-    smooth: Any = None
-    mu: Any = None
-    radius: Any = None
+    coulomb: Value | None = None
+    static: Value | None = None
+    stribeck: Value | None = None
+    viscous: Value = 0.0
+    against: Value = 0.0
+    smooth: Value | None = None
+    mu: Value | None = None
+    radius: Value | None = None
 
     def __post_init__(self) -> None:
         who = self.title

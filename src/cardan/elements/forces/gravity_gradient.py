@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from ...ir.matrix import Matrix
 from ..fields import Central, Pull
 from ..limits import Limit, not_negative
-from ..quantity import Bodies, Place, Units
+from ..quantity import Bodies, Place, Units, Value
 from .force import Action, Places
 from .gravitation import Gravitation
 
@@ -38,7 +38,7 @@ class GravityGradient(Gravitation):
     kind: ClassVar[str] = "gravity_gradient"
     units: ClassVar[Units] = {"mu": "m^3/s^2"}
     center: Place
-    mu: Any
+    mu: Value
     bodies: Bodies = ()
     force: bool = True
 

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from ...ir.arithmetic import norm
 from ...ir.matrix import Matrix
 from ..fields import Oblate, Pull
 from ..limits import Limit, not_negative
-from ..quantity import RATIO, Bodies, Direction, Place, Units
+from ..quantity import RATIO, Bodies, Direction, Place, Units, Value
 from .force import Places
 from .gravitation import Gravitation
 
@@ -40,9 +40,9 @@ class J2(Gravitation):
     kind: ClassVar[str] = "j2"
     units: ClassVar[Units] = {"mu": "m^3/s^2", "j2": "", "radius": "m", "pole": RATIO}
     center: Place
-    mu: Any
-    j2: Any
-    radius: Any
+    mu: Value
+    j2: Value
+    radius: Value
     pole: Direction = "z"
     bodies: Bodies = ()
     gradient: bool = False

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar
 
-from ..quantity import JointName, Units
+from ..quantity import JointName, Units, Value
 from .force import Action, ForceElement, JointLoad, Places
 
 
@@ -26,7 +26,7 @@ class JointDamper(ForceElement):
     kind: ClassVar[str] = "joint_damper"
     units: ClassVar[Units] = {"damping": "N*m*s/rad|N*s/m"}
     joint: JointName
-    damping: Any
+    damping: Value
 
     def linear(self) -> tuple[str, ...]:
         return ("damping",)

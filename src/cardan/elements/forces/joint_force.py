@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from ...errors import ModelError, counted
 from ...ir.matrix import Matrix
-from ..quantity import JointName, Quantity
+from ..quantity import JointName, Quantity, Rows
 from ..validation import number, vector
 from .force import Action, ForceElement, JointLoad, Places
 
@@ -31,7 +31,7 @@ class JointForce(ForceElement):
 
     kind: ClassVar[str] = "joint_force"
     joint: JointName
-    force: Any
+    force: Rows
 
     def __post_init__(self) -> None:
         several = isinstance(self.force, Sequence) or hasattr(self.force, "tolist")

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from ...ir.matrix import Matrix
-from ..quantity import JointName, Units
+from ..quantity import JointName, Units, Value
 from .force import Action, ForceElement, JointLoad, Places, constant, one_coordinate
 
 
@@ -33,9 +33,9 @@ class JointSpring(ForceElement):
         **{"stiffness": "N*m/rad|N/m", "damping": "N*m*s/rad|N*s/m", "rest": "rad|m"}
     }
     joint: JointName
-    stiffness: Any = 0.0
-    damping: Any = 0.0
-    rest: Any = 0.0
+    stiffness: Value = 0.0
+    damping: Value = 0.0
+    rest: Value = 0.0
 
     def linear(self) -> tuple[str, ...]:
         return ("stiffness", "damping")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from ...ir.arithmetic import Scalar, select
 from ...ir.matrix import Matrix
@@ -19,7 +19,7 @@ from ..internal_states import (
     Solved,
 )
 from ..limits import Limit, not_negative
-from ..quantity import JointName, Units
+from ..quantity import JointName, Units, Value
 from .force import Action, ForceElement, Places, one_coordinate
 
 OPEN, LOCKED = 0, 1
@@ -49,9 +49,9 @@ class Lock(ForceElement):
     kind: ClassVar[str] = "lock"
     units: ClassVar[Units] = {"when": "", "release": "", "strength": "N*m|N"}
     joint: JointName
-    when: Any
-    release: Any = None
-    strength: Any = None
+    when: Value
+    release: Value | None = None
+    strength: Value | None = None
     locked: bool = False
 
     def limits(self) -> tuple[Limit, ...]:

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from ...errors import ModelError
 from ...ir.arithmetic import Scalar, norm
 from ...ir.matrix import Matrix
 from ..internal_states import Internal
 from ..limits import Limit, positive
-from ..quantity import Place, Units
+from ..quantity import Place, Units, Value
 from ..validation import number
 from .force import Action, ForceElement, Places
 from .line import along_line, direction
@@ -43,10 +43,10 @@ class Maxwell(ForceElement):
     units: ClassVar[Units] = {"stiffness": "N/m", "damping": "N*s/m", "rest_length": "m"}
     frame_a: Place
     frame_b: Place
-    stiffness: Any
-    damping: Any
-    rest_length: Any = 0.0
-    start: Any = 0.0
+    stiffness: Value
+    damping: Value
+    rest_length: Value = 0.0
+    start: Value = 0.0
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "start", number(self.kind, "start", self.start))

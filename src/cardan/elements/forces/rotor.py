@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from ...errors import ModelError
 from ...ir.arithmetic import norm
 from ...ir.matrix import Matrix
 from ..limits import Limit, not_negative
-from ..quantity import RATIO, Direction, Place, Quantity, Units, quantities_of
+from ..quantity import RATIO, Direction, Place, Quantity, Units, Value, quantities_of
 from .force import Action, ForceElement, JointLoad, Load, Places, RotorBody, constant
 
 
@@ -51,11 +51,11 @@ class Rotor(ForceElement):
     }
     frame: Place
     axis: Direction = "z"
-    inertia: Any = None
-    momentum: Any = None
-    speed: Any = None
-    torque: Any = 0.0
-    friction: Any = 0.0
+    inertia: Value | None = None
+    momentum: Value | None = None
+    speed: Value | None = None
+    torque: Value = 0.0
+    friction: Value = 0.0
 
     def __post_init__(self) -> None:
         super().__post_init__()

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from ...ir.arithmetic import norm
-from ..quantity import Place, Units
+from ..quantity import Place, Units, Value
 from .force import Action, ForceElement, Places, constant
 from .line import along_line, direction
 
@@ -36,9 +36,9 @@ class SpringDamper(ForceElement):
     units: ClassVar[Units] = {"stiffness": "N/m", "damping": "N*s/m", "rest_length": "m"}
     frame_a: Place
     frame_b: Place
-    stiffness: Any = 0.0
-    damping: Any = 0.0
-    rest_length: Any = 0.0
+    stiffness: Value = 0.0
+    damping: Value = 0.0
+    rest_length: Value = 0.0
 
     def linear(self) -> tuple[str, ...]:
         return ("stiffness", "damping")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from ...errors import ModelError
 from ...ir.arithmetic import Scalar, select
@@ -20,7 +20,7 @@ from ..internal_states import (
     Solved,
 )
 from ..limits import Limit, not_negative
-from ..quantity import JointName, Units
+from ..quantity import JointName, Units, Value
 from .force import Action, ForceElement, Places, one_coordinate
 
 LOWER, FREE, UPPER = -1, 0, 1
@@ -55,10 +55,10 @@ class Stop(ForceElement):
         **{"lower": "rad|m", "upper": "rad|m", "restitution": "", "settle": "rad/s|m/s"}
     }
     joint: JointName
-    lower: Any = None
-    upper: Any = None
-    restitution: Any = 0.0
-    settle: Any = 1e-4
+    lower: Value | None = None
+    upper: Value | None = None
+    restitution: Value = 0.0
+    settle: Value = 1e-4
 
     def __post_init__(self) -> None:
         if self.lower is None and self.upper is None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from ...errors import ModelError, brief
 from ...ir.arithmetic import Scalar, select, sqrt
@@ -12,7 +12,7 @@ from ...ir.derivative import forward
 from ...ir.graph import ONE
 from ...ir.matrix import Matrix
 from ...ir.rewrite import rebuild
-from ..quantity import LocalNames, Quantity
+from ..quantity import LocalNames, Quantity, Value
 from ..validation import vector
 from .joint import Component, Joint
 
@@ -39,8 +39,8 @@ class Custom(Joint):
 
     kind: ClassVar[str] = "custom"
     symbols: LocalNames
-    position: Any = (0.0, 0.0, 0.0)
-    rotation: Any = IDENTITY
+    position: Value = (0.0, 0.0, 0.0)
+    rotation: Value = IDENTITY
 
     def __post_init__(self) -> None:
         symbols = self.symbols if isinstance(self.symbols, Sequence) else ()
@@ -124,5 +124,5 @@ class Custom(Joint):
         return True
 
 
-def _row(i: int, row: Any) -> tuple[Any, ...]:
+def _row(i: int, row: object) -> tuple[Value, ...]:
     return vector("custom joint", f"rotation[{i}]", row, 3)

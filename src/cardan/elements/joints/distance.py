@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from ...ir.arithmetic import Scalar, cos, sin
 from ...ir.matrix import Matrix
 from ...spatial.axis import complement, unit
-from ..quantity import RATIO, Direction, Units
+from ..quantity import RATIO, Direction, Units, Value
 from ..validation import positive
 from .guided import Guided
 from .joint import Component
@@ -41,7 +41,7 @@ class Distance(Guided):
     kind: ClassVar[str] = "distance"
     title: ClassVar[str] = "distance"
     units: ClassVar[Units] = {"length": "m", "axis": RATIO}
-    length: Any
+    length: Value
     axis: Direction = "z"
     rotation: str = "quaternion"
 

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar
 
-from ..quantity import Direction, JointName
+from ..quantity import Direction, JointName, Value
 from ..validation import number
 from .hinge import Hinge
 
@@ -34,9 +34,9 @@ class Gear(Hinge):
     kind: ClassVar[str] = "gear"
     title: ClassVar[str] = "gear"
     leader: JointName
-    ratio: Any = 1.0
+    ratio: Value = 1.0
     axis: Direction = "z"
-    offset: Any = 0.0
+    offset: Value = 0.0
 
     def __post_init__(self) -> None:
         super().__post_init__()
@@ -44,5 +44,5 @@ class Gear(Hinge):
             object.__setattr__(self, name, number("gear", name, getattr(self, name)))
 
     @property
-    def follows(self) -> tuple[JointName, Any, Any] | None:
+    def follows(self) -> tuple[JointName, Value, Value] | None:
         return self.leader, self.ratio, self.offset

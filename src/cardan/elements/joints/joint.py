@@ -9,7 +9,7 @@ from typing import Any, ClassVar
 
 from ...ir.matrix import Matrix
 from ...literature import HasSource
-from ..quantity import Direction, Quantity, Units, quantities_of, take
+from ..quantity import Direction, Quantity, Units, Value, quantities_of, take
 
 
 @dataclass(frozen=True)
@@ -50,7 +50,7 @@ class Step:
     """
 
     component: str
-    axis: Any
+    axis: Direction
     slides: bool = False
 
 
@@ -241,7 +241,7 @@ class Joint(HasSource, ABC):
         return True
 
     @property
-    def follows(self) -> tuple[str, Any, Any] | None:
+    def follows(self) -> tuple[str, Value, Value] | None:
         """Leader, ratio and offset of a joint whose coordinate follows that of another."""
         return None
 

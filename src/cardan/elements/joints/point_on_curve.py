@@ -6,7 +6,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import accumulate, pairwise
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from ...errors import ModelError, brief
 from ...ir.derivative import forward
@@ -14,7 +14,7 @@ from ...ir.graph import ONE
 from ...ir.matrix import Matrix
 from ...ir.rewrite import rebuild
 from ...spatial.axis import complement, unit
-from ..quantity import Quantity
+from ..quantity import Quantity, Rows
 from ..tables import Interpolation, table
 from ..validation import is_expression, vector
 from .guided import Guided
@@ -46,7 +46,7 @@ class PointOnCurve(Guided):
 
     kind: ClassVar[str] = "point_on_curve"
     title: ClassVar[str] = "point on a curve"
-    points: Any
+    points: Rows
     closed: bool = False
     rotation: str = "quaternion"
 
@@ -105,7 +105,7 @@ class PointOnCurve(Guided):
         return True
 
 
-def _points(points: Any, closed: bool) -> tuple[tuple[float, ...], ...]:
+def _points(points: object, closed: bool) -> tuple[tuple[float, ...], ...]:
     """Rows of three numbers.
 
     Raises:

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from ...ir.arithmetic import Scalar
 from ...ir.matrix import Matrix
-from ..quantity import RATIO, Direction, Units
+from ..quantity import RATIO, Direction, Units, Value
 from ..validation import positive
 from .joint import Component
 from .rolling import Rolling
@@ -38,7 +38,7 @@ class RollingDisk(Rolling):
     kind: ClassVar[str] = "rolling_disk"
     title: ClassVar[str] = "rolling disk"
     units: ClassVar[Units] = {"radius": "m", "normal": RATIO}
-    radius: Any
+    radius: Value
     normal: Direction = "z"
     knife_edge: bool = False
 

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from ...ir.arithmetic import atan2, cos, select, sin
 from ...ir.matrix import Matrix
 from ...spatial.alignment import tilt
 from ...spatial.axis import complement, rotation_about, unit
-from ..quantity import RATIO, Direction, Units
+from ..quantity import RATIO, Direction, Units, Value
 from .joint import Component, Joint, locked_across, locked_along
 
 
@@ -32,7 +32,7 @@ class Screw(Joint):
     units: ClassVar[Units] = {"axis": RATIO, "pitch": "m/rad"}
     line: ClassVar[str] = "axis"
     axis: Direction = "z"
-    pitch: Any = 0.0
+    pitch: Value = 0.0
 
     @property
     def coordinates(self) -> tuple[Component, ...]:

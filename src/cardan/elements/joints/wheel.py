@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from ...errors import ModelError
 from ...ir.arithmetic import Scalar
 from ...ir.matrix import Matrix
-from ..quantity import RATIO, Direction, Units
+from ..quantity import RATIO, Direction, Units, Value
 from ..validation import is_expression, positive
 from .joint import Component
 from .rolling import Rolling
@@ -42,8 +42,8 @@ class Wheel(Rolling):
     kind: ClassVar[str] = "wheel"
     title: ClassVar[str] = "wheel"
     units: ClassVar[Units] = {"radius": "m", "crown": "m", "normal": RATIO}
-    radius: Any
-    crown: Any = 0.0
+    radius: Value
+    crown: Value = 0.0
     normal: Direction = "z"
     lateral_slip: bool = False
 

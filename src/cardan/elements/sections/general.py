@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar
 
-from ..quantity import Units
+from ..quantity import Units, Value
 from ..validation import is_expression, number, positive
 from .section import Data, Numbers, Outline, Section, SectionProperties, pair
 
@@ -37,12 +37,12 @@ class General(Section):
         **{"EA": "N", "GA": "N", "GJ": "N*m^2", "EI": "N*m^2", "rhoA": "kg/m", "rhoI": "kg*m"}
     }
     shaped: ClassVar[bool] = False
-    EA: Any
-    GA: Any
-    GJ: Any
-    EI: Any
-    rhoA: Any = 0
-    rhoI: Any = 0
+    EA: Value
+    GA: Value
+    GJ: Value
+    EI: Value
+    rhoA: Value = 0
+    rhoI: Value = 0
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "EA", positive("general", "EA", self.EA))

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from ...ir.arithmetic import Scalar
-from ..quantity import Pair, Units
+from ..quantity import Pair, Units, Value
 from .section import Data, Numbers, Outline, Section, SectionProperties, corrections, made_of
 
 
@@ -28,9 +28,9 @@ class HollowRectangle(Section):
 
     kind: ClassVar[str] = "hollow_rectangle"
     units: ClassVar[Units] = {"width": "m", "height": "m", "thickness": "m", "shear": ""}
-    width: Any
-    height: Any
-    thickness: Any
+    width: Value
+    height: Value
+    thickness: Value
     shear: Pair = None
 
     def stiffness(self, data: Data, material: Data) -> SectionProperties:

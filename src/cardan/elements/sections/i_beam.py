@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar
 
-from ..quantity import Pair, Units
+from ..quantity import Pair, Units, Value
 from .section import (
     Data,
     Numbers,
@@ -43,10 +43,10 @@ class IBeam(Section):
     units: ClassVar[Units] = {
         **{"width": "m", "height": "m", "flange": "m", "web": "m", "shear": ""}
     }
-    width: Any
-    height: Any
-    flange: Any
-    web: Any
+    width: Value
+    height: Value
+    flange: Value
+    web: Value
     shear: Pair = None
 
     def stiffness(self, data: Data, material: Data) -> SectionProperties:

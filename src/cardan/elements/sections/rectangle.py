@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from ...ir.arithmetic import Scalar
-from ..quantity import Pair, Units
+from ..quantity import Pair, Units, Value
 from .section import (
     Data,
     Numbers,
@@ -42,8 +42,8 @@ class Rectangle(Section):
 
     kind: ClassVar[str] = "rectangle"
     units: ClassVar[Units] = {"width": "m", "height": "m", "shear": ""}
-    width: Any
-    height: Any
+    width: Value
+    height: Value
     shear: Pair = None
 
     def stiffness(self, data: Data, material: Data) -> SectionProperties:

@@ -9,11 +9,11 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from ...ir.arithmetic import Scalar
 from ...literature import HasSource
-from ..quantity import Quantity, Units, annotated, quantities_of
+from ..quantity import Pair, Quantity, Units, annotated, quantities_of
 from ..validation import positive, vector
 
 Data = Mapping[str, "Scalar"]
@@ -125,7 +125,7 @@ def corrections(data: Data, e2: Scalar, e3: Scalar) -> tuple[Scalar, Scalar]:
     return data.get("shear.e2", e2), data.get("shear.e3", e3)
 
 
-def pair(owner: str, name: str, value: Any) -> Any:
+def pair(owner: str, name: str, value: object) -> Pair:
     """One positive number for both directions, or two; None stays.
 
     Raises:

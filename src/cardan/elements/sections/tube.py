@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar
 
-from ..quantity import Pair, Units
+from ..quantity import Pair, Units, Value
 from .section import Data, Numbers, Outline, Section, SectionProperties, corrections, made_of
 
 
@@ -26,8 +26,8 @@ class Tube(Section):
 
     kind: ClassVar[str] = "tube"
     units: ClassVar[Units] = {"outer": "m", "inner": "m", "shear": ""}
-    outer: Any
-    inner: Any
+    outer: Value
+    inner: Value
     shear: Pair = None
 
     def stiffness(self, data: Data, material: Data) -> SectionProperties:

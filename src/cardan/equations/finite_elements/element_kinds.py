@@ -86,7 +86,7 @@ def _outline(element: JointElement | ForceElement) -> str:
     return repr((type(element).__name__, signature, constrained))
 
 
-def _pattern(value: Any, by_value: bool) -> str:
+def _pattern(value: object, by_value: bool) -> str:
     """Part of a field that the equations may depend on; of a quantity of a member only its form."""
     if isinstance(value, (tuple, list)):
         return f"({', '.join(_pattern(x, by_value) for x in value)})"

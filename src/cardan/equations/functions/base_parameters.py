@@ -128,7 +128,7 @@ def _sums(function: Function, numbers: dict[str, int]) -> dict[str, list[tuple[s
     return sums
 
 
-def _alike(column: Any, columns: dict[str, Any]) -> tuple[str, int]:
+def _alike(column: object, columns: dict[str, Any]) -> tuple[str, int]:
     """Column that equals a given one, and its sign; "" for none."""
     import numpy as np
 

@@ -8,6 +8,8 @@ from ...errors import DerivationError
 from ..reading.formula import of_matrix
 
 if TYPE_CHECKING:
+    import sympy
+
     from .record import Linearized, SecondOrder
 
 GENERAL = r"\dot x = A x + B r, \quad y = C x + D r"
@@ -93,7 +95,7 @@ def _about(linear: Linearized) -> str:
     return f"{kind} that is none by itself; it takes {forces}"
 
 
-def _rows(linear: Any, name: str, letter: str = "") -> list[str]:
+def _rows(linear: object, name: str, letter: str = "") -> list[str]:
     """A matrix row by row; nothing for one of zeros."""
     try:
         matrix = getattr(linear, name)
@@ -106,7 +108,7 @@ def _rows(linear: Any, name: str, letter: str = "") -> list[str]:
     return [(head if n == 0 else " " * len(head)) + row for n, row in enumerate(rows)]
 
 
-def _text(expression: Any) -> str:
+def _text(expression: sympy.Expr) -> str:
     """An expression with numbers as short as they are."""
     from sympy import sstr
 

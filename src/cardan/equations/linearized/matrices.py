@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -30,10 +30,10 @@ class Written:
 
     def __init__(self, reference: Reference, matrices: Mapping[str, Matrix]) -> None:
         self.reference, self.matrices = reference, dict(matrices)
-        self._read: dict[str, Any] = {}
+        self._read: dict[str, sympy.Expr] = {}
 
     @property
-    def symbols(self) -> dict[tuple[str, int], Any]:
+    def symbols(self) -> dict[tuple[str, int], sympy.Expr]:
         """SymPy symbol of every input entry."""
         import sympy
 
@@ -61,7 +61,7 @@ class Written:
                 ) from problem
         return self._read[name].copy()
 
-    def symbolic(self, name: str) -> tuple[list[tuple[Any, Any]], sympy.Matrix]:
+    def symbolic(self, name: str) -> tuple[list[tuple[sympy.Expr, sympy.Expr]], sympy.Matrix]:
         """A matrix with named intermediates, like :func:`sympy.cse`; of any size."""
         from ...ir.forms.sympy_bridge import to_sympy_shared
         from ...passes.trig import trig
@@ -83,7 +83,7 @@ class Written:
         at = self.reference
         return Function("linear", at.graph, at.inputs, tuple(outputs), about="a linear model")
 
-    def numbers(self, values_by_name: Mapping[str, Any]) -> dict[str, Array]:
+    def numbers(self, values_by_name: Mapping[str, object]) -> dict[str, Array]:
         """Values of all matrices.
 
         Args:

@@ -15,7 +15,7 @@ from .reference_input import NOMINAL
 OPEN = 1e-8  # of loops: what assembling leaves at the most, with room for other numbers
 
 
-def by_name(at: Reference, named_values: Mapping[str, Any]) -> dict[str, Array]:
+def by_name(at: Reference, named_values: Mapping[str, object]) -> dict[str, Array]:
     """Inputs of Functions at the reference: numbers or arrays by name, the rest by default.
 
     Raises:
@@ -49,7 +49,7 @@ def by_name(at: Reference, named_values: Mapping[str, Any]) -> dict[str, Array]:
     return stacked_values
 
 
-def _closed_again(at: Reference, p: list[Any], nominal: Mapping[str, Any]) -> dict[str, Any]:
+def _closed_again(at: Reference, p: list[Any], nominal: Mapping[str, object]) -> dict[str, Any]:
     """Assembled coordinates at other numbers, state by state."""
     assert at.assembly is not None
     table, n = stacked([*p, *nominal.values()]), len(p)
@@ -60,7 +60,7 @@ def _closed_again(at: Reference, p: list[Any], nominal: Mapping[str, Any]) -> di
     return {name: solutions[..., names.index(name)] for name in at.assembly.names}
 
 
-def stacked(entries: Sequence[Any]) -> Array:
+def stacked(entries: Sequence[object]) -> Array:
     """Numbers or arrays that broadcast as one array (..., n)."""
     if not entries:
         return np.zeros(0)

@@ -59,11 +59,11 @@ class SecondOrder:
             raise AttributeError(name)
         return self.matrices.read(name)
 
-    def symbolic(self, name: str) -> tuple[list[tuple[Any, Any]], sympy.Matrix]:
+    def symbolic(self, name: str) -> tuple[list[tuple[sympy.Expr, sympy.Expr]], sympy.Matrix]:
         """A matrix with named intermediates, like :func:`sympy.cse`."""
         return self.matrices.symbolic(name)
 
-    def at(self, parameters: dict[str, Any] | None = None, **values: Any) -> dict[str, Array]:
+    def at(self, parameters: dict[str, Any] | None = None, **values: object) -> dict[str, Array]:
         """Numbers of all matrices (..., n, n); see :meth:`Linearized.at`."""
         return self.matrices.numbers({**(parameters or {}), **values})
 
@@ -139,13 +139,13 @@ class Linearized:
         """(ny, nr): outputs by inputs."""
         return self._first.read("D")
 
-    def symbolic(self, name: str) -> tuple[list[tuple[Any, Any]], sympy.Matrix]:
+    def symbolic(self, name: str) -> tuple[list[tuple[sympy.Expr, sympy.Expr]], sympy.Matrix]:
         """A matrix of any name and size with named intermediates, like :func:`sympy.cse`."""
         if name in self._first.matrices:
             return self._first.symbolic(name)
         return self._second.symbolic(name)
 
-    def at(self, parameters: dict[str, Any] | None = None, **values: Any) -> dict[str, Array]:
+    def at(self, parameters: dict[str, Any] | None = None, **values: object) -> dict[str, Array]:
         """Numbers of A, B, C and D.
 
         Args:
@@ -158,7 +158,7 @@ class Linearized:
         """
         return self._first.numbers({**(parameters or {}), **values})
 
-    def along(self, t: ArrayLike, **values: Any) -> LinearizedAlong:
+    def along(self, t: ArrayLike, **values: object) -> LinearizedAlong:
         """A, B, C and D over times (nt,) [s] of a reference that depends on ``t``.
 
         Args:

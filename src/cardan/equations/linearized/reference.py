@@ -62,12 +62,12 @@ class Reference:
     def __init__(
         self,
         equations: EquationRecord,
-        q: Mapping[str, Any],
-        u: Mapping[str, Any],
-        udot: Mapping[str, Any] | str,
-        z: Mapping[str, Any],
-        r: Mapping[str, Any],
-        s: Mapping[str, Any],
+        q: Mapping[str, object],
+        u: Mapping[str, object],
+        udot: Mapping[str, object] | str,
+        z: Mapping[str, object],
+        r: Mapping[str, object],
+        s: Mapping[str, object],
         t: float | None,
         values: Mapping[str, float],
         independent: Iterable[str] | None,
@@ -152,7 +152,7 @@ class Reference:
         self.values.update(zip(self.block(letter), nodes, strict=True))
 
     def _set_constants(
-        self, z: Mapping[str, Any], r: Mapping[str, Any], s: Mapping[str, Any]
+        self, z: Mapping[str, object], r: Mapping[str, object], s: Mapping[str, object]
     ) -> None:
         """Internal states, inputs and modes."""
         start = blocks.defaults(self.system)
@@ -167,7 +167,7 @@ class Reference:
                 for k, x in enumerate(start[letter])
             ])  # fmt: skip
 
-    def _set_positions(self, q: Mapping[str, Any], t: float | None) -> None:
+    def _set_positions(self, q: Mapping[str, object], t: float | None) -> None:
         specified = entries(q, self.names["q"], "coordinate")
         check_rotations(self.system, self.names["q"], specified)
         start = [default for _, _, default in blocks.coordinates(self.system)]
@@ -202,7 +202,7 @@ class Reference:
         """Constraints of position level."""
         return self.d.constraints.positions if self.system.closed else 0
 
-    def open_at(self, values: Mapping[str, Any]) -> float:
+    def open_at(self, values: Mapping[str, object]) -> float:
         """Closure error at the reference, the largest of a batch of values."""
         if not self.positions:
             return 0.0
@@ -210,7 +210,7 @@ class Reference:
         function = Function("x", self.graph, self.inputs, (Output("x", (x.rows,), x.nodes),))
         return float(np.abs(evaluate(function, values, "numpy")["x"]).max(initial=0.0))
 
-    def _assemble(self, specified: Mapping[int, Any]) -> None:
+    def _assemble(self, specified: Mapping[int, object]) -> None:
         """Coordinates that are not given become symbols with the values that close the loops."""
         if self.timed:
             raise DerivationError(
@@ -231,7 +231,9 @@ class Reference:
             return Matrix.zeros(self.graph, 0, self.system.nu)
         return self.put(self.d.constraints.jacobian)
 
-    def _choose(self, independent: list[str], q: Mapping[str, Any], u: Mapping[str, Any]) -> None:
+    def _choose(
+        self, independent: list[str], q: Mapping[str, object], u: Mapping[str, object]
+    ) -> None:
         """Choose independent increments and speeds, and the rows of G that determine the others."""
         slots = {name: self.slot(name) for name in independent}
         specified = specified_speeds(self.names["u"], q, u)
@@ -248,10 +250,8 @@ class Reference:
         """
         places = places_of(name, self.names["u"])
         if len(places) != 1:
-            names = (*self.increments, *self.names["u"])
-            raise DerivationError(
-                f"linearize: there is no coordinate or speed '{name}'.{near(name, names)}"
-            )
+            hint = near(name, (*self.increments, *self.names["u"]))
+            raise DerivationError(f"linearize: there is no coordinate or speed '{name}'.{hint}")
         return places[0]
 
     @cached_property
@@ -281,7 +281,7 @@ class Reference:
 
     # speeds, accelerations, multipliers
 
-    def _set_speeds(self, u: Mapping[str, Any]) -> None:
+    def _set_speeds(self, u: Mapping[str, object]) -> None:
         specified = entries(u, self.names["u"], "speed")
         nodes = [ZERO] * self.system.nu
         for k, value in specified.items():
@@ -309,7 +309,7 @@ class Reference:
             rates[joint.u : joint.u + u.rows] = u.nodes
         return rates
 
-    def _complete(self, letter: str, residual: Matrix, specified: Mapping[int, Any]) -> None:
+    def _complete(self, letter: str, residual: Matrix, specified: Mapping[int, object]) -> None:
         """Dependent entries changed so that the constraints hold, given ones as they are."""
         weights = np.ones(self.system.nu)
         weights[list(specified)] = REQUEST_WEIGHT**2
@@ -330,7 +330,7 @@ class Reference:
                 leaf = self.graph.var(letter, k)
                 self.values[leaf] = self.graph.sub(self.values[leaf], change.nodes[n])
 
-    def _set_accelerations(self, udot: Mapping[str, Any] | str) -> None:
+    def _set_accelerations(self, udot: Mapping[str, object] | str) -> None:
         accelerations = {} if isinstance(udot, str) else udot
         specified = entries(accelerations, self.names["udot"], "acceleration")
         nodes = forward(self.graph, [self.values[x] for x in self.block("u")], {self.time: ONE})

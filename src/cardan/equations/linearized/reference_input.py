@@ -98,7 +98,9 @@ def places_of(name: str, names: Sequence[str]) -> list[int]:
     return []
 
 
-def specified_speeds(names: Sequence[str], q: Mapping[str, Any], u: Mapping[str, Any]) -> list[int]:
+def specified_speeds(
+    names: Sequence[str], q: Mapping[str, object], u: Mapping[str, object]
+) -> list[int]:
     """Places among the names of speeds of those that have a value, or whose coordinate has."""
     named_values = [
         name for name, value in {**q, **u}.items() if not isinstance(value, Placeholder)
@@ -132,7 +134,7 @@ class Symbols:
             self.values[name] = self._default_values.pop(name, value)
         return self.graph.var(NOMINAL, self.names.index(name))
 
-    def node(self, value: Any) -> int:
+    def node(self, value: object) -> int:
         """A number or a SymPy expression as a node."""
         if isinstance(value, (int, float)):
             return self.graph.const(value)

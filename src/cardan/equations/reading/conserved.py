@@ -17,7 +17,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -46,6 +46,8 @@ from ..kinematics.momenta import (
 )
 
 if TYPE_CHECKING:
+    import sympy
+
     from ..record import EquationRecord
 
 # rounding of combinations, relative to their terms
@@ -72,7 +74,7 @@ class Quantity:
     condition: str = ""
 
     @cached_property
-    def expression(self) -> Any:
+    def expression(self) -> sympy.Expr:
         """Its value as a SymPy expression.
 
         Raises:

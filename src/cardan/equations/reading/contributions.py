@@ -13,7 +13,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from ...errors import DerivationError, near
 from ...ir.collector import collector_paused
@@ -25,6 +25,8 @@ from ..functions.dynamics import Dynamics
 from ..kinematics.kinematics import Kinematics
 
 if TYPE_CHECKING:
+    import sympy
+
     from ..record import EquationRecord
 
 NOTHING: Nodes = (ZERO,) * 9
@@ -49,7 +51,7 @@ class Contribution:
     function: Function
 
     @cached_property
-    def matrix(self) -> Any:
+    def matrix(self) -> sympy.Matrix:
         """Its part as a SymPy matrix.
 
         Raises:

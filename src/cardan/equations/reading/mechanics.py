@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import sympy
 from sympy.physics.mechanics import dynamicsymbols
@@ -35,32 +35,32 @@ class Mechanics:
             of these. M u' = forcing + Gᵀ lam where there are any.
     """
 
-    t: Any
-    q: Any
-    u: Any
-    mass_matrix: Any
-    forcing: Any
-    kinematics: Any
-    parameters: dict[Any, float]
-    inputs: tuple[Any, ...]
-    constraints: dict[str, Any] = field(default_factory=dict)
-    velocity_constraints: dict[str, Any] = field(default_factory=dict)
+    t: sympy.Expr
+    q: sympy.Matrix
+    u: sympy.Matrix
+    mass_matrix: sympy.Matrix
+    forcing: sympy.Matrix
+    kinematics: sympy.Matrix
+    parameters: dict[sympy.Expr, float]
+    inputs: tuple[sympy.Expr, ...]
+    constraints: dict[str, sympy.Expr] = field(default_factory=dict)
+    velocity_constraints: dict[str, sympy.Expr] = field(default_factory=dict)
 
-    def kindiffdict(self) -> dict[Any, Any]:
+    def kindiffdict(self) -> dict[sympy.Expr, sympy.Expr]:
         """q' -> its expression in q and u."""
         return dict(zip(self.q.diff(self.t), self.kinematics, strict=True))
 
     @property
-    def mass_matrix_full(self) -> Any:
+    def mass_matrix_full(self) -> sympy.Matrix:
         """Matrix of [q', u'] (nq + nu, nq + nu)."""
         return sympy.diag(sympy.eye(len(self.q)), self.mass_matrix)
 
     @property
-    def forcing_full(self) -> Any:
+    def forcing_full(self) -> sympy.Matrix:
         """Right-hand side to it (nq + nu, 1)."""
         return self.kinematics.col_join(self.forcing)
 
-    def rhs(self) -> Any:
+    def rhs(self) -> sympy.Matrix:
         """[q', u'] solved for (nq + nu, 1); long for more than a few coordinates."""
         return self.kinematics.col_join(self.mass_matrix.LUsolve(self.forcing))
 
@@ -77,10 +77,10 @@ def mechanics(equations: Readable) -> Mechanics:
     time = dynamicsymbols._t
     as_functions[names["t", 0]] = time
 
-    def written(matrix: Any) -> Any:
+    def written(matrix: sympy.Matrix) -> sympy.Matrix:
         return matrix.xreplace(as_functions)
 
-    def column(letter: str) -> list[Any]:
+    def column(letter: str) -> list[sympy.Expr]:
         return [moving[letter, k] for k in range(len(equations.blocks[letter]))]
 
     q, u = column("q"), column("u")
@@ -103,8 +103,8 @@ def mechanics(equations: Readable) -> Mechanics:
 
 
 def _constraints(
-    equations: Readable, written: Callable[[Any], Any]
-) -> tuple[dict[str, Any], dict[str, Any]]:
+    equations: Readable, written: Callable[[sympy.Matrix], sympy.Matrix]
+) -> tuple[dict[str, sympy.Expr], dict[str, sympy.Expr]]:
     """Constraints of the system by name: at position level, and at velocity level alone."""
     rows = equations.constraint_rows
     if not rows:
@@ -116,10 +116,10 @@ def _constraints(
     return positions, dict(zip(velocity_names, rates[len(position_names) :], strict=True))
 
 
-def _functions(equations: Readable) -> dict[tuple[str, int], Any]:
+def _functions(equations: Readable) -> dict[tuple[str, int], sympy.Expr]:
     """Entry of q, u and r -> a function of time; its name has no dots and is taken once."""
     taken = set(equations.parameters)
-    functions: dict[tuple[str, int], Any] = {}
+    functions: dict[tuple[str, int], sympy.Expr] = {}
     for letter in ("q", "u", "r"):
         for k, entry in enumerate(equations.blocks[letter].entries):
             name = base = re.sub(r"\W", "_", entry)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import sympy
 
@@ -18,10 +18,10 @@ if TYPE_CHECKING:
 
 # operations of a definition as it comes that is worth a search for a short form
 LONGEST = 3000
-Definitions = list[tuple[Any, Any]]
+Definitions = list[tuple[sympy.Expr, sympy.Expr]]
 
 
-def named(equations: Readable, name: str) -> tuple[Definitions, Any]:
+def named(equations: Readable, name: str) -> tuple[Definitions, sympy.Matrix]:
     """Definitions and matrix of a function; see :meth:`.Readable.named`.
 
     Raises:
@@ -43,7 +43,7 @@ def named(equations: Readable, name: str) -> tuple[Definitions, Any]:
 
 
 def _definition(
-    g: Graph, symbol: str, node: int, names: Mapping[tuple[str, int], Any]
+    g: Graph, symbol: str, node: int, names: Mapping[tuple[str, int], sympy.Expr]
 ) -> Definitions:
     """Definition of a symbol, by intermediates of its own where it is long."""
     value = Matrix(g, 1, 1, [node])

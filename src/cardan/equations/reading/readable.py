@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from ...arguments import checked
 from ...errors import DerivationError
@@ -72,7 +72,7 @@ class Readable(EquationRecord):
         return self.written("regressor")
 
     @property
-    def inertial_parameters(self) -> dict[str, Any]:
+    def inertial_parameters(self) -> dict[str, sympy.Expr]:
         """phi by name, as SymPy expressions of the parameters: ``arm.mass``, ``arm.xx`` ..."""
         names = self.without_rewrites.function("inertial_parameters").outputs[0].entries
         return dict(zip(names, self.written("inertial_parameters"), strict=True))
@@ -83,7 +83,7 @@ class Readable(EquationRecord):
         return self.written("constraint_bias")
 
     @checked
-    def named(self, name: str) -> tuple[list[tuple[Any, Any]], sympy.Matrix]:
+    def named(self, name: str) -> tuple[list[tuple[sympy.Expr, sympy.Expr]], sympy.Matrix]:
         """A function of a mechanism as books write it, with names for what its loops determine.
 
         Where loops are solved in closed form, a joint that follows keeps the name of its
@@ -114,7 +114,7 @@ class Readable(EquationRecord):
         return rf"$\displaystyle {latex(self)}$"
 
     @checked
-    def symbolic(self, name: str) -> tuple[list[tuple[Any, Any]], sympy.Matrix]:
+    def symbolic(self, name: str) -> tuple[list[tuple[sympy.Expr, sympy.Expr]], sympy.Matrix]:
         """A function with named intermediates, like :func:`sympy.cse`; for systems of any size.
 
         Returns:

@@ -16,6 +16,8 @@ from .. import content as d
 from ..style import STYLE
 
 if TYPE_CHECKING:
+    import sympy
+
     from ...equations.reading.mathml import Printer
     from ..breaking import Breaker
 
@@ -159,7 +161,7 @@ class _Writer:
             yield f"<dt>{escape(who)}</dt><dd>{mark}{self._flow(expression, n > 0)}</dd>"
         yield "</dl>"
 
-    def _flow(self, expression: Any, goes_on: bool = False) -> str:
+    def _flow(self, expression: sympy.Expr, goes_on: bool = False) -> str:
         """An expression in pieces between which lines may end.
 
         Args:
@@ -172,7 +174,7 @@ class _Writer:
             goes_on = True
         return " ".join(parts)
 
-    def _segment(self, segment: Any, goes_on: bool) -> str:
+    def _segment(self, segment: sympy.Expr, goes_on: bool) -> str:
         parts = []
         for sign in segment.before:
             parts.append(_operator(sign, goes_on))
@@ -270,6 +272,6 @@ def _cut(name: str, most: int) -> str:
 class _Names(dict[str, Notation]):
     """Notation of every name; unknown ones are words."""
 
-    def get(self, name: str, default: Any = None) -> Any:
+    def get(self, name: str, default: object = None) -> Any:
         """Same as ``dict.get``, but never None."""
         return super().get(name) or _fitting(Notation(name))

@@ -5,12 +5,15 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING
 from unicodedata import name as unicode_name
 
 from ...equations.reading.notation import GREEK
 from .. import content as d
 from ..tex import TeX
+
+if TYPE_CHECKING:
+    import sympy
 
 # letters of a piece of a formula
 ROOM = 44.0
@@ -129,7 +132,7 @@ class _Writer:
             return escaped(part)
         return f"${part.latex}$" if isinstance(part, d.Written) else self._flow(part.expression)
 
-    def _flow(self, expression: Any) -> str:
+    def _flow(self, expression: sympy.Expr) -> str:
         return " ".join(
             f"${self._tex.segment(segment, DISPLAYED)}$"
             for segment in self._breaker.segments(expression)

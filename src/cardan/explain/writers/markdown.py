@@ -5,11 +5,14 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING
 from urllib.parse import quote
 
 from .. import content as d
 from ..tex import TeX
+
+if TYPE_CHECKING:
+    import sympy
 
 # letters of a line of a formula, and of its pieces
 LINE, ROOM = 76.0, 60.0
@@ -88,7 +91,7 @@ class _Writer:
         if formula.terms:
             yield ""
 
-    def _lines(self, left: str, expression: Any) -> list[str]:
+    def _lines(self, left: str, expression: sympy.Expr) -> list[str]:
         """An expression on as many lines as it needs."""
         rows, used = [left], 0.0
         for segment in self._breaker.segments(expression):

@@ -11,11 +11,11 @@ expression gives the same result on every machine.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Hashable, Iterable, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import lru_cache
-from typing import Any
+from typing import Any, TypeVar
 
 from ..exact import exact
 from ..function import operands
@@ -29,6 +29,9 @@ Angle = tuple[tuple[Mono, Multiple], ...]
 # cosine (0) or sine (1) of an angle; cosine of the empty angle is 1
 Wave = tuple[int, Angle]
 Poly = dict[tuple[Mono, Wave], Fraction]
+PolyKey = tuple[tuple[tuple[Mono, Wave], Fraction], ...]
+Key = TypeVar("Key", bound=Hashable)
+Generator = tuple[Any, ...]  # an operator or "leaf", and its operands
 
 COS, SIN = 0, 1
 HALF = Fraction(1, 2)
@@ -71,11 +74,11 @@ class Expansion:
 
     graph: Graph
     budget: Budget
-    generators: list[tuple[Any, ...]] = field(default_factory=list)
+    generators: list[Generator] = field(default_factory=list)
     units: dict[Mono, Multiple] = field(default_factory=dict)
     polynomials: dict[int, Poly | None] = field(default_factory=dict)
     long: frozenset[int] = frozenset()
-    _numbers: dict[tuple[Any, ...], int] = field(default_factory=dict)
+    _numbers: dict[Generator, int] = field(default_factory=dict)
 
     def expand(self, nodes: Iterable[int]) -> None:
         """Make the polynomials of nodes in topological order."""
@@ -149,13 +152,13 @@ class Expansion:
                     accumulate(result, (mono, wave), value if sign == 1 else -value)
         return result
 
-    def _generator(self, key: tuple[Any, ...]) -> Mono:
+    def _generator(self, key: Generator) -> Mono:
         if key not in self._numbers:
             self._numbers[key] = len(self.generators)
             self.generators.append(key)
         return ((self._numbers[key], 1),)
 
-    def _alone(self, key: tuple[Any, ...]) -> Poly:
+    def _alone(self, key: Generator) -> Poly:
         return {(self._generator(key), CONSTANT): Fraction(1)}
 
     def _inverse(self, a: Poly) -> Poly:
@@ -167,7 +170,7 @@ class Expansion:
         return self._alone(("inverse", _frozen(a)))
 
 
-def accumulate(sums: dict[Any, Fraction], key: Any, c: Fraction) -> None:
+def accumulate(sums: dict[Key, Fraction], key: Key, c: Fraction) -> None:
     """Add to an entry of a sum; what becomes zero goes."""
     total = sums[key] + c if key in sums else c
     if total:
@@ -256,5 +259,5 @@ def _divisor(a: Multiple, b: Multiple) -> Multiple:
     return Fraction(math.gcd(int(a * d), int(b * d)), d)
 
 
-def _frozen(a: Mapping[tuple[Mono, Wave], Fraction]) -> tuple[Any, ...]:
+def _frozen(a: Mapping[tuple[Mono, Wave], Fraction]) -> PolyKey:
     return tuple(sorted(a.items()))

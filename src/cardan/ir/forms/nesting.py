@@ -7,13 +7,12 @@ from collections.abc import Callable, Hashable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from math import gcd, lcm
-from typing import Any
 
 from ..exact import is_fraction
 
-Powers = Mapping[Any, int]
+Powers = Mapping[Hashable, int]
 Term = tuple[Fraction, Powers]
-Rank = Callable[[Hashable, int], Any]
+Rank = Callable[[Hashable, int], tuple[bool | int | str, ...]]
 
 
 @dataclass(frozen=True)
@@ -27,7 +26,7 @@ class Nested:
     """
 
     number: Fraction
-    powers: tuple[tuple[Any, int], ...]
+    powers: tuple[tuple[Hashable, int], ...]
     inside: tuple[Nested, ...] = ()
 
 
@@ -76,7 +75,7 @@ def _bracketed(part: Nested) -> Term:
     return part.number, powers
 
 
-def _best(terms: Sequence[Term], rank: Rank) -> Any:
+def _best(terms: Sequence[Term], rank: Rank) -> Hashable:
     """The factor to be taken out of several terms, None where they have none in common."""
     counts = Counter(factor for _, powers in terms for factor, n in powers.items() if n > 0)
     several = (factor for factor, count in counts.items() if count > 1)
@@ -98,7 +97,7 @@ def _common(terms: Sequence[Term]) -> tuple[Fraction, Powers]:
         number = Fraction(1)
     if sum(1 if c < 0 else -1 for c, _ in terms) >= (terms[0][0] > 0):
         number = -number
-    powers: dict[Any, int] = {}
+    powers: dict[Hashable, int] = {}
     for factor in terms[0][1]:
         exponents = [powers_of.get(factor, 0) for _, powers_of in terms]
         least = min(exponents, key=abs)

@@ -9,10 +9,10 @@ I3 + (I1 - I3) sin².
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Hashable, Mapping, Sequence
 from fractions import Fraction
 from math import inf, prod
-from typing import Any
+from typing import cast
 
 import sympy
 
@@ -20,11 +20,12 @@ from ..exact import is_fraction
 from ..function import live, operands
 from ..graph import Graph
 from ..ops import LEAVES
-from .fourier import COS, OPAQUE, Budget, Expansion, Mono, Poly, Wave
+from .fourier import COS, OPAQUE, Budget, Expansion, Mono, Poly, PolyKey, Wave
 from .nesting import Bracket, Nested, Rank, Term, flat, nested
 from .sum_to_product import Sum, shortest, split
 from .sympy_out import Leaves, Names, What, applied, expression_of, shaped, written_out
 
+Form = tuple[float, float, sympy.Expr]  # operations, brackets and the expression
 # elementary steps for all entries together: a few seconds at most
 STEPS = 500_000
 # operations of an entry that is written out; terms whose common factors are looked for in every way
@@ -47,7 +48,7 @@ class TooLong(Exception):
 
 def readable(
     what: What, names: Names | None = None, budget: Budget | None = None, longest: int = 0
-) -> Any:
+) -> sympy.Expr:
     """Expressions written out as people write them.
 
     Args:
@@ -91,15 +92,15 @@ class Writer:
         wholes = [i for i in order if graph.nodes[i][0] in (*OPAQUE, "var", "atom")]
         unwritten = _long(graph, order, self.sizes)
         short = [i for i in (*roots, *wholes) if i not in unwritten]
-        self.plain: dict[int, Any] = {}
+        self.plain: dict[int, sympy.Expr] = {}
         for i in live(graph, short):
             self.plain[i] = expression_of(graph, i, self.plain, leaves)
         self.expansion.polynomials.update((i, None) for i in wholes if i not in self.plain)
         self.expansion.expand(order)
-        self._written: dict[tuple[Any, ...], tuple[float, float, Any]] = {}
+        self._written: dict[PolyKey, Form] = {}
         self._sizes: dict[int, float] = {}
 
-    def entry(self, root: int) -> Any:
+    def entry(self, root: int) -> sympy.Expr:
         """The best form of a node that is found.
 
         Raises:
@@ -123,9 +124,9 @@ class Writer:
             return 0
         return len(sympy.Add.make_args(sympy.expand(_opaque(self.plain[root], {}))))
 
-    def forms(self, poly: Poly) -> list[tuple[int, int, Any]]:
+    def forms(self, poly: Poly) -> list[Form]:
         """Ways to write a polynomial: terms, operations, expression."""
-        forms: list[tuple[int, int, Any]] = [] if poly else [(0, 0, sympy.Integer(0))]
+        forms: list[Form] = [] if poly else [(0, 0, sympy.Integer(0))]
         budget = self.expansion.budget
         for terms in self._sums(poly):
             # what is written inside other functions again and again may be long as a whole only
@@ -143,7 +144,7 @@ class Writer:
                     forms.append((len(terms), expression.count_ops(), expression))
         return forms
 
-    def _size(self, factor: Any) -> float:
+    def _size(self, factor: sympy.Expr) -> float:
         """Operations of a factor at most; infinite where it is too long to be written."""
         if not isinstance(factor, int):
             _, angle = factor
@@ -169,14 +170,14 @@ class Writer:
         variants = variants if poly else []
         return [_terms(variant) for variant in variants]
 
-    def _poly(self, key: tuple[Any, ...]) -> tuple[float, float, Any]:
+    def _poly(self, key: PolyKey) -> Form:
         """The best form of a polynomial inside a generator; one without end where there is none."""
         if key not in self._written:
-            forms: list[Any] = self.forms(dict(key))
+            forms: list[Form] = self.forms(dict(key))
             self._written[key] = min(forms, key=_measure, default=(inf, inf, None))
         return self._written[key]
 
-    def _write(self, form: Nested) -> Any:
+    def _write(self, form: Nested) -> sympy.Expr:
         factors = [_number(form.number), *(self._factor(key) ** n for key, n in form.powers)]
         if form.inside:
             factors.append(sympy.Add(*(self._write(part) for part in form.inside)))
@@ -185,7 +186,7 @@ class Writer:
             return sympy.Mul(*factors, evaluate=False)
         return sympy.Mul(*factors)
 
-    def _factor(self, key: Any) -> Any:
+    def _factor(self, key: Hashable) -> sympy.Expr:
         """A generator by its number, a wave, or a sum in brackets."""
         if isinstance(key, Bracket):
             return sympy.Add(*(self._write(part) for part in key.parts))
@@ -193,7 +194,7 @@ class Writer:
             kind, angle = key
             argument = sympy.Add(*(_number(Fraction(c)) * self._mono(mono) for mono, c in angle))
             return sympy.cos(argument) if kind == COS else sympy.sin(argument)
-        op, *arguments = self.expansion.generators[key]
+        op, *arguments = self.expansion.generators[cast(int, key)]
         if op == "leaf":
             return self.plain[arguments[0]]
         if op == "pi":
@@ -203,7 +204,7 @@ class Writer:
             return 1 / written[0]
         return written[0] if op == "whole" else applied(op, *written)
 
-    def _mono(self, mono: Mono) -> Any:
+    def _mono(self, mono: Mono) -> sympy.Expr:
         return sympy.Mul(*(self._factor(g) ** n for g, n in mono))
 
 
@@ -212,14 +213,14 @@ def _terms(sums: Mapping[Mono, Sum]) -> list[Term]:
     terms: list[Term] = []
     for mono, products in sorted(sums.items()):
         for product, c in sorted(products.items()):
-            powers: dict[Any, int] = dict(mono)
+            powers: dict[Hashable, int] = dict(mono)
             for wave in product:
                 powers[wave] = powers.get(wave, 0) + 1
             terms.append((c, powers))
     return terms
 
 
-def _number(c: Fraction) -> Any:
+def _number(c: Fraction) -> sympy.Expr:
     if is_fraction(c) and abs(c.numerator) < WRITTEN:
         return sympy.Rational(c.numerator, c.denominator)
     return sympy.Float(float(c))
@@ -255,7 +256,7 @@ def _long(graph: Graph, order: Sequence[int], sizes: Mapping[int, int]) -> froze
     return frozenset(long_nodes)
 
 
-def _opaque(expression: Any, dummies: dict[Any, Any]) -> Any:
+def _opaque(expression: sympy.Expr, dummies: dict[sympy.Expr, sympy.Expr]) -> sympy.Expr:
     """An expression with symbols for what multiplying out would only expand inside."""
     kind = expression.func
     if not expression.args or not (kind in (sympy.Add, sympy.Mul) or _is_power(expression)):
@@ -263,24 +264,24 @@ def _opaque(expression: Any, dummies: dict[Any, Any]) -> Any:
     return kind(*(_opaque(part, dummies) for part in expression.args))
 
 
-def _is_power(expression: Any) -> bool:
+def _is_power(expression: sympy.Expr) -> bool:
     return bool(expression.is_Pow and expression.exp.is_Integer and expression.exp > 0)
 
 
-def _measure(form: tuple[int, int, Any]) -> tuple[int, int]:
-    return form[:2]
+def _measure(form: Form) -> tuple[float, float]:
+    return form[0], form[1]
 
 
-def _frequent(factor: Any, count: int) -> Any:
+def _frequent(factor: Hashable, count: int) -> tuple[bool | int | str, ...]:
     return isinstance(factor, Bracket), count, not isinstance(factor, tuple), str(factor)
 
 
-def _first_declared(factor: Any, count: int) -> Any:
+def _first_declared(factor: Hashable, count: int) -> tuple[bool | int | str, ...]:
     declared = -factor if isinstance(factor, int) else 0
     return isinstance(factor, Bracket), not isinstance(factor, tuple), declared, str(factor)
 
 
-def _waves(factor: Any, count: int) -> Any:
+def _waves(factor: Hashable, count: int) -> tuple[bool | int | str, ...]:
     return isinstance(factor, Bracket), isinstance(factor, tuple), count, str(factor)
 
 

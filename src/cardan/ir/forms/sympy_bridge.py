@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any
 
 import sympy
 
@@ -16,13 +15,13 @@ __all__ = ["all_from_sympy", "from_sympy", "to_sympy", "to_sympy_shared"]
 Convert = Callable[[Graph, Sequence[int]], int]
 
 
-def from_sympy(graph: Graph, expression: Any, symbols: Mapping[Any, int]) -> int:
+def from_sympy(graph: Graph, expression: sympy.Basic, symbols: Mapping[sympy.Basic, int]) -> int:
     """A SymPy expression as a node; see :func:`all_from_sympy`."""
     return all_from_sympy(graph, [expression], symbols)[0]
 
 
 def all_from_sympy(
-    graph: Graph, expressions: Sequence[Any], symbols: Mapping[Any, int]
+    graph: Graph, expressions: Sequence[sympy.Basic], symbols: Mapping[sympy.Basic, int]
 ) -> list[int]:
     """SymPy expressions as nodes; what they share is converted once.
 
@@ -37,14 +36,14 @@ def all_from_sympy(
         ModelError: an unknown symbol, an unsupported function or a value that is not finite and
             real.
     """
-    done: dict[Any, int] = dict(symbols)
+    done: dict[sympy.Basic, int] = dict(symbols)
     roots = [sympy.sympify(expression, strict=True) for expression in expressions]
     for root in roots:
         _convert(graph, root, done)
     return [done[root] for root in roots]
 
 
-def _convert(graph: Graph, root: Any, done: dict[Any, int]) -> None:
+def _convert(graph: Graph, root: sympy.Basic, done: dict[sympy.Basic, int]) -> None:
     """Convert an expression and all its parts."""
     stack = [root]
     while stack:
@@ -60,7 +59,7 @@ def _convert(graph: Graph, root: Any, done: dict[Any, int]) -> None:
             stack.pop()
 
 
-def _parts(e: Any) -> Sequence[Any]:
+def _parts(e: sympy.Basic) -> Sequence[sympy.Basic]:
     """Subexpressions to convert before e."""
     if isinstance(e, sympy.Piecewise):
         return [x for branch in e.args for x in branch.args]
@@ -69,7 +68,7 @@ def _parts(e: Any) -> Sequence[Any]:
     return () if e.is_Atom else e.args
 
 
-def _node(graph: Graph, e: Any, done: Mapping[Any, int], root: Any) -> int:
+def _node(graph: Graph, e: sympy.Basic, done: Mapping[sympy.Basic, int], root: sympy.Basic) -> int:
     if e.is_Atom:
         return _atom(graph, e, done, root)
     nodes = [done[x] for x in _parts(e)]
@@ -95,7 +94,7 @@ def _node(graph: Graph, e: Any, done: Mapping[Any, int], root: Any) -> int:
     return convert(graph, nodes)
 
 
-def _atom(graph: Graph, e: Any, done: Mapping[Any, int], root: Any) -> int:
+def _atom(graph: Graph, e: sympy.Basic, done: Mapping[sympy.Basic, int], root: sympy.Basic) -> int:
     """A number or a truth value; symbols that are known never come here."""
     if e.is_Symbol:
         candidates = [x for x in done if getattr(x, "is_Symbol", False)]
@@ -113,7 +112,7 @@ def _atom(graph: Graph, e: Any, done: Mapping[Any, int], root: Any) -> int:
     return graph.const(_finite(e, root))
 
 
-def _finite(e: Any, root: Any) -> float:
+def _finite(e: sympy.Basic, root: sympy.Basic) -> float:
     """A SymPy number as a float."""
     if not (e.is_number and e.is_extended_real and e.is_finite):
         raise ModelError(f"'{e}' in '{_shortened(root)}' is not a finite real number")
@@ -123,7 +122,7 @@ def _finite(e: Any, root: Any) -> float:
     return value
 
 
-def _shortened(e: Any) -> str:
+def _shortened(e: sympy.Basic) -> str:
     text = str(e)
     return text if len(text) <= 80 else text[:77] + "..."
 
@@ -135,7 +134,7 @@ def _sum(graph: Graph, nodes: Sequence[int]) -> int:
     return total
 
 
-def _product(graph: Graph, e: Any, done: Mapping[Any, int]) -> int:
+def _product(graph: Graph, e: sympy.Basic, done: Mapping[sympy.Basic, int]) -> int:
     """Factors with negative powers are gathered below one fraction line."""
     above, below = ONE, ONE
     for factor in e.args:
@@ -147,7 +146,7 @@ def _product(graph: Graph, e: Any, done: Mapping[Any, int]) -> int:
     return graph.div(above, below)
 
 
-def _piecewise(graph: Graph, e: Any, nodes: Sequence[int]) -> int:
+def _piecewise(graph: Graph, e: sympy.Basic, nodes: Sequence[int]) -> int:
     """First piece whose condition holds."""
     if e.args[-1].cond != sympy.true:
         raise ModelError(
@@ -210,9 +209,9 @@ def _exclusive(g: Graph, x: Sequence[int]) -> int:
     return result
 
 
-def _functions() -> dict[Any, Convert]:
+def _functions() -> dict[sympy.Basic, Convert]:
     same = "sin cos tan asin acos atan sinh cosh tanh asinh acosh atanh exp log atan2 sign floor"
-    table: dict[Any, Convert] = {getattr(sympy, name): _op(name) for name in same.split()}
+    table: dict[sympy.Basic, Convert] = {getattr(sympy, name): _op(name) for name in same.split()}
     table |= {
         sympy.Pow: _op("pow"),
         sympy.Abs: _op("abs"),

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from itertools import chain, count, islice
-from typing import Any
 
 import sympy
 
@@ -18,11 +17,11 @@ from ..ops import LEAVES
 from ..rewrite import rebuild
 from ..solve import Factor, unrolled
 
-Names = Mapping[tuple[str, int], Any]
+Names = Mapping[tuple[str, int], sympy.Expr]
 What = Function | Matrix | Scalar
 
 
-def to_sympy(what: What, names: Names | None = None) -> Any:
+def to_sympy(what: What, names: Names | None = None) -> sympy.Expr | sympy.Matrix:
     """Expressions written out in full as a SymPy matrix, or an expression for a Scalar.
 
     Args:
@@ -30,7 +29,7 @@ def to_sympy(what: What, names: Names | None = None) -> Any:
         names: (block, k) -> SymPy symbol; by default a Function's names of entries.
     """
     graph, roots, rows, columns = written_out(what)
-    expressions: dict[int, Any] = {}
+    expressions: dict[int, sympy.Expr] = {}
     leaves = Leaves(graph, what, names)
     for i in live(graph, roots):
         expressions[i] = expression_of(graph, i, expressions, leaves)
@@ -39,7 +38,7 @@ def to_sympy(what: What, names: Names | None = None) -> Any:
 
 def to_sympy_shared(
     what: What, names: Names | None = None, named: bool = False
-) -> tuple[list[tuple[Any, Any]], Any]:
+) -> tuple[list[tuple[sympy.Expr, sympy.Expr]], sympy.Matrix]:
     """Expressions with what is used several times named, like :func:`sympy.cse`.
 
     Args:
@@ -52,7 +51,7 @@ def to_sympy_shared(
         before it.
     """
     graph, roots, rows, columns = written_out(what)
-    expressions: dict[int, Any] = {}
+    expressions: dict[int, sympy.Expr] = {}
     leaves = Leaves(graph, what, names)
     order = live(graph, roots)
     uses = dict.fromkeys(order, 0)
@@ -60,7 +59,7 @@ def to_sympy_shared(
         for k in operands(graph.nodes[i]):
             uses[k] += 1
     symbols = leaves.fresh(order, named)
-    replacements: list[tuple[Any, Any]] = []
+    replacements: list[tuple[sympy.Expr, sympy.Expr]] = []
     for i in order:
         expressions[i] = expression_of(graph, i, expressions, leaves)
         if uses[i] > 1 and graph.nodes[i][0] not in (*LEAVES, "neg", "solve"):
@@ -96,7 +95,7 @@ def written_out(what: What) -> tuple[Graph, list[int], int, int]:
     return graph, roots, rows, columns
 
 
-def shaped(what: What, rows: int, columns: int, entries: Sequence[Any]) -> Any:
+def shaped(what: What, rows: int, columns: int, entries: Sequence[sympy.Expr]) -> sympy.Matrix:
     return entries[0] if isinstance(what, Scalar) else sympy.Matrix(rows, columns, list(entries))
 
 
@@ -105,24 +104,24 @@ class Leaves:
 
     def __init__(self, graph: Graph, what: What, names: Names | None) -> None:
         self.graph = graph
-        self.names: dict[tuple[str, int], Any] = dict(names or {})
+        self.names: dict[tuple[str, int], sympy.Expr] = dict(names or {})
         if isinstance(what, Function):
             for block in what.inputs:
                 for k, entry in enumerate(block.entries):
                     self.names.setdefault((block.name, k), sympy.Symbol(entry))
 
-    def symbol(self, i: int) -> Any:
+    def symbol(self, i: int) -> sympy.Expr:
         op, name, *indices = self.graph.nodes[i]
         if op == "atom":
             return sympy.Symbol(name)
         return self.names.get((name, indices[0])) or sympy.Symbol(f"{name}{indices[0]}")
 
-    def fresh(self, order: Sequence[int], named: bool) -> Callable[[int], Any]:
+    def fresh(self, order: Sequence[int], named: bool) -> Callable[[int], sympy.Expr]:
         """Gives nodes symbols that no leaf has: by label, else x0, x1, ..."""
         nodes = self.graph.nodes
         taken = {self.symbol(i).name for i in order if nodes[i][0] in ("var", "atom")}
 
-        def symbol(i: int) -> Any:
+        def symbol(i: int) -> sympy.Expr:
             owner, quantity = self.graph.labels.get(i, ("", "")) if named else ("", "")
             op, *read = nodes[i]
             if named and op in ("sin", "cos") and nodes[read[0]][0] == "var":
@@ -136,7 +135,7 @@ class Leaves:
         return symbol
 
 
-def sympy_number(value: float) -> Any:
+def sympy_number(value: float) -> sympy.Expr:
     """Fractions and multiples of pi as such, other numbers as floats."""
     if abs(value) < 1e15:
         for divisor in (1, 2, 3, 4, 6):
@@ -148,7 +147,9 @@ def sympy_number(value: float) -> Any:
     return sympy.Float(value)
 
 
-def expression_of(graph: Graph, i: int, expressions: Mapping[int, Any], leaves: Leaves) -> Any:
+def expression_of(
+    graph: Graph, i: int, expressions: Mapping[int, sympy.Expr], leaves: Leaves
+) -> sympy.Expr:
     """A node in terms of its operands' expressions; solve nodes give matrices."""
     node = graph.nodes[i]
     op = node[0]
@@ -171,7 +172,7 @@ def expression_of(graph: Graph, i: int, expressions: Mapping[int, Any], leaves: 
     return applied(op, *[expressions[k] for k in node[1:]])
 
 
-def applied(op: str, *given: Any) -> Any:
+def applied(op: str, *given: sympy.Expr) -> sympy.Expr:
     """An operator of SymPy's; functions of long expressions are left as they are.
 
     SymPy looks for signs and squares in what it takes a root or an angle of, which takes minutes
@@ -183,7 +184,7 @@ def applied(op: str, *given: Any) -> Any:
         return OPERATIONS[op](*given)
 
 
-def _short(x: Any) -> bool:
+def _short(x: sympy.Expr) -> bool:
     return next(islice(sympy.preorder_traversal(x), EVALUATED, None), None) is None
 
 
@@ -194,7 +195,7 @@ RELATIONS = {"lt": sympy.Lt, "le": sympy.Le, "eq": sympy.Eq}
 LOGIC = {"and": sympy.And, "or": sympy.Or, "not": sympy.Not}
 
 
-def _condition(graph: Graph, i: int, expressions: Mapping[int, Any]) -> Any:
+def _condition(graph: Graph, i: int, expressions: Mapping[int, sympy.Expr]) -> sympy.Expr:
     """A node as a truth value: it is not 0."""
     node = graph.nodes[i]
     if node[0] in RELATIONS:
@@ -204,19 +205,19 @@ def _condition(graph: Graph, i: int, expressions: Mapping[int, Any]) -> Any:
     return sympy.Ne(expressions[i], 0)
 
 
-def _solution(n: int, m: int, entries: list[Any]) -> Any:
+def _solution(n: int, m: int, entries: list[sympy.Expr]) -> sympy.Matrix:
     a = sympy.Matrix(n, n, entries[: n * n])
     return a.LUsolve(sympy.Matrix(n, m, entries[n * n :]))
 
 
-def _table(graph: Graph, number: int, derivative: int) -> Any:
+def _table(graph: Graph, number: int, derivative: int) -> sympy.Expr:
     """A SymPy function that :func:`from_sympy` turns into the table again."""
     name = f"table{number}" + (f"_d{derivative}" if derivative else "")
     members = {"cardan_table": graph.tables[number], "cardan_derivative": derivative}
     return type(name, (sympy.Function,), members)
 
 
-def _stumpff(k: Any, x: Any) -> Any:
+def _stumpff(k: sympy.Integer, x: sympy.Expr) -> sympy.Expr:
     """c_k(x) in closed form, with its limit at 0."""
     k = int(k)
     root = sympy.sqrt(x)
@@ -230,11 +231,13 @@ def _stumpff(k: Any, x: Any) -> Any:
     )
 
 
-def _operations() -> dict[str, Callable[..., Any]]:
+def _operations() -> dict[str, Callable[..., sympy.Expr]]:
     same = (
         "sqrt sin cos tan asin acos atan sinh cosh tanh asinh acosh atanh exp log atan2 sign floor"
     )
-    table: dict[str, Callable[..., Any]] = {name: getattr(sympy, name) for name in same.split()}
+    table: dict[str, Callable[..., sympy.Expr]] = {
+        name: getattr(sympy, name) for name in same.split()
+    }
     return table | {
         "add": lambda a, b: a + b,
         "sub": lambda a, b: a - b,

@@ -224,7 +224,7 @@ class _Several:
     objects: dict[str, Object]
 
     @staticmethod
-    def compiled(names: Sequence[str], *what: Any) -> _Several:
+    def compiled(names: Sequence[str], *what: object) -> _Several:
         """Compiled under these names."""
         return _Several(dict(zip(names, _compiled_anywhere(names, *what), strict=True)))
 

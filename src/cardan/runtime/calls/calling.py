@@ -6,7 +6,6 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from math import prod
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -96,7 +95,7 @@ class Caller:
         self.batch = Batch(name, None) if batch is None else batch
         self.w_slot = SLOT["w"]
 
-    def __call__(self, out: Array | None, *values: Any, w: Array | None = None) -> Array:
+    def __call__(self, out: Array | None, *values: object, w: Array | None = None) -> Array:
         """The results for states of any leading shape.
 
         Args:
@@ -116,7 +115,7 @@ class Caller:
                 f"{self.name}: so many states do not fit into memory ({error}). Give fewer at once"
             ) from None
 
-    def _results(self, out: Array | None, values: Sequence[Any], w: Array | None) -> Array:
+    def _results(self, out: Array | None, values: Sequence[object], w: Array | None) -> Array:
         values = [*values, *[None] * (len(self.arguments) - len(values))]
         arrays = [self._read(a, v) for a, v in zip(self.arguments, values, strict=True)]
         lead = self._lead(arrays, w)
@@ -151,7 +150,7 @@ class Caller:
         return self._deliver(result.reshape(lead + self.shape), out)
 
     def _room(
-        self, lead: tuple[int, ...], count: int, blocks: list[Array | None], out: Any
+        self, lead: tuple[int, ...], count: int, blocks: list[Array | None], out: object
     ) -> Array:
         """Array for the results, (count, size): for a batch ``out`` itself if it takes them so."""
         if (
@@ -173,7 +172,7 @@ class Caller:
             return self.evaluator.run(blocks, strides, rows)
         return abi.run(self.address, blocks, strides, len(rows), rows, self.work_size)
 
-    def _read(self, argument: Argument, value: Any) -> Array | None:
+    def _read(self, argument: Argument, value: object) -> Array | None:
         """The value as float64 with the trailing axes of the argument."""
         if value is None:
             if argument.default is None and argument.size:
@@ -280,7 +279,7 @@ def _listed(argument: Argument) -> str:
     return f": {argument.what} {listing}{more}"
 
 
-def numbers(where: str, value: Any) -> Array:
+def numbers(where: str, value: object) -> Array:
     """A value as an array of float64.
 
     Raises:

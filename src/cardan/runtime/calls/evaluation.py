@@ -34,7 +34,7 @@ class Evaluation(ABC):
 
     @abstractmethod
     def _evaluate(
-        self, key: Key, values: tuple[Any, ...], parameters: Values | None, out: Array | None
+        self, key: Key, values: tuple[object, ...], parameters: Values | None, out: Array | None
     ) -> Array:
         """Call a function, with parameter values of its own where they are given."""
 
@@ -67,7 +67,7 @@ class Evaluation(ABC):
         """
 
     @abstractmethod
-    def _vector(self, block: str, value: Any) -> Array:
+    def _vector(self, block: str, value: object) -> Array:
         """A vector given as an array or by names, as an array."""
 
     @abstractmethod

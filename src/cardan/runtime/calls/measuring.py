@@ -60,7 +60,7 @@ def timed(run: Callable[[], Any], states: int) -> float:
     return best / repeat / states * 1e9
 
 
-def error(function: Function, blocks: Mapping[str, Any], value: Array) -> float:
+def error(function: Function, blocks: Mapping[str, object], value: Array) -> float:
     """Largest |error| / |largest entry| of results at one state against 40 digits."""
     exact = evaluate(function, blocks, "mp", DIGITS)
     numbers = [x for o in function.outputs for x in exact[o.name]]

@@ -183,7 +183,7 @@ def _general(model: Evaluation, key: Key, blocks: ByName, call: ByName) -> Array
     return into(_in_its_axes(model, key, values, call), out)
 
 
-def _in_its_axes(model: Evaluation, key: Key, values: tuple[Any, ...], call: ByName) -> Array:
+def _in_its_axes(model: Evaluation, key: Key, values: tuple[object, ...], call: ByName) -> Array:
     """A 6-vector of a frame, or columns of them, in its axes."""
     if not isinstance(call["in_"], str) or call["in_"] != "frame":
         raise ArgumentError(f"in_ must be 'ground' or 'frame', not {brief(call['in_'])}")

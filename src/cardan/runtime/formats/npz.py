@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
@@ -51,7 +50,7 @@ def _parsed(data: bytes) -> tuple[Attributes, Variables]:
     return attributes, {name: _variable(name, rows[name], arrays[name]) for name in rows}
 
 
-def _variable(name: str, row: Any, values: Array) -> Variable:
+def _variable(name: str, row: object, values: Array) -> Variable:
     """An array with the names of its axes and its texts, checked."""
     dimensions = row.get("dimensions") if isinstance(row, dict) else None
     texts = row.get("attributes") if isinstance(row, dict) else None

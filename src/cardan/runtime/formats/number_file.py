@@ -20,7 +20,7 @@ KINDS = "fiubU"  # numbers and texts, no objects
 SWOLLEN = 1 << 30  # bytes of all entries of a file that is smaller than half of that
 
 
-def packed(arrays: Mapping[str, Any]) -> bytes:
+def packed(arrays: Mapping[str, object]) -> bytes:
     """Arrays as bytes: an npz file without objects."""
     stream = io.BytesIO()
     with zipfile.ZipFile(stream, "w") as file:

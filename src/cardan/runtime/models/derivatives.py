@@ -163,7 +163,7 @@ class Derivative:
             listed = [into(x, o) for x, o in zip(listed, outs, strict=True)]
         return listed[0] if self.single else tuple(listed)
 
-    def _named(self, states: Sequence[Any], keywords: Mapping[str, Any]) -> dict[str, Any]:
+    def _named(self, states: Sequence[object], keywords: Mapping[str, object]) -> dict[str, Any]:
         """Arguments by name."""
         # solvers call rhs(t, x, r)
         order, names = self._order
@@ -183,7 +183,7 @@ class Derivative:
         return values
 
     def _results(
-        self, named_values: Mapping[str, Any], parameters: Values | None
+        self, named_values: Mapping[str, object], parameters: Values | None
     ) -> dict[str, Array]:
         """One array per block or name."""
         key = ("derivative", self.request)

@@ -186,7 +186,7 @@ class LoadedModel(Description):
         """Names of the functions whose expressions are stored beside the C."""
         return tuple(self._objects.saved())
 
-    def _evaluate_saved(self, name: str, arithmetic: str = "numpy", **values: Any) -> Any:
+    def _evaluate_saved(self, name: str, arithmetic: str = "numpy", **values: object) -> Any:
         """Results of a saved Function in Python; see :func:`cardan.ir.interpreter.evaluate`."""
         from ...ir.interpreter import evaluate
 
@@ -203,7 +203,7 @@ class LoadedModel(Description):
         return kernels.library(self._objects.reproducible)
 
     def _evaluate(
-        self, key: Key, values: tuple[Any, ...], parameters: Values | None, out: Array | None
+        self, key: Key, values: tuple[object, ...], parameters: Values | None, out: Array | None
     ) -> Array:
         of = key[1]
         if of is not None and not isinstance(of, str):
@@ -225,7 +225,7 @@ class LoadedModel(Description):
         w = function.prepared(self._parameters.changed(parameters))
         return function.caller(out, *values, w=w)
 
-    def _vector(self, block: str, value: Any) -> Any:
+    def _vector(self, block: str, value: object) -> Any:
         if not isinstance(value, Mapping):
             return numbers(block, value)
         return by_name(block, self._layout.arguments[block], value)

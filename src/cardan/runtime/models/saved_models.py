@@ -7,7 +7,7 @@ import hashlib
 import json
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import TypeVar
 
 from ... import regular_file
 from ...errors import BuildError, ModelError
@@ -120,7 +120,7 @@ def restore(
     return model._with(Parameters(model.manifest, values))
 
 
-def _checked(files: Any, stated: Any) -> Manifest:
+def _checked(files: object, stated: object) -> Manifest:
     """The manifest of a pickle whose texts are all there, unchanged and in order."""
     if not isinstance(files, dict) or not all(
         isinstance(name, str) and isinstance(text, str) for name, text in files.items()

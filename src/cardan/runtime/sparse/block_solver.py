@@ -192,7 +192,7 @@ class BlockSolver:
             raise SolveError("there are no factors: call factor first")
         return self._values
 
-    def _call(self, name: str, answer: Any, *arguments: Any) -> Any:
+    def _call(self, name: str, answer: object, *arguments: object) -> Any:
         """Call a function of the kernels; arrays go as pointers."""
         function = getattr(self.library, f"cardan_sparse_{name}")
         function.restype = answer

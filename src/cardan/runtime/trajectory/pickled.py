@@ -96,7 +96,7 @@ def digest(values: Mapping[str, Any]) -> str:
     return total.hexdigest()
 
 
-def _sorted(values: Mapping[str, Any]) -> list[Any]:
+def _sorted(values: Mapping[str, object]) -> list[Any]:
     return [values[name] for name in sorted(values)]
 
 

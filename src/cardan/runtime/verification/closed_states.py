@@ -128,7 +128,7 @@ def closed_states(
 
 
 def closers_at(
-    model: LoadedModel, circuits: Circuits, q: Array, t: float, r: Any, motion: Array | None
+    model: LoadedModel, circuits: Circuits, q: Array, t: float, r: object, motion: Array | None
 ) -> tuple[Array, float]:
     """Coordinates (1, nq) of everything at those of the model (nq,), and what is missed [m, rad].
 

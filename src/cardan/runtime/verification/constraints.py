@@ -271,7 +271,7 @@ def of_functions(model: LoadedModel, states: int, seed: int) -> dict[str, float]
         return f"not checked: {missing}"
     p, modes, inner = model.parameters.vector, *(model._layout.start(name) for name in "sz")
 
-    def saved(name: str, at: Mapping[str, Any], shape: tuple[int, ...]) -> Array:
+    def saved(name: str, at: Mapping[str, object], shape: tuple[int, ...]) -> Array:
         inputs = {"p": p, "z": inner, "s": modes, **at}
         (value,) = evaluate(derived[name], inputs, "numpy").values()
         return np.broadcast_to(np.asarray(value, dtype=float), shape)

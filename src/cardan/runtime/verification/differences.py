@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any
 
 import numpy as np
 
@@ -91,7 +90,7 @@ def ways(n: int, size: int) -> list[Array]:
     return [rng.uniform(0.3, 1.0, (n, size)) * rng.choice([-1.0, 1.0], (n, size)) for _ in "ab"]
 
 
-def missing(difference: Array, off: Array, derivative: Array, *terms: Any) -> float:
+def missing(difference: Array, off: Array, derivative: Array, *terms: object) -> float:
     """Difference of two numbers beyond the error of either, over their largest term.
 
     States at which the slope says little are passed over: NaN where it says little at all of them.

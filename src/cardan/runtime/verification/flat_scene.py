@@ -100,7 +100,7 @@ def scene_from(
     )
 
 
-def motion_of(model: LoadedModel, t: float, r: Any) -> Any:
+def motion_of(model: LoadedModel, t: float, r: object) -> Any:
     """Value, rate and acceleration of prescribed joints (..., nb, 3); None without any."""
     if "scene_motion" not in model.saved:
         return None

@@ -5,7 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
+from xml.etree.ElementTree import Element as XmlElement
+from xml.etree.ElementTree import TreeBuilder
 
 from ... import regular_file
 from ...errors import ModelError
@@ -27,7 +28,27 @@ def content(path: Path) -> bytes:
         raise ModelError(f"file '{path.name}' cannot be read: {problem.strerror}") from problem
 
 
-def parse(text: str | bytes, name: str) -> Any:
+class Numbered(XmlElement):
+    """An element that knows where it began: its line, and its file where that was included."""
+
+    line = 0
+    file: str | None = None
+
+
+def place(raw: XmlElement, file: str) -> str:
+    """Place of an element for messages, ``<file>:<line>``."""
+    assert isinstance(raw, Numbered)
+    return f"{raw.file or file}:{raw.line}"
+
+
+def element_at(raw: XmlElement, tag: str, attributes: dict[str, str]) -> XmlElement:
+    """A new element that stands where another one does."""
+    element = Numbered(tag, attributes)
+    element.line, element.file = (raw.line, raw.file) if isinstance(raw, Numbered) else (0, None)
+    return element
+
+
+def parse(text: str | bytes, name: str) -> XmlElement:
     """The root element of an XML document.
 
     Raises:
@@ -48,24 +69,17 @@ def parse(text: str | bytes, name: str) -> Any:
     return root
 
 
-def _numbered(text: str | bytes) -> Any:
-    """The root; every element has the attribute ``line``."""
-    from xml.etree.ElementTree import Element as Node
-    from xml.etree.ElementTree import TreeBuilder
-
+def _numbered(text: str | bytes) -> XmlElement:
+    """The root; every element is :class:`Numbered`."""
     from defusedxml.ElementTree import DefusedXMLParser
-
-    class Numbered(Node):
-        """An element that knows where it began."""
-
-        line = 0
 
     class Builder(TreeBuilder):
         """Writes the line of the parser into every element."""
 
-        def start(self, tag: Any, attributes: Any) -> Any:
+        def start(self, tag: str, attributes: dict[str, str]) -> XmlElement:
             element = super().start(tag, attributes)
-            element.line = parser.parser.CurrentLineNumber  # type: ignore[attr-defined]
+            assert isinstance(element, Numbered)
+            element.line = parser.parser.CurrentLineNumber
             return element
 
     parser = DefusedXMLParser(target=Builder(element_factory=Numbered))
@@ -73,7 +87,7 @@ def _numbered(text: str | bytes) -> Any:
     return parser.close()
 
 
-def _check_depth(root: Any, name: str) -> None:
+def _check_depth(root: XmlElement, name: str) -> None:
     level, depth = [root], 0
     while level:
         depth += 1
@@ -92,7 +106,7 @@ class Element:
 
     __slots__ = ("raw", "where")
 
-    def __init__(self, raw: Any, where: str) -> None:
+    def __init__(self, raw: XmlElement, where: str) -> None:
         self.raw = raw
         self.where = where
 

@@ -10,9 +10,14 @@ import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cache
-from typing import Any
+from importlib import import_module
+from types import ModuleType
+from typing import TYPE_CHECKING, Any
 
 from ...errors import ModelError, near
+
+if TYPE_CHECKING:
+    import sympy
 
 LONGEST = 4000
 DEEPEST = 50
@@ -58,7 +63,7 @@ class Token:
     column: int
 
 
-def parse(text: str, symbols: Mapping[Any, Any], *, where: str) -> Any:
+def parse(text: str, symbols: Mapping[Any, Any], *, where: str) -> sympy.Expr:
     """A SymPy expression.
 
     Args:
@@ -130,7 +135,7 @@ class _Parser:
             message += "; values with units stand under parameters, such as {value: 2, unit: kg}"
         return self.error(token, message)
 
-    def parse(self) -> Any:
+    def parse(self) -> sympy.Expr:
         expression = self.relation()
         if self.next.sort != "end":
             raise self.unexpected(self.next)
@@ -140,7 +145,7 @@ class _Parser:
             )
         return expression
 
-    def relation(self) -> Any:
+    def relation(self) -> sympy.Expr:
         token, left = self.next, self.sum()
         sign = self.accept(*RELATIONS)
         if not sign:
@@ -149,7 +154,7 @@ class _Parser:
         relation = getattr(_sympy(), RELATIONS[sign])
         return relation(self.value(token, left), right, evaluate=False)
 
-    def sum(self) -> Any:
+    def sum(self) -> sympy.Expr:
         self.depth += 1
         if self.depth > DEEPEST:
             raise self.error(self.next, f"parentheses and powers go at most {DEEPEST} deep")
@@ -159,7 +164,7 @@ class _Parser:
         self.depth -= 1
         return terms[0] if len(terms) == 1 else self.sized(_sympy().Add, *terms)
 
-    def product(self, sign: int) -> Any:
+    def product(self, sign: int) -> sympy.Expr:
         while unary := self.accept("+", "-"):
             sign = sign if unary == "+" else -sign
         factors = [self.power()]
@@ -172,7 +177,7 @@ class _Parser:
         factors = [_sympy().Integer(-1), *factors] if sign < 0 else factors
         return factors[0] if len(factors) == 1 else self.sized(_sympy().Mul, *factors)
 
-    def signed(self) -> Any:
+    def signed(self) -> sympy.Expr:
         """A factor with its own sign, as in ``2*-x``."""
         sign = 1
         while unary := self.accept("+", "-"):
@@ -180,7 +185,7 @@ class _Parser:
         token = self.next
         return self.power() if sign > 0 else -self.value(token, self.power())
 
-    def power(self) -> Any:
+    def power(self) -> sympy.Expr:
         token, base = self.next, self.operand()
         if not self.accept("^", "**"):
             return base
@@ -202,12 +207,12 @@ class _Parser:
             raise self.error(token, "zero has no such power")
         return self.checked(token, _power(base, exponent))
 
-    def value(self, token: Token, expression: Any) -> Any:
+    def value(self, token: Token, expression: sympy.Expr) -> sympy.Expr:
         if _is_condition(expression):
             raise self.error(token, "a condition is not a value; use select(condition, a, b)")
         return expression
 
-    def sized(self, make: Callable[..., Any], *parts: Any) -> Any:
+    def sized(self, make: Callable[..., sympy.Expr], *parts: sympy.Expr) -> sympy.Expr:
         """A sum or product, unless its numbers grow beyond all use."""
         for part in parts:
             self.value(self.next, part)
@@ -215,7 +220,7 @@ class _Parser:
             raise self.error(self.next, "the numbers of this expression are too large")
         return make(*parts)
 
-    def operand(self) -> Any:
+    def operand(self) -> sympy.Expr:
         token = self.take()
         if token.sort == "number":
             return self.number(token)
@@ -229,7 +234,7 @@ class _Parser:
             return self.named(token)
         raise self.unexpected(token)
 
-    def number(self, token: Token) -> Any:
+    def number(self, token: Token) -> sympy.Expr:
         if len(token.text) > LONGEST_NUMBER:
             raise self.error(token, f"a number of {len(token.text)} characters is too long")
         if token.text.isdigit():
@@ -250,7 +255,7 @@ class _Parser:
 
     # names and functions
 
-    def named(self, token: Token) -> Any:
+    def named(self, token: Token) -> sympy.Expr:
         name = unquoted(token)
         try:
             symbol = self.symbols[name]
@@ -263,7 +268,7 @@ class _Parser:
             raise self.error(token, f"'{name[:80]}' is a function; write {name[:80]}(x)")
         return symbol
 
-    def motion(self, token: Token) -> Any:
+    def motion(self, token: Token) -> sympy.Expr:
         """``q(elbow)``, ``velocity(tip).x``, ``velocity(tip wrt base in cart).x``."""
         name = self.name()
         if token.text in ("q", "u", "state"):
@@ -279,7 +284,7 @@ class _Parser:
             raise self.error(self.next, f"say which component: {token.text}(...).x")
         return self.moving(token, (token.text, name, self.name(), *against.values()))
 
-    def moving(self, token: Token, key: tuple[str | None, ...]) -> Any:
+    def moving(self, token: Token, key: tuple[str | None, ...]) -> sympy.Expr:
         symbol = self.symbols.get(key)
         if symbol is None:
             raise self.error(token, f"{token.text}({key[1]}): nothing moves here")
@@ -291,7 +296,7 @@ class _Parser:
             raise self.unexpected(word)
         return unquoted(word)
 
-    def call(self, token: Token) -> Any:
+    def call(self, token: Token) -> sympy.Expr:
         arguments = [self.relation()]
         while self.accept(","):
             arguments.append(self.relation())
@@ -320,7 +325,7 @@ class _Parser:
         # not evaluated: SymPy would work out numbers of any size, or try to for hours
         return self.checked(token, function(*map(_plain, arguments), evaluate=False))
 
-    def table(self, token: Token, arguments: list[Any]) -> Any:
+    def table(self, token: Token, arguments: list[sympy.Expr]) -> sympy.Expr:
         """The value of a measured function."""
         function = self.symbols[token.text]
         if hasattr(function, "free_symbols") or len(arguments) != 1:
@@ -328,7 +333,7 @@ class _Parser:
             raise self.error(token, what)
         return function(*arguments)
 
-    def checked(self, token: Token, expression: Any) -> Any:
+    def checked(self, token: Token, expression: sympy.Expr) -> sympy.Expr:
         """A result that, where it is a number, is real and of sane size."""
         sympy = _sympy()
         if expression.has(sympy.zoo, sympy.oo, -sympy.oo, sympy.nan):
@@ -343,7 +348,7 @@ class _Parser:
         # functions of numbers are numbers; roots stay what they are
         return expression if expression.is_Pow or expression.is_Float else sympy.Float(float(value))
 
-    def select(self, token: Token, arguments: list[Any]) -> Any:
+    def select(self, token: Token, arguments: list[sympy.Expr]) -> sympy.Expr:
         """``select(condition, a, condition, b, c)``: the first value whose condition holds."""
         sympy = _sympy()
         if len(arguments) < 3 or len(arguments) % 2 == 0:
@@ -364,14 +369,14 @@ def unquoted(token: Token) -> str:
     return re.sub(r"\\(.)", r"\1", token.text[1:-1]) if token.sort == "quoted" else token.text
 
 
-def _bits(e: Any) -> int:
+def _bits(e: sympy.Expr) -> int:
     """Bits of the largest number in an expression, as far as it is exact."""
     return max(
         (max(abs(int(n.p)), int(n.q)).bit_length() for n in e.atoms() if n.is_Rational), default=1
     )
 
 
-def _power(base: Any, exponent: Any) -> Any:
+def _power(base: sympy.Expr, exponent: sympy.Expr) -> sympy.Expr:
     """A power; one of functions is not evaluated: SymPy would ask at length for their signs."""
     if base.is_Pow and base.exp.is_Rational and exponent.is_Integer:
         base, exponent = base.base, base.exp * exponent
@@ -379,19 +384,17 @@ def _power(base: Any, exponent: Any) -> Any:
     return base**exponent if simple else _sympy().Pow(base, exponent, evaluate=False)
 
 
-def _plain(argument: Any) -> Any:
+def _plain(argument: sympy.Expr) -> sympy.Expr:
     """Numbers that are roots or multiples of pi as floats."""
     if getattr(argument, "is_number", False) and not argument.is_Number:
         return _sympy().Float(float(argument))
     return argument
 
 
-def _is_condition(e: Any) -> bool:
+def _is_condition(e: sympy.Expr) -> bool:
     return bool(getattr(e, "is_Relational", False) or getattr(e, "is_Boolean", False))
 
 
 @cache
-def _sympy() -> Any:
-    import sympy
-
-    return sympy
+def _sympy() -> ModuleType:
+    return import_module("sympy")

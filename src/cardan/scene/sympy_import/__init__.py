@@ -7,12 +7,14 @@ Coordinates and speeds become one block that moves no body; see
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from ...arguments import checked
 from ...errors import ModelError, brief
 
 if TYPE_CHECKING:
+    import sympy
+
     from ..scene import SceneRecord
 
 __all__ = ["from_sympy"]
@@ -20,11 +22,11 @@ __all__ = ["from_sympy"]
 
 @checked
 def from_sympy(
-    equations: Any,
-    outputs: Mapping[str, Any] | None = None,
-    parameters: Mapping[Any, float] | None = None,
-    inputs: Mapping[Any, float] | None = None,
-    potential: Any = None,
+    equations: object,
+    outputs: Mapping[str, sympy.Expr] | None = None,
+    parameters: Mapping[sympy.Expr, float] | None = None,
+    inputs: Mapping[sympy.Expr, float] | None = None,
+    potential: sympy.Expr | None = None,
     name: str = "equations",
 ) -> SceneRecord:
     """A model of equations of motion that were derived with SymPy.

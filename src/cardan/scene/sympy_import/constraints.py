@@ -35,14 +35,14 @@ class Bound:
         following: Symbol of an input that constraints have -> symbol of its derivative.
     """
 
-    q: tuple[Any, ...]
-    u: tuple[Any, ...]
-    rates: tuple[Any, ...]
-    positions: Mapping[str, Any]
-    speeds: Mapping[str, Any]
-    input_rates: Mapping[Any, Any]
+    q: tuple[sympy.Expr, ...]
+    u: tuple[sympy.Expr, ...]
+    rates: tuple[sympy.Expr, ...]
+    positions: Mapping[str, sympy.Expr]
+    speeds: Mapping[str, sympy.Expr]
+    input_rates: Mapping[sympy.Expr, sympy.Expr]
 
-    def rate(self, expressions: Sequence[Any]) -> list[Any]:
+    def rate(self, expressions: Sequence[sympy.Expr]) -> list[sympy.Expr]:
         """Time derivatives at u' = 0."""
         moving = [*zip(self.q, self.rates, strict=True), (sympy.Symbol("t"), sympy.Integer(1))]
         moving += self.input_rates.items()
@@ -51,29 +51,29 @@ class Bound:
         ]
 
     @cached_property
-    def velocities(self) -> list[Any]:
+    def velocities(self) -> list[sympy.Expr]:
         """Everything that vanishes at velocity level: rates of positions, then speeds."""
         return [*self.rate([*self.positions.values()]), *self.speeds.values()]
 
     @cached_property
-    def jacobian(self) -> list[Any]:
+    def jacobian(self) -> list[sympy.Expr]:
         """G, row by row."""
         return [e.diff(x) for e in self.velocities for x in self.u]
 
     @cached_property
-    def gamma(self) -> list[Any]:
+    def gamma(self) -> list[sympy.Expr]:
         """G u' = gamma."""
         return [-e for e in self.rate(self.velocities)]
 
-    def at(self, expressions: Sequence[Any], values: Mapping[Any, float]) -> Array:
+    def at(self, expressions: Sequence[sympy.Expr], values: Mapping[sympy.Expr, float]) -> Array:
         """Numbers of expressions in plain symbols."""
         return np.array(numbers(expressions, values), dtype=np.float64)
 
-    def matrix(self, values: Mapping[Any, float]) -> Array:
+    def matrix(self, values: Mapping[sympy.Expr, float]) -> Array:
         """G (m, nu) as numbers."""
         return self.at(self.jacobian, values).reshape(-1, len(self.u))
 
-    def moved(self, values: Mapping[Any, float]) -> dict[Any, float] | None:
+    def moved(self, values: Mapping[sympy.Expr, float]) -> dict[sympy.Expr, float] | None:
         """The values with q and u on the constraints; None where Newton's method fails."""
         solution = dict(values)
         positions = [*self.positions.values()]
@@ -126,7 +126,7 @@ def _rank(rows: Array) -> int:
     return int(np.linalg.matrix_rank(rows, tol=DEPENDENT)) if len(rows) else 0
 
 
-def plain(names: Names, source: Source) -> dict[Any, Any]:
+def plain(names: Names, source: Source) -> dict[sympy.Expr, sympy.Expr]:
     """Functions of time -> plain symbols, derivatives of coordinates -> their expressions."""
     t = next(x for x, name in names.names.items() if name == "t")
     base = {x: sympy.Symbol(name) for x, name in names.names.items()}
@@ -135,7 +135,7 @@ def plain(names: Names, source: Source) -> dict[Any, Any]:
     return {x.diff(t): rate.xreplace(base) for x, rate in rates} | base
 
 
-def bound_of(names: Names, source: Source, replaced: Mapping[Any, Any]) -> Bound:
+def bound_of(names: Names, source: Source, replaced: Mapping[sympy.Expr, sympy.Expr]) -> Bound:
     """Kinematics and constraints of a source in plain symbols."""
     positions, speeds = (
         {name: sympy.sympify(e, strict=True).xreplace(replaced) for name, e in part.items()}

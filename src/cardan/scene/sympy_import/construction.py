@@ -10,6 +10,7 @@ import numpy as np
 import sympy
 from sympy.physics.mechanics import dynamicsymbols
 
+from ...arrays import Array
 from ...elements.external_equations import Written, WrittenForces
 from ...elements.quantity import Ready
 from ...errors import ModelError, near
@@ -34,11 +35,11 @@ UNTOLD = "give from_sympy(..., potential=) an expression: then M is taken for th
 
 
 def build_scene(
-    equations: Any,
-    outputs: Mapping[str, Any],
-    parameters: Mapping[Any, float],
-    inputs: Mapping[Any, float],
-    potential: Any,
+    equations: object,
+    outputs: Mapping[str, sympy.Expr],
+    parameters: Mapping[sympy.Expr, float],
+    inputs: Mapping[sympy.Expr, float],
+    potential: sympy.Expr | None,
     name: str,
 ) -> SceneRecord:
     """Same as :func:`cardan.from_sympy`."""
@@ -84,10 +85,10 @@ def _model(
     names: Names,
     bound: Bound,
     reference_states: Sequence[State],
-    outputs: Mapping[str, Any],
-    replaced: Mapping[Any, Any],
-    inputs: Mapping[Any, float],
-    potential: Any,
+    outputs: Mapping[str, sympy.Expr],
+    replaced: Mapping[sympy.Expr, sympy.Expr],
+    inputs: Mapping[sympy.Expr, float],
+    potential: sympy.Expr | None,
     name: str,
 ) -> SceneRecord:
     """The scene: parameters, inputs, the block of coordinates, constraints and outputs."""
@@ -129,7 +130,7 @@ def _model(
 
 
 def _declare_inputs(
-    scene: SceneRecord, names: Names, bound: Bound, values: Mapping[Any, float]
+    scene: SceneRecord, names: Names, bound: Bound, values: Mapping[sympy.Expr, float]
 ) -> None:
     """All inputs but those that the constraints of others bring along."""
     named = {names.names.get(key, str(key)): float(value) for key, value in values.items()}
@@ -142,7 +143,9 @@ def _declare_inputs(
         scene.input(key, named.get(key, 0.0))
 
 
-def _kinematics(graph: Graph, symbols: dict[Any, int], source: Source, names: Names) -> Ready:
+def _kinematics(
+    graph: Graph, symbols: dict[sympy.Expr, int], source: Source, names: Names
+) -> Ready:
     """q' as expressions; fills in what all other expressions may speak of.
 
     Raises:
@@ -170,7 +173,7 @@ def _kinematics(graph: Graph, symbols: dict[Any, int], source: Source, names: Na
 
 def _motion(
     graph: Graph,
-    symbols: Mapping[Any, int],
+    symbols: Mapping[sympy.Expr, int],
     source: Source,
     reference_states: Sequence[State],
     solved: bool,
@@ -192,7 +195,7 @@ def _motion(
     return Ready(graph, nu, nu, tuple(lower)), Ready(graph, nu, 1, f.nodes)
 
 
-def _symmetric(M: np.ndarray[Any, Any]) -> bool:
+def _symmetric(M: Array) -> bool:
     """True when M is symmetric and positive definite, but for rounding."""
     largest = np.abs(M).max(initial=0.0)
     if np.abs(M - M.T).max(initial=0.0) > ROUNDING * largest:
@@ -200,7 +203,7 @@ def _symmetric(M: np.ndarray[Any, Any]) -> bool:
     return bool(np.all(np.linalg.eigvalsh(M) > ROUNDING * largest))
 
 
-def _singular(M: np.ndarray[Any, Any]) -> bool:
+def _singular(M: Array) -> bool:
     """True when M has no inverse, in units of its own rows and columns."""
     size = np.abs(M).max(axis=1, initial=0.0)
     if not size.all():
@@ -212,10 +215,10 @@ def _singular(M: np.ndarray[Any, Any]) -> bool:
 
 def _energy(
     graph: Graph,
-    symbols: Mapping[Any, int],
+    symbols: Mapping[sympy.Expr, int],
     source: Source,
     names: Names,
-    potential: Any,
+    potential: sympy.Expr | None,
     moved: tuple[Ready, Ready, Ready] | None,
 ) -> tuple[Ready, ...]:
     """The potential, and the forces beside it; () where no potential is known.

@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import Any
 
 import sympy
 from sympy.core.function import AppliedUndef
 
 
-def leaves(expressions: Iterable[Any]) -> list[Any]:
+def leaves(expressions: Iterable[sympy.Basic]) -> list[sympy.Basic]:
     """Symbols, functions of time, derivatives and tables in expressions, as they appear."""
-    visited: set[Any] = set()
-    collected: list[Any] = []
+    visited: set[sympy.Basic] = set()
+    collected: list[sympy.Basic] = []
     stack = [sympy.sympify(e, strict=True) for e in expressions][::-1]
     while stack:
         e = stack.pop()
@@ -26,6 +25,6 @@ def leaves(expressions: Iterable[Any]) -> list[Any]:
     return collected
 
 
-def is_table(e: Any) -> bool:
+def is_table(e: sympy.Basic) -> bool:
     """True when an expression interpolates measured data."""
     return getattr(e, "cardan_table", None) is not None

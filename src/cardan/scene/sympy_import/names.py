@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import sympy
 from sympy.core.function import AppliedUndef
@@ -31,16 +30,16 @@ class Names:
 
     q: tuple[str, ...]
     u: tuple[str, ...]
-    inputs: Mapping[Any, str]
+    inputs: Mapping[sympy.Expr, str]
     parameters: Mapping[str, float]
-    names: Mapping[Any, str]
+    names: Mapping[sympy.Expr, str]
 
 
 def names_of(
     source: Source,
-    expressions: Iterable[Any],
-    parameter_values: Mapping[Any, float],
-    inputs: Iterable[Any],
+    expressions: Iterable[sympy.Expr],
+    parameter_values: Mapping[sympy.Expr, float],
+    inputs: Iterable[sympy.Expr],
 ) -> Names:
     """Names for what the expressions of a source have.
 
@@ -57,7 +56,7 @@ def names_of(
     q = tuple(_called(x, "coordinate") for x in source.q)
     coordinate_names = dict(zip(source.q, q, strict=True))
     u = tuple(_speed(x, coordinate_names) for x in source.u)
-    names: dict[Any, str] = {t: "t"} | coordinate_names | dict(zip(source.u, u, strict=True))
+    names: dict[sympy.Expr, str] = {t: "t"} | coordinate_names | dict(zip(source.u, u, strict=True))
     rates = {x.diff(t) for x in source.q}
     zero = {x for v in source.zero for x in (v, v.diff(t))}
     leaves_of_all = leaves(expressions)
@@ -74,7 +73,7 @@ def names_of(
     return Names(q, u, ordered, values, names)
 
 
-def _called(x: Any, what: str) -> str:
+def _called(x: sympy.Expr, what: str) -> str:
     """Name of a function of time.
 
     Raises:
@@ -87,14 +86,14 @@ def _called(x: Any, what: str) -> str:
     return str(x.func.__name__)
 
 
-def _speed(x: Any, coordinate_names: Mapping[Any, str]) -> str:
+def _speed(x: sympy.Expr, coordinate_names: Mapping[sympy.Expr, str]) -> str:
     """Name of a speed: ``<coordinate>.u`` where it is the derivative of a coordinate."""
     if isinstance(x, sympy.Derivative) and x.derivative_count == 1 and x.expr in coordinate_names:
         return f"{coordinate_names[x.expr]}.u"
     return _called(x, "speed")
 
 
-def _input(x: Any, source: Source) -> str:
+def _input(x: sympy.Expr, source: Source) -> str:
     """Name of a function of time, or of the derivative of one, as an input.
 
     Raises:
@@ -130,8 +129,8 @@ def _many(count: int) -> str:
 
 
 def _parameters(
-    symbols: Iterable[Any], source: Source, parameter_values: Mapping[Any, float]
-) -> dict[Any, float]:
+    symbols: Iterable[sympy.Expr], source: Source, parameter_values: Mapping[sympy.Expr, float]
+) -> dict[sympy.Expr, float]:
     """Symbol -> default value, by name; those that nothing depends on stand last.
 
     Raises:
@@ -165,13 +164,13 @@ def _parameters(
     return parameters | {sympy.Symbol(name): float(value) for name, value in values.items()}
 
 
-def _differ(names: Mapping[Any, str]) -> None:
+def _differ(names: Mapping[sympy.Expr, str]) -> None:
     """Names that stand for one thing each.
 
     Raises:
         ModelError: one stands for two.
     """
-    taken: dict[str, Any] = {}
+    taken: dict[str, sympy.Expr] = {}
     for thing, name in names.items():
         if name in taken:
             raise ModelError(
@@ -181,7 +180,7 @@ def _differ(names: Mapping[Any, str]) -> None:
         taken[name] = thing
 
 
-def scalars(source: Source) -> Sequence[Any]:
+def scalars(source: Source) -> Sequence[sympy.Expr]:
     """All expressions of a source that are computed."""
     return (
         *source.rates,

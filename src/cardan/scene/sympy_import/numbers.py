@@ -7,12 +7,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from typing import Any
 
 import sympy
 
 
-def numbers(expressions: Sequence[Any], values: Mapping[Any, float]) -> list[float]:
+def numbers(expressions: Sequence[sympy.Expr], values: Mapping[sympy.Expr, float]) -> list[float]:
     """Values of expressions; NaN where one has none among real numbers.
 
     Args:
@@ -26,11 +25,11 @@ def numbers(expressions: Sequence[Any], values: Mapping[Any, float]) -> list[flo
 class _Numbers:
     """Values of all parts of some expressions, each found once."""
 
-    def __init__(self, values: Mapping[Any, float]) -> None:
-        self.done: dict[Any, float] = dict(values)
+    def __init__(self, values: Mapping[sympy.Expr, float]) -> None:
+        self.done: dict[sympy.Expr, float] = dict(values)
         self.leaves = {x: sympy.Float(value) for x, value in values.items()}
 
-    def of(self, root: Any) -> float:
+    def of(self, root: sympy.Expr) -> float:
         stack, done = [root], self.done
         while stack:
             e = stack[-1]
@@ -43,7 +42,7 @@ class _Numbers:
             stack.pop()
         return done[root]
 
-    def _value(self, e: Any) -> float:
+    def _value(self, e: sympy.Expr) -> float:
         """Value of an expression whose parts are known."""
         done = self.done
         try:
@@ -62,6 +61,6 @@ class _Numbers:
             return math.nan
 
 
-def _parted(e: Any) -> bool:
+def _parted(e: sympy.Expr) -> bool:
     """True when the parts of an expression are numbers themselves."""
     return not (e.is_Atom or isinstance(e, (sympy.Piecewise, sympy.logic.boolalg.Boolean)))

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 import sympy
@@ -37,7 +36,7 @@ class State:
         M: (nu, nu). f: (nu,). G: (m, nu), rows as of ``Bound.velocities``.
     """
 
-    values: Mapping[Any, float]
+    values: Mapping[sympy.Expr, float]
     M: Array
     f: Array
     G: Array
@@ -59,7 +58,7 @@ def states(source: Source, names: Names, bound: Bound) -> list[State]:
 
 def _drawn(
     rng: np.random.Generator, reach: float, source_names: Names, bound: Bound
-) -> dict[Any, float]:
+) -> dict[sympy.Expr, float]:
     """Values of all plain symbols."""
     values = {sympy.Symbol("t"): TIME}
     values |= {x: float(reach * rng.uniform(-1, 1)) for x in bound.q}
@@ -70,7 +69,9 @@ def _drawn(
     return values | {sympy.Symbol(name): value for name, value in source_names.parameters.items()}
 
 
-def _state(source: Source, names: Names, bound: Bound, values: Mapping[Any, float]) -> State | None:
+def _state(
+    source: Source, names: Names, bound: Bound, values: Mapping[sympy.Expr, float]
+) -> State | None:
     """The numbers at a state, None where one is not finite."""
     t, values_there = dynamicsymbols._t, dict(values)
     values_there |= {x: values[sympy.Symbol(name)] for x, name in names.names.items()}
@@ -87,7 +88,7 @@ def _state(source: Source, names: Names, bound: Bound, values: Mapping[Any, floa
 
 def samples(
     source: Source, names: Names, bound: Bound, states_list: Sequence[State], solved: bool
-) -> tuple[dict[str, Any], ...]:
+) -> tuple[dict[str, object], ...]:
     """The reference as plain data for the manifest.
 
     Args:
@@ -98,7 +99,7 @@ def samples(
 
 def _sample(
     source: Source, names: Names, bound: Bound, state: State, solved: bool
-) -> dict[str, Any]:
+) -> dict[str, object]:
     value = {x.name: v for x, v in state.values.items() if isinstance(x, sympy.Symbol)}
     M, f = state.M, state.f
     if solved:

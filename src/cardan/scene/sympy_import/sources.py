@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -42,23 +42,23 @@ class Source:
         inputs: Functions of time that move the system, as far as the source says.
     """
 
-    q: tuple[Any, ...]
-    u: tuple[Any, ...]
-    rates: tuple[Any, ...]
-    M: tuple[Any, ...]
-    f: tuple[Any, ...]
-    positions: Mapping[str, Any] = field(default_factory=dict)
-    speeds: Mapping[str, Any] = field(default_factory=dict)
+    q: tuple[sympy.Expr, ...]
+    u: tuple[sympy.Expr, ...]
+    rates: tuple[sympy.Expr, ...]
+    M: tuple[sympy.Expr, ...]
+    f: tuple[sympy.Expr, ...]
+    positions: Mapping[str, sympy.Expr] = field(default_factory=dict)
+    speeds: Mapping[str, sympy.Expr] = field(default_factory=dict)
     implied: bool = False
-    lagrangian: Any = None
-    applied: tuple[Any, ...] = ()
-    balance: tuple[Any, Any] | None = None
-    zero: tuple[Any, ...] = ()
-    values: Mapping[Any, float] = field(default_factory=dict)
-    inputs: tuple[Any, ...] = ()
+    lagrangian: sympy.Expr | None = None
+    applied: tuple[sympy.Expr, ...] = ()
+    balance: tuple[sympy.Expr, sympy.Expr] | None = None
+    zero: tuple[sympy.Expr, ...] = ()
+    values: Mapping[sympy.Expr, float] = field(default_factory=dict)
+    inputs: tuple[sympy.Expr, ...] = ()
 
 
-def source_of(equations: Any) -> Source:
+def source_of(equations: object) -> Source:
     """Equations in any of the forms that are taken.
 
     Raises:
@@ -125,7 +125,7 @@ def _kane(kane: Any) -> Source:
     )
 
 
-def _divides(kane: Any, rates: Sequence[Any]) -> bool:
+def _divides(kane: Any, rates: Sequence[sympy.Expr]) -> bool:
     """True when q' as SymPy solved for it divides by zero where the kinematics are regular.
 
     That is looked for where all coordinates vanish, and each of them alone.
@@ -181,7 +181,7 @@ def _of_mechanics(mechanics: Any) -> Source:
     )
 
 
-def _written(q: Any, u: Any, *rest: Any) -> Source:
+def _written(q: Iterable[sympy.Expr], u: Iterable[sympy.Expr], *rest: Any) -> Source:
     """(M, f), (kinematics, M, f) or (kinematics, M, f, constraints) behind q and u."""
     q, u = tuple(q), tuple(u)
     kinematics, M, f = (u, *rest) if len(rest) == 2 else rest[:3]

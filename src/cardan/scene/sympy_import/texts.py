@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
 
 import numpy as np
 
 from ...errors import ModelError
 
 
-def refuse_texts(what: str, expression: Any) -> None:
+def refuse_texts(what: str, expression: object) -> None:
     """Complain about a text where an expression belongs.
 
     Args:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
@@ -142,7 +141,7 @@ class Beams:
         curve = beam.line.curve(ends[0], ends[1], data)
         return Laid(names, tuple(meshed(curve, beam.elements, where, up)))
 
-    def _numbers_of(self, value: Any, name: str, unit: str = "") -> Array:
+    def _numbers_of(self, value: object, name: str, unit: str = "") -> Array:
         """Numbers as written, or expressions at the values of the parameters."""
         if isinstance(value, (tuple, list)):
             labels = "xyz" if len(value) == 3 else range(1, len(value) + 1)

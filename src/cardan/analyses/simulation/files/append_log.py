@@ -193,7 +193,7 @@ def unpacked(content: bytes) -> dict[str, Any]:
         raise ModelError(f"a block of the checkpoint cannot be read: {error}") from error
 
 
-def text(value: Any) -> Any:
+def text(value: object) -> Any:
     """Plain data as an array of bytes."""
     return np.frombuffer(json.dumps(value).encode(), dtype=np.uint8)
 
@@ -222,7 +222,7 @@ def model_key(model: LoadedModel) -> str:
     return digest(model.name, text, model.parameters.vector)
 
 
-def digest(*values: Any) -> str:
+def digest(*values: object) -> str:
     """Hash of arrays, and of what JSON or ``repr`` can tell."""
     total = hashlib.sha256()
     for value in values:

@@ -90,7 +90,7 @@ def digest(head: bytes, memory: bytes) -> bytes:
 
 
 def read(
-    model: LoadedModel, path: Path, events: Mapping[str, Any] | None
+    model: LoadedModel, path: Path, events: Mapping[str, object] | None
 ) -> tuple[Runner, Settings, str]:
     """The run of a checkpoint, where it was, and what ended it.
 

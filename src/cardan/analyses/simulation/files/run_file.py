@@ -207,7 +207,7 @@ def _parts(content: bytes, path: Path) -> dict[str, Any]:
 
 @contextmanager
 def run_file(
-    path: Any,
+    path: object,
     every: float,
     model: LoadedModel,
     how: Settings,

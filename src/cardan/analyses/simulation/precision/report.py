@@ -82,8 +82,8 @@ def report(
     q: Any = None,
     u: Any = None,
     z: Any = None,
-    inputs: Mapping[str, Any] | None = None,
-    events: Mapping[str, Any] | None = None,
+    inputs: Mapping[str, object] | None = None,
+    events: Mapping[str, object] | None = None,
 ) -> Report:
     """Measure every function: operations, time, error against 40 digits; prints a table.
 

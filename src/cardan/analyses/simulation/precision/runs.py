@@ -48,8 +48,8 @@ def precision(
     q: Any = None,
     u: Any = None,
     z: Any = None,
-    inputs: Mapping[str, Any] | None = None,
-    events: Mapping[str, Any] | None = None,
+    inputs: Mapping[str, object] | None = None,
+    events: Mapping[str, object] | None = None,
 ) -> PrecisionRecord:
     """Run every integrator that applies at tolerances from rough to fine.
 
@@ -138,7 +138,7 @@ class Bench:
         # the reference may take longer than what it judges
         allowed = LONGER * self._patience
 
-        def run(spent: float = 0.0, rtol: float = 0.0, **how: Any) -> TrajectoryRecord:
+        def run(spent: float = 0.0, rtol: float = 0.0, **how: object) -> TrajectoryRecord:
             if rtol:
                 how |= {"rtol": rtol, "atol": RATIO * rtol}
             motion = self._run(allowed - spent, SOON, **how)

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -71,7 +70,7 @@ def _dependent_values(m: Mechanism, q: Array) -> Array:
     return dependents(m.model, q, np.zeros((len(q), m.model.nu)), m.t, np.tile(r, (len(q), 1)))[0]
 
 
-def _numbers(m: Mechanism, letter: str, name: str, value: Any) -> Array:
+def _numbers(m: Mechanism, letter: str, name: str, value: object) -> Array:
     """Values of a joint or entry that follows, checked."""
     numbers, where = np.asarray(value, dtype=np.float64).reshape(-1), f"{letter}={{'{name}': ...}}"
     dependent = {
@@ -104,7 +103,9 @@ def _kinds(model: LoadedModel) -> NDArray[np.str_]:
     return np.array([joint.kind for joint in joints if joint.solved for _ in joint.solved.q])
 
 
-def place(m: Mechanism, q: Array, named: Mapping[str, Any], dependents: Mapping[str, Any]) -> Array:
+def place(
+    m: Mechanism, q: Array, named: Mapping[str, object], dependents: Mapping[str, object]
+) -> Array:
     """Coordinates (nq,) next to a start, named ones held, of joints that follow too.
 
     Args:
@@ -182,7 +183,7 @@ def _refuse(m: Mechanism, q: Array, one: Follower) -> None:
 
 
 def speed(
-    m: Mechanism, q: Array, u: Array, locked: list[int], named_values: Mapping[str, Any]
+    m: Mechanism, q: Array, u: Array, locked: list[int], named_values: Mapping[str, object]
 ) -> Array:
     """Speeds (nu,) next to a start with those of joints that follow, entries ``locked`` kept.
 

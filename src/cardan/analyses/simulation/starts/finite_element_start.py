@@ -31,7 +31,7 @@ MOST = 60
 CLOSED, GOOD = 1e-12, 1e-9  # gaps against the size of the scene: sought, and good enough
 
 
-def meshed_start(model: LoadedModel, x: Array, q: Any, u: Any, t: float, r: Array) -> Array:
+def meshed_start(model: LoadedModel, x: Array, q: object, u: object, t: float, r: Array) -> Array:
     """A state (nx,) whose constraints hold, named coordinates and speeds kept as they are.
 
     Args:
@@ -55,7 +55,7 @@ def meshed_start(model: LoadedModel, x: Array, q: Any, u: Any, t: float, r: Arra
 
 
 def start_of_search(
-    model: LoadedModel, x: Array, q: Any, locked: Mapping[str, Any], t: float, r: Array
+    model: LoadedModel, x: Array, q: object, locked: Mapping[str, object], t: float, r: Array
 ) -> Array:
     """A state (nx,) at which a search for rest begins.
 
@@ -85,7 +85,9 @@ class _Start:
     Args: as :func:`meshed_start` takes them.
     """
 
-    def __init__(self, model: LoadedModel, x: Array, q: Any, u: Any, t: float, r: Array) -> None:
+    def __init__(
+        self, model: LoadedModel, x: Array, q: object, u: object, t: float, r: Array
+    ) -> None:
         self.model = model
         self.q0, self.u0, self.internal = (part.copy() for part in model.parts_of(x))
         self.arguments = {"t": t, "r": r, "z": self.internal}
@@ -117,7 +119,7 @@ class _Start:
             return self._bent(names, begin, problem)
 
     def _bent(
-        self, names: Mapping[str, Any], begin: Array, problem: ModelError
+        self, names: Mapping[str, object], begin: Array, problem: ModelError
     ) -> tuple[Array, bool]:
         """Same as :meth:`place` where beams cannot stay as they are."""
         if self.m.linked and self.m.links:
@@ -136,7 +138,7 @@ class _Start:
             raise problem
         return self.m.nearest(position, begin), False
 
-    def _missed(self, names: Mapping[str, Any], q: Array) -> bool:
+    def _missed(self, names: Mapping[str, object], q: Array) -> bool:
         """True when something named or a beam is missed, or an axis is turned round."""
         m = self.m
         open_by = np.abs(m.residuals(q)).max(initial=0.0)
@@ -271,7 +273,7 @@ class _Start:
         return source.results(self.model).closed(name, q, u, locked, self.arguments)
 
 
-def _named(model: LoadedModel, values: Any, letter: str) -> Mapping[str, Any] | None:
+def _named(model: LoadedModel, values: object, letter: str) -> Mapping[str, Any] | None:
     """The named values; None where every entry is given."""
     if values is not None and not isinstance(values, Mapping):
         return None
@@ -282,7 +284,7 @@ def _named(model: LoadedModel, values: Any, letter: str) -> Mapping[str, Any] | 
 
 
 def _free_node_entries(
-    model: LoadedModel, named: Mapping[str, Any] | None, letter: str
+    model: LoadedModel, named: Mapping[str, object] | None, letter: str
 ) -> list[str]:
     """Entries of names that belong to nodes which beams alone hold: they stay where they are."""
     if not named:
@@ -298,7 +300,7 @@ def _free_node_entries(
     return [names[k] for k in sorted(node_entries & named_entries)]
 
 
-def _locked_speeds(model: LoadedModel, named: Any, letter: str) -> Array:
+def _locked_speeds(model: LoadedModel, named: object, letter: str) -> Array:
     """1 for the speeds (nu,) along which nothing may change."""
     locked = np.zeros(model.nu)
     if not isinstance(named, Mapping) or not named:

@@ -28,7 +28,9 @@ from .closed_form import speed as followed
 from .finite_element_start import meshed_start
 
 
-def closed_start(model: LoadedModel, begin: Start, q: Any, u: Any, t: float, r: Array) -> Start:
+def closed_start(
+    model: LoadedModel, begin: Start, q: object, u: object, t: float, r: Array
+) -> Start:
     """A start at which loops are closed: one rule in every kind of coordinates.
 
     Coordinates and speeds that are named are held, or refused by name. The others are those next
@@ -62,7 +64,7 @@ def closed_start(model: LoadedModel, begin: Start, q: Any, u: Any, t: float, r: 
     return replace(begin, x=np.concatenate([place, speed, internal]), closure_tol=m.closure_tol)
 
 
-def _independent(manifest: Manifest, letter: str, values: Any) -> Any:
+def _independent(manifest: Manifest, letter: str, values: object) -> Any:
     """The named values without joints that follow from loops."""
     if not isinstance(values, Mapping):
         return values
@@ -106,7 +108,7 @@ def initial(
     return closed_start(model, begin, q, u, 0.0, model._layout.start("r")).x
 
 
-def named_of(letter: str, model: LoadedModel, values: Any) -> Mapping[str, Any] | None:
+def named_of(letter: str, model: LoadedModel, values: object) -> Mapping[str, Any] | None:
     """The named values; None where every entry is given."""
     if values is not None and not isinstance(values, Mapping):
         return None
@@ -116,7 +118,7 @@ def named_of(letter: str, model: LoadedModel, values: Any) -> Mapping[str, Any] 
     return None if len(named_entries) == len(rows) else values or {}
 
 
-def positions(m: Mechanism, q: Array, named: Mapping[str, Any] | None) -> Array:
+def positions(m: Mechanism, q: Array, named: Mapping[str, object] | None) -> Array:
     """Assembled coordinates next to a start (nq,), named ones held; None: all were given."""
     open_by = float(np.abs(m.residuals(q)).max(initial=0.0))
     if named is None and open_by <= NEARLY:
@@ -130,7 +132,7 @@ def positions(m: Mechanism, q: Array, named: Mapping[str, Any] | None) -> Array:
     return assembled(m, goals, q).q
 
 
-def _speeds(m: Mechanism, q: Array, u: Array, named: Mapping[str, Any] | None) -> Array:
+def _speeds(m: Mechanism, q: Array, u: Array, named: Mapping[str, object] | None) -> Array:
     """Speeds that loops allow."""
     if named is not None:
         refuse_singular(m, q)

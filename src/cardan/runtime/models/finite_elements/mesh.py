@@ -224,10 +224,10 @@ class Mesh(Elements):
         pointers = {name: x.ctypes.data for name, x in arrays.items()}
         return StateRecord(t=at.t, **pointers), list(arrays.values())
 
-    def _call(self, name: str, at: State, *arguments: Any) -> None:
+    def _call(self, name: str, at: State, *arguments: object) -> None:
         _done(name, self._status(name, at, *arguments))
 
-    def _status(self, name: str, at: State, *arguments: Any) -> int:
+    def _status(self, name: str, at: State, *arguments: object) -> int:
         self.connect(*NEEDED.get(name, ()))
         record, _arrays = self._state(at)
         function = getattr(self.library, f"cardan_mesh_{name}")

@@ -9,7 +9,7 @@ Source: the MuJoCo documentation, XML reference, https://mujoco.readthedocs.io.
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING
 
 from ....errors import ModelError
 from ...scene import SceneRecord
@@ -17,8 +17,11 @@ from ..document import parse
 from ..options import Options
 from .reader import Reader
 
+if TYPE_CHECKING:
+    from xml.etree.ElementTree import Element as XmlElement
 
-def of_root(root: Any, options: Options, file: str, folder: Path | None) -> SceneRecord:
+
+def of_root(root: XmlElement, options: Options, file: str, folder: Path | None) -> SceneRecord:
     """The model of a parsed document, see :func:`from_text`."""
     if root.tag != "mujoco":
         raise ModelError(f"file '{file}': the root is <{root.tag}>, not <mujoco>")

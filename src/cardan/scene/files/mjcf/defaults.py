@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING
 
 from ....errors import ModelError, near
-from ..document import Element
+from ..document import Element, element_at, place
 from .compiler import ORIENTATIONS
 from .ignored import Unread, attributes_read
+
+if TYPE_CHECKING:
+    from xml.etree.ElementTree import Element as XmlElement
 
 TOP = "main"
 # elements that have defaults -> what is read of them
@@ -30,7 +33,7 @@ class Defaults:
         # class -> tag -> attributes
         self.classes: dict[str, dict[str, dict[str, str]]] = {TOP: {}}
 
-    def read(self, element: Any) -> None:
+    def read(self, element: XmlElement) -> None:
         """The classes of a <default> of the file, those inside it included.
 
         Raises:
@@ -41,7 +44,7 @@ class Defaults:
             raw, name, parent = waiting.pop()
             if name != TOP and name in self.classes:
                 raise ModelError(
-                    f"{self.where}:{raw.line}: default class '{name[:80]}' is defined twice"
+                    f"{place(raw, self.where)}: default class '{name[:80]}' is defined twice"
                 )
             merged_class = dict(self.classes[parent])
             for child in raw:
@@ -58,15 +61,16 @@ class Defaults:
             self.classes[name] = merged_class
             inner = [child for child in raw if child.tag == "default"]
             for child in reversed(inner):
-                if not child.get("class"):
+                inner_name = child.get("class")
+                if not inner_name:
                     raise ModelError(
-                        f"{self.where}:{child.line}: a default inside another needs a class"
+                        f"{place(child, self.where)}: a default inside another needs a class"
                     )
-                waiting.append((child, child.get("class"), name))
+                waiting.append((child, inner_name, name))
         # the outermost class may have a name of its own
         self.classes[element.get("class") or TOP] = self.classes[TOP]
 
-    def of(self, raw: Any, where: str, inherited: str, tag: str | None = None) -> Element:
+    def of(self, raw: XmlElement, where: str, inherited: str, tag: str | None = None) -> Element:
         """An element with what its class adds.
 
         Args:
@@ -81,8 +85,7 @@ class Defaults:
             listed = near(name, self.classes).replace(" Known:", " Classes:")
             raise ModelError(f"{where}: there is no default class '{name[:80]}'.{listed}")
         defaults = self.classes[name].get(tag or raw.tag, {})
-        element = type(raw)(raw.tag, merged(defaults, raw.attrib))
-        element.line = raw.line
+        element = element_at(raw, raw.tag, merged(defaults, raw.attrib))
         element.extend(raw)
         return Element(element, where)
 

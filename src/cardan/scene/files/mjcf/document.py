@@ -7,16 +7,19 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING
 
 from ....errors import ModelError, TopologyError
-from ..document import Element, content, parse
+from ..document import Element, Numbered, content, element_at, parse, place
 from ..meshes import Meshes
 from ..options import Options
 from ..pose import HERE, Pose
 from .compiler import Compiler
 from .defaults import TOP
 from .ignored import Unread
+
+if TYPE_CHECKING:
+    from xml.etree.ElementTree import Element as XmlElement
 
 MOST_BODIES = 100_000
 # how a message begins that says where it is
@@ -37,11 +40,11 @@ class BodyElement:
         parts: Elements inside, each with the pose of the frames around it and its default class.
     """
 
-    raw: Any
+    raw: XmlElement
     name: str
     parent: int
     pose: Pose
-    parts: tuple[tuple[Any, Pose, str], ...]
+    parts: tuple[tuple[XmlElement, Pose, str], ...]
 
 
 @dataclass(frozen=True)
@@ -54,22 +57,22 @@ class Document:
         unread: Collects what is passed over.
     """
 
-    root: Any
+    root: XmlElement
     file: str
     unread: Unread
 
-    def place(self, raw: Any) -> str:
+    def place(self, raw: XmlElement) -> str:
         """``arm.xml:12``: where an element begins."""
-        return f"{getattr(raw, 'file', self.file)}:{raw.line}"
+        return place(raw, self.file)
 
-    def where(self, raw: Any) -> str:
+    def where(self, raw: XmlElement) -> str:
         """The place and name of an element: the head of a message."""
         name = raw.get("name")
         named = f" '{name[:80]}'" if name else ""
         return f"{self.place(raw)}: <{raw.tag}>{named}"
 
     @contextmanager
-    def at_element(self, raw: Any) -> Iterator[None]:
+    def at_element(self, raw: XmlElement) -> Iterator[None]:
         """Errors that do not say where they are say that they are here."""
         try:
             yield
@@ -81,9 +84,9 @@ class Document:
     def section(self, name: str) -> Element:
         """All elements of the root of a name as one: their attributes, later ones count."""
         raws = self.root.findall(name)
-        joined = type(self.root)(name, {k: text for raw in raws for k, text in raw.attrib.items()})
+        attributes = {k: text for raw in raws for k, text in raw.attrib.items()}
+        joined = element_at(raws[-1] if raws else self.root, name, attributes)
         joined.extend(child for raw in raws for child in raw)
-        joined.line = raws[-1].line if raws else self.root.line
         return Element(joined, self.where(joined))
 
     def bodies(self, compiler: Compiler) -> Iterator[BodyElement]:
@@ -94,7 +97,9 @@ class Document:
         """
         taken, count = {"ground"}, 0
         # a body, the number of its parent, its pose there, the class around it
-        waiting: list[tuple[Any, int, Pose, str]] = [(self.section("worldbody").raw, -1, HERE, TOP)]
+        waiting: list[tuple[XmlElement, int, Pose, str]] = [
+            (self.section("worldbody").raw, -1, HERE, TOP)
+        ]
         while waiting:
             raw, parent, pose, style = waiting.pop()
             parts, children = [], []
@@ -114,7 +119,7 @@ class Document:
                 raise ModelError(f"file '{self.file}' has more than {MOST_BODIES} bodies")
             waiting += reversed(children)
 
-    def _name(self, raw: Any, count: int, taken: set[str]) -> str:
+    def _name(self, raw: XmlElement, count: int, taken: set[str]) -> str:
         """The name of a body, its own or a made one.
 
         Raises:
@@ -128,7 +133,9 @@ class Document:
         taken.add(name)
         return str(name)
 
-    def _inside(self, raw: Any, style: str, compiler: Compiler) -> Iterator[tuple[Any, Pose, str]]:
+    def _inside(
+        self, raw: XmlElement, style: str, compiler: Compiler
+    ) -> Iterator[tuple[XmlElement, Pose, str]]:
         """Contents of a body, with the poses of the frames around it."""
         waiting = [(child, HERE, style) for child in reversed(raw)]
         while waiting:
@@ -147,7 +154,7 @@ class Document:
             waiting += [(grandchild, pose, inner) for grandchild in reversed(child)]
 
 
-def expanded(root: Any, options: Options, file: str, folder: Path | None) -> Any:
+def expanded(root: XmlElement, options: Options, file: str, folder: Path | None) -> XmlElement:
     """The root with the content of included files in the place of every <include>.
 
     Raises:
@@ -167,10 +174,10 @@ def expanded(root: Any, options: Options, file: str, folder: Path | None) -> Any
 
 
 def _included(
-    raw: Any, options: Options, meshes: Meshes, file: str, included_files: set[str]
-) -> Any:
+    raw: XmlElement, options: Options, meshes: Meshes, file: str, included_files: set[str]
+) -> XmlElement:
     """The root of an included file; its own includes stand in it."""
-    where = f"{getattr(raw, 'file', file)}:{raw.line}: <include>"
+    where = f"{place(raw, file)}: <include>"
     name = Element(raw, where).text("file")
     path = meshes.locate(name, where, "file")
     if path is None:
@@ -184,5 +191,6 @@ def _included(
     options.budget.take()
     inner = parse(content(path), path.name)
     for element in inner.iter():
+        assert isinstance(element, Numbered)
         element.file = path.name
     return inner

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from ....elements.joints.fixed import Fixed
 from ....elements.joints.joint import Joint as JointElement
@@ -17,6 +17,9 @@ from ..document import Element
 from ..pose import HERE, Pose, written
 from .compiler import chosen
 from .joints import Hinge
+
+if TYPE_CHECKING:
+    import sympy
 
 READ = ("connect", "weld", "joint")
 
@@ -48,7 +51,7 @@ class Law:
             return None
         return self.leader, c1, self.refs[0] + c0 - c1 * self.refs[1]
 
-    def expression(self, scene: SceneRecord) -> Any:
+    def expression(self, scene: SceneRecord) -> sympy.Expr:
         """Expression that vanishes, in coordinates of the model."""
         y = scene.q(self.follower) - self.refs[0]
         if self.leader is None:

@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 from collections import Counter
-from typing import Any
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from xml.etree.ElementTree import Element as XmlElement
 
 # attributes that are read, by element; "class" and "name" are everywhere
 READ = {
@@ -44,11 +47,11 @@ class Unread:
     def __init__(self) -> None:
         self.counts: Counter[str] = Counter()
 
-    def element(self, raw: Any, inside: str = "") -> None:
+    def element(self, raw: XmlElement, inside: str = "") -> None:
         """A whole element is passed over."""
         self.counts[f"{inside} {raw.tag}".strip()] += 1
 
-    def attributes(self, raw: Any, kind: str | None = None) -> None:
+    def attributes(self, raw: XmlElement, kind: str | None = None) -> None:
         """An element is read: what of it is not?"""
         kind = kind or raw.tag
         read = attributes_read(kind)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING
 
 from ....errors import ModelError
 from ...body import Body
@@ -22,6 +22,9 @@ from .equality import Law, Parts
 from .ignored import Unread
 from .joints import Chain, Hinge
 
+if TYPE_CHECKING:
+    from xml.etree.ElementTree import Element as XmlElement
+
 SECTIONS = ("compiler", "default", "option", "worldbody", "equality", "actuator")
 ENTRIES = ("xx", "xy", "xz", "yy", "yz", "zz")
 
@@ -29,7 +32,7 @@ ENTRIES = ("xx", "xy", "xz", "yy", "yz", "zz")
 class Reader:
     """One reading. ``scene`` is complete when this is made."""
 
-    def __init__(self, root: Any, options: Options, file: str, folder: Path | None) -> None:
+    def __init__(self, root: XmlElement, options: Options, file: str, folder: Path | None) -> None:
         self.unread, self.options = Unread(), options
         self.document = Document(expanded(root, options, file, folder), file, self.unread)
         self._sections(root)
@@ -54,7 +57,7 @@ class Reader:
 
     # the document
 
-    def _sections(self, root: Any) -> None:
+    def _sections(self, root: XmlElement) -> None:
         self.unread.attributes(root)
         for raw in root:
             if raw.tag in ("compiler", "option"):
@@ -64,7 +67,7 @@ class Reader:
         if root.find("worldbody") is None:
             raise ModelError(f"file '{self.document.file}': there is no <worldbody>, so no body")
 
-    def _element(self, raw: Any, style: str, kind: str | None = None) -> Element:
+    def _element(self, raw: XmlElement, style: str, kind: str | None = None) -> Element:
         """An element with what its default class adds."""
         self.unread.attributes(raw, kind)
         return self.defaults.of(raw, self.document.where(raw), style)
@@ -217,7 +220,7 @@ class Reader:
         self.scene.origins["body", body_element.name] = self.document.place(body_element.raw)
         return body
 
-    def _part(self, body: Body, raw: Any, around: Pose, style: str) -> None:
+    def _part(self, body: Body, raw: XmlElement, around: Pose, style: str) -> None:
         """Sites are frames; the rest was read before, or is not."""
         if raw.tag == "site":
             element = self._element(raw, style)

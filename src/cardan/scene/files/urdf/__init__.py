@@ -7,7 +7,7 @@ Source: the URDF specification, http://wiki.ros.org/urdf/XML. ``<loop_joint>`` i
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING
 
 from ....errors import ModelError
 from ...scene import SceneRecord
@@ -15,8 +15,11 @@ from ..document import parse
 from ..options import Options
 from .reader import Reader
 
+if TYPE_CHECKING:
+    from xml.etree.ElementTree import Element as XmlElement
 
-def of_root(root: Any, options: Options, file: str, folder: Path | None) -> SceneRecord:
+
+def of_root(root: XmlElement, options: Options, file: str, folder: Path | None) -> SceneRecord:
     """The model of a parsed document, see :func:`from_text`."""
     if root.tag != "robot":
         raise ModelError(f"file '{file}': the root is <{root.tag}>, not <robot>")

@@ -4,10 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING
 
 from ....errors import ModelError, TopologyError, near
 from ..document import Element
+
+if TYPE_CHECKING:
+    from xml.etree.ElementTree import Element as XmlElement
 
 MOST_LINKS = 100_000
 
@@ -22,7 +25,7 @@ class Edge:
     child: str
 
 
-def links_of(root: Any, file: str) -> dict[str, Element]:
+def links_of(root: XmlElement, file: str) -> dict[str, Element]:
     """The links by name.
 
     Raises:
@@ -43,7 +46,7 @@ def links_of(root: Any, file: str) -> dict[str, Element]:
     return links
 
 
-def edges_of(root: Any, file: str) -> list[Edge]:
+def edges_of(root: XmlElement, file: str) -> list[Edge]:
     """The joints of the tree.
 
     Raises:

@@ -17,7 +17,7 @@ spherical (or ball), cylindrical and universal with a second direction <axis2>.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
+from typing import TYPE_CHECKING
 
 from ....elements.joints.cylindrical import Cylindrical
 from ....elements.joints.joint import Joint as JointElement
@@ -28,11 +28,14 @@ from ....spatial.numbers import of_sequence
 from ...body import Body
 from ...frame import Place
 from ...scene import SceneRecord
-from ..document import Element
+from ..document import Element, place
 from ..pose import HERE, Pose, written
 from .graph import Edge, check_link
 from .kinds import TYPES as PLAIN
 from .kinds import Origin, axis_of, kind_of, origin_of
+
+if TYPE_CHECKING:
+    from xml.etree.ElementTree import Element as XmlElement
 
 TYPES = (*(kind for kind in PLAIN if kind != "floating"), "spherical", "ball", "cylindrical",
          "universal")  # fmt: skip
@@ -41,7 +44,7 @@ PASSED_OVER = ("limit", "dynamics", "mimic")
 
 def close(
     scene: SceneRecord,
-    root: Any,
+    root: XmlElement,
     file: str,
     bodies: Mapping[str, Body],
     drawn: Mapping[str, Pose],
@@ -57,13 +60,15 @@ def close(
         ModelError: an end that is missing or no link, a link joined to itself, an unknown type.
     """
     for raw in root.findall("loop_joint"):
-        place = f"{file}:{raw.line}"
-        name = Element(raw, f"{place}: <loop_joint>").text("name")
-        element = Element(raw, f"{place}: loop joint '{name[:80]}'")
+        where = place(raw, file)
+        name = Element(raw, f"{where}: <loop_joint>").text("name")
+        element = Element(raw, f"{where}: loop joint '{name[:80]}'")
         ends = _ends(element, bodies)
         kind = _kind(element, snap, scene.snaps)
         one = _pose(origin_of(element, element.where, snap, scene.snaps))
-        inner = Element(raw.find("link2"), f"{element.where} link2")
+        second = raw.find("link2")
+        assert second is not None
+        inner = Element(second, f"{element.where} link2")
         if inner.child("origin") is None:
             two = drawn[ends[1]].inverse().then(drawn[ends[0]]).then(one)
         else:
@@ -72,7 +77,7 @@ def close(
         if name in scene.joints:
             raise ModelError(f"{element.where}: a joint has this name; rename one of them")
         scene.joint(name, kind, frames[0], frames[1], cut=True)
-        scene.origins["joint", name] = place
+        scene.origins["joint", name] = where
         skipped = [tag for tag in PASSED_OVER if element.child(tag) is not None]
         if skipped:
             scene.notes.append(f"{element.where}: {', '.join(skipped)} does not act on it")

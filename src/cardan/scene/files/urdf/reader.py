@@ -5,7 +5,7 @@ from __future__ import annotations
 import dataclasses
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from ....elements.forces.joint_damper import JointDamper
 from ....elements.joints.fixed import Fixed
@@ -22,12 +22,15 @@ from . import loops
 from .graph import Edge, base_of, edges_of, links_of
 from .kinds import Origin, kind_of, origin_of
 
+if TYPE_CHECKING:
+    from xml.etree.ElementTree import Element as XmlElement
+
 
 @dataclass
 class Reader:
     """One reading."""
 
-    root: Any
+    root: XmlElement
     options: Options
     file: str
     folder: Path | None

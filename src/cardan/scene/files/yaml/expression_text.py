@@ -4,13 +4,16 @@ from __future__ import annotations
 
 import re
 from functools import cache
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from ....errors import ModelError
 from ...parameters import Placeholder
 from ...scene import SceneRecord
 from ...terms import COMPONENTS
 from ..expression import AGAINST, FUNCTIONS
+
+if TYPE_CHECKING:
+    import sympy
 
 PLAIN = re.compile(r"[A-Za-z_]\w*(\.\w+)*", re.ASCII)
 # how tightly text binds: a sum, a product, a power, everything else
@@ -31,7 +34,7 @@ class ExpressionText:
         self.local: tuple[str, ...] = ()
         self.tables: dict[str, Any] = {}
 
-    def text(self, expression: Any, where: str) -> str:
+    def text(self, expression: object, where: str) -> str:
         """The text of an expression.
 
         Raises:
@@ -40,7 +43,7 @@ class ExpressionText:
         self.where = where
         return self._write(expression)[0]
 
-    def _write(self, e: Any) -> tuple[str, int]:
+    def _write(self, e: sympy.Expr) -> tuple[str, int]:
         """Text and how tightly it binds."""
         if getattr(e, "is_Relational", False) or getattr(e, "is_Boolean", False):
             return self._call(e), ATOM
@@ -59,12 +62,12 @@ class ExpressionText:
             return f"{self._table(e)}({self._write(e.args[0])[0]})", ATOM
         return self._call(e), ATOM
 
-    def _inside(self, e: Any, least: int) -> str:
+    def _inside(self, e: object, least: int) -> str:
         """Text, in parentheses where it binds less than wanted."""
         text, binding = self._write(e)
         return text if binding >= least else f"({text})"
 
-    def _number(self, e: Any) -> tuple[str, int]:
+    def _number(self, e: sympy.Expr) -> tuple[str, int]:
         if not e.is_finite or not e.is_extended_real:
             raise self._refused(e)
         if e.is_Integer:
@@ -75,7 +78,7 @@ class ExpressionText:
             text, binding = repr(float(e)), ATOM
         return text, SUM if text[0] == "-" else binding
 
-    def _sum(self, e: Any) -> str:
+    def _sum(self, e: sympy.Expr) -> str:
         text = ""
         for term in e.args:
             term_text = self._inside(term, PRODUCT) if text else self._write(term)[0]
@@ -86,7 +89,7 @@ class ExpressionText:
             text += (" - " + term_text[1:] if minus else " + " + term_text) if text else term_text
         return text
 
-    def _product(self, e: Any) -> str:
+    def _product(self, e: sympy.Expr) -> str:
         """A number before what it multiplies, but after a sum: it would be multiplied out."""
         number, factors = e.as_coeff_mul()
         above = [f for f in factors if not _reciprocal(f)]
@@ -105,7 +108,7 @@ class ExpressionText:
             text += "/" + self._inside(factor, POWER)
         return text if q == 1 else f"{text}/{q}"
 
-    def _power(self, e: Any) -> tuple[str, int]:
+    def _power(self, e: sympy.Expr) -> tuple[str, int]:
         base, exponent = e.args
         if exponent.is_Rational and exponent.p == 1 and exponent.q == 2:
             return f"sqrt({self._write(base)[0]})", ATOM
@@ -140,7 +143,7 @@ class ExpressionText:
         name = quoted(entry.place.name) + against
         return f"{entry.quantity}({name}).{cells[entry.component]}"
 
-    def _table(self, e: Any) -> str:
+    def _table(self, e: sympy.Expr) -> str:
         if e.cardan_derivative:
             raise self._refused(e)
         name = type(e).__name__
@@ -149,7 +152,7 @@ class ExpressionText:
 
     # functions
 
-    def _call(self, e: Any) -> str:
+    def _call(self, e: sympy.Expr) -> str:
         if e.is_Atom:
             return self._constant(e)
         if e.is_Relational:
@@ -162,13 +165,13 @@ class ExpressionText:
             raise self._refused(e)
         return f"{name}({', '.join(self._write(argument)[0] for argument in e.args)})"
 
-    def _constant(self, e: Any) -> str:
+    def _constant(self, e: object) -> str:
         text = {"pi": "pi", "E": "exp(1)"}.get(str(e))
         if text is None:
             raise self._refused(e)
         return text
 
-    def _select(self, e: Any) -> str:
+    def _select(self, e: sympy.Expr) -> str:
         """``select(condition, a, b)``: the last piece must hold otherwise."""
         *cases, (otherwise, last) = e.args
         if str(last) != "True":
@@ -176,7 +179,7 @@ class ExpressionText:
         arguments = [part for value, condition in cases for part in (condition, value)]
         return f"select({', '.join(self._write(word)[0] for word in [*arguments, otherwise])})"
 
-    def _refused(self, e: Any) -> ModelError:
+    def _refused(self, e: object) -> ModelError:
         return ModelError(f"{self.where}: '{str(e)[:80]}' cannot be said in a scene file")
 
 
@@ -188,13 +191,13 @@ def quoted(name: str) -> str:
     return f'"{escaped}"'
 
 
-def _reciprocal(factor: Any) -> bool:
+def _reciprocal(factor: sympy.Expr) -> bool:
     """True for 1/x, x**(-2) and the like, which stand below the line."""
     return bool(factor.is_Pow and factor.exp.is_Number and factor.exp.is_negative)
 
 
 @cache
-def _functions() -> dict[Any, str]:
+def _functions() -> dict[sympy.Basic, str]:
     """SymPy's functions -> their names in files."""
     import sympy
 

@@ -137,6 +137,11 @@ SIMULATE = (
 
 # annotation of a field or argument -> kind of its value
 _KINDS = {
+    "Value": "value",
+    "Value | None": "value",
+    "Rows": "value",
+    "Rows | None": "value",
+    "Direction | None": "direction",
     "Any": "value",
     "Direction": "direction",
     "Vector": "value",
@@ -148,7 +153,7 @@ _KINDS = {
     "LocalNames": "names",
     "bool": "flag",
     "str": "text",
-    "Sequence[Any]": "vector",
+    "Sequence[Value]": "vector",
     "Sequence[float]": "numbers",
     "Sequence[float] | None": "numbers",
 }

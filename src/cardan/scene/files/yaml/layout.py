@@ -31,7 +31,7 @@ def dumped(document: Mapping[str, Any]) -> str:
     class Representer(SafeRepresenter):
         """Without anchors: equal numbers are not one number."""
 
-        def ignore_aliases(self, data: Any) -> bool:
+        def ignore_aliases(self, data: object) -> bool:
             return True
 
     def mapping(representer: Any, data: Mapping[str, Any]) -> Any:
@@ -56,14 +56,14 @@ def dumped(document: Mapping[str, Any]) -> str:
     return stream.getvalue()
 
 
-def _section(name: str, section: Any) -> Any:
+def _section(name: str, section: object) -> Any:
     """A section: one item a line, or more lines where an item is long."""
     if not isinstance(section, dict):
         return _laid_out(section, WIDTH - len(name) - 2)
     return {key: _laid_out(item, WIDTH - len(key) - 4) for key, item in section.items()}
 
 
-def _laid_out(value: Any, room: int) -> Any:
+def _laid_out(value: object, room: int) -> Any:
     """A value on one line where it fits, in a block otherwise."""
     if not isinstance(value, (dict, list, tuple)) or _length(value) <= room:
         return _flat(value)
@@ -72,13 +72,13 @@ def _laid_out(value: Any, room: int) -> Any:
     return [_laid_out(entry, room - 4) for entry in value]
 
 
-def _flat(value: Any) -> Any:
+def _flat(value: object) -> Any:
     if isinstance(value, dict):
         return Flow((key, _flat(entry)) for key, entry in value.items())
     return Row(map(_flat, value)) if isinstance(value, (list, tuple)) else value
 
 
-def _length(value: Any) -> int:
+def _length(value: object) -> int:
     """About how many characters a value takes on one line."""
     if isinstance(value, dict):
         return sum(len(key) + 4 + _length(entry) for key, entry in value.items())

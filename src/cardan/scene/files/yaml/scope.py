@@ -30,7 +30,7 @@ class Names(Mapping[str, Any]):
         self,
         model: SceneRecord,
         scope: Scope,
-        tables: Mapping[str, Any],
+        tables: Mapping[str, object],
         local: Sequence[str],
         where: str,
         version: int,

@@ -197,7 +197,7 @@ class _Builder:
         if event.anchor is not None:
             self.anchors[event.anchor] = None
 
-    def _add(self, event: Any, node: Node, anchor: str | None) -> None:
+    def _add(self, event: object, node: Node, anchor: str | None) -> None:
         """Put a complete value where it belongs: a key, a value of a key, or an entry."""
         if anchor is not None:
             self.anchors[anchor] = node
@@ -219,7 +219,7 @@ class _Builder:
             parent.entries[outer.key.text] = node
             outer.key = None
 
-    def _key(self, event: Any, parent: Mapping, node: Node) -> Scalar:
+    def _key(self, event: object, parent: Mapping, node: Node) -> Scalar:
         if not isinstance(node, Scalar):
             raise self._error(event, "a key must be a text, not a list or a mapping")
         first = parent.keys.get(node.text)

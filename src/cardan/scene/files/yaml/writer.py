@@ -108,7 +108,7 @@ class _Writer:
 
     # values
 
-    def value(self, value: Any, where: str) -> Any:
+    def value(self, value: object, where: str) -> Any:
         """A number, an expression or rows of them, as written."""
         value = value.tolist() if hasattr(value, "tolist") else value
         if isinstance(value, (list, tuple)):
@@ -121,7 +121,7 @@ class _Writer:
             raise ModelError(f"{where}: {value!r} is neither a number nor an expression")
         return self.expressions.text(value, where)
 
-    def rotation(self, value: Any, where: str) -> Any:
+    def rotation(self, value: object, where: str) -> Any:
         """``[XYZ, a, b, c]`` or 3x3; angles keep what they are when they are read."""
         value = value.as_matrix() if hasattr(value, "as_matrix") else value
         rows = rows_of(value)
@@ -164,7 +164,7 @@ class _Writer:
             entry["shape"] = shapes[0] if len(shapes) == 1 else shapes
         return entry
 
-    def _inertia(self, entries: tuple[Any, ...], where: str) -> Any:
+    def _inertia(self, entries: tuple[object, ...], where: str) -> Any:
         """Principal values where there is nothing else, entries by name otherwise."""
         xx, xy, xz, yy, yz, zz = entries
         if all(map(_zero, (xy, xz, yz))):
@@ -347,10 +347,10 @@ def number(value: Any) -> Number:
     return Number(repr(value))
 
 
-def _zero(value: Any) -> bool:
+def _zero(value: object) -> bool:
     """True for a zero that needs no writing; -0.0 is kept."""
     return is_number(value) and value == 0 and math.copysign(1, value) > 0
 
 
-def _nine(value: Any) -> bool:
+def _nine(value: object) -> bool:
     return isinstance(value, tuple) and len(value) == 9 and not isinstance(value[0], tuple)
