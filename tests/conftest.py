@@ -1,4 +1,8 @@
-"""Prints processor seconds per test file, children among them; ``--accept`` golden text."""
+"""Prints processor seconds per test file, children among them; ``--accept`` golden text.
+
+``slow.txt`` lists tests that ``make test`` leaves to ``make slow``: of each file those that take
+long, except the quickest of them. ``pytest -m 'not external' --measure`` writes it anew.
+"""
 
 from __future__ import annotations
 
@@ -11,6 +15,8 @@ from pathlib import Path
 
 import pytest
 
+SLOW = Path(__file__).with_name("slow.txt")
+LONG, LONG_EXAMPLE = 0.7, 3.0  # processor seconds of a test that counts as slow
 SECONDS: dict[str, float] = defaultdict(float)
 # of this process and those that ended, when the last report was made
 SPENT = [0.0]
@@ -29,6 +35,15 @@ def pytest_addoption(parser: pytest.Parser) -> None:
         action="store_true",
         help="write generated/ and counts.json anew instead of comparing with them",
     )
+    parser.addoption("--measure", action="store_true", help="write slow.txt anew")
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    listed = set(SLOW.read_text("utf-8").splitlines())
+    for item in items:
+        if item.nodeid in listed:
+            item.add_marker(pytest.mark.slow)
 
 
 @pytest.fixture(scope="module", autouse=True)
@@ -59,12 +74,26 @@ def pytest_runtest_makereport() -> Iterator[None]:
 
 
 def pytest_runtest_logreport(report: pytest.TestReport) -> None:
-    SECONDS[report.nodeid.split("::")[0]] += dict(report.user_properties).get("seconds", 0.0)
+    SECONDS[report.nodeid] += dict(report.user_properties).get("seconds", 0.0)
+
+
+def slow(seconds: dict[str, float]) -> list[str]:
+    """Tests that take long, without the quickest such of each file."""
+    long: dict[str, list[tuple[float, str]]] = defaultdict(list)
+    for test, spent in seconds.items():
+        if spent > (LONG_EXAMPLE if test.startswith("tests/examples/") else LONG):
+            long[test.split("::")[0]].append((spent, test))
+    return sorted(test for tests in long.values() for _, test in sorted(tests)[1:])
 
 
 def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
+    files: dict[str, float] = defaultdict(float)
+    for test, seconds in SECONDS.items():
+        files[test.split("::")[0]] += seconds
     terminalreporter.section("processor seconds per file")
-    for name, seconds in sorted(SECONDS.items(), key=lambda item: -item[1]):
+    for name, seconds in sorted(files.items(), key=lambda item: -item[1]):
         if seconds >= 0.1:
             terminalreporter.write_line(f"{seconds:8.1f}  {name}")
-    terminalreporter.write_line(f"{sum(SECONDS.values()):8.1f}  all {len(SECONDS)} files")
+    terminalreporter.write_line(f"{sum(files.values()):8.1f}  all {len(files)} files")
+    if terminalreporter.config.getoption("--measure"):
+        SLOW.write_text("".join(f"{test}\n" for test in slow(SECONDS)), "utf-8")
