@@ -1,10 +1,11 @@
 """Articulated bodies: forward dynamics in one inward and one outward sweep.
 
-Accelerations at udot = 0 come first, gravity among them, as in the recursion of Newton and Euler. A
-body with everything outboard of it answers a further acceleration of its origin with the moment and
-force [[I, H], [Hᵀ, M]] [alpha; a] + bias; the free speeds of each joint are eliminated on the way
-in. Accelerations are those of the origins, so that no linear velocity is needed, and velocity
-products do not pass through the articulated inertias: a tenth of the operations less.
+The accelerations at udot = 0, with gravity, come first, as in the recursion of Newton and Euler. A
+body with all bodies outboard of it answers a further acceleration (alpha, a) of its origin with the
+moment and force [[I, H], [Hᵀ, M]] [alpha; a] + bias. The inward sweep eliminates the speeds of a
+joint; the outward sweep computes udot. Accelerations are classical ones of the body origins, not
+spatial ones as in the source. So linear velocities are not needed, and velocity products do not
+pass through the articulated inertias, which saves a tenth of the operations.
 
 Source: Featherstone, Rigid Body Dynamics Algorithms (2008), chapter 7.
 """
@@ -28,8 +29,9 @@ from ..kinematics.loads import Loads
 from ..recursion.recursion_boundary import CELLS, Sums
 from .formalism import RECURSIONS, Formalism, every
 
-# the deepest tree whose inertia is regrouped: regrouped inertias grow with the number of bodies
-# outboard, and with them the rounding of what is left; measured on chains, 30 joints lose a digit
+# deepest tree whose inertias are regrouped (constant parts of several bodies added up beforehand):
+# regrouped inertias grow with the number of bodies outboard, and so does the rounding error of the
+# differences; in chains of 30 joints it costs a digit
 DEEPEST = 12
 
 
@@ -86,7 +88,8 @@ def _inward(k: Kinematics, tau: Matrix, loads: Loads, imposed: Accelerations) ->
 
     ``articulated = I + sum Xᵀ (I_A - U D⁻¹ Uᵀ)_child X`` of the children, with
     ``elimination = U, D: U = I_A S, D = Sᵀ U``,
-    ``free = D⁻¹ (tau + f - Sᵀ bias)`` and ``gain = D⁻¹ Uᵀ``.
+    ``free = D⁻¹ (tau + f - Sᵀ bias)``, f the forces along the joint, ``gain = D⁻¹ Uᵀ`` and
+    ``bias = own bias + sum Xᵀ (bias + U free)_child``.
     """
     k.graph.describe(_inward)
     n = len(k.system.bodies)
@@ -157,7 +160,7 @@ def _check_inertia(name: str, d: Matrix) -> None:
 
 
 def _unit(s: Matrix) -> int | None:
-    """k where S is the k-th unit vector or its negative: that row of the rest is exactly zero."""
+    """k if S is the k-th unit vector or its negative: row k of what remains is exactly zero."""
     used = [j for j, node in enumerate(s.nodes) if node != ZERO]
     return used[0] if len(used) == 1 and s.nodes[used[0]] in (1, 2) else None
 
@@ -188,7 +191,7 @@ def _remaining(
 
 
 def _transported(k: Kinematics, i: int, remaining: Articulated) -> Articulated:
-    """The rest of body i as its parent feels it: turned and moved."""
+    """What remains of body i, in the axes and about the origin of its parent."""
     joint = k.joints[i]
     r, p = joint.rotation, joint.position
     bias = remaining.bias
@@ -247,12 +250,12 @@ def _outward(k: Kinematics, eliminations: list[Elimination]) -> Matrix:
 
 
 def mass_matrix(k: Kinematics, loads: Loads) -> Matrix:
-    """M (nu, nu), which the elimination does without, by composite bodies."""
+    """M (nu, nu) by composite bodies, for users: the elimination does not need it."""
     return projected(k, composites(k), loads)
 
 
 def rewrites(system: System) -> tuple[str, ...]:
-    """All rewrites, of deep trees without regrouped inertia."""
+    """Names of the rewrites to apply: all, but no regrouped inertias in deep trees."""
     deep = system.depth() > DEEPEST
     return tuple(name for name in every(system) if not (deep and name == "base_parameters"))
 

@@ -9,7 +9,7 @@
  *   1. evaluate the 12 stages and form the 8th-order solution;
  *   2. combine a 5th-order and a 3rd-order error estimate into one error norm;
  *   3. accept if the norm is at most 1: normalize quaternions, project onto the constraints and
- *      evaluate the derivative at the new state; otherwise retry with a smaller h;
+ *      evaluate the derivative at the new state; otherwise retry with the h of 4, without growth;
  *   4. new step size: h times 0.9 error^(-1/8), a plain (not PI) controller, factor in [1/3, 6].
  * Source: E. Hairer, S. P. Norsett, G. Wanner, Solving Ordinary Differential Equations I, 2nd ed.,
  * sections II.5, II.6 and II.10.
@@ -60,7 +60,7 @@ static real error_of(cardan_run *run, real h, const real *against)
     return DOP853_NORM(h, (real)nx, sum5, sum3);
 }
 
-/* Contribution of entry i to e5 for a step of length 1; finds the entry with the largest error. */
+/* Entry i of e5 for a step of length 1, from which the caller finds the entry with the largest error. */
 static real part(const cardan_run *run, const real *against, ptrdiff_t i)
 {
     const ptrdiff_t n = run->n;
@@ -69,9 +69,10 @@ static real part(const cardan_run *run, const real *against, ptrdiff_t i)
     return DOP853_DIFFERENCE(E5) / cardan_scale(run, against, i);
 }
 
-/* Entry i of the state at which stage 11 was evaluated, called after the step is committed.
+/* Entry i of the state at which stage 11 was evaluated.
  *
- * Stage 11 also lies at t + h. Its distance from the solution there feeds the stiffness test.
+ * Stage 11 lies at t + h, as does the solution. The distance between the two states and between their
+ * derivatives estimates the largest |lambda| for the stiffness test.
  */
 static real state(const cardan_run *run, real h, ptrdiff_t i)
 {
@@ -84,9 +85,10 @@ static real state(const cardan_run *run, real h, ptrdiff_t i)
     return run->y_old[i] + h * sum;
 }
 
-/* Take one accepted step from t, y; -1: no stage coincides with the solution at the end.
+/* Take one accepted step from t, y. The argument -1 says that no stage is the solution at the end.
  *
- * 6.1 bounds h |lambda| on the negative real axis, see Hairer & Wanner II, section IV.2.
+ * Stiffness test: the method is stable for real negative h lambda up to 6.1 in magnitude. The test
+ * counts steps near that bound; see Hairer & Wanner II, section IV.2.
  */
 static int step(cardan_run *run)
 {

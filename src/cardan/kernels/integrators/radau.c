@@ -14,14 +14,14 @@
 
 /* the error of a step behaves like h^4 */
 enum { ORDER = 4, ITERATIONS = 7, TO_ROUNDING = 30 };
-/* Newton rates up to FAST keep the Jacobian; step ratios in [SHRINK, GROW) keep h and factors */
+/* convergence rates up to FAST keep the Jacobian, step ratios within [SHRINK, GROW) h and factors */
 static const real FAST = 1e-3, SHRINK = 0.9, GROW = 1.2;
 
 /* State that persists between steps, at the start of `mem`. */
 typedef struct memory {
     real factored; /* step size of the stored factors, 0: none */
     real current;  /* 1: the Jacobian was evaluated at the present state */
-    real reusable; /* 1: the Jacobian may be reused for another step */
+    real reusable; /* 1: the Jacobian may be kept for the next step */
     real rate;     /* theta / (1 - theta) of the last Newton solve, theta its convergence rate */
     real h, error; /* size and error of the last accepted step; h = 0: none in this segment */
 } memory;
@@ -117,7 +117,7 @@ static void predict(const cardan_run *run, const parts *mem, real h)
         real z[3] = {0, 0, 0};
         for (int s = 0; s < 3 && has_history; s++) {
             const real theta = NODES[s] * h / mem->now->h;
-            /* p(1 + theta) - p(1) for the last step on [0, 1]; rows b and c vanish at its end */
+            /* p(1 + theta) - p(1) for the last step on [0, 1]; the second and third row vanish at its end */
             const real a = mem->before[i], b = mem->before[nx + i], c = mem->before[2 * nx + i];
             z[s] = theta * a - (1 + theta) * theta * (b + (1 + theta) * c);
         }
@@ -253,8 +253,8 @@ static int error_of(cardan_run *run, const parts *mem, real h, real *error)
             sum += e * e;
         }
         *error = sqrt(sum / (real)(nx > 0 ? nx : 1));
-        /* stiff components inflate it in the first step and after a rejection: once more with
-         * f(t, y + error) in place of f(t, y), eq. (IV.8.20) */
+        /* stiff components inflate it in the first step and after a rejection; if it is above 1, filter
+         * once more with f(t, y + error) in place of f(t, y), eq. (IV.8.20) */
         if (*error <= 1 || again || !(run->rejected || mem->now->h == 0))
             break;
         for (ptrdiff_t i = 0; i < nx; i++)

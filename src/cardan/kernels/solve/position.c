@@ -5,15 +5,17 @@
  * Each iteration computes a constrained Gauss-Newton step (least.c) for hard residuals, which must
  * vanish, and soft residuals, whose weighted sum of squares is minimized. The step is shortened
  * until the merit function  |soft|^2 / 2 + price |hard|  decreases; the price exceeds all
- * multipliers, so hard residuals always win. The solver returns after a budget of iterations and
+ * multipliers, so hard residuals always win (the norm of |hard| is the sum of magnitudes). The solver returns after a budget of iterations and
  * can be resumed, so that Ctrl-C works.
  * Source: J. Nocedal, S. Wright, Numerical Optimization, 2nd ed., chapter 18 (merit functions).
  */
 #include "position.h"
 #include <math.h>
 
-static const real SOUGHT = 1e-15, CLOSED = 1e-11; /* residuals: target, limit for closed loops */
-static const real LEAST_STEP = 1e-13, LONGEST = 0.7; /* radians, or sizes of the mechanism */
+/* residual to aim for; largest residual of a closed loop */
+static const real SOUGHT = 1e-15, CLOSED = 1e-11;
+/* least and greatest length of a step, in radians or sizes of the mechanism */
+static const real LEAST_STEP = 1e-13, LONGEST = 0.7;
 static const real FIRST_DAMPING = 1e-3, LEAST_DAMPING = 1e-12, SHORTER = 0.3;
 enum { MOST_STEPS = 80, MOST_TRIALS = 12 };
 
@@ -54,7 +56,7 @@ static parts parts_of(const cardan_position *p)
     return m;
 }
 
-/* Call a model function; `along` is passed as both u and du. */
+/* Call a model function. `along` is passed as u and as du: some functions take the one, some the other. */
 static int call(const cardan_position *p, const cardan_call *function, const real *q,
                 const real *along, real *out)
 {
@@ -290,7 +292,8 @@ static int ended(cardan_position *p)
     return CARDAN_DONE;
 }
 
-/* Continue a search for at most `budget` iterations. Returns CARDAN_DONE or CARDAN_MORE. */
+/* Continue a search for at most `budget` iterations. Returns CARDAN_DONE if it has converged or cannot
+ * proceed (the record says how far it got), otherwise CARDAN_MORE. */
 int cardan_position_solve(cardan_position *p, ptrdiff_t budget)
 {
     const parts m = parts_of(p);

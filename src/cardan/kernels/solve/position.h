@@ -12,7 +12,7 @@
 /* A target: coordinates, (q[entries] - value) / scale, or residuals of a model function. */
 typedef struct cardan_target {
     ptrdiff_t rows;
-    real weight;              /* factor of the residuals of a soft target; negative: hard target */
+    real weight;              /* of a soft target: factor of its residuals; any negative number: hard target */
     const ptrdiff_t *entries; /* (rows) of q, if there are no functions */
     const real *value;        /* (rows) */
     const real *scale;        /* (rows) */
@@ -32,7 +32,7 @@ typedef struct cardan_position {
     const ptrdiff_t *quaternions;    /* first entry of each in q */
     ptrdiff_t quaternion_count;
     cardan_call constraints;         /* (positions) */
-    cardan_call constraint_jacobian; /* (positions or more, nu) */
+    cardan_call constraint_jacobian; /* (positions, nu), other rows may follow */
     cardan_call integrate;           /* q moved by du (nq) */
     cardan_call qdot;                /* (nq) by u */
     cardan_call kinematics;          /* optional replacement of qdot: dq per step (nq, nu) */

@@ -1,19 +1,21 @@
 /*
  * sparse.h: linear systems of many small blocks, such as those of finite-element coordinates.
  *
- * The unknowns come in blocks: speeds of a node or a joint, multipliers of an element. Which blocks
- * meet, the order of elimination and where every number goes is planned once, in tables
- * (runtime/sparse/plan.py); nothing is searched, no memory is allocated here.
+ * The unknowns come in blocks: speeds of a node or a joint, multipliers of an element. The coupling of
+ * blocks, the order of elimination (minimum degree) and the place of every number are planned once,
+ * in tables (runtime/sparse/plan.py). Nothing is searched and no memory is allocated here.
+ * LU factorization by supernodes: consecutive unknowns with the same later neighbors, eliminated
+ * together as dense blocks.
  *
- *   a      the assembled matrix, CSR by numbers: rows of a row block stand one behind the other, and
- *          each holds the columns of all blocks that it meets, ascending
- *   panel  a supernode in the factors: its own rows, each [D | U | Lt], where D (n x n) are its own
- *          unknowns, U the later ones that its rows meet, Lt those whose rows meet its columns,
- *          turned. Unknowns of a supernode follow each other, pivots are looked for among its rows
+ *   a      the assembled matrix in compressed rows: the rows of a block follow each other, and each
+ *          holds the columns of all blocks coupled with it, ascending
+ *   panel  a supernode in the factors: its rows [D | U | Lt]. D (n x n) couples its own unknowns,
+ *          U its rows with later unknowns, Lt (transposed) the rows of later unknowns with its
+ *          columns. Pivots are chosen among the rows of the supernode only
  *
- * Zero pivots that remain are replaced by small ones and listed: where the matrix is regular, or
- * its constraints are redundant and consistent, refinement gives the solution all the same.
- * Denormals are flushed to zero inside, and the mode of the processor is restored.
+ * Zero pivots that remain are replaced by small ones and recorded. If the matrix is regular, or its
+ * constraints are redundant but consistent, refinement still gives the solution.
+ * Denormal numbers are flushed to zero inside; the processor mode is restored.
  * Source: I. S. Duff, A. M. Erisman, J. K. Reid, Direct Methods for Sparse Matrices, chapters 10-12;
  * X. S. Li, J. W. Demmel, SuperLU_DIST, ACM TOMS 29 (2003), on static pivots with refinement.
  */
@@ -23,17 +25,17 @@
 #include "cardan.h"
 #include <stddef.h>
 
-/* A block of the matrix on its way into a panel. */
+/* A block of the matrix and its place in a panel. */
 typedef struct cardan_sparse_load {
     int32_t from;   /* its first value in a */
     int32_t stride; /* numbers from one of its rows to the next */
     int32_t to;     /* where it begins in the factors */
     int32_t rows, columns;
     int32_t row, column; /* first unknown of its rows and of its columns, as in a */
-    int32_t transposed;      /* whether it goes to Lt */
+    int32_t transposed;  /* 1: it goes to Lt */
 } cardan_sparse_load;
 
-/* Later unknowns that a supernode meets and that follow each other within one later supernode. */
+/* Consecutive unknowns of one later supernode that are coupled with a supernode. */
 typedef struct cardan_sparse_run {
     int32_t at;    /* where they begin in U and Lt */
     int32_t size;  /* how many */
@@ -57,7 +59,7 @@ typedef struct cardan_sparse {
     const int32_t *stride; /* blocks: numbers from one of its rows to the next */
     /* the elimination */
     const int32_t *order;      /* n: the unknown that is eliminated as the k-th */
-    const int32_t *multiplier; /* n: whether that one is a multiplier: 1, 2 where it closes a loop */
+    const int32_t *multiplier; /* n: 1 if that one is a multiplier, 2 of a loop, 0 for speeds */
     const int32_t *start;      /* supernodes + 1: its first unknown in that order */
     const int32_t *panel;      /* supernodes: where its panel begins */
     const int32_t *width;      /* supernodes: numbers from one of its rows to the next */
@@ -76,7 +78,7 @@ typedef struct cardan_sparse {
 /* The numbers of a factorization. The caller provides the arrays and may read the results. */
 typedef struct cardan_sparse_factors {
     double *values;        /* plan->factors */
-    double *scale;         /* n: the size of numbers a pivot is judged by */
+    double *scale;         /* n: original size of each pivot, before anything was subtracted */
     double *work;          /* cardan_sparse_work(plan); solutions use it too */
     double *shift;         /* n: what was added to pivots, the first `weak` of them */
     int32_t *pivot;        /* n: with which row of its supernode each was exchanged */
@@ -84,10 +86,11 @@ typedef struct cardan_sparse_factors {
     int32_t *replaced;     /* n: the k-th unknowns, in order of elimination, they belong to */
     const double *rows;    /* n: what equations are multiplied with, NULL for 1 */
     const double *columns; /* n: the units of unknowns, NULL for 1 */
-    double hidden;         /* square of the sine below which rows that close loops are redundant */
-    int32_t count;         /* asks for the signs of eigenvalues of a symmetric matrix */
+    double hidden;         /* loop constraints count as redundant if the squared sine of their
+                              angle to the other rows is below this */
+    int32_t count;         /* 1: count the signs of the eigenvalues of a symmetric matrix */
     int32_t weak;          /* how many pivots were replaced */
-    int32_t singular;      /* the unknown of which nothing is known, or -1 */
+    int32_t singular;      /* the unknown without any equation, or -1 */
     int32_t positive;      /* eigenvalues by their signs; the others are zero to rounding */
     int32_t negative;
 } cardan_sparse_factors;
@@ -110,44 +113,43 @@ void cardan_sparse_solve_transposed(const cardan_sparse *plan, const cardan_spar
 /* y = a x. */
 void cardan_sparse_multiply(const cardan_sparse *plan, const double *a, const double *x, double *y);
 
-/* r = b - a x. Returns the largest of it over the largest sum of what it consists of, in units;
- * infinity where numbers are not finite. */
+/* r = b - a x. Returns the backward error: the largest entry of r over the largest sum of magnitudes
+ * |b| + |a| |x|, both scaled by units; infinity if a number is not finite. */
 double cardan_sparse_residual(const cardan_sparse *plan, const cardan_sparse_factors *f,
                               const double *a, const double *b, const double *x, double *r);
 
-/* Improve a solution x of a x = b until its backward error is at most `enough`, within `steps`
- * steps, as long as that helps. room: 2 n numbers. Returns the backward error: the largest residual
- * over the largest sum of sizes of what it consists of, both in units. */
+/* Iterative refinement of a solution x of a x = b, at most `steps` times, until its backward error is
+ * at most `enough` or no longer falls. room: 2 n numbers. Returns the backward error. */
 double cardan_sparse_refine(const cardan_sparse *plan, const cardan_sparse_factors *f,
                             const double *a, const double *b, double enough, ptrdiff_t steps,
                             double *x, double *room);
 
-/* How much of the right-hand side b the replaced pivots carry in the solution x: nearly nothing where
- * the matrix is regular, or singular but consistent; about 1 where there is no solution. The unknown
- * that carries most is left in `unknown`, -1 if none does. */
+/* Fraction of the right-hand side b that the changes of replaced pivots balance in the solution x:
+ * nearly 0 if the matrix is regular, or singular and consistent; about 1 if there is no solution. The
+ * unknown with the largest fraction is left in `unknown`, -1 if there is none. */
 double cardan_sparse_perturbation(const cardan_sparse *plan, const cardan_sparse_factors *f,
                              const double *b, const double *x, int32_t *unknown);
 
-/* A direction x (n) of unknowns that the matrix maps to nothing and in which speeds move: one whose
- * pivots were replaced. Returns the speed that moves most in units, -1 where there is none: then
- * pivots were lost in multipliers alone, or at a place where later ones make up for them. */
+/* A null vector x (n) of the matrix in which speeds move. Returns the speed that moves most, in its
+ * unit; -1 if there is none: then only multipliers had lost their pivots, or later unknowns made up
+ * for the loss. */
 int32_t cardan_sparse_free_column(const cardan_sparse *plan, const cardan_sparse_factors *f, double *x);
 
-/* y, in order of elimination and in units, becomes the solution for the right-hand side y. */
+/* Replace y, the right-hand side in order of elimination and in units, by the solution. */
 void cardan_sparse_substitute(const cardan_sparse *plan, const cardan_sparse_factors *f, int transposed,
                               double *y);
 
-/* Count the signs of the eigenvalues of a symmetric D (n x n) of a panel in f. work: n numbers, up
- * to which diagonals are zero, and n n others. */
+/* Count the signs of the eigenvalues of a symmetric D (n x n) of a panel in f. work: n thresholds up
+ * to which diagonal entries count as zero, then n n numbers of scratch. */
 void cardan_sparse_signs(ptrdiff_t n, const double *d, ptrdiff_t width, double *work,
                          cardan_sparse_factors *f);
 
-/* The logarithm of |det a|; its sign, 1 or -1. Replaced pivots count as they are. */
+/* The logarithm of |det a|, and its sign, 1 or -1. Replaced pivots enter with their new values. */
 double cardan_sparse_determinant(const cardan_sparse *plan, const cardan_sparse_factors *f,
                                  double *sign);
 
-/* Estimate of the smallest singular value of the matrix in its units, and the unknowns x (n) that
- * come with it, in units as well, of length 1; x holds a guess other than 0 before. */
+/* Estimate of the smallest singular value of the scaled matrix by inverse iteration, and its right
+ * singular vector x (n), scaled, of length 1. x is a nonzero guess on entry. */
 double cardan_sparse_smallest(const cardan_sparse *plan, const cardan_sparse_factors *f,
                               ptrdiff_t steps, double *x);
 

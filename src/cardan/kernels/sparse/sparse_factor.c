@@ -1,22 +1,36 @@
-/* The factorization of sparse.h: panels are filled, eliminated and handed on. Part of cardan. */
+/*
+ * The factorization of sparse.h. Part of cardan.
+ *
+ * For every supernode, in order of elimination:
+ *   1. load the entries of the matrix into its panel (other supernodes have already been
+ *      subtracted from it, see 5), and take the size that its pivots are compared with;
+ *   2. if asked, count the signs of the eigenvalues of its diagonal block D;
+ *   3. eliminate D by rows with pivoting inside the supernode; pivots below the rounding error are
+ *      replaced by small ones and recorded (see sparse_free_column.c and cardan_sparse_refine);
+ *   4. solve for the part below: Lt = (upper factor of D)^-T Lt;
+ *   5. subtract L U from the panels of later supernodes (right-looking).
+ */
 #include "sparse.h"
 #include "sparse_dense.h"
 
-/* a multiplier that closes a loop */
+/* value of plan->multiplier for a multiplier of a loop-closing constraint */
 #define CLOSES 2
 
-/* pivots below these parts of their size count as zero; what stands for them then */
+/* pivots below these fractions of their original size count as zero ... */
 #define SPEED_NOISE 3e-14
 #define MULTIPLIER_NOISE 1e-12
+/* ... and are replaced by this fraction of it */
 #define REPLACEMENT 1e-8
-/* a pivot in an equation of speeds is taken if it is this part of the largest */
+/* a row of the same kind (speed or multiplier) is taken as the pivot if its entry is at least this
+ * fraction of the largest entry in rows of the other kind */
 #define EARLY 1e-2
-/* the one that is symmetric to it, of the largest of its kind */
+/* the diagonal entry is preferred if it is at least this fraction of the largest of its kind */
 #define PREFER 0.1
-/* what stands for a pivot of a multiplier is so much larger at least: it is to hold nothing */
+/* the replaced pivot of a multiplier is at least this many times the rounding error in it, so that
+ * the multiplier comes out as nearly zero and carries no force */
 #define BEYOND 1e4
 
-/* Put a block of the matrix into its panel, in units. */
+/* Copy a block of the matrix into its panel, scaled by the units of its rows and columns. */
 static void load(const cardan_sparse_load *item, const double *a, const cardan_sparse_factors *f,
                  ptrdiff_t width)
 {
@@ -49,7 +63,7 @@ static void fill(const cardan_sparse *plan, ptrdiff_t s, const double *a, cardan
         load(plan->load + i, a, f, width);
 }
 
-/* Up to which size a pivot is nothing but rounding. */
+/* Size up to which a pivot is only rounding error. */
 static double noise_of(const cardan_sparse *plan, const cardan_sparse_factors *f, ptrdiff_t k)
 {
     const double noise = plan->multiplier[k] ? MULTIPLIER_NOISE : SPEED_NOISE;
@@ -69,7 +83,8 @@ static void count(const cardan_sparse *plan, ptrdiff_t s, const double *panel,
     cardan_sparse_signs(n, panel, plan->width[s], noise, f);
 }
 
-/* The row that is empty like column k: others are needed as pivots of columns to come. */
+/* The row with the smallest entries: column k has no pivot left, and the other rows are still needed
+ * as pivots of later columns. */
 static ptrdiff_t emptiest(ptrdiff_t k, ptrdiff_t n, ptrdiff_t all, const double *panel,
                           ptrdiff_t width)
 {
@@ -86,11 +101,13 @@ static ptrdiff_t emptiest(ptrdiff_t k, ptrdiff_t n, ptrdiff_t all, const double 
     return smallest;
 }
 
-/* The row of the pivot of column k, and its size as noise counts it.
+/* The row of the pivot of column k, and the size to compare with the rounding error.
  *
- * The largest of its own kind, of speeds or of multipliers, unless the other kind has a much larger
- * one: redundant multipliers lose the square of their sine then, however small, and in equations of
- * speeds, where they lose the sine, its square is what counts. held: rows that are of multipliers.
+ * Speed columns prefer speed rows and multiplier columns multiplier rows, unless the other kind has
+ * a much larger entry. Within the kind the diagonal entry is preferred (`mate`).
+ * The size matters for redundant constraints. If a constraint row makes an angle with sine s to the
+ * rows before it, its pivot in a multiplier row shrinks by s^2, but in a speed row only by s. The
+ * latter is squared, so that one threshold on s^2 serves both. is_multiplier: kind of each row.
  */
 static ptrdiff_t pivot_of(const cardan_sparse *plan, ptrdiff_t s, ptrdiff_t k, const double *panel,
                           const cardan_sparse_factors *f, double *size)
@@ -128,9 +145,10 @@ static void exchange(ptrdiff_t n, double *a, double *b)
     }
 }
 
-/* What column k of rows that close loops is of the largest, of what was there before; where that is little it
- * changes places with the one of those beside it that keeps most. Which of several redundant rows are
- * lost is chosen so: others would be kept at a small angle to each other, and magnify rounding. */
+/* Symmetric column choice among loop-closing multipliers: compare how much of each diagonal entry is
+ * left of its original size. If column k has lost much more than another one, exchange the two. So
+ * the rows that are most dependent come last and count as redundant; otherwise rows at a small angle
+ * to each other would be kept and would magnify rounding errors. */
 static void choose(const cardan_sparse *plan, ptrdiff_t s, ptrdiff_t k, double *panel,
                    cardan_sparse_factors *f)
 {
@@ -153,7 +171,7 @@ static void choose(const cardan_sparse *plan, ptrdiff_t s, ptrdiff_t k, double *
     exchange(1, scale + k, scale + best);
 }
 
-/* Which column of a supernode stood first where that with pivot k stands. */
+/* Original column, before the exchanges of `choose`, of the one that now has pivot k. */
 static ptrdiff_t column_of(const cardan_sparse *plan, ptrdiff_t s, ptrdiff_t k,
                            const cardan_sparse_factors *f)
 {
@@ -164,14 +182,15 @@ static ptrdiff_t column_of(const cardan_sparse *plan, ptrdiff_t s, ptrdiff_t k,
     return k;
 }
 
-/* A pivot that is lost in rounding becomes small and certain: negative for multipliers. */
+/* Replace a pivot that is only rounding error by a small number of known sign, negative for
+ * multipliers as in a regular saddle-point matrix, and record the change. */
 static int replace(const cardan_sparse *plan, ptrdiff_t s, ptrdiff_t k, double *row, double size,
                    cardan_sparse_factors *f)
 {
     const ptrdiff_t column = k - plan->start[s], n = plan->start[s + 1] - plan->start[s];
     double *pivot = row + column, scale = f->scale[k], small, replacement;
 
-    /* where its panel holds nothing but zeros, what lies beside it gives the size */
+    /* if D had only zeros there, take the size from the rest of the row */
     for (ptrdiff_t j = 0; scale == 0 && j < plan->later[s]; j++)
         scale = fmax(fabs(row[n + j]), fabs(row[plan->transposed[s] + j]));
     small = fmax(REPLACEMENT * scale, plan->multiplier[k] ? BEYOND * size : 0);
@@ -186,7 +205,8 @@ static int replace(const cardan_sparse *plan, ptrdiff_t s, ptrdiff_t k, double *
     return CARDAN_OK;
 }
 
-/* [D | U] = P L [U of D | L^-1 P U], pivots in the rows; the diagonal keeps their reciprocals. */
+/* Factor D with row exchanges P: P D = L R with unit lower L, and U becomes L^-1 P U. L and R replace
+ * D; its diagonal keeps the reciprocals of the pivots. */
 static int eliminate(const cardan_sparse *plan, ptrdiff_t s, double *panel,
                      cardan_sparse_factors *f)
 {
@@ -229,7 +249,7 @@ static int eliminate(const cardan_sparse *plan, ptrdiff_t s, double *panel,
     return CARDAN_OK;
 }
 
-/* Lt = (U of D)^-T Lt */
+/* Lt = R^-T Lt with the upper factor R of D */
 static void turn(ptrdiff_t n, ptrdiff_t later, const double *panel, ptrdiff_t width, double *lt)
 {
     for (ptrdiff_t k = 0; k < n; k++) {
@@ -256,7 +276,7 @@ static void hand_on(const cardan_sparse *plan, ptrdiff_t s, const double *panel,
             const int transposed = i->owner > j->owner;
             const ptrdiff_t stride = plan->width[transposed ? j->owner : i->owner];
             double *to = f->values + *target++;
-            /* what a diagonal was before something is taken from it tells how much was lost */
+            /* the size of a diagonal entry before subtraction shows how much cancels */
             if (i == j)
                 for (ptrdiff_t k = 0; k < i->size; k++) {
                     const double size = fabs(to[k * stride + k]);
@@ -285,7 +305,7 @@ static int factor(const cardan_sparse *plan, const double *a, cardan_sparse_fact
 
         for (ptrdiff_t i = plan->open_start[s]; i < plan->open_start[s + 1]; i++)
             fill(plan, plan->open[i], a, f);
-        /* the largest number in each column of D, or what was there before */
+        /* original size of each pivot: the largest entry in its column of D, or the one before */
         for (ptrdiff_t i = 0; i < n; i++)
             cardan_larger(n, panel + i * width, f->scale + plan->start[s]);
         if (f->count)

@@ -1,16 +1,18 @@
 /*
- * Directions of speeds that nothing resists, by the factors of sparse.h. Part of cardan.
+ * A free motion (null vector) of the speeds from the factors of sparse.h. Part of cardan.
  *
- * With E for what was added to pivots, (A + E)^-1 E x = x for every x that A maps to nothing; where A
- * is regular it is of the size of E, which is small.
+ * Let E hold the changes of the replaced pivots, so that A + E was factored. Every null vector x of A
+ * satisfies (A + E)^-1 E x = x. If A is regular, the left side is of the size of E, which is small.
+ * So one solve with right-hand side E v, where v has entries at the replaced speeds, shows whether
+ * there is a free motion: it is kept at its size or nearly vanishes.
  */
 #include "sparse.h"
 #include "sparse_dense.h"
 
-/* of 1, that a direction keeps of itself: all, or nearly nothing */
+/* a free motion keeps its size (1), anything else nearly vanishes */
 static const double RELEVANT = 0.1;
 
-/* The equation that stands in the row of pivot k, of those of its supernode. */
+/* The equation whose row, after the exchanges within its supernode, has pivot k. */
 static int32_t equation(const cardan_sparse *plan, const cardan_sparse_factors *f, ptrdiff_t k)
 {
     ptrdiff_t s = 0, row, high = plan->supernodes;
@@ -40,7 +42,7 @@ int32_t cardan_sparse_free_column(const cardan_sparse *plan, const cardan_sparse
     for (ptrdiff_t w = 0; w < f->weak; w++) {
         const ptrdiff_t k = f->replaced[w];
         const int32_t row = equation(plan, f, k);
-        /* amounts that do not cancel each other */
+        /* unequal entries, so that contributions of several motions do not cancel */
         const double amount = 1 + 0.5 * sin(1 + (double)w);
         if (!plan->multiplier[k]) {
             x[row] += amount * f->shift[w] / (f->rows ? f->rows[row] : 1);

@@ -1,4 +1,10 @@
-/* What the factors of sparse.h tell of the matrix, and refinement. Part of cardan. */
+/*
+ * Residuals, iterative refinement, determinant and smallest singular value by the factors of
+ * sparse.h. Part of cardan.
+ *
+ * Refinement solves for the residual with the same factors until the backward error is small enough
+ * or no longer falls. It makes up for replaced pivots: the factors are those of a nearby matrix.
+ */
 #include "sparse.h"
 #include "sparse_dense.h"
 
@@ -48,7 +54,7 @@ double cardan_sparse_residual(const cardan_sparse *plan, const cardan_sparse_fac
                 row += n;
             }
             r[i] = b[i] - r[i];
-            /* a later number would take the place of one that is none */
+            /* fmax would drop a NaN, so return at once */
             finite = finite && r[i] - r[i] == 0;
             if (fabs(r[i]) * unit > most)
                 most = fabs(r[i]) * unit;
@@ -148,7 +154,7 @@ double cardan_sparse_smallest(const cardan_sparse *plan, const cardan_sparse_fac
 
     for (ptrdiff_t k = 0; k < plan->n; k++)
         y[k] = x[plan->order[k]];
-    /* inverse iteration with a^T a */
+    /* inverse iteration with a^T a, `steps` times: converges to the smallest singular value */
     for (ptrdiff_t step = 0; step < steps; step++) {
         (void)normalize(plan->n, y);
         cardan_sparse_substitute(plan, f, 1, y);

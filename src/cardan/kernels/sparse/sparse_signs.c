@@ -1,21 +1,22 @@
 /*
  * Signs of the eigenvalues of symmetric panels. Part of cardan.
  *
- * By Sylvester and Haynsworth the signs of a matrix are those of the pivot blocks of its symmetric
- * elimination, and these are the D of the panels.
+ * By Sylvester and Haynsworth the signs of the eigenvalues of a matrix are those of the pivot blocks
+ * of its symmetric elimination. The blocks are the D of the panels, taken before they are eliminated
+ * themselves; each is factored here symmetrically with 1x1 and 2x2 pivots.
  * Source: J. R. Bunch, L. Kaufman, Math. Comp. 31 (1977) 163-179, partial pivoting.
  */
 #include "sparse.h"
 #include "sparse_dense.h"
 
-/* a pivot of one row is taken if it is this part of the largest beside it */
+/* a 1x1 pivot is taken if it is at least this fraction of the largest entry beside it */
 #define ALPHA 0.6403882032022076
 
 /* The symmetric matrix that remains: rows and columns k to n - 1 of m. */
 typedef struct reduced_block {
     ptrdiff_t n, k;
     double *m;     /* n x n, both halves */
-    double *noise; /* n: diagonals up to this size are zero */
+    double *noise; /* (n) diagonal entries up to this size count as zero */
 } reduced_block;
 
 /* The largest number beside the diagonal in column j, and its row. */

@@ -1,4 +1,7 @@
-/* Solutions by the factors of sparse.h. Part of cardan. */
+/*
+ * Solutions by the factors of sparse.h: forward substitution over the supernodes, then backward; for
+ * the transposed matrix the other way round. Part of cardan.
+ */
 #include "sparse.h"
 #include "sparse_dense.h"
 
@@ -21,7 +24,8 @@ static void backwards(ptrdiff_t n, const int32_t *pivot, double *y)
     }
 }
 
-/* Take what a supernode knows now from the equations of later ones: y -= (rows of x)^T own. */
+/* Subtract the contribution of a solved supernode from the equations of later ones:
+ * y -= (rows of x)^T own. */
 static void scatter(const cardan_sparse *plan, ptrdiff_t s, const double *x, double *y)
 {
     const ptrdiff_t first = plan->start[s], n = plan->start[s + 1] - first;
@@ -32,7 +36,8 @@ static void scatter(const cardan_sparse *plan, ptrdiff_t s, const double *x, dou
                        0);
 }
 
-/* Take what later unknowns are from the equations of a supernode: own -= (rows of x) y. */
+/* Subtract the contribution of later unknowns from the equations of a supernode:
+ * own -= (rows of x) y. */
 static void gather(const cardan_sparse *plan, ptrdiff_t s, const double *x, double *y)
 {
     const ptrdiff_t first = plan->start[s], n = plan->start[s + 1] - first;

@@ -1,15 +1,16 @@
 /* The generalized-alpha method for constrained systems: implicit, order 2.
  *
- * Part of cardan. Caller owns all memory; k stores the derivative at the start of the last step.
+ * Part of cardan. Caller owns all memory; run->k holds the derivative at the start of the last step,
+ * run->f that at its end.
  * Newmark and HHT-alpha are the same method with other coefficients.
  *
  * Algorithm of one step (equations in alpha_newton.c, iteration matrix in alpha_matrix.c):
- *   1. rescale the algorithmic acceleration a if the step size changed;
+ *   1. shift the algorithmic acceleration a in time if the step size changed;
  *   2. predict a' and lambda', correct them by Newton iterations until the balance of forces and
  *      the constraints hold;
  *   3. error: h^2 |beta + (am - af) / 2 - 1/6| |a' - a|, and the error of the dense output;
- *   4. accept or retry; h_new = 0.9 h error^(-1/3), but h is kept unless it may grow by 1.5, so
- *      that the factored matrix can be reused.
+ *   4. accept or retry; h_new = 0.9 h error^(-1/3). An accepted step keeps h unless h_new is at least
+ *      1.5 h, so that the factored matrix can be reused; only a rejected one lowers it.
  * Source: J. Chung, G. M. Hulbert, J. Appl. Mech. 60 (1993); M. Arnold, O. Brüls, A. Cardona,
  * Numer. Math. 129 (2015); M. Géradin, A. Cardona, Flexible Multibody Dynamics (2001), chapter 11
  * (step size control).
@@ -18,11 +19,11 @@
 #include <math.h>
 
 enum { LOCAL = 3 }; /* the local error behaves like h^3 */
-/* SAFETY factor; h is kept below growth WORTH to reuse the matrix; limits GROW and LEAST */
+/* SAFETY: factor of h_new. WORTH: growth below which h is kept. GROW, LEAST: bounds of h_new / h */
 static const real SAFETY = 0.9, WORTH = 1.5, GROW = 3, LEAST = 0.2;
 /* Index 3: a change of step size excites an oscillation of the accelerations that decays over some
- * steps and is no error of the motion. For QUIET steps after a change the error may reach WAVE and
- * h is kept; GROW_3 limits its growth. */
+ * steps and is not an error of the motion. For QUIET steps after a change h is kept while the error
+ * is at most WAVE. Later changes are bounded by GROW_3 instead of GROW. */
 static const real WAVE = 8, QUIET = 10, GROW_3 = 1.4;
 /* relative difference up to which two step sizes count as equal */
 static const real SAME = 1e-9;
@@ -56,7 +57,8 @@ static int aim(cardan_run *run, const cardan_alpha *v, real *h, real *t_new)
     return 0;
 }
 
-/* Adapt a to a step of another size: it approximates udot at t + (am - af) h, which moves with h. */
+/* Shift a to another step size: it approximates udot at t + (am - af) h, so its distance from udot is
+ * scaled by the ratio of the sizes. */
 static void stand_for(const cardan_alpha *v, real h)
 {
     const real share = h / v->now[ALPHA_STEP];
@@ -143,7 +145,7 @@ static int commit(cardan_run *run, const cardan_alpha *v, real t)
         return CARDAN_NOT_FINITE;
     if (!cardan_follows(run, t, run->trial, run->k))
         return CARDAN_ROTATION_UNRESOLVED;
-    /* nothing can fail from here on; k keeps the derivative at the start for the dense output */
+    /* nothing can fail from here on; exchange k and f, so that k holds the derivative at the start */
     for (ptrdiff_t i = 0; i < run->n; i++) {
         const real before = run->f[i];
         run->f[i] = run->k[i];

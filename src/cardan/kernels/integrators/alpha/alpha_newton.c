@@ -5,9 +5,11 @@
  *     q' = q o exp(h u + h^2 ((1/2 - beta) a + beta a') - stabilization)
  *     u' = u + h ((1 - gamma) a + gamma a')
  *     (1 - am) a' + am a = (1 - af) udot' + af udot
- *     M udot' + h - f - Gᵀ lam' = 0, g = 0; for index 2 also G u' + g_t = 0
+ *     M udot' + c - f - Gᵀ lam' = 0, g = 0; for index 2 also G u' + g_t = 0
  *
- * Primes mark the end of the step. Source: M. Arnold, O. Brüls, A. Cardona, Numer. Math. 129
+ * Primes mark the end of the step; c are velocity-dependent inertia forces, f applied forces. A step
+ * moves q by an increment along the speeds; T below is the derivative of u by its rate (the tangent
+ * operator of the exponential map). Source: M. Arnold, O. Brüls, A. Cardona, Numer. Math. 129
  * (2015), sections 2 to 4; E. Hairer, G. Wanner, Solving Ordinary Differential Equations II,
  * section IV.8 (stopping criterion of the Newton iterations).
  */
@@ -15,7 +17,8 @@
 #include <math.h>
 
 enum { MOST_CORRECTIONS = 20, MOST_TANGENTS = 6 };
-/* number of steps that start with a new matrix after one failed within a step of being factored */
+/* number of following steps that begin with a new matrix, after a matrix failed in the step it was
+ * factored in or the next */
 static const real HASTE = 8;
 /* a new matrix is due if the convergence rate exceeds SLOW or more than FEW corrections are needed */
 static const real SLOW = 0.3, FEW = 4;
@@ -221,7 +224,7 @@ int cardan_alpha_solve(cardan_run *run, const cardan_alpha *v, real h, real t_ne
         stale = 1;
     }
     /* Reactions along axes that have turned since factoring converge at a rate of that angle. The
-     * increments do not show this near a fixed point, where nothing moves. */
+     * corrections do not show this near a point fixed in space, where nothing moves. */
     if (v->mesh && v->m > 0) {
         v->now[ALPHA_ROTATION] += cardan_alpha_sparse_turn(run, v, h);
         stale |= v->now[ALPHA_ROTATION] > SLOW;
@@ -263,7 +266,7 @@ int cardan_alpha_solve(cardan_run *run, const cardan_alpha *v, real h, real t_ne
                 break;
             if (tangents == 0 && v->now[ALPHA_AGE] <= 1)
                 v->now[ALPHA_RENEW] = HASTE;
-            /* diverging: start over from the calm predictor, with the matrix there */
+            /* diverging: start over from constant velocities, with a matrix factored at that state */
             if (!(rate < 1))
                 status = predict(run, v, h, 1);
             stale = 1;

@@ -7,10 +7,12 @@
  * Positions are corrected by a second solve with the same matrix, [S Gᵀ; G 0] (shift, eta) = (0,
  * g): the stabilization in the metric of the step, without a larger matrix.
  *
- * One matrix for both levels replaces G T by G. If bodies turn far in a step this is inaccurate,
- * and the levels are split: positions use [S Gᵀ; G T 0], as for index 3, then speeds use [M + C Gᵀ;
- * G 0]. The change this makes to speeds is subtracted from the increment. Its inertia forces are
- * balanced by multipliers, so that the first solution remains valid.
+ * S is the tangent of the balance by the increment (alpha_matrix.c), T as in alpha_newton.c. One matrix
+ * for both levels replaces G T by G. If bodies turn far in a step this is inaccurate, and the levels
+ * are split: positions use [S Gᵀ; G T 0], as for index 3, then speeds use [M + C Gᵀ; G 0]. The second
+ * solve changes the speeds only: what they add to the increment is subtracted from it as part of the
+ * stabilization. The multipliers of the second solve balance the inertia forces of that change, so
+ * the balance of the first solve still holds.
  * Source: as in alpha_matrix.c.
  */
 #include "alpha.h"
@@ -61,7 +63,7 @@ int cardan_alpha_sparse_renew(cardan_run *run, const cardan_alpha *v, real h, re
     /* all constraints stay in use: the sparse factorization replaces pivots of redundant ones */
     for (ptrdiff_t k = 0; k < v->m && h == 0; k++)
         v->picked[k] = 1;
-    /* open gaps help the factorization to judge which small pivots are redundant constraints */
+    /* constraint residuals tell the factorization which small pivots are redundant constraints */
     if (h != 0 && v->m > 0) {
         status = cardan_alpha_gaps(run, v, t);
         system.open = settling.open = v->residual + run->nu;
@@ -151,8 +153,8 @@ real cardan_alpha_sparse_turn(const cardan_run *run, const cardan_alpha *v, real
 
 /* Split levels: make speeds satisfy their constraints after positions were corrected by dx (nu).
  *
- * Coordinates do not change, since the gain of speeds is subtracted from the increment. The change
- * is added to dx. Returns 0, CARDAN_UNSOLVED, CARDAN_MODEL or CARDAN_INPUT.
+ * Coordinates do not change: h times the change of speeds would move them, and the stabilization takes
+ * the same amount back. dx is increased by the change of the increment. Returns 0, CARDAN_UNSOLVED, CARDAN_MODEL or CARDAN_INPUT.
  */
 int cardan_alpha_sparse_settle(cardan_run *run, const cardan_alpha *v, real h, real t, real *dx)
 {
