@@ -1,6 +1,6 @@
 /*
  * node__difference
- * du that moves q0 to q
+ * du that moves q0 to q1
  * passes: reassociate
  *
  * Sizes: out 6, work 0, w 0
@@ -44,7 +44,7 @@ CARDAN_API void prepare_node__difference(const wreal *p, wreal *CARDAN_RESTRICT 
 
 #include "lanes.h"
 
-/* du that moves q0 to q */
+/* du that moves q0 to q1 */
 CARDAN_API int node__difference(const cardan_in *in, real *CARDAN_RESTRICT out,
     real *CARDAN_RESTRICT work)
 {

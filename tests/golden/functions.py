@@ -63,12 +63,77 @@ PAGE = """\
 # Functions of a model
 
 `cd.compile(scene)` gives a model with these functions. Each is derived, written and compiled when
-it is first called. They broadcast over leading axes `...`, take vectors by name too
-(`{"elbow": 0.3}`) and other parameters by `parameters={"upper.mass": 2.0}`; `help(model.rhs)` says
-what a function takes. Sizes: nq coordinates, nu speeds, nz internal states, nx = nq + nu + nz,
-ns modes, nr inputs, ne events, nlam multipliers, npositions of them of positions, ny outputs,
-nphi inertial parameters. Equations [taken over from SymPy](sympy.md) tell of no bodies, inertias,
-kinetic energy and causes of forces.
+it is first called. `help(model.rhs)` says what a function takes. Other methods of a model have
+their own pages:
+
+| methods | page |
+|---|---|
+| `simulate`, `report`, `stiffness` | [integrators](integrators.md) |
+| `stepper`, `resume` | [events](events.md) |
+| `ensemble` | [ensembles](ensembles.md) |
+| `equilibrium`, `statics`, `trim`, `linearize`, `modes`, `campbell`, `root_locus`, `sensitivity` \
+| [statics and modes](statics_and_modes.md) |
+| `assemble`, `sweep`, `workspace`, `redundancy`, `actuation`, `hybrid_dynamics` \
+| [closed loops](closed_loops.md) |
+| `torques`, `identify`, `excitation`, `base_parameters` | [identification](identification.md) |
+| `derivative` | [derivatives](derivatives.md) |
+| `verify` | [verification](verification.md) |
+| `prepare`, `lanes` | [compiling](building.md) |
+
+## Arguments
+
+- `q`, `u`, `udot`, `z`, `s`, `r`: arrays, or values by name such as `{"elbow": 0.3}`. Names that
+  are left out keep their initial values; accelerations and forces are then 0.
+- `tau=`: generalized forces (nu,), along the speeds, in addition to those of the model.
+- `wrenches=`: `{"hand": [Mx, My, Mz, Fx, Fy, Fz]}` acts at the origin of a frame, in ground axes.
+- `z=`, `s=`: [internal states and modes](forces.md#states-and-modes) of force elements. The default
+  is their start.
+- `r=`: inputs; `t=`: time in s, 0 by default.
+- `frame`: name of a body, or of a frame declared as `body.at(0, 0, -1, name="hand")`. For a point
+  without a frame, declare one before `cd.compile`. `model.frames` lists the names.
+- `in_=`: axes of the result, `"ground"` by default, or `"frame"`.
+- `joint`: a name of `model.joints`.
+- `parameters={"upper.mass": 2.0}`: other values than those of the model.
+
+All arrays may have leading axes `...` for many states, such as x of shape (1000, nx) in
+`model.rhs(0, x)`.
+
+Coordinates and speeds are in the order of the joints from the ground outward, which may differ
+from that of their declaration. Inputs are in the order of declaration. `model.coordinates`,
+`model.speeds`, `model.internals`, `model.mode_names` and `model.inputs` list the names in order.
+`model.split(x)` gives q and u of a state, and `model.initial(q, u)` the state of a start.
+[Conventions](conventions.md) describe the components of a joint.
+
+```python
+import cardan as cd
+
+scene = cd.Scene("arm", gravity=(0, 0, -9.81))
+upper = scene.body("upper", mass=1.0, com=(0, 0, -0.5))
+scene.joint("shoulder", cd.Revolute("y"), scene.ground, upper)
+upper.at(0, 0, -1, name="hand")
+model = cd.compile(scene)
+print(model.coordinates, model.frames)
+print(model.pose("hand", {"shoulder": 0.3})[:3, 3])
+print(model.inverse_dynamics([0.3], [0], [0], wrenches={"hand": [0, 0, 0, 0, 0, 5]}))
+```
+
+```
+('shoulder',) ('ground', 'upper', 'hand')
+[-0.29552021  0.         -0.95533649]
+[-0.02807442]
+```
+
+## Table of functions
+
+Sizes: nq coordinates, nu speeds, nz internal states, nx = nq + nu + nz, ns modes, nr inputs, ne
+events, nlam multipliers (npositions of them at position level), ny outputs, nphi inertial
+parameters.
+
+The column *of systems with* says what a system must have for the function. Equations
+[taken over from SymPy](sympy.md) have no bodies, inertias, kinetic energy or causes of forces.
+The column *over elements* says whether the function exists in
+[absolute coordinates](coordinates.md) too, where it runs over tables of elements.
+The column *verified* says whether an independent method checks it.
 
 | function | gives | shape | unit | of systems with | over elements | [verified](verification.md) |
 |---|---|---|---|---|---|---|

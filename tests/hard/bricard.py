@@ -26,6 +26,7 @@ CASE = Case(
     name="redundant Bricard",
     hard="six hinges connect five rods in a loop: five closure conditions of rank four, for 10 s",
     oracle="IFToMM problem A04 in maximal coordinates, within 3e-8; error of a corner [m]",
+    advice="keep the loop as it is; `model.redundancy(q)` names the reactions that are not unique",
     build=bricard,
     t=np.array([0.0, *KNOWN["t"]]),
     start={},

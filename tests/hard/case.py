@@ -49,6 +49,7 @@ class Case:
         name: In test output and in the page.
         hard: What is hard, in a sentence.
         oracle: What the error is measured by, and its unit.
+        advice: What to do about such a model.
         build: Makes the scene.
         t: As ``simulate`` takes it.
         start: Initial values, as ``simulate`` takes them.
@@ -65,6 +66,7 @@ class Case:
     name: str
     hard: str
     oracle: str
+    advice: str
     build: Callable[[], cd.Scene]
     t: Any
     start: Mapping[str, Any]

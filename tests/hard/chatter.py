@@ -49,6 +49,7 @@ CHATTER = Case(
     name="chatter",
     hard="a ball keeps half its speed at every bounce: infinitely many bounces within 1.35 s",
     oracle="closed form; the run ends with the status chatter; error of the time [s]",
+    advice="give the stop a `settle=` speed above 0, such as the default of 1e-4",
     build=bouncing,
     error=end,
     # a parabola: exact for every method, up to how small intervals count as none
@@ -61,6 +62,7 @@ SETTLED = Case(
     name="chatter, settled",
     hard="the same ball, which settles below 1 mm/s and stays at rest",
     oracle="closed form; largest error of the impact times [s]",
+    advice="choose `settle=` well below the speeds that matter",
     build=settling,
     error=settled,
     expected=table({name: Cell(1e-8) for name in METHODS} | {"Newmark": UNDAMPED}),

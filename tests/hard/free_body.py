@@ -68,6 +68,7 @@ CASE = Case(
     name="free body",
     hard="an asymmetric body tumbles in free flight for 1e5 steps of 2 ms",
     oracle="largest relative change of energy, central angular momentum and linear momentum",
+    advice="for conservation over many steps, use an explicit method of order 4 or higher",
     build=build,
     t=(0.0, 1e5 * STEP),
     start={"u": {"free": [*SPIN, 0.3, 0.0, -0.2]}},

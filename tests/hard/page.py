@@ -23,17 +23,119 @@ Found = dict[tuple[str, str], Outcome]
 HEAD = """\
 # Hard cases
 
-`make hard` writes this page. It runs every integrator for joint coordinates on every case
-(`EnergyMomentum`, for absolute coordinates only, has its own tests). The expected results, a status
-and an error bound, are in `tests/hard`, and the tests enforce them. Most bounds were set before
-the first run. The bounds of micrometers, astronomical units, the free body, stick-slip, and
-EnergyMidpoint on 100 links were set after it. They follow from theory or are at least three times
-the measured error (twice for generalized-alpha over 1e7 steps). The step sizes for passing gimbal
-lock and for the four-bar were also set after the first run.
+The first part says what to do about difficult models. The second part runs every integrator for
+joint coordinates on difficult cases. (`EnergyMomentum`, for absolute coordinates only, has its own
+tests.)
 
+"""
+ADVICE = """\
+Start with `method="auto"`: it changes to a stiff method where stability limits the steps.
+`cardan check FILE` finds faults of a model. `cardan report FILE` compares methods on your scene.
+
+## Singular mass matrix
+
+M is singular if a motion moves neither mass nor inertia. cardan recognizes this at three times:
+
+- A massless body at the end of a chain causes a `DerivationError`, which names its joint.
+- A parameter that makes M singular causes a `SolveWarning`, which names the speeds.
+- If M becomes singular during a run, the run ends with the status `not_finite` or `model_failed`.
+
+Causes are a missing mass, a point mass that turns about itself, and a position such as radius 0 of
+polar coordinates. Give the body a mass or an inertia, or make its joint fixed or `prescribed=`.
+Massless bodies within a chain are allowed. For a spring and a damper in series use `cd.Maxwell`,
+which needs no body between them. In the example, a mass of 1e-6 kg makes M nearly singular:
+
+```python
+import numpy as np
+
+import cardan as cd
+
+scene = cd.Scene("arm", gravity=(0, 0, -9.81))
+upper = scene.body("upper", mass=1.0, com=(0, 0, -0.5))
+tip = scene.body("tip", mass=1e-6, com=(0, 0, -0.5))
+scene.joint("shoulder", cd.Revolute("y"), scene.ground, upper)
+scene.joint("wrist", cd.Revolute("y"), upper.at(0, 0, -1.0), tip)
+model = cd.compile(scene)
+values, motions = np.linalg.eigh(model.mass_matrix({"wrist": 0.2}))
+print(f"condition number {values[-1] / values[0]:.0e}")
+print("light motion:", model.speeds[abs(motions[:, 0]).argmax()])
+```
+
+```
+condition number 1e+06
+light motion: wrist.u
+```
+
+A large condition number by itself does little harm, as [Mass ratio](#mass-ratio) shows for 1e8.
+Fast vibrations of the light body make the motion stiff: use `Rosenbrock`.
+
+## Slow derivation or compilation
+
+Functions are derived and compiled when they are first called. [The cache](building.md#cache) keeps
+them, so a second start is fast. `print(equations)` and `model.report()` count operations. First
+runs of tree-like scenes on one machine, in seconds:
+
+| change | scene | before | after |
+|---|---|---:|---:|
+| environment variable `CARDAN_OPTIMIZATION=0` | 14 bodies | 3.7 | 1.0 |
+| `cd.compile(scene, loops=True)` | 14 bodies | 3.7 | 0.7 |
+| `cd.compile(scene, specialize=True)`, which fixes all parameters | 14 bodies | 3.7 | 2.4 |
+| `cd.compile(scene, coordinates="absolute")` | 60 bodies | 11.7 | 3.7 |
+| `"DOP853"` instead of `"Rosenbrock"`, which needs a Jacobian | 14 bodies | 34 | 3.7 |
+| `cd.compile(scene)` instead of `method="hamilton"` | 12 hinged rods | 5.1 | 0.8 |
+
+The bodies are on ball joints. With `CARDAN_OPTIMIZATION=0`, runs take about four times as long.
+`loops=True` is the default for trees of more than 60 bodies; closed loops do not use it.
+
+If a compiler process reaches its limit of time or memory, raise `CARDAN_COMPILE_SECONDS` or
+`CARDAN_COMPILE_MEMORY` ([building](building.md#compiler)). Large stiff models are best in absolute
+coordinates with `GeneralizedAlpha`, which needs no Jacobian of `rhs`.
+
+## Friction, stops and contact
+
+[Forces](forces.md) describes the elements, [events](events.md) how runs find their events.
+
+| behavior | element |
+|---|---|
+| sticks and slips | `cd.Friction("x", coulomb=0.6, static=1.0)` |
+| slips by a smooth, stiff law | `cd.Friction("x", coulomb=0.6, smooth=1e-3)` |
+| hits an end, may settle there | `cd.Stop("height", lower=0.0, restitution=0.5, settle=1e-4)` |
+| presses elastically, stiff | `cd.Contact(...)`: a sphere on a plane or on another sphere |
+| is caught | `cd.Lock(...)` |
+
+Add them with `scene.force("floor", cd.Stop(...))`. `settle=` is the speed below which a joint stays
+at its stop. With `settle=0`, bounces may end the run with the status `chatter`. Events that cause
+each other at one time end it with `event_storm`. If rates differ widely and the fast motion does
+not matter, use `Rosenbrock`, or `Radau` for many digits. `model.stiffness(x)` compares the rates.
+
+## When to use another approach
+
+- Contact of arbitrary shapes: cardan has no meshes and no collision search. Use a program such as
+  MuJoCo or Chrono.
+- Flexible bodies other than [beams](flexible.md): there are no shells and solids.
+- Chaos over long times: compare statistics of an [ensemble](ensembles.md) instead of one motion.
+- Absolute coordinates: events, sampled controllers and friction from reactions need
+  `coordinates="relative"`, and so do `Rosenbrock` and `Radau`.
+- `Newmark` takes no constraints; use `GeneralizedAlpha` or `HHT`.
+- Friction with `mu=` may have no unique solution (Painlevé); the run then ends and names the joint.
+
+## Measured cases
+
+`make hard` runs every method on every case and writes this page. The expected statuses and error
+bounds are in `tests/hard`. The tests enforce them: `make test` checks a selection, and
+`CARDAN_HARD=1 make slow` the others. If the code has changed since the measurements, a line at the
+top says so. Statuses and bounds then still hold; measured errors, steps and times may differ.
+
+Most bounds were set before the first run. The bounds of micrometers, astronomical units, the free
+body, stick-slip, and EnergyMidpoint on 100 links were set after it. They follow from theory, or are
+at least three times the measured error. For generalized-alpha over 1e7 steps it is at least twice.
+The step sizes for passing gimbal lock and for the four-bar were also set after the first run.
+
+"""
+MACHINE = """\
 Errors and times come from one run on one machine ({machine}). Methods of order 4 and higher
 run at tight tolerances, methods of order 2 at loose ones. The cases show how reliable the methods
-are, not which is fastest. `cardan report FILE` compares methods on your own scene.
+are, not which is fastest.
 
 In the table: ✓ as expected, ✗ not as expected, – not applicable, with the reason given below."""
 
@@ -79,6 +181,7 @@ def section(case: Case, found: Found) -> Iterator[str]:
     yield f"\n## {case.title}\n"
     yield f"{case.hard[0].upper()}{case.hard[1:]}.\n"
     yield f"Measured by: {case.oracle}.\n"
+    yield f"Recommended: {case.advice}.\n"
     yield "| method | settings | expected | found | steps | ms |"
     yield "|---|---|---|---|---:|---:|"
     for method, cell in case.expected.items():
@@ -111,7 +214,7 @@ def main() -> int:
                 if isinstance(cell, Cell):
                     found[case.name, method] = measure(case, method)
     machine = f"{platform.machine()}, {platform.system()}"
-    lines = [HEAD.format(machine=machine), "", *overview(found)]
+    lines = [HEAD + ADVICE + MACHINE.format(machine=machine), "", *overview(found)]
     for case in CASES.values():
         lines += section(case, found)
     PAGE.write_text(signed("\n".join(lines)), "utf-8")

@@ -45,6 +45,7 @@ CASE = Case(
     name="satellite",
     hard="attitude motion under the gravity gradient for 100 orbits, 5.7e5 s",
     oracle="pitch in closed form, roll and yaw zero; largest error of the attitude [rad]",
+    advice="use `DOP853`; set atol far below the slow speeds, here 1e-3 rad/s",
     build=build,
     t=TIMES,
     start={

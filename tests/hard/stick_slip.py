@@ -38,6 +38,7 @@ CASE = Case(
     name="stick-slip",
     hard="dry friction on a belt: the block sticks, breaks loose, slides and sticks again",
     oracle="limit cycle with located events, 30 digits; error of times [s] and position [m]",
+    advice="use `cd.Friction` with true sticking and an adaptive method of order 4 or higher",
     build=build,
     t=34.0,
     start={"q": {"x": 0.0}, "u": {"x": BELT}},

@@ -39,6 +39,7 @@ CASE = Case(
     name="stiff spring",
     hard="a bob on a spring of 1e10 N/m: a mode at 16 kHz that is present but not excited",
     oracle="closed form of a rigid rod, within 1e-8; largest error of the angle over 10 s [rad]",
+    advice="use `Rosenbrock`, which `auto` finds, or replace the spring by a rigid joint",
     build=build,
     t=TIMES,
     start={"q": {"swing": START, "stretch": G * np.cos(START) / STIFFNESS}},

@@ -159,7 +159,7 @@ integrate | q du | nq | of q | | elements no_derivative
     q moved by a finite increment du along the speeds
     also: out
 difference | q0 q | nu | rad or m | | no_derivative
-    du that moves q0 to q
+    du that moves q0 to q1
     call: q0 q1
     also: out
     ``integrate(q0, du)`` is q1.

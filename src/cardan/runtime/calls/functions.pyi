@@ -1028,7 +1028,7 @@ class Functions(Evaluation, metaclass=ABCMeta):
         *,
         out: Array | None = None,
     ) -> Array:
-        """du that moves q0 to q.
+        """du that moves q0 to q1.
 
         ``integrate(q0, du)`` is q1.
 
