@@ -9,7 +9,7 @@ from ..ir.arithmetic import Scalar
 from ..ir.matrix import Matrix
 
 # kinds of events: what happens when one does
-MODE, IMPACT, TICK, END, MARK = "mode", "impact", "tick", "end", "mark"
+MODE, IMPACT, TICK, END, MARK, HALT = "mode", "impact", "tick", "end", "mark", "halt"
 
 
 @dataclass(frozen=True)
@@ -49,7 +49,8 @@ class EventSpec:
     Attributes:
         name: Part of its name after that of the element; "" for the bare one.
         kind: ``"mode"`` (a mode changes), ``"impact"`` (speeds jump), ``"tick"`` (at known
-            times), ``"end"`` (the run is over) or ``"mark"`` (it is recorded).
+            times), ``"end"`` (the run is over, also if it starts with a negative value),
+            ``"halt"`` (the run is over where the value falls) or ``"mark"`` (it is recorded).
         about: What happens, in words.
         period, phase: Of a tick: it happens at phase + k period [s].
         beyond: What a start with a negative value means, in words, where no run may begin so.

@@ -18,7 +18,8 @@ from . import run_record as abi
 from .signals import checked
 
 Value = Callable[[float, Array], float]
-KINDS = {"mode": abi.MODE, "impact": abi.IMPACT, "tick": abi.TICK, "end": abi.END, "mark": abi.MARK}
+KINDS = {"mode": abi.MODE, "impact": abi.IMPACT, "tick": abi.TICK}
+KINDS |= {"end": abi.END, "halt": abi.HALT, "mark": abi.MARK}
 # a start so little beyond a stop is at it
 LIMIT_TOL = 1e-9
 ACTIONS = {"end": abi.HALT, "mark": abi.MARK}

@@ -7,7 +7,7 @@ from typing import ClassVar
 
 from ...errors import ModelError, brief, near
 from ...ir.arithmetic import Scalar
-from ..internal_states import END, MARK, EventSpec, Solved
+from ..internal_states import HALT, MARK, EventSpec, Solved
 from ..quantity import Units, Value
 from .force import Action, ForceElement, Places
 
@@ -53,7 +53,7 @@ class Event(ForceElement):
         signs = DIRECTIONS[self.direction]
         names = {1: "down", -1: "up"} if len(signs) > 1 else {signs[0]: ""}
         verbs = {1: "falls", -1: "rises"}
-        kind = END if self.terminal else MARK
+        kind = HALT if self.terminal else MARK
         return tuple(EventSpec(names[s], kind, f"it {verbs[s]} through zero") for s in signs)
 
     def signs(self, at: Places, solved: Solved) -> tuple[Scalar, ...]:

@@ -22,7 +22,7 @@ class Event:
         t: When [s].
         name: Of the event.
         element: To which element; "" for what the caller watched.
-        kind: ``"mode"``, ``"impact"``, ``"tick"``, ``"end"`` or ``"mark"``.
+        kind: ``"mode"``, ``"impact"``, ``"tick"``, ``"end"``, ``"halt"`` or ``"mark"``.
         x, s: State [q, u, z] (nx,) and discrete states (ns,) before it.
         x_after, s_after: The same behind it, and behind what happened at the same time.
     """
