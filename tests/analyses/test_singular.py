@@ -116,3 +116,9 @@ def test_the_slider_of_a_slider_crank() -> None:
     found = model.singular_positions("A", (0.5, 0.5 + 2 * math.pi), driver="guide", start=start)
     np.testing.assert_allclose(found.values(), [math.pi, 2 * math.pi], rtol=0, atol=1e-9)
     assert "dead point of 'guide'" in repr(found)
+
+
+def test_loops_in_closed_form_are_refused() -> None:
+    model = cd.compile(four_bar(), constraints="closed_form")
+    with pytest.raises(cd.ModelError, match="solves them in closed form"):
+        model.singular_positions("A", (0.0, 1.0))

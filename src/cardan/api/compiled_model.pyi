@@ -784,7 +784,7 @@ class CompiledModel(LoadedModel):
             swept, named: Joint, parameter or input that is the speed -> (start, end) or values (n,)
                 [rad/s]. The first is the speed, others go together with it.
             count: Members of a range; 31 if left out.
-            turning: Whether coordinates turn along with the rotor; by default those of scenes with
+            corotating: Whether coordinates turn along with the rotor; by default those of scenes with
                 beams do, others do not.
             q, u, locked, targets, free, inputs, parameters, t: As ``root_locus`` takes them.
             check: Raise where the end is not reached, instead of warning.

@@ -43,7 +43,7 @@ class CampbellRecord:
         locus: The eigenvalues behind it.
         speed: Of the rotor (n,) [rad/s]; its name is ``label``.
         label: As it was given.
-        turning: Whether coordinates turn along; frequencies are as seen from the ground.
+        corotating: Whether coordinates turn along; frequencies are as seen from the ground.
         frequencies: (n, k) [rad/s], a column for every motion; NaN where it does not oscillate.
         whirl: As seen from there (n, k): from -1, backward, over 0, along a line, to 1, forward.
     """
@@ -161,7 +161,7 @@ def campbell(
         swept, named: Joint, parameter or input that is the speed -> (start, end) or values (n,)
             [rad/s]. The first is the speed, others go together with it.
         count: Members of a range; 31 if left out.
-        turning: Whether coordinates turn along with the rotor; by default those of scenes with
+        corotating: Whether coordinates turn along with the rotor; by default those of scenes with
             beams do, others do not.
         q, u, locked, targets, free, inputs, parameters, t: As ``root_locus`` takes them.
         check: Raise where the end is not reached, instead of warning.
