@@ -193,8 +193,8 @@ def test_what_acts_and_what_does_not():
     assert model.joints["hinge"].friction == 0.2
     system = build(model)
     assert [(f.name, f.element.kind) for f in system.forces] == [("hinge.damping", "joint_damper")]
-    ends = "joints hinge: limits do not act in a run; add a Stop to hold a joint inside them"
-    dry = "joints hinge: friction does not act; add a Friction"
+    ends = "joints hinge: limits do not act; add a Stop, or load the file with limits='stop'"
+    dry = "joints hinge: friction does not act; add a Friction, or load the file with friction=True"
     assert system.notes == (dry, ends)
     assert all(note in summary(model) for note in (dry, ends))
     # who does what the notes say is not told again

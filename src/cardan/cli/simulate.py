@@ -4,8 +4,8 @@ Simulate a mechanism described by a scene file, or a robot described by a URDF.
 
 The file becomes equations of motion and compiled C (kept for the next run), and a compiled
 integrator runs them. A scene may say in simulate: how it wants to be run; options here come
-first. Of a URDF damping acts, joint friction and limits are listed and do not act: a scene file
-has elements for them, friction and stop.
+first. Of a URDF damping acts. Joint limits and dry friction act with --limits stop and
+--friction; a scene file also has elements for them, stop and friction.
 
 examples:
   cardan simulate pendulum.yaml

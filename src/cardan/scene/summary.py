@@ -27,8 +27,8 @@ def notes_of(model: SceneRecord) -> list[str]:
     rates = [j.name for j in joints if j.limits[2:] != (None, None) and j.name not in ends]
     dry = [j.name for j in joints if j.friction and j.name not in rubbing]
     without_effect = (
-        ("friction does not act; add a Friction", dry),
-        ("limits do not act in a run; add a Stop to hold a joint inside them", ends),
+        ("friction does not act; add a Friction, or load the file with friction=True", dry),
+        ("limits do not act; add a Stop, or load the file with limits='stop'", ends),
         ("limits of speed and effort do not act", rates),
     )
     sentences = (f"joints {', '.join(names)}: {what}" for what, names in without_effect if names)

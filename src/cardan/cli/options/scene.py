@@ -30,6 +30,9 @@ def arguments(parser: argparse.ArgumentParser) -> None:
                       help="do mimic joints follow their leader? (default couple)")  # fmt: skip
     file.add_argument("--no-snap", action="store_true",
                       help="keep angles as printed: 1.5708 stays 1.5708, not pi/2")  # fmt: skip
+    file.add_argument("--limits", choices=("note", "stop"), default="note",
+                      help="joint limits are noted (default) or act as stops")  # fmt: skip
+    file.add_argument("--friction", action="store_true", help="let dry friction of joints act")
     file.add_argument("--packages", metavar="DIR", type=Path, action="append", default=[],
                       help="folder of package:// paths; give it again for another")  # fmt: skip
 
@@ -50,6 +53,8 @@ def load(options: argparse.Namespace) -> Scene:
         mimic=options.mimic,
         snap=not options.no_snap,
         packages=options.packages,
+        limits=options.limits,
+        friction=options.friction,
     )
     scene: Scene = face(record)
     return scene

@@ -8,6 +8,7 @@ from warnings import catch_warnings, simplefilter
 
 from ...arguments import checked
 from ...errors import ModelError, warn
+from ..joint_properties import add_friction, add_stops
 from ..origins import gathered
 from ..scene import SceneRecord
 from . import mjcf, urdf, yaml
@@ -30,6 +31,7 @@ def _xml(path: Path, options: Options) -> SceneRecord:
     return reader(root, options, path.name, path.parent)
 
 
+LIMITS = ("note", "stop")
 READERS = {".urdf": _xml, ".xml": _xml, ".mjcf": _xml, ".yaml": yaml.read, ".yml": yaml.read}
 
 
@@ -41,6 +43,8 @@ def load(
     snap: bool = True,
     packages: str | Path | Sequence[str | Path] = (),
     parameters: Mapping[str, float] | None = None,
+    limits: str = "note",
+    friction: bool = False,
 ) -> SceneRecord:
     """Read a scene from a file.
 
@@ -55,6 +59,11 @@ def load(
             are printed.
         packages: Folder or folders below which ``package://`` paths and absolute paths must lie.
         parameters: Values by dotted name that replace those of the file.
+        limits: ``"stop"``: limits of position act as a :class:`cardan.Stop`, ``<joint>.stop``, on
+            joints of one coordinate that are neither coupled nor prescribed; where 0 is outside,
+            the joint starts in the middle of its range. ``"note"``: limits are only listed.
+        friction: Dry friction of the file acts as a :class:`cardan.Friction`,
+            ``<joint>.friction``; otherwise it is only listed.
 
     Returns:
         The model. What the file says and the model does not act on is listed in ``Model.notes``;
@@ -66,9 +75,15 @@ def load(
     """
     folders = [packages] if isinstance(packages, str | Path) else packages
     roots = tuple(Path(root) for root in folders)
+    if limits not in LIMITS:
+        raise ModelError(f"limits must be {' or '.join(map(repr, LIMITS))}, not {limits!r}")
     with catch_warnings(record=True) as said:
         simplefilter("always")
         model = _read(Path(path), Options(base, mimic, snap, roots, load=_read))
+        if limits == "stop":
+            add_stops(model)
+        if friction:
+            add_friction(model)
     for doubt in gathered(said, model.origins):
         warn(str(doubt), type(doubt))
     model.values.update(parameters or {})
