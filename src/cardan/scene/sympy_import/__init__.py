@@ -57,12 +57,11 @@ def from_sympy(
     Source: T. R. Kane and D. A. Levinson, Dynamics: Theory and Applications, 1985, chapter 6.
     """
     from .construction import build_scene
-    from .texts import refuse_texts
 
     arguments = {"equations": equations, "outputs": outputs, "potential": potential}
     for what, value in arguments.items():
         try:
-            refuse_texts(what, value)
+            _refuse_texts(what, value)
         except RecursionError as problem:
             raise ModelError(f"from_sympy: {what}: lists in lists without end") from problem
     values = {"parameters": parameters, "inputs": inputs}
@@ -73,3 +72,28 @@ def from_sympy(
                 "{'m': 1.0}"
             )
     return build_scene(equations, outputs or {}, parameters or {}, inputs or {}, potential, name)
+
+
+def _refuse_texts(what: str, expression: object) -> None:
+    """Refuse a text where an expression belongs: SymPy would run it as Python.
+
+    Args:
+        what: Argument, for the message.
+        expression: An expression; lists, arrays and dicts of some, whose keys may be texts.
+
+    Raises:
+        ModelError: there is a text.
+    """
+    if isinstance(expression, (str, bytes)):
+        raise ModelError(
+            f"from_sympy: {what}: {expression[:40]!r} is a text, which is not run as an "
+            "expression; give one of SymPy, such as sympy.Symbol('m')"
+        )
+    if isinstance(expression, Mapping):
+        for key, value in expression.items():
+            _refuse_texts(f"{what}[{str(key)[:40]!r}]", value)
+    elif type(expression).__name__ == "ndarray":
+        _refuse_texts(what, expression.tolist())  # type: ignore[attr-defined]
+    elif isinstance(expression, (list, tuple, set, frozenset)):
+        for value in expression:
+            _refuse_texts(what, value)
