@@ -73,6 +73,9 @@ def test_damping_ratios() -> None:
     np.testing.assert_allclose(found.damping[1:], 0.02 * free.angular[1:] / 2, rtol=1e-9)
     undamped = row(3, grounded=False, damping=2.0).modes(damped=False)
     np.testing.assert_allclose(undamped.angular, free.angular, atol=1e-6)
+    # in motion damping is not told apart from other effects of speeds
+    with pytest.raises(cd.ModelError, match="damped=False needs a state at rest"):
+        row(3, grounded=False, damping=2.0).modes(u={"s0": 1.0}, damped=False)
     # entries of a shape are in phase or opposed: no angle is told twice, by its sign
     assert " at 180 deg" in repr(found)
     assert " at -" not in repr(found)

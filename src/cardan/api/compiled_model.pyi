@@ -717,10 +717,10 @@ class CompiledModel(LoadedModel):
             x: State (nx,), or an equilibrium, whose loads then prestress; or q, u by name or as
                 arrays. If all are left out the equilibrium next to the initial position.
             r: Inputs by name or (nr,). t: Time [s]. parameters: Values by name.
-            damped: Whether dampers act; without them and without speeds modes are real.
+            damped: Whether dampers act. False holds at rest only, where modes are then real.
 
         Raises:
-            ModelError: unknown names, a count that is none.
+            ModelError: unknown names, a count that is none, ``damped=False`` in motion.
             SolveError: the mass matrix is singular on what constraints allow.
         """
     def root_locus(

@@ -74,10 +74,10 @@ def modes(
         x: State (nx,), or an equilibrium, whose loads then prestress; or q, u by name or as
             arrays. If all are left out the equilibrium next to the initial position.
         r: Inputs by name or (nr,). t: Time [s]. parameters: Values by name.
-        damped: Whether dampers act; without them and without speeds modes are real.
+        damped: Whether dampers act. False holds at rest only, where modes are then real.
 
     Raises:
-        ModelError: unknown names, a count that is none.
+        ModelError: unknown names, a count that is none, ``damped=False`` in motion.
         SolveError: the mass matrix is singular on what constraints allow.
     """
     if count is not None and (not isinstance(count, int | np.integer) or count < 1):
@@ -142,10 +142,16 @@ def _solved(
     values: Complex
     shapes: Any
     quiet = still and (not damped or not _size(C)) and not system.internals
+    real = quiet and _size(K - K.T) <= ALIKE * _size(K)
+    if not damped and not real:
+        raise ModelError(
+            f"modes of '{system.name}': damped=False needs a state at rest, a symmetric stiffness "
+            "and no internal states; elsewhere damping is one with other effects. Leave it out"
+        )
     small = len(system.columns) <= FULL
     try:
         # undamped and symmetric: K x = omega^2 M x with real modes
-        if quiet and _size(K - K.T) <= ALIKE * _size(K):
+        if real:
             values, shapes = _undamped(K, M, G, count, by)
         # sparse and damped or spinning: shift and invert on the quadratic eigenvalue problem
         elif issparse(K) and (still or system.uniform(at)):

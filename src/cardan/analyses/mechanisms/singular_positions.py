@@ -132,12 +132,12 @@ def singular_positions(
         raise ArgumentError(f"step={step:g}: the path goes forward by positive steps")
     refuse_nodes(model, "singular_positions")
     m = Mechanism(model, t, r)
+    locked_targets = locked_values(m, locked)
     if not m.closing.positions or any(joint.solved for joint in model.manifest.joints):
         raise ModelError(
             f"singular_positions: model '{model.name}' has no loop constraints, or solves them in "
             "closed form; compile a scene with loops with constraints='multipliers'"
         )
-    locked_targets = locked_values(m, locked)
     begin = assemble(
         model, {coordinate: low} | locked_targets, start=start, branch=branch, t=t, r=r
     )
