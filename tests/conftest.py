@@ -1,7 +1,8 @@
 """Prints processor seconds per test file, children among them; ``--accept`` golden text.
 
 ``slow.txt`` lists tests that ``make test`` leaves to ``make slow``: of each file those that take
-long, except the quickest of them. ``pytest -m 'not external' --measure`` writes it anew.
+long, except the quickest of them. ``pytest -m 'not external' --measure`` writes it anew; what did
+not run keeps its place in it.
 """
 
 from __future__ import annotations
@@ -16,7 +17,7 @@ from pathlib import Path
 import pytest
 
 SLOW = Path(__file__).with_name("slow.txt")
-LONG, LONG_EXAMPLE = 0.7, 3.0  # processor seconds of a test that counts as slow
+LONG, LONG_EXAMPLE = 0.5, 3.0  # processor seconds of a test that counts as slow
 SECONDS: dict[str, float] = defaultdict(float)
 # of this process and those that ended, when the last report was made
 SPENT = [0.0]
@@ -96,4 +97,5 @@ def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
             terminalreporter.write_line(f"{seconds:8.1f}  {name}")
     terminalreporter.write_line(f"{sum(files.values()):8.1f}  all {len(files)} files")
     if terminalreporter.config.getoption("--measure"):
-        SLOW.write_text("".join(f"{test}\n" for test in slow(SECONDS)), "utf-8")
+        others = {test for test in SLOW.read_text("utf-8").splitlines() if test not in SECONDS}
+        SLOW.write_text("".join(f"{x}\n" for x in sorted({*slow(SECONDS), *others})), "utf-8")
