@@ -63,7 +63,7 @@ def test_bricard_has_one_redundant_constraint() -> None:
     found = model.redundancy(q)
     assert (found.constraints, found.rank, found.redundant, found.freedoms) == (5, 4, 1, 1)
     cut = model.manifest["cuts"][0]["name"]
-    assert found.circuits == {cut: (5, 4)}
+    assert found.loops == {cut: (5, 4)}
     assert len(found.directions) == 1
     assert f"of joint '{cut}'" in found.directions[0]
     assert "translation along" in found.directions[0]

@@ -17,8 +17,8 @@ REFUSED = {
         r"(?<![Tt]here )\b(?:is|are|was|were) no "
         r"(?!longer|more|less|other|such|need|matter|one\b)[a-z]\w*"
     ),
-    # the kinematic loop, which only the graph and its matrix call a circuit
-    "circuit": re.compile(r"(?<!graph\.)\b[Cc]ircuits?\b(?! matrix)"),
+    # the kinematic loop, which only the graph, its matrix and names in the code call a circuit
+    "circuit": re.compile(r"(?<!graph\.)\b[Cc]ircuits?\b(?! matrix|:)"),
     "1 bodies": re.compile(
         r"(?<![\w.,^{-])1 (?:bodies|beams|joints|loops|modes|nodes|rows|runs|speeds|steps|values)\b"
     ),

@@ -42,7 +42,7 @@ def row(name: str, equations: Any, q: list[float]) -> str:
         sum(equations.linearize(**motion, route=route).operations.values())
         for route in ("differentiated", "from_start")
     ]
-    rest = {"z": {}, "r": {}, "s": {}, "t": 0.0, "values": {}, "wanted": None}
+    rest = {"z": {}, "r": {}, "s": {}, "t": 0.0, "values": {}, "independent": None}
     at = Reference(equations, **motion, **rest)
     general = differentiated.dynamic(at)
     nodes = [x for matrix in DYNAMIC for x in general[matrix].nodes]

@@ -48,7 +48,7 @@ def judged(
 
 
 def _with(members: Members, form: str, code: Code) -> Members:
-    return replace(members, codes={**members.codes, form: code}, kept={})
+    return replace(members, codes={**members.codes, form: code}, cache={})
 
 
 @cache

@@ -226,7 +226,7 @@ def test_kernels_are_linked_for_other_systems(
 def test_wheel_holds_all_levels(tmp_path: Path) -> None:
     """Every variant by level; what they weigh and take is printed."""
     tree = tmp_path / "tree"
-    hidden = shutil.ignore_patterns("*.so", "built", "build", "*.egg-info", "__pycache__", ".*")
+    hidden = shutil.ignore_patterns("*.so", "built", "*.egg-info", "__pycache__", ".*")
     shutil.copytree(ROOT / "src", tree / "src", ignore=hidden)
     for name in ("pyproject.toml", "setup.py", "README.md", "LICENSE"):
         shutil.copy(ROOT / name, tree)

@@ -116,7 +116,7 @@ class Solved(Protocol):
     """The part of the solution of the equations of motion that an element may read.
 
     Attributes:
-        held: Multipliers of its holds (their number, 1): the forces along their velocities.
+        multipliers: Multipliers of its holds (their number, 1): the forces along their velocities.
         certainty: Positive where the force that follows from the reaction of its joint is the
             only one possible; None where it has no such force.
     """

@@ -16,7 +16,7 @@ class Limit:
 
     Attributes:
         name: Of the quantity.
-        told: What is said where it is something else; ``{value}`` stands for it, ``{other}`` for
+        message: What is said where it is something else; ``{value}`` stands for it, ``{other}`` for
             the number of the other quantity.
         least, most: Its range.
         open: The least value itself, or that of the other quantity, is not in it.

@@ -242,7 +242,7 @@ def directional(
         graph: Where the roots live; the derivatives are added to it.
         roots: Nodes to differentiate.
         directions: Node -> node of its derivative, as :func:`forward` takes them.
-        words: For the names of derivatives by columns, one per direction.
+        labels: For the names of derivatives by columns, one per direction.
     """
     variable_roots = [root for root in dict.fromkeys(roots) if graph.value(root) is None]
     if len(variable_roots) >= len(directions):

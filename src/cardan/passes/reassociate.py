@@ -69,7 +69,7 @@ class _Copier:
     Attributes:
         target: Graph of the copies.
         copies: Node -> its copy.
-        known: Copy -> cycles after which it is known; parameters were known before the call.
+        depth: Copy -> cycles after which it is known; parameters were known before the call.
         plain: Copies that became a number or a changed sign: what reads them is made anew.
     """
 

@@ -48,7 +48,7 @@ class Connection:
     """Two frames that are held together.
 
     Attributes:
-        whole: Their axes too, not only their origins.
+        aligned: Their axes too, not only their origins.
         bodies: The two bodies, -1 for the ground.
         rotations, positions: The frames in axes of their bodies, (2, 3, 3) and (2, 3).
     """
@@ -65,7 +65,7 @@ class Circuits:
 
     Attributes:
         scene: The tree, parts of split bodies last.
-        held: What closes the loops.
+        connections: What closes the loops.
         bodies, nq, nu: Of the system without parts.
         seats: For every part the frame it must meet: body, rotation, position.
     """

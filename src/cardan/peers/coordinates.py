@@ -69,7 +69,8 @@ class Coordinates:
     """The map between our states and those of a program.
 
     Attributes:
-        ours, theirs: Entry of q by entry of theirs, both in joint order; the same for speeds.
+        q_ours, q_theirs: Our entries of q and theirs, both in joint order.
+        u_ours, u_theirs: The same for speeds.
         free: (first of our q, first of our u) of free joints.
     """
 

@@ -41,7 +41,7 @@ class Contender:
             so often at every state and returns the seconds per call.
         results: ``results(function, states)`` in our coordinates, (n, ...); derivatives (n, 2, nu,
             nu) by q and by u.
-        held: What must stay alive meanwhile.
+        references: What must stay alive meanwhile.
     """
 
     title: str

@@ -47,7 +47,7 @@ def add_beam(
 
     Args:
         ends: What the start and the end are joined to, and what is released there.
-        made_of: Section and material.
+        section_and_material: Both.
         kinds: Of element and inertia.
     """
     checks.new("beam", name, model.beams)

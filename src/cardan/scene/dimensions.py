@@ -23,7 +23,7 @@ def check(expression: object, expected: str, units: Units, name: str) -> None:
 
     Args:
         expression: A SymPy expression.
-        wanted: Unit of the place it is used in; "" takes anything.
+        expected: Unit of the place it is used in; "" takes anything.
         units: Unit of every symbol by name; None where it fits anywhere.
         name: Of the place, for the message.
 

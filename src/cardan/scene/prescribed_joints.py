@@ -36,7 +36,7 @@ def chain(
         scene: The model.
         name, kind, ends: Of the joint that is meant.
         motion: A value for each of its coordinates; None for one that moves freely.
-        rest: Other arguments of the joint, which must be None.
+        further: Other arguments of the joint, which must be None.
 
     Returns:
         The last of the joints, whose child is the child.

@@ -23,7 +23,7 @@ class Planned:
         movers: Fields of every ``cardan_movers``, and the C names of its functions.
         start: State (nx,) in which a run without named values starts: assembled, unless no such
             state is found.
-        held: Which entries of it (nx,) stay as they are when parameters change: those of joints,
+        locked: Which entries of it (nx,) stay as they are when parameters change: those of joints,
             which nodes follow; all where beams are, which do not follow there.
         size: Of the model [m], against which lengths count.
         columns: What speeds count in (nu,): that, or 1.

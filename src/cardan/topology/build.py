@@ -181,7 +181,7 @@ def _circuits(
     Args:
         assembly: Bodies and joints.
         branches: As :func:`build` takes them.
-        kept: Joints that are not solved for.
+        independent_joints: Joints that are not solved for.
 
     Raises:
         TopologyError: one of these does not exist.

@@ -52,7 +52,7 @@ def change_frames(
     Args:
         system: In old frames.
         graph: A fork of the system's, with the new expressions.
-        placed: New frame of every body.
+        new_frames: New frame of every body.
         joints: Joints that change in another way too: their parent side is taken as it stands.
             Of all others the motion must commute with the change of the outer frame.
     """

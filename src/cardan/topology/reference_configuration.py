@@ -49,7 +49,8 @@ class Reference:
         Args:
             joint: The joint.
             parent, child: Its frames as written, in their user bodies.
-            rest: Makes the pose of the child frame in the parent frame at the default coordinates.
+            default_pose_of: Makes the pose of the child frame in the parent frame at the default
+            coordinates.
         """
         if not self.active:
             return parent, child

@@ -16,9 +16,9 @@ class BuiltIn:
     """Values built into the equations by ``specialize=``.
 
     Attributes:
-        wanted: Names; None for all parameters.
+        names: Names; None for all parameters.
         values: Numbers that replace the defaults.
-        found: Names that were met.
+        used: Names that were met.
     """
 
     names: frozenset[str] | None

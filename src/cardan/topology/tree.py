@@ -38,7 +38,7 @@ class Closing:
         joint: The joint.
         ring: All joints of the loop, itself included.
         reason: Why this one was cut.
-        carried: Its coordinates are wanted: it keeps them.
+        keeps_coordinates: Its coordinates are wanted: it keeps them.
     """
 
     joint: Joint

@@ -81,7 +81,7 @@ def plot_campbell(
         title, label: Headline, and what the speed is called.
         speed, frequencies: [rad/s] (n,) and (n, k), NaN where nothing oscillates.
         whirl: From -1, backward, to 1, forward (n, k).
-        growing: Which motions grow (n, k).
+        unstable: Which motions grow (n, k).
         critical: Multiple -> critical speeds.
         path: Picture file, or None.
 

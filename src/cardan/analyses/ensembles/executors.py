@@ -218,7 +218,7 @@ def remote(
 
     Args:
         sent: The class of the model, and what a pickle of it is made of.
-        rest: The other fields of a job of these runs alone.
+        job_fields: The other fields of a job of these runs alone.
         first, last: Their numbers.
 
     Raises:

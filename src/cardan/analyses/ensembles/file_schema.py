@@ -50,7 +50,7 @@ class Read:
     """The parts of a file.
 
     Attributes:
-        told: What the ensemble says about itself.
+        notes: What the ensemble says about itself.
         final, codes, times: As of :class:`.result.Ensemble`.
         messages, statistics, varied, results: The same, by name.
     """

@@ -29,11 +29,11 @@ class Job:
     Attributes:
         model: The compiled model.
         how: The method and its tolerances.
-        given: Inputs that all runs share.
-        may: What may happen.
+        input_signals: Inputs that all runs share.
+        event_table: What may happen.
         over: Start, end and output times.
         varied: What the runs differ by.
-        kept: Reductions by name.
+        reductions: Reductions by name.
         width: Lanes side by side.
         build: What decides about the last bit, as :func:`build_key` says.
     """

@@ -85,7 +85,7 @@ def width_of(
     """Lanes side by side: 1 without vectors, with events, or where building takes longer.
 
     Args:
-        own: Every run has parameters of its own.
+        per_run_parameters: Every run has parameters of its own.
         seconds: What all runs would take one after the other.
     """
     function = model._function("rhs")
@@ -114,8 +114,8 @@ class LaneRunner:
         Args:
             model: A model that :func:`suits`.
             how: The method and its tolerances.
-            given: Inputs that are the same for all runs.
-            may: Events of the model.
+            input_signals: Inputs that are the same for all runs.
+            event_table: Events of the model.
             over: Start and end; ``times`` are the output times.
             width: Lanes, as :func:`width_of` says.
         """

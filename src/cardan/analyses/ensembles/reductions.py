@@ -49,7 +49,7 @@ class Histories:
     Attributes:
         t: Output times (nt,).
         x: States (runs, nt, nx); NaN where a run had ended before.
-        whole: Which runs reached their end, (runs,).
+        completed: Which runs reached their end, (runs,).
         ended: Which ended before, as an event wanted it, (runs,).
         of: ``of(name)``: history of a coordinate, speed, input or output (runs, nt).
     """
@@ -267,8 +267,8 @@ def reductions(
     """Reductions by name.
 
     Args:
-        asked: Words; several; or name -> words or a function of (t, x).
-        known: Names that have histories.
+        requested: Words; several; or name -> words or a function of (t, x).
+        histories: Names that have histories.
         listed: Whether the user gave output times: then the states there are kept by default.
 
     Raises:

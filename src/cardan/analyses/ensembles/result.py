@@ -84,17 +84,17 @@ class EnsembleRecord:
     """Many runs of one model. ``print(ensemble)`` tells how they went.
 
     Attributes:
-        asked: What was asked for.
+        request: What was asked for.
         final: State at the end of every run (runs, nx); where one broke down, its last good state.
         results: Reductions by name: (runs, ...) per run, (nt,) over runs, or bins.
-        codes, words: Status of every run as an index in words; see ``status``.
+        codes, status_names: Status of every run as an index in words; see ``status``.
         numbers: (runs, 4): end time [s], steps, rejections, evaluations.
         messages: What happened to the first thousand runs that did not reach their end, or that
             miss far more than their tolerance is worth.
         seconds: What it took.
-        hands: Who computed it.
+        executor: Who computed it.
         restored: How many runs came from a checkpoint.
-        kept: What is kept of an interrupted one, in words.
+        saved_message: What is kept of an interrupted one, in words.
         source: What runs are computed again from; None for an ensemble of a file.
     """
 

@@ -47,9 +47,9 @@ class Base:
         columns: Of the regressor that are independent of each other (nb,): Y_b.
         matrix: B (nb, n); the columns named by ``columns`` are those of the identity.
         without_effect: Parameters that no force depends on.
-        kept, dropped: What is left of columns beside those before them, relative to them: the
-            least of those that are kept, the most of those that are not. The gap between tells how
-            sure the number is.
+        least_independent, dropped: What is left of columns beside those before them, relative to
+            them: the least of those that are kept, the most of those that are not. The gap between
+            tells how sure the number is.
     """
 
     name: str

@@ -46,7 +46,7 @@ def fitted(A: Array, b: Array, scale: Array, noise: Array | None, names: tuple[s
 
     Args:
         A, b: (nt, c, n), (nt, c).
-        spread: Of the noise of samples relative to that of their channel (nt, c).
+        scale: Of the noise of samples relative to that of their channel (nt, c).
         noise: Of the channels (c,); None: as the residuals tell.
         names: Of the unknowns, for messages.
 

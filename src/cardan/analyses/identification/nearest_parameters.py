@@ -32,7 +32,7 @@ def nearest(model: LoadedModel, base: Base, estimates: Array, weights: Array) ->
 
     Args:
         base: Base parameters.
-        wanted: Their values (nb,).
+        estimates: Their values (nb,).
         weights: A matrix whose square is the inverse of their covariance (nb, nb).
     """
     names, nominal = list(model.parameters), model.parameters.vector.copy()

@@ -37,7 +37,8 @@ class Rows:
         t: Time of every sample (nt,).
         A: (nt, channels, n).
         b: (nt, channels).
-        spread: Standard deviation of the noise relative to that of its channel (nt, channels).
+        relative_noise: Standard deviation of the noise relative to that of its channel (nt,
+            channels).
     """
 
     channels: tuple[str, ...]

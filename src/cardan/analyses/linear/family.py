@@ -77,7 +77,7 @@ class Family:
         model: The compiled model.
         columns: Name -> values (n,) of what changes, evenly over the family.
         kinds: Name -> which of :data:`PLACES` it belongs to.
-        given: What stays, as ``equilibrium`` or ``trim`` takes it.
+        fixed: What stays, as ``equilibrium`` or ``trim`` takes it.
         coordinates: Whose motions count; all if None.
     """
 
@@ -107,7 +107,7 @@ class Family:
 
         Args:
             s: From 0 to 1; beyond the ends they stay.
-            beside: A member near it, where the search begins.
+            neighbor: A member near it, where the search begins.
             choice: Independent increments and speeds, where they are not to be chosen anew.
 
         Raises:
@@ -182,7 +182,7 @@ def family(
     Args:
         model: The compiled model.
         swept: Parameter, input, ``t``, or joint whose speed it is -> (start, end) or values (n,).
-        given: As ``equilibrium`` takes it, with ``targets`` or ``free`` as ``trim`` does; values in
+        fixed: As ``equilibrium`` takes it, with ``targets`` or ``free`` as ``trim`` does; values in
             ``u``, ``locked`` and ``targets`` may be arrays, and are swept then.
         count: Members of a range.
         coordinates: Whose motions count.

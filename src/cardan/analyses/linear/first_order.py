@@ -68,7 +68,7 @@ def first_order(
     Args:
         system: The system.
         at: A state on the constraints; accelerations are those of the motion.
-        held: Speeds (places) that are held.
+        locked: Speeds (places) that are held.
         tau: Forces along the speeds (nu,) that act besides those of the scene, such as hold.
         choice: Independent increments and speeds, where they are not to be chosen anew.
 
@@ -152,7 +152,7 @@ def chosen(G: Array, weights: Array, independent: Integers | None = None) -> tup
         G: Constraints (m, n), without units.
         weights: How much each entry is preferred (n,): coordinates of joints do not depend on who
             looks at them.
-        wanted: The choice, where it is made.
+        independent: The choice, where it is made.
 
     Raises:
         SolveError: what is wanted does not determine the others.

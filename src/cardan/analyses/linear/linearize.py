@@ -105,7 +105,7 @@ class Stance(NamedTuple):
     Attributes:
         model: With the parameters that hold there.
         at: The state with its accelerations.
-        held, tau: Speeds (places) that are held, forces along all of them (nu,).
+        locked, tau: Speeds (places) that are held, forces along all of them (nu,).
         choice: Independent increments and speeds in which it is steady, None for any.
     """
 

@@ -37,8 +37,7 @@ class Spectrum:
         defective: Which of them have no vectors of their own (n,).
         groups: Places of eigenvalues that meet, of one each where they do not.
         rounding: How far eigenvalues may be off (n,) where matrices are known to
-        :data:`RELATIVE_ERROR`:
-            much where they are nearly defective.
+            :data:`RELATIVE_ERROR`: much where they are nearly defective.
     """
 
     values: Complex

@@ -35,7 +35,7 @@ class SteadyMotionRecord(NamedState):
         iterations: Linear systems solved.
         converged: Whether it is one.
         message: The same as a sentence.
-        asked: As ``trim`` takes it, beginning here: to find it anew.
+        trim_arguments: As ``trim`` takes it, beginning here: to find it anew.
         at, tau, choice: For analyses that go on from here.
     """
 

@@ -46,7 +46,7 @@ class Trimming:
         targets: Coordinate, speed or output -> value.
         free: Name -> ``"input"``, ``"parameter"``, ``"force"`` or ``"speed"``; speeds last but
             they are unknown anyway.
-        given: Speeds that keep a value or start there.
+        fixed_speeds: Speeds that keep a value or start there.
         base: Parameters by name, as they stay or start.
         r, t: Inputs (nr,) and time [s].
         v: Independent speeds of a search, as places of speeds; chosen where it begins.

@@ -91,7 +91,7 @@ class _Place:
     """A model at states, (..., n).
 
     Attributes:
-        rest: Time, inputs and parameters, by argument.
+        arguments: Time, inputs and parameters, by argument.
     """
 
     model: LoadedModel

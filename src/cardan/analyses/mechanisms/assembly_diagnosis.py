@@ -35,7 +35,7 @@ def explain(
     Args:
         m: The mechanism.
         targets: All of them.
-        found: Where the searches ended.
+        solutions: Where the searches ended.
         again: Searches for other targets, or without some relations.
         remedy: What to do about targets that cannot hold.
 

@@ -21,8 +21,9 @@ def speeds(m: Mechanism, q: Array, named: Mapping[str, object], default: Array) 
 
     Args:
         m, q: Mechanism and an assembled position (nq,).
-        given: Joint or speed -> value.
-        rest: What the others are near to (nu,), in the metric of the mass matrix if there is one.
+        named: Joint or speed -> value.
+        default: What the others are near to (nu,), in the metric of the mass matrix if there is
+            one.
 
     Raises:
         ModelError: an unknown name, or values that cannot hold together.
@@ -44,7 +45,7 @@ def accelerations(m: Mechanism, q: Array, u: Array, named: Mapping[str, object])
 
     Args:
         m, q, u: Mechanism and a consistent state.
-        given: Joint or speed -> value of its derivative.
+        named: Joint or speed -> value of its derivative.
 
     Raises:
         As :func:`speeds`.
@@ -69,7 +70,7 @@ def read(
     Args:
         what: ``"u"`` or ``"udot"``, for messages.
         model: Whose.
-        given: Joint or speed -> value.
+        named: Joint or speed -> value.
     """
     places = entries(model.manifest, "u")
     chosen, values = list[int](), list[float]()

@@ -26,7 +26,7 @@ class Connection:
     Attributes:
         library: The kernels.
         record: A ``cardan_position`` without targets.
-        kept: What its pointers point to.
+        references: What its pointers point to.
         rows: Of the Jacobian of the constraints.
         work: Numbers of work memory of its functions.
         called_back: Whether some of these are Python.

@@ -160,8 +160,8 @@ def choose(
 
     Args:
         m: The mechanism.
-        found: Positions in the order of the searches.
-        wanted: Branches.
+        solutions: Positions in the order of the searches.
+        requested: Branches.
         begin: The start (nq,).
 
     Raises:

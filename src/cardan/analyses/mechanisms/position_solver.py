@@ -42,9 +42,9 @@ class Solution:
         open: Largest residual of what must hold, without units.
         cost: Weighted sum of squares of what should hold.
         freedoms: Steps that keep what must hold, to first order.
-        turned: Cut joint of which an axis is turned round there, "" if none.
+        reversed_axis: Cut joint of which an axis is turned round there, "" if none.
         first: Whether the search began at the start that was given.
-        slack: Residual that counts as none.
+        closure_tol: Residual that counts as none.
     """
 
     q: Array

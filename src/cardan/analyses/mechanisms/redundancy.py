@@ -56,7 +56,7 @@ class Redundancy:
     freedoms: int
     constraints: int
     rank: int
-    circuits: Mapping[str, tuple[int, int]]
+    loops: Mapping[str, tuple[int, int]]
     left_out: tuple[str, ...]
     directions: tuple[str, ...]
     vectors: Array
@@ -208,15 +208,15 @@ def report(m: Mechanism, q: Array) -> Redundancy:
         for k, row in enumerate(rows)
     }
     owners = np.array([row.joint for row in m.closing.rows])
-    circuits = {owner: (n, n) for owner, n in _solved(m).items()}
+    loops = {owner: (n, n) for owner, n in _solved(m).items()}
     # rank of the rows of each loop by itself
     for owner in dict.fromkeys(owners.tolist()):
         values = np.linalg.svd(G[owners == owner], compute_uv=False)
         rank_of_all = int(np.sum(values > RANK * float(s.max(initial=0.0))))
-        circuits[owner] = int(np.sum(owners == owner)), rank_of_all
+        loops[owner] = int(np.sum(owners == owner)), rank_of_all
     for row in left_out:
-        count, rank_of_all = circuits.get(row.joint, (0, 0))
-        circuits[row.joint] = count + 1, rank_of_all
+        count, rank_of_all = loops.get(row.joint, (0, 0))
+        loops[row.joint] = count + 1, rank_of_all
     solved = sum(_solved(m).values())
     components = determined(m, q)
     return Redundancy(
@@ -224,7 +224,7 @@ def report(m: Mechanism, q: Array) -> Redundancy:
         freedoms=G.shape[1] - rank,
         constraints=len(rows) + solved,
         rank=rank + solved,
-        circuits=circuits,
+        loops=loops,
         left_out=tuple(row.name for row in left_out),
         directions=tuple(_description(vector, rows, len(m.closing.rows)) for vector in vectors),
         vectors=vectors,

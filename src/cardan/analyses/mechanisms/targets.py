@@ -87,7 +87,6 @@ class Coordinates(Target):
     Attributes:
         entries: Of q (n,).
         scales: What each counts in (n,).
-        others: As :class:`Target` has them.
     """
 
     entries: NDArray[np.intp] = field(default_factory=lambda: np.zeros(0, dtype=np.intp))
@@ -118,7 +117,7 @@ def read(
         m: The mechanism.
         named: Coordinate, joint or frame -> value.
         weights: Of those that need not be held.
-        hold: Those that must be held; by default all without a weight.
+        locked: Those that must be held; by default all without a weight.
 
     Raises:
         ModelError: an unknown name, a weight that is not a positive number, weights or names to

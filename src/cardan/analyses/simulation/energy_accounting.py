@@ -49,7 +49,7 @@ class Account:
         what: Its name, for messages.
         missed: What is unaccounted for.
         worth: What the tolerance is worth.
-        whole: All that moved.
+        total: All that moved.
         noise: What rounding may add up to.
         unit: Of the four.
     """
@@ -85,7 +85,7 @@ def accounts(motion: TrajectoryRecord, how: Settings, closure_tol: float = 0.0) 
     Args:
         motion: The run.
         how: Its tolerances.
-        slack: Residual, in sizes of the scene, up to which its start was taken as closed.
+        closure_tol: Residual, in sizes of the scene, up to which its start was taken as closed.
     """
     if len(motion) < 2:
         return []
@@ -131,7 +131,7 @@ def tolerated(how: Settings, fastest: Array, total: Array, rounded: Array, steps
     Args:
         how: The tolerances.
         fastest: Their largest speeds.
-        whole: What moves.
+        total: What moves.
         rounded: The largest amounts that are added up.
         steps: Of every run.
     """

@@ -161,7 +161,7 @@ def event_table_of(model: LoadedModel, events: Mapping[str, object] | None) -> E
 
     Args:
         model: Its events come first.
-        given: Name -> what to watch: ``f(t, x)`` or ``("elbow", value)``; alone the run is over
+        events: Name -> what to watch: ``f(t, x)`` or ``("elbow", value)``; alone the run is over
             where it passes zero, or the value; with more as a tuple
             ``(what, "end" or "mark", "down", "up" or "both")``.
 

@@ -27,7 +27,7 @@ class Case:
         period: Shortest time between two samples or ticks (None: there are none) [s].
         length: Of the run (None: not known) [s].
         derived: Whether the model has the Jacobian of its right-hand side.
-        asked: Whether inputs are functions of the user, of which no derivative is known.
+        input_functions: Whether inputs are functions of the user, of which no derivative is known.
         stiff: Whether stability has limited the steps of an explicit method.
         elements: Whether the model is one of elements in absolute coordinates.
         beams: Whether some of them are beams, whose vibrations stability has to resolve.

@@ -81,7 +81,7 @@ class Recorder:
         Args:
             over: What was asked for.
             begin: Where it began.
-            told: Status and message.
+            outcome: Status and message.
             milliseconds: What it took.
         """
         self.logs.append(self.runner.drained())

@@ -72,9 +72,9 @@ class Runner:
         Args:
             model: Whose ``rhs`` and ``power`` are called.
             settings: How to step.
-            given: The inputs.
+            input_signals: The inputs.
             power: Integrate the power of the sources too.
-            may: What may happen.
+            event_table: What may happen.
         """
         self.model, self.settings, self.signals, self.event_table = (
             model,

@@ -49,7 +49,7 @@ class Settings:
         rtol, atol: Tolerances of an adaptive one.
         step: Step of a fixed one, first step of an adaptive one (0: it chooses) [s].
         max_step: Largest step of an adaptive one [s].
-        words: The same to print.
+        description: The same to print.
         reason: Why this method, where nobody asked for it.
     """
 
@@ -120,7 +120,7 @@ def watched(
 
     Args:
         how: The settings.
-        given: The inputs.
+        input_signals: The inputs.
         length: Duration of the run [s].
         max_step: What the caller said about it; None: nothing.
     """
@@ -182,7 +182,7 @@ class Start:
     Attributes:
         x: The state (nx,).
         defaulted: Those of its entries that nobody named.
-        slack: Residual, in sizes of the mechanism, up to which loops count as closed because
+        closure_tol: Residual, in sizes of the mechanism, up to which loops count as closed because
             conditions that say the same twice disagree; 0 where they agree.
         followers: ``"q"`` and ``"u"`` -> joints that follow from loops in closed form, and the
             values that were named for them.

@@ -57,7 +57,7 @@ class Signals:
 
     Attributes:
         constants: r (nr,) with defaults and constants in place.
-        pieces: Inputs by values at times.
+        tabulated: Inputs by values at times.
         functions: Index in r -> f(t, x).
         sample: Time between two calls of the functions, None to call them at every stage [s].
         defaulted: Names of the inputs that were not given.
@@ -103,7 +103,7 @@ def signals(
 
     Args:
         rows: ``manifest.inputs``: name, unit, default.
-        given: Name -> constant, ``(times, values)`` or ``f(t, x)``.
+        values: Name -> constant, ``(times, values)`` or ``f(t, x)``.
         sample: Sampling time of the functions [s].
         span: Start and end of the run [s].
 

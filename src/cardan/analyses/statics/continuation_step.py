@@ -35,7 +35,7 @@ class Place:
     Attributes:
         s: Part of the path that leads there.
         point: Where it rests.
-        standing: How.
+        stability: How.
         side: Its number that is another one beyond a critical load; the last one that was known.
         dead: The same of the system under dead loads in place of what is prescribed.
         free: Whether something was loose where the path began, in either system: then rounding

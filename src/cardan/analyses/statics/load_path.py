@@ -66,7 +66,7 @@ def loading(
 
     Args:
         system: What is loaded.
-        known: Name -> kind of everything that can be swept.
+        kind_of: Name -> kind of everything that can be swept.
         base: What stays.
         swept: Name -> (start, end) or values (n,).
         locked: Coordinate -> the same.

@@ -185,7 +185,7 @@ def lockable(system: DynamicSystem, motion: Array, locked: Collection[str] = ())
 
     Args:
         system, motion: Of what, in which direction.
-        held: Coordinates that are held already.
+        locked: Coordinates that are held already.
     """
     sizes = np.abs(motion[: len(system.owners)])
     shares = {name: sizes[k] for name, (_, k) in system.places.items() if name not in locked}

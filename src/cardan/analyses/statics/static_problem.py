@@ -46,7 +46,7 @@ class Point:
 
     Attributes:
         at: Position, internal states, multipliers, load.
-        held: Forces along the speeds of what is held, without units: energies (k,).
+        reaction_forces: Forces along the speeds of what is held, without units: energies (k,).
     """
 
     at: Moment

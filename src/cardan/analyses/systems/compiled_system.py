@@ -23,7 +23,8 @@ class CompiledSystem(ABC):
 
     Attributes:
         model: The model.
-        Others: as :class:`cardan.analyses.systems.dynamic_system.DynamicSystem` has them.
+
+    The rest is described in :class:`cardan.analyses.systems.dynamic_system.DynamicSystem`.
     """
 
     def __init__(self, model: LoadedModel, positions: int, size: float) -> None:

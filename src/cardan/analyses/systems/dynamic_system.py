@@ -209,7 +209,7 @@ class DynamicSystem(Protocol):
         Args:
             t, r, p: Time [s], inputs (nr,), parameters.
             q: Coordinates by name or (nq,), None for the initial position.
-            hold: Coordinates that have exactly this value.
+            locked: Coordinates that have exactly this value.
         """
 
     def state(

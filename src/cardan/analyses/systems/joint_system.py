@@ -33,7 +33,8 @@ class JointSystem(CompiledSystem):
 
     Attributes:
         model: The model.
-        Others: as the contract has them.
+
+    The rest is described in :class:`.dynamic_system.DynamicSystem`.
     """
 
     def __init__(self, model: LoadedModel) -> None:

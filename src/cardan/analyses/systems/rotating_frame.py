@@ -44,7 +44,7 @@ class _Nodes:
     Attributes:
         places: Their places (n,).
         columns: Their speeds (n, k).
-        spread: Speeds in space by their own (n, 6, k).
+        to_space: Speeds in space by their own (n, 6, k).
     """
 
     places: Integers

@@ -83,7 +83,7 @@ def plan(
     """Every combination of the listed values; what is distributed is drawn for every run.
 
     Args:
-        given: Names with arrays or distributions.
+        variations: Names with arrays or distributions.
         runs: In all; with listed values a multiple of their combinations.
         kind: How to draw, of :data:`PLANS`.
         seed: Of what is drawn.

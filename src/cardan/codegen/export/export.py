@@ -80,7 +80,7 @@ def written(request: ExportRequest, fill: Callable[[Path], Content]) -> Path:
     """Write an export; it appears whole or not at all.
 
     Args:
-        wanted: What was asked for.
+        request: What was asked for.
         fill: Writes model and functions into a folder, and says what else there is.
 
     Raises:

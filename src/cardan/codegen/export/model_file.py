@@ -26,9 +26,9 @@ class Content:
     Attributes:
         functions: By name; the first is the one that the example shows.
         start: Values to start from instead of those that the scene names, by block.
-        own: Fields of ``cardan_export``.
+        fields: Fields of ``cardan_export``.
         columns: What speeds count in (nu,); nothing: all in 1.
-        loose: Tolerances other than the usual ones, by method.
+        tolerances: Tolerances other than the usual ones, by method.
         declared: More lines of ``functions.h``.
         files: More files, by name.
     """

@@ -64,7 +64,7 @@ def make_plan(
         graph: Where the nodes live.
         order: All nodes, operands first.
         roots: Results, once per place where they are wanted.
-        given: Nodes that are read from outside instead of being computed.
+        external: Nodes that are read from outside instead of being computed.
         values: Names and owners of the nodes.
 
     Raises:

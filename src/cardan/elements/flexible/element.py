@@ -25,7 +25,7 @@ class FlexibleElement(HasSource, ABC):
 
     Attributes:
         kind: Name in scenes, and of its kind of element.
-        own: Names of the data that come from the geometry once and for all.
+        geometric: Names of the data that come from the geometry once and for all.
     """
 
     kind: ClassVar[str]

@@ -30,7 +30,7 @@ class CarriedLoad:
         measures: What U of the strain e = U d is made of.
         field: Stress and strain.
         fixed: f (3, 1) [N/m].
-        seen: a_1 and a_2 (3, 1).
+        in_end_axes: a_1 and a_2 (3, 1).
     """
 
     at: Relative

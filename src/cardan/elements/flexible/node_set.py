@@ -69,7 +69,7 @@ class Place(ABC):
         coordinates, speeds: Its entries of q and u.
         data: Names of its data behind the name of the end.
         graph: Where expressions live.
-        given: Its data.
+        attributes: Its data.
         q, u: Its first entries among those of the element.
     """
 

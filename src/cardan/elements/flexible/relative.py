@@ -105,7 +105,7 @@ class Response:
 
     Attributes:
         moment, force: Derivatives of the energy by rho and by d (3, 1).
-        turning: Derivative of the moment along rho (3, 3), its antisymmetric part [moment]/2.
+        by_rho: Derivative of the moment along rho (3, 3), its antisymmetric part [moment]/2.
         mixed: Derivative of the force along rho (3, 3).
         stretching: Derivative of the force by d, symmetric (3, 3).
     """

@@ -124,8 +124,8 @@ class Places:
         frames, joints: Numbers of its frames and joints, by role; of the body as ``body``.
         z: Its internal states (their number, 1).
         s: Its modes (their number, 1).
-        pressing: What stands for the force that follows from the reaction of its joint; None where
-            the element is not :attr:`ForceElement.by_reaction`.
+        reaction_force: What stands for the force that follows from the reaction of its joint; None
+            where the element is not :attr:`ForceElement.by_reaction`.
     """
 
     motion: Motion

@@ -39,7 +39,7 @@ class Position:
 
     Attributes:
         q: Joint -> coordinates (n, 1).
-        known: Node of a cosine or sine of a coordinate -> its expression without the angle.
+        substitutions: Node of a cosine or sine of a coordinate -> its expression without the angle.
         angles: (node of the coordinate, cosine, sine), the two ZERO for a length.
     """
 
@@ -185,7 +185,7 @@ class Closures:
 
         Args:
             n: The loop, whose closing conditions at velocity level are square rates + known.
-            square, known: Columns of the rates that are looked for, and the rest.
+            square, fixed_columns: Columns of the rates that are looked for, and the rest.
             rates: What they are.
             inverse: Of ``square``.
         """

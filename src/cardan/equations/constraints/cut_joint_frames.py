@@ -49,8 +49,8 @@ def ends(
         k: Motion of the tree.
         cut: The joint.
         unknown: Joints of the loop whose speeds are looked for.
-        meeting: Tell motions of the parent's branch by where that ends: the same where the origins
-            of the frames meet, and shorter.
+        from_parent_end: Tell motions of the parent's branch by where that ends: the same where the
+            origins of the frames meet, and shorter.
     """
     g = k.graph
     g.describe(ends)

@@ -139,7 +139,7 @@ def in_fixed_axes(rows: Matrix, components: Sequence[str], axes: Matrix) -> Matr
 
     Args:
         rows: Their gradients, in the axes of the joint that closes the loop.
-        held: Which of its components they hold, some of :data:`PLACES`.
+        components: Which of its components they hold, some of :data:`PLACES`.
         axes: R from its axes to the fixed ones (3, 3).
     """
     used = [[axes[i, "xyz".index(name[1])] for name in components] for i in range(3)]

@@ -96,7 +96,7 @@ def pair(
         cut: The joint.
         pose: R_PC and p_PC.
         wrench: At the origin of C in C axes (6, 1).
-        keep: Frames on which forces count, those of the ground too; by default all that move.
+        frames: Frames on which forces count, those of the ground too; by default all that move.
     """
     wrenches: Wrenches = {}
     rotation, position = pose

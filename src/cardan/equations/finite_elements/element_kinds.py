@@ -105,7 +105,7 @@ def kind_of(name: str, part: Part, places: tuple[BlockKind, ...]) -> Kind:
 
     Args:
         name: Of the kind.
-        piece: Any of its members.
+        part: Any of its members.
         places: What its places hold.
     """
     context = _context(part)

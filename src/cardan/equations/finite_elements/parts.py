@@ -27,8 +27,8 @@ class Part:
         system: The small system.
         source: Literature.
         joint: Whether it transmits a reaction, as cut joint 0 of the small system.
-        turned: The joint of the small system that was declared with parent and child exchanged,
-            -1 for none.
+        reversed_joint: The joint of the small system that was declared with parent and child
+            exchanged, -1 for none.
         driven: Prescribed joints of the small system to whose driving force it contributes.
         results: Names of the outputs that it contributes to.
         powers: Names of the powers that it contributes to.

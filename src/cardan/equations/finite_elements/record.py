@@ -186,7 +186,7 @@ class Group:
             the scene (n, 2).
         common: Parameters p of the scene -> one output ``data``, (k1,) for all members or (n, k1);
             None without such data.
-        own: Data that are numbers once and for all (n, k2).
+        attributes: Data that are numbers once and for all (n, k2).
         z, s: Entries of the scene's internal states and modes that are its local z and s (n, k);
             None where it reads none. ``zdot`` is that of the first of z.
         outputs, powers: Entries of the scene's outputs and powers to which the functions of that

@@ -76,7 +76,7 @@ class _Part:
         names: Of the elements.
         places: Of their nodes (n, number of nodes).
         common: Expressions of their common data.
-        own: The other data (n, k).
+        attributes: The other data (n, k).
         power: Number of the source of power, -1 for none.
     """
 

@@ -39,7 +39,7 @@ class Augmented:
     """An augmented body, about its origin in its axes.
 
     Attributes:
-        carried: Mass of the body and of all outboard of it.
+        total_mass: Mass of the body and of all outboard of it.
         moment: B (3, 1).
         tensor: K (3, 3).
     """
@@ -100,7 +100,7 @@ class Course:
 
     Attributes:
         alpha: Angular acceleration of every body.
-        spread: U of every body.
+        acceleration_gradient: U of every body.
         a: Acceleration of its origin.
         sliding: e: what sliding in its joint adds to that.
     """

@@ -115,7 +115,7 @@ def external(d: Dynamics, part_names: set[str] | None = None) -> dict[int, tuple
     """Moment and force of the block ``wrench`` on every body, at its origin in its axes.
 
     Args:
-        keep: Names of the parts whose wrenches count; all by default.
+        part_names: Names of the parts whose wrenches count; all by default.
     """
     k, row = d.k, 0
     result: dict[int, tuple[Matrix, Matrix]] = {}

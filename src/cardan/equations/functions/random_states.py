@@ -72,7 +72,7 @@ def drawn(
         equations: Of the system.
         count: How many.
         rng: Says which.
-        given: Blocks ``p r z s`` and ``t``, each (entries) or (count, entries).
+        base: Blocks ``p r z s`` and ``t``, each (entries) or (count, entries).
     """
     system = equations.system
     values: dict[str, Any] = {**base}

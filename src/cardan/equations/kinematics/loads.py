@@ -70,7 +70,7 @@ def applied(k: Kinematics, frames: set[int] | None = None, stored: bool = True) 
     """All force elements, summed per body and joint.
 
     Args:
-        keep: Frames whose loads count, those of the ground too; by default all that move.
+        frames: Frames whose loads count, those of the ground too; by default all that move.
         stored: Whether the loads of actions with a potential count.
     """
     return summed(k, k.system.forces, {}, frames, stored)

@@ -28,7 +28,7 @@ def resolved(k: Moving, replacements: Mapping[int, int], nodes: Sequence[int]) -
 
     Args:
         k: The motion.
-        given: Other nodes that are replaced, with what stands for them.
+        replacements: Other nodes that are replaced, with what stands for them.
         nodes: The expressions.
 
     Raises:

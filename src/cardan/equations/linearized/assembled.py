@@ -28,7 +28,7 @@ class Assembly:
     """Newton's method towards closed loops, some coordinates held.
 
     Attributes:
-        found: The coordinates at the default parameters (nq,).
+        solution: The coordinates at the default parameters (nq,).
         moved: Those that are not where they started.
     """
 

@@ -42,8 +42,8 @@ def choice(
     Args:
         G: Constraint Jacobian, the first ``positions`` rows of which are of positions.
         positions: Number of these rows.
-        wanted: Name of what is to be independent -> its speed.
-        given: Speeds whose coordinates, or which themselves, have a value: they come next.
+        requested: Name of what is to be independent -> its speed.
+        with_values: Speeds whose coordinates, or which themselves, have a value: they come next.
 
     Raises:
         DerivationError: something wanted cannot be independent.

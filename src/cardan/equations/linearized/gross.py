@@ -57,7 +57,8 @@ class Gross:
         at: The reference.
 
     Attributes:
-        own: What joints do by themselves. columns: theirs at the reference.
+        motion: What joints do by themselves.
+        columns: Theirs at the reference.
         rotation, position: Of every body against its inner one.
         inner, outer: Motion of the inner body and of the body itself, at its origin.
         inertias, flows, forces: Of every body with all that is outboard of it; forces are rates of

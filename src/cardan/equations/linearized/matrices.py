@@ -87,8 +87,8 @@ class Written:
         """Values of all matrices.
 
         Args:
-            given: Parameters, symbols of the reference and ``t`` by name; numbers or arrays that
-                broadcast (...). The rest by default.
+            values_by_name: Parameters, symbols of the reference and ``t`` by name; numbers or
+                arrays that broadcast (...). The rest by default.
 
         Returns:
             Name -> (..., rows, columns).

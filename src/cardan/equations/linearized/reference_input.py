@@ -60,7 +60,7 @@ def check_rotations(system: System, names: Sequence[str], specified: Mapping[int
     Args:
         system: With the joints.
         names: Of the coordinates.
-        given: Entry of q -> its value.
+        specified: Entry of q -> its value.
 
     Raises:
         DerivationError: single components, or another length.

@@ -36,7 +36,7 @@ def second_order(at: Reference, x: Reduced, chosen: Sequence[int]) -> Parts:
     """The equations of some increments, where no others enter them.
 
     Args:
-        wanted: Speeds along which the increments are.
+        chosen: Speeds along which the increments are.
 
     Raises:
         DerivationError: other increments or speeds enter them, or they are not independent.

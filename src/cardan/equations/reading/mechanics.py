@@ -31,8 +31,7 @@ class Mechanics:
         inputs: Inputs r(t), (nr,).
         constraints: Name -> expression of q and t that is kept at 0.
         velocity_constraints: Name -> expression linear in u that is kept at 0 and is not a
-        derivative
-            of these. M u' = forcing + Gᵀ lam where there are any.
+            derivative of these. M u' = forcing + Gᵀ lam where there are any.
     """
 
     t: sympy.Expr

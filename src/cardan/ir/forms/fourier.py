@@ -68,7 +68,7 @@ class Expansion:
             (operator, polynomials of its operands).
         units: Monomial of an angle -> greatest common divisor of its multiples as written: half
             of it is not an angle of this system.
-        made: Node -> its polynomial, None where it is too long.
+        polynomials: Node -> its polynomial, None where it is too long.
         long: Nodes too long to be written as part of something that is not a polynomial.
     """
 

@@ -92,7 +92,9 @@ def _highest(by: Path | Compiler) -> Level:
 def _remembered(cache: Path, mark: str, ask: Callable[[], str]) -> str:
     file = cache / "compilers.json"
     try:
-        identities = {str(k): str(v) for k, v in json.loads(file.read_text(encoding="utf-8")).items()}
+        identities = {
+            str(k): str(v) for k, v in json.loads(file.read_text(encoding="utf-8")).items()
+        }
     except (OSError, ValueError, AttributeError):
         identities = {}
     if mark not in identities:
@@ -197,7 +199,9 @@ def compiled_separately(
         BuildError: the compiler failed, or there is no room to write.
     """
     pairs = zip(texts, extra, strict=True)
-    names = [_name([text], [include], by, reproducible, flags_of_text) for text, flags_of_text in pairs]
+    names = [
+        _name([text], [include], by, reproducible, flags_of_text) for text, flags_of_text in pairs
+    ]
     flags = {name: tuple(words) for name, words in zip(names, extra, strict=True)}
     objects = {name: _there(name) for name in names}
     missing = {n: text for n, text in zip(names, texts, strict=True) if objects[n] is None}
@@ -257,7 +261,9 @@ def _compiled_anywhere(names: Sequence[str], *what: Any) -> list[Object]:
     try:
         return _compiled([cache / name for name in names], *what)
     except OSError as error:
-        elsewhere = cache_folder.instead(cache, f"{error.strerror or error}. {cache_folder.cure(error)}")
+        elsewhere = cache_folder.instead(
+            cache, f"{error.strerror or error}. {cache_folder.cure(error)}"
+        )
     try:
         return _compiled([elsewhere / name for name in names], *what)
     except OSError as error:
@@ -310,7 +316,10 @@ def headers(sources: Sequence[Path], include: Sequence[Path]) -> set[Path]:
 
 def _there(name: str) -> Object | None:
     """An object that is in the cache, whole."""
-    for place in (cache_folder.directory() / name, *(other / name for other in cache_folder.temporary())):
+    for place in (
+        cache_folder.directory() / name,
+        *(other / name for other in cache_folder.temporary()),
+    ):
         if intact(place):
             cache_folder.used(place)
             return Object(place, fresh=False)

@@ -132,7 +132,9 @@ def begun(places: Sequence[Path]) -> list[Object]:
     paths = [directory / f"object{k or ''}.so" for k in range(len(places))]
     lock = FileIO(os.open(directory / LOCK, os.O_RDWR | os.O_CREAT), "r+")
     workplace = Workplace(lock, set(paths))
-    objects = [Object(path, True, place, workplace) for path, place in zip(paths, places, strict=True)]
+    objects = [
+        Object(path, True, place, workplace) for path, place in zip(paths, places, strict=True)
+    ]
     try:
         processes.lock(lock.fileno())
     except BaseException:

@@ -21,12 +21,7 @@ from . import limited_subprocess
 from .cpu_levels import OTHER, X86, Level
 
 NAMES = ("cc", "gcc", "clang")
-COMMON_FLAGS = (
-    "-std=c99",
-    "-O2",
-    "-fno-tree-vectorize",
-    "-fno-math-errno",
-)
+COMMON_FLAGS = ("-std=c99", "-O2", "-fno-tree-vectorize", "-fno-math-errno")
 OPTIMIZATIONS = ("0", "1", "2", "3")
 # Tunings such as znver3 avoid chains of fused multiply-adds in scalars and narrow vectors only: a
 # scalar build would get other bits than a build for wide lanes. gcc 8 was the first to do so.
@@ -156,8 +151,8 @@ def _named(text: str) -> Candidate:
     path = shutil.which(arguments[0])
     if path is None:
         raise BuildError(
-            f"CC={text!r}: there is no program {arguments[0]!r} on the PATH. Correct CC, or unset it "
-            "to have cc, gcc, clang and ziglang tried"
+            f"CC={text!r}: there is no program {arguments[0]!r} on the PATH. Correct CC, or unset "
+            "it to have cc, gcc, clang and ziglang tried"
         )
     return Candidate((path, *arguments[1:]), Path(path).resolve(), "$CC")
 
@@ -265,7 +260,10 @@ GREEDY = ("out of memory", "OutOfMemory", "Cannot allocate memory", "memory exha
 
 
 def _complain(
-    command: Sequence[str], sources: Sequence[str], answer: limited_subprocess.Answer, limits: limited_subprocess.Limits
+    command: Sequence[str],
+    sources: Sequence[str],
+    answer: limited_subprocess.Answer,
+    limits: limited_subprocess.Limits,
 ) -> NoReturn:
     """Say what stopped a compiler, and what to do."""
     if any(text in answer.errors for text in FULL):

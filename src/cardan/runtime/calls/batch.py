@@ -204,7 +204,7 @@ class Batch:
         """Make the lane build now unless it is there.
 
         Args:
-            own: Whether every state has parameters of its own.
+            lane_parameters: Whether every state has parameters of its own.
             one, states: What it is compared with before it is used.
 
         Returns:

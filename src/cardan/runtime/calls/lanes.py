@@ -181,7 +181,7 @@ class Recipe:
 
         Args:
             lanes: States side by side.
-            own: Whether every state has parameters of its own.
+            lane_parameters: Whether every state has parameters of its own.
 
         Raises:
             BuildError: the compiler failed, or a text was changed.

@@ -98,7 +98,7 @@ def calls(code: Code, block_values: Mapping[str, Array], n: int) -> tuple[Callab
 
     Args:
         code: Its C.
-        given: Block by name, (n, size), or (size,) for all states; with the parameters p.
+        block_values: Block by name, (n, size), or (size,) for all states; with the parameters p.
         n: Number of states.
     """
     blocks: list[Array | None] = [None] * len(ORDER)

@@ -46,7 +46,7 @@ def states(
         function: What is called.
         values: Arguments (count, ...) by name; a function of parameters alone has none.
         count: States.
-        own: Every state has parameters of its own; they are equal.
+        lane_parameters: Every state has parameters of its own; they are equal.
     """
     blocks: list[Array | None] = [None] * len(ORDER)
     strides = [0] * len(ORDER)
@@ -66,7 +66,7 @@ def build(model: LoadedModel, function: LoadedFunction, lane_parameters: bool = 
     """Make the lane build of a function now; returns its width, 1 where there is none.
 
     Args:
-        own: For states with parameters of their own.
+        lane_parameters: For states with parameters of their own.
     """
     arrays = values(model, function, np.random.default_rng(SEED), STATES)
     caller = function.caller

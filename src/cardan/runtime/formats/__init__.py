@@ -32,7 +32,7 @@ def save(path: Path, form: Format, contents: Contents, cure: str) -> Path:
     Args:
         path: The file.
         form: Of a run or an ensemble.
-        made: What it shall hold; arrays without numbers are left out.
+        contents: What it shall hold; arrays without numbers are left out.
         cure: What to do where a variable is too large.
 
     Raises:

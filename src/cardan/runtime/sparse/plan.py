@@ -30,8 +30,7 @@ class Plan:
         multiplier: Whether that one is a multiplier (n,): 1, or 2 of a row that closes a loop.
         start: The first unknown of each of ns supernodes, in that order (ns + 1,).
         panel, width, later, transposed: Where the panel of a supernode begins in the factors,
-        numbers
-            from one of its rows to the next, unknowns in U, where Lt begins in a row (ns,).
+            numbers from one of its rows to the next, unknowns in U, where Lt begins in a row (ns,).
         open_start, open: The panels to be filled before a supernode is eliminated (ns + 1,), (ns,).
         load_start, load: Blocks of the matrix that go to a panel (ns + 1,), (nl, 8).
         run_start, run: Later unknowns that a supernode meets (ns + 1,), (nr, 4).

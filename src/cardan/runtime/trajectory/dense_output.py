@@ -65,7 +65,7 @@ def shortened(coefficients: Array, part: float) -> Array:
     """The dense output of a step over a part of it.
 
     Args:
-        spread: F0, F1, ... (rows, size).
+        coefficients: F0, F1, ... (rows, size).
         part: 0 ... 1.
     """
     rows, size = coefficients.shape

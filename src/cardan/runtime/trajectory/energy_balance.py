@@ -25,7 +25,7 @@ class Balance:
 
     Attributes:
         before, after: Total energy at the start and at the end.
-        given: What sources and inputs gave, where they gave any.
+        supplied: What sources and inputs gave, where they gave any.
         taken: What they took back.
         dissipated: What went into sources that only take, by name.
         impacts: What impacts and other jumps took, by element.

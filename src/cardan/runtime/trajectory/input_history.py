@@ -30,9 +30,9 @@ class Recorded:
     """The inputs of a run that is over.
 
     Attributes:
-        constants, pieces: As in :class:`Signals`.
-        asked: Indices in r of the functions.
-        held: Whether those kept their values between samples.
+        constants, tabulated: As in :class:`Signals`.
+        called: Indices in r of the functions.
+        sampled: Whether those kept their values between samples.
         t, r: Times (nt,) and values there (nt, nr).
     """
 

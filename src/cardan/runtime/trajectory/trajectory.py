@@ -37,17 +37,17 @@ class TrajectoryRecord:
         t: Times (nt,) [s].
         x: States [q, u, z] (nt, nx).
         r: Inputs (nt, nr).
-        given: Energy that every source has given since the start (nt, sources) [J].
+        work_done: Energy that every source has given since the start (nt, sources) [J].
         sources: Names of the sources; None where the model has no function ``power``.
         manifest: Names and units, as the compiler states them.
-        conduct: How the run went.
+        solver_info: How the run went.
         model: The model, None for a run read from a file.
         dense: Polynomials between the times, None where only output times were asked for.
         inputs_at: Inputs (m, nr) at times (m,), None where only those at ``t`` are known.
         stored: Histories read from a file or computed before, by name.
         numbers: The flat scene of a run read from a file, see :attr:`scene`.
         ledger: Residuals of the constraints over the run, None without loops.
-        happened: The discrete states along the run, and its events; see :attr:`events`.
+        event_log: The discrete states along the run, and its events; see :attr:`events`.
     """
 
     t: Array

@@ -49,7 +49,7 @@ class Bound:
         r: Inputs (n, nr).
         G: (n, m, nu + k) for the speeds of the model, then for those of the joints that close
             loops; joints that loops determine are carried along.
-        rest: (n, m), what accelerations of the model do not change.
+        bias: (n, m), what accelerations of the model do not change.
         carries: Speeds of the tree by those of the model (n, nt, nu).
         rests: Accelerations of the tree at udot = 0, (n, nt).
         missed: How far the saved coordinates of determined joints are from closing, (n,).
@@ -133,7 +133,7 @@ def closers_at(
     """Coordinates (1, nq) of everything at those of the model (nq,), and what is missed [m, rad].
 
     Args:
-        model, loops: Whose.
+        model, circuits: Whose.
         q, t, r: Where the loops are closed.
         motion: Of prescribed joints, (1, nb, 3).
     """

@@ -33,8 +33,8 @@ class Trial:
     Attributes:
         model: What is judged.
         scene: Its flat scene.
-        truth: Independent numbers at the states.
-        known: Functions that may be called: those that are judged, or were.
+        reference: Independent numbers at the states.
+        callable_keys: Functions that may be called: those that are judged, or were.
         adrift: Why its own motion is not known, "" where it is.
     """
 

@@ -72,7 +72,7 @@ def _elements(trial: Trial, value: Array, first: int, name: str, worst: float) -
     """Columns of force elements: what changed coefficients change in a function.
 
     Args:
-        asked: The model at its states.
+        trial: The model at its states.
         value: All columns (n, k, columns) of the rows that the function gives.
         first: Column of the first coefficient.
         name: The function.

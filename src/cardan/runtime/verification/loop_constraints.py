@@ -127,7 +127,7 @@ def conditions(circuits: Circuits, q: Array, u: Array, motion: Array | None) -> 
     """Residuals that vanish where loops are closed, and rates that vanish while they move.
 
     Args:
-        loops: The system.
+        circuits: The system.
         q, u: (..., nq), (..., nu) of everything; leading axes broadcast.
         motion: Value and rate of prescribed joints, (..., nb, 2 or more).
 

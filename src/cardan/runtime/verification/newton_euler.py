@@ -72,7 +72,7 @@ class Moving:
     """Motion of the bodies of a tree, in ground axes; the ground is entry 0 of every list.
 
     Attributes:
-        turned, place: Rotation (..., 3, 3) and origin (..., 3) of every body.
+        rotations, place: Rotation (..., 3, 3) and origin (..., 3) of every body.
         omega, velocity: Angular velocity and velocity of its origin.
         alpha, accel: Their rates; ``accel`` with gravity taken off.
         arms: From the origin of the parent to that of the body, by joint.

@@ -30,7 +30,7 @@ class ReactionFriction:
     Attributes:
         scene: The flat scene.
         joints: Of every element, and whether its joint has a line along which nothing presses.
-        rest: Generalized forces without this friction (n, nu).
+        other_forces: Generalized forces without this friction (n, nu).
         along: Generalized force per unit of friction of every element (n, k, nu).
         coefficient: Friction per force of reaction (n, k).
         moment, force: Of elements on every body, about its origin in its axes (n, nb, 3).
@@ -117,7 +117,7 @@ def reaction_friction(
     Args:
         model, scene: What is judged.
         n: States.
-        given: Blocks at the states.
+        inputs: Blocks at the states.
     """
     rows = model.manifest.scene.pressed
     if not rows:

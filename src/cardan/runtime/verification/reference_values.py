@@ -94,7 +94,7 @@ def reference_values(
         model, scene: What is judged, with its tree.
         states: That are drawn.
         seed: Of the states.
-        loops: Whether states shall lie on the constraints; there may be fewer then, and they
+        circuits: Whether states shall lie on the constraints; there may be fewer then, and they
             stay where they are (``bound`` is None) if none is found there.
     """
     rng = np.random.default_rng(seed)

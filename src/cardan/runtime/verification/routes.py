@@ -59,7 +59,7 @@ def check(trial: Trial, key: Key, thoroughly: bool) -> Check:
     """Judge a function.
 
     Args:
-        asked: The model at some states.
+        trial: The model at some states.
         key: The function.
         thoroughly: Whether C is compared with its expressions where something else judges too.
     """
@@ -81,7 +81,7 @@ def by_text(trial: Trial, key: Key, reason: str, further: str = "") -> Check:
     """A function that nothing speaks for but what it was written from.
 
     Args:
-        asked: The model at some states.
+        trial: The model at some states.
         key: The function.
         reason: Why nothing else does.
         further: What stands before the reason why that does not either; "" for not to say it.

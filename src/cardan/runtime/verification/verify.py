@@ -145,7 +145,7 @@ def _checked(
     Args:
         model, states, seed: As of :func:`verify`.
         keys: Functions.
-        whole: Whether C is compared with its expressions where something else judges it too.
+        thoroughly: Whether C is compared with its expressions where something else judges it too.
     """
     if model.manifest.absolute:
         elements: Elements = model._source.results(model).mesh  # type: ignore[attr-defined]

@@ -32,7 +32,7 @@ class Bound:
         q, u: Symbols.
         rates: q' in them.
         positions, speeds: By name, what is kept at 0.
-        following: Symbol of an input that constraints have -> symbol of its derivative.
+        input_rates: Symbol of an input that constraints have -> symbol of its derivative.
     """
 
     q: tuple[sympy.Expr, ...]

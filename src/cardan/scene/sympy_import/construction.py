@@ -281,7 +281,7 @@ def _without(level: int, kinematics: Ready, names: Names) -> dict[str, str]:
     """Functions that these equations do not give, and why.
 
     Args:
-        known: 1 with a potential, 2 with the forces beside it.
+        level: 1 with a potential, 2 with the forces beside it.
     """
     reasons = dict[str, str]()
     if level < 1:

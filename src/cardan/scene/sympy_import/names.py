@@ -46,7 +46,7 @@ def names_of(
     Args:
         source: The equations.
         expressions: All that is computed.
-        given: Symbol or name -> default value of parameters.
+        parameter_values: Symbol or name -> default value of parameters.
         inputs: Functions of time that shall be inputs even if nothing depends on them.
 
     Raises:

@@ -22,7 +22,7 @@ class Integrator:
         differenced: Those of them that it takes by differences where the model is large.
         multipliers: Whether it finds multipliers along with the motion.
         options: Numbers that its kernel reads, before the one that says whether it is adaptive.
-        given_step: Whether it is adaptive, but steps as told where a step is given.
+        fixed_step_on_request: Whether it is adaptive, but steps as told where a step is given.
         conditions: What it asks of a model, by the names of
             ``analyses/simulation/method_requirements.py``, in this order; some choose options
             for the model.

@@ -114,7 +114,7 @@ def check_lone_moments(
     Args:
         model: The scene as the user wrote it.
         assembly: Its bodies and joints.
-        told: Name of a body -> its inertia, of those written as expressions.
+        expression_inertias: Name of a body -> its inertia, of those written as expressions.
     """
     home = {body.name: place for body, place in assembly.home.items()}
     lone = dict[str, int]()

@@ -109,7 +109,7 @@ def checked(numbers: Mapping[str, Any], ranges: Mapping[str, tuple[int, int]], p
 
     Args:
         numbers: From a file.
-        whole: Least and largest value of those that are whole; the others are real.
+        ranges: Least and largest value of those that are whole; the others are real.
         path: The file.
 
     Raises:

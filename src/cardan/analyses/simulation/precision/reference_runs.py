@@ -34,7 +34,7 @@ class Reference:
     Attributes:
         q: They (n, nq).
         doubt: By how much two of them differ: smaller errors mean nothing.
-        words: Where they come from.
+        description: Where they come from.
     """
 
     q: Array

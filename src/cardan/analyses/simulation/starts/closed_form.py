@@ -37,8 +37,7 @@ class Follower(Target):
     Attributes:
         entries: Among all coordinates that follow (n,).
         scales: What each counts in (n,).
-        turning: Which of them are angles (n,).
-        others: As :class:`.targets.Target` has them.
+        angular: Which of them are angles (n,).
     """
 
     entries: NDArray[np.intp] = field(default_factory=lambda: np.zeros(0, dtype=np.intp))
@@ -111,7 +110,7 @@ def place(
     Args:
         m, q: The mechanism and the start.
         named: Coordinates of the model that are held.
-        given: Joints that follow from loops -> their values.
+        dependents: Joints that follow from loops -> their values.
 
     Raises:
         ModelError: a loop gives another value, or does not close; names it.

@@ -63,7 +63,7 @@ def start_of_search(
         model, x, t, r: As :func:`meshed_start` takes them.
         q: Where the search is to begin, as the user gave it; a whole block stays what it is but
             for what constraints change.
-        hold: Coordinates that are held.
+        locked: Coordinates that are held.
 
     Raises:
         ModelError: no state near it fulfills the constraints.

@@ -122,7 +122,7 @@ def by_motions(bound: Bound, one: Matrix, projector: Matrix) -> tuple[Matrix, Ma
     Args:
         bound: The equations.
         one: An acceleration that fulfils the constraints (nu, 1).
-        held: X (nu, nu), a projector whose complement Z = 1 - X leads onto all G Z = 0.
+        projector: X (nu, nu), a projector whose complement Z = 1 - X leads onto all G Z = 0.
     """
     G, M = bound.jacobian, bound.mass
     n = M.rows

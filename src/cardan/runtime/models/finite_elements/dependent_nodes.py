@@ -50,7 +50,7 @@ def trailed(
         lines: Of every segment the places of its nodes from end to end; GROUND for the ground.
         reference: Coordinates (nq,) in the reference configuration.
         x: The state, with those nodes where they are to be.
-        held: Places that are there already.
+        located: Places that are there already.
     """
     moved, motions = x.copy(), dict[int, Motion]()
     motions[GROUND] = _STILL

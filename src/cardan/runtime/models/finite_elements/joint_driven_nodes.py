@@ -38,7 +38,7 @@ def follow_joints(
     Args:
         model: In absolute coordinates.
         x: State (nx,) whose coordinates and speeds of joints hold.
-        rest: Names of the entries that may change; all others were given.
+        changeable: Names of the entries that may change; all others were given.
         t, r: Time [s] and inputs (nr,), where something is prescribed; 0 and their defaults.
     """
     return Carrier(model, changeable, t, r).at(x)

@@ -16,7 +16,7 @@ class Plane:
     """A node of a plane, told by x, y and angle.
 
     Attributes:
-        spread: Speeds in space, angular velocity in axes of the node and velocity in those of the
+        to_space: Speeds in space, angular velocity in axes of the node and velocity in those of the
             ground, from the rates of x, y and angle (6, 3).
         home: Unit quaternion at x = y = angle = 0 (4,).
     """

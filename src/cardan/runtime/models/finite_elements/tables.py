@@ -25,9 +25,8 @@ class Table:
     Attributes:
         kind: What they share.
         place: (n, places) which places each couples.
-        first: (n,) first of its rows, numbered group by group as they come.
         common: Name of the saved Function p -> data, "" without.
-        own: (n, k) data that are numbers.
+        attributes: (n, k) data that are numbers.
         members: Their names.
         z, s: (n, nz), (n, ns) which internal states and modes of the scene are theirs.
         outputs, powers: (n, k) entries of the scene's to which they contribute.

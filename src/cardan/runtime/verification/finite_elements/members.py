@@ -44,7 +44,7 @@ class Members:
     Attributes:
         model: Whose.
         table: Their group.
-        given: What their functions read.
+        inputs: What their functions read.
         codes: Functions by name.
         blocks: Places that they couple.
         length: Size of the scene [m].

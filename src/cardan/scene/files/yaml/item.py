@@ -26,7 +26,7 @@ class Item:
         path: Dotted name of the place, such as ``joints.elbow.axis``.
         file: Name of the file.
         name: The key it stands under.
-        line, column: Where the value begins, or its key.
+        key: The node of that key; ``line`` and ``column`` are where the value begins, or its key.
     """
 
     node: Node
