@@ -207,8 +207,8 @@ def compile(
         scene: A model or its equations.
         functions: What may be used; anything else is neither derived nor written.
         directory: Where C and manifest go; a folder of the cache by default.
-        coordinates, method, speeds, rewrites, specialize, constraints, branches, independent,
-            plane: As :func:`derive` takes them, where ``scene`` is a model.
+        coordinates, method, speeds, rewrites: As :func:`derive` takes them.
+        specialize, constraints, branches, independent, plane: As :func:`derive` takes them.
         loops: True writes recursions as loops over the bodies, False as straight-line code; by
             default systems of many bodies get loops: a little slower, but written and compiled in
             a time that does not grow with them.

@@ -50,7 +50,7 @@ class Reference:
             joint: The joint.
             parent, child: Its frames as written, in their user bodies.
             default_pose_of: Makes the pose of the child frame in the parent frame at the default
-            coordinates.
+                coordinates.
         """
         if not self.active:
             return parent, child
