@@ -121,8 +121,7 @@ def read(
 
     Raises:
         ModelError: an unknown name, a weight that is not a positive number, weights or names to
-        hold
-            that are none.
+            hold that are none.
         ArgumentError: a value of a wrong shape. SolveError: one that is not finite.
     """
     targets = [_target(m, name, value) for name, value in named.items()]

@@ -43,10 +43,8 @@ class Contact(ForceElement):
 
     Raises:
         ModelError: a value that is not a number or expression, a negative radius, stiffness,
-        damping
-            or mu, an exponent below 1, a transition_velocity that is not positive; restitution
-            without speed,
-            beside damping, or out of its range.
+            damping or mu, an exponent below 1, a transition_velocity that is not positive;
+            restitution without speed, beside damping, or out of its range.
 
     Source: K. H. Hunt and F. R. E. Crossley, J. Applied Mechanics 42 (1975) 440.
     """

@@ -33,7 +33,7 @@ class Controller(ForceElement):
         changes: As many expressions: derivatives of the states, or their next values if sampled.
         force: On the joint [N m] or [N]: expression in coordinates, speeds, inputs, t and the
             states, which stand in it as their symbols.
-        start: Rowss of the states at the start; () for zeros.
+        start: Values of the states at the start; () for zeros.
         sample: Time between samples [s]; the first is at t = 0.
 
     Raises:

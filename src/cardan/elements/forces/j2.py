@@ -31,8 +31,7 @@ class J2(Gravitation):
 
     Raises:
         ModelError: mu or radius below 0, a pole that is not a direction, what is not a body, or
-        gradient
-            neither True nor False.
+            gradient neither True nor False.
 
     Source: P. C. Hughes, Spacecraft Attitude Dynamics, 1986, chapter 8.
     """
