@@ -1,12 +1,21 @@
-"""Locks, fork hooks and the cache on systems that lack what POSIX has."""
+"""Locks, fork hooks and the cache on systems that lack what POSIX has; interrupted builds."""
 
 from __future__ import annotations
 
+import os
 import subprocess
 import sys
+import time
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
+from typing import Any
 
 import pytest
+
+from cardan.errors import BuildError
+from cardan.runtime.build import limited_subprocess
+from cardan.runtime.build.parallel_build import in_parallel
 
 pytestmark = pytest.mark.usefixtures("cache_directory")
 
@@ -112,3 +121,23 @@ def test_a_scene_compiles_and_runs_and_its_cache_is_locked(
     assert int(answer[1]) > 0
     assert answer[2] == "0"
     assert list(cache_directory.glob("*.so"))
+
+
+def test_ctrl_c_while_programs_are_started_ends_those_that_run(monkeypatch):
+    submit, begun = ThreadPoolExecutor.submit, time.monotonic()
+
+    def interrupted(pool: ThreadPoolExecutor, task: Callable[[], object]) -> object:
+        if not pool._threads:
+            return submit(pool, task)
+        while not limited_subprocess.LIFELINES:
+            time.sleep(0.01)
+        raise KeyboardInterrupt
+
+    def sleep() -> Any:
+        limits = limited_subprocess.Limits()
+        raise BuildError(str(limited_subprocess.run(["sleep", "60"], limits, os.environ)))
+
+    monkeypatch.setattr(ThreadPoolExecutor, "submit", interrupted)
+    with pytest.raises(KeyboardInterrupt):
+        in_parallel([sleep, sleep])
+    assert time.monotonic() - begun < 30

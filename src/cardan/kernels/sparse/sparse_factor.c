@@ -2,8 +2,8 @@
  * The factorization of sparse.h. Part of cardan.
  *
  * For every supernode, in order of elimination:
- *   1. load the entries of the matrix into its panel (other supernodes have already been
- *      subtracted from it, see 5), and take the size that its pivots are compared with;
+ *   1. take the size that its pivots are compared with; its panel was loaded with the entries of
+ *      the matrix before the first supernode that is subtracted from it (see 5);
  *   2. if asked, count the signs of the eigenvalues of its diagonal block D;
  *   3. eliminate D by rows with pivoting inside the supernode; pivots below the rounding error are
  *      replaced by small ones and recorded (see sparse_free_column.c and cardan_sparse_refine);
@@ -26,8 +26,8 @@
 #define EARLY 1e-2
 /* the diagonal entry is preferred if it is at least this fraction of the largest of its kind */
 #define PREFER 0.1
-/* the replaced pivot of a multiplier is at least this many times the rounding error in it, so that
- * the multiplier comes out as nearly zero and carries no force */
+/* the replaced pivot of a multiplier is at least this many times the rounding error in the pivot, so
+ * that the multiplier comes out as nearly zero and carries no force */
 #define BEYOND 1e4
 
 /* Copy a block of the matrix into its panel, scaled by the units of its rows and columns. */
@@ -51,7 +51,7 @@ static void load(const cardan_sparse_load *item, const double *a, const cardan_s
     }
 }
 
-/* Fill a panel with the numbers of the matrix, before anything else is added to it. */
+/* Fill a panel with the numbers of the matrix, before any supernode is subtracted from it. */
 static void fill(const cardan_sparse *plan, ptrdiff_t s, const double *a, cardan_sparse_factors *f)
 {
     const ptrdiff_t first = plan->start[s], n = plan->start[s + 1] - first;
@@ -305,7 +305,8 @@ static int factor(const cardan_sparse *plan, const double *a, cardan_sparse_fact
 
         for (ptrdiff_t i = plan->open_start[s]; i < plan->open_start[s + 1]; i++)
             fill(plan, plan->open[i], a, f);
-        /* original size of each pivot: the largest entry in its column of D, or the one before */
+        /* original size of each pivot: the largest entry in its column of D, at least the size noted
+         * when earlier supernodes were subtracted */
         for (ptrdiff_t i = 0; i < n; i++)
             cardan_larger(n, panel + i * width, f->scale + plan->start[s]);
         if (f->count)

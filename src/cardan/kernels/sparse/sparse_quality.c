@@ -54,7 +54,7 @@ double cardan_sparse_residual(const cardan_sparse *plan, const cardan_sparse_fac
                 row += n;
             }
             r[i] = b[i] - r[i];
-            /* fmax would drop a NaN, so return at once */
+            /* fmax would drop a NaN, so it is noted separately */
             finite = finite && r[i] - r[i] == 0;
             if (fabs(r[i]) * unit > most)
                 most = fabs(r[i]) * unit;

@@ -31,8 +31,10 @@ def in_parallel(tasks: Sequence[Callable[[], T]]) -> list[T]:
     threads: set[int] = set()
     workers = min(len(tasks), os.cpu_count() or 1)
     with ThreadPoolExecutor(workers, "", lambda: threads.add(get_ident())) as pool:
-        futures = [pool.submit(task) for task in tasks]
+        futures: list[Future[T]] = []
         try:
+            for each in tasks:
+                futures.append(pool.submit(each))
             done = [task.exception() for task in futures]
         except BaseException:
             # Ctrl-C reaches this thread alone: the compilers of the others end now, those too

@@ -102,8 +102,8 @@ class BlockSolver:
 
         Args:
             values: Its numbers, as the pattern has them.
-            rows: What equations are multiplied with (n,), 1 by default.
-            columns: The units of the unknowns (n,), 1 by default.
+            rows: Factors by which the equations are scaled (n,), 1 by default.
+            columns: Factors of the unknowns (n,): x = columns * unknown solved for; 1 by default.
             symmetric: Whether to count the signs of its eigenvalues; rows are as columns then.
 
         Raises:

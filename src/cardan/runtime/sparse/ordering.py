@@ -36,7 +36,10 @@ def graph(n: int, i: Longs, j: Longs) -> csr_array:
 
 
 def elimination(edges: csr_array) -> Longs:
-    """An order of elimination with little fill: none in trees, as numbered in chains."""
+    """An order of elimination with little fill: minimum degree, for trees from the leaves.
+
+    Trees have no fill. Chains are eliminated in the order in which they are numbered.
+    """
     n = edges.shape[0]
     if n == 0:
         return np.zeros(0, np.int64)
@@ -44,7 +47,7 @@ def elimination(edges: csr_array) -> Longs:
     if edges.nnz // 2 != n - parts:
         lu = _factored(edges, "MMD_AT_PLUS_A")
         return ranks(np.asarray(lu.perm_c, np.int64))
-    # a forest: from the leaves to the last vertex of every tree, which hang on one more
+    # a forest: the last vertex of every tree becomes a child of one more vertex, the common root
     roots = np.zeros(parts, np.int64)
     np.maximum.at(roots, part, np.arange(n))
     i, j = edges.nonzero()
@@ -71,7 +74,10 @@ def filled(edges: csr_array) -> tuple[Longs, Longs]:
 
 
 def _factored(edges: csr_array, order: str) -> Any:
-    """The factors of a matrix in which nothing cancels and nothing fades: almost a Laplacian."""
+    """The factors of a matrix with the given pattern; only its ordering and pattern are used.
+
+    A slightly shifted Laplacian is regular, and no entry of its factors cancels to zero.
+    """
     degree = np.asarray(edges.sum(axis=1)).reshape(-1)
     matrix = (diags_array(degree * (1 + FAINT) + FAINT) - edges).tocsc()
     return splu(matrix, permc_spec=order, diag_pivot_thresh=0.0, options={"SymmetricMode": True})

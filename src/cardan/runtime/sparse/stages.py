@@ -1,12 +1,15 @@
 """Groups of blocks of a sparse matrix that are eliminated at once.
 
-Multipliers have no diagonal of their own: each is eliminated when something is there that its rows
-hold, so that pivots are found among the rows at hand. Nodes go one after the other, as fill asks.
-Rows that hold all motion of a node go with that node, one set per node, as a joint goes with its
-body in a tree: the two are regular whatever else the node has, and what is left of the node moves
-with those that its joint hangs on. All other rows close loops: they wait for the node at which
-the ways from their nodes meet, where all motion in the loop is known. Coordinates of joints go
-with the last of the nodes they are for, and not before rows that hold them.
+The diagonal block of a multiplier is zero, so a multiplier is eliminated together with a node that
+its rows constrain: pivots are then found inside the group. Nodes are eliminated one after the
+other in an order with little fill.
+
+Constraint rows that determine all motion of a node relative to its parent are eliminated with
+that node, one set of rows per node, like a joint with its child body in a tree. Node and rows
+together are regular even if the node has no mass. All other rows close loops. They wait for the
+node at which the paths from their nodes toward the ground meet, because the motion of the whole
+loop is then known. Coordinates of joints go with whichever of their nodes is eliminated last, and
+not before the rows that constrain them.
 """
 
 from __future__ import annotations
@@ -32,7 +35,7 @@ def elimination_groups(pattern: Pattern) -> tuple[Longs, Longs, Bools]:
     Returns:
         order: The blocks in order of elimination (nb,).
         vertex: Of each of them, which set it belongs to, ascending from 0 (nb,).
-        closing: Which blocks are rows that close loops, and may follow from others (nb,).
+        closing: Which blocks are rows that close loops, and may be redundant (nb,).
     """
     stage, turn = _both(pattern)
     order = np.lexsort((np.arange(len(stage)), turn, stage))
@@ -48,8 +51,9 @@ def stages(pattern: Pattern) -> Longs:
 def _both(pattern: Pattern) -> tuple[Longs, Longs]:
     """When each block is eliminated, and at which turn among those of its stage (nb,), (nb,).
 
-    A node comes first, then the rows that hold it with the coordinates of its joint: what is left
-    for rows that close loops is what they act on, and those that follow from others show.
+    Within a stage a node comes first, then the rows of its joint with the joint's coordinates, and
+    rows that close loops last: by then only the motion that they constrain is left, so a redundant
+    row shows as a pivot that vanishes.
     """
     nb = len(pattern.sizes)
     rows, columns = pattern.rows.astype(np.int64), pattern.column.astype(np.int64)
@@ -104,8 +108,8 @@ def _of_nodes(rows: Longs, columns: Longs, host: Longs, speed: Bools) -> Longs:
 def _assigned_rows(pattern: Pattern, rows: Longs, columns: Longs, node: Bools) -> dict[int, int]:
     """Node -> rows that hold all its motion; as many nodes as can be, children of joints first.
 
-    A node that is left has to be regular by itself. Bodies that a joint carries may have no mass of
-    their own, such as wheels that their carrier weighs for; where a tree floats, its root is left.
+    A node without rows of its own has to be regular by itself. Therefore children of joints get
+    rows first: they may have no mass. In a floating tree the root remains without rows.
     """
     same = pattern.sizes[rows] == pattern.sizes[columns]
     fit = pattern.multiplier[rows] & node[columns] & same
@@ -155,8 +159,9 @@ def _closing(
 ) -> int:
     """The stage at which the ways from the nodes of a row block meet, -1 if it meets none.
 
-    Each way goes from a node to those that its own rows hang it on. Ways that end on the ground, or
-    at nodes too small to give way to all rows, leave the others to be gone to their ends.
+    Each path goes from a node to its parents, the other nodes in its own rows. If a path ends at
+    the ground, or at a node with fewer speeds than there are rows, the other paths are followed to
+    their ends.
     """
     front = [(int(stage[x]), x) for x in _nodes(pattern, row, node)]
     heapify(front)

@@ -9,8 +9,9 @@
  *   2. predict a' and lambda', correct them by Newton iterations until the balance of forces and
  *      the constraints hold;
  *   3. error: h^2 |beta + (am - af) / 2 - 1/6| |a' - a|, and the error of the dense output;
- *   4. accept or retry; h_new = 0.9 h error^(-1/3). An accepted step keeps h unless h_new is at least
- *      1.5 h, so that the factored matrix can be reused; only a rejected one lowers it.
+ *   4. accept or retry; h_new = 0.9 h error^(-1/3). An accepted step keeps h unless
+ *      h_new is at least 1.5 h, so that the factored matrix can be reused; only a rejected step
+ *      lowers h.
  * Source: J. Chung, G. M. Hulbert, J. Appl. Mech. 60 (1993); M. Arnold, O. Brüls, A. Cardona,
  * Numer. Math. 129 (2015); M. Géradin, A. Cardona, Flexible Multibody Dynamics (2001), chapter 11
  * (step size control).

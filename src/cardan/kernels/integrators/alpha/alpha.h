@@ -14,9 +14,9 @@ enum {
     ALPHA_MATRIX,  /* step size of the factored matrix, 0: none */
     ALPHA_RATE,    /* convergence rate of the last Newton iteration */
     ALPHA_AGE,     /* steps since the matrix was factored */
-    ALPHA_RENEW,   /* number of following steps that start with a new matrix */
+    ALPHA_RENEW,   /* so many of the next steps start with a new matrix */
     ALPHA_STEPS_SINCE_CHANGE,   /* steps since the step size last changed */
-    ALPHA_WEAK,    /* mesh: replaced pivots of the factored matrix */
+    ALPHA_WEAK,    /* mesh: number of replaced pivots; if not 0, solutions are refined */
     ALPHA_SPLIT_LEVELS,   /* mesh, 1: separate matrices for positions and for speeds */
     ALPHA_VELOCITY_RANK_LOSS,    /* replaced pivots of the matrix for speeds */
     ALPHA_ROTATION,  /* mesh: angle the nodes have turned since the matrix was factored */

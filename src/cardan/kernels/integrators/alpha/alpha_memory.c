@@ -46,7 +46,10 @@ static ptrdiff_t lay(const cardan_run *run, cardan_alpha *v)
 
 /* Coefficients and options of the method.
  *
- * Defaults: Chung and Hulbert with rho_inf = 0.8, stabilized index 2, modified Newton, adaptive.
+ * Chung and Hulbert choose by the spectral radius rho at infinite frequency (default 0.8):
+ * am = (2 rho - 1) / (rho + 1), af = rho / (rho + 1), gamma = 1/2 - am + af,
+ * beta = (1 - am + af)^2 / 4. HHT has am = 0, Newmark am = af = 0.
+ * Other defaults: stabilized index 2, modified Newton, adaptive.
  */
 static cardan_alpha method_of(const cardan_run *run)
 {

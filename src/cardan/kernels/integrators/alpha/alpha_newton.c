@@ -8,8 +8,8 @@
  *     M udot' + c - f - Gᵀ lam' = 0, g = 0; for index 2 also G u' + g_t = 0
  *
  * Primes mark the end of the step; c are velocity-dependent inertia forces, f applied forces. A step
- * moves q by an increment along the speeds; T below is the derivative of u by its rate (the tangent
- * operator of the exponential map). Source: M. Arnold, O. Brüls, A. Cardona, Numer. Math. 129
+ * moves q by an increment along the speeds; T below is the derivative of that motion by the increment
+ * (the tangent operator of the exponential map). Source: M. Arnold, O. Brüls, A. Cardona, Numer. Math. 129
  * (2015), sections 2 to 4; E. Hairer, G. Wanner, Solving Ordinary Differential Equations II,
  * section IV.8 (stopping criterion of the Newton iterations).
  */
@@ -73,8 +73,8 @@ static real part_of_motion(cardan_run *run, const cardan_alpha *v, const real *d
     return cardan_alpha_norm(run, v, dx, 1, 1e-3 * largest, status);
 }
 
-/* Tolerance of the Newton iterations. Their error must be smaller than the error of a step by an
- * order of h, because it accumulates with one sign. For fixed steps on a mesh the error of a step
+/* Tolerance of the Newton iterations: the fraction SHARE of the tolerance of a step, because their
+ * error accumulates with one sign. For fixed steps on a mesh the error of a step
  * is estimated from the predicted accelerations. */
 static real leaves(cardan_run *run, const cardan_alpha *v, real h, int *status)
 {

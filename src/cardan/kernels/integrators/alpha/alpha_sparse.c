@@ -63,7 +63,8 @@ int cardan_alpha_sparse_renew(cardan_run *run, const cardan_alpha *v, real h, re
     /* all constraints stay in use: the sparse factorization replaces pivots of redundant ones */
     for (ptrdiff_t k = 0; k < v->m && h == 0; k++)
         v->picked[k] = 1;
-    /* constraint residuals tell the factorization which small pivots are redundant constraints */
+    /* where positions are still off by gaps (`open`), redundant rows look independent by as much:
+     * pivots of loop-closing rows up to that size count as zero */
     if (h != 0 && v->m > 0) {
         status = cardan_alpha_gaps(run, v, t);
         system.open = settling.open = v->residual + run->nu;
