@@ -42,7 +42,7 @@ EXPECTED = alike(
 CASE = Case(
     name="chaos",
     hard="a double pendulum from 90 degrees for 20 s: early errors are amplified",
-    oracle="40 digits; largest error over the growth of a disturbance until then [rad, rad/s]",
+    oracle="40-digit extrapolation; largest error over the growth of a disturbance [rad, rad/s]",
     advice="run at rtol=1e-9, and again at 1e-10; trust the motion for as long as both agree",
     build=build,
     t=np.array([0.0, *(row["t"] for row in ROWS)]),

@@ -67,7 +67,7 @@ def expected(count: int) -> dict[str, Cell | Never]:
 CASE = Case(
     name="free body",
     hard="an asymmetric body tumbles in free flight for 1e5 steps of 2 ms",
-    oracle="largest relative change of energy, central angular momentum and linear momentum",
+    oracle="largest relative change at the end: energy, central angular or linear momentum",
     advice="for conservation over many steps, use an explicit method of order 4 or higher",
     build=build,
     t=(0.0, 1e5 * STEP),

@@ -51,7 +51,7 @@ CASE = Case(
     name="mass ratio",
     hard="1e4 kg below 1e-4 kg: M has condition number 1e8; the light mass vibrates at 1e5 rad/s",
     oracle="closed form of one rod of total length, within 1e-8; largest error of an angle [rad]",
-    advice="use `Rosenbrock` at rtol=1e-8 or looser; others follow the vibration",
+    advice="use `Rosenbrock` at rtol=1e-8 or above; others follow the vibration",
     build=build,
     t=TIMES,
     start={"q": {"shoulder": START + SIDE * OFF, "elbow": -2 * SIDE * OFF}},
