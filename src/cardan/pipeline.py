@@ -175,9 +175,8 @@ def _absolute(
         raise DerivationError(f"plane '{plane}' does not exist.{near(plane, PLANES)}")
     if named_options:
         raise DerivationError(
-            f"{', '.join(f'{name}=' for name in named_options)} belong to joint coordinates: "
-            "leave them "
-            "out, or take coordinates='relative'"
+            f"{', '.join(f'{name}=' for name in named_options)}: for joint coordinates only. Leave "
+            "out such arguments, or take coordinates='relative'"
         )
     equations: FiniteElementEquations = face(lowered(system, plane))
     return equations
@@ -244,6 +243,7 @@ def compile(
         """Write the C of functions unless it is there."""
         for name, _ in keys:
             if name not in functions:
+                _requested(equations, (name,))  # raises where the system has no such function
                 raise DerivationError(
                     f"function '{name}' was not asked for: compile(..., functions=[..., '{name}'])"
                 )

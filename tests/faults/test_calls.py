@@ -74,3 +74,13 @@ def test_steps_and_reports_name_what_does_not_fit() -> None:
         model.report(show="x")
     with pytest.raises(cd.SolveError, match="max_step=1e-300 s does not change the time"):
         model.simulate(1.0, max_step=1e-300, check=True)
+
+
+def test_a_function_that_the_system_cannot_have_is_not_to_be_asked_for() -> None:
+    scene = cd.Scene("slider")
+    scene.joint("x", cd.Prismatic("x"), scene.ground, scene.body("body", mass=1.0))
+    model = cd.compile(scene)
+    with pytest.raises(cd.DerivationError, match="nothing binds the speeds of 'slider'"):
+        model.constraints([0.0])
+    with pytest.raises(cd.DerivationError, match="was not asked for"):
+        cd.compile(scene, functions=["energy"]).mass_matrix([0.0])
