@@ -92,7 +92,7 @@ def test_unknown_kinds_and_functions_are_named() -> None:
 
 def test_options_of_joint_coordinates_are_refused() -> None:
     model = ZOO["pendulum"].build()
-    with pytest.raises(cd.DerivationError, match="method= belong"):
+    with pytest.raises(cd.DerivationError, match="method=: for joint coordinates only"):
         cd.derive(model, coordinates="absolute", method="kane")  # type: ignore[call-overload]
     with pytest.raises(cd.DerivationError, match="Did you mean 'absolute'"):
         cd.derive(model, coordinates="absolut")  # type: ignore[call-overload]
