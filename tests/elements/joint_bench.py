@@ -37,6 +37,7 @@ INSTANCES: dict[str, Joint] = {
     "planar": cd.Planar(),
     "planar -x": cd.Planar("-x"),
     "planar oblique": cd.Planar(OBLIQUE),
+    "translation": cd.Translation(),
     "custom one": cd.Custom([a], position=(sympy.sin(a), 0, a**2), rotation=sympy.rot_axis2(a)),
     "custom two": cd.Custom([a, b], (b * sympy.cos(a) - b, a * b, 3 * b), TURN_AND_TILT),
     "custom three": cd.Custom([a, b, c], (0, c, a * c), TURN_AND_TILT),

@@ -19,7 +19,7 @@ from laws.subject_scenes import arm_scene, cantilever_scene, four_bar_scene
 JOINTS = (
     *("Fixed", "Revolute", "Prismatic", "Cylindrical", "Screw", "Universal", "ConstantVelocity"),
     *("Spherical", "Planar", "Free", "PointOnPlane", "PointOnCurve", "Distance", "Gear", "Wheel"),
-    *("RollingDisk", "Custom"),
+    *("RollingDisk", "Translation", "Custom"),
 )
 Call = tuple[str, Callable[..., Any], dict[str, Any]]
 

@@ -30,6 +30,7 @@ INSTANCES: dict[str, Joint] = {
     "constant velocity": cd.ConstantVelocity("x"),
     "spherical": cd.Spherical("XYZ"),
     "planar": cd.Planar("y"),
+    "translation": cd.Translation(),
     "point on plane": cd.PointOnPlane(OTHER),
     "distance": cd.Distance(0.6, "y"),
     "wheel": cd.Wheel(0.4, 0.1),

@@ -86,6 +86,7 @@ KINDS = {
     "universal": (cd.Universal((1, 2, 0), (0, 1, -1)), 2),
     "cylindrical": (cd.Cylindrical((1, 1, 1)), 2),
     "planar": (cd.Planar("y"), 3),
+    "translation": (cd.Translation(), 3),
     "planar, from behind": (cd.Planar("-x"), 3),
 }
 

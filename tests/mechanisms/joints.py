@@ -49,6 +49,16 @@ def planar() -> cd.Scene:
     return scene
 
 
+def translation() -> cd.Scene:
+    """The carriage of a gantry with a load that swings from it."""
+    scene = cd.Scene("translation", gravity=(0.3, 0, -9.81))
+    carriage = scene.body("carriage", mass=2.0, com=(0.05, 0, 0), inertia=(0.02, 0.03, 0.02))
+    load = scene.body("load", mass=1.2, com=(0, 0.02, -0.6), inertia=(0.05, 0.05, 0.01))
+    scene.joint("gantry", cd.Translation(), scene.ground.at(0, 0, 2), carriage)
+    scene.joint("hook", cd.Universal("x", "y"), carriage.at(0, 0, -0.1), load)
+    return scene
+
+
 def parabola() -> cd.Scene:
     """A user's joint: a sledge that slides along z = x²/2 and stays tangent to it."""
     scene = cd.Scene("parabola", gravity=(0, 0, -9.81))
@@ -92,6 +102,14 @@ MEMBERS = (
         (
             State({"table": (0.1, -0.2, 0.5)}, {"table": (0.3, 0.2, 1.0), "hinge": 0.4}),
             State({"table": (0.0, 1.0, -2.0), "hinge": 1.3}, {"hinge": -2.0}),
+        ),
+    ),
+    Mechanism(
+        "translation",
+        translation,
+        (
+            State({"gantry": (0.1, -0.2, 0.5)}, {"gantry": (0.3, 0.2, 1.0), "hook": (0.4, 0.1)}),
+            State({"gantry": (0.0, 1.0, -2.0), "hook": (1.3, -0.4)}, {"hook": (-2.0, 0.5)}),
         ),
     ),
     Mechanism(

@@ -20,6 +20,7 @@ SIZES = {
     "universal": (2, 2),
     "spherical": (4, 3),
     "planar": (3, 3),
+    "translation": (3, 3),
     "free": (7, 6),
     "gear": (1, 1),
     "constant_velocity": (2, 2),

@@ -13,6 +13,7 @@ from ..elements.joints.planar import Planar
 from ..elements.joints.prismatic import Prismatic
 from ..elements.joints.revolute import Revolute
 from ..elements.joints.spherical import Spherical
+from ..elements.joints.translation import Translation
 from ..elements.joints.universal import Universal
 from ..elements.material import Material
 from ..elements.quantity import Value
@@ -38,6 +39,7 @@ RELEASED: dict[frozenset[str], JointElement] = {
     frozenset({"y", "z", "rx"}): Planar("x"),
     frozenset({"x", "z", "ry"}): Planar("y"),
     frozenset({"rx", "ry", "rz"}): Spherical(),
+    frozenset({"x", "y", "z"}): Translation(),
 }
 
 

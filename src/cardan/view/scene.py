@@ -12,7 +12,11 @@ from ..schema.mechanism import BodyRow, ShapeRow
 
 THICK = 0.08  # radius of a drawn link, relative to the mean length of the links
 TAPER = 0.7
-UNLINKED = ("free", "planar")  # joints that hold nothing together: no link leads to them
+UNLINKED = (
+    "free",
+    "planar",
+    "translation",
+)  # joints that hold nothing together: no link leads to them
 SOLIDS = ("box", "cylinder", "sphere", "capsule")
 
 

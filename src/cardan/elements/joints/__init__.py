@@ -16,6 +16,7 @@ from .revolute import Revolute
 from .rolling_disk import RollingDisk
 from .screw import Screw
 from .spherical import Spherical
+from .translation import Translation
 from .universal import Universal
 from .wheel import Wheel
 
@@ -31,6 +32,7 @@ JOINTS: dict[str, type[Joint]] = {
         ConstantVelocity,
         Spherical,
         Planar,
+        Translation,
         Free,
         PointOnPlane,
         PointOnCurve,

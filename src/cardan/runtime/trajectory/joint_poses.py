@@ -184,6 +184,7 @@ POSES: Mapping[str, KindPose] = {
     "constant_velocity": _constant_velocity,
     "spherical": _guided(lambda j, c: _none(c)),
     "planar": _planar,
+    "translation": lambda j, q: (_still(q), q),
     "free": _guided(lambda j, c: c),
     "point_on_plane": _guided(lambda j, c: c @ np.stack(j.across)),
     "point_on_curve": _guided(_on_curve),
