@@ -63,8 +63,9 @@ PAGE = """\
 # Functions of a model
 
 `cd.compile(scene)` gives a model with these functions. Each is derived, written and compiled when
-it is first called. `help(model.rhs)` says what a function takes. Other methods of a model have
-their own pages:
+it is first called. `help(model.rhs)` says what a function takes. `model.manifest.available` lists
+the functions that this model can have, and calling another raises a `CardanError`. Other methods
+of a model have their own pages:
 
 | methods | page |
 |---|---|
@@ -73,8 +74,11 @@ their own pages:
 | `ensemble` | [ensembles](ensembles.md) |
 | `equilibrium`, `statics`, `trim`, `linearize`, `modes`, `campbell`, `root_locus`, `sensitivity` \
 | [statics and modes](statics_and_modes.md) |
-| `assemble`, `sweep`, `workspace`, `redundancy`, `actuation`, `hybrid_dynamics` \
+| `assemble`, `sweep`, `workspace`, `singular_positions`, `redundancy`, `actuation` \
 | [closed loops](closed_loops.md) |
+| `hybrid_dynamics`, `partition`, `reduced_rhs`, `residual` | [closed loops](closed_loops.md) |
+| `beam` | [beams](flexible.md) |
+| `with_parameters`: the same model with other values | [scene files](scene_files.md#running-it) |
 | `torques`, `identify`, `excitation`, `base_parameters` | [identification](identification.md) |
 | `derivative` | [derivatives](derivatives.md) |
 | `verify` | [verification](verification.md) |
@@ -96,7 +100,13 @@ their own pages:
 - `parameters={"upper.mass": 2.0}`: other values than those of the model.
 
 All arrays may have leading axes `...` for many states, such as x of shape (1000, nx) in
-`model.rhs(0, x)`.
+`model.rhs(0, x)`. `out=` takes a float64 array of the shape of the result, which is filled and
+returned. Results are new arrays otherwise.
+
+Real numbers of any type are converted to float64. Wrong shapes and complex numbers or text raise
+an `ArgumentError`, given NaN or infinity a `SolveError`. A result that is not finite raises a
+`SolveError` for one state. In a batch its row is not finite, and a `SolveWarning` names the
+first. Several threads may call one model at once.
 
 Coordinates and speeds are in the order of the joints from the ground outward, which may differ
 from that of their declaration. Inputs are in the order of declaration. `model.coordinates`,
