@@ -305,8 +305,8 @@ def test_a_format_of_saved_runs_is_a_file(source: Copy) -> None:
     source.insert("runtime/formats/__init__.py", "from .netcdf", "from .json_text import JSON")
     path = source.package / "runtime/formats/__init__.py"
     text = path.read_text("utf-8")
-    assert text.count("(NETCDF, NPZ, CSV)") == 1
-    path.write_text(text.replace("(NETCDF, NPZ, CSV)", "(NETCDF, NPZ, CSV, JSON)"), "utf-8")
+    assert text.count("(NETCDF, NPZ, CSV, MATLAB)") == 1
+    path.write_text(text.replace("MATLAB)", "MATLAB, JSON)"), "utf-8")
     source.run("""
         from analyses.conftest import double_scene
         from cardan.cli.options.run import saved

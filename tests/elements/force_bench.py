@@ -12,8 +12,7 @@ from cardan.elements.forces.force import Action, ForceElement, Load, Places
 from cardan.ir.arithmetic import Scalar
 from cardan.ir.graph import Graph
 from cardan.ir.matrix import Matrix
-from cardan.spatial.exponential import exp
-from cardan.spatial.tangent import tangent
+from cardan.spatial.exponential import exp, tangent
 from elements.written_of import converted
 from spatial.numbers_of import block, numbers
 

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from scipy.io import loadmat
 
 import cardan as cd
 from cardan.runtime import formats
@@ -122,6 +123,22 @@ def test_tables_have_the_names_of_the_model(
     assert [row["status"] for row in rows] == list(runs.status)
     with pytest.raises(cd.ModelError, match="its format is neither netCDF-3 nor NumPy archive"):
         cd.load_motion(tmp_path / "run.csv")
+
+
+def test_matlab_reads_arrays_names_and_units(
+    motion: cd.Trajectory, runs: cd.Ensemble, tmp_path: Path
+) -> None:
+    read = loadmat(motion.save(tmp_path / "run.mat"), squeeze_me=True)
+    assert read["t"].tolist() == motion.t.tolist()
+    assert np.array_equal(read["q"].reshape(motion.q.shape), motion.q)
+    assert np.atleast_1d(read["q_names"]).tolist() == list(motion.model.coordinates)
+    assert len(np.atleast_1d(read["q_units"])) == len(motion.model.coordinates)
+    read = loadmat(runs.save(tmp_path / "runs.mat"), squeeze_me=True)
+    (name,) = runs.results
+    assert runs.results[name].tolist() in [np.atleast_1d(x).tolist() for x in read.values()]
+    assert read["status"].tolist() == list(runs.status)
+    with pytest.raises(cd.ModelError, match="its format is neither netCDF-3 nor NumPy archive"):
+        cd.load_motion(tmp_path / "run.mat")
 
 
 def test_a_new_format_is_one_file(

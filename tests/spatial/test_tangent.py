@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 
 from cardan.ir.graph import Graph
-from cardan.spatial.exponential import exp
-from cardan.spatial.tangent import inverse_tangent, tangent
+from cardan.spatial.exponential import exp, tangent
 from spatial.numbers_of import block, close, difference, moving, numbers, unskew
 
 DIRECTION = np.array([2.0, -1.0, 2.0]) / 3
@@ -28,18 +27,7 @@ def test_tangent_gives_the_angular_velocity_of_the_exponential(at: np.ndarray) -
     assert close(fixed, numbers(R, "mp", v=at) @ found, 60)
 
 
-@pytest.mark.parametrize("at", VECTORS, ids=str)
-def test_inverse_tangent(at: np.ndarray) -> None:
-    graph = Graph()
-    v = block(graph, "v", 3)
-    assert close(numbers(tangent(v) @ inverse_tangent(v), "mp", v=at), np.eye(3), 60)
-    # in floats too, next to 0 as well
-    product = numbers(tangent(v) @ inverse_tangent(v), v=at)
-    np.testing.assert_allclose(product, np.eye(3), atol=1e-13)
-
-
-def test_all_are_exact_at_zero() -> None:
+def test_tangent_is_exact_at_zero() -> None:
     graph = Graph()
     v, zero = block(graph, "v", 3), np.zeros(3)
     assert np.array_equal(numbers(tangent(v), v=zero), np.eye(3))
-    assert np.array_equal(numbers(inverse_tangent(v), v=zero), np.eye(3))

@@ -58,8 +58,9 @@ class Ensemble(EnsembleRecord):
     ) -> Path:
         """Write everything but the model; :func:`cardan.load_ensemble` reads it.
 
-        The ending says the format: .nc (netCDF), .npz (NumPy archive) or .csv (a table with a row for
-        every run, which is not read again). The file appears complete or not at all.
+        The ending says the format: .nc (netCDF), .npz (NumPy archive), .csv (a table with a row for
+        every run) or .mat (MATLAB); the last two are not read again. The file appears complete or not
+        at all.
 
         Returns:
             Its path.

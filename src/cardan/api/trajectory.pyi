@@ -50,8 +50,9 @@ class Trajectory(TrajectoryRecord):
     ) -> Path:
         """Write everything but the model; :func:`cardan.load_motion` reads it.
 
-        The ending says the format: .nc (netCDF), .npz (NumPy archive) or .csv (a table of what
-        changes over time, which is not read again). The file appears complete or not at all.
+        The ending says the format: .nc (netCDF), .npz (NumPy archive), .csv (a table of what changes
+        over time) or .mat (MATLAB); the last two are not read again. The file appears complete or not
+        at all.
 
         Returns:
             Its path.

@@ -59,7 +59,7 @@ def arguments(parser: argparse.ArgumentParser) -> None:
     results.add_argument("--points", metavar="N", type=run_options.count,
                          help="output times of reductions (default 201)")  # fmt: skip
     results.add_argument("-o", "--output", metavar="RUNS.nc", type=run_options.saved,
-                         help="the runs: .nc, .npz or .csv")  # fmt: skip
+                         help="the runs: .nc, .npz, .csv or .mat")  # fmt: skip
     results.add_argument("--json", action="store_true", help="print JSON for another program")
 
 

@@ -62,7 +62,7 @@ def arguments(parser: argparse.ArgumentParser) -> None:
         "--output",
         metavar="RUN.nc",
         type=run_options.saved,
-        help="the run: .nc, .npz or .csv",
+        help="the run: .nc, .npz, .csv or .mat",
     )
     results.add_argument(
         "--view", metavar="RUN.html", type=run_options.file(".html", ".htm"), help="animated page"

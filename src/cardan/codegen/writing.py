@@ -7,9 +7,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from .. import passes
-from ..ir.collector import collector_paused
 from ..ir.function import Function, Output
-from ..ir.graph import ZERO
+from ..ir.graph import ZERO, collector_paused
 from ..ir.recursion import Recursion
 from ..schema.blocks import ORDER
 from ..schema.c_functions import FunctionRow, ResultRow

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any, Self
 
 from ..arguments import checked
 from ..errors import DerivationError, counted
-from ..ir.collector import collector_paused
 from ..ir.function import Block, Function
+from ..ir.graph import collector_paused
 from ..ir.recursion import Recursion
 from ..ir.stage import stage
 from ..schema.blocks import ABI_ORDER

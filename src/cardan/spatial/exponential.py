@@ -1,4 +1,4 @@
-"""Rotation vectors and rotation matrices: exponential and logarithm, quaternions in between.
+"""Rotation vectors and rotation matrices: exponential, its tangent, logarithm, quaternions.
 
 Unit quaternions are (w, x, y, z), scalar first. Nothing here is singular at the identity.
 """
@@ -19,6 +19,21 @@ def exp(vector: Matrix) -> Matrix:
     skew = vector.skew
     square = vector.outer(vector) - Matrix.identity(vector.graph, 3) * x
     return Matrix.identity(vector.graph, 3) + skew * stumpff(1, x) + square * stumpff(2, x)
+
+
+def tangent(vector: Matrix) -> Matrix:
+    """T = 1 - c_2 [v] + c_3 [v]², (3, 3): omega = T(v) vdot in the turned axes.
+
+    In the fixed axes the same holds with the transpose.
+
+    Args:
+        vector: Rotation vector v [rad], (3, 1).
+
+    Source: Géradin and Cardona, Flexible Multibody Dynamics (2001), section 4.6.
+    """
+    x, identity = vector.dot(vector), Matrix.identity(vector.graph, 3)
+    square = vector.outer(vector) - identity * x
+    return identity + vector.skew * -stumpff(2, x) + square * stumpff(3, x)
 
 
 def exp_quaternion(vector: Matrix) -> Matrix:

@@ -11,8 +11,10 @@ from numpy.typing import ArrayLike
 
 from ...arguments import LockedValues, checked
 from ...arrays import Array
-from ...errors import ModelError, SolveError, SolveWarning, brief, counted, warn
+from ...errors import ModelError, SolveError, SolveWarning, brief, counted, near, warn
 from ...runtime.calls.calling import numbers
+from ...runtime.models.wrenches import reaction_part
+from ...schema.rows import column
 from ..systems import dynamic_system_of
 from ..systems.dynamic_system import DynamicSystem, NamedState
 from .force_balance import WORTH_A_WARNING, balance
@@ -95,18 +97,42 @@ class Equilibrium(NamedState):
         names = (*model.coordinates, *model.speeds, *model.internals, *model.multipliers_of)
         return dict(zip(names, [*self.x.tolist(), *self.lam.tolist()], strict=True))
 
+    def __getitem__(self, name: str) -> Any:
+        """A coordinate, speed, internal state, multiplier or output by name.
+
+        ``<joint>.force`` [N] and ``<joint>.moment`` [N m] (3,) are the reaction of a joint.
+
+        Raises:
+            ModelError: no such value.
+        """
+        named, model = self.named, self.model
+        if name in named:
+            return named[name]
+        outputs = column(model.manifest.outputs, "name")
+        if name in outputs:
+            return float(self._called("outputs")[outputs.index(name)])
+        if part := reaction_part(name, model.joints):
+            return self.reaction(part[0])[part[1]]
+        raise ModelError(
+            f"equilibrium['{name}']: there is no such value.{near(name, [*named, *outputs])}"
+        )
+
     @checked
     def reaction(self, joint: str) -> Array:
         """Wrench (6,) of parent on child at the child joint frame, in its axes."""
+        return self._called("reaction", joint)
+
+    def _called(self, function: str, *of: str) -> Array:
+        """The value of a function of the model there, under the forces that hold coordinates."""
         locked, tau = Problem(dynamic_system_of(self.model)).locked_forces(self.point, self.load)
-        arguments: dict[str, Any] = {
+        arguments = {
             "r": self.load.r,
             "z": self.point.at.z,
             "tau": tau if locked else (),
         }
         some = {name: value for name, value in arguments.items() if len(value)}
-        wrench: Array = self.model.reaction(joint, self.q, self.u, t=self.t, **some)
-        return wrench
+        value: Array = getattr(self.model, function)(*of, self.q, self.u, t=self.t, **some)
+        return value
 
     @checked
     def pose(self, frame: str) -> Array:

@@ -12,7 +12,10 @@ import numpy as np
 from ...arguments import checked
 from ...arrays import Array, Integers
 from ...errors import ModelError, SolveWarning, counted, near, warn
+from ...runtime.models.loaded_model import LoadedModel
+from ...runtime.models.wrenches import reaction_part
 from ...runtime.trajectory.solver_info import FINISHED
+from ...schema.rows import column
 from .continuation_step import Crossing, Place
 from .critical_load import located
 from .equilibrium import Equilibrium
@@ -75,7 +78,7 @@ class StaticPathRecord:
         return len(self.rows)
 
     @property
-    def model(self) -> Any:
+    def model(self) -> LoadedModel:
         """The model with the parameters of the last row."""
         return self.rows[-1].model
 
@@ -127,7 +130,7 @@ class StaticPathRecord:
         return np.array([row.n_negative_held for row in self.rows], dtype=np.intp)
 
     def __getitem__(self, name: str | int) -> Any:
-        """The equilibrium of a row; or a history: swept, coordinate, multiplier, holding force.
+        """The equilibrium of a row; or a history: swept, holding force, what an equilibrium has.
 
         Raises:
             ModelError: no such history.
@@ -142,7 +145,11 @@ class StaticPathRecord:
         forces = {f"{n}.holding_force": n for n in first.holding_forces}
         if name in forces:
             return np.array([row.holding_forces[forces[name]] for row in self.rows])
-        names = [*self.values, *first.named, *forces]
+        model = first.model
+        outputs = column(model.manifest.outputs, "name")
+        if name in outputs or reaction_part(name, model.joints):
+            return np.array([row[name] for row in self.rows])
+        names = [*self.values, *first.named, *outputs, *forces]
         raise ModelError(f"path['{name}']: there is no such history.{near(name, names)}")
 
     @checked

@@ -156,7 +156,7 @@ class NamedState(ABC):
         """Speeds (nu,): 0 at rest."""
         return self.x[self.model.nq : self.model.nq + self.model.nu]
 
-    def __getitem__(self, name: str) -> float:
+    def __getitem__(self, name: str) -> Any:
         if name not in self.named:
             raise ModelError(f"'{name}': there is no such entry.{near(name, self.named)}")
         return self.named[name]

@@ -28,7 +28,7 @@ class Relative:
         turn: Rotation vector theta of r (3, 1) [rad], shorter than pi.
         position: d (3, 1) [m], from end 1 to end 2 in axes of end 1.
         rotation: r (3, 3), coordinates in axes of end 2 to those of end 1.
-        inverse: a of :func:`inverse_tangent`, a function of |theta|².
+        inverse: a of the inverse tangent operator 1 + [v]/2 + a [v]², a function of |theta|².
         slope: D (3, 3): theta changes by D rho.
     """
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from abc import abstractmethod
 
 from ...ir.matrix import Matrix
+from ...spatial.exponential import tangent
 from ...spatial.rotations import Rotation, parametrization
-from ...spatial.tangent import tangent
 from .joint import Component, Joint, Step
 
 

@@ -8,7 +8,7 @@ from typing import Any
 
 from ...arguments import checked
 from ...errors import DerivationError, near
-from ...ir.collector import collector_paused
+from ...ir.graph import collector_paused
 from ..record import EquationRecord
 from . import differentiated, from_start
 from .first_order import plant

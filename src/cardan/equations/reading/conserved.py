@@ -24,9 +24,8 @@ import numpy as np
 from ...arrays import Array
 from ...errors import DerivationError, near
 from ...ir.arithmetic import Scalar
-from ...ir.collector import collector_paused
 from ...ir.function import Function
-from ...ir.graph import ZERO
+from ...ir.graph import ZERO, collector_paused
 from ...ir.matrix import Matrix
 from ..functions import blocks
 from ..functions.context import Context

@@ -16,9 +16,8 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from ...errors import DerivationError, near
-from ...ir.collector import collector_paused
 from ...ir.function import Function, Output
-from ...ir.graph import ZERO
+from ...ir.graph import ZERO, collector_paused
 from ...ir.matrix import Matrix
 from ...topology.system import Body, Nodes, Part, System
 from ..functions.dynamics import Dynamics

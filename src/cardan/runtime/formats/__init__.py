@@ -16,10 +16,11 @@ from ...regular_file import content
 from ...version import VERSION, Format
 from .contents import Attributes, Contents, FileFormat, Variables
 from .csv import CSV
+from .matlab import MATLAB
 from .netcdf import NETCDF
 from .npz import NPZ
 
-FORMATS: tuple[FileFormat, ...] = (NETCDF, NPZ, CSV)
+FORMATS: tuple[FileFormat, ...] = (NETCDF, NPZ, CSV, MATLAB)
 HASH = "sha256"
 SOURCE, WRITER = "source", "cardan "  # the text that names the writer, and what is before it
 KINDS = {"run": "a run", "ensemble": "an ensemble"}  # what files hold

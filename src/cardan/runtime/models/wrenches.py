@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -14,6 +14,9 @@ from ..calls.calling import numbers
 
 if TYPE_CHECKING:
     from ..calls.evaluation import Evaluation, State, Values
+
+# entries of a wrench, by the names that follow the joint's
+PARTS = {"moment": slice(0, 3), "force": slice(3, 6)}
 
 
 def read_wrenches(model: Evaluation, wrenches: Mapping[str, ArrayLike]) -> dict[str, Array]:
@@ -91,3 +94,9 @@ def by_part(model: Evaluation, wrenches: Mapping[str, ArrayLike], q: Any, **rest
     for part, row in rows.items():
         result[..., parts.index(part), :] = row
     return result
+
+
+def reaction_part(name: str, joints: Collection[str]) -> tuple[str, slice] | None:
+    """The joint whose reaction ``<joint>.force`` or ``.moment`` names, and the entries of it."""
+    joint, _, part = name.rpartition(".")
+    return (joint, PARTS[part]) if part in PARTS and joint in joints else None

@@ -15,6 +15,7 @@ from ...errors import ModelError, near
 from ...notebooks import html
 from ...schema.manifest import Manifest
 from ..calls.methods import Energy
+from ..models.wrenches import reaction_part
 from . import dependent_joints
 from .closure_errors import Ledger, multipliers_of, residuals_of
 from .dense_output import Dense
@@ -146,7 +147,8 @@ class TrajectoryRecord:
     def __getitem__(self, name: str) -> Array:
         """History of a coordinate, speed, state of an element, input, output or multiplier.
 
-        Shape (nt,), (nt, n) for several.
+        ``<joint>.force`` [N] and ``<joint>.moment`` [N m] (nt, 3) are the reaction of a joint, see
+        :meth:`reaction`. Shape (nt,), (nt, n) for several.
 
         Raises:
             ModelError: no such name.
@@ -167,6 +169,8 @@ class TrajectoryRecord:
                 arguments = {"t": self.t, "r": self._r, **self._arguments}
                 table: Array = getattr(model, function)(self.q, self.u, **arguments)
                 return table[:, names.index(name)]
+        if self.model is not None and (part := reaction_part(name, self.model.joints)):
+            return self.reaction(part[0])[:, part[1]]
         forces = [row.name for row in self.manifest.multipliers]
         histories = [*self._places, *follow, *self._outputs, *forces]
         raise ModelError(f"motion['{name}']: there is no such history.{near(name, histories)}")
