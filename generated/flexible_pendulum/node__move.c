@@ -70,37 +70,37 @@ CARDAN_API int node__move(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real node_u_x_step_squared = node_u_x_step * node_u_x_step;
     const real node_u_y_step_squared = node_u_y_step * node_u_y_step;
     const real node_u_z_step_squared = node_u_z_step * node_u_z_step;
-    const real T_node_u_x_node_u_y_part = node_u_x_step_squared + node_u_y_step_squared
+    const real T_node_u_x_node_u_x_part = node_u_x_step_squared + node_u_y_step_squared
         + node_u_z_step_squared;
-    const real T_node_u_x_node_u_y_part_2 = cardan_stumpff(2, T_node_u_x_node_u_y_part);
-    const real T_node_u_x_node_u_x_part = cardan_stumpff(3, T_node_u_x_node_u_y_part);
-    const real T_node_u_x_node_u_y_part_3 = node_u_z_step * T_node_u_x_node_u_y_part_2;
-    const real T_node_u_x_node_u_z_part = node_u_y_step * T_node_u_x_node_u_y_part_2;
-    const real T_node_u_y_node_u_z_part = node_u_x_step * T_node_u_x_node_u_y_part_2;
-    const real T_node_u_x_node_u_y_part_4 = node_u_x_step * node_u_y_step *
-        T_node_u_x_node_u_x_part;
+    const real T_node_u_x_node_u_y_part = cardan_stumpff(2, T_node_u_x_node_u_x_part);
+    const real T_node_u_x_node_u_y_part_2 = node_u_z_step * T_node_u_x_node_u_y_part;
+    const real T_node_u_x_node_u_z_part = node_u_y_step * T_node_u_x_node_u_y_part;
+    const real T_node_u_y_node_u_z_part = node_u_x_step * T_node_u_x_node_u_y_part;
+    const real T_node_u_x_node_u_x_part_2 = cardan_stumpff(3, T_node_u_x_node_u_x_part);
+    const real T_node_u_x_node_u_y_part_3 = node_u_x_step * node_u_y_step *
+        T_node_u_x_node_u_x_part_2;
     const real T_node_u_x_node_u_z_part_2 = node_u_x_step * node_u_z_step *
-        T_node_u_x_node_u_x_part;
+        T_node_u_x_node_u_x_part_2;
     const real T_node_u_y_node_u_z_part_2 = node_u_y_step * node_u_z_step *
-        T_node_u_x_node_u_x_part;
-    const real q_node_qw_part = T_node_u_x_node_u_y_part / 4.0;
+        T_node_u_x_node_u_x_part_2;
+    const real q_node_qw_part = T_node_u_x_node_u_x_part / 4.0;
     const real q_node_qw_part_2 = cardan_stumpff(1, q_node_qw_part) / 2.0;
     const real q_node_qw_part_3 = node_u_x_step * q_node_qw_part_2;
     const real q_node_qw_part_4 = node_u_y_step * q_node_qw_part_2;
     const real q_node_qw_part_5 = node_u_z_step * q_node_qw_part_2;
     const real q_node_qw_part_6 = cardan_stumpff(0, q_node_qw_part);
     /* T: node.u.x,node.u.x */
-    out[7] = 1.0 + T_node_u_x_node_u_x_part * (node_u_x_step_squared - T_node_u_x_node_u_y_part);
-    out[8] = T_node_u_x_node_u_y_part_3 + T_node_u_x_node_u_y_part_4; /* T: node.u.x,node.u.y */
+    out[7] = 1.0 + (node_u_x_step_squared - T_node_u_x_node_u_x_part) * T_node_u_x_node_u_x_part_2;
+    out[8] = T_node_u_x_node_u_y_part_2 + T_node_u_x_node_u_y_part_3; /* T: node.u.x,node.u.y */
     out[9] = T_node_u_x_node_u_z_part_2 - T_node_u_x_node_u_z_part; /* T: node.u.x,node.u.z */
-    out[13] = T_node_u_x_node_u_y_part_4 - T_node_u_x_node_u_y_part_3; /* T: node.u.y,node.u.x */
+    out[13] = T_node_u_x_node_u_y_part_3 - T_node_u_x_node_u_y_part_2; /* T: node.u.y,node.u.x */
     /* T: node.u.y,node.u.y */
-    out[14] = 1.0 + T_node_u_x_node_u_x_part * (node_u_y_step_squared - T_node_u_x_node_u_y_part);
+    out[14] = 1.0 + (node_u_y_step_squared - T_node_u_x_node_u_x_part) * T_node_u_x_node_u_x_part_2;
     out[15] = T_node_u_y_node_u_z_part + T_node_u_y_node_u_z_part_2; /* T: node.u.y,node.u.z */
     out[19] = T_node_u_x_node_u_z_part + T_node_u_x_node_u_z_part_2; /* T: node.u.z,node.u.x */
     out[20] = T_node_u_y_node_u_z_part_2 - T_node_u_y_node_u_z_part; /* T: node.u.z,node.u.y */
     /* T: node.u.z,node.u.z */
-    out[21] = 1.0 + T_node_u_x_node_u_x_part * (node_u_z_step_squared - T_node_u_x_node_u_y_part);
+    out[21] = 1.0 + (node_u_z_step_squared - T_node_u_x_node_u_x_part) * T_node_u_x_node_u_x_part_2;
     /* q: node.qw */
     out[0] = node_qw * q_node_qw_part_6 - node_qx * q_node_qw_part_3
         - (node_qy * q_node_qw_part_4 + node_qz * q_node_qw_part_5);

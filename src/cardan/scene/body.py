@@ -6,10 +6,10 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
-from ..elements.quantity import Rows, Value
+from ..elements.quantity import Value
 from ..errors import ModelError, brief
 from .checks import triple
-from .frame import Frame, Located, rows_of
+from .frame import Located, rows_of
 from .shape import Shape
 
 if TYPE_CHECKING:
@@ -45,31 +45,6 @@ class Body(Located):
     @property
     def body(self) -> Body:  # type: ignore[override]
         return self
-
-    def at(
-        self,
-        x: Value = 0,
-        y: Value = 0,
-        z: Value = 0,
-        *,
-        rotation: Rows | None = None,
-        name: str | None = None,
-    ) -> Frame:
-        """A frame fixed to the body.
-
-        Args:
-            x, y, z: Its origin in body axes [m].
-            rotation: Orientation: R from its axes to body axes (3, 3), a SciPy ``Rotation`` or a
-                sequence and three angles such as ``("XYZ", a, b, c)``.
-            name: Under which it is known to ``pose``, ``velocity`` and the like.
-
-        Returns:
-            The frame.
-
-        Raises:
-            ModelError: the name is taken.
-        """
-        return self.model.add_frame(self, (x, y, z), rotation, name)
 
     def __repr__(self) -> str:
         return f"Body({self.name!r})"

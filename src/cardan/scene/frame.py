@@ -36,6 +36,29 @@ class Located:
         return sympy.ImmutableMatrix(rows, columns, symbols)
 
     @checked
+    def at(
+        self,
+        x: Value = 0,
+        y: Value = 0,
+        z: Value = 0,
+        *,
+        rotation: Rows | None = None,
+        name: str | None = None,
+    ) -> Frame:
+        """A frame fixed to the same body, placed from here.
+
+        Args:
+            x, y, z: Its origin in these axes, from this origin [m].
+            rotation: Orientation: R from its axes to these axes (3, 3), a SciPy ``Rotation`` or a
+                sequence and three angles such as ``("XYZ", a, b, c)``.
+            name: Under which it is known to ``pose``, ``velocity`` and the like.
+
+        Raises:
+            ModelError: the name is taken.
+        """
+        return self.body.model.add_frame(self, (x, y, z), rotation, name)
+
+    @checked
     def position(self, wrt: Place | None = None, in_: Place | None = None) -> sympy.Matrix:
         """Position of the origin (3, 1) [m], against ``wrt``, in the axes of ``in_``.
 
@@ -68,14 +91,15 @@ class Located:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Frame(Located):
-    """A frame fixed to a body; made by :meth:`Body.at`.
+    """A frame fixed to a body; made by :meth:`Located.at`.
 
     Attributes:
         body: The body it is fixed to.
-        coordinates: Origin in body axes (3) [m].
-        orientation: Orientation as written, None for the axes of the body.
+        coordinates: Origin in axes of the body, or of ``base`` (3) [m].
+        orientation: Orientation against these axes as written, None for the same axes.
         name: Its own name, or a made one such as ``upper.at1``.
         named: True where the user gave the name.
+        base: The frame of the body from which it is placed, None for the body's own.
     """
 
     body: Body
@@ -83,6 +107,7 @@ class Frame(Located):
     orientation: Value
     name: str
     named: bool
+    base: Frame | None = None
 
     def __repr__(self) -> str:
         return f"Frame({self.name!r} on {self.body.name!r})"

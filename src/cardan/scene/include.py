@@ -174,6 +174,7 @@ class _Copy:
             self.value(old.orientation),
             name,
             old.named,
+            None if old.base is None else self.frames[old.base.name],
         )
         self.model.frames[name] = self.frames[old.name] = copied
 

@@ -50,7 +50,7 @@ class SceneRecord(Vocabulary):
     Attributes:
         ground: The body that does not move.
         bodies, joints, beams, forces: By name, in the order of declaration.
-        frames: By name; those made by :meth:`Body.at`.
+        frames: By name; those made by ``at`` of bodies and frames.
         nodes: By name; start, end and :meth:`Beam.at` of the beams. Where an end is joined to a
             frame, that frame.
         parameters, inputs, outputs, constraints: By name.
@@ -134,17 +134,18 @@ class SceneRecord(Vocabulary):
         return body
 
     def add_frame(
-        self, body: Body, position: Sequence[Value], rotation: Rows | None, name: str | None
+        self, base: Located, position: Sequence[Value], rotation: Rows | None, name: str | None
     ) -> Frame:
-        """The work of :meth:`Body.at`."""
-        named = name is not None
+        """The work of ``at`` of bodies and frames."""
+        named, body = name is not None, base.body
         if name is None:
             count = 1
             while f"{body.name}.at{count}" in self.frames:
                 count += 1
             name = f"{body.name}.at{count}"
         self.new_place("frame", name)
-        frame = Frame(body, triple(position, f"frame '{name}'"), rotation, name, named)
+        outer = base if isinstance(base, Frame) else None
+        frame = Frame(body, triple(position, f"frame '{name}'"), rotation, name, named, outer)
         self.frames[name] = frame
         return frame
 

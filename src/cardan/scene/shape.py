@@ -19,7 +19,7 @@ class Shape:
         kind: cylinder, box, sphere, capsule or mesh.
         size: Its measures by name [m]; for a mesh ``file`` and ``scale``.
         position: Its center in body axes (3) [m].
-        rotation: Its orientation as :meth:`Body.at` takes it.
+        rotation: its orientation as ``at`` of a body takes it.
         color: Red, green, blue, opacity in 0 ... 1, or None.
     """
 

@@ -127,14 +127,17 @@ class Assembly:
         """A frame in its user body; the parameters take the name of the first who uses it."""
         if isinstance(place, UserBody):
             return HERE
-        placement = self.local.get(place)
-        if placement is None:
-            label = place.name if place.named else name
-            position = self.convert.vector(place.coordinates, f"{label}.position", "m")
-            rotation = self.convert.rotation(place.orientation, f"{label}.rotation")
-            placement = Placement(rotation, position)
-            self.local[place] = placement
-        return placement
+        chain = [place]
+        while (base := chain[-1].base) is not None and base not in self.local:
+            chain.append(base)
+        # from the body outward, without recursion: chains may be long
+        for frame in reversed(chain if place not in self.local else ()):
+            label = name if frame is place and not frame.named else frame.name
+            at = self.convert.vector(frame.coordinates, f"{label}.position", "m")
+            inner = Placement(self.convert.rotation(frame.orientation, f"{label}.rotation"), at)
+            outer = HERE if frame.base is None else self.local[frame.base]
+            self.local[frame] = outer.then(self.graph, inner)
+        return self.local[place]
 
     def _pose(self, place: Place, name: str) -> Placement:
         """Pose of a frame in the reference configuration."""
@@ -357,8 +360,7 @@ class Assembly:
 
     def _joint_frame(self, place: Place, name: str, body: int, placement: Placement) -> int:
         """Number of the frame of one side of a joint."""
-        existing = self.numbers.get(place)
-        if existing is not None:
+        if (existing := self.numbers.get(place)) is not None:
             frame = self.frames[existing]
             if (frame.rotation, frame.position) == (placement.rotation, placement.position):
                 return existing
@@ -376,15 +378,14 @@ class Assembly:
 
     def frame(self, place: Place, name: str) -> int:
         """Number of a frame of the user, made where it is not known yet."""
-        frame_number = self.numbers.get(place)
-        if frame_number is None:
+        if place not in self.numbers:
             number, home = self.home[place.body]
             placement = home.then(self.graph, self.placement_of(place, name))
             part = self.rigid(number).index[place.body.name]
             has_name = isinstance(place, UserBody) or place.named
             named = place.name if has_name else self.unwritten(name)
-            frame_number = self.new_frame(place, named, number, part, placement)
-        return frame_number
+            self.new_frame(place, named, number, part, placement)
+        return self.numbers[place]
 
     def couple(self) -> None:
         """Couplings, now that every joint has its number."""

@@ -13,8 +13,9 @@ from ...scene import SceneRecord
 def separate_frames(model: SceneRecord) -> dict[Frame, None]:
     """Frames for the section ``frames``; every other one is written where it is used.
 
-    These are the named ones, those used more than once, those whose motion an expression has, and
-    those whose made name, such as ``upper.at1``, would be another one after reading.
+    These are the named ones, those used more than once, those from which others are placed, those
+    whose motion an expression has, and those whose made name, such as ``upper.at1``, would be
+    another one after reading.
     """
     uses = _uses(model)
     counts = Counter(uses)
@@ -24,6 +25,7 @@ def separate_frames(model: SceneRecord) -> dict[Frame, None]:
         for place in (entry.place, entry.wrt, entry.in_)
         if isinstance(place, Frame)
     }
+    spoken |= {frame.base for frame in model.frames.values() if frame.base is not None}
     separate = {f for f in model.frames.values() if f.named or counts[f] != 1 or f in spoken}
     while wrong := _renamed([frame for frame in uses if frame not in separate], separate):
         separate |= wrong

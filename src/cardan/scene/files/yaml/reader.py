@@ -186,14 +186,15 @@ class _Reader:
         waiting, self.waiting = self.waiting, []
         for name, item in waiting:
             body = item.items("a frame such as {body: ...}").get("body")
-            body_named = body is not None and body.is_text
-            if last or (body_named and self._is_body(body.text())):  # type: ignore[union-attr]
+            place_named = body is not None and body.is_text
+            if last or (place_named and self._is_place(body.text())):  # type: ignore[union-attr]
                 self._frame(name, item)
             else:
                 self.waiting.append((name, item))
 
-    def _is_body(self, name: str) -> bool:
-        return name in self.model.bodies or name in self.model.nodes
+    def _is_place(self, name: str) -> bool:
+        places = (self.model.bodies, self.model.nodes, self.model.frames)
+        return name == "ground" or any(name in named for named in places)
 
     def _frame(self, name: str, item: Item) -> None:
         frame = self.values.frame(item, name)

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from ....elements.material import material
-from ....errors import ModelError, near
+from ....errors import near
 from ....spatial.numbers import check_axes, check_orthonormal
 from ...body import INERTIA_ENTRIES
 from ...frame import Place
@@ -176,14 +176,12 @@ class Values:
         return tuple(self.place(entry) for entry in entries)
 
     def frame(self, item: Item, name: str | None) -> Place:
-        """A frame on a body."""
+        """A frame on a body, or placed from another frame."""
         arguments = self.record(keys.FRAME, item, "a frame")
         with item.at_item():
-            body = self.model.place(item.path, arguments["body"], "body")
-            if body is not body.body:
-                raise ModelError(f"{item.path}: '{body.name}' is a frame, not a body")
+            base = self.model.place(item.path, arguments["body"], "body")
             at, rotation = arguments.get("at", (0, 0, 0)), arguments.get("rotation")
-            return body.body.at(*at, rotation=rotation, name=name)
+            return base.at(*at, rotation=rotation, name=name)
 
     def rotation(self, item: Item) -> Any:
         """``[XYZ, a, b, c]`` or 3x3."""

@@ -203,7 +203,7 @@ class _Writer:
         return path.relative_to(self.folder).as_posix() if inside else file
 
     def _frame(self, frame: Frame) -> dict[str, Any]:
-        where, entry = f"frame '{frame.name}'", {"body": frame.body.name}
+        where, entry = f"frame '{frame.name}'", {"body": (frame.base or frame.body).name}
         if not all(map(_zero, frame.coordinates)):
             entry["at"] = self.value(frame.coordinates, where)
         if frame.orientation is not None:
