@@ -37,6 +37,18 @@ def test_equilibria_and_paths_have_outputs_and_reactions_by_name() -> None:
             result["heigth"]
 
 
+def test_reactions_at_a_stop_are_those_of_rest() -> None:
+    scene = cd.Scene("leaning", gravity=(0, 0, -9.81))
+    rod = scene.body("rod", mass=1.5, com=(0, 0, -1.0), inertia=(0.1, 0.1, 0.1))
+    scene.joint("hinge", cd.Revolute("y"), scene.ground, rod)
+    scene.force("stop", cd.Stop("hinge", lower=0.2))
+    rest = cd.compile(scene).equilibrium(q={"hinge": 0.3})
+    assert rest.modes == {"stop": "at the lower stop"}
+    # the hinge carries the weight, in axes of the rod
+    weight = 1.5 * 9.81 * np.array([-np.sin(0.2), 0.0, np.cos(0.2)])
+    assert rest["hinge.force"] == pytest.approx(weight, abs=1e-9)
+
+
 def test_a_motion_has_reactions_by_name() -> None:
     motion = cd.compile(hanging()).simulate(0.5, q={"hinge": 0.3})
     wrenches = motion.reaction("hinge")

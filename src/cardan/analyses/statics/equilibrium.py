@@ -125,7 +125,8 @@ class Equilibrium(NamedState):
     def _called(self, function: str, *of: str) -> Array:
         """The value of a function of the model there, under the forces that hold coordinates."""
         locked, tau = Problem(dynamic_system_of(self.model)).locked_forces(self.point, self.load)
-        arguments = {"r": self.load.r, "z": self.point.at.z, "tau": tau if locked else ()}
+        at = self.point.at
+        arguments = {"r": self.load.r, "z": at.z, "s": at.s, "tau": tau if locked else ()}
         some = {name: value for name, value in arguments.items() if len(value)}
         value: Array = getattr(self.model, function)(*of, self.q, self.u, t=self.t, **some)
         return value
