@@ -258,7 +258,7 @@ def compile(
         notes = equations.notes(*key, function)
         return generate(function, model=equations.system.name, notes=notes, of=key[1]), function
 
-    model = CompiledModel(folder, provide, threads=threads)
+    model = CompiledModel(folder, provide, threads=threads, available=functions)
     _say_what_is_not_checked(model)
     return model
 

@@ -28,9 +28,7 @@ pytestmark = pytest.mark.usefixtures("cache_directory")
 START = {"q": {"elbow": 0.4}}
 
 
-@pytest.fixture
-def double() -> cd.CompiledModel:
-    """A double pendulum, nothing of it compiled yet."""
+def double_pendulum() -> cd.Scene:
     scene = cd.Scene("shared", gravity=(0, 0, -9.81))
     rod = cd.inertia.rod(1.0, 0.5, axis="z")
     upper = scene.body("upper", mass=1.0, com=(0, 0, -0.25), inertia=rod)
@@ -39,7 +37,13 @@ def double() -> cd.CompiledModel:
     scene.joint("elbow", cd.Revolute("y"), upper.at(0, 0, -0.5), lower)
     torque = scene.input("torque")
     scene.force("motor", cd.JointForce("shoulder", torque))
-    return cd.compile(scene)
+    return scene
+
+
+@pytest.fixture
+def double() -> cd.CompiledModel:
+    """A double pendulum, nothing of it compiled yet."""
+    return cd.compile(double_pendulum())
 
 
 def work(model: cd.CompiledModel) -> list[np.ndarray]:
@@ -369,3 +373,20 @@ def test_a_run_of_the_compiler_keeps_one_lock(
         assert object_file.intact(one.published().path)
     assert list(cache_directory.glob(".new-*")) == []
     assert len(list(cache_directory.glob("*.so"))) == 3
+
+
+def test_models_of_one_folder_have_the_functions_they_were_compiled_with() -> None:
+    scene = double_pendulum()
+    few = cd.compile(scene, functions=("forward_dynamics",))
+    many = cd.compile(scene)
+    assert few.directory == many.directory
+    assert "inverse_dynamics" in many.manifest.available
+    many.prepare("inverse_dynamics", "energy")
+    # what the other model wrote is in the folder when this one reads its manifest again
+    few.prepare("forward_dynamics")
+    assert [*few.manifest.available] == ["forward_dynamics"]
+    assert few.verify().checked == ("forward_dynamics",)
+    cd.compile(scene, functions=("qdot",))
+    many.prepare("mass_matrix")
+    assert "energy" in many.manifest.available
+    assert "energy" in many.simulate(0.1, **START).manifest.available

@@ -109,6 +109,7 @@ class Objects:
         provide: Provide | None = None,
         reproducible: bool = False,
         threads: int | None = None,
+        available: Sequence[str] | None = None,
     ) -> None:
         self.directory = Path(directory)
         self.reproducible = reproducible
@@ -121,6 +122,8 @@ class Objects:
             None  # of the last judgement, and for what
         )
         self._provide = provide
+        # others compile the same scene in the same folder, with other functions
+        self._available = available
         self.lock = threading.RLock()
         self._loaded: dict[str, Code] = {}
         self._saved: dict[str, Any] = {}
@@ -131,7 +134,7 @@ class Objects:
     def _read(self) -> Manifest:
         path = self.directory / "manifest.json"
         try:
-            return from_file(regular_file.content(path), str(path))
+            manifest = from_file(regular_file.content(path), str(path))
         except FileNotFoundError:
             raise ModelError(
                 f"{self.directory} holds no compiled model: {path} is missing"
@@ -145,6 +148,9 @@ class Objects:
             ) from None
         except OSError as error:
             raise ModelError(f"{path} cannot be read: {error.strerror or error}") from error
+        if self._available is None:
+            return manifest
+        return manifest.replaced(available=list(self._available))
 
     def saved(self) -> dict[str, Any]:
         """The saved Functions of ``functions.json`` as plain data, by C name."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ctypes
 from abc import abstractmethod
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Self
 
@@ -55,6 +55,7 @@ class LoadedModel(Description):
         *,
         reproducible: bool = False,
         threads: int | None = None,
+        available: Sequence[str] | None = None,
     ) -> None:
         """Open a model directory.
 
@@ -64,11 +65,13 @@ class LoadedModel(Description):
             reproducible: Equal bits from every compiler, 10-30 % slower.
             threads: That share a large batch; by default ``$CARDAN_THREADS``, else the cores that
                 this process may use.
+            available: Names of the functions that ``provide`` writes; by default those that the
+                manifest lists.
 
         Raises:
             ModelError: no readable manifest.
         """
-        self._objects = Objects(Path(directory), provide, reproducible, threads)
+        self._objects = Objects(Path(directory), provide, reproducible, threads, available)
         self._set(Parameters(self._objects.manifest))
 
     def _set(self, parameters: Parameters, layout: Layout | None = None) -> None:
