@@ -5,9 +5,9 @@
  * rewrites: base_parameters
  * passes: unroll, reassociate
  *
- * Sizes: out 6, work 52, w 9
- * Operations per call: 161 = 57 mul, 34 select, 15 add, 11 sub, 10 neg, 8 lt, 7 le, 5 eq, 4 abs,
- *     4 solve, 2 and, 1 cos, 1 div, 1 not, 1 sin
+ * Sizes: out 6, work 65, w 9
+ * Operations per call: 169 = 61 mul, 34 select, 16 add, 12 sub, 11 neg, 8 lt, 7 le, 5 eq, 5 solve,
+ *     4 abs, 2 and, 1 cos, 1 div, 1 not, 1 sin
  * Operations of prepare: 5 = 2 add, 2 mul, 1 div
  *
  * Input q (2): generalized coordinates
@@ -100,15 +100,18 @@ CARDAN_API int transition(const cardan_in *in, real *CARDAN_RESTRICT out,
     real (*const impact_matrix)[2] = (real (*)[2])(work + 0);
     real *const impact_right = work + 4;
     real *const impact_scratch = work + 6;
-    real (*const second_impact_matrix)[2] = (real (*)[2])(work + 13);
-    real *const second_impact_right = work + 17;
-    real *const second_impact_scratch = work + 19;
-    real (*const response_matrix)[2] = (real (*)[2])(work + 26);
-    real *const response_right = work + 30;
-    real *const response_scratch = work + 32;
-    real (*const circuit_matrix)[2] = (real (*)[2])(work + 39);
-    real *const circuit_right = work + 43;
-    real *const circuit_scratch = work + 45;
+    real (*const response_matrix)[2] = (real (*)[2])(work + 13);
+    real *const response_right = work + 17;
+    real *const response_scratch = work + 19;
+    real (*const response_matrix_2)[2] = (real (*)[2])(work + 26);
+    real *const response_right_2 = work + 30;
+    real *const response_scratch_2 = work + 32;
+    real (*const second_impact_matrix)[2] = (real (*)[2])(work + 39);
+    real *const second_impact_right = work + 43;
+    real *const second_impact_scratch = work + 45;
+    real (*const circuit_matrix)[2] = (real (*)[2])(work + 52);
+    real *const circuit_right = work + 56;
+    real *const circuit_scratch = work + 58;
     int status = CARDAN_OK;
 
     /* hook: R */
@@ -196,10 +199,55 @@ CARDAN_API int transition(const cardan_in *in, real *CARDAN_RESTRICT out,
     status |= CARDAN_SOLVE(semidefinite, 2, 1, impact_matrix[0], impact_right, impact_scratch);
     const real ends_lower_impulse = impact_right[0];
     const real ends_upper_impulse = impact_right[1];
-    const real ends_lower_second_active = ends_lower_active * cardan_select(cardan_le(0.0,
-        ends_lower_impulse), 1.0, 0.0);
-    const real ends_upper_second_active = ends_upper_active * cardan_select(cardan_le(0.0,
-        ends_upper_impulse), 1.0, 0.0);
+
+    /* shared by several: change */
+    const real friction_stick_response_rail = friction_G_stick_rail * M_factor_D_inverse_rail;
+    response_right_2[0] = friction_stick_response_rail;
+    const real ends_stop_response_rail = ends_G_stop_rail * M_factor_D_inverse_rail;
+    response_right_2[1] = ends_stop_response_rail;
+    const real response_friction_stick_friction_stick = friction_G_stick_rail *
+        friction_stick_response_rail;
+    response_matrix[0][0] = response_friction_stick_friction_stick;
+    response_matrix_2[0][0] = response_friction_stick_friction_stick;
+    circuit_matrix[0][0] = response_friction_stick_friction_stick;
+    const real response_ends_stop_friction_stick = ends_G_stop_rail * friction_stick_response_rail;
+    response_matrix[0][1] = response_ends_stop_friction_stick;
+    response_matrix[1][0] = response_ends_stop_friction_stick;
+    response_matrix_2[0][1] = response_ends_stop_friction_stick;
+    response_matrix_2[1][0] = response_ends_stop_friction_stick;
+    circuit_matrix[0][1] = response_ends_stop_friction_stick;
+    circuit_matrix[1][0] = response_ends_stop_friction_stick;
+    const real response_ends_stop_ends_stop = ends_G_stop_rail * ends_stop_response_rail;
+    response_matrix[1][1] = response_ends_stop_ends_stop;
+    response_matrix_2[1][1] = response_ends_stop_ends_stop;
+    circuit_matrix[1][1] = response_ends_stop_ends_stop;
+    const real response_gamma_friction_stick = -friction_stick_response_rail;
+    response_right[0] = response_gamma_friction_stick;
+    const real response_gamma_ends_stop = -ends_stop_response_rail;
+    response_right[1] = response_gamma_ends_stop;
+    /* response_matrix lam = response_right; the solution takes its place */
+    status |= CARDAN_SOLVE(semidefinite, 2, 1, response_matrix[0], response_right,
+        response_scratch);
+    const real friction_change_response_part = response_right[0];
+    const real friction_change_response_part_2 = response_right[1];
+    const real friction_change_response = M_factor_D_inverse_rail
+        + friction_stick_response_rail * friction_change_response_part
+        + ends_stop_response_rail * friction_change_response_part_2;
+
+    /* impact: speeds */
+    /* speeds = u + M⁻¹ Jᵀ P, J speeds as the events ask */
+    const real ends_lower_second_active = ends_lower_active *
+        cardan_select(cardan_le(-ends_lower_impulse * friction_change_response, ends_settle), 1.0,
+        0.0);
+    /* response_matrix_2 lam = response_right_2; the solution takes its place */
+    status |= CARDAN_SOLVE(semidefinite, 2, 1, response_matrix_2[0], response_right_2,
+        response_scratch_2);
+    const real ends_upper_second_active_part = response_right_2[0];
+    const real ends_upper_second_active_part_2 = response_right_2[1];
+    const real ends_upper_second_active = ends_upper_active *
+        cardan_select(cardan_le(ends_upper_impulse * (friction_stick_response_rail *
+        ends_upper_second_active_part - M_factor_D_inverse_rail
+        + ends_stop_response_rail * ends_upper_second_active_part_2), ends_settle), 1.0, 0.0);
     const real missing_speed_second_ends_upper = rail_u_plus_ends_impulse_upper_after *
         ends_upper_second_active;
     second_impact_right[1] = missing_speed_second_ends_upper;
@@ -243,37 +291,6 @@ CARDAN_API int transition(const cardan_in *in, real *CARDAN_RESTRICT out,
     /* friction: change */
     const real friction_change_along = cardan_select(cardan_lt(0.0, second_behind_rail), 1.0, -1.0);
 
-    /* shared by several: change */
-    const real friction_stick_response_rail = friction_G_stick_rail * M_factor_D_inverse_rail;
-    const real ends_stop_response_rail = ends_G_stop_rail * M_factor_D_inverse_rail;
-    const real response_friction_stick_friction_stick = friction_G_stick_rail *
-        friction_stick_response_rail;
-    response_matrix[0][0] = response_friction_stick_friction_stick;
-    circuit_matrix[0][0] = response_friction_stick_friction_stick;
-    const real response_ends_stop_friction_stick = ends_G_stop_rail * friction_stick_response_rail;
-    response_matrix[0][1] = response_ends_stop_friction_stick;
-    response_matrix[1][0] = response_ends_stop_friction_stick;
-    circuit_matrix[0][1] = response_ends_stop_friction_stick;
-    circuit_matrix[1][0] = response_ends_stop_friction_stick;
-    const real response_ends_stop_ends_stop = ends_G_stop_rail * ends_stop_response_rail;
-    response_matrix[1][1] = response_ends_stop_ends_stop;
-    circuit_matrix[1][1] = response_ends_stop_ends_stop;
-    const real second_behind_rail_abs = cardan_abs(second_behind_rail);
-
-    /* friction: change */
-    const real response_gamma_friction_stick = -friction_stick_response_rail;
-    response_right[0] = response_gamma_friction_stick;
-    const real response_gamma_ends_stop = -ends_stop_response_rail;
-    response_right[1] = response_gamma_ends_stop;
-    /* response_matrix lam = response_right; the solution takes its place */
-    status |= CARDAN_SOLVE(semidefinite, 2, 1, response_matrix[0], response_right,
-        response_scratch);
-    const real friction_change_response_part = response_right[0];
-    const real friction_change_response_part_2 = response_right[1];
-    const real friction_change_response = M_factor_D_inverse_rail
-        + friction_stick_response_rail * friction_change_response_part
-        + ends_stop_response_rail * friction_change_response_part_2;
-
     /* lamp: a, n */
     /* a = Rᵀ (a_parent + U_parent p) + S_v udot + c_v */
     /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
@@ -305,15 +322,8 @@ CARDAN_API int transition(const cardan_in *in, real *CARDAN_RESTRICT out,
     /* friction: multiplier stick */
     const real friction_multiplier_stick = circuit_right[0];
 
-    /* ends: multiplier stop, change */
-    const real ends_release = e[4];
+    /* ends: multiplier stop */
     const real ends_multiplier_stop = circuit_right[1];
-    const real ends_change_at_rest = cardan_le(second_behind_rail_abs - 1e-12 * rail_u_abs, 1e-12);
-    /* s: ends */
-    out[3] = cardan_select(ends_release, 0.0, cardan_select(ends_upper,
-        cardan_select(ends_change_at_rest, 1.0, 0.0), cardan_select(ends_lower,
-        cardan_select(ends_change_at_rest, -1.0, 0.0), cardan_select(ends_eq_zero, 0.0,
-        cardan_select(ends_change_at_rest, ends, 0.0)))));
 
     /* rail: udot */
     /* udot = free_udot + response multipliers */
@@ -335,11 +345,25 @@ CARDAN_API int transition(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real friction_change_unless_struck = cardan_select(friction_stop,
         friction_change_stopped, cardan_select(friction_slip,
         cardan_select(cardan_lt(friction_multiplier_stick, 0.0), 1.0, -1.0), friction));
+
+    /* shared by several: change */
+    const real second_behind_rail_abs = cardan_abs(second_behind_rail);
+
+    /* friction: change */
     /* s: friction */
     out[2] = cardan_select(cardan_and(cardan_lt(1e-12 * (1.0
         + second_behind_rail_abs), cardan_abs(second_behind_rail
         - rail_u)), cardan_not(friction_eq_zero)), cardan_select(cardan_le(second_behind_rail_abs,
         1e-12 * (1.0 + rail_u_abs)), 2.0, friction_change_along), friction_change_unless_struck);
+
+    /* ends: change */
+    const real ends_release = e[4];
+    const real ends_change_at_rest = cardan_le(second_behind_rail_abs - 1e-12 * rail_u_abs, 1e-12);
+    /* s: ends */
+    out[3] = cardan_select(ends_release, 0.0, cardan_select(ends_upper,
+        cardan_select(ends_change_at_rest, 1.0, 0.0), cardan_select(ends_lower,
+        cardan_select(ends_change_at_rest, -1.0, 0.0), cardan_select(ends_eq_zero, 0.0,
+        cardan_select(ends_change_at_rest, ends, 0.0)))));
 
     /* motor: change */
     const real motor_sample = e[5];
@@ -356,5 +380,5 @@ CARDAN_API int transition(const cardan_in *in, real *CARDAN_RESTRICT out,
 
 #ifdef CARDAN_LOADED
 /* numbers of out, work, w and of the blocks that are read: see manifest.json */
-const int transition_sizes[] = {6, 52, 9, 0, 2, 2, 0, 4, 1, 19, 0, 0, 0, 0, 0, 0, 0, 0, 6};
+const int transition_sizes[] = {6, 65, 9, 0, 2, 2, 0, 4, 1, 19, 0, 0, 0, 0, 0, 0, 0, 0, 6};
 #endif

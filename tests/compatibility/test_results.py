@@ -33,7 +33,7 @@ def test_a_run_has_the_numbers_it_had(path: Path, tmp_path: Path) -> None:
         np.testing.assert_allclose(found[name], expected[name], rtol=1e-12, atol=1e-12 * scale)
     again = cd.load_motion(motion.save(tmp_path / "run.nc"))
     np.testing.assert_array_equal(again.x, motion.x)
-    assert motion.animate(tmp_path / "page.html").stat().st_size > 10_000
+    assert motion.animate(tmp_path / "page.html").path.stat().st_size > 10_000
 
 
 @pytest.mark.parametrize("path", ENSEMBLES, ids=lambda path: path.stem)
@@ -56,7 +56,7 @@ def test_a_motion_of_format_1(tmp_path: Path) -> None:
     # between its rows, and in a page, by its coordinates alone
     turned = motion.resample([0.1, 0.2]).pose("rod")
     np.testing.assert_allclose(turned[:, 0, 0], np.cos(motion.at([0.1, 0.2])[:, 0]), atol=1e-15)
-    assert motion.animate(tmp_path / "page.html").stat().st_size > 10_000
+    assert motion.animate(tmp_path / "page.html").path.stat().st_size > 10_000
     # saved again it has a hash
     again = cd.load_motion(motion.save(tmp_path / "run.nc"))
     np.testing.assert_array_equal(again.x, motion.x)

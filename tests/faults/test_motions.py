@@ -60,8 +60,8 @@ def test_e3_a_loaded_run_with_dense_output_is_animated(coordinates: str, tmp_pat
     """``animate`` of a loaded run asked for the model, although the poses were in the file."""
     motion = _run(coordinates)
     back = cd.load_motion(motion.save(tmp_path / "run.nc"))
-    motion.animate(tmp_path / "there.html")
-    back.animate(tmp_path / "here.html")
+    motion.animate(tmp_path / "there.html", page="plain")
+    back.animate(tmp_path / "here.html", page="plain")
     there, here = _page(tmp_path / "there.html"), _page(tmp_path / "here.html")
     assert here["t"] == there["t"]
     # pages hold five decimals; rounding may fall to either side
@@ -73,7 +73,7 @@ def test_e3_a_long_run_without_its_model_has_a_short_page(tmp_path: Path) -> Non
     """Without a model every row of a run with output times went into the page."""
     motion = _door("relative").simulate(np.linspace(0, 5, 20_001), q={"hinge": 0.3})
     back = cd.load_motion(motion.save(tmp_path / "run.nc"))
-    page = _page(back.animate(tmp_path / "page.html"))
+    page = _page(back.animate(tmp_path / "page.html", page="plain").saved())
     assert 100 < len(page["t"]) <= 1500
     # the poses are those of the times that are shown
     rows = np.searchsorted(motion.t, np.array(page["t"]) - 1e-5)

@@ -81,7 +81,7 @@ def motion(name: str, folder: Path) -> Kind:
         for part in (again.r, again.s, again.work_done, again.energy.total, again.energy_residual):
             found.update(np.asarray(part).tobytes())
         here = folder / f"again{os.getpid()}"
-        found.update(again.animate(here.with_suffix(".html"), fps=100.0).read_bytes())
+        found.update(again.animate(here.with_suffix(".html"), fps=100.0).path.read_bytes())
         again.save(here.with_suffix(ending))
         for suffix in (".html", ending):
             here.with_suffix(suffix).unlink()

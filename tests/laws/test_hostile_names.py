@@ -111,11 +111,11 @@ def test_c_and_python(word: str, tmp_path: Path) -> None:
 
 
 @cache
-def drawn(word: str) -> Tags:
+def drawn(word: str, kind: str) -> Tags:
     """The page of a motion of a scene."""
     with TemporaryDirectory() as folder:
-        page = cd.compile(scene_of(word)).simulate(0.1).animate(Path(folder) / "p.html")
-        return Tags(page.read_text("utf-8"))
+        motion = cd.compile(scene_of(word)).simulate(0.1)
+        return Tags(motion.animate(Path(folder) / "p.html", page=kind).html)
 
 
 @pytest.mark.parametrize("word", some(NAMES.values(), 4, 2), ids=NAMES)
@@ -125,9 +125,10 @@ def test_pages_and_pictures(word: str, tmp_path: Path, capsys: pytest.CaptureFix
     history = Tags(motion._repr_html_())
     assert {"script", "img"} & set(history.tags) == set()
     assert history.tags.count("svg") == 2
-    page = Tags(motion.animate(tmp_path / "run.html").read_text("utf-8"))
-    expected = drawn("plain")
-    assert (page.tags, page.attributes) == (expected.tags, expected.attributes)
+    for kind in ("3d", "plain"):
+        page = Tags(motion.animate(tmp_path / "run.html", page=kind).html)
+        expected = drawn("plain", kind)
+        assert (page.tags, page.attributes) == (expected.tags, expected.attributes)
 
     # scene files
     scene.save(tmp_path / "hostile.yaml")

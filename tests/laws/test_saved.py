@@ -103,7 +103,7 @@ def _same(here: Any, there: Any) -> bool:
 
 
 def _page(motion: cd.Trajectory, path: Path) -> dict[str, Any]:
-    text = motion.animate(path, fps=2000.0).read_text("utf-8")
+    text = motion.animate(path, fps=2000.0, page="plain").path.read_text("utf-8")
     found: dict[str, Any] = json.JSONDecoder().raw_decode(text[text.index('{"t":') :])[0]
     return found
 

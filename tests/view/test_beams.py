@@ -8,9 +8,9 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from cardan.view.meshed import MOST_POINTS, drawing
 
 import cardan as cd
-from cardan.view.meshed import MOST_POINTS, drawing
 
 GENERAL = cd.section.general(EA=1e4, GA=1e4, GJ=1, EI=1, rhoA=1, rhoI=1e-3)
 
@@ -45,7 +45,7 @@ def test_lines_run_through_all_nodes(motion: cd.Trajectory) -> None:
 
 
 def test_page_draws_tubes(motion: cd.Trajectory, tmp_path: Path) -> None:
-    page = motion.animate(tmp_path / "page.html", fps=200).read_text(encoding="utf-8")
+    page = motion.animate(tmp_path / "page.html", fps=200).path.read_text(encoding="utf-8")
     found = re.search(r'id="data">(.*?)</script>', page, re.DOTALL)
     assert found
     data = json.loads(found.group(1))

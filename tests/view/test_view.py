@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import cardan as cd
-from cardan.view.scene import drawing
+from cardan.view.solids import bodies
 
 NASTY = "</script><img src=x onerror=alert(1)>"
 
@@ -26,17 +26,18 @@ def motion() -> cd.Trajectory:
     return cd.compile(scene).simulate(2.0, q={"shoulder": 1.0, "elbow": 0.4})
 
 
-def test_page_is_self_contained_and_safe(motion: cd.Trajectory, tmp_path: Path) -> None:
-    page = motion.animate(tmp_path / "deep" / "page.html").read_text(encoding="utf-8")
+@pytest.mark.parametrize("kind", ["3d", "plain"])
+def test_page_is_self_contained_and_safe(motion: cd.Trajectory, tmp_path: Path, kind: str) -> None:
+    page = motion.animate(tmp_path / "deep" / "page.html", page=kind).path.read_text("utf-8")
     assert NASTY not in page
-    assert page.count("<script") == page.count("</script>") == 2
+    assert page.count("<script") == page.count("</script>") == (4 if kind == "3d" else 2)
     assert not re.search(r"https?://|<[^>]*(src|href)=", page)
     assert "__DATA__" not in page
     assert [path.name for path in (tmp_path / "deep").iterdir()] == ["page.html"]
 
 
 def test_page_holds_the_motion(motion: cd.Trajectory, tmp_path: Path) -> None:
-    page = motion.animate(tmp_path / "page.html", fps=30).read_text(encoding="utf-8")
+    page = motion.animate(tmp_path / "page.html", fps=30, page="plain").html
     found = re.search(r'id="data">(.*?)</script>', page, re.S)
     assert found
     data = json.loads(found.group(1))
@@ -51,13 +52,13 @@ def test_page_holds_the_motion(motion: cd.Trajectory, tmp_path: Path) -> None:
 
 
 def test_bodies_are_drawn_by_shape_or_as_links(motion: cd.Trajectory) -> None:
-    upper, lower = drawing(motion)["bodies"]
-    assert [solid["kind"] for solid in upper["solids"]] == ["box"]
-    assert upper["solids"][0]["a"] == [0, 0, -0.5]
+    (upper, lower), _ = bodies(motion)
+    assert [solid["kind"] for solid in upper.solids] == ["box"]
+    assert upper.solids[0]["a"] == [0, 0, -0.5]
     # no shape: a link through the center of mass to twice its distance, and a ball there
-    assert [solid["kind"] for solid in lower["solids"]] == ["link", "sphere"]
-    assert lower["solids"][0]["b"] == [0, 0, -0.8]
-    assert lower["solids"][1]["a"] == [0, 0, -0.4]
+    assert [solid["kind"] for solid in lower.solids] == ["link", "sphere"]
+    assert lower.solids[0]["b"] == [0, 0, -0.8]
+    assert lower.solids[1]["a"] == [0, 0, -0.4]
 
 
 def test_output_times_without_dense_output_can_be_shown(tmp_path: Path) -> None:
@@ -66,7 +67,7 @@ def test_output_times_without_dense_output_can_be_shown(tmp_path: Path) -> None:
     scene.joint("pivot", cd.Revolute("y"), scene.ground, rod)
     times = np.linspace(0, 1, 11)
     motion = cd.compile(scene).simulate(times, q={"pivot": 0.5})
-    page = motion.animate(tmp_path / "page.html").read_text(encoding="utf-8")
+    page = motion.animate(tmp_path / "page.html", page="plain").html
     found = re.search(r'id="data">(.*?)</script>', page, re.S)
     assert found
     assert json.loads(found.group(1))["t"] == pytest.approx(times)
@@ -103,8 +104,9 @@ def test_what_cannot_be_plotted_says_why(motion: cd.Trajectory, tmp_path: Path) 
 
 
 def test_titles_are_text_only(motion: cd.Trajectory, tmp_path: Path) -> None:
-    page = motion.animate(tmp_path / "page.html", title="__DATA__ & <i>").read_text("utf-8")
-    assert "<h1>__DATA__ &amp; &lt;i&gt;</h1>" in page
+    for kind in ("3d", "plain"):
+        page = motion.animate(tmp_path / "page.html", title="__DATA__ & <i>", page=kind).html
+        assert "<h1>__DATA__ &amp; &lt;i&gt;</h1>" in page
 
 
 def test_nothing_is_drawn_to_a_free_body_and_far_masses_hang_on_ribs() -> None:
@@ -115,9 +117,9 @@ def test_nothing_is_drawn_to_a_free_body_and_far_masses_hang_on_ribs() -> None:
     scene.joint("hinge", cd.Revolute("y"), scene.ground, upper)
     scene.joint("knee", cd.Revolute("y"), upper.at(0, 0, -1), lower)
     scene.joint("fly", cd.Free(), scene.ground.at(5, 0, 0), crate)
-    page = drawing(cd.compile(scene).simulate(0.1))
-    assert [solid["b"] for solid in page["ground"]] == [[0, 0, 0]]
-    link, rib, ball = page["bodies"][0]["solids"]
+    drawn, ground = bodies(cd.compile(scene).simulate(0.1))
+    assert [solid["b"] for solid in ground] == [[0, 0, 0]]
+    link, rib, ball = drawn[0].solids
     assert link["b"] == [0, 0, -1]
     assert (rib["a"], rib["b"]) == ([0, 0, -0.5], [0.4, 0, -0.5])
     assert ball["a"] == [0.4, 0, -0.5]

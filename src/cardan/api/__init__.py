@@ -21,9 +21,11 @@ FACES |= {
             ("linear.mode_shapes", "Modes"),
             ("linear.root_locus", "Locus"),
             ("linear.steady_motion", "SteadyMotion"),
+            ("mechanisms.assembly", "Assembly"),
             ("mechanisms.sweep", "Sweep"),
             ("mechanisms.workspace", "Workspace"),
             ("simulation.precision.work_precision", "Precision"),
+            ("statics.equilibrium", "Equilibrium"),
             ("statics.static_path", "StaticPath"),
         )
     },

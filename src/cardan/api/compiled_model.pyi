@@ -11,7 +11,6 @@ from ..analyses.identification.base_parameters import Base
 from ..analyses.linear.first_order import Choice
 from ..analyses.linear.sensitivity import Sensitivity
 from ..analyses.mechanisms.actuation import Actuation
-from ..analyses.mechanisms.assembly import Assembly
 from ..analyses.mechanisms.minimal_coordinates import Partition
 from ..analyses.mechanisms.redundancy import Redundancy
 from ..analyses.mechanisms.singular_positions import Singular
@@ -21,7 +20,6 @@ from ..analyses.simulation.precision.runs import Show
 from ..analyses.simulation.precision.stiffness import Stiffness
 from ..analyses.simulation.settings import Values
 from ..analyses.simulation.stepper import Stepper
-from ..analyses.statics.equilibrium import Equilibrium
 from ..arguments import Count, LockedValues, Seed
 from ..arrays import Array
 from ..runtime.calls.evaluation import State
@@ -31,8 +29,10 @@ from ..runtime.models.finite_elements.elements import Elements
 from ..runtime.models.loaded_model import LoadedModel
 from ..runtime.verification.verify import Verification
 from .results import (
+    Assembly,
     Campbell,
     Ensemble,
+    Equilibrium,
     Excitation,
     Identification,
     LinearModel,

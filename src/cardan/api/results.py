@@ -13,9 +13,11 @@ from ..analyses.linear.linear_model import LinearModelRecord
 from ..analyses.linear.mode_shapes import ModesRecord
 from ..analyses.linear.root_locus import LocusRecord
 from ..analyses.linear.steady_motion import SteadyMotionRecord
+from ..analyses.mechanisms.assembly import AssemblyRecord
 from ..analyses.mechanisms.sweep import SweepRecord
 from ..analyses.mechanisms.workspace import WorkspaceRecord
 from ..analyses.simulation.precision.work_precision import PrecisionRecord
+from ..analyses.statics.equilibrium import EquilibriumRecord
 from ..analyses.statics.static_path import StaticPathRecord
 from .faces import attribute, verb
 
@@ -93,9 +95,17 @@ class SteadyMotion(SteadyMotionRecord):
 
 
 @final
+class Assembly(AssemblyRecord):
+    """A position at which all loops close."""
+
+    animate = verb("cardan.analyses.snapshots:animate")
+
+
+@final
 class Sweep(SweepRecord):
     """Positions of a mechanism over values of its drivers."""
 
+    animate = verb("cardan.analyses.snapshots:animate")
     plot = verb("cardan.analyses.mechanisms.sweep:plot")
 
 
@@ -114,7 +124,15 @@ class Precision(PrecisionRecord):
 
 
 @final
+class Equilibrium(EquilibriumRecord):
+    """A position at which a system rests, or moves steadily."""
+
+    animate = verb("cardan.analyses.snapshots:animate")
+
+
+@final
 class StaticPath(StaticPathRecord):
     """Equilibria of a load path."""
 
+    animate = verb("cardan.analyses.snapshots:animate")
     plot = verb("cardan.analyses.statics.static_path:plot")

@@ -16,11 +16,14 @@ from ..analyses.linear.linear_model import LinearModelRecord
 from ..analyses.linear.mode_shapes import ModesRecord
 from ..analyses.linear.root_locus import LocusRecord
 from ..analyses.linear.steady_motion import SteadyMotionRecord
+from ..analyses.mechanisms.assembly import AssemblyRecord
 from ..analyses.mechanisms.sweep import SweepRecord
 from ..analyses.mechanisms.workspace import WorkspaceRecord
 from ..analyses.simulation.precision.work_precision import PrecisionRecord
+from ..analyses.statics.equilibrium import EquilibriumRecord
 from ..analyses.statics.static_path import StaticPathRecord
 from ..arguments import Count
+from ..view.page import Page
 from .trajectory import Trajectory
 
 @final
@@ -165,12 +168,19 @@ class Modes(ModesRecord):
     def animate(
         self,
         k: int,
-        path: str | Path,
+        path: str | Path | None = None,
         *,
         amplitude: float | None = None,
         periods: float = 2.0,
-    ) -> Path:
+        show: str | Sequence[str] | None = None,
+        plots: str | Sequence[str] | None = (),
+        meshes: str | float | bool = "auto",
+        page: str = "3d",
+    ) -> Page:
         """A page that plays a mode in any browser; see :meth:`motion` for amplitude and periods.
+
+        Args:
+            path, show, plots, meshes, page: As :meth:`.Trajectory.animate`; no histories by default.
         """
     def plot(
         self,
@@ -220,9 +230,62 @@ class SteadyMotion(SteadyMotionRecord):
         """True when no small motion about it grows exponentially."""
 
 @final
+class Assembly(AssemblyRecord):
+    """A position at which all loops close.
+    """
+    def animate(
+        self,
+        path: str | Path | None = None,
+        *,
+        show: str | Sequence[str] | None = None,
+        plots: str | Sequence[str] | None = None,
+        follow: str | None = None,
+        traces: str | Sequence[str] = (),
+        meshes: str | float | bool = "auto",
+        page: str = "3d",
+        title: str | None = None,
+    ) -> Page:
+        """A self-contained page of the positions, over the load or the driver where there are several.
+
+        Args:
+            path, show, follow, traces, meshes, page, title: As :meth:`.Trajectory.animate`.
+            plots: Names of histories below the picture, as ``result[name]``.
+
+        Returns:
+            The page; ``.path`` is its file. Without a path it is opened, or shown in a notebook.
+
+        Raises:
+            ModelError, ArgumentError: as :meth:`.Trajectory.animate`, or there are no positions.
+        """
+
+@final
 class Sweep(SweepRecord):
     """Positions of a mechanism over values of its drivers.
     """
+    def animate(
+        self,
+        path: str | Path | None = None,
+        *,
+        show: str | Sequence[str] | None = None,
+        plots: str | Sequence[str] | None = None,
+        follow: str | None = None,
+        traces: str | Sequence[str] = (),
+        meshes: str | float | bool = "auto",
+        page: str = "3d",
+        title: str | None = None,
+    ) -> Page:
+        """A self-contained page of the positions, over the load or the driver where there are several.
+
+        Args:
+            path, show, follow, traces, meshes, page, title: As :meth:`.Trajectory.animate`.
+            plots: Names of histories below the picture, as ``result[name]``.
+
+        Returns:
+            The page; ``.path`` is its file. Without a path it is opened, or shown in a notebook.
+
+        Raises:
+            ModelError, ArgumentError: as :meth:`.Trajectory.animate`, or there are no positions.
+        """
     def plot(
         self,
         path: str | Path | None = None,
@@ -270,9 +333,62 @@ class Precision(PrecisionRecord):
         """
 
 @final
+class Equilibrium(EquilibriumRecord):
+    """A position at which a system rests, or moves steadily.
+    """
+    def animate(
+        self,
+        path: str | Path | None = None,
+        *,
+        show: str | Sequence[str] | None = None,
+        plots: str | Sequence[str] | None = None,
+        follow: str | None = None,
+        traces: str | Sequence[str] = (),
+        meshes: str | float | bool = "auto",
+        page: str = "3d",
+        title: str | None = None,
+    ) -> Page:
+        """A self-contained page of the positions, over the load or the driver where there are several.
+
+        Args:
+            path, show, follow, traces, meshes, page, title: As :meth:`.Trajectory.animate`.
+            plots: Names of histories below the picture, as ``result[name]``.
+
+        Returns:
+            The page; ``.path`` is its file. Without a path it is opened, or shown in a notebook.
+
+        Raises:
+            ModelError, ArgumentError: as :meth:`.Trajectory.animate`, or there are no positions.
+        """
+
+@final
 class StaticPath(StaticPathRecord):
     """Equilibria of a load path.
     """
+    def animate(
+        self,
+        path: str | Path | None = None,
+        *,
+        show: str | Sequence[str] | None = None,
+        plots: str | Sequence[str] | None = None,
+        follow: str | None = None,
+        traces: str | Sequence[str] = (),
+        meshes: str | float | bool = "auto",
+        page: str = "3d",
+        title: str | None = None,
+    ) -> Page:
+        """A self-contained page of the positions, over the load or the driver where there are several.
+
+        Args:
+            path, show, follow, traces, meshes, page, title: As :meth:`.Trajectory.animate`.
+            plots: Names of histories below the picture, as ``result[name]``.
+
+        Returns:
+            The page; ``.path`` is its file. Without a path it is opened, or shown in a notebook.
+
+        Raises:
+            ModelError, ArgumentError: as :meth:`.Trajectory.animate`, or there are no positions.
+        """
     def plot(
         self,
         path: str | Path | None = None,

@@ -9,6 +9,7 @@ from matplotlib.figure import Figure
 from ..arguments import Count
 from ..runtime.models.finite_elements.beams import BeamStress
 from ..runtime.trajectory.trajectory import TrajectoryRecord
+from ..view.page import Page
 from .results import Torques
 
 @final
@@ -78,21 +79,40 @@ class Trajectory(TrajectoryRecord):
         """
     def animate(
         self,
-        path: str | Path,
+        path: str | Path | None = None,
         *,
+        show: str | Sequence[str] | None = None,
+        plots: str | Sequence[str] | None = None,
+        follow: str | None = None,
+        traces: str | Sequence[str] = (),
+        meshes: str | float | bool = "auto",
+        page: str = "3d",
         fps: float = 60.0,
         title: str | None = None,
-    ) -> Path:
-        """Write one self-contained page that plays the motion in any browser.
+    ) -> Page:
+        """A self-contained page that plays the motion in any browser.
+
+        Without a path, a notebook shows the page in place; elsewhere it is opened in the browser.
 
         Args:
             path: HTML file. It appears complete or not at all.
-            fps: Pictures per second of motion; long motions get fewer.
+            show: What shows from the start, of ``"reactions"``, ``"forces"``, ``"contacts"``,
+                ``"frames"``, ``"springs"``, ``"stress"``, ``"strain"`` and ``"floor"``. Reactions are
+                computed only if they are named; the page can hide each.
+            plots: Names of histories below the picture, as ``motion[name]``, and ``"energy"``; by
+                default energies, coordinates and outputs.
+            follow: Body or frame that the camera goes with.
+            traces: Frames whose paths are drawn.
+            meshes: ``"auto"`` reduces meshes to some ten thousand triangles, ``"full"`` keeps all, a
+                number from 0 to 1 that share of them; False draws links.
+            page: ``"3d"``, or ``"plain"``: drawn on a 2-D canvas, for browsers without WebGL.
+            fps: Pictures per second of play; long motions get fewer.
             title: Headline, the name of the model by default.
 
         Returns:
-            The file.
+            The page; ``.path`` is its file.
 
         Raises:
-            ModelError: a motion without poses, or the file cannot be written.
+            ModelError: a motion without poses or with places that are not finite, or a file that
+                cannot be written. ArgumentError: an unknown layer, body or kind of page.
         """

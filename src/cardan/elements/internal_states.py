@@ -91,12 +91,14 @@ class Impulse:
         after: Its value behind the jump.
         active: 1 where the impulse acts, else 0.
         unilateral: It can only push the velocity up; where it would pull it is left out.
+        clinging: Speed that a unilateral one does hold back: what leaves more slowly stays.
     """
 
     velocity: Scalar
     after: Scalar
     active: Scalar
     unilateral: bool = False
+    clinging: Scalar | None = None
 
 
 @dataclass(frozen=True)

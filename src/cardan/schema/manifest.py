@@ -42,7 +42,7 @@ from .fields import (
     text,
 )
 from .finite_elements import FiniteElements
-from .mechanism import GROUND, BeamRow, BodyRow, CutRow, FrameRow, JointRow, ShapeRow
+from .mechanism import GROUND, BeamRow, BodyRow, CutRow, ForceRow, FrameRow, JointRow, ShapeRow
 from .rows import SCHEMA, Rows, ends, rows_of
 from .seal import unsealed
 from .tree import Tree
@@ -117,6 +117,7 @@ class Manifest(Record):
     beams: Sequence[BeamRow] = field(
         listed(BeamRow), "pieces of beams between named nodes", default=()
     )
+    forces: Sequence[ForceRow] = field(listed(ForceRow), "force elements", default=())
     shapes: Sequence[ShapeRow] = field(listed(ShapeRow), "shapes for pictures", run=())
     outputs: Sequence[OutputRow] = field(listed(OutputRow), run=())
     quaternions: Sequence[int] = field(

@@ -181,8 +181,19 @@ class BeamRow(Record):
         ),
         "half widths along e2 and e3 and whether they are round",
     )
+    contour: Sequence[tuple[float, float]] = field(
+        listed(listed(number, 2)), "corners (e2, e3) of a section of another shape", default=()
+    )
     length: float = field(number, "along the axis [m]", run=0.0)
     plane: Plane | None = field(Plane, "of the nodes between", default=None)
+
+
+class ForceRow(Record):
+    """A force element, for pictures."""
+
+    name: str = field(text)
+    kind: str = field(text)
+    frames: Mapping[str, str] = field(table(text), "that it acts on, by role", default=NOTHING)
 
 
 class ShapeRow(Record):

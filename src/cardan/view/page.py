@@ -1,67 +1,305 @@
-"""One self-contained page that plays a motion: no network, no library, nothing to install."""
+"""One self-contained page that plays a motion: no network, no server, nothing to install."""
 
 from __future__ import annotations
 
 import html
-import json
 import re
-from dataclasses import replace
+import sys
+import tempfile
+import webbrowser
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+from functools import cache
 from pathlib import Path
+from typing import final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..arguments import checked
 from ..atomic_file import folder, written
-from ..errors import ModelError
+from ..errors import ArgumentError, ModelError, near
 from ..runtime.trajectory import frame_history
 from ..runtime.trajectory.trajectory import TrajectoryRecord
-from . import meshed, scene
+from . import drawing as drawn
+from . import plain_page, scene_page
+from .drawing import Abscissa, Drawing, Named
+from .packing import deflated
 
 PICTURES = 1500  # a longer motion gets fewer pictures per second
-TEMPLATE = Path(__file__).with_name("page.html")
-SCRIPT = Path(__file__).with_name("page.js")
-MARK = re.compile("__(TITLE|SCRIPT|DATA)__")
+HERE = Path(__file__).parent
+PAGES = ("3d", "plain")
+MARK = re.compile("__(TITLE|SCRIPT|DATA|BLOB|PROGRAM|START|ABSCISSA)__")
+HEIGHT = 560  # of a page in a notebook
+
+
+@final
+@dataclass(frozen=True, repr=False)
+class Page:
+    """A page; notebooks show it, ``os.fspath`` gives its file.
+
+    Attributes:
+        html: Its text.
+        path: Its file, None where it was not written.
+    """
+
+    html: str = field(repr=False)
+    path: Path | None = None
+
+    def __fspath__(self) -> str:
+        return str(self.saved())
+
+    def saved(self) -> Path:
+        """Its file; a temporary one where it has none yet."""
+        if self.path is None:
+            with tempfile.NamedTemporaryFile(
+                "w", suffix=".html", delete=False, encoding="utf-8"
+            ) as file:
+                file.write(self.html)
+            object.__setattr__(self, "path", Path(file.name))
+        assert self.path is not None
+        return self.path
+
+    def open(self) -> Page:
+        """Open it in a browser; its file is printed where there is none."""
+        path = self.saved()
+        if not webbrowser.open(path.resolve().as_uri()):
+            print(f"no browser was found; the page is {path}", file=sys.stderr)
+        return self
+
+    def __repr__(self) -> str:
+        return f"Page({str(self.path) if self.path else f'{len(self.html)} characters'})"
+
+    def _repr_html_(self) -> str:
+        # the page runs in a frame of its own, without access to the notebook
+        return (
+            f'<iframe srcdoc="{html.escape(self.html)}" sandbox="allow-scripts allow-downloads" '
+            f'title="motion" style="width:100%;height:{HEIGHT}px;border:0"></iframe>'
+        )
 
 
 @checked
 def animate(
-    motion: TrajectoryRecord, path: str | Path, *, fps: float = 60.0, title: str | None = None
-) -> Path:
-    """Write one self-contained page that plays the motion in any browser.
+    motion: TrajectoryRecord,
+    path: str | Path | None = None,
+    *,
+    show: str | Sequence[str] | None = None,
+    plots: str | Sequence[str] | None = None,
+    follow: str | None = None,
+    traces: str | Sequence[str] = (),
+    meshes: str | float | bool = "auto",
+    page: str = "3d",
+    fps: float = 60.0,
+    title: str | None = None,
+) -> Page:
+    """A self-contained page that plays the motion in any browser.
+
+    Without a path, a notebook shows the page in place; elsewhere it is opened in the browser.
 
     Args:
         motion: The motion.
         path: HTML file. It appears complete or not at all.
-        fps: Pictures per second of motion; long motions get fewer.
+        show: What shows from the start, of ``"reactions"``, ``"forces"``, ``"contacts"``,
+            ``"frames"``, ``"springs"``, ``"stress"``, ``"strain"`` and ``"floor"``. Reactions are
+            computed only if they are named; the page can hide each.
+        plots: Names of histories below the picture, as ``motion[name]``, and ``"energy"``; by
+            default energies, coordinates and outputs.
+        follow: Body or frame that the camera goes with.
+        traces: Frames whose paths are drawn.
+        meshes: ``"auto"`` reduces meshes to some ten thousand triangles, ``"full"`` keeps all, a
+            number from 0 to 1 that share of them; False draws links.
+        page: ``"3d"``, or ``"plain"``: drawn on a 2-D canvas, for browsers without WebGL.
+        fps: Pictures per second of play; long motions get fewer.
         title: Headline, the name of the model by default.
 
     Returns:
-        The file.
+        The page; ``.path`` is its file.
 
     Raises:
-        ModelError: a motion without poses, or the file cannot be written.
+        ModelError: a motion without poses or with places that are not finite, or a file that
+            cannot be written. ArgumentError: an unknown layer, body or kind of page.
     """
-    absent = motion.manifest.absent
-    if "pose" in absent:
-        raise ModelError(f"a page shows bodies: {absent['pose']}; plot() draws coordinates")
-    resampled = _resampled(motion, fps)
-    drawn = (meshed if resampled.manifest.method == "absolute" else scene).drawing(resampled)
-    data = {"t": np.round(resampled.t, 6).tolist(), **drawn}
-    # names are the user's: nothing in them may end the script or open a tag
+    return shown(
+        [motion], path, show=show, plots=plots, follow=follow, traces=traces, meshes=meshes,
+        page=page, fps=fps, title=title,
+    )  # fmt: skip
+
+
+def shown(
+    motions: Sequence[TrajectoryRecord],
+    path: str | Path | None,
+    *,
+    abscissa: Abscissa | None = None,
+    histories: Named | None = None,
+    show: str | Sequence[str] | None = None,
+    plots: str | Sequence[str] | None = None,
+    follow: str | None = None,
+    traces: str | Sequence[str] = (),
+    meshes: str | float | bool = "auto",
+    page: str = "3d",
+    fps: float = 60.0,
+    title: str | None = None,
+) -> Page:
+    """The page of :func:`animate`, of rows that may stand for something else than times.
+
+    Args:
+        motions: One behind the other, each with its own parameters.
+        abscissa: What the rows stand for; times by default, at which a motion is sampled.
+        histories: What has the histories by name, if not the motion.
+        path, show, plots, follow, traces, meshes, page, fps, title: As :func:`animate`.
+    """
+    if page not in PAGES:
+        raise ArgumentError(f"page='{page}': there is no such page.{near(page, PAGES)}")
+    first = motions[0].manifest
+    detail = _detail(meshes)
+    if "pose" in first.absent:
+        raise ModelError(f"a page shows bodies: {first.absent['pose']}; plot() draws coordinates")
+    # the plain page begins in real time
+    rate = 1.0 if page == "plain" else None
+    chosen = Chosen(_names(show), _names(plots), follow, _names(traces) or (), fps, rate)
+    drawing = drawing_of(motions, chosen, abscissa, histories)
+    found = _filled(drawing, page, detail, str(title if title is not None else first.name))
+    if path is not None:
+        return Page(found, publish(Path(path), found))
+    result = Page(found)
+    return result if "ipykernel" in sys.modules else result.open()
+
+
+@dataclass(frozen=True)
+class Chosen:
+    """What a user wants to see; as of :func:`animate`."""
+
+    show: Sequence[str] | None = None
+    plots: Sequence[str] | None = None
+    follow: str | None = None
+    traces: Sequence[str] = ()
+    fps: float = drawn.FAST
+    rate: float | None = None
+
+    @property
+    def layers(self) -> Sequence[str]:
+        """What shows from the start.
+
+        Raises:
+            ArgumentError: there is no such layer.
+        """
+        for name in self.show or ():
+            if name not in drawn.LAYERS:
+                raise ArgumentError(
+                    f"show={name!r}: there is no such layer.{near(name, drawn.LAYERS)}"
+                )
+        return drawn.USUAL if self.show is None else (*self.show, "springs", "floor")
+
+
+def _names(given: str | Sequence[str] | None) -> Sequence[str] | None:
+    return (given,) if isinstance(given, str) else given
+
+
+def _detail(meshes: str | float | bool) -> str | float:
+    """How much of the meshes is drawn.
+
+    Raises:
+        ArgumentError: no such detail.
+    """
+    if meshes is False:
+        return False
+    if meshes in ("auto", "full") or meshes is True:
+        return "auto" if meshes is True else str(meshes)
+    if isinstance(meshes, (int, float)) and 0 < meshes <= 1:
+        return float(meshes)
+    raise ArgumentError(
+        f"meshes={meshes!r}: give 'auto', 'full', a share above 0 and up to 1, or False"
+    )
+
+
+def drawing_of(
+    motions: Sequence[TrajectoryRecord],
+    chosen: Chosen,
+    abscissa: Abscissa | None = None,
+    histories: Named | None = None,
+) -> Drawing:
+    """What a page shows; arguments as of :func:`shown`."""
+    motion = motions[0]
+    rate = chosen.rate or (drawn.slowed(motion) if abscissa is None else _sweeping(abscissa))
+    rows = [_resampled(motion, chosen.fps / rate)] if abscissa is None else motions
+    things = drawn.joined([_things(row, chosen) for row in rows])
+    over = abscissa or things.abscissa
+    up, heavy = drawn.upward(motion)
+    frames = {row.name: row.body for row in motion.manifest.frames}
+    events = [] if abscissa else [(event.t, event.name) for event in motion.events]
+    every = max(1, -(-len(events) // drawn.MOST_EVENTS))
+    return replace(
+        things,
+        abscissa=over,
+        histories=drawn.histories(rows[0], chosen.plots, histories) if len(over.values) > 1 else [],
+        events=events[::every],
+        up=up,
+        normal=drawn.plane_of(things.bodies, things.beams),
+        floor=drawn.floor_of(motion, up, heavy),
+        rate=rate,
+        follow=drawn.body_followed(chosen.follow, things.bodies, frames),
+        layers=chosen.layers,
+    )
+
+
+def _things(motion: TrajectoryRecord, chosen: Chosen) -> Drawing:
+    """What stands in the picture."""
+    bodies, ground, beams = drawn.solids_of(motion)
+    reactions = []
+    if "reactions" in chosen.layers:
+        reactions = drawn.reactions(motion, [row.name for row in motion.manifest.joints])
+    return Drawing(
+        name=motion.manifest.name,
+        abscissa=Abscissa(motion.t),
+        bodies=bodies,
+        ground=ground,
+        beams=beams,
+        springs=drawn.springs(motion),
+        arrows=reactions,
+        traces={name: motion.pose(name)[:, :3, 3] for name in chosen.traces},
+    )
+
+
+def _sweeping(abscissa: Abscissa) -> float:
+    """The speed at which the rows pass in six seconds."""
+    return float(np.ptp(abscissa.values)) / 6.0 or 1.0
+
+
+def _filled(drawing: Drawing, page: str, detail: str | float, headline: str) -> str:
+    """The text of a page."""
+    unit = drawing.abscissa.unit
+    parts = {
+        "TITLE": html.escape(headline),
+        "ABSCISSA": html.escape("time" if unit == "s" else drawing.abscissa.name),
+    }
     try:
-        text = json.dumps(data, separators=(",", ":"), allow_nan=False)
+        if page == "plain":
+            template = "plain.html"
+            parts |= {"SCRIPT": _text("plain.js"), "DATA": plain_page.data(drawing)}
+        else:
+            template = "page.html"
+            data, block = scene_page.parts(drawing, detail)
+            script = {"PROGRAM": _program(), "START": _text("three/start.js")}
+            parts |= {"DATA": data, "BLOB": block, **script}
     except ValueError:
         raise ModelError(
-            f"a page shows bodies at finite places; some of '{motion.manifest.name}' are not"
+            f"a page shows bodies at finite places; some of '{drawing.name}' are not"
         ) from None
+    # names are the user's: nothing in them may end the script or open a tag
     for character in "<>&\u2028\u2029":
-        text = text.replace(character, f"\\u{ord(character):04x}")
-    headline = html.escape(str(title if title is not None else motion.manifest.name))
-    parts = {"TITLE": headline, "SCRIPT": SCRIPT.read_text(encoding="utf-8"), "DATA": text}
+        parts["DATA"] = parts["DATA"].replace(character, f"\\u{ord(character):04x}")
     # in one sweep: what is filled in is never searched for marks
-    page = MARK.sub(lambda mark: parts[mark[1]], TEMPLATE.read_text(encoding="utf-8"))
-    return publish(Path(path), page)
+    return MARK.sub(lambda mark: parts[mark[1]], _text(template))
+
+
+def _text(name: str) -> str:
+    return (HERE / name).read_text(encoding="utf-8")
+
+
+@cache
+def _program() -> str:
+    """The script of the 3-D page, deflated."""
+    return deflated((HERE / "page.min.js").read_bytes())
 
 
 def _resampled(motion: TrajectoryRecord, fps: float) -> TrajectoryRecord:

@@ -18,7 +18,7 @@ from ...arguments import checked
 from ...arrays import Array
 from ...errors import ModelError, listed, near
 from ...runtime.calls.evaluation import State
-from ..statics.equilibrium import Equilibrium, equilibrium
+from ..statics.equilibrium import EquilibriumRecord, equilibrium
 from ..statics.static_problem import Problem
 from ..systems import dynamic_system_of
 from ..systems.dynamic_system import DynamicSystem, Moment, dense
@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 @checked
 def linearize(
     model: LoadedModel,
-    x: ArrayLike | Equilibrium | None = None,
+    x: ArrayLike | EquilibriumRecord | None = None,
     *,
     q: State | None = None,
     u: State | None = None,
@@ -134,7 +134,7 @@ def stance(
         inputs = dynamic_system_of(model).input_vector(r)
         values = dict(zip(model.inputs, inputs.tolist(), strict=True))
         x = equilibrium(model, inputs=values, parameters=parameters, t=t, check=True)
-    if isinstance(x, Equilibrium):
+    if isinstance(x, EquilibriumRecord):
         locked, tau = Problem(dynamic_system_of(x.model)).locked_forces(x.point, x.load)
         return Stance(x.model, x.point.at, locked, tau, None)
     if isinstance(x, SteadyMotionRecord):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -12,7 +13,6 @@ import numpy as np
 from ...arguments import Count, checked
 from ...arrays import Array, Booleans, Complex
 from ...errors import ArgumentError, ModelError, near
-from ...runtime.trajectory.solver_info import FINISHED, SolverInfo
 from ...runtime.trajectory.trajectory import TrajectoryRecord
 from ..statics.static_path import MAX_PRINTED
 from ..systems import dynamic_system_of
@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from ...runtime.models.loaded_model import LoadedModel
+    from ...view.page import Page
 
 FULL = 0.25  # of a shape that is played: of the size of the mechanism, or radians
 ROUNDED = 1e-13  # damping ratios below this are none
@@ -190,23 +191,29 @@ def motion(
     x = np.concatenate([q, u, np.tile(modes.at.z, (len(t), 1))], axis=1)
     r = np.broadcast_to(modes.at.r, (len(t), len(modes.at.r)))
     description = f"mode {k} at {modes.frequencies[k]:.6g} Hz"
-    counts = dict.fromkeys(("steps", "rejections", "evaluations", "milliseconds"), 0.0)
-    info = SolverInfo(description, "played, not integrated", {}, (), FINISHED, description, counts)
-    manifest = modes.model.manifest
-    return TrajectoryRecord(t, x, r, np.zeros((len(t), 0)), None, manifest, info, modes.model)
+    return TrajectoryRecord.of_states(modes.model, t, x, r, description)
 
 
 @checked
 def animate(
     modes: ModesRecord,
     k: int,
-    path: str | Path,
+    path: str | Path | None = None,
     *,
     amplitude: float | None = None,
     periods: float = 2.0,
-) -> Path:
-    """A page that plays a mode in any browser; see :meth:`motion` for amplitude and periods."""
+    show: str | Sequence[str] | None = None,
+    plots: str | Sequence[str] | None = (),
+    meshes: str | float | bool = "auto",
+    page: str = "3d",
+) -> Page:
+    """A page that plays a mode in any browser; see :meth:`motion` for amplitude and periods.
+
+    Args:
+        path, show, plots, meshes, page: As :meth:`.Trajectory.animate`; no histories by default.
+    """
     from ...view.page import animate
 
     title = f"{modes.model.name}, mode {k}: {modes.frequencies[modes._number(k)]:.6g} Hz"
-    return animate(motion(modes, k, amplitude, periods), path, title=title)
+    played = motion(modes, k, amplitude, periods)
+    return animate(played, path, show=show, plots=plots, meshes=meshes, page=page, title=title)

@@ -23,7 +23,7 @@ from ...arguments import Count, checked
 from ...arrays import Array
 from ...errors import ModelError, SolveError, SolveWarning, warn
 from ...runtime.calls.evaluation import State
-from ..statics.equilibrium import Equilibrium
+from ..statics.equilibrium import EquilibriumRecord
 from ..statics.static_problem import scaled
 from ..systems import dynamic_system_of
 from ..systems.dynamic_system import DynamicSystem, Moment
@@ -57,7 +57,7 @@ SHIFT = 1e-3  # rad/s next to 0
 def modes(
     model: LoadedModel,
     count: Count | None = None,
-    x: ArrayLike | Equilibrium | None = None,
+    x: ArrayLike | EquilibriumRecord | None = None,
     *,
     q: State | None = None,
     u: State | None = None,

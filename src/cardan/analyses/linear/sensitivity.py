@@ -22,7 +22,7 @@ import numpy as np
 from ...arguments import checked
 from ...arrays import Array, Complex
 from ...errors import ModelError, listed, near
-from ..statics.equilibrium import Equilibrium, equilibrium
+from ..statics.equilibrium import EquilibriumRecord, equilibrium
 from .family import Family, Member
 from .steady_motion import SteadyMotionRecord
 
@@ -79,7 +79,7 @@ class Sensitivity:
 def sensitivity(
     model: LoadedModel,
     parameters: Iterable[str] | str,
-    about: Equilibrium | SteadyMotionRecord | None = None,
+    about: EquilibriumRecord | SteadyMotionRecord | None = None,
 ) -> Sensitivity:
     """Derivatives of eigenvalues by parameters, the motion moving along with them.
 
@@ -117,7 +117,7 @@ def _neighbors(state: object, names: list[str]) -> Family:
     kinds = dict.fromkeys(names, "parameters")
     if isinstance(state, SteadyMotionRecord):
         return Family(state.model, {}, kinds, state.trim_arguments)
-    if isinstance(state, Equilibrium):
+    if isinstance(state, EquilibriumRecord):
         load = state.load
         arguments = {"q": state.q, "locked": dict(load.locked), "inputs": dict(state.inputs),
                  "t": state.t}  # fmt: skip

@@ -14,7 +14,7 @@ from ...runtime.calls.calling import numbers
 from ...runtime.calls.evaluation import State
 from ...runtime.models.initial import start_of
 from ...runtime.models.loaded_model import LoadedModel
-from .assembly import Assembly
+from .assembly import AssemblyRecord
 from .assembly_diagnosis import actual_value, explain
 from .branches import branches
 from .consistent_rates import accelerations, speeds
@@ -44,7 +44,7 @@ def assemble(
     seed: Seed = 0,
     t: float = 0.0,
     r: State | None = None,
-) -> Assembly:
+) -> AssemblyRecord:
     """A position at which all loops close, next to a start, with some of it given.
 
     Args:
@@ -129,7 +129,7 @@ def finish(
     udot: Mapping[str, object],
     solutions: int | None,
     starts: int,
-) -> Assembly:
+) -> AssemblyRecord:
     """The record, with consistent speeds and accelerations."""
     model, q = m.model, chosen.q
     m.closure_tol = m.closure_tol or closure_tolerance(m, q)
@@ -143,10 +143,10 @@ def finish(
         )
     # weighted targets that the nearest position does not reach
     away = {t.name: t for t in targets if np.abs(missed(m, t, q)).max() > COST_TOL}
-    return Assembly(
-        name=model.name,
-        coordinates=model.coordinates,
-        speeds=model.speeds,
+    return AssemblyRecord(
+        model=model,
+        t=m.t,
+        r=m.inputs,
         q=q,
         u=velocities,
         udot=rates,

@@ -4,24 +4,23 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import final
 
 import numpy as np
 
 from ...arrays import Array
 from ...errors import ModelError, near
+from ...runtime.models.loaded_model import LoadedModel
 
 LISTED = 24
 
 
-@final
 @dataclass(frozen=True, repr=False, eq=False)
-class Assembly:
+class AssemblyRecord:
     """A consistent state of a mechanism: positions, speeds and accelerations that loops allow.
 
     Attributes:
-        name: Of the model.
-        coordinates, speeds: Names of q and u.
+        model: The model.
+        t, r: Time [s] and inputs (nr,) of it.
         q, u, udot: Coordinates (nq,), speeds (nu,), accelerations (nu,); udot is None where the
             model has no function ``forward_dynamics``.
         gaps: Cut joint or constraint -> what is left open: a distance [m], and anything else [1].
@@ -31,9 +30,9 @@ class Assembly:
         starts: Searches begun.
     """
 
-    name: str
-    coordinates: tuple[str, ...]
-    speeds: tuple[str, ...]
+    model: LoadedModel
+    t: float
+    r: Array
     q: Array
     u: Array
     udot: Array | None
@@ -42,6 +41,21 @@ class Assembly:
     freedoms: int
     solutions: int | None
     starts: int
+
+    @property
+    def name(self) -> str:
+        """Name of the model."""
+        return self.model.name
+
+    @property
+    def coordinates(self) -> tuple[str, ...]:
+        """Names of q."""
+        return self.model.coordinates
+
+    @property
+    def speeds(self) -> tuple[str, ...]:
+        """Names of u."""
+        return self.model.speeds
 
     @property
     def x(self) -> Array:

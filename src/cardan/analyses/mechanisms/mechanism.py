@@ -62,6 +62,13 @@ class Mechanism:
         self.columns = columns_of(model, self.size)
         self._cache: dict[str, tuple[bytes, Any]] = {}
 
+    @property
+    def inputs(self) -> Array:
+        """Inputs (nr,), by default as the scene states them."""
+        return (
+            np.array([x.default for x in self.model.manifest.inputs]) if self.r is None else self.r
+        )
+
     @classmethod
     def at(cls, model: LoadedModel, t: float, r: Array | None) -> Mechanism:
         """Same as the class; everything that is constant in time is computed once for a model."""

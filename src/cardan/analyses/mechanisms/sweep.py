@@ -40,6 +40,7 @@ class SweepRecord:
     Attributes:
         model: The model.
         drivers: Name -> values (n,) of what is driven.
+        t, r: Times (n,) [s] and inputs (n, nr) of the positions.
         q, u, udot: (n, nq), (n, nu), (n, nu); udot is empty (n, 0) without ``forward_dynamics``.
         quality: Smallest singular value of the driven constraints, without units (n,): 0 where the
             drive loses hold of the mechanism.
@@ -49,6 +50,8 @@ class SweepRecord:
 
     model: LoadedModel
     drivers: Mapping[str, Array]
+    t: Array
+    r: Array
     q: Array
     u: Array
     udot: Array
@@ -157,9 +160,12 @@ def sweep(
     begin = assemble(model, first | locked_targets, start=start, branch=branch, t=t, r=at.r)
     drive.check(at, begin.q)
     rows, message = _follow(drive, begin.q, table)
+    places = [drive.at(row) for row in table[: len(rows)]]
     record = SweepRecord(
         model,
         {name: column[: len(rows)] for name, column in drivers.items()},
+        np.array([place.t for place in places]),
+        np.array([place.inputs for place in places]).reshape(len(rows), model.nr),
         *_motion(drive, rows, table, rate, acceleration),
         status=FINISHED if message is None else "singular",
         message=message or "reached all values",

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING, Any, final
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -38,9 +38,8 @@ CLOSED = 1e-9  # gaps of loops that stay closed as parts run on
 ALONG, ROUNDED = 1e-6, 1e-13
 
 
-@final
 @dataclass(frozen=True, repr=False, eq=False)
-class Equilibrium(NamedState):
+class EquilibriumRecord(NamedState):
     """A position at which a system rests, or moves steadily.
 
     ``found["elbow"]`` is a coordinate, ``found["elbow.u"]`` a speed, ``found["loop.px"]`` a
@@ -159,7 +158,7 @@ def equilibrium(
     t: float = 0.0,
     stable: bool = False,
     check: bool = False,
-) -> Equilibrium:
+) -> EquilibriumRecord:
     """Equilibrium of a model under its forces, next to a start.
 
     Args:
@@ -246,7 +245,7 @@ def record(
     search: Search,
     load: Load,
     computed: Stability | None = None,
-) -> Equilibrium:
+) -> EquilibriumRecord:
     """The result as users see it; ``computed``: its stability, if that is known."""
     point, system = search.point, problem.system
     # without an equilibrium there is nothing to classify
@@ -258,7 +257,7 @@ def record(
     changed = model.with_parameters(dict(load.parameters)) if load.parameters else model
     tau = problem.locked_forces(point, load)[1]
     rounding = balance(problem, point, load).share if search.converged else np.nan
-    return Equilibrium(
+    return EquilibriumRecord(
         model=changed,
         x=np.concatenate([point.at.q, point.at.u, point.at.z]),
         lam=point.at.lam,

@@ -18,7 +18,7 @@ from ...runtime.trajectory.solver_info import FINISHED
 from ...schema.rows import column
 from .continuation_step import Crossing, Place
 from .critical_load import located
-from .equilibrium import Equilibrium
+from .equilibrium import EquilibriumRecord
 from .load_path import Loading
 from .static_problem import Problem
 
@@ -48,7 +48,7 @@ class StaticPathRecord:
 
     loading: Loading
     s: Array
-    rows: Sequence[Equilibrium]
+    rows: Sequence[EquilibriumRecord]
     status: str
     message: str
     crossings: Sequence[Crossing] = ()
@@ -58,7 +58,7 @@ class StaticPathRecord:
     def of(
         cls,
         way: Loading,
-        rows: list[tuple[float, Equilibrium]],
+        rows: list[tuple[float, EquilibriumRecord]],
         crossed: Sequence[Crossing],
         status: str,
         failure: str,

@@ -25,7 +25,7 @@ from ..systems import dynamic_system_of
 from ..systems.dynamic_system import DynamicSystem
 from .continuation_step import Crossing, Place, Step, ahead, first
 from .critical_load import limit_load
-from .equilibrium import DIRECT, WAYS, Equilibrium, missed, read, record
+from .equilibrium import DIRECT, WAYS, EquilibriumRecord, missed, read, record
 from .load_path import TIME, Loading, loading
 from .newton import Search, equilibrium_search
 from .settling import settled, with_modes
@@ -83,7 +83,7 @@ def statics(
     still = {n: v for n, v in (locked or {}).items() if n not in moved}
     base = read(system, still, inputs, parameters, t)
     way = loading(system, _sweepable(model), base, {**(swept or {}), **named}, moved)
-    rows, crossed = list[tuple[float, Equilibrium]](), list[Crossing]()
+    rows, crossed = list[tuple[float, EquilibriumRecord]](), list[Crossing]()
     try:
         failure = _follow(model, Problem(system), way, q, steps, rows, crossed)
         status = "singular" if failure else FINISHED
@@ -116,7 +116,7 @@ def _follow(
     way: Loading,
     q: object,
     steps: int,
-    rows: list[tuple[float, Equilibrium]],
+    rows: list[tuple[float, EquilibriumRecord]],
     crossed: list[Crossing],
 ) -> str:
     """Note places of the path and equilibria there, and critical loads; why it ended early."""

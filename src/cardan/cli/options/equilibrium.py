@@ -11,7 +11,7 @@ from . import run as run_options
 from . import scene as scene_options
 
 if TYPE_CHECKING:
-    from ...analyses.statics.equilibrium import Equilibrium
+    from ...analyses.statics.equilibrium import EquilibriumRecord
     from ...api.compiled_model import CompiledModel
     from ...api.scene import Scene
 
@@ -77,7 +77,7 @@ def trim_values(scene: Scene, model: CompiledModel, options: argparse.Namespace)
     }
 
 
-def numbers(equilibrium: Equilibrium) -> dict[str, Any]:
+def numbers(equilibrium: EquilibriumRecord) -> dict[str, Any]:
     """An equilibrium for JSON."""
     model = equilibrium.model
     return {

@@ -225,13 +225,14 @@ def _beams(absolute: FiniteElementRecord) -> Iterator[BeamRow]:
     at, size = absolute.places.nq - absolute.reference.size, absolute.inner.shape[1]
     for segment, line in zip(system.segments, absolute.lines, strict=True):
         inner = segment.line.elements - 1
-        width, height, is_round = segment.outline
+        outline = segment.outline
         yield BeamRow(
             name=segment.name,
             start=system.frames[segment.frame_a].name,
             end=system.frames[segment.frame_b].name,
             q=(at, inner),
-            outline=(width, height, is_round),
+            outline=(outline.e2, outline.e3, outline.round),
+            contour=outline.contour,
             length=float(segment.line.stations[-1] - segment.line.stations[0]),
             plane=plane_of(places.kinds[places.kind[line[1]]]) if inner else None,
         )

@@ -40,7 +40,8 @@ class Stop(ForceElement):
         joint: Name of a joint with one speed.
         lower, upper: Ends of the range [rad] or [m]; None: no stop on that side.
         restitution: 0 (no bounce) to 1 (no loss).
-        settle: Speed below which it no longer bounces [rad/s] or [m/s]; 0: it bounces for ever.
+        settle: Speed below which it no longer bounces, nor is torn off by impacts elsewhere
+            [rad/s] or [m/s]; 0: it bounces for ever.
 
     Raises:
         ModelError: no stop at all, lower above upper, restitution outside 0 ... 1, a negative
@@ -126,7 +127,7 @@ class Stop(ForceElement):
             lying = at.s[0].apply("eq", float(side))
             active = select(lying, 1, jumped.fired(event))
             after = select(lying, 0, after).note(f"{name}_after")
-            impulses.append(Impulse(leaving, after, active, unilateral=True))
+            impulses.append(Impulse(leaving, after, active, unilateral=True, clinging=settle))
         return tuple(impulses)
 
     def change(self, at: Places, jumped: Jumped) -> Change:

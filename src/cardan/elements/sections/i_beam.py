@@ -82,4 +82,8 @@ class IBeam(Section):
         return ""
 
     def outline(self, values: Numbers) -> Outline:
-        return Outline(values["width"] / 2, values["height"] / 2)
+        e2, e3, web = values["width"] / 2, values["height"] / 2, values["web"] / 2
+        inner = e3 - values["flange"]
+        right = [(e2, -e3), (e2, -inner), (web, -inner), (web, inner), (e2, inner), (e2, e3)]
+        left = [(-x, -y) for x, y in right]
+        return Outline(e2, e3, contour=(*right, *left))

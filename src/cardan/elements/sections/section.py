@@ -43,11 +43,15 @@ class SectionProperties:
 
 @dataclass(frozen=True)
 class Outline:
-    """Outline to draw: half widths along e2 and e3 [m], an ellipse where ``round``."""
+    """Outline to draw: half widths along e2 and e3 [m], an ellipse where ``round``.
+
+    ``contour``: its corners (e2, e3) [m] in their order, where it is no rectangle either.
+    """
 
     e2: float
     e3: float
     round: bool = False
+    contour: tuple[tuple[float, float], ...] = ()
 
 
 class Section(HasSource, ABC):

@@ -193,7 +193,14 @@ def _jumped(
         for push, name in zip(pushes, names, strict=False):
             g.hint(push.node, name, f"{attempt}impulse")
         for i in unilateral:
-            pushing = (pushes[i] * 0).apply("le", pushes[i])
+            pull = pushes[i] * -1
+            clinging = impulses[i].clinging
+            if clinging is None:
+                pushing = pull.apply("le", pull * 0)
+            else:
+                # the speed at which it would leave without its impulse
+                leaving = pull * (jacobian[i] @ d.response(jacobian[i]))[0]
+                pushing = leaving.apply("le", clinging)
             active[i] = active[i] * select(pushing, 1, 0)
     return behind
 

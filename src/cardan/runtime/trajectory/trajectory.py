@@ -66,6 +66,29 @@ class TrajectoryRecord:
     ledger: Ledger | None = None
     event_log: EventLog = field(default_factory=EventLog)
 
+    @classmethod
+    def of_states(
+        cls,
+        model: LoadedModel,
+        t: Array,
+        x: Array,
+        r: Array,
+        description: str,
+        s: Array | None = None,
+    ) -> Self:
+        """States that no integration gave, such as those of a mode or a load path.
+
+        Args:
+            model: Their model.
+            t, x, r, s: Times (nt,), states (nt, nx), inputs (nt, nr), discrete states (nt, ns).
+            description: What they are, in words.
+        """
+        counts = dict.fromkeys(("steps", "rejections", "evaluations", "milliseconds"), 0.0)
+        info = SolverInfo(description, "not integrated", {}, (), FINISHED, description, counts)
+        log = EventLog() if s is None else EventLog(s)
+        none = np.zeros((len(t), 0))
+        return cls(t, x, r, none, None, model.manifest, info, model, event_log=log)
+
     # what happened
 
     @property
@@ -334,6 +357,8 @@ class TrajectoryRecord:
     @checked
     def reaction(self, joint: str) -> Array:
         """Wrench (nt, 6) of parent on child at the child joint frame, in its axes; moment first."""
+        if f"reaction {joint}" in self.stored:
+            return self.stored[f"reaction {joint}"]
         model = self._model(f"the reaction of '{joint}'")
         reaction: Array = model.reaction(
             joint, self.q, self.u, t=self.t, r=self._r, **self._arguments

@@ -14,6 +14,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...arrays import Array
+from ...elements.sections.section import Outline
+
+# of what nobody draws
+ROUND = Outline(0.0, 0.0, round=True)
 
 
 @dataclass(frozen=True, eq=False)
@@ -84,7 +88,7 @@ class Segment:
             length: ``dead_force dead_moment`` (3, 1) in ground axes and ``follower_force
             follower_moment`` (3, 1) in axes of the section [N/m, N].
         line: Its nodes in the reference configuration.
-        outline: For pictures: half widths along e2 and e3 [m], and whether it is round.
+        outline: For pictures.
     """
 
     name: str
@@ -94,4 +98,4 @@ class Segment:
     frame_b: int
     data: Mapping[str, tuple[int, int, tuple[int, ...]]]
     line: Line
-    outline: tuple[float, float, bool] = (0.0, 0.0, True)
+    outline: Outline = ROUND

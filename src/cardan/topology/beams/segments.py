@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 
 from ...elements import material as materials
 from ...elements.forces.line_load import LineLoad
-from ...elements.sections.section import SectionProperties
+from ...elements.sections.section import Outline, SectionProperties
 from ...errors import ModelError, near
 from ...ir.arithmetic import Scalar
 from ...ir.graph import ZERO
@@ -133,9 +133,7 @@ def _material(beam: Beam, convert: Converter) -> dict[str, Scalar]:
     return constants
 
 
-def _checked(
-    properties: Sequence[BeamProperties], convert: Converter
-) -> list[tuple[float, float, bool]]:
+def _checked(properties: Sequence[BeamProperties], convert: Converter) -> list[Outline]:
     """Outlines of the sections, whose numbers at the values of the parameters are possible ones.
 
     Raises:
@@ -163,7 +161,7 @@ def _checked(
         if problem:
             raise ModelError(f"beam '{one.beam.name}': {problem}")
         outline = one.beam.section.outline(section)
-        outlines.append((outline.e2, outline.e3, outline.round))
+        outlines.append(outline)
     return outlines
 
 

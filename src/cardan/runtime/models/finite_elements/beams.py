@@ -69,14 +69,19 @@ class BeamStress:
     @property
     def extreme(self) -> Array:
         """Largest normal stress of each section, of either sign, as a magnitude (..., 2 n) [Pa]."""
+        stress: Array = self._modulus() * self.extreme_strain
+        return stress
+
+    @property
+    def extreme_strain(self) -> Array:
+        """Largest normal strain of each section, of either sign, as a magnitude (..., 2 n)."""
         width, height, is_round = self.outline
         bent = np.abs(self.curvature[..., 1:])
         # the farthest point across the axis of bending; a corner where there is one
         far = width * np.hypot(bent[..., 0], bent[..., 1])
         corner = height * bent[..., 0] + width * bent[..., 1]
-        fiber = np.abs(self.strain[..., 0]) + (far if is_round else corner)
-        stress: Array = self._modulus() * fiber
-        return stress
+        strain: Array = np.abs(self.strain[..., 0]) + (far if is_round else corner)
+        return strain
 
     def _modulus(self) -> float:
         if self.modulus is None:

@@ -1,6 +1,9 @@
-"""Drawing of a scene: for every body its solids in body axes and its pose over time."""
+"""Bodies as solids: the user's shapes, else links between the joints and a ball where mass is."""
 
 from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -10,6 +13,8 @@ from ..runtime.trajectory.trajectory import TrajectoryRecord
 from ..schema.manifest import Manifest
 from ..schema.mechanism import BodyRow, ShapeRow
 
+# of a page, ready for JSON
+Solid = dict[str, Any]
 THICK = 0.08  # radius of a drawn link, relative to the mean length of the links
 TAPER = 0.7
 UNLINKED = (
@@ -17,44 +22,49 @@ UNLINKED = (
     "planar",
     "translation",
 )  # joints that hold nothing together: no link leads to them
-SOLIDS = ("box", "cylinder", "sphere", "capsule")
 
 
-def drawing(motion: TrajectoryRecord) -> dict[str, object]:
-    """Everything the page needs to know about the bodies, ready for JSON.
+@dataclass(frozen=True)
+class DrawnBody:
+    """A body of a picture.
 
-    Returns:
-        ``bodies``: name, pose (nt, 12: R row by row, then p) and solids; ``ground``: solids.
+    Attributes:
+        name: Of the body.
+        solids: What it looks like, in its own axes.
+        bare: What it looks like where no mesh can be read.
+        poses: Its transforms to ground axes (nt, 4, 4).
     """
+
+    name: str
+    solids: list[Solid]
+    bare: list[Solid]
+    poses: Array
+
+
+def bodies(motion: TrajectoryRecord) -> tuple[list[DrawnBody], list[Solid]]:
+    """Bodies of a scene in joint coordinates, and the solids of the ground."""
     manifest = motion.manifest
     links = _links(motion)
     lengths = [float(np.linalg.norm(b - a)) for rows in links.values() for a, b in rows]
     lengths = [length for length in lengths if length > 0]
     radius = THICK * float(np.mean(lengths)) if lengths else 0.02
-    bodies = []
+    drawn = []
     for k, body in _bodies(manifest):
         name = str(body.name)
+        frame = next(r.name for r in manifest.frames if r.body == body.name)
         solids = _shapes(motion, name)
-        if not solids:
-            solids = [link(a, b, radius) for a, b in links[name]]
-            solids += _center(motion, k, links[name], radius)
-        bodies.append({"name": name, "solids": solids, "pose": _poses(motion, name)})
-    ground = _shapes(motion, "ground") or [link(a, b, radius) for a, b in links["ground"]]
-    return {"name": manifest.name, "bodies": bodies, "ground": ground}
+        bare = [link(a, b, radius) for a, b in links[name]]
+        bare += _center(motion, k, links[name], radius)
+        poses = motion.pose(frame) @ inverse(motion.frame_on_body(frame))
+        drawn.append(DrawnBody(name, solids or bare, bare, poses))
+    # thinner than what turns about it, which then covers its end
+    ground = _shapes(motion, "ground") or [link(a, b, 0.8 * radius) for a, b in links["ground"]]
+    return drawn, ground
 
 
 def _bodies(manifest: Manifest) -> list[tuple[int, BodyRow]]:
     """Number and row of every body; those without parts only stand for joints."""
     return [(k, body) for k, body in enumerate(manifest.bodies) if body.parts]
-
-
-def _poses(motion: TrajectoryRecord, body: str) -> list[list[float]]:
-    """Pose of the rigid body (nt, 12): rotation row by row, then position."""
-    frame = next(r.name for r in motion.manifest.frames if r.body == body)
-    pose = motion.pose(frame) @ inverse(motion.frame_on_body(frame))
-    flat = np.concatenate([pose[:, :3, :3].reshape(-1, 9), pose[:, :3, 3]], axis=1)
-    rows: list[list[float]] = np.round(flat, 5).tolist()
-    return rows
 
 
 def _links(motion: TrajectoryRecord) -> dict[str, list[tuple[Array, Array]]]:
@@ -86,7 +96,7 @@ def _com(motion: TrajectoryRecord, k: int) -> Array:
     return np.asarray(moment / mass if mass else np.zeros(3))
 
 
-def link(a: Array, b: Array, radius: float) -> dict[str, object]:
+def link(a: Array, b: Array, radius: float) -> Solid:
     """A rod that gets thinner from the inboard joint on, with a ball at the joint."""
     ends = {"a": short(a), "b": short(b), "r": radius, "end": TAPER * radius}
     return {"kind": "link", **ends, "joint": True, "color": None}
@@ -94,7 +104,7 @@ def link(a: Array, b: Array, radius: float) -> dict[str, object]:
 
 def _center(
     motion: TrajectoryRecord, k: int, links: list[tuple[Array, Array]], radius: float
-) -> list[dict[str, object]]:
+) -> list[Solid]:
     """A ball where the mass is, on a thin rod if that is beside the links."""
     com = _com(motion, k)
     foot = min(
@@ -121,17 +131,17 @@ def short(x: Array) -> list[float]:
     return values
 
 
-def _shapes(motion: TrajectoryRecord, body: str) -> list[dict[str, object]]:
-    """The user's shapes on a body, in its axes; meshes are left to the links."""
+def _shapes(motion: TrajectoryRecord, body: str) -> list[Solid]:
+    """The user's shapes on a body, in its axes."""
     bodies = {row.name: row.body for row in motion.manifest.frames}
     solids = []
     for row in motion.manifest.shapes:
-        if row.kind in SOLIDS and bodies.get(row.frame) == body:
+        if bodies.get(row.frame) == body:
             solids.append(solid(row, motion.frame_on_body(row.frame)))
     return solids
 
 
-def solid(row: ShapeRow, place: Array) -> dict[str, object]:
+def solid(row: ShapeRow, place: Array) -> Solid:
     """A shape of the user; ``place`` (4, 4) is that of its frame in the body."""
     local = np.eye(4)
     local[:3, 3] = row.position
@@ -141,10 +151,12 @@ def solid(row: ShapeRow, place: Array) -> dict[str, object]:
     color = None if row.color is None else [float(c) for c in row.color]
     if row.kind == "sphere":
         return {"kind": "sphere", "a": short(at[:3, 3]), "r": row.radius, "color": color}
+    placed = {"R": short(at[:3, :3].ravel()), "a": short(at[:3, 3])}
+    if row.kind == "mesh":
+        scale = list(row.scale or (1.0, 1.0, 1.0))
+        return {"kind": "mesh", "file": row.file, "scale": scale, "color": color, **placed}
     if row.kind == "box":
-        size = [row.x, row.y, row.z]
-        orientation = {"R": short(at[:3, :3].ravel()), "a": short(at[:3, 3])}
-        return {"kind": "box", "size": size, "color": color, **orientation}
+        return {"kind": "box", "size": [row.x, row.y, row.z], "color": color, **placed}
     axis = at[:3, "xyz".index(row.axis or "z")] * ((row.length or 0.0) / 2)
     ends = {"a": short(at[:3, 3] - axis), "b": short(at[:3, 3] + axis)}
     kind = "cylinder" if row.kind == "cylinder" else "link"

@@ -1,0 +1,93 @@
+"""Pages of results that are no motions: positions one after the other."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+import numpy as np
+
+from ..arguments import checked
+from ..errors import ArgumentError
+from ..runtime.trajectory.trajectory import TrajectoryRecord
+from ..view.drawing import Abscissa
+from ..view.page import Page, shown
+from .mechanisms.assembly import AssemblyRecord
+from .mechanisms.sweep import SweepRecord
+from .statics.equilibrium import EquilibriumRecord
+from .statics.static_path import StaticPathRecord
+
+
+@checked
+def animate(
+    result: AssemblyRecord | EquilibriumRecord | StaticPathRecord | SweepRecord,
+    path: str | Path | None = None,
+    *,
+    show: str | Sequence[str] | None = None,
+    plots: str | Sequence[str] | None = None,
+    follow: str | None = None,
+    traces: str | Sequence[str] = (),
+    meshes: str | float | bool = "auto",
+    page: str = "3d",
+    title: str | None = None,
+) -> Page:
+    """A self-contained page of the positions, over the load or the driver where there are several.
+
+    Args:
+        result: The positions.
+        path, show, follow, traces, meshes, page, title: As :meth:`.Trajectory.animate`.
+        plots: Names of histories below the picture, as ``result[name]``.
+
+    Returns:
+        The page; ``.path`` is its file. Without a path it is opened, or shown in a notebook.
+
+    Raises:
+        ModelError, ArgumentError: as :meth:`.Trajectory.animate`, or there are no positions.
+    """
+    rows, abscissa = _rows(result)
+    if not rows:
+        raise ArgumentError("animate: there are no positions to show")
+    return shown(
+        rows, path, abscissa=abscissa, histories=result, show=show, plots=plots, follow=follow,
+        traces=traces, meshes=meshes, page=page, title=title,
+    )  # fmt: skip
+
+
+def _rows(
+    result: AssemblyRecord | EquilibriumRecord | StaticPathRecord | SweepRecord,
+) -> tuple[list[TrajectoryRecord], Abscissa]:
+    """A motion for every row, each with its own parameters, and what the rows stand for."""
+    if isinstance(result, StaticPathRecord):
+        name = next(iter(result.values), "s")
+        values = result.values.get(name, result.s)
+        # a path may turn back: then its own length counts
+        if np.any(np.diff(values) <= 0) and np.any(np.diff(values) >= 0):
+            name, values = "s", result.s
+        return [_rest(row) for row in result.rows], Abscissa(np.asarray(values), name, "")
+    if isinstance(result, SweepRecord):
+        drivers, model = result.drivers, result.model
+        name = next(iter(drivers))
+        x = np.concatenate([result.q, result.u], axis=1)
+        whole = TrajectoryRecord.of_states(model, result.t, x, result.r, "sweep")
+        units = {row.name: row.unit for row in model.manifest.coordinates}
+        unit = "s" if name == "t" else units.get(name, "")
+        return [whole], Abscissa(np.asarray(drivers[name]), name, unit)
+    if isinstance(result, EquilibriumRecord):
+        return [_rest(result)], Abscissa(np.array([result.t]))
+    at = np.array([result.t])
+    still = TrajectoryRecord.of_states(
+        result.model, at, result.x[None], np.atleast_2d(result.r), "assembly"
+    )
+    return [still], Abscissa(at)
+
+
+def _rest(found: EquilibriumRecord) -> TrajectoryRecord:
+    """An equilibrium as a motion of one row."""
+    model, t = found.model, np.array([found.t])
+    rest = TrajectoryRecord.of_states(
+        model, t, found.x[None], np.atleast_2d(found.load.r), found.message, found.point.at.s[None]
+    )
+    # with the forces that hold prescribed displacements
+    for name in model.joints if "reaction" in model.manifest.available else ():
+        rest.stored[f"reaction {name}"] = found.reaction(name)[None]
+    return rest

@@ -1,0 +1,375 @@
+"""What a page shows of a motion: bodies, beams, springs, arrows, histories, events, and how."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any, Protocol
+
+import numpy as np
+
+from ..arrays import Array
+from ..errors import ArgumentError, near
+from ..runtime.trajectory.trajectory import TrajectoryRecord
+from .beams import DrawnBeam, beams
+from .beams import bodies as on_nodes
+from .solids import DrawnBody, Solid
+from .solids import bodies as in_joint_coordinates
+
+# layers of arrows, and what else a page may show from the start
+ARROWS = ("reactions", "forces", "contacts")
+LAYERS = (*ARROWS, "frames", "springs", "stress", "strain", "floor")
+# on unless a user names others
+USUAL = ("contacts", "forces", "springs", "stress", "strain", "floor")
+# kinds of force elements that are drawn between their frames a and b
+SPRINGS = ("spring_damper",)
+MOST_CURVES, MOST_EVENTS = 8, 400
+# pictures per second of a screen, and swings per second that one can follow
+FAST, FOLLOWED = 60.0, 1.5
+RATES = np.array([0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0])
+# of the largest speed: what one sees; turns and moves that are none
+SEEN, FLAT = 0.25, 1e-6
+
+
+@dataclass(frozen=True)
+class Abscissa:
+    """What a page runs over: time, or a load.
+
+    Attributes:
+        name, unit: Of it.
+        values: Its value at every row (nt,).
+    """
+
+    values: Array
+    name: str = "t"
+    unit: str = "s"
+
+
+@dataclass(frozen=True)
+class DrawnSpring:
+    """A spring or damper between two points (nt, 3) each."""
+
+    name: str
+    coil: bool
+    damper: bool
+    ends: tuple[Array, Array]
+
+
+@dataclass(frozen=True)
+class DrawnArrow:
+    """A force (nt, 3) in ground axes at a point (nt, 3)."""
+
+    name: str
+    layer: str
+    at: Array
+    vector: Array
+
+
+@dataclass(frozen=True)
+class Histories:
+    """Curves of one unit."""
+
+    name: str
+    unit: str
+    curves: Sequence[tuple[str, Array]]
+
+
+@dataclass(frozen=True)
+class Drawing:
+    """What a page shows.
+
+    Attributes:
+        name: Headline.
+        abscissa: What it runs over.
+        bodies, ground, beams, springs, arrows: What is drawn.
+        traces: Paths (nt, 3) of frames, by name.
+        histories: Curves, by unit.
+        events: When what happened.
+        up: Upward, against gravity.
+        normal: Of the plane that everything moves in, toward the reader; None in space.
+        floor: Height of the ground along ``up``; ``"below"`` everything, ``"ground"`` below what
+            is fixed to the ground, None without weight.
+        rate: Speed of the play: 1 is real time.
+        follow: Number of the body that the camera goes with.
+        layers: What shows from the start.
+    """
+
+    name: str
+    abscissa: Abscissa
+    bodies: list[DrawnBody]
+    ground: list[Solid]
+    beams: list[DrawnBeam]
+    springs: list[DrawnSpring] = field(default_factory=list)
+    arrows: list[DrawnArrow] = field(default_factory=list)
+    traces: dict[str, Array] = field(default_factory=dict)
+    histories: list[Histories] = field(default_factory=list)
+    events: list[tuple[float, str]] = field(default_factory=list)
+    up: Array = field(default_factory=lambda: np.array([0.0, 0.0, 1.0]))
+    normal: Array | None = None
+    floor: float | str | None = None
+    rate: float = 1.0
+    follow: int | None = None
+    layers: Sequence[str] = USUAL
+
+
+def solids_of(motion: TrajectoryRecord) -> tuple[list[DrawnBody], list[Solid], list[DrawnBeam]]:
+    """Bodies, solids of the ground, and beams of a motion."""
+    if motion.manifest.absolute:
+        drawn_beams = beams(motion)
+        return *on_nodes(motion, drawn_beams), drawn_beams
+    return *in_joint_coordinates(motion), []
+
+
+def springs(motion: TrajectoryRecord) -> list[DrawnSpring]:
+    """Springs and dampers between two frames."""
+    numbers = _numbers(motion)
+    return [
+        DrawnSpring(
+            row.name,
+            # a formula is drawn as what it may be
+            coil=numbers.get(f"{row.name}.stiffness", 1.0) != 0,
+            damper=numbers.get(f"{row.name}.damping", 1.0) != 0,
+            ends=(_place(motion, row.frames["a"]), _place(motion, row.frames["b"])),
+        )
+        for row in motion.manifest.forces
+        if row.kind in SPRINGS
+    ]
+
+
+def _place(motion: TrajectoryRecord, frame: str) -> Array:
+    return motion.pose(frame)[:, :3, 3]
+
+
+def _numbers(motion: TrajectoryRecord) -> dict[str, float]:
+    """Parameters and structural numbers by name."""
+    manifest = motion.manifest
+    parameters = {row.name: row.default for row in manifest.parameters}
+    if motion.model is not None:
+        parameters = {name: float(value) for name, value in motion.model.parameters.items()}
+    return {**manifest.structural, **parameters}
+
+
+def reactions(motion: TrajectoryRecord, joints: Iterable[str]) -> list[DrawnArrow]:
+    """Reaction forces of joints at their child frames."""
+    frames = {row.name: row.child_frame for row in motion.manifest.joints}
+    frames |= {row.name: row.child_frame for row in motion.manifest.cuts}
+    drawn = []
+    for joint in joints:
+        if joint in frames:
+            pose = motion.pose(frames[joint])
+            force = (pose[:, :3, :3] @ motion.reaction(joint)[:, 3:, None])[:, :, 0]
+            drawn.append(DrawnArrow(f"{joint}.force", "reactions", pose[:, :3, 3], force))
+    return drawn
+
+
+class Named(Protocol):
+    """Something with histories by name."""
+
+    def __getitem__(self, name: str, /) -> Any:
+        """A history (nt, ...)."""
+
+
+def histories(
+    motion: TrajectoryRecord, names: Sequence[str] | None, of: Named | None = None
+) -> list[Histories]:
+    """Curves by unit.
+
+    Args:
+        motion: What it has by name, and in which units.
+        names: Of the curves; by default energies, coordinates and outputs.
+        of: What has the histories, if not the motion; then energies are left out.
+
+    Raises:
+        ModelError: there is no such history.
+    """
+    groups: dict[tuple[str, str], list[tuple[str, Array]]] = {}
+    units = _units(motion)
+    for name in _usual(motion, of is None) if names is None else names:
+        if name == "energy" and of is None:
+            energy = motion.energy
+            rows = [(part, getattr(energy, part)) for part in ("kinetic", "potential", "total")]
+            groups.setdefault(("energy", "J"), []).extend(rows)
+            continue
+        values = np.asarray((of or motion)[name], dtype=np.float64)
+        unit = units.get(name, "")
+        if values.ndim == 1:
+            curves = [(name, values)]
+        else:
+            flat = values.reshape(len(values), -1)
+            letters = "xyz" if flat.shape[1] == 3 else [str(k) for k in range(flat.shape[1])]
+            curves = [(f"{name}.{letters[k]}", flat[:, k]) for k in range(flat.shape[1])]
+        kind = {"rad": "angles", "m": "lengths", "N": "forces", "N m": "torques"}.get(unit, unit)
+        groups.setdefault((kind or "values", unit), []).extend(curves)
+    return [Histories(name, unit, curves) for (name, unit), curves in groups.items()]
+
+
+def _usual(motion: TrajectoryRecord, moving: bool) -> list[str]:
+    """Energies, coordinates of joints with one, and outputs, as far as they can be had."""
+    manifest = motion.manifest
+    names = []
+    known = moving and "kinetic" in motion.stored
+    if known or (moving and (motion.model is not None and "energy" in manifest.available)):
+        names.append("energy")
+    units: dict[str, int] = {}
+    for row in manifest.coordinates:
+        units[row.unit] = units.get(row.unit, 0) + 1
+        if units[row.unit] <= MOST_CURVES and row.joint == row.name and row.unit:
+            # one that follows others has no history of its own everywhere
+            names.append(row.name)
+    if motion.model is not None:
+        names += [row.name for row in manifest.outputs][:MOST_CURVES]
+    return names
+
+
+def _units(motion: TrajectoryRecord) -> dict[str, str]:
+    """Units of histories by name."""
+    m = motion.manifest
+    units = {row.name: row.unit for row in (*m.coordinates, *m.speeds, *m.inputs, *m.outputs, *m.z)}
+    joints = [*(row.name for row in m.joints), *(row.name for row in m.cuts), *m.fixed]
+    units |= {f"{name}.force": "N" for name in joints}
+    return units | {f"{name}.moment": "N m" for name in joints}
+
+
+def upward(motion: TrajectoryRecord) -> tuple[Array, bool]:
+    """Direction against gravity, and whether there is gravity."""
+    numbers = _numbers(motion)
+    gravity = np.array([numbers.get(f"gravity.{axis}", 0.0) for axis in "xyz"])
+    if "gravity" in motion.scene:
+        gravity = np.asarray(motion.scene["gravity"], dtype=np.float64)
+    size = float(np.linalg.norm(gravity))
+    if not size > 0:
+        return np.array([0.0, 0.0, 1.0]), False
+    return -gravity / size, True
+
+
+def plane_of(bodies: Sequence[DrawnBody], drawn_beams: Sequence[DrawnBeam]) -> Array | None:
+    """Normal of the plane that everything moves in, toward the reader; None in space."""
+    turns: list[Array] = []
+    moves: list[Array] = []
+    tracks = [body.poses[:, None] for body in bodies] + [beam.sections for beam in drawn_beams]
+    for poses in tracks:
+        relative = poses[:, :, :3, :3] @ np.swapaxes(poses[:1, :, :3, :3], -1, -2)
+        antisymmetric = relative - np.swapaxes(relative, -1, -2)
+        turns.append(antisymmetric[..., [2, 0, 1], [1, 2, 0]].reshape(-1, 3))
+        moves.append((poses[:, :, :3, 3] - poses[:1, :, :3, 3]).reshape(-1, 3))
+    for beam in drawn_beams:
+        # where a beam stands counts as well as how it moves
+        moves.append((beam.sections[0, :, :3, 3] - beam.sections[0, :1, :3, 3]).reshape(-1, 3))
+    if not tracks:
+        return None
+    axes, steps = np.concatenate(turns), np.concatenate(moves)
+    turned, moved = float(np.abs(axes).max()), float(np.abs(steps).max())
+    if turned > FLAT:
+        normal = np.linalg.svd(axes, full_matrices=False)[2][0]
+        if np.abs(axes - np.outer(axes @ normal, normal)).max() > 1e-6 * turned:
+            return None
+    elif moved > FLAT:
+        _, sizes, directions = np.linalg.svd(steps, full_matrices=True)
+        if sizes[1] <= 1e-9 * sizes[0]:
+            return None  # along a line: any plane would do
+        normal = directions[2]
+    else:
+        return None
+    if np.abs(steps @ normal).max() > 1e-6 * max(moved, FLAT):
+        return None
+    largest = int(np.argmax(np.abs(normal)))
+    # looked at from -y, x, z: the other axes point to the right and upward
+    toward = -1.0 if largest == 1 else 1.0
+    return np.asarray(normal * np.sign(normal[largest]) * toward)
+
+
+def slowed(motion: TrajectoryRecord) -> float:
+    """Speed of play at which the fastest swings of a motion can be followed."""
+    span = abs(float(motion.t[-1] - motion.t[0]))
+    if not span > 0:
+        return 1.0
+    most: dict[str, float] = {}
+    largest = np.abs(motion.u).max(axis=0, initial=0.0)
+    for row, size in zip(motion.manifest.speeds, largest, strict=True):
+        most[row.unit] = max(most.get(row.unit, 0.0), float(size))
+    swings = 0.0
+    for row, speed, size in zip(motion.manifest.speeds, motion.u.T, largest, strict=True):
+        # what trembles beside large motions does not count
+        if size > SEEN * most[row.unit] > 0:
+            strong = np.sign(speed[np.abs(speed) > SEEN * size])
+            swings = max(swings, np.count_nonzero(np.diff(strong)) / 2 / span)
+    wanted = min(FOLLOWED / swings if swings > 0 else np.inf, max(span / 3.0, 1e-9))
+    return float(RATES[max(0, int(np.searchsorted(RATES, wanted * 1.001, side="right")) - 1)])
+
+
+def body_followed(
+    name: str | None, bodies: Sequence[DrawnBody], frames: dict[str, str]
+) -> int | None:
+    """Number of the body that is named itself or by a frame of it.
+
+    Raises:
+        ArgumentError: there is none.
+    """
+    if name is None:
+        return None
+    names = [body.name for body in bodies]
+    body = name if name in names else frames.get(name, "")
+    if body not in names:
+        raise ArgumentError(
+            f"follow='{name}': there is no such body.{near(name, [*names, *frames])}"
+        )
+    return names.index(body)
+
+
+def joined(rows: Sequence[Drawing]) -> Drawing:
+    """One drawing of many with the same things in them, one behind the other."""
+
+    def all_of(arrays: Iterable[Array]) -> Array:
+        return np.concatenate(list(arrays))
+
+    first, n = rows[0], len(rows)
+    if n == 1:
+        return first
+    return replace(
+        first,
+        bodies=[
+            replace(body, poses=all_of(row.bodies[k].poses for row in rows))
+            for k, body in enumerate(first.bodies)
+        ],
+        beams=[
+            replace(
+                beam,
+                sections=all_of(row.beams[k].sections for row in rows),
+                values=None
+                if beam.values is None
+                else all_of(np.asarray(row.beams[k].values) for row in rows),
+            )
+            for k, beam in enumerate(first.beams)
+        ],
+        springs=[
+            replace(
+                spring,
+                ends=(
+                    all_of(row.springs[k].ends[0] for row in rows),
+                    all_of(row.springs[k].ends[1] for row in rows),
+                ),
+            )
+            for k, spring in enumerate(first.springs)
+        ],
+        arrows=[
+            replace(
+                arrow,
+                at=all_of(row.arrows[k].at for row in rows),
+                vector=all_of(row.arrows[k].vector for row in rows),
+            )
+            for k, arrow in enumerate(first.arrows)
+        ],
+        traces={name: all_of(row.traces[name] for row in rows) for name in first.traces},
+    )
+
+
+def floor_of(motion: TrajectoryRecord, up: Array, heavy: bool) -> float | str | None:
+    """Height of the ground: of what touches it, else below the base, else below everything."""
+    frames = {row.name: row.body for row in motion.manifest.frames}
+    for row in motion.manifest.forces:
+        other = row.frames.get("other", "")
+        if frames.get(other) == "ground":
+            return float(motion.pose(other)[0, :3, 3] @ up)
+    if heavy and any(frames.get(shape.frame) == "ground" for shape in motion.manifest.shapes):
+        return "ground"
+    return "below" if heavy else None

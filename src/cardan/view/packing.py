@@ -1,0 +1,73 @@
+"""Numbers of a page: rounded, as differences, bytes sorted, deflated; ``unpack.js`` reads it."""
+
+from __future__ import annotations
+
+import base64
+import zlib
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ..errors import ModelError
+
+# what a second difference of whole numbers may be
+MOST = 2**28
+
+
+class Packer:
+    """Collects arrays into one block of bytes."""
+
+    def __init__(self) -> None:
+        self._parts: list[bytes] = []
+        self._size = 0
+
+    def add(self, values: ArrayLike, step: float, orders: int = 2) -> dict[str, float]:
+        """Add an array; returns what the page has to know of it.
+
+        Args:
+            values: (rows, ...) finite numbers.
+            step: They are rounded to multiples of it, or of what 28 bits leave.
+            orders: How often differences are taken along the rows: 2 for what moves smoothly.
+
+        Raises:
+            ModelError: a number is not finite.
+        """
+        table = np.asarray(values, dtype=np.float64)
+        table = table.reshape(len(table), -1)
+        most = float(np.abs(table).max(initial=0.0))
+        if not np.isfinite(most):
+            raise ModelError("a page shows finite numbers; some are not")
+        step = max(step, most / MOST, 1e-300)
+        whole = np.rint(table / step).astype(np.int64)
+        for order in range(orders):
+            # the first row stays, the second becomes a first difference, the rest differ twice
+            whole[order + 1 :] -= whole[order:-1].copy()
+        zigzag = ((whole << 1) ^ (whole >> 63)).astype("<u4")
+        planes = zigzag.reshape(-1, 1).view(np.uint8).T
+        rows, columns = table.shape
+        entry = {"at": self._size, "rows": rows, "columns": columns, "step": step, "orders": orders}
+        self._parts.append(planes.tobytes())
+        self._size += zigzag.nbytes
+        return entry
+
+    def text(self) -> str:
+        """The block as text."""
+        return deflated(b"".join(self._parts))
+
+
+def deflated(content: bytes) -> str:
+    """Bytes deflated, as text that a page may hold."""
+    return base64.b64encode(zlib.compress(content, 9)).decode("ascii")
+
+
+def turns(rotations: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Unit quaternions (x, y, z, w) of rotations (nt, ..., 3, 3), of like sign from row to row."""
+    from scipy.spatial.transform import Rotation
+
+    lead = rotations.shape[:-2]
+    found = Rotation.from_matrix(rotations.reshape(-1, 3, 3)).as_quat().reshape(*lead, 4)
+    against = np.sum(found[1:] * found[:-1], axis=-1) < 0
+    signs = np.where(np.cumsum(against, axis=0) % 2, -1.0, 1.0)
+    found[1:] *= signs[..., None]
+    quaternions: NDArray[np.float64] = found
+    return quaternions

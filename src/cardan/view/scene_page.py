@@ -1,0 +1,220 @@
+"""The data of the 3-D page: names as JSON, numbers packed into one block."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from ..arrays import Array
+from ..errors import ModelError, ModelWarning, counted, warn
+from . import meshes
+from .beams import STRAIN, DrawnBeam
+from .drawing import Drawing
+from .packing import Packer, turns
+from .solids import Solid
+
+# steps of lengths, turns and curves against the size of what is shown
+FINE, TURN, CURVE = 1e-5, 1e-5, 1e-4
+# triangles of a page unless a user asks for all of them
+MOST_TRIANGLES = 36_000
+ROUND = 24  # corners of a round section
+
+
+def parts(drawing: Drawing, detail: str | float) -> tuple[str, str]:
+    """JSON and block of a page.
+
+    Args:
+        drawing: What it shows.
+        detail: As ``meshes=`` of :func:`.page.animate`.
+    """
+    pack = Packer()
+    size = _size(drawing)
+    solids = _Solids(pack, drawing, detail)
+    t = drawing.abscissa.values
+    span = float(np.ptp(t)) or 1.0
+    poses = np.stack([body.poses for body in drawing.bodies], axis=1) if drawing.bodies else None
+    data = {
+        "name": drawing.name,
+        "abscissa": {"name": drawing.abscissa.name, "unit": drawing.abscissa.unit},
+        "t": pack.add(t - t[0], span * 1e-8) | {"first": float(t[0])},
+        "bodies": [{"name": b.name, "solids": solids.of(b.solids, b.bare)} for b in drawing.bodies],
+        "poses": None if poses is None else _places(pack, poses, size),
+        "ground": solids.of(drawing.ground, []),
+        "beams": [_beam(pack, beam, size) for beam in drawing.beams],
+        "scale": _scale(drawing.beams),
+        "springs": [
+            {
+                "name": s.name,
+                "coil": s.coil,
+                "damper": s.damper,
+                "ends": pack.add(np.concatenate(s.ends, axis=1), FINE * size),
+            }
+            for s in drawing.springs
+        ],
+        "arrows": [
+            {
+                "name": a.name,
+                "layer": a.layer,
+                "at": pack.add(a.at, FINE * size),
+                "vector": pack.add(a.vector, CURVE * _most(a.vector)),
+            }
+            for a in drawing.arrows
+        ],
+        "traces": [
+            {"name": name, "at": pack.add(path, FINE * size)}
+            for name, path in drawing.traces.items()
+        ],
+        "histories": [
+            {
+                "name": group.name,
+                "unit": group.unit,
+                "curves": [
+                    {"name": name, "y": pack.add(y, CURVE * _most(y))} for name, y in group.curves
+                ],
+            }
+            for group in drawing.histories
+        ],
+        "events": [{"t": at, "name": name} for at, name in drawing.events],
+        "up": drawing.up.tolist(),
+        "normal": None if drawing.normal is None else drawing.normal.tolist(),
+        "floor": drawing.floor,
+        "rate": drawing.rate,
+        "follow": drawing.follow,
+        "layers": list(drawing.layers),
+    }
+    solids.complain()
+    return json.dumps(data, separators=(",", ":"), allow_nan=False), pack.text()
+
+
+def _most(values: Array) -> float:
+    return float(np.abs(values).max(initial=0.0)) or 1.0
+
+
+def _size(drawing: Drawing) -> float:
+    """Extent of what is shown at the start [m]."""
+    points = [body.poses[0, :3, 3] for body in drawing.bodies]
+    points += [p for beam in drawing.beams for p in beam.sections[0, :, :3, 3]]
+    extents = [float(np.ptp(points, axis=0).max())] if points else []
+    for solid in [s for body in drawing.bodies for s in body.solids]:
+        numbers = [*solid.get("size", ()), solid.get("r", 0.0), *solid.get("a", ())]
+        extents.append(float(np.abs(numbers).max(initial=0.0)))
+    return max((x for x in extents if np.isfinite(x)), default=0.0) or 1.0
+
+
+def _places(pack: Packer, poses: Array, size: float) -> dict[str, float]:
+    """Positions and quaternions (nt, n, 7) of transforms (nt, n, 4, 4)."""
+    if not np.isfinite(poses).all():
+        raise ModelError("a page shows bodies at finite places; some are not")
+    # one array of whole numbers: quaternions are stretched to the steps of the lengths
+    step, rows = FINE * size, len(poses)
+    table = np.concatenate([poses[..., :3, 3], turns(poses[..., :3, :3]) * (step / TURN)], axis=-1)
+    return pack.add(table.reshape(rows, -1), step) | {"stretch": step / TURN}
+
+
+def _beam(pack: Packer, beam: DrawnBeam, size: float) -> dict[str, Any]:
+    """A beam as the page draws it."""
+    y, z = beam.half_widths
+    outline: list[tuple[float, float]] = [(y, z), (-y, z), (-y, -z), (y, -z)]
+    if beam.is_round:
+        around = 2 * np.pi * np.arange(ROUND) / ROUND
+        outline = [(y * c, z * s) for c, s in zip(np.cos(around), np.sin(around), strict=True)]
+    elif beam.contour:
+        outline = list(beam.contour)
+    values = beam.values
+    return {
+        "name": beam.name,
+        "count": beam.sections.shape[1],
+        "outline": [[float(f"{x:.5g}") for x in point] for point in outline],
+        "round": beam.is_round,
+        "places": _places(pack, beam.sections, size),
+        "values": None if values is None else pack.add(values, 0.002 * _most(values)),
+    }
+
+
+def _scale(beams: Iterable[DrawnBeam]) -> dict[str, Any] | None:
+    """Legend of the colors of beams; None where nothing is colored."""
+    colored = [beam for beam in beams if beam.values is not None]
+    if not colored:
+        return None
+    strain = any(beam.colored_by == STRAIN for beam in colored)
+    most = max(_most(beam.values) for beam in colored if beam.values is not None)
+    # strain stands as it is, stress in the largest unit that leaves a number above 1
+    powers = {} if strain else {"GPa": 1e9, "MPa": 1e6, "kPa": 1e3}
+    units = [(unit, size) for unit, size in powers.items() if most >= size]
+    unit, factor = units[0] if units else ("1" if strain else "Pa", 1.0)
+    return {
+        "name": colored[0].colored_by,
+        "kind": "strain" if strain else "stress",
+        "unit": unit,
+        "most": most,
+        "shown": most / factor,
+    }
+
+
+class _Solids:
+    """Solids of a page; meshes are read, reduced and packed, each file once."""
+
+    def __init__(self, pack: Packer, drawing: Drawing, detail: str | float) -> None:
+        self._pack = pack
+        self._packed: dict[str, list[dict[str, Any]]] = {}
+        self._problems: dict[str, str] = {}
+        every = [s for body in drawing.bodies for s in body.solids] + drawing.ground
+        files = dict.fromkeys(str(s["file"]) for s in every if s["kind"] == "mesh")
+        self._parts: dict[str, list[meshes.Part]] = {}
+        for file in files if detail is not False else ():
+            try:
+                self._parts[file] = meshes.read(Path(file))
+            except ModelError as problem:
+                self._problems[file] = str(problem)
+        total = sum(len(part.triangles) for each in self._parts.values() for part in each)
+        share = 1.0 if detail == "full" else MOST_TRIANGLES / max(total, 1)
+        self._share = min(1.0, float(detail) if isinstance(detail, float) else share)
+
+    def of(self, solids: list[Solid], bare: list[Solid]) -> list[dict[str, Any]]:
+        """Solids as the page draws them, ``bare`` where not one can be."""
+        drawn: list[dict[str, Any]] = []
+        for solid in solids:
+            if solid["kind"] != "mesh":
+                drawn.append(solid)
+                continue
+            for entry in self._mesh(str(solid["file"])):
+                color = entry["color"] if solid["color"] is None else solid["color"]
+                drawn.append({**entry, **_scaled(entry, solid), "color": color})
+        return drawn or bare
+
+    def _mesh(self, file: str) -> list[dict[str, Any]]:
+        if file not in self._packed:
+            entries: list[dict[str, Any]] = []
+            for part in self._parts.get(file, ()):
+                most = max(12, int(np.ceil(self._share * len(part.triangles))))
+                small = meshes.encoded(part if self._share >= 1 else meshes.reduced(part, most))
+                entries.append(
+                    {
+                        "kind": "mesh",
+                        "positions": self._pack.add(small.positions, 1.0, orders=1),
+                        "triangles": self._pack.add(small.triangles, 1.0, orders=1),
+                        "low": small.low,
+                        "unit": small.size / meshes.STEPS,
+                        "color": small.color,
+                    }
+                )
+            self._packed[file] = entries
+        return self._packed[file]
+
+    def complain(self) -> None:
+        """Warn of meshes that are not shown."""
+        if self._problems:
+            first = next(iter(self._problems.values()))
+            n = len(self._problems)
+            warn(f"{counted(n, 'mesh', 'meshes')} cannot be drawn: {first}", ModelWarning)
+
+
+def _scaled(entry: dict[str, Any], solid: Solid) -> dict[str, Any]:
+    """The box of a mesh in the scale of its solid, and where it stands."""
+    scale = np.asarray(solid["scale"], dtype=np.float64)
+    box = {name: [float(f"{x:.6g}") for x in entry[name] * scale] for name in ("low", "unit")}
+    return {**box, "R": solid["R"], "a": solid["a"]}
