@@ -13,6 +13,7 @@ from ...arguments import LockedValues, checked
 from ...arrays import Array
 from ...errors import ModelError, SolveError, SolveWarning, brief, counted, near, warn
 from ...runtime.calls.calling import numbers
+from ...runtime.models.finite_elements.beam_sections import sections
 from ...runtime.models.wrenches import reaction_part
 from ...schema.rows import column
 from ..systems import dynamic_system_of
@@ -135,6 +136,11 @@ class EquilibriumRecord(NamedState):
         """Transform (4, 4) from frame axes to ground axes."""
         transform: Array = self.model.pose(frame, self.q, r=self.load.r, t=self.t)
         return transform
+
+    @checked
+    def sections(self, beam: str) -> Array:
+        """Poses (nodes, 4, 4) of the sections of a beam, as :meth:`.Trajectory.sections`."""
+        return sections(self.model.manifest.beams, beam, self.q, self.pose)
 
     def __repr__(self) -> str:
         lines = [f"'{self.model.name}': {self.message}"]

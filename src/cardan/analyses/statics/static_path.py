@@ -162,6 +162,11 @@ class StaticPathRecord:
         """Transforms (n, 4, 4) from frame axes to ground axes."""
         return np.array([row.pose(frame) for row in self.rows])
 
+    @checked
+    def sections(self, beam: str) -> Array:
+        """Poses (n, nodes, 4, 4) of the sections of a beam, as :meth:`.Trajectory.sections`."""
+        return np.array([row.sections(beam) for row in self.rows])
+
     def critical(self) -> list[dict[str, float]]:
         """Changes of stability: swept values, and the forces that hold prescribed displacements.
 

@@ -10,7 +10,6 @@ import numpy as np
 from ...arrays import Array
 from ...errors import ModelError, near
 from ..models.finite_elements import frames
-from ..models.finite_elements.node_pose import Plane
 from ..verification import flat_scene, newton_euler
 from ..verification.joint_motion import REVERSED
 from ..verification.rotations import PARAMETERS
@@ -110,25 +109,3 @@ def frame_on_body(motion: TrajectoryRecord, frame: str) -> Array:
     place[:3, :3] = np.reshape(motion.scene["frame_rotation"], (-1, 3, 3))[k]
     place[:3, 3] = np.reshape(motion.scene["frame_position"], (-1, 3))[k]
     return place
-
-
-def line(motion: TrajectoryRecord, beam: str) -> Array:
-    """Positions (nt, nodes, 3) of the nodes of a beam from its start to its end.
-
-    Raises:
-        ModelError: no such beam.
-    """
-    rows = motion.manifest.beams
-    segments = [row for row in rows if row.name == beam]
-    if not segments:
-        names = list(dict.fromkeys(row.name for row in rows))
-        raise ModelError(f"beam '{beam}' does not exist.{near(beam, names)}")
-    points = [motion.pose(segments[0].start)[:, None, :3, 3]]
-    for segment in segments:
-        first, count = segment.q
-        plane = Plane.of(segment.plane)
-        size = 7 if plane is None else 3
-        inner = motion.q[:, first : first + size * count].reshape(len(motion), count, size)
-        places = inner[:, :, 4:] if plane is None else inner[:, :, :2] @ plane.to_space[3:, :2].T
-        points += [places, motion.pose(segment.end)[:, None, :3, 3]]
-    return np.concatenate(points, axis=1)

@@ -15,13 +15,14 @@ from ...errors import ModelError, near
 from ...notebooks import html
 from ...schema.manifest import Manifest
 from ..calls.methods import Energy
+from ..models.finite_elements.beam_sections import sections
 from ..models.wrenches import reaction_part
 from . import dependent_joints
 from .closure_errors import Ledger, multipliers_of, residuals_of
 from .dense_output import Dense
 from .energy_balance import Balance, balance, impacts
 from .event_log import Event, EventLog
-from .frame_history import frame_on_body, line, numbers, pose
+from .frame_history import frame_on_body, numbers, pose
 from .input_history import Recorded
 from .interpolation import inputs_at, states_at
 from .solver_info import EVENT, FINISHED, SolverInfo
@@ -337,7 +338,26 @@ class TrajectoryRecord:
     @checked
     def line(self, beam: str) -> Array:
         """Positions (nt, nodes, 3) [m] of the nodes of a beam, from its start to its end."""
-        return line(self, beam)
+        return self.sections(beam)[..., :3, 3].copy()
+
+    @checked
+    def sections(self, beam: str) -> Array:
+        """Poses of the cross sections at the nodes of a beam, from its start to its end.
+
+        Args:
+            beam: Name of the beam.
+
+        Returns:
+            Transforms (nt, nodes, 4, 4) from axes of the section to ground axes: x across the
+            section, which is along the line in the reference configuration; y and z are e2 and e3
+            as ``up=`` of the beam directs them. The origins are ``line(beam)``.
+
+        Raises:
+            ModelError: there is no such beam.
+
+        Source: M. Geradin and A. Cardona, Flexible Multibody Dynamics, 2001, chapter 6.
+        """
+        return sections(self.manifest.beams, beam, self.q, self.pose)
 
     @cached_property
     def scene(self) -> Mapping[str, Array]:

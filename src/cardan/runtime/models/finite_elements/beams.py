@@ -83,6 +83,17 @@ class BeamStress:
         strain: Array = np.abs(self.strain[..., 0]) + (far if is_round else corner)
         return strain
 
+    @property
+    def extreme_at_nodes(self) -> Array:
+        """``extreme`` at every node (..., n + 1) [Pa]: the larger of the two values beside it.
+
+        The nodes are those of ``motion.line(beam)`` and ``motion.sections(beam)``.
+        """
+        stress = self.extreme
+        ends = stress[..., :1], stress[..., -1:]
+        inner = np.maximum(stress[..., 1:-1:ENDS], stress[..., ENDS::ENDS])
+        return np.concatenate([ends[0], inner, ends[1]], axis=-1)
+
     def _modulus(self) -> float:
         if self.modulus is None:
             raise ModelError(
