@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from cardan.view.meshed import MOST_POINTS, drawing
+from cardan.view.beams import MOST_SECTIONS, beams, bodies
 
 import cardan as cd
 
@@ -45,7 +45,7 @@ def test_lines_run_through_all_nodes(motion: cd.Trajectory) -> None:
 
 
 def test_page_draws_tubes(motion: cd.Trajectory, tmp_path: Path) -> None:
-    page = motion.animate(tmp_path / "page.html", fps=200).path.read_text(encoding="utf-8")
+    page = motion.animate(tmp_path / "page.html", fps=200, page="plain").html
     found = re.search(r'id="data">(.*?)</script>', page, re.DOTALL)
     assert found
     data = json.loads(found.group(1))
@@ -53,13 +53,13 @@ def test_page_draws_tubes(motion: cd.Trajectory, tmp_path: Path) -> None:
     assert (rope["name"], twig["name"]) == ("rope", "twig")
     assert len(rope["path"]) == len(data["t"])
     assert {len(row) for row in rope["path"]} == {15}
-    assert {len(row) for row in twig["path"]} == {3 * MOST_POINTS}
+    assert {len(row) for row in twig["path"]} == {3 * MOST_SECTIONS}
     assert rope["r"] == pytest.approx(2 * 1e-2)
     assert twig["r"] == 0.02
 
 
 def test_nodes_are_drawn_with_their_beams(motion: cd.Trajectory) -> None:
-    drawn = {body["name"]: body["solids"] for body in drawing(motion)["bodies"]}
+    drawn = {body.name: body.solids for body in bodies(motion, beams(motion))[0]}
     (body,) = drawn.values()
     assert [one["kind"] for one in body] == ["box"]
 
@@ -70,7 +70,7 @@ def test_bodies_in_absolute_coordinates_are_drawn_by_their_frames() -> None:
     rod.at(0, 0, -1, name="tip")
     scene.joint("pivot", cd.Revolute("y"), scene.ground, rod)
     model = cd.compile(scene, coordinates="absolute")
-    (body,) = drawing(model.simulate(0.01, step=1e-3))["bodies"]
-    ball, link = body["solids"]
+    (body,) = bodies(model.simulate(0.01, step=1e-3), [])[0]
+    ball, link = body.solids
     assert ball["kind"] == "sphere"
     assert link["b"] == [0, 0, -1]

@@ -10,7 +10,7 @@ import numpy as np
 from ..arguments import checked
 from ..errors import ArgumentError
 from ..runtime.trajectory.trajectory import TrajectoryRecord
-from ..view.drawing import Abscissa
+from ..view.drawing import Abscissa, reaction_frames
 from ..view.page import Page, shown
 from .mechanisms.assembly import AssemblyRecord
 from .mechanisms.sweep import SweepRecord
@@ -44,7 +44,7 @@ def animate(
     Raises:
         ModelError, ArgumentError: as :meth:`.Trajectory.animate`, or there are no positions.
     """
-    rows, abscissa = _rows(result)
+    rows, abscissa = _rows(result, "reactions" in (show or ()))
     if not rows:
         raise ArgumentError("animate: there are no positions to show")
     return shown(
@@ -54,16 +54,23 @@ def animate(
 
 
 def _rows(
-    result: AssemblyRecord | EquilibriumRecord | StaticPathRecord | SweepRecord,
+    result: AssemblyRecord | EquilibriumRecord | StaticPathRecord | SweepRecord, reactions: bool
 ) -> tuple[list[TrajectoryRecord], Abscissa]:
-    """A motion for every row, each with its own parameters, and what the rows stand for."""
+    """A motion for every row, each with its own parameters, and what the rows stand for.
+
+    Args:
+        result: The positions.
+        reactions: Whether those of equilibria are needed.
+    """
     if isinstance(result, StaticPathRecord):
         name = next(iter(result.values), "s")
         values = result.values.get(name, result.s)
         # a path may turn back: then its own length counts
         if np.any(np.diff(values) <= 0) and np.any(np.diff(values) >= 0):
             name, values = "s", result.s
-        return [_rest(row) for row in result.rows], Abscissa(np.asarray(values), name, "")
+        return [_rest(row, reactions) for row in result.rows], Abscissa(
+            np.asarray(values), name, ""
+        )
     if isinstance(result, SweepRecord):
         drivers, model = result.drivers, result.model
         name = next(iter(drivers))
@@ -73,7 +80,7 @@ def _rows(
         unit = "s" if name == "t" else units.get(name, "")
         return [whole], Abscissa(np.asarray(drivers[name]), name, unit)
     if isinstance(result, EquilibriumRecord):
-        return [_rest(result)], Abscissa(np.array([result.t]))
+        return [_rest(result, reactions)], Abscissa(np.array([result.t]))
     at = np.array([result.t])
     still = TrajectoryRecord.of_states(
         result.model, at, result.x[None], np.atleast_2d(result.r), "assembly"
@@ -81,13 +88,13 @@ def _rows(
     return [still], Abscissa(at)
 
 
-def _rest(found: EquilibriumRecord) -> TrajectoryRecord:
+def _rest(found: EquilibriumRecord, reactions: bool) -> TrajectoryRecord:
     """An equilibrium as a motion of one row."""
     model, t = found.model, np.array([found.t])
     rest = TrajectoryRecord.of_states(
         model, t, found.x[None], np.atleast_2d(found.load.r), found.message, found.point.at.s[None]
     )
     # with the forces that hold prescribed displacements
-    for name in model.joints if "reaction" in model.manifest.available else ():
+    for name in reaction_frames(model.manifest) if reactions else ():
         rest.stored[f"reaction {name}"] = found.reaction(name)[None]
     return rest

@@ -6,6 +6,7 @@ derivation, six lines of the C, its speed and its error, a motion and how well i
 examples:
   cardan demo           an acrobat on a bar; needs nothing but a C compiler, takes seconds
   cardan demo panda     the Franka Panda arm; needs the packages of  pip install 'cardan[demo]'
+  cardan demo --open    the motion at the end in a browser
 
 Everything written goes to out/demo or out/demo-panda below the present folder (--out elsewhere).
 """
@@ -17,6 +18,7 @@ import importlib.metadata
 import importlib.util
 import os
 import tempfile
+import webbrowser
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -27,14 +29,10 @@ from ..errors import BuildError
 
 @dataclass(frozen=True)
 class Scene:
-    """A robot the demo can show: its file, where its motion starts, its damping if not the file's.
-
-    Limits do not act: more damping keeps the fingers of the Panda arm from being flung off.
-    """
+    """A robot the demo can show: its file, and where its motion starts."""
 
     load: str
     q: dict[str, float]
-    damping: float | None = None
 
 
 PACKAGE = "example-robot-data"
@@ -43,7 +41,6 @@ SCENES = {
     "panda": Scene(
         "panda_description/urdf/panda.urdf",
         {"panda_joint2": 0.4, "panda_joint4": -1.8, "panda_joint6": 1.2},
-        damping=0.2,
     ),
 }
 
@@ -54,6 +51,7 @@ def arguments(parser: argparse.ArgumentParser) -> None:
         "scene", nargs="?", choices=tuple(SCENES), default="acrobat", help="(default acrobat)"
     )
     parser.add_argument("--out", type=Path, metavar="DIR", help="folder for what is written")
+    parser.add_argument("--open", action="store_true", help="open the page of the motion")
 
 
 def run(options: argparse.Namespace) -> int:
@@ -67,14 +65,16 @@ def run(options: argparse.Namespace) -> int:
     packages = [folder for folder in path.resolve().parents if folder.name == PACKAGE]
     with empty_cache():
         from .terminal import progress
-        from .tour import Start, take
+        from .tour import take
 
         picture = importlib.util.find_spec("matplotlib") is not None
         with progress() as show:
-            tour = take(path, packages, out, Start(scene.q, scene.damping), show, picture)
+            tour = take(path, packages, out, scene.q, show, picture)
     from .screen import display
 
-    display(tour, path, scene.q, scene.damping)
+    display(tour, path, scene.q)
+    if options.open:
+        webbrowser.open(tour.page.resolve().as_uri())
     return 0
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import sys
 from collections.abc import Mapping
 from pathlib import Path
 from textwrap import shorten
@@ -15,7 +16,7 @@ if TYPE_CHECKING:
     from .tour import Tour
 
 
-def display(tour: Tour, path: Path, q: Mapping[str, float], damping: float | None) -> None:
+def display(tour: Tour, path: Path, q: Mapping[str, float]) -> None:
     """Print a tour: graph, derivation, C, speed beside error, motion, files, the Python for it."""
     out = console()
     out.print(tour.graph, soft_wrap=True)
@@ -47,8 +48,11 @@ def display(tour: Tour, path: Path, q: Mapping[str, float], damping: float | Non
     for file in tour.files:
         out.print(f"wrote {short_path(file)}", soft_wrap=True)
     out.print()
-    for line in program(path, q, damping):
+    for line in program(path, q):
         out.print(f"    {line}", style="green", soft_wrap=True)
+    out.print()
+    python = short_path(Path(sys.executable))
+    out.print(f"see it move:  {python} -m webbrowser {short_path(tour.page)}", soft_wrap=True)
 
 
 def short_path(path: Path) -> str:
@@ -57,17 +61,12 @@ def short_path(path: Path) -> str:
     return str(path) if relative.startswith("..") else relative
 
 
-def program(path: Path, q: Mapping[str, float], damping: float | None) -> tuple[str, ...]:
+def program(path: Path, q: Mapping[str, float]) -> tuple[str, ...]:
     """The five lines of Python that did it."""
-    load, run = f'cd.load("{short_path(path)}")', f"q={dict(q)}, rtol=1e-10, atol=1e-12"
-    if damping is None:
-        loading = (f"scene = {load}", "model = cd.compile(scene)")
-    else:
-        values = f'{{name: {damping} for name in model.parameters if name.endswith("damping")}}'
-        loading = (f"model = cd.compile({load})", f"model = model.with_parameters({values})")
     return (
         "import cardan as cd",
-        *loading,
-        f"motion = model.simulate(10.0, {run})",
+        f'scene = cd.load("{short_path(path)}", limits="stop", friction=True)',
+        "model = cd.compile(scene)",
+        f"motion = model.simulate(10.0, q={dict(q)}, rtol=1e-10, atol=1e-12)",
         'motion.animate("motion.html")',
     )

@@ -31,14 +31,6 @@ TIME = 10.0
 
 
 @dataclass(frozen=True)
-class Start:
-    """Start of the simulation: initial coordinates, and a damping for every joint or None."""
-
-    q: Mapping[str, float]
-    damping: float | None = None
-
-
-@dataclass(frozen=True)
 class Tour:
     """Contents of the screen.
 
@@ -58,6 +50,7 @@ class Tour:
         energy_residual: Energy unaccounted for over the largest kinetic energy.
         notes: What the file says and the model does not act on.
         files: What was written.
+        page: Of these the one that plays the motion.
     """
 
     graph: str
@@ -75,13 +68,14 @@ class Tour:
     energy_residual: float
     notes: tuple[str, ...]
     files: tuple[Path, ...]
+    page: Path
 
 
 def take(
     path: Path,
     packages: Sequence[Path],
     out: Path,
-    begin: Start,
+    q: Mapping[str, float],
     show: Callable[..., None],
     picture: bool,
 ) -> Tour:
@@ -91,13 +85,13 @@ def take(
         path: The file.
         packages: Folders from which it names meshes.
         out: Folder for what is written.
-        begin: How the simulation starts.
+        q: Where the simulation starts.
         show: Receives the name of each step.
         picture: Draw the plot, which needs matplotlib.
     """
     show("deriving")
     start = perf_counter()
-    scene: Scene = face(load(path, packages=packages))
+    scene: Scene = face(load(path, packages=packages, limits="stop", friction=True))
     equations = derive(scene)
     text = generate(equations.function("forward_dynamics"), model=equations.system.name)
     derived = perf_counter() - start
@@ -115,13 +109,10 @@ def take(
     peer = agreement(path)
 
     show("simulating")
-    if begin.damping is not None:
-        damping = [name for name in model.parameters if name.endswith("damping")]
-        model = model.with_parameters(dict.fromkeys(damping, begin.damping))
     # the first run compiles the integrator
-    model.simulate(1e-3, q=dict(begin.q))
+    model.simulate(1e-3, q=dict(q))
     start = perf_counter()
-    motion = model.simulate(TIME, q=dict(begin.q), rtol=1e-10, atol=1e-12)
+    motion = model.simulate(TIME, q=dict(q), rtol=1e-10, atol=1e-12)
     simulated = perf_counter() - start
     show("drawing")
     files = write(motion, out, picture)
@@ -146,6 +137,7 @@ def take(
         energy_residual=float(np.abs(motion.energy_residual).max() / kinetic),
         notes=tuple(notes_of(scene)),
         files=files,
+        page=page_of(out),
     )
 
 
@@ -186,9 +178,14 @@ def excerpt(text: str, joints: Sequence[str], bodies: Sequence[str]) -> tuple[st
     return tuple(best)
 
 
+def page_of(out: Path) -> Path:
+    """The page that plays the motion."""
+    return out / "motion.html"
+
+
 def write(motion: Trajectory, out: Path, picture: bool) -> tuple[Path, ...]:
     """The page, the numbers and, where it can be drawn, the plot."""
-    page, data, plot = out / "motion.html", out / "motion.nc", out / "motion.png"
+    page, data, plot = page_of(out), out / "motion.nc", out / "motion.png"
     motion.animate(page)
     motion.save(data)
     if picture:

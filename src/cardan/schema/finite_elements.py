@@ -85,3 +85,6 @@ class FiniteElements(Record):
     reactions: Mapping[str, tuple[int, int]] = field(
         table(pair()), "joint -> group and member whose reaction it is"
     )
+    reaction_frames: Mapping[str, str] = field(
+        table(text), "joint -> child frame, where its reaction acts", default=NOTHING
+    )

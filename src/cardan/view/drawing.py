@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any, Protocol
 
@@ -11,6 +11,7 @@ import numpy as np
 from ..arrays import Array
 from ..errors import ArgumentError, near
 from ..runtime.trajectory.trajectory import TrajectoryRecord
+from ..schema.manifest import Manifest
 from .beams import DrawnBeam, beams
 from .beams import bodies as on_nodes
 from .solids import DrawnBody, Solid
@@ -149,16 +150,21 @@ def _numbers(motion: TrajectoryRecord) -> dict[str, float]:
     return {**manifest.structural, **parameters}
 
 
-def reactions(motion: TrajectoryRecord, joints: Iterable[str]) -> list[DrawnArrow]:
+def reaction_frames(manifest: Manifest) -> Mapping[str, str]:
+    """Joint -> child frame, where its reaction acts."""
+    if manifest.absolute:
+        return manifest.elements.reaction_frames
+    frames = {row.name: row.child_frame for row in manifest.joints}
+    return frames | {row.name: row.child_frame for row in manifest.cuts}
+
+
+def reactions(motion: TrajectoryRecord) -> list[DrawnArrow]:
     """Reaction forces of joints at their child frames."""
-    frames = {row.name: row.child_frame for row in motion.manifest.joints}
-    frames |= {row.name: row.child_frame for row in motion.manifest.cuts}
     drawn = []
-    for joint in joints:
-        if joint in frames:
-            pose = motion.pose(frames[joint])
-            force = (pose[:, :3, :3] @ motion.reaction(joint)[:, 3:, None])[:, :, 0]
-            drawn.append(DrawnArrow(f"{joint}.force", "reactions", pose[:, :3, 3], force))
+    for joint, frame in reaction_frames(motion.manifest).items():
+        pose = motion.pose(frame)
+        force = (pose[:, :3, :3] @ motion.reaction(joint)[:, 3:, None])[:, :, 0]
+        drawn.append(DrawnArrow(f"{joint}.force", "reactions", pose[:, :3, 3], force))
     return drawn
 
 

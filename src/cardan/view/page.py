@@ -245,9 +245,7 @@ def drawing_of(
 def _things(motion: TrajectoryRecord, chosen: Chosen) -> Drawing:
     """What stands in the picture."""
     bodies, ground, beams = drawn.solids_of(motion)
-    reactions = []
-    if "reactions" in chosen.layers:
-        reactions = drawn.reactions(motion, [row.name for row in motion.manifest.joints])
+    reactions = drawn.reactions(motion) if "reactions" in chosen.layers else []
     return Drawing(
         name=motion.manifest.name,
         abscissa=Abscissa(motion.t),

@@ -15,7 +15,7 @@ from ..schema.mechanism import BodyRow, ShapeRow
 
 # of a page, ready for JSON
 Solid = dict[str, Any]
-THICK = 0.08  # radius of a drawn link, relative to the mean length of the links
+THICK = 0.055  # radius of a drawn link, relative to the mean length of the links
 TAPER = 0.7
 UNLINKED = (
     "free",

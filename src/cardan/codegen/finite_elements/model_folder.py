@@ -64,6 +64,7 @@ def base(absolute: FiniteElementRecord, functions: Sequence[str]) -> Base:
             reference=_reference(absolute),
             power_sources=list(absolute.powers),
             reactions={name: (int(group), int(k)) for name, (group, k) in absolute.joints.items()},
+            reaction_frames=_reaction_frames(absolute),
         ),
     )
     return Base(data, lambda: saved(absolute))
@@ -216,6 +217,17 @@ def _multipliers(absolute: FiniteElementRecord) -> list[MultiplierRow]:
         for k, (row, unit) in enumerate(group.kind.rows)
     ]
     return sorted(rows, key=lambda row: row.level != "position")
+
+
+def _reaction_frames(absolute: FiniteElementRecord) -> dict[str, str]:
+    """The child frame, as the user declared it, of every joint with a reaction."""
+    system = absolute.system
+    children = {
+        joint.name: joint.parent_frame if joint.reversed else joint.child_frame
+        for joint in system.joints
+    }
+    children |= {cut.name: cut.child_frame for cut in system.cuts}
+    return {n: system.frames[k].name for n, k in children.items() if n in absolute.joints}
 
 
 def _beams(absolute: FiniteElementRecord) -> Iterator[BeamRow]:

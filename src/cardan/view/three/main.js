@@ -16,6 +16,22 @@ const element = (tag, more = {}, ...children) => {
 const GREY = "#8a919d";
 const LAYERS = { reactions: "#e08700", forces: "#c2255c", contacts: "#c2255c" };
 
+function box(points) {
+  const low = new Vector3(Infinity, Infinity, Infinity), high = low.clone().negate();
+  for (const p of points) { low.min(p); high.max(p); }
+  return [low, high];
+}
+
+function size(points) {
+  const [low, high] = box(points);
+  return Math.max(...high.sub(low).toArray());
+}
+
+function middle(points) {
+  const [low, high] = box(points);
+  return low.add(high).multiplyScalar(0.5);
+}
+
 class Page {
   constructor(data) {
     this.data = data;
@@ -68,13 +84,7 @@ class Page {
   // what hangs on the size of the scene, once it is known
   frame() {
     const { stage, data } = this;
-    const start = this.cloud([0]), whole = this.cloud(this.rows(60)), size = (points) => {
-      const low = new Vector3(Infinity, Infinity, Infinity), high = low.clone().negate();
-      for (const p of points) { low.min(p); high.max(p); }
-      return Math.max(...high.sub(low).toArray());
-    };
-    // where something flies off, the picture holds the start
-    const cloud = size(whole) < 3 * size(start) || !(size(start) > 0) ? whole : start;
+    const cloud = this.inView();
     const base = data.floor === "ground" ? this.cloud([]) : cloud;
     const lowest = base.reduce((least, p) => Math.min(least, p.dot(stage.up)), Infinity);
     stage.frame(cloud, { below: lowest - 0.04 * size(cloud), ground: lowest }[data.floor] ?? data.floor);
@@ -115,8 +125,20 @@ class Page {
     return rows;
   }
 
-  // corners of everything at some rows
-  cloud(rows) {
+  // what the picture has to hold: everything, but for a few bodies that fly off, up to a tenth of the size
+  inView() {
+    const start = size(this.cloud([0])), rows = this.rows(60), whole = this.cloud(rows);
+    if (size(whole) < 3 * start || !(start > 0)) return whole;
+    const center = middle(this.cloud([0]));
+    const stays = this.bodies.map((_, b) => this.cloud(rows, [b]).every((p) => p.distanceTo(center) < 2 * start));
+    if (stays.filter(Boolean).length > this.bodies.length / 2) return this.cloud(rows, stays.flatMap((stay, b) => (stay ? [b] : [])));
+    let most = rows.length;
+    while (most > 1 && size(this.cloud(rows.slice(0, most))) > 10 * start) most--;
+    return this.cloud(rows.slice(0, most));
+  }
+
+  // corners of everything, or of some bodies alone, at some rows
+  cloud(rows, some = null) {
     const points = [], { data } = this, p = new Vector3(), q = new Quaternion();
     const corners = [...this.bodies, this.ground].map((group) => {
       const found = [];
@@ -132,20 +154,21 @@ class Page {
     });
     for (const i of rows) {
       data.bodies.forEach((_, b) => {
+        if (some && !some.includes(b)) return;
         const o = data.poses.columns * i + 7 * b;
         p.fromArray(data.poses, o); q.fromArray(data.poses, o + 3);
         for (const c of corners[b]) points.push(c.clone().applyQuaternion(q).add(p));
       });
-      for (const b of data.beams) {
+      for (const b of some && some.length < 2 ? [] : data.beams) {
         const r = Math.max(...b.outline.flat().map(Math.abs));
         for (let k = 0; k < b.count; k++) {
           p.fromArray(b.places, b.places.columns * i + 7 * k);
           points.push(p.clone().addScalar(r), p.clone().addScalar(-r));
         }
       }
-      for (const s of data.springs) for (const k of [0, 3]) points.push(new Vector3().fromArray(s.ends, 6 * i + k));
+      for (const s of some ? [] : data.springs) for (const k of [0, 3]) points.push(new Vector3().fromArray(s.ends, 6 * i + k));
     }
-    points.push(...corners[corners.length - 1]);
+    if (!some || some.length > 1) points.push(...corners[corners.length - 1]);
     return points.length ? points : [new Vector3()];
   }
 
@@ -199,12 +222,12 @@ class Page {
     });
     const a = new Vector3(), b = new Vector3();
     this.springs.forEach((s, n) => s.stretch(mixed(data.springs[n].ends, 6, 0, a), mixed(data.springs[n].ends, 6, 3, b)));
-    const size = this.stage.size;
+    const unit = this.stage.size;
     this.arrows.forEach((one, n) => {
       const { at, vector, layer } = data.arrows[n];
       if (!this.layers[layer]) { one.visible = false; return; }
       const force = mixed(vector, 3, 0, b).length();
-      one.point(mixed(at, 3, 0, a), force ? b.divideScalar(force) : b.set(0, 0, 1), Math.min(2, force / this.scales[layer]) * 0.3 * size, 0.006 * size);
+      one.point(mixed(at, 3, 0, a), force ? b.divideScalar(force) : b.set(0, 0, 1), Math.min(2, force / this.scales[layer]) * 0.3 * unit, 0.006 * unit);
     });
     for (const line of this.traces.values()) line.geometry.setDrawRange(0, i + 2);
     if (this.following) {

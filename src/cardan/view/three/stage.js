@@ -15,16 +15,15 @@ export class Stage {
     this.renderer.shadowMap.enabled = true;
     this.renderer.shadowMap.type = PCFShadowMap;
     this.renderer.toneMapping = NeutralToneMapping;
-    this.renderer.toneMappingExposure = 1.05;
-    this.scene = new Scene();
+        this.scene = new Scene();
     this.up = new Vector3(...data.up);
     this.normal = data.normal && new Vector3(...data.normal);
     this.camera = new PerspectiveCamera(FIELD, 1, 0.01, 100);
     this.camera.up.copy(this.up);
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.addEventListener("change", changed);
-    this.scene.add(new HemisphereLight(0xffffff, 0xb4bac6, 2.4));
-    const fill = new DirectionalLight(0xe6edff, 1.0);
+    this.scene.add(new HemisphereLight(0xffffff, 0xb4bac6, 2.0));
+    const fill = new DirectionalLight(0xe6edff, 0.8);
     this.sun = new DirectionalLight(0xffffff, 2.2);
     this.sun.castShadow = true;
     this.sun.shadow.mapSize.set(2048, 2048);
@@ -85,7 +84,11 @@ export class Stage {
 
   // the direction from which the scene is looked at when nobody says otherwise
   side() {
-    if (this.normal) return this.normal.clone().addScaledVector(this.up, 0.12 * (1 - Math.abs(this.normal.dot(this.up)))).normalize();
+    if (this.normal) {
+      // from the side, a little from above; where the plane is level, from the reader's side of it
+      const level = Math.abs(this.normal.dot(this.up)) > 0.99;
+      return level ? this.normal.clone().add(new Vector3(0, -0.3, 0)).normalize() : this.normal.clone().addScaledVector(this.up, 0.12).normalize();
+    }
     const x = new Vector3(1, 0, 0).addScaledVector(this.up, -this.up.x);
     if (x.length() < 0.1) x.set(0, 0, 1);
     x.normalize();

@@ -74,7 +74,7 @@ export class Strip {
     pen.fillStyle = css("--soft");
     pen.textBaseline = "middle";
     pen.textAlign = "right";
-    for (const y of ticks(this.low, this.high, 4)) {
+    for (const y of ticks(this.low, this.high, 5)) {
       pen.beginPath(); pen.moveTo(LEFT, Y(y)); pen.lineTo(width - RIGHT, Y(y)); pen.stroke();
       pen.fillText(short(y), LEFT - 7, Y(y));
     }
