@@ -12,6 +12,7 @@ from ..shape import Shape
 from .document import Element
 
 Origin = Callable[[Element, str], tuple[list[float], list[float]]]
+Color = tuple[float, ...]
 
 
 @dataclass
@@ -95,35 +96,48 @@ class Meshes:
         ]
 
 
-def shapes(link: Element, meshes: Meshes, origin: Origin) -> tuple[Shape, ...]:
-    """Shapes to draw for a link: its <visual> elements."""
+def shapes(
+    link: Element,
+    meshes: Meshes,
+    origin: Origin,
+    color: Callable[[Element], Color | None] = lambda visual: None,
+) -> tuple[Shape, ...]:
+    """Shapes to draw for a link: its <visual> elements.
+
+    Args:
+        link: The link.
+        meshes: Finds files.
+        origin: Element that has an <origin> -> its position and angles.
+        color: <visual> -> its color, None without.
+    """
     shapes_read = []
     for visual in link.children("visual"):
         geometry = visual.child("geometry")
         if geometry is None:
             continue
         position, rpy = origin(visual, f"{link.where} visual")
-        shape = _shape(geometry, meshes, position, ("xyz", *rpy) if any(rpy) else None)
+        rotation = ("xyz", *rpy) if any(rpy) else None
+        shape = _shape(geometry, meshes, position, rotation, color(visual))
         if shape is not None:
             shapes_read.append(shape)
     return tuple(shapes_read)
 
 
 def _shape(
-    geometry: Element, meshes: Meshes, position: list[float], rotation: object
+    geometry: Element, meshes: Meshes, position: list[float], rotation: object, color: Color | None
 ) -> Shape | None:
     box, cylinder = geometry.child("box"), geometry.child("cylinder")
     sphere, mesh = geometry.child("sphere"), geometry.child("mesh")
     if box is not None:
         x, y, z = box.numbers("size", 3)
-        return shape.box(x, y, z, position=position, rotation=rotation)
+        return shape.box(x, y, z, position=position, rotation=rotation, color=color)
     if cylinder is not None:
         radius, length = cylinder.number("radius"), cylinder.number("length")
-        return shape.cylinder(radius, length, position=position, rotation=rotation)
+        return shape.cylinder(radius, length, position=position, rotation=rotation, color=color)
     if sphere is not None:
-        return shape.sphere(sphere.number("radius"), position=position)
+        return shape.sphere(sphere.number("radius"), position=position, color=color)
     if mesh is not None:
         file = meshes.find(mesh.text("filename"), geometry.where)
         scale = mesh.numbers("scale", 3, "1 1 1")
-        return shape.mesh(file, scale=scale, position=position, rotation=rotation)
+        return shape.mesh(file, scale=scale, position=position, rotation=rotation, color=color)
     return None

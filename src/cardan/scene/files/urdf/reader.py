@@ -21,6 +21,7 @@ from ..options import Options
 from . import loops
 from .graph import Edge, base_of, edges_of, links_of
 from .kinds import Origin, kind_of, origin_of
+from .materials import material_colors
 
 if TYPE_CHECKING:
     from xml.etree.ElementTree import Element as XmlElement
@@ -44,6 +45,7 @@ class Reader:
         self.scene = SceneRecord(self.root.get("name") or "robot")
         self.scene.of_robot = True
         self.meshes = Meshes(self.options.packages, self.folder)
+        self.color = material_colors(self.root)
         self.bodies = {name: self._body(name, link) for name, link in links.items()}
         self.moving = [e.name for e in edges if e.element.text("type", "") != "fixed"]
         self._root_joint(base)
@@ -72,7 +74,7 @@ class Reader:
                 ]
                 tensor = rotated_inertia(entries, rpy)
         keys = ("xx", "xy", "xz", "yy", "yz", "zz")
-        drawn = shapes(link, self.meshes, self._origin)
+        drawn = shapes(link, self.meshes, self._origin, self.color)
         return self.scene.body(
             self._name(name), mass, com, dict(zip(keys, tensor, strict=True)), None, drawn
         )
