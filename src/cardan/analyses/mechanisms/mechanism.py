@@ -338,6 +338,15 @@ class Mechanism:
         values = q[limited]
         return int(np.sum((values < low - LIMIT_TOL) | (values > high + LIMIT_TOL)))
 
+    def inward(self, q: Array) -> Array:
+        """Coordinates with those outside of two limits in the middle of them."""
+        limited, low, high = self._bounds
+        bounded = np.isfinite(low) & np.isfinite(high)
+        limited, low, high = limited[bounded], low[bounded], high[bounded]
+        inner, values = q.copy(), q[limited]
+        inner[limited] = np.where((values < low) | (values > high), (low + high) / 2, values)
+        return inner
+
     def gaps(self, q: Array) -> dict[str, tuple[float, float]]:
         """Cut joint or constraint -> what is left open: a distance [m] and anything else [1]."""
         count = self.closing.positions

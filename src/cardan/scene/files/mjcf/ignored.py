@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from typing import TYPE_CHECKING
+
+from .. import unread
 
 if TYPE_CHECKING:
     from xml.etree.ElementTree import Element as XmlElement
@@ -41,15 +42,8 @@ def attributes_read(kind: str) -> set[str]:
     return READ[kind] | EVERYWHERE | (POSE_ATTRIBUTES if kind in PLACES else set())
 
 
-class Unread:
+class Unread(unread.Unread):
     """Counts elements and attributes that are passed over."""
-
-    def __init__(self) -> None:
-        self.counts: Counter[str] = Counter()
-
-    def element(self, raw: XmlElement, inside: str = "") -> None:
-        """A whole element is passed over."""
-        self.counts[f"{inside} {raw.tag}".strip()] += 1
 
     def attributes(self, raw: XmlElement, kind: str | None = None) -> None:
         """An element is read: what of it is not?"""
@@ -58,10 +52,3 @@ class Unread:
         for name in raw.attrib:
             if name not in read:
                 self.counts[f"{kind} {name}="] += 1
-
-    def notes(self) -> list[str]:
-        """All of it in one note, the most frequent first."""
-        if not self.counts:
-            return []
-        names = (f"{what} ({n})" if n > 1 else what for what, n in self.counts.most_common())
-        return [f"not read: {', '.join(names)}"]
