@@ -26,6 +26,7 @@ from .mechanism_record import Connection, connect
 if TYPE_CHECKING:
     from ...runtime.models.loaded_model import LoadedModel
 
+SIGN_TOL = 1e-6  # a cosine of axes that is 0 but for rounding: they are exchanged
 LIMIT_TOL = 1e-9  # beyond limits that counts as on them
 TIGHT, ROUNDED_TOL = 1e-10, 3e-5  # the latter as kernels/solve/dependent.h has it
 NEARBY = 1e-5  # of a central difference; its error of 1e-10 slows no search
@@ -122,7 +123,7 @@ class Mechanism:
         if not self.cuts or "assembly_signs" not in self.model.manifest.available:
             return ""
         values = self.evaluate("assembly_signs", q)
-        wrong = np.flatnonzero(values <= 0)
+        wrong = np.flatnonzero(values <= SIGN_TOL)
         if not len(wrong):
             return ""
         entries = self.model.manifest.functions["assembly_signs"].outputs[0].entries

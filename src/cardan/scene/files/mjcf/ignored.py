@@ -9,6 +9,11 @@ from .. import unread
 if TYPE_CHECKING:
     from xml.etree.ElementTree import Element as XmlElement
 
+# actuators that are read, and what is read of each
+ACTUATORS = ("motor", "position", "velocity", "general")
+_ACTUATOR = {
+    *("joint", "jointinparent", "gear", "ctrlrange", "ctrllimited", "forcerange", "forcelimited")
+}
 # attributes that are read, by element; "class" and "name" are everywhere
 READ = {
     "mujoco": {"model"},
@@ -30,7 +35,10 @@ READ = {
     "connect": {"body1", "body2", "anchor", "site1", "site2", "active"},
     "weld": {"body1", "body2", "relpose", "site1", "site2", "active"},
     "equality joint": {"joint1", "joint2", "polycoef", "active"},
-    "motor": {"joint", "gear"},
+    "motor": _ACTUATOR,
+    "position": _ACTUATOR | {"kp", "kv", "timeconst", "dampratio"},
+    "velocity": _ACTUATOR | {"kv"},
+    "general": _ACTUATOR | {"gaintype", "gainprm", "biastype", "biasprm", "dyntype"},
 }
 POSE_ATTRIBUTES = {"pos", "quat", "axisangle", "xyaxes", "zaxis", "euler"}
 PLACES = ("body", "frame", "inertial", "geom", "site")
