@@ -88,7 +88,9 @@ FAMILIES: dict[str, frozenset[str]] = {
     "codegen.languages": frozenset({"expressions"}),
     "runtime.formats": frozenset({"contents", "number_file"}),
     "schema.integrators": frozenset({"integrator", "alpha_family"}),
-    "scene.files": frozenset({"angles", "document", "expression", "meshes", "options", "pose"}),
+    "scene.files": frozenset(
+        {"angles", "document", "expression", "meshes", "options", "pose", "robot", "unread"}
+    ),
     "cli": frozenset(
         {"terminal", "tour", "screen", "health", "formulas", "options", "report_page"}
     ),

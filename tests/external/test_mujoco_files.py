@@ -116,6 +116,48 @@ def test_trees(case: str) -> None:
             assert error <= CASES[case], f"{what}, seed {SEED + state}: {error:.2e}"
 
 
+PUSHED = (
+    '<mujoco><compiler angle="radian"/>{0}<worldbody><body><joint name="a" axis="0 1 0" ref="0.2"/>'
+    '<geom type="box" size="0.1 0.2 0.3" pos="0 0.1 0.2"/><body pos="0 0 0.5"><joint name="b" '
+    'type="slide" axis="1 0 1"/><geom type="box" size="0.1 0.2 0.1"/></body></body></worldbody>'
+    "<actuator>{1}</actuator></mujoco>"
+)
+ACTUATORS = {
+    "motor": ("", '<motor joint="a" gear="3"/><motor jointinparent="b"/>'),
+    "position": ("", '<position joint="a" kp="20" kv="2" gear="1.5"/><position joint="b"/>'),
+    "velocity": ("", '<velocity joint="a" kv="5"/><velocity joint="b" gear="-2"/>'),
+    "general": (
+        "",
+        '<general joint="a" gainprm="3" biastype="affine" biasprm="1 -2 -0.3"/>'
+        '<general joint="b" gaintype="affine" gainprm="3 0.5 0.2" gear="2" biasprm="9 9 9"/>',
+    ),
+    "classes": (
+        '<default><general gear="2" gainprm="7" biastype="affine" biasprm="1 -2 -3"/>'
+        '<default class="p"><position kv="4"/></default>'
+        '<default class="q"><motor gear="5"/></default></default>',
+        '<general joint="a"/><position joint="a"/><velocity joint="a"/><motor joint="a"/>'
+        '<position class="p" joint="b"/><position class="p" kp="3" joint="b"/>'
+        '<velocity class="p" joint="b"/><general class="p" joint="b"/>'
+        '<motor class="q" joint="b"/><general class="q" joint="b"/>',
+    ),
+}
+
+
+@pytest.mark.parametrize("case", ACTUATORS)
+def test_actuators(case: str) -> None:
+    text = PUSHED.format(*ACTUATORS[case])
+    ours, theirs = cd.compile(from_text(text), functions=FUNCTIONS), Theirs(text)
+    assert ours.nr == theirs.model.nu
+    rng = np.random.default_rng(SEED)
+    for state in range(STATES):
+        q, u = ours.split(ours.random_state(SEED + state))
+        control = rng.uniform(-1, 1, ours.nr)
+        theirs.data.ctrl[:] = control
+        expected = theirs.at(q, u).qacc_smooth[theirs.u]
+        error = np.abs(ours.forward_dynamics(q, u, r=control) - expected).max()
+        assert error <= ROUNDING * max(1.0, np.abs(expected).max())
+
+
 # constraints: MuJoCo's give way in proportion to 1 - d, d being what it calls impedance, at most
 # 0.9999; it leaves out the derivative of their Jacobian, so that states are at rest
 

@@ -20,6 +20,8 @@ ROBOT = """<robot name="r"><link name="base"/><link name="arm"><inertial><mass v
 <joint name="j" type="continuous">
 <parent link="base"/><child link="arm"/><axis xyz="0 0 1"/></joint>
 </robot>"""
+MODEL = """<sdf version="1.7"><model name="m"><link name="arm"/><joint name="j" type="continuous">
+<parent>world</parent><child>arm</child></joint></model></sdf>"""
 TABLE = "t,hinge\n0.0,0.0\n0.1,0.2\n"
 
 
@@ -27,6 +29,7 @@ READERS = {
     "scene.yaml": (SCENE, cd.load),
     "robot.urdf": (ROBOT, cd.load),
     "robot.xml": (ROBOT, cd.load),
+    "robot.sdf": (MODEL, cd.load),
     "table.csv": (TABLE, read),
 }
 

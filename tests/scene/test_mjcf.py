@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from scipy.spatial.transform import Rotation
 
 import cardan as cd
 from cardan.scene.files.mjcf import from_text
@@ -183,12 +184,91 @@ def test_springs_dampers_and_rotors_act() -> None:
 
 
 def test_a_motor_is_an_input() -> None:
-    motor = '<actuator><motor name="m" joint="a.joint" gear="5"/><velocity joint="j"/></actuator>'
+    motor = '<actuator><motor name="m" joint="a.joint" gear="5"/><muscle joint="j"/></actuator>'
     text = one('<joint name="a.joint"/>' + '<inertial pos="0 0 0" mass="1" diaginertia="1 1 2"/>')
     model = from_text(text.replace("</mujoco>", motor + "</mujoco>"))
     compiled = cd.compile(model, functions=("forward_dynamics",))
     np.testing.assert_allclose(compiled.forward_dynamics([0.0], [0.0], r=[3.0]), [7.5])
-    assert "not read: actuator velocity" in model.notes
+    assert "actuators muscle1: muscle actuator is not read, so it does nothing" in model.notes
+
+
+ACTUATED = one('<joint name="h"/><inertial pos="0 0 0" mass="1" diaginertia="1 1 2"/>')
+
+
+def actuated(actuator: str, default: str = "") -> cd.Scene:
+    """A body of 2 kg m^2 on a hinge."""
+    classes = f"<mujoco><default>{default}</default>"
+    text = ACTUATED.replace("<mujoco>", classes)
+    return from_text(text.replace("</mujoco>", f"<actuator>{actuator}</actuator></mujoco>"))
+
+
+@each(
+    ("actuator", "torque"),
+    [
+        # q = 0.3, u = -0.7, ctrl = 2
+        ('<motor name="m" joint="h" gear="3"/>', 3 * 2),
+        ('<motor name="m" jointinparent="h"/>', 2),
+        ('<position name="m" joint="h"/>', 2 - 0.3),
+        ('<position name="m" joint="h" kp="5" kv="0.4"/>', 5 * (2 - 0.3) + 0.4 * 0.7),
+        ('<position name="m" joint="h" kp="5" gear="-2"/>', -2 * 5 * (2 - -2 * 0.3)),
+        ('<velocity name="m" joint="h" kv="3"/>', 3 * (2 + 0.7)),
+        ('<velocity name="m" joint="h" kv="3" gear="2"/>', 2 * 3 * (2 + 2 * 0.7)),
+        ('<general name="m" joint="h"/>', 2),
+        ('<general name="m" joint="h" gainprm="4" biasprm="1 2 3"/>', 8),
+        (
+            '<general name="m" joint="h" gainprm="4" biastype="affine" biasprm="1 2 3"/>',
+            8 + 1 + 2 * 0.3 - 3 * 0.7,
+        ),
+        (
+            '<general name="m" joint="h" gaintype="affine" gainprm="4 2 1" gear="2"/>',
+            2 * (4 + 2 * 2 * 0.3 - 2 * 0.7) * 2,
+        ),
+    ],
+)
+def test_actuators(actuator: str, torque: float) -> None:
+    scene = actuated(actuator)
+    model = cd.compile(scene, functions=("forward_dynamics",))
+    assert list(scene.inputs) == ["m"]
+    np.testing.assert_allclose(
+        model.forward_dynamics([0.3], [-0.7], r=[2.0]), [torque / 2], rtol=1e-14
+    )
+    assert not scene.notes
+
+
+@each(
+    ("actuator", "note"),
+    [
+        ('<position name="m" joint="h" timeconst="1"/>', "position with dyntype filterexact is"),
+        ('<position name="m" joint="h" dampratio="1"/>', "position with dampratio (give kv) is"),
+        ('<general name="m" joint="h" dyntype="filter"/>', "general with dyntype filter is not"),
+        ('<general name="m" joint="h" gaintype="muscle"/>', "general with gaintype muscle is not"),
+        ('<general name="m" joint="h" biastype="user"/>', "general with biastype user is not read"),
+        ('<motor name="m" tendon="t"/>', "motor on a tendon is not read"),
+        ('<intvelocity name="m" joint="h"/>', "intvelocity actuator is not read, so it does noth"),
+    ],
+)
+def test_actuators_that_do_nothing_are_named(actuator: str, note: str) -> None:
+    scene = actuated(actuator)
+    assert not scene.inputs
+    (said,) = scene.notes
+    assert said.startswith(f"actuators m: {note}")
+
+
+def test_ranges_of_actuators_do_not_act() -> None:
+    scene = actuated(
+        '<motor name="m" joint="h" ctrlrange="-1 1"/>'
+        '<motor name="n" joint="h" ctrlrange="-1 2" ctrllimited="false"/>'
+        '<motor name="o" joint="h" ctrlrange="-1 2" forcerange="0 3"/>'
+    )
+    ctrl = "actuators m (-1, 1), o (-1, 2): ctrlrange does not act; keep the input inside"
+    force = "actuators o (0, 3): forcerange does not act; the force has no bounds"
+    assert [n for n in scene.notes if "actuators" in n] == [ctrl, force]
+
+
+def test_actuators_share_their_defaults() -> None:
+    scene = actuated('<motor name="m" joint="h"/>', '<position gear="2" kp="7"/>')
+    model = cd.compile(scene, functions=("forward_dynamics",))
+    np.testing.assert_allclose(model.forward_dynamics([0.3], [0.0], r=[1.0]), [2 / 2])
 
 
 def test_a_motor_with_the_name_of_its_joint() -> None:
@@ -205,6 +285,20 @@ def test_masses_are_scaled_to_their_total() -> None:
         mass, _, inertia = body_mass(system, body)
         np.testing.assert_allclose(mass, 3, rtol=1e-15)
         np.testing.assert_allclose(inertia, np.diag([0.13, 0.10, 0.05]), atol=1e-15)
+
+
+def test_a_weld_is_not_assembled_with_axes_exchanged() -> None:
+    """Turned by 120 degrees about the diagonal its conditions hold too, to rounding."""
+    loose = (
+        '<body name="c" pos="0.1 0 1.2"><freejoint/>'
+        '<inertial pos="0.1 0 0" mass="0.5" diaginertia="0.01 0.02 0.015"/></body>'
+    )
+    text = linkage('<weld body1="b" body2="c" relpose="0 0.2 1 1 0.3 0 0.1"/>', loose)
+    model = cd.compile(from_text(text.replace('name="b" pos', 'name="b" euler="10 0 40" pos')))
+    q = model.assemble({"ja": 0.3}).q
+    turn = model.pose("b", q)[:3, :3].T @ model.pose("c", q)[:3, :3]
+    expected = Rotation.from_quat([1, 0.3, 0, 0.1], scalar_first=True).as_matrix()
+    np.testing.assert_allclose(turn, expected, atol=1e-12)
 
 
 def test_names_do_not_clash() -> None:

@@ -110,8 +110,8 @@ def test_the_root_tells_files_apart(tmp_path: Path) -> None:
         assert list(cd.load(tmp_path / name).bodies) == ["a"]
     (tmp_path / "c.xml").write_text('<robot name="r"><link name="l"/></robot>')
     assert list(cd.load(tmp_path / "c.xml").bodies) == ["l"]
-    (tmp_path / "d.xml").write_text("<sdf/>")
-    with pytest.raises(cd.ModelError, match="the root is <sdf>; read are <robot> and <mujoco>"):
+    (tmp_path / "d.xml").write_text("<x/>")
+    with pytest.raises(cd.ModelError, match="the root is <x>; read are <robot>, <mujoco>, <sdf>"):
         cd.load(tmp_path / "d.xml")
 
 

@@ -78,7 +78,18 @@ LOOP = tag(
         tag("axis", {"xyz": TRIPLES}),
     ),
 )
-PARTS = st.lists(st.one_of(LINK, JOINT, LOOP), max_size=10)
+CONSTRAINT = tag(
+    "constraint",
+    {"name": NAMES, "type": TYPES},
+    several(
+        tag("parent", {"link": NAMES}),
+        tag("child", {"link": NAMES}),
+        tag("child_origin", {"xyz": TRIPLES, "rpy": TRIPLES}),
+        tag("parent_axis", {"xyz": TRIPLES}),
+        tag("child_axis", {"xyz": TRIPLES}),
+    ),
+)
+PARTS = st.lists(st.one_of(LINK, JOINT, LOOP, CONSTRAINT), max_size=10)
 ROBOT = tag("robot", {"name": NAMES}, PARTS.map("".join))
 
 

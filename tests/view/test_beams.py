@@ -8,9 +8,9 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from cardan.view.beams import MOST_SECTIONS, beams, bodies
 
 import cardan as cd
+from cardan.view.beams import MOST_SECTIONS, beams, bodies
 
 GENERAL = cd.section.general(EA=1e4, GA=1e4, GJ=1, EI=1, rhoA=1, rhoI=1e-3)
 

@@ -22,8 +22,16 @@ if CHROMIUM is None:
     pytest.skip("there is no Chromium", allow_module_level=True)
 
 # software rendering, and no request of the browser's own
-OPTIONS = """--no-sandbox --use-angle=swiftshader --enable-unsafe-swiftshader --disable-quic
---no-first-run --disable-background-networking --disable-component-update --disable-sync""".split()
+OPTIONS = [
+    "--no-sandbox",
+    "--use-angle=swiftshader",
+    "--enable-unsafe-swiftshader",
+    "--disable-quic",
+    "--no-first-run",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--disable-sync",
+]
 
 
 @pytest.fixture(scope="module")
@@ -115,10 +123,15 @@ def test_bodies_stand_where_the_motion_says(shown: Shown, motion: cd.Trajectory)
 def test_something_is_drawn_and_hidden_again(shown: Shown) -> None:
     def colored() -> int:
         """Pixels with the blue of the first body."""
-        expression = """() => { const c = document.getElementById("stage"), s = document.createElement("canvas");
-          [s.width, s.height] = [c.width, c.height]; const g = s.getContext("2d"); g.drawImage(c, 0, 0);
-          const d = g.getImageData(0, 0, s.width, s.height).data; let n = 0;
-          for (let i = 0; i < d.length; i += 4) if (d[i + 3] > 200 && d[i + 2] > d[i] + 60) n++; return n; }"""
+        expression = """() => {
+          const stage = document.getElementById("stage"), copy = document.createElement("canvas");
+          [copy.width, copy.height] = [stage.width, stage.height];
+          const pen = copy.getContext("2d");
+          pen.drawImage(stage, 0, 0);
+          const d = pen.getImageData(0, 0, copy.width, copy.height).data;
+          let n = 0;
+          for (let i = 0; i < d.length; i += 4) if (d[i + 3] > 200 && d[i + 2] > d[i] + 60) n++;
+          return n; }"""
         return int(shown.page.evaluate(expression))
 
     before = colored()
@@ -201,6 +214,7 @@ def test_strip_and_slider_are_in_step(shown: Shown) -> None:
     assert float(shown.page.input_value("#time")) == pytest.approx(shown.time, abs=1e-6)
     assert "total" in shown.page.inner_text("#legend")
     shown.page.click("#tabs button:nth-child(2)")
+    shown.page.wait_for_timeout(300)
     assert "elbow" in shown.page.inner_text("#legend")
 
 
@@ -232,8 +246,8 @@ def test_night_phone_and_still(browser: Any, file: str) -> None:
 def test_every_control_has_a_name(shown: Shown) -> None:
     unnamed = shown.page.evaluate(
         """() => [...document.querySelectorAll("button, input, select, canvas")].filter((x) =>
-           !(x.getAttribute("aria-label") || x.textContent.trim() || x.closest("label")?.textContent.trim()
-             || x.getAttribute("aria-hidden"))).map((x) => x.id)"""
+           !(x.getAttribute("aria-label") || x.textContent.trim() || x.getAttribute("aria-hidden")
+             || x.closest("label")?.textContent.trim())).map((x) => x.id)"""
     )
     assert unnamed == []
 

@@ -65,7 +65,8 @@ def summary(model: SceneRecord) -> str:
 
 def body_rows(model: SceneRecord) -> list[list[str]]:
     """Bodies with their joints, below their titles."""
-    inboard = {joint.child.body: joint for joint in model.joints.values()}
+    # the first joint of a body; further ones close loops
+    inboard = {joint.child.body: joint for joint in reversed(model.joints.values())}
     rows = [["body", "mass [kg]", "joint", "kind", "parent", ""]]
     for body in model.bodies.values():
         joint = inboard.get(body)

@@ -26,6 +26,7 @@ from .mechanism_record import Connection, connect
 if TYPE_CHECKING:
     from ...runtime.models.loaded_model import LoadedModel
 
+SIGN_TOL = 1e-6  # a cosine of axes that is 0 but for rounding: they are exchanged
 LIMIT_TOL = 1e-9  # beyond limits that counts as on them
 TIGHT, ROUNDED_TOL = 1e-10, 3e-5  # the latter as kernels/solve/dependent.h has it
 NEARBY = 1e-5  # of a central difference; its error of 1e-10 slows no search
@@ -129,7 +130,7 @@ class Mechanism:
         if not self.cuts or "assembly_signs" not in self.model.manifest.available:
             return ""
         values = self.evaluate("assembly_signs", q)
-        wrong = np.flatnonzero(values <= 0)
+        wrong = np.flatnonzero(values <= SIGN_TOL)
         if not len(wrong):
             return ""
         entries = self.model.manifest.functions["assembly_signs"].outputs[0].entries
@@ -344,6 +345,15 @@ class Mechanism:
             return 0
         values = q[limited]
         return int(np.sum((values < low - LIMIT_TOL) | (values > high + LIMIT_TOL)))
+
+    def inward(self, q: Array) -> Array:
+        """Coordinates with those outside of two limits in the middle of them."""
+        limited, low, high = self._bounds
+        bounded = np.isfinite(low) & np.isfinite(high)
+        limited, low, high = limited[bounded], low[bounded], high[bounded]
+        inner, values = q.copy(), q[limited]
+        inner[limited] = np.where((values < low) | (values > high), (low + high) / 2, values)
+        return inner
 
     def gaps(self, q: Array) -> dict[str, tuple[float, float]]:
         """Cut joint or constraint -> what is left open: a distance [m] and anything else [1]."""

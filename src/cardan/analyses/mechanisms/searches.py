@@ -20,6 +20,9 @@ def search(
 ) -> list[Solution]:
     """Ends of searches from a start and from random coordinates.
 
+    Where the start is outside limits, the second one is the same with these coordinates in the
+    middle of their ranges: all others stay where they were meant to be.
+
     Ctrl-C ends them once one of them has met the targets.
 
     Warns:
@@ -28,9 +31,11 @@ def search(
     solutions, solver = list[Solution](), PositionSolver(m, targets)
     start = start_of(m.model, {}, {})[0][: m.model.nq]
     rng = np.random.default_rng(seed)
+    inner = [m.inward(begin)] if m.outside(begin) else []
     for k in range(starts):
         try:
-            end = solver.search(begin if k == 0 else drawn(m, start, rng))
+            from_here = begin if k == 0 else inner.pop() if inner else drawn(m, start, rng)
+            end = solver.search(from_here)
         except KeyboardInterrupt:
             if not any(one.met for one in solutions):
                 raise

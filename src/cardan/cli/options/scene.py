@@ -21,7 +21,10 @@ METHODS = (
 def arguments(parser: argparse.ArgumentParser) -> None:
     """Declare the file and how it is read."""
     parser.add_argument(
-        "file", metavar="FILE", type=Path, help="a scene (.yaml), robot (.urdf) or MJCF (.xml)"
+        "file",
+        metavar="FILE",
+        type=Path,
+        help="a scene (.yaml), robot (.urdf, .sdf) or MJCF (.xml)",
     )
     file = parser.add_argument_group("reading a robot")
     file.add_argument("--base", choices=("fixed", "free"), default="fixed",
@@ -34,7 +37,7 @@ def arguments(parser: argparse.ArgumentParser) -> None:
                       help="joint limits are noted (default) or act as stops")  # fmt: skip
     file.add_argument("--friction", action="store_true", help="let dry friction of joints act")
     file.add_argument("--packages", metavar="DIR", type=Path, action="append", default=[],
-                      help="folder of package:// paths; give it again for another")  # fmt: skip
+                      help="folder of package:// and model:// paths; may be repeated")  # fmt: skip
 
 
 def method(group: argparse._ArgumentGroup) -> None:

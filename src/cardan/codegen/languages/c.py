@@ -267,8 +267,9 @@ class _Writer:
             start, at = at, at + len(list(run))
             if node == ZERO and at - start > FEW:
                 begin, end = array.start + start, array.start + at
+                zero = self._number(ZERO, array.base in PREPARES)
                 lines.append(
-                    f"{indent}for (int i = {begin}; i < {end}; ++i) {array.base}[i] = 0.0;"
+                    f"{indent}for (int i = {begin}; i < {end}; ++i) {array.base}[i] = {zero};"
                 )
                 self.touched.add(array.base)
             elif node is not None:

@@ -14,6 +14,8 @@
 
 /* residual to aim for; largest residual of a closed loop */
 static const real SOUGHT = 1e-15, CLOSED = 1e-11;
+/* a cosine of axes that is 0 but for rounding: they are exchanged, not kept */
+static const real SIGN_TOL = 1e-6;
 /* least and greatest length of a step, in radians or sizes of the mechanism */
 static const real LEAST_STEP = 1e-13, LONGEST = 0.7;
 static const real FIRST_DAMPING = 1e-3, LEAST_DAMPING = 1e-12, SHORTER = 0.3;
@@ -287,7 +289,7 @@ static int ended(cardan_position *p)
     if (p->assembly_sign_count > 0 && p->open <= fmax(CLOSED, p->residual_noise)
         && call(p, &p->assembly_signs, p->q, NULL, values) == 0)
         for (ptrdiff_t i = p->assembly_sign_count - 1; i >= 0; i--)
-            if (values[i] <= 0)
+            if (values[i] <= SIGN_TOL)
                 p->wrong_sign = i;
     return CARDAN_DONE;
 }

@@ -11,28 +11,31 @@ from ...errors import ModelError, warn
 from ..joint_properties import add_friction, add_stops
 from ..origins import gathered
 from ..scene import SceneRecord
-from . import mjcf, urdf, yaml
+from . import mjcf, sdf, urdf, yaml
 from .document import content, parse
 from .options import Options
 
 # by the root element of an XML file, whatever its name ends in
-ROOTS = {"robot": urdf.of_root, "mujoco": mjcf.of_root}
+ROOTS = {"robot": urdf.of_root, "mujoco": mjcf.of_root, "sdf": sdf.of_root}
 
 
 def _xml(path: Path, options: Options) -> SceneRecord:
-    """The model of a URDF or MJCF file."""
+    """The model of a URDF, SDF or MJCF file."""
     root = parse(content(path), path.name)
     reader = ROOTS.get(root.tag)
     if reader is None:
         raise ModelError(
             f"file '{path.name}': the root is <{str(root.tag)[:60]}>; read are "
-            + " and ".join(f"<{tag}>" for tag in ROOTS)
+            + ", ".join(f"<{tag}>" for tag in ROOTS)
         )
     return reader(root, options, path.name, path.parent)
 
 
 LIMITS = ("note", "stop")
-READERS = {".urdf": _xml, ".xml": _xml, ".mjcf": _xml, ".yaml": yaml.read, ".yml": yaml.read}
+READERS = {
+    **dict.fromkeys((".urdf", ".sdf", ".world", ".xml", ".mjcf"), _xml),
+    **dict.fromkeys((".yaml", ".yml"), yaml.read),
+}
 
 
 @checked
@@ -49,15 +52,17 @@ def load(
     """Read a scene from a file.
 
     Args:
-        path: A scene (``.yaml``), a robot (``.urdf``) or a model of MuJoCo (``.xml``, ``.mjcf``);
-            the root element tells the two apart.
-        base: For URDF robots: ``"fixed"``: the root is fixed to the ground; ``"free"``: it floats.
-        mimic: For URDF robots: ``"couple"``: a joint that mimics another follows it; ``"free"``: it
-            moves freely.
+        path: A scene (``.yaml``), a robot (``.urdf``, ``.sdf``) or a model of MuJoCo (``.xml``,
+            ``.mjcf``); the root element tells these apart.
+        base: For URDF and SDF robots: ``"fixed"``: the root is fixed to the ground; ``"free"``: it
+            floats.
+        mimic: For URDF and SDF robots: ``"couple"``: a joint that mimics another follows it;
+            ``"free"``: it moves freely.
         snap: Replace rounded multiples of a quarter turn by exact ones, within half a unit of the
             last printed digit; all are listed in ``Model.snaps``. With False numbers stay as they
             are printed.
-        packages: Folder or folders below which ``package://`` paths and absolute paths must lie.
+        packages: Folder or folders below which ``package://`` and ``model://`` paths and absolute
+            paths must lie.
         parameters: Values by dotted name that replace those of the file.
         limits: ``"stop"``: limits of position act as a :class:`cardan.Stop`, ``<joint>.stop``, on
             joints of one coordinate that are neither coupled nor prescribed; where 0 is outside,

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Self
 from xml.etree.ElementTree import Element as XmlElement
 from xml.etree.ElementTree import TreeBuilder
 
@@ -110,13 +111,22 @@ class Element:
         self.raw = raw
         self.where = where
 
-    def child(self, tag: str) -> Element | None:
+    def child(self, tag: str) -> Self | None:
         """The first child of that name."""
         child = self.raw.find(tag)
-        return None if child is None else Element(child, self.where)
+        return None if child is None else type(self)(child, self.where)
 
-    def children(self, tag: str) -> Iterator[Element]:
-        return (Element(raw, self.where) for raw in self.raw.findall(tag))
+    def children(self, tag: str) -> Iterator[Self]:
+        """All children of that name."""
+        return (type(self)(raw, self.where) for raw in self.raw.findall(tag))
+
+    def word(self, name: str) -> str | None:
+        """The text of an attribute, None where it is missing."""
+        return self.raw.get(name)
+
+    def lacks(self, name: str) -> str:
+        """Message that something is missing."""
+        return f"{self.where}: <{self.raw.tag}> lacks the attribute '{name}'"
 
     def text(self, name: str, default: str | None = None) -> str:
         """An attribute.
@@ -124,10 +134,10 @@ class Element:
         Raises:
             ModelError: it is missing and has no default.
         """
-        value = self.raw.get(name)
+        value = self.word(name)
         if value is None:
             if default is None:
-                raise ModelError(f"{self.where}: <{self.raw.tag}> lacks the attribute '{name}'")
+                raise ModelError(self.lacks(name))
             return default
         return str(value)
 
@@ -177,7 +187,7 @@ class Element:
 
     def optional(self, name: str) -> float | None:
         """An attribute that may be missing or infinite: then None."""
-        word = self.raw.get(name)
+        word = self.word(name)
         if word is None:
             return None
         try:

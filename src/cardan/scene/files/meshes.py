@@ -1,4 +1,4 @@
-"""Shapes of URDF links; mesh files stay below declared folders."""
+"""Shapes of URDF and SDF links; mesh files stay below declared folders."""
 
 from __future__ import annotations
 
@@ -127,17 +127,22 @@ def _shape(
     geometry: Element, meshes: Meshes, position: list[float], rotation: object, color: Color | None
 ) -> Shape | None:
     box, cylinder = geometry.child("box"), geometry.child("cylinder")
-    sphere, mesh = geometry.child("sphere"), geometry.child("mesh")
+    sphere, mesh, capsule = (geometry.child(tag) for tag in ("sphere", "mesh", "capsule"))
     if box is not None:
         x, y, z = box.numbers("size", 3)
         return shape.box(x, y, z, position=position, rotation=rotation, color=color)
     if cylinder is not None:
         radius, length = cylinder.number("radius"), cylinder.number("length")
         return shape.cylinder(radius, length, position=position, rotation=rotation, color=color)
+    if capsule is not None:
+        radius, length = capsule.number("radius"), capsule.number("length")
+        return shape.capsule(radius, length, position=position, rotation=rotation, color=color)
     if sphere is not None:
         return shape.sphere(sphere.number("radius"), position=position, color=color)
     if mesh is not None:
-        file = meshes.find(mesh.text("filename"), geometry.where)
+        # URDF and SDF have different words for it
+        key = "filename" if mesh.word("uri") is None else "uri"
+        file = meshes.find(mesh.text(key), geometry.where)
         scale = mesh.numbers("scale", 3, "1 1 1")
         return shape.mesh(file, scale=scale, position=position, rotation=rotation, color=color)
     return None

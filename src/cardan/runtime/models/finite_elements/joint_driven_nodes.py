@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 SAVED = "states"
 ASSEMBLY_SIGNS = "assembly_signs "  # before the joint whose axes the numbers are about
 ROUNDING = 1e-14
+SIGN_TOL = 1e-6  # a cosine of axes that is 0 but for rounding: they are exchanged
 # entries of the coordinates and speeds of a node in space
 POSE, MOTION = ("qw", "qx", "qy", "qz", "px", "py", "pz"), ("x", "y", "z", "px", "py", "pz")
 
@@ -119,7 +120,7 @@ class Carrier:
         if not any(name.startswith(ASSEMBLY_SIGNS) for name in names):
             return ""
         values = self._nodes(q, np.zeros(self.model.nu))
-        wrong = [n for n in names if n.startswith(ASSEMBLY_SIGNS) and np.any(values[n] <= 0)]
+        wrong = [n for n in names if n.startswith(ASSEMBLY_SIGNS) and np.any(values[n] <= SIGN_TOL)]
         return wrong[0].removeprefix(ASSEMBLY_SIGNS) if wrong else ""
 
     @cached_property

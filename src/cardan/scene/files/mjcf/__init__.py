@@ -1,7 +1,7 @@
 """MJCF, the files of MuJoCo: a subset.
 
-Read are bodies, joints, masses, sites, equality constraints and motors; everything else is named in
-``Model.notes``.
+Read are bodies, joints, masses, sites, equality constraints and actuators of joints; all else
+is named in ``Model.notes``.
 
 Source: the MuJoCo documentation, XML reference, https://mujoco.readthedocs.io.
 """

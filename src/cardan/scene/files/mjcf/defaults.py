@@ -6,15 +6,16 @@ from typing import TYPE_CHECKING
 
 from ....errors import ModelError, near
 from ..document import Element, element_at, place
+from .actuators import general
 from .compiler import ORIENTATIONS
-from .ignored import Unread, attributes_read
+from .ignored import ACTUATORS, Unread, attributes_read
 
 if TYPE_CHECKING:
     from xml.etree.ElementTree import Element as XmlElement
 
 TOP = "main"
 # elements that have defaults -> what is read of them
-KINDS = {name: name for name in ("joint", "geom", "site", "motor")} | {"equality": "weld"}
+KINDS = {name: name for name in ("joint", "geom", "site", *ACTUATORS)} | {"equality": "weld"}
 # of these only one may be said: the element's own word counts
 ALTERNATIVES = (frozenset(ORIENTATIONS),)
 
@@ -55,7 +56,7 @@ class Defaults:
                         for k, text in child.items()
                         if k in attributes_read(KINDS[child.tag])
                     }
-                    merged_class[child.tag] = merged(merged_class.get(child.tag, {}), attributes)
+                    self._merge(merged_class, child, attributes)
                 elif child.tag != "default":
                     self.unread.element(child, "default")
             self.classes[name] = merged_class
@@ -69,6 +70,28 @@ class Defaults:
                 waiting.append((child, inner_name, name))
         # the outermost class may have a name of its own
         self.classes[element.get("class") or TOP] = self.classes[TOP]
+
+    def _merge(
+        self, classes: dict[str, dict[str, str]], child: XmlElement, attributes: dict[str, str]
+    ) -> None:
+        """Put the attributes of an element into a class."""
+        if child.tag not in ACTUATORS:
+            classes[child.tag] = merged(classes.get(child.tag, {}), attributes)
+            return
+        # actuators of all sorts share one default, in the words of the general one
+        where = f"{place(child, self.where)}: <{child.tag}>"
+        element = Element(element_at(child, child.tag, attributes), where)
+        classes["general"] = general(element, classes.get("general", {}))
+
+    def actuator(self, raw: XmlElement, where: str) -> Element:
+        """An actuator with what its class adds, in the words of the general one.
+
+        Raises:
+            ModelError: there is no such class, or numbers that are none.
+        """
+        defaults = self.of(element_at(raw, "general", {}), where, raw.get("class") or TOP).raw
+        shared = general(Element(raw, where), defaults.attrib) if raw.tag in ACTUATORS else {}
+        return Element(element_at(raw, raw.tag, {**raw.attrib, **shared}), where)
 
     def of(self, raw: XmlElement, where: str, inherited: str, tag: str | None = None) -> Element:
         """An element with what its class adds.

@@ -2,12 +2,18 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from typing import TYPE_CHECKING
+
+from .. import unread
 
 if TYPE_CHECKING:
     from xml.etree.ElementTree import Element as XmlElement
 
+# actuators that are read, and what is read of each
+ACTUATORS = ("motor", "position", "velocity", "general")
+_ACTUATOR = {
+    *("joint", "jointinparent", "gear", "ctrlrange", "ctrllimited", "forcerange", "forcelimited")
+}
 # attributes that are read, by element; "class" and "name" are everywhere
 READ = {
     "mujoco": {"model"},
@@ -29,7 +35,10 @@ READ = {
     "connect": {"body1", "body2", "anchor", "site1", "site2", "active"},
     "weld": {"body1", "body2", "relpose", "site1", "site2", "active"},
     "equality joint": {"joint1", "joint2", "polycoef", "active"},
-    "motor": {"joint", "gear"},
+    "motor": _ACTUATOR,
+    "position": _ACTUATOR | {"kp", "kv", "timeconst", "dampratio"},
+    "velocity": _ACTUATOR | {"kv"},
+    "general": _ACTUATOR | {"gaintype", "gainprm", "biastype", "biasprm", "dyntype"},
 }
 POSE_ATTRIBUTES = {"pos", "quat", "axisangle", "xyaxes", "zaxis", "euler"}
 PLACES = ("body", "frame", "inertial", "geom", "site")
@@ -41,15 +50,8 @@ def attributes_read(kind: str) -> set[str]:
     return READ[kind] | EVERYWHERE | (POSE_ATTRIBUTES if kind in PLACES else set())
 
 
-class Unread:
+class Unread(unread.Unread):
     """Counts elements and attributes that are passed over."""
-
-    def __init__(self) -> None:
-        self.counts: Counter[str] = Counter()
-
-    def element(self, raw: XmlElement, inside: str = "") -> None:
-        """A whole element is passed over."""
-        self.counts[f"{inside} {raw.tag}".strip()] += 1
 
     def attributes(self, raw: XmlElement, kind: str | None = None) -> None:
         """An element is read: what of it is not?"""
@@ -58,10 +60,3 @@ class Unread:
         for name in raw.attrib:
             if name not in read:
                 self.counts[f"{kind} {name}="] += 1
-
-    def notes(self) -> list[str]:
-        """All of it in one note, the most frequent first."""
-        if not self.counts:
-            return []
-        names = (f"{what} ({n})" if n > 1 else what for what, n in self.counts.most_common())
-        return [f"not read: {', '.join(names)}"]

@@ -14,7 +14,8 @@ from ...shape import Shape
 from ..document import Element
 from ..options import Options
 from ..pose import HERE, Pose, written
-from . import actuators, contacts, equality, joints, masses
+from . import contacts, equality, joints, masses
+from .actuators import Actuators
 from .compiler import Compiler
 from .defaults import Defaults
 from .document import BodyElement, Document, expanded
@@ -50,9 +51,11 @@ class Reader:
         self._equalities()
         self._build(bodies, hinges)
         self._close()
-        for number, element in enumerate(self._children("actuator")):
-            with self.document.at_element(element.raw):
-                actuators.add(self.scene, element, f"motor{number}", self.hinges, self.unread)
+        self.actuators = Actuators(self.scene, self.hinges, self.unread)
+        for number, raw in enumerate(self.document.section("actuator").raw):
+            with self.document.at_element(raw):
+                element = self.defaults.actuator(raw, self.document.where(raw))
+                self.actuators.add(element, raw, number)
         self._announce()
 
     # the document
@@ -250,6 +253,7 @@ class Reader:
         """Notes for the reader of the model."""
         chain, notes = self.chain, self.scene.notes
         notes += contacts.notes(self.touching)
+        notes += self.actuators.notes()
         notes += self.unread.notes()
         if chain.ignored:
             notes.append(f"not acted on: {', '.join(chain.ignored)}")

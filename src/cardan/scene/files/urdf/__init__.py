@@ -1,7 +1,7 @@
 """URDF robots, with joints that close loops.
 
 Source: the URDF specification, http://wiki.ros.org/urdf/XML. ``<loop_joint>`` is an extension, see
-:mod:`.loops`.
+:mod:`.loops`; ``<constraint>`` a proposal, see :mod:`.constraints`.
 """
 
 from __future__ import annotations

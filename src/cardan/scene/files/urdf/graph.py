@@ -94,7 +94,7 @@ def base_of(links: dict[str, Element], edges: list[Edge], file: str) -> str:
             raise TopologyError(
                 f"link '{edge.child}' is the child of two joints, '{inboard[edge.child].name}' and "
                 f"'{edge.name}'; write the one that closes a loop as <loop_joint> with "
-                "<link1 link=.../> and <link2 link=.../>"
+                "<link1 link=.../> and <link2 link=.../>, or as <constraint>"
             )
         inboard[edge.child] = edge
     roots = [name for name in links if name not in inboard]

@@ -18,8 +18,11 @@ TYPES = ("revolute", "continuous", "prismatic", "fixed", "floating", "planar")
 Origin = tuple[list[float], list[float]]
 
 
-def kind_of(element: Element, snap: bool, snaps: list[str]) -> JointElement:
+def kind_of(element: Element, snap: bool, snaps: list[str], tag: str = "axis") -> JointElement:
     """The joint element of a <joint>.
+
+    Args:
+        tag: Of its axis.
 
     Raises:
         ModelError: an unknown type or an axis without direction.
@@ -32,7 +35,7 @@ def kind_of(element: Element, snap: bool, snaps: list[str]) -> JointElement:
     if kind == "floating":
         return Free()
     family = {"prismatic": Prismatic, "planar": Planar}
-    element_kind: JointElement = family.get(kind, Revolute)(axis_of(element, "axis", snap, snaps))
+    element_kind: JointElement = family.get(kind, Revolute)(axis_of(element, tag, snap, snaps))
     return element_kind
 
 
@@ -53,9 +56,11 @@ def axis_of(element: Element, tag: str, snap: bool, snaps: list[str]) -> tuple[f
     return tuple(direction)
 
 
-def origin_of(element: Element, who: str, snap: bool, snaps: list[str]) -> Origin:
+def origin_of(
+    element: Element, who: str, snap: bool, snaps: list[str], tag: str = "origin"
+) -> Origin:
     """Position and roll, pitch, yaw of <origin>; pictures need no snapping."""
-    origin = element.child("origin")
+    origin = element.child(tag)
     if origin is None:
         return [0.0] * 3, [0.0] * 3
     xyz = origin.numbers("xyz", 3, "0 0 0")

@@ -63,29 +63,41 @@ def close(
         where = place(raw, file)
         name = Element(raw, f"{where}: <loop_joint>").text("name")
         element = Element(raw, f"{where}: loop joint '{name[:80]}'")
-        ends = _ends(element, bodies)
-        kind = _kind(element, snap, scene.snaps)
-        one = _pose(origin_of(element, element.where, snap, scene.snaps))
+        ends = ends_of(element, ("link1", "link2"), bodies)
+        kind = kind_of_loop(element, snap, scene.snaps)
+        one = pose_of(origin_of(element, element.where, snap, scene.snaps))
         second = raw.find("link2")
         assert second is not None
         inner = Element(second, f"{element.where} link2")
         if inner.child("origin") is None:
             two = drawn[ends[1]].inverse().then(drawn[ends[0]]).then(one)
         else:
-            two = _pose(origin_of(inner, inner.where, snap, scene.snaps))
-        frames = [_frame(bodies[link], pose) for link, pose in zip(ends, (one, two), strict=True)]
+            two = pose_of(origin_of(inner, inner.where, snap, scene.snaps))
+        frames = [frame_at(bodies[link], pose) for link, pose in zip(ends, (one, two), strict=True)]
         if name in scene.joints:
             raise ModelError(f"{element.where}: a joint has this name; rename one of them")
         scene.joint(name, kind, frames[0], frames[1], cut=True)
         scene.origins["joint", name] = where
-        skipped = [tag for tag in PASSED_OVER if element.child(tag) is not None]
-        if skipped:
-            scene.notes.append(f"{element.where}: {', '.join(skipped)} does not act on it")
+        remark(scene, element)
 
 
-def _ends(element: Element, bodies: Mapping[str, Body]) -> tuple[str, str]:
+def remark(scene: SceneRecord, element: Element) -> None:
+    """Say what of a joint that closes a loop does not act."""
+    skipped = [tag for tag in PASSED_OVER if element.child(tag) is not None]
+    if skipped:
+        scene.notes.append(f"{element.where}: {', '.join(skipped)} does not act on it")
+
+
+def ends_of(
+    element: Element, roles: tuple[str, str], bodies: Mapping[str, Body]
+) -> tuple[str, str]:
+    """The links that a joint joins.
+
+    Raises:
+        ModelError: one is missing or does not exist, or both are the same.
+    """
     links = []
-    for role in ("link1", "link2"):
+    for role in roles:
         end = element.child(role)
         if end is None:
             raise ModelError(f"{element.where}: <{role} link=.../> is missing")
@@ -96,15 +108,23 @@ def _ends(element: Element, bodies: Mapping[str, Body]) -> tuple[str, str]:
     return links[0], links[1]
 
 
-def _kind(element: Element, snap: bool, snaps: list[str]) -> JointElement:
+def kind_of_loop(element: Element, snap: bool, snaps: list[str], tag: str = "axis") -> JointElement:
+    """The joint element of a joint that closes a loop.
+
+    Args:
+        tag: Of its axis.
+
+    Raises:
+        ModelError: an unknown type, or an axis that is missing or zero.
+    """
     kind = element.text("type")
     if kind not in TYPES:
         raise ModelError(f"{element.where}: type '{kind[:40]}' closes no loop." + near(kind, TYPES))
     if kind in ("spherical", "ball"):
         return Spherical()
     if kind in PLAIN:
-        return kind_of(element, snap, snaps)
-    axis = axis_of(element, "axis", snap, snaps)
+        return kind_of(element, snap, snaps, tag)
+    axis = axis_of(element, tag, snap, snaps)
     if kind == "cylindrical":
         return Cylindrical(axis)
     if element.child("axis2") is None:
@@ -125,17 +145,19 @@ def reference(base: str, edges: list[Edge], origins: Mapping[str, Origin]) -> di
     while stack:
         link = stack.pop()
         for edge in outboard.get(link, ()):
-            drawn[edge.child] = drawn[link].then(_pose(origins[edge.name]))
+            drawn[edge.child] = drawn[link].then(pose_of(origins[edge.name]))
             stack.append(edge.child)
     return drawn
 
 
-def _pose(origin: Origin) -> Pose:
+def pose_of(origin: Origin) -> Pose:
+    """The pose of an <origin>."""
     (x, y, z), rpy = origin
     return Pose(of_sequence("xyz", rpy), (x, y, z))
 
 
-def _frame(body: Body, pose: Pose) -> Place:
+def frame_at(body: Body, pose: Pose) -> Place:
+    """A frame on a body; the body itself where it is its own."""
     turn = written(pose.rotation)
     if turn is None and not any(pose.position):
         return body

@@ -3,22 +3,22 @@
 from __future__ import annotations
 
 import dataclasses
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from ....elements.forces.joint_damper import JointDamper
 from ....elements.joints.fixed import Fixed
 from ....elements.joints.free import Free
 from ....elements.joints.joint import Joint as JointElement
-from ....errors import ModelWarning, warn
 from ...body import Body
 from ...scene import SceneRecord
 from ..angles import rotated_inertia
 from ..document import Element
 from ..meshes import Meshes, shapes
 from ..options import Options
-from . import loops
+from ..robot import Mimics, announce, body_name
+from . import constraints, loops
 from .graph import Edge, base_of, edges_of, links_of
 from .kinds import Origin, kind_of, origin_of
 from .materials import material_colors
@@ -35,8 +35,6 @@ class Reader:
     options: Options
     file: str
     folder: Path | None
-    freed: list[str] = field(default_factory=list)
-    orphans: list[str] = field(default_factory=list)
 
     def model(self) -> SceneRecord:
         """The model; to be asked once."""
@@ -44,6 +42,7 @@ class Reader:
         base = base_of(links, edges, self.file)
         self.scene = SceneRecord(self.root.get("name") or "robot")
         self.scene.of_robot = True
+        self.mimics = Mimics(self.options.mimic == "couple")
         self.meshes = Meshes(self.options.packages, self.folder)
         self.color = material_colors(self.root)
         self.bodies = {name: self._body(name, link) for name, link in links.items()}
@@ -54,6 +53,7 @@ class Reader:
             drawn = loops.reference(base, edges, origins)
             snap = self.options.snap
             loops.close(self.scene, self.root, self.file, self.bodies, drawn, snap)
+        constraints.close(self.scene, self.root, self.file, self.bodies, self.options.snap)
         self._announce()
         return self.scene
 
@@ -76,12 +76,8 @@ class Reader:
         keys = ("xx", "xy", "xz", "yy", "yz", "zz")
         drawn = shapes(link, self.meshes, self._origin, self.color)
         return self.scene.body(
-            self._name(name), mass, com, dict(zip(keys, tensor, strict=True)), None, drawn
+            body_name(name), mass, com, dict(zip(keys, tensor, strict=True)), None, drawn
         )
-
-    def _name(self, link: str) -> str:
-        """Name of the body of a link: its own, save for that of the ground."""
-        return "ground_link" if link == "ground" else link
 
     def _origin(self, element: Element, who: str, snap: bool = False) -> Origin:
         return origin_of(element, who, snap, self.scene.snaps)
@@ -135,54 +131,15 @@ class Reader:
         limits = {key: limit.optional(name) for key, name in names.items()}
         return {key: value for key, value in limits.items() if value is not None}
 
-    def _mimic(self, element: Element) -> tuple[Any, ...] | None:
+    def _mimic(self, element: Element) -> tuple[str, float, float] | None:
         mimic = element.child("mimic")
-        if mimic is None:
-            return None
-        if self.options.mimic == "free":
-            self.freed.append(element.text("name"))
-            return None
-        leader = mimic.text("joint")
-        if leader not in self.moving:
-            self.orphans.append(f"{element.text('name')} ({leader})")
-            return None
-        return (leader, mimic.number("multiplier", "1"), mimic.number("offset", "0"))
+        leader = mimic.text("joint") if mimic is not None and self.mimics.followed else ""
+        return self.mimics.couple(element.text("name"), mimic, leader, self.moving)
 
     # what a reader of the model must know
 
     def _announce(self) -> None:
-        scene, notes = self.scene, self.scene.notes
-        if self.orphans:
-            lost = f"joints {', '.join(self.orphans)} mimic what is not a moving joint of the file"
-            notes.append(f"{lost}; they move freely")
-            warn(f"file '{self.file}': {notes[-1]}", ModelWarning)
-        for what, names in (
-            ("mimic is not followed (mimic='free'); the joint moves freely", self.freed),
-        ):
-            if names:
-                notes.append(f"joints {', '.join(names)}: {what}")
-        if "ground_link" in scene.bodies and "ground" in self.bodies:
-            notes.append("link 'ground' is body 'ground_link': 'ground' is what does not move")
+        notes = self.scene.notes
+        self.mimics.announce(notes, self.file)
         notes += self.meshes.notes()
-        if scene.snaps:
-            notes.append(f"{len(scene.snaps)} rounded angles were made exact; see Model.snaps")
-        tips = self._massless_tips()
-        if tips:
-            text = f"bodies {', '.join(tips)}: nothing outboard of their joints has a mass"
-            warn(f"{text}; forward dynamics divides by it", ModelWarning)
-
-    def _massless_tips(self) -> list[str]:
-        """Links moved by a joint without any mass from there outward."""
-        joints = list(self.scene.joints.values())
-        order = {joint.child.body: joint for joint in joints}
-        heavy = {body for body in order if body.mass or any(body.inertia)}
-        for body in list(heavy):
-            inner = order[body].parent.body
-            while inner in order and inner not in heavy:
-                heavy.add(inner)
-                inner = order[inner].parent.body
-        return [
-            joint.child.body.name
-            for joint in joints
-            if joint.kind.coordinates and joint.couple is None and joint.child.body not in heavy
-        ]
+        announce(self.scene, self.bodies)
