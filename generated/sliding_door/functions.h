@@ -57,7 +57,7 @@ CARDAN_API void prepare_events(const wreal *p, wreal *w);
 /* speeds, internal and discrete states behind the events e; reads q, u, s, r, p, e */
 enum {
     transition_out_size = 6,
-    transition_work_size = 65,
+    transition_work_size = 57,
     transition_w_size = 9
 };
 CARDAN_API int transition(const cardan_in *in, real *out, real *work);

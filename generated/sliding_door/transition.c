@@ -5,8 +5,8 @@
  * rewrites: base_parameters
  * passes: unroll, reassociate
  *
- * Sizes: out 6, work 65, w 9
- * Operations per call: 169 = 61 mul, 34 select, 16 add, 12 sub, 11 neg, 8 lt, 7 le, 5 eq, 5 solve,
+ * Sizes: out 6, work 57, w 9
+ * Operations per call: 165 = 58 mul, 34 select, 15 add, 12 neg, 11 sub, 8 lt, 7 le, 5 eq, 5 solve,
  *     4 abs, 2 and, 1 cos, 1 div, 1 not, 1 sin
  * Operations of prepare: 5 = 2 add, 2 mul, 1 div
  *
@@ -97,21 +97,21 @@ CARDAN_API int transition(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real *const r = in->r;
     const wreal *const w = in->w;
     const real *const e = in->e;
-    real (*const impact_matrix)[2] = (real (*)[2])(work + 0);
-    real *const impact_right = work + 4;
-    real *const impact_scratch = work + 6;
-    real (*const response_matrix)[2] = (real (*)[2])(work + 13);
-    real *const response_right = work + 17;
-    real *const response_scratch = work + 19;
-    real (*const response_matrix_2)[2] = (real (*)[2])(work + 26);
-    real *const response_right_2 = work + 30;
-    real *const response_scratch_2 = work + 32;
-    real (*const second_impact_matrix)[2] = (real (*)[2])(work + 39);
-    real *const second_impact_right = work + 43;
-    real *const second_impact_scratch = work + 45;
-    real (*const circuit_matrix)[2] = (real (*)[2])(work + 52);
-    real *const circuit_right = work + 56;
-    real *const circuit_scratch = work + 58;
+    real *const unit_matrix = work + 0;
+    real *const unit_right = work + 1;
+    real *const unit_scratch = work + 2;
+    real (*const impact_matrix)[2] = (real (*)[2])(work + 5);
+    real *const impact_right = work + 9;
+    real *const impact_scratch = work + 11;
+    real (*const second_impact_matrix)[2] = (real (*)[2])(work + 18);
+    real *const second_impact_right = work + 22;
+    real *const second_impact_scratch = work + 24;
+    real (*const response_matrix)[2] = (real (*)[2])(work + 31);
+    real *const response_right = work + 35;
+    real *const response_scratch = work + 37;
+    real (*const circuit_matrix)[2] = (real (*)[2])(work + 44);
+    real *const circuit_right = work + 48;
+    real *const circuit_scratch = work + 50;
     int status = CARDAN_OK;
 
     /* hook: R */
@@ -154,23 +154,6 @@ CARDAN_API int transition(const cardan_in *in, real *CARDAN_RESTRICT out,
     /* G = d(rate) / du */
     const real ends_G_stop_rail = cardan_select(ends_eq_zero, 0.0, 1.0);
 
-    /* impact: speeds */
-    /* speeds = u + M⁻¹ Jᵀ P, J speeds as the events ask */
-    const wreal ends_settle = w[6]; /* m/s */
-    const real rail_u_minus_ends_impulse_lower_after = rail_u
-        - cardan_select(ends_eq_minus_one, 0.0, cardan_select(rail_u_lt_zero,
-        cardan_select(cardan_le(-rail_u, ends_settle), 0.0, -rail_u_times_ends_restitution),
-        rail_u));
-    const real rail_u_plus_ends_impulse_upper_after = rail_u
-        + cardan_select(ends_eq_one, 0.0, cardan_select(cardan_lt(-rail_u, 0.0),
-        cardan_select(cardan_le(rail_u, ends_settle), 0.0, rail_u_times_ends_restitution),
-        -rail_u));
-    const real missing_speed_ends_upper = ends_upper_active * rail_u_plus_ends_impulse_upper_after;
-    impact_right[1] = missing_speed_ends_upper;
-    const real missing_speed_ends_lower = -ends_lower_active *
-        rail_u_minus_ends_impulse_lower_after;
-    impact_right[0] = missing_speed_ends_lower;
-
     /* M */
     /* M = S . momentum */
     const wreal lamp_first_moment_z = w[1];
@@ -183,10 +166,26 @@ CARDAN_API int transition(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real M_factor_L_hook_rail = M_hook_rail * M_factor_D_inverse_hook;
     const real M_factor_D_inverse_rail = 1.0 / (door_base_mass
         - M_hook_rail * M_factor_L_hook_rail);
+    unit_matrix[0] = M_factor_D_inverse_rail;
     const real ends_lower_response_rail = ends_lower_active * M_factor_D_inverse_rail;
 
     /* impact: speeds */
     /* speeds = u + M⁻¹ Jᵀ P, J speeds as the events ask */
+    const wreal ends_settle = w[6]; /* m/s */
+    unit_right[0] = CARDAN_REAL(1.0);
+    /* unit_matrix lam = unit_right; the solution takes its place */
+    status |= CARDAN_SOLVE(semidefinite, 1, 1, unit_matrix, unit_right, unit_scratch);
+    const real ends_lower_inertia = unit_right[0];
+    const real rail_u_minus_ends_impulse_lower_after = rail_u
+        - cardan_select(ends_eq_minus_one, 0.0, cardan_select(rail_u_lt_zero,
+        cardan_select(cardan_le(-rail_u, ends_settle), 0.0, -rail_u_times_ends_restitution),
+        rail_u));
+    const real rail_u_plus_ends_impulse_upper_after = rail_u
+        + cardan_select(ends_eq_one, 0.0, cardan_select(cardan_lt(-rail_u, 0.0),
+        cardan_select(cardan_le(rail_u, ends_settle), 0.0, rail_u_times_ends_restitution),
+        -rail_u));
+    const real missing_speed_ends_upper = ends_upper_active * rail_u_plus_ends_impulse_upper_after;
+    impact_right[1] = missing_speed_ends_upper;
     const real impact_ends_lower_ends_lower = ends_lower_active * ends_lower_response_rail;
     impact_matrix[0][0] = impact_ends_lower_ends_lower;
     const real impact_ends_upper_ends_lower = -ends_upper_active * ends_lower_response_rail;
@@ -195,59 +194,20 @@ CARDAN_API int transition(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real impact_ends_upper_ends_upper = ends_upper_active * M_factor_D_inverse_rail *
         ends_upper_active;
     impact_matrix[1][1] = impact_ends_upper_ends_upper;
+    const real missing_speed_ends_lower = -ends_lower_active *
+        rail_u_minus_ends_impulse_lower_after;
+    impact_right[0] = missing_speed_ends_lower;
     /* impact_matrix lam = impact_right; the solution takes its place */
     status |= CARDAN_SOLVE(semidefinite, 2, 1, impact_matrix[0], impact_right, impact_scratch);
     const real ends_lower_impulse = impact_right[0];
     const real ends_upper_impulse = impact_right[1];
-
-    /* shared by several: change */
-    const real friction_stick_response_rail = friction_G_stick_rail * M_factor_D_inverse_rail;
-    response_right_2[0] = friction_stick_response_rail;
-    const real ends_stop_response_rail = ends_G_stop_rail * M_factor_D_inverse_rail;
-    response_right_2[1] = ends_stop_response_rail;
-    const real response_friction_stick_friction_stick = friction_G_stick_rail *
-        friction_stick_response_rail;
-    response_matrix[0][0] = response_friction_stick_friction_stick;
-    response_matrix_2[0][0] = response_friction_stick_friction_stick;
-    circuit_matrix[0][0] = response_friction_stick_friction_stick;
-    const real response_ends_stop_friction_stick = ends_G_stop_rail * friction_stick_response_rail;
-    response_matrix[0][1] = response_ends_stop_friction_stick;
-    response_matrix[1][0] = response_ends_stop_friction_stick;
-    response_matrix_2[0][1] = response_ends_stop_friction_stick;
-    response_matrix_2[1][0] = response_ends_stop_friction_stick;
-    circuit_matrix[0][1] = response_ends_stop_friction_stick;
-    circuit_matrix[1][0] = response_ends_stop_friction_stick;
-    const real response_ends_stop_ends_stop = ends_G_stop_rail * ends_stop_response_rail;
-    response_matrix[1][1] = response_ends_stop_ends_stop;
-    response_matrix_2[1][1] = response_ends_stop_ends_stop;
-    circuit_matrix[1][1] = response_ends_stop_ends_stop;
-    const real response_gamma_friction_stick = -friction_stick_response_rail;
-    response_right[0] = response_gamma_friction_stick;
-    const real response_gamma_ends_stop = -ends_stop_response_rail;
-    response_right[1] = response_gamma_ends_stop;
-    /* response_matrix lam = response_right; the solution takes its place */
-    status |= CARDAN_SOLVE(semidefinite, 2, 1, response_matrix[0], response_right,
-        response_scratch);
-    const real friction_change_response_part = response_right[0];
-    const real friction_change_response_part_2 = response_right[1];
-    const real friction_change_response = M_factor_D_inverse_rail
-        + friction_stick_response_rail * friction_change_response_part
-        + ends_stop_response_rail * friction_change_response_part_2;
-
-    /* impact: speeds */
-    /* speeds = u + M⁻¹ Jᵀ P, J speeds as the events ask */
+    const real ends_settle_times_ends_lower_inertia = ends_settle * ends_lower_inertia;
     const real ends_lower_second_active = ends_lower_active *
-        cardan_select(cardan_le(-ends_lower_impulse * friction_change_response, ends_settle), 1.0,
+        cardan_select(cardan_le(-ends_lower_impulse, ends_settle_times_ends_lower_inertia), 1.0,
         0.0);
-    /* response_matrix_2 lam = response_right_2; the solution takes its place */
-    status |= CARDAN_SOLVE(semidefinite, 2, 1, response_matrix_2[0], response_right_2,
-        response_scratch_2);
-    const real ends_upper_second_active_part = response_right_2[0];
-    const real ends_upper_second_active_part_2 = response_right_2[1];
     const real ends_upper_second_active = ends_upper_active *
-        cardan_select(cardan_le(ends_upper_impulse * (friction_stick_response_rail *
-        ends_upper_second_active_part - M_factor_D_inverse_rail
-        + ends_stop_response_rail * ends_upper_second_active_part_2), ends_settle), 1.0, 0.0);
+        cardan_select(cardan_le(-ends_upper_impulse, ends_settle_times_ends_lower_inertia), 1.0,
+        0.0);
     const real missing_speed_second_ends_upper = rail_u_plus_ends_impulse_upper_after *
         ends_upper_second_active;
     second_impact_right[1] = missing_speed_second_ends_upper;
@@ -291,6 +251,37 @@ CARDAN_API int transition(const cardan_in *in, real *CARDAN_RESTRICT out,
     /* friction: change */
     const real friction_change_along = cardan_select(cardan_lt(0.0, second_behind_rail), 1.0, -1.0);
 
+    /* shared by several: change */
+    const real friction_stick_response_rail = friction_G_stick_rail * M_factor_D_inverse_rail;
+    const real ends_stop_response_rail = ends_G_stop_rail * M_factor_D_inverse_rail;
+    const real response_friction_stick_friction_stick = friction_G_stick_rail *
+        friction_stick_response_rail;
+    response_matrix[0][0] = response_friction_stick_friction_stick;
+    circuit_matrix[0][0] = response_friction_stick_friction_stick;
+    const real response_ends_stop_friction_stick = ends_G_stop_rail * friction_stick_response_rail;
+    response_matrix[0][1] = response_ends_stop_friction_stick;
+    response_matrix[1][0] = response_ends_stop_friction_stick;
+    circuit_matrix[0][1] = response_ends_stop_friction_stick;
+    circuit_matrix[1][0] = response_ends_stop_friction_stick;
+    const real response_ends_stop_ends_stop = ends_G_stop_rail * ends_stop_response_rail;
+    response_matrix[1][1] = response_ends_stop_ends_stop;
+    circuit_matrix[1][1] = response_ends_stop_ends_stop;
+    const real second_behind_rail_abs = cardan_abs(second_behind_rail);
+
+    /* friction: change */
+    const real response_gamma_friction_stick = -friction_stick_response_rail;
+    response_right[0] = response_gamma_friction_stick;
+    const real response_gamma_ends_stop = -ends_stop_response_rail;
+    response_right[1] = response_gamma_ends_stop;
+    /* response_matrix lam = response_right; the solution takes its place */
+    status |= CARDAN_SOLVE(semidefinite, 2, 1, response_matrix[0], response_right,
+        response_scratch);
+    const real friction_change_response_part = response_right[0];
+    const real friction_change_response_part_2 = response_right[1];
+    const real friction_change_response = M_factor_D_inverse_rail
+        + friction_stick_response_rail * friction_change_response_part
+        + ends_stop_response_rail * friction_change_response_part_2;
+
     /* lamp: a, n */
     /* a = Rᵀ (a_parent + U_parent p) + S_v udot + c_v */
     /* n = inertia_force_n - applied_n + sum (R n_child + p x R f_child) */
@@ -322,8 +313,15 @@ CARDAN_API int transition(const cardan_in *in, real *CARDAN_RESTRICT out,
     /* friction: multiplier stick */
     const real friction_multiplier_stick = circuit_right[0];
 
-    /* ends: multiplier stop */
+    /* ends: multiplier stop, change */
+    const real ends_release = e[4];
     const real ends_multiplier_stop = circuit_right[1];
+    const real ends_change_at_rest = cardan_le(second_behind_rail_abs - 1e-12 * rail_u_abs, 1e-12);
+    /* s: ends */
+    out[3] = cardan_select(ends_release, 0.0, cardan_select(ends_upper,
+        cardan_select(ends_change_at_rest, 1.0, 0.0), cardan_select(ends_lower,
+        cardan_select(ends_change_at_rest, -1.0, 0.0), cardan_select(ends_eq_zero, 0.0,
+        cardan_select(ends_change_at_rest, ends, 0.0)))));
 
     /* rail: udot */
     /* udot = free_udot + response multipliers */
@@ -345,25 +343,11 @@ CARDAN_API int transition(const cardan_in *in, real *CARDAN_RESTRICT out,
     const real friction_change_unless_struck = cardan_select(friction_stop,
         friction_change_stopped, cardan_select(friction_slip,
         cardan_select(cardan_lt(friction_multiplier_stick, 0.0), 1.0, -1.0), friction));
-
-    /* shared by several: change */
-    const real second_behind_rail_abs = cardan_abs(second_behind_rail);
-
-    /* friction: change */
     /* s: friction */
     out[2] = cardan_select(cardan_and(cardan_lt(1e-12 * (1.0
         + second_behind_rail_abs), cardan_abs(second_behind_rail
         - rail_u)), cardan_not(friction_eq_zero)), cardan_select(cardan_le(second_behind_rail_abs,
         1e-12 * (1.0 + rail_u_abs)), 2.0, friction_change_along), friction_change_unless_struck);
-
-    /* ends: change */
-    const real ends_release = e[4];
-    const real ends_change_at_rest = cardan_le(second_behind_rail_abs - 1e-12 * rail_u_abs, 1e-12);
-    /* s: ends */
-    out[3] = cardan_select(ends_release, 0.0, cardan_select(ends_upper,
-        cardan_select(ends_change_at_rest, 1.0, 0.0), cardan_select(ends_lower,
-        cardan_select(ends_change_at_rest, -1.0, 0.0), cardan_select(ends_eq_zero, 0.0,
-        cardan_select(ends_change_at_rest, ends, 0.0)))));
 
     /* motor: change */
     const real motor_sample = e[5];
@@ -380,5 +364,5 @@ CARDAN_API int transition(const cardan_in *in, real *CARDAN_RESTRICT out,
 
 #ifdef CARDAN_LOADED
 /* numbers of out, work, w and of the blocks that are read: see manifest.json */
-const int transition_sizes[] = {6, 65, 9, 0, 2, 2, 0, 4, 1, 19, 0, 0, 0, 0, 0, 0, 0, 0, 6};
+const int transition_sizes[] = {6, 57, 9, 0, 2, 2, 0, 4, 1, 19, 0, 0, 0, 0, 0, 0, 0, 0, 6};
 #endif

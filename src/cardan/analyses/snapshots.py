@@ -1,4 +1,4 @@
-"""Pages of results that are no motions: positions one after the other."""
+"""Pages of single positions, and of positions over a load or a driver."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from ..arguments import checked
 from ..errors import ArgumentError
 from ..runtime.trajectory.trajectory import TrajectoryRecord
 from ..view.drawing import Abscissa, reaction_frames
-from ..view.page import Page, shown
+from ..view.page import Page, page_of
 from .mechanisms.assembly import AssemblyRecord
 from .mechanisms.sweep import SweepRecord
 from .statics.equilibrium import EquilibriumRecord
@@ -47,7 +47,7 @@ def animate(
     rows, abscissa = _rows(result, "reactions" in (show or ()))
     if not rows:
         raise ArgumentError("animate: there are no positions to show")
-    return shown(
+    return page_of(
         rows, path, abscissa=abscissa, histories=result, show=show, plots=plots, follow=follow,
         traces=traces, meshes=meshes, page=page, title=title,
     )  # fmt: skip
@@ -68,19 +68,19 @@ def _rows(
         # a path may turn back: then its own length counts
         if np.any(np.diff(values) <= 0) and np.any(np.diff(values) >= 0):
             name, values = "s", result.s
-        return [_rest(row, reactions) for row in result.rows], Abscissa(
+        return [_of_equilibrium(row, reactions) for row in result.rows], Abscissa(
             np.asarray(values), name, ""
         )
     if isinstance(result, SweepRecord):
         drivers, model = result.drivers, result.model
         name = next(iter(drivers))
         x = np.concatenate([result.q, result.u], axis=1)
-        whole = TrajectoryRecord.of_states(model, result.t, x, result.r, "sweep")
+        swept = TrajectoryRecord.of_states(model, result.t, x, result.r, "sweep")
         units = {row.name: row.unit for row in model.manifest.coordinates}
         unit = "s" if name == "t" else units.get(name, "")
-        return [whole], Abscissa(np.asarray(drivers[name]), name, unit)
+        return [swept], Abscissa(np.asarray(drivers[name]), name, unit)
     if isinstance(result, EquilibriumRecord):
-        return [_rest(result, reactions)], Abscissa(np.array([result.t]))
+        return [_of_equilibrium(result, reactions)], Abscissa(np.array([result.t]))
     at = np.array([result.t])
     still = TrajectoryRecord.of_states(
         result.model, at, result.x[None], np.atleast_2d(result.r), "assembly"
@@ -88,13 +88,18 @@ def _rows(
     return [still], Abscissa(at)
 
 
-def _rest(found: EquilibriumRecord, reactions: bool) -> TrajectoryRecord:
+def _of_equilibrium(equilibrium: EquilibriumRecord, reactions: bool) -> TrajectoryRecord:
     """An equilibrium as a motion of one row."""
-    model, t = found.model, np.array([found.t])
-    rest = TrajectoryRecord.of_states(
-        model, t, found.x[None], np.atleast_2d(found.load.r), found.message, found.point.at.s[None]
+    model, t = equilibrium.model, np.array([equilibrium.t])
+    motion = TrajectoryRecord.of_states(
+        model,
+        t,
+        equilibrium.x[None],
+        np.atleast_2d(equilibrium.load.r),
+        equilibrium.message,
+        equilibrium.point.at.s[None],
     )
     # with the forces that hold prescribed displacements
     for name in reaction_frames(model.manifest) if reactions else ():
-        rest.stored[f"reaction {name}"] = found.reaction(name)[None]
-    return rest
+        motion.stored[f"reaction {name}"] = equilibrium.reaction(name)[None]
+    return motion

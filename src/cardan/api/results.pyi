@@ -172,7 +172,7 @@ class Modes(ModesRecord):
         *,
         amplitude: float | None = None,
         periods: float = 2.0,
-        show: str | Sequence[str] | None = None,
+        show: str | Sequence[str] | None = (),
         plots: str | Sequence[str] | None = (),
         meshes: str | float | bool = "auto",
         page: str = "3d",
@@ -180,7 +180,8 @@ class Modes(ModesRecord):
         """A page that plays a mode in any browser; see :meth:`motion` for amplitude and periods.
 
         Args:
-            path, show, plots, meshes, page: As :meth:`.Trajectory.animate`; no histories by default.
+            path, show, plots, meshes, page: As :meth:`.Trajectory.animate`. By default no histories,
+                and no stress: a shape as large as one can see it stretches beams, small ones do not.
         """
     def plot(
         self,

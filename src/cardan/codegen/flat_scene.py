@@ -16,9 +16,23 @@ from ..equations.functions.blocks import blocks
 from ..ir.function import Block, Function, Output, live
 from ..ir.graph import ZERO, Graph
 from ..ir.matrix import Matrix
+from ..schema.mechanism import ForceRow
 from ..schema.tree import CloserRow
 from ..spatial.axis import complement, unit
 from ..topology.system import Cut, Joint, System, joint_lengths
+
+
+def force_rows(system: System) -> list[ForceRow]:
+    """Force elements with the names of their frames, for pictures."""
+    names = [frame.name for frame in system.frames]
+    return [
+        ForceRow(
+            name=force.name,
+            kind=force.element.kind,
+            frames={role: names[k] for role, k in force.frames.items()},
+        )
+        for force in system.forces
+    ]
 
 
 def scene(system: System) -> Function:

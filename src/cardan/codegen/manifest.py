@@ -116,7 +116,7 @@ def common(system: System, method: str, functions: Sequence[str]) -> dict[str, A
         "structural": dict(system.structural),
         "isolated": isolated(system),
         "fixed": list(system.fixed),
-        "forces": [_force(system, force) for force in system.forces],
+        "forces": flat_scene.force_rows(system),
         "shapes": [_shape(system.frames[k].name, shape) for k, shape in system.shapes],
         "notes": list(system.notes),
         "snaps": list(system.snaps),
@@ -124,11 +124,6 @@ def common(system: System, method: str, functions: Sequence[str]) -> dict[str, A
         "functions": {},
         "sha256": {},
     }
-
-
-def _force(system: System, force: Force) -> mechanism.ForceRow:
-    frames = {role: system.frames[k].name for role, k in force.frames.items()}
-    return mechanism.ForceRow(name=force.name, kind=force.element.kind, frames=frames)
 
 
 def _shape(frame: str, shape: Mapping[str, Any]) -> mechanism.ShapeRow:

@@ -84,13 +84,13 @@ def _values(motion: TrajectoryRecord, name: str) -> tuple[Array | None, str]:
     from ..runtime.models.finite_elements.beams import beam
 
     stress = beam(motion.model, name, motion.q)
-    known = stress.modulus is not None
-    if not known and not any(stress.outline[:2]):
+    has_modulus = stress.modulus is not None
+    if not has_modulus and not any(stress.outline[:2]):
         return None, STRAIN
-    at_ends = stress.extreme if known else stress.extreme_strain
+    at_ends = stress.extreme if has_modulus else stress.extreme_strain
     inner = np.maximum(at_ends[:, 1:-1:2], at_ends[:, 2::2])
     values = np.concatenate([at_ends[:, :1], inner, at_ends[:, -1:]], axis=1)
-    return values, STRESS if known else STRAIN
+    return values, STRESS if has_modulus else STRAIN
 
 
 def bodies(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any, Protocol
+from typing import Protocol
 
 import numpy as np
 
@@ -29,7 +29,7 @@ MOST_CURVES, MOST_EVENTS = 8, 400
 FAST, FOLLOWED = 60.0, 1.5
 RATES = np.array([0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0])
 # of the largest speed: what one sees; turns and moves that are none
-SEEN, FLAT = 0.25, 1e-6
+VISIBLE, FLAT = 0.25, 1e-6
 
 
 @dataclass(frozen=True)
@@ -171,7 +171,7 @@ def reactions(motion: TrajectoryRecord) -> list[DrawnArrow]:
 class Named(Protocol):
     """Something with histories by name."""
 
-    def __getitem__(self, name: str, /) -> Any:
+    def __getitem__(self, name: str, /) -> object:
         """A history (nt, ...)."""
 
 
@@ -213,8 +213,8 @@ def _usual(motion: TrajectoryRecord, moving: bool) -> list[str]:
     """Energies, coordinates of joints with one, and outputs, as far as they can be had."""
     manifest = motion.manifest
     names = []
-    known = moving and "kinetic" in motion.stored
-    if known or (moving and (motion.model is not None and "energy" in manifest.available)):
+    computed = motion.model is not None and "energy" in manifest.available
+    if moving and ("kinetic" in motion.stored or computed):
         names.append("energy")
     units: dict[str, int] = {}
     for row in manifest.coordinates:
@@ -264,19 +264,19 @@ def plane_of(bodies: Sequence[DrawnBody], drawn_beams: Sequence[DrawnBeam]) -> A
     if not tracks:
         return None
     axes, steps = np.concatenate(turns), np.concatenate(moves)
-    turned, moved = float(np.abs(axes).max()), float(np.abs(steps).max())
-    if turned > FLAT:
+    most_angle, most_travel = float(np.abs(axes).max()), float(np.abs(steps).max())
+    if most_angle > FLAT:
         normal = np.linalg.svd(axes, full_matrices=False)[2][0]
-        if np.abs(axes - np.outer(axes @ normal, normal)).max() > 1e-6 * turned:
+        if np.abs(axes - np.outer(axes @ normal, normal)).max() > 1e-6 * most_angle:
             return None
-    elif moved > FLAT:
+    elif most_travel > FLAT:
         _, sizes, directions = np.linalg.svd(steps, full_matrices=True)
         if sizes[1] <= 1e-9 * sizes[0]:
             return None  # along a line: any plane would do
         normal = directions[2]
     else:
         return None
-    if np.abs(steps @ normal).max() > 1e-6 * max(moved, FLAT):
+    if np.abs(steps @ normal).max() > 1e-6 * max(most_travel, FLAT):
         return None
     largest = int(np.argmax(np.abs(normal)))
     # looked at from -y, x, z: the other axes point to the right and upward
@@ -296,11 +296,11 @@ def slowed(motion: TrajectoryRecord) -> float:
     swings = 0.0
     for row, speed, size in zip(motion.manifest.speeds, motion.u.T, largest, strict=True):
         # what trembles beside large motions does not count
-        if size > SEEN * most[row.unit] > 0:
-            strong = np.sign(speed[np.abs(speed) > SEEN * size])
+        if size > VISIBLE * most[row.unit] > 0:
+            strong = np.sign(speed[np.abs(speed) > VISIBLE * size])
             swings = max(swings, np.count_nonzero(np.diff(strong)) / 2 / span)
-    wanted = min(FOLLOWED / swings if swings > 0 else np.inf, max(span / 3.0, 1e-9))
-    return float(RATES[max(0, int(np.searchsorted(RATES, wanted * 1.001, side="right")) - 1)])
+    rate = min(FOLLOWED / swings if swings > 0 else np.inf, max(span / 3.0, 1e-9))
+    return float(RATES[max(0, int(np.searchsorted(RATES, rate * 1.001, side="right")) - 1)])
 
 
 def body_followed(

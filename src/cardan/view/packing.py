@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import base64
 import zlib
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..errors import ModelError
 
+# an object of JSON
+JsonObject = dict[str, Any]
 # what a second difference of whole numbers may be
 MOST = 2**28
 
@@ -21,7 +24,7 @@ class Packer:
         self._parts: list[bytes] = []
         self._size = 0
 
-    def add(self, values: ArrayLike, step: float, orders: int = 2) -> dict[str, float]:
+    def add(self, values: ArrayLike, step: float, orders: int = 2) -> JsonObject:
         """Add an array; returns what the page has to know of it.
 
         Args:
@@ -38,11 +41,11 @@ class Packer:
         if not np.isfinite(most):
             raise ModelError("a page shows finite numbers; some are not")
         step = max(step, most / MOST, 1e-300)
-        whole = np.rint(table / step).astype(np.int64)
+        steps = np.rint(table / step).astype(np.int64)
         for order in range(orders):
             # the first row stays, the second becomes a first difference, the rest differ twice
-            whole[order + 1 :] -= whole[order:-1].copy()
-        zigzag = ((whole << 1) ^ (whole >> 63)).astype("<u4")
+            steps[order + 1 :] -= steps[order:-1].copy()
+        zigzag = ((steps << 1) ^ (steps >> 63)).astype("<u4")
         planes = zigzag.reshape(-1, 1).view(np.uint8).T
         rows, columns = table.shape
         entry = {"at": self._size, "rows": rows, "columns": columns, "step": step, "orders": orders}
@@ -64,10 +67,9 @@ def turns(rotations: NDArray[np.float64]) -> NDArray[np.float64]:
     """Unit quaternions (x, y, z, w) of rotations (nt, ..., 3, 3), of like sign from row to row."""
     from scipy.spatial.transform import Rotation
 
-    lead = rotations.shape[:-2]
-    found = Rotation.from_matrix(rotations.reshape(-1, 3, 3)).as_quat().reshape(*lead, 4)
-    against = np.sum(found[1:] * found[:-1], axis=-1) < 0
+    flat = Rotation.from_matrix(rotations.reshape(-1, 3, 3)).as_quat()
+    quaternions: NDArray[np.float64] = flat.reshape(*rotations.shape[:-2], 4)
+    against = np.sum(quaternions[1:] * quaternions[:-1], axis=-1) < 0
     signs = np.where(np.cumsum(against, axis=0) % 2, -1.0, 1.0)
-    found[1:] *= signs[..., None]
-    quaternions: NDArray[np.float64] = found
+    quaternions[1:] *= signs[..., None]
     return quaternions

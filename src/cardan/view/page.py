@@ -119,13 +119,13 @@ def animate(
         ModelError: a motion without poses or with places that are not finite, or a file that
             cannot be written. ArgumentError: an unknown layer, body or kind of page.
     """
-    return shown(
+    return page_of(
         [motion], path, show=show, plots=plots, follow=follow, traces=traces, meshes=meshes,
         page=page, fps=fps, title=title,
     )  # fmt: skip
 
 
-def shown(
+def page_of(
     motions: Sequence[TrajectoryRecord],
     path: str | Path | None,
     *,
@@ -158,10 +158,10 @@ def shown(
     rate = 1.0 if page == "plain" else None
     chosen = Chosen(_names(show), _names(plots), follow, _names(traces) or (), fps, rate)
     drawing = drawing_of(motions, chosen, abscissa, histories)
-    found = _filled(drawing, page, detail, str(title if title is not None else first.name))
+    text = _filled(drawing, page, detail, str(title if title is not None else first.name))
     if path is not None:
-        return Page(found, publish(Path(path), found))
-    result = Page(found)
+        return Page(text, publish(Path(path), text))
+    result = Page(text)
     return result if "ipykernel" in sys.modules else result.open()
 
 
@@ -191,8 +191,8 @@ class Chosen:
         return drawn.USUAL if self.show is None else (*self.show, "springs", "floor")
 
 
-def _names(given: str | Sequence[str] | None) -> Sequence[str] | None:
-    return (given,) if isinstance(given, str) else given
+def _names(names: str | Sequence[str] | None) -> Sequence[str] | None:
+    return (names,) if isinstance(names, str) else names
 
 
 def _detail(meshes: str | float | bool) -> str | float:
@@ -218,7 +218,7 @@ def drawing_of(
     abscissa: Abscissa | None = None,
     histories: Named | None = None,
 ) -> Drawing:
-    """What a page shows; arguments as of :func:`shown`."""
+    """What a page shows; arguments as of :func:`page_of`."""
     motion = motions[0]
     rate = chosen.rate or (drawn.slowed(motion) if abscissa is None else _sweeping(abscissa))
     rows = [_resampled(motion, chosen.fps / rate)] if abscissa is None else motions

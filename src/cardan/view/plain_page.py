@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import json
-from typing import Any
 
 import numpy as np
 
+from ..arrays import Array
 from .drawing import Drawing
 
 
@@ -24,17 +24,17 @@ def data(drawing: Drawing) -> str:
     for beam in drawing.beams:
         places = beam.sections[:, :, :3, 3].reshape(len(beam.sections), -1)
         tubes.append({"name": beam.name, "r": beam.radius, "path": np.round(places, 5).tolist()})
-    found = {
-        "name": drawing.name,
+    contents = {
         "t": np.round(drawing.abscissa.values, 6).tolist(),
+        "name": drawing.name,
         "bodies": bodies,
         "ground": [s for s in drawing.ground if s["kind"] != "mesh"],
         "beams": tubes,
     }
-    return json.dumps(found, separators=(",", ":"), allow_nan=False)
+    return json.dumps(contents, separators=(",", ":"), allow_nan=False)
 
 
-def _rows(poses: Any) -> list[list[float]]:
+def _rows(poses: Array) -> list[list[float]]:
     """Rotations row by row, then positions."""
     flat = np.concatenate([poses[:, :3, :3].reshape(-1, 9), poses[:, :3, 3]], axis=1)
     rows: list[list[float]] = np.round(flat, 5).tolist()

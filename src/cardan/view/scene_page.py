@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 from collections.abc import Iterable
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
@@ -14,7 +13,7 @@ from ..errors import ModelError, ModelWarning, counted, warn
 from . import meshes
 from .beams import STRAIN, DrawnBeam
 from .drawing import Drawing
-from .packing import Packer, turns
+from .packing import JsonObject, Packer, turns
 from .solids import Solid
 
 # steps of lengths, turns and curves against the size of what is shown
@@ -105,7 +104,7 @@ def _size(drawing: Drawing) -> float:
     return max((x for x in extents if np.isfinite(x)), default=0.0) or 1.0
 
 
-def _places(pack: Packer, poses: Array, size: float) -> dict[str, float]:
+def _places(pack: Packer, poses: Array, size: float) -> JsonObject:
     """Positions and quaternions (nt, n, 7) of transforms (nt, n, 4, 4)."""
     if not np.isfinite(poses).all():
         raise ModelError("a page shows bodies at finite places; some are not")
@@ -115,7 +114,7 @@ def _places(pack: Packer, poses: Array, size: float) -> dict[str, float]:
     return pack.add(table.reshape(rows, -1), step) | {"stretch": step / TURN}
 
 
-def _beam(pack: Packer, beam: DrawnBeam, size: float) -> dict[str, Any]:
+def _beam(pack: Packer, beam: DrawnBeam, size: float) -> JsonObject:
     """A beam as the page draws it."""
     y, z = beam.half_widths
     outline: list[tuple[float, float]] = [(y, z), (-y, z), (-y, -z), (y, -z)]
@@ -135,7 +134,7 @@ def _beam(pack: Packer, beam: DrawnBeam, size: float) -> dict[str, Any]:
     }
 
 
-def _scale(beams: Iterable[DrawnBeam]) -> dict[str, Any] | None:
+def _scale(beams: Iterable[DrawnBeam]) -> JsonObject | None:
     """Legend of the colors of beams; None where nothing is colored."""
     colored = [beam for beam in beams if beam.values is not None]
     if not colored:
@@ -160,7 +159,7 @@ class _Solids:
 
     def __init__(self, pack: Packer, drawing: Drawing, detail: str | float) -> None:
         self._pack = pack
-        self._packed: dict[str, list[dict[str, Any]]] = {}
+        self._packed: dict[str, list[JsonObject]] = {}
         self._problems: dict[str, str] = {}
         every = [s for body in drawing.bodies for s in body.solids] + drawing.ground
         files = dict.fromkeys(str(s["file"]) for s in every if s["kind"] == "mesh")
@@ -174,9 +173,9 @@ class _Solids:
         share = 1.0 if detail == "full" else MOST_TRIANGLES / max(total, 1)
         self._share = min(1.0, float(detail) if isinstance(detail, float) else share)
 
-    def of(self, solids: list[Solid], bare: list[Solid]) -> list[dict[str, Any]]:
+    def of(self, solids: list[Solid], bare: list[Solid]) -> list[JsonObject]:
         """Solids as the page draws them, ``bare`` where not one can be."""
-        drawn: list[dict[str, Any]] = []
+        drawn: list[JsonObject] = []
         for solid in solids:
             if solid["kind"] != "mesh":
                 drawn.append(solid)
@@ -186,9 +185,9 @@ class _Solids:
                 drawn.append({**entry, **_scaled(entry, solid), "color": color})
         return drawn or bare
 
-    def _mesh(self, file: str) -> list[dict[str, Any]]:
+    def _mesh(self, file: str) -> list[JsonObject]:
         if file not in self._packed:
-            entries: list[dict[str, Any]] = []
+            entries: list[JsonObject] = []
             for part in self._parts.get(file, ()):
                 most = max(12, int(np.ceil(self._share * len(part.triangles))))
                 small = meshes.encoded(part if self._share >= 1 else meshes.reduced(part, most))
@@ -213,7 +212,7 @@ class _Solids:
             warn(f"{counted(n, 'mesh', 'meshes')} cannot be drawn: {first}", ModelWarning)
 
 
-def _scaled(entry: dict[str, Any], solid: Solid) -> dict[str, Any]:
+def _scaled(entry: JsonObject, solid: Solid) -> JsonObject:
     """The box of a mesh in the scale of its solid, and where it stands."""
     scale = np.asarray(solid["scale"], dtype=np.float64)
     box = {name: [float(f"{x:.6g}") for x in entry[name] * scale] for name in ("low", "unit")}

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
@@ -12,9 +11,10 @@ from ..runtime.trajectory.frame_history import inverse
 from ..runtime.trajectory.trajectory import TrajectoryRecord
 from ..schema.manifest import Manifest
 from ..schema.mechanism import BodyRow, ShapeRow
+from .packing import JsonObject
 
-# of a page, ready for JSON
-Solid = dict[str, Any]
+# as a page has it
+Solid = JsonObject
 THICK = 0.055  # radius of a drawn link, relative to the mean length of the links
 TAPER = 0.7
 UNLINKED = (
@@ -151,12 +151,12 @@ def solid(row: ShapeRow, place: Array) -> Solid:
     color = None if row.color is None else [float(c) for c in row.color]
     if row.kind == "sphere":
         return {"kind": "sphere", "a": short(at[:3, 3]), "r": row.radius, "color": color}
-    placed = {"R": short(at[:3, :3].ravel()), "a": short(at[:3, 3])}
+    place_of = {"R": short(at[:3, :3].ravel()), "a": short(at[:3, 3])}
     if row.kind == "mesh":
         scale = list(row.scale or (1.0, 1.0, 1.0))
-        return {"kind": "mesh", "file": row.file, "scale": scale, "color": color, **placed}
+        return {"kind": "mesh", "file": row.file, "scale": scale, "color": color, **place_of}
     if row.kind == "box":
-        return {"kind": "box", "size": [row.x, row.y, row.z], "color": color, **placed}
+        return {"kind": "box", "size": [row.x, row.y, row.z], "color": color, **place_of}
     axis = at[:3, "xyz".index(row.axis or "z")] * ((row.length or 0.0) / 2)
     ends = {"a": short(at[:3, 3] - axis), "b": short(at[:3, 3] + axis)}
     kind = "cylinder" if row.kind == "cylinder" else "link"

@@ -45,7 +45,7 @@ class SectionProperties:
 class Outline:
     """Outline to draw: half widths along e2 and e3 [m], an ellipse where ``round``.
 
-    ``contour``: its corners (e2, e3) [m] in their order, where it is no rectangle either.
+    ``contour``: corners (e2, e3) [m] in their order, of another shape.
     """
 
     e2: float

@@ -13,7 +13,7 @@ from ...elements.forces.force import Places
 from ...elements.internal_states import Impulse
 from ...ir.arithmetic import Scalar, select
 from ...ir.derivative import forward
-from ...ir.graph import ZERO
+from ...ir.graph import MINUS_ONE, ZERO
 from ...ir.matrix import Matrix
 from ...ir.rewrite import rebuild
 from ...topology.system import Force
@@ -173,6 +173,11 @@ def _jumped(
         Matrix(g, 1, before.rows, d.constraints.gradient("impact", i.velocity.node, VELOCITY))
         for i in impulses
     ]
+    inertia = {
+        i: _felt(d, jacobian[i], bound, (names[i], *row_names))
+        for i in unilateral
+        if len(unilateral) > 1 and impulses[i].clinging is not None
+    }
     behind = before
     for attempt in ATTEMPTS[: min(len(unilateral) - 1, PASSES) + 1]:
         for on, name in zip(active, names, strict=True):
@@ -195,14 +200,26 @@ def _jumped(
         for i in unilateral:
             pull = pushes[i] * -1
             clinging = impulses[i].clinging
-            if clinging is None:
+            if clinging is None or i not in inertia:
                 pushing = pull.apply("le", pull * 0)
             else:
-                # the speed at which it would leave without its impulse
-                leaving = pull * (jacobian[i] @ d.response(jacobian[i]))[0]
-                pushing = leaving.apply("le", clinging)
+                # against the impulse that gives it that speed where nothing else holds it
+                pushing = pull.apply("le", clinging * inertia[i])
             active[i] = active[i] * select(pushing, 1, 0)
     return behind
+
+
+def _felt(d: Dynamics, row: Matrix, bound: Matrix, names: tuple[str, ...]) -> Scalar:
+    """Inertia felt along a velocity (1, nu), the loops closed: impulse for a unit of it."""
+    g = d.k.graph
+    one = [MINUS_ONE] + [ZERO] * bound.rows
+    pushes = d.pushed(
+        Matrix.vstack(row, *([bound] if bound.rows else [])),
+        Matrix(g, 1 + bound.rows, 1, one),
+        Labels(d.k.speed_names, tuple(f"unit {name}" for name in names), "unit", "unit_speed"),
+    )[1]
+    g.hint(pushes[0].node, names[0], "inertia")
+    return pushes[0]
 
 
 def _bound_rows(d: Dynamics) -> tuple[Matrix, list[str]]:
