@@ -3,8 +3,10 @@
 #   make test              linters, types, tests; make slow: the rest of those that take long
 #   make bench             speed beside error and beside other programs, docs/performance; QUICK=1
 #   make hard              every integrator on every hard case, docs/hard_cases.md
+#   make wheel             source archive and wheel in dist, checked as a package index wants them
 #   make PYTHON=python3.12 choose the interpreter;  make test PYTEST_ARGS="tests/ir -x" choose tests
 
+SHELL := /bin/bash
 PYTHON ?= python3
 VENV ?= .venv
 PYTEST_ARGS ?=
@@ -15,21 +17,27 @@ PEERS := cmeel-boost cmeel-eigen pin example-robot-data casadi mujoco exudyn sci
 CASES ?= 13000
 BIN := $(VENV)/bin
 # bytecode is written when it is first needed
-INSTALL := $(BIN)/python -m pip install --quiet --disable-pip-version-check --no-compile
+INSTALL := $(BIN)/python -m pip install --disable-pip-version-check --no-compile
+# of what pip says: the packages, and the kernels while they are compiled
+STEPS := ^ *(Collecting [[:alnum:]_.-]+|Installing collected packages|kernels: .*)
 SOURCES := pyproject.toml setup.py $(wildcard src/cardan/runtime/calls/*.pyx) $(wildcard src/cardan/kernels/*.[ch] src/cardan/kernels/*/*.[ch] src/cardan/kernels/*/*/*.[ch])
 
-.PHONY: help demo test tests slow bench hard lint types external fuzz clean
+.PHONY: help demo test tests slow bench hard lint types external fuzz wheel clean
 
 help:
-	@sed -n '2,6s/^#   //p' Makefile
+	@sed -n '2,7s/^#   //p' Makefile
 
 $(BIN)/python:
-	$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "cardan needs Python 3.11 or newer; say make PYTHON=...")'
-	$(PYTHON) -m venv $(VENV)
+	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "cardan needs Python 3.11 or newer; say make PYTHON=...")'
+	@echo "A virtual environment in $(VENV)"
+	@$(PYTHON) -m venv $(VENV)
 
 # one stamp per set of extras: newer sources install again
 $(VENV)/.installed-%: $(SOURCES) | $(BIN)/python
-	$(INSTALL) --editable '.[$*]'
+	@echo "cardan[$*] and the packages it needs; about a minute the first time"
+	@PYTHONUNBUFFERED=1 $(INSTALL) --verbose --editable '.[$*]' 2>&1 | tee $(VENV)/install.log | \
+		grep --line-buffered -oE '$(STEPS)'; \
+		test $${PIPESTATUS[0]} = 0 || { cat $(VENV)/install.log; exit 1; }
 	@touch $@
 
 demo: $(VENV)/.installed-demo
@@ -68,7 +76,7 @@ fuzz: $(VENV)/.installed-test
 
 # a peer that does not install here is named by the benchmark, not by pip
 $(VENV)/.installed-bench: $(VENV)/.installed-test
-	$(INSTALL) --editable '.[bench]' || for peer in $(PEERS); do $(INSTALL) $$peer || true; done
+	$(INSTALL) --quiet --editable '.[bench]' || for peer in $(PEERS); do $(INSTALL) --quiet $$peer || true; done
 	@touch $@
 
 # writes docs/performance: calls, motions, beams; QUICK=1 for a few of both and no page
@@ -81,5 +89,13 @@ bench: $(VENV)/.installed-bench
 hard: $(VENV)/.installed-test
 	$(BIN)/python tests/hard/page.py
 
+# with the symbols of an old glibc, so that it runs on every Linux in use
+wheel: $(BIN)/python
+	$(INSTALL) --quiet build auditwheel abi3audit
+	rm -rf dist
+	CARDAN_GLIBC=2.17 $(BIN)/python -m build
+	$(BIN)/auditwheel show dist/*.whl | grep manylinux_2_17
+	$(BIN)/abi3audit --strict dist/*.whl
+
 clean:
-	rm -rf $(VENV) build out .mypy_cache .ruff_cache .pytest_cache .hypothesis
+	rm -rf $(VENV) build dist out .mypy_cache .ruff_cache .pytest_cache .hypothesis

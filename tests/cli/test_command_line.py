@@ -15,6 +15,7 @@ import cardan as cd
 from cardan.analyses.simulation.settings import LARGEST_ATOL, RATIO
 from cardan.analyses.simulation.simulate import simulate
 from cardan.cli import COMMANDS, main
+from cardan.runtime.build import prebuilt, toolchain
 
 ARM = Path(__file__).parents[2] / "examples" / "arm.urdf"
 
@@ -194,7 +195,14 @@ def test_demo(
     assert status(*words) == 0
     lines = capsys.readouterr().out.splitlines()
     text = "\n".join(lines)
-    for said in ("derived ", "ns per call", "against 40 digits", "Pinocchio agrees to", "residual"):
+    for said in (
+        "derived ",
+        "compiled and checked",
+        "ns per call",
+        "against 40 digits",
+        "Pinocchio agrees to",
+        "residual",
+    ):
         assert said in text
     out = tmp_path / "out" / folder
     assert {path.name for path in out.iterdir()} >= {"motion.png", "motion.html", "motion.nc", "c"}
@@ -205,10 +213,25 @@ def test_demo(
     assert all(line.strip() in source for line in shown)
     assert all(any(name in line for name in named) for line in shown)
     # the five lines of Python do what they say
-    program = "\n".join(line.strip() for line in lines[-5:])
+    program = "\n".join(line.strip() for line in lines[-7:-2])
     done = subprocess.run([sys.executable, "-c", program], capture_output=True, check=False)
     assert done.returncode == 0, done.stderr
     assert (tmp_path / "motion.html").is_file()
+
+
+def test_demo_without_a_compiler(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    if prebuilt.current() is None:
+        pytest.skip("cardan was installed without kernels of these sources")
+    monkeypatch.setenv("PATH", "/nonexistent")
+    monkeypatch.delenv("CC", raising=False)
+    monkeypatch.setattr(toolchain, "ziglang", lambda: [])
+    assert status("demo") == 0
+    text = capsys.readouterr().out
+    for said in ("no compiler: Python evaluates them", "ns per call", "against 40 digits"):
+        assert said in text
+    assert (tmp_path / "out/demo/motion.html").is_file()
 
 
 def test_demo_of_a_robot_that_is_not_installed(

@@ -8,7 +8,6 @@ import resource
 import shutil
 import subprocess
 import sys
-import zipfile
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -27,8 +26,8 @@ from laws.test_tunings import LEVELS, runs
 pytestmark = [pytest.mark.optimized, pytest.mark.usefixtures("cache_directory")]
 
 ROOT = Path(__file__).parents[2]
-# what a wheel may weigh and take, and what an installation may take [bytes, s on two cores]
-WEIGHT, PATIENCE, AT_ONCE = 3e6, 180.0, 15.0
+# what an installation may take [s on two cores]
+AT_ONCE = 15.0
 # systems of which there is no machine here: target of ziglang -> first bytes of its libraries
 ELSEWHERE = {
     "x86_64-windows-gnu": b"MZ",
@@ -220,36 +219,6 @@ def test_kernels_are_linked_for_other_systems(
         assert content.startswith(ELSEWHERE[target])
         assert not {name for name in wanted if name.encode() not in content}
         print(f"{target}, {variant.name}: {len(content)} bytes, linked, not run")
-
-
-@pytest.mark.slow
-def test_wheel_holds_all_levels(tmp_path: Path) -> None:
-    """Every variant by level; what they weigh and take is printed."""
-    tree = tmp_path / "tree"
-    hidden = shutil.ignore_patterns("*.so", "built", "*.egg-info", "__pycache__", ".*")
-    shutil.copytree(ROOT / "src", tree / "src", ignore=hidden)
-    for name in ("pyproject.toml", "setup.py", "README.md", "LICENSE"):
-        shutil.copy(ROOT / name, tree)
-    before = processor_time()
-    command = [sys.executable, "setup.py", "-q", "bdist_wheel"]
-    done = subprocess.run(command, cwd=tree, capture_output=True, text=True, check=False)
-    # libraries are compiled side by side
-    spent = (processor_time() - before) / 2
-    assert done.returncode == 0, done.stderr
-    print("\n".join(line for line in done.stdout.splitlines() if line.startswith("kernels:")))
-    (wheel,) = (tree / "dist").glob("*.whl")
-    with zipfile.ZipFile(wheel) as opened:
-        inside = [info for info in opened.infolist() if "kernels/built/" in info.filename]
-        index = json.loads(opened.read("cardan/kernels/built/index.json"))
-    packed = sum(info.compress_size for info in inside)
-    print(f"{wheel.name}: {wheel.stat().st_size} bytes, {packed} of them kernels; {spent:.0f} s")
-    assert packed < WEIGHT
-    assert spent < PATIENCE
-    wanted = {variant.name for variant in prebuilt.variants()}
-    assert {level.name for level in cpu_levels.of_wheels()} == set(index["objects"])
-    assert all(set(made) == wanted for made in index["objects"].values())
-    files = {name for made in index["objects"].values() for name in made.values()}
-    assert {Path(info.filename).name for info in inside} == {*files, index["level"], "index.json"}
 
 
 @pytest.mark.slow

@@ -33,6 +33,8 @@ sys.modules["fcntl"] = None
 missing = "register_at_fork geteuid getuid O_NOFOLLOW O_NONBLOCK O_CLOEXEC O_NOCTTY"
 for name in missing.split():
     delattr(os, name)
+from cardan.runtime.build import limited_subprocess
+limited_subprocess.SHELL = "no such shell"
 """
 SYSTEMS = pytest.mark.parametrize(
     "system", [POSIX, NEITHER, WINDOWS], ids=["posix", "neither", "windows"]
@@ -141,3 +143,14 @@ def test_ctrl_c_while_programs_are_started_ends_those_that_run(monkeypatch):
     with pytest.raises(KeyboardInterrupt):
         in_parallel([sleep, sleep])
     assert time.monotonic() - begun < 30
+
+
+def test_time_is_limited_where_there_is_no_shell(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(limited_subprocess, "SHELL", "no such shell")
+    begun, limits = time.monotonic(), limited_subprocess.Limits(seconds=1)
+    assert limited_subprocess.run(["sleep", "60"], limits, os.environ).late
+    assert time.monotonic() - begun < 30
+    answer = limited_subprocess.run(["sh", "-c", "echo a; echo b >&2; exit 3"], limits, os.environ)
+    assert answer == limited_subprocess.Answer(3, "a\n", "b\n")
+    with pytest.raises(FileNotFoundError):
+        limited_subprocess.run(["no such compiler"], limits, os.environ)

@@ -4,7 +4,7 @@ Go the whole way from a URDF to a simulation and show every step on one screen: 
 derivation, six lines of the C, its speed and its error, a motion and how well it keeps energy.
 
 examples:
-  cardan demo           an acrobat on a bar; needs nothing but a C compiler, takes seconds
+  cardan demo           an acrobat on a bar; takes seconds, also without a C compiler
   cardan demo panda     the Franka Panda arm; needs the packages of  pip install 'cardan[demo]'
   cardan demo --open    the motion at the end in a browser
 

@@ -21,9 +21,12 @@ def display(tour: Tour, path: Path, q: Mapping[str, float]) -> None:
     out = console()
     out.print(tour.graph, soft_wrap=True)
     out.print()
+    checked = (
+        "checked (no compiler: Python evaluates them)" if tour.python else "compiled and checked"
+    )
     out.print(
         f"derived {counted(tour.bodies, 'body', 'bodies')} in {tour.derived * 1e3:.1f} ms, "
-        f"{counted(tour.operations, 'operation')}, compiled and checked in {tour.compiled:.2f} s",
+        f"{counted(tour.operations, 'operation')}, {checked} in {tour.compiled:.2f} s",
         soft_wrap=True,
     )
     for line in tour.lines:

@@ -14,6 +14,7 @@ import numpy as np
 from ..api.faces import face
 from ..api.scene import Scene
 from ..codegen import generate
+from ..errors import CompilerMissing
 from ..peers.comparison import BATCH, drawn
 from ..peers.contest import contest, relative
 from ..peers.ours import Ours
@@ -40,6 +41,7 @@ class Tour:
         derived: Time from file to C text of forward dynamics [s].
         operations: In that text.
         compiled: Time to compile, load and check it [s].
+        python: Without a compiler: its expressions are evaluated in Python.
         lines: Six lines of the C.
         call: Time of one forward dynamics [s].
         state: The same per state of a batch [s].
@@ -58,6 +60,7 @@ class Tour:
     derived: float
     operations: int
     compiled: float
+    python: bool
     lines: tuple[str, ...]
     call: float
     state: float
@@ -123,6 +126,7 @@ def take(
         derived=derived,
         operations=text.entry.total_operations,
         compiled=compiled,
+        python=model._function("forward_dynamics").interpreted,
         lines=excerpt(
             text.text,
             [joint.name for joint in equations.system.joints],
@@ -144,7 +148,11 @@ def take(
 def speed_and_error(model: CompiledModel) -> tuple[float, float, float]:
     """Seconds per forward dynamics, alone and in a batch, and its error against 40 digits."""
     name, ours, states = "forward_dynamics", Ours(model), drawn(model, STATES)
-    runs = {"call": ours.start(name, states), "state": ours.batch(name, drawn(model, BATCH))}
+    try:
+        runs = {"call": ours.start(name, states), "state": ours.batch(name, drawn(model, BATCH))}
+    except CompilerMissing:
+        # Python takes the states of a batch one by one: few of them tell how long it needs
+        runs = {way: ours.batch(name, states) for way in ("call", "state")}
     times = contest(runs)
     error = relative(ours.results(name, states), ours.exact(name, states))
     return times["call"].least, times["state"].least, error

@@ -92,9 +92,14 @@ processes.after_fork(stop)
 def run(command: Sequence[str], limits: Limits, environment: Mapping[str, str]) -> Answer:
     """Run a program to its end, its limits, or the end of this process.
 
+    Without that shell (Windows) the limit of time holds alone, and the program may outlive this
+    process where that is killed.
+
     Raises:
         OSError: it cannot be started. KeyboardInterrupt: nothing of it runs any more.
     """
+    if not os.path.exists(SHELL):
+        return _without_shell(command, limits, environment)
     line = [SHELL, "-c", SCRIPT, "cardan", str(limits.memory * 1024), str(limits.seconds)]
     ours, theirs = os.pipe()
     LIFELINES[theirs] = threading.get_ident()
@@ -120,6 +125,26 @@ def run(command: Sequence[str], limits: Limits, environment: Mapping[str, str]) 
     finally:
         os.close(ours)
         _let_go(theirs)
+
+
+def _without_shell(
+    command: Sequence[str], limits: Limits, environment: Mapping[str, str]
+) -> Answer:
+    """Run a program to its end or its limit of time."""
+    try:
+        done = subprocess.run(
+            command,
+            stdin=subprocess.DEVNULL,
+            capture_output=True,
+            env=dict(environment),
+            timeout=limits.seconds,
+            text=True,
+            errors="replace",
+            check=False,
+        )
+    except subprocess.TimeoutExpired:
+        return Answer(-1, "", "", late=True)
+    return Answer(done.returncode, done.stdout, done.stderr)
 
 
 def _end(process: subprocess.Popen[str]) -> None:

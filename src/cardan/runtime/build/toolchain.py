@@ -72,7 +72,8 @@ class Compiler:
         Args:
             reproducible: No contraction: every compiler of IEEE arithmetic gives equal bits.
         """
-        level = self.level.zig if self._zig else self.level.flags
+        # what zig writes for debuggers by itself is four times the code
+        level = (*self.level.zig, "-g0", "-s") if self._zig else self.level.flags
         return (*self.options, *level, *self.contraction(reproducible), *SHARED_FLAGS)
 
     def for_models(self) -> Compiler:
@@ -161,9 +162,10 @@ def ziglang() -> list[Candidate]:
     """The clang of the Python package ziglang; [] where it is not installed."""
     spec = importlib.util.find_spec("ziglang")
     for folder in (spec.submodule_search_locations or []) if spec else []:
-        binary = Path(folder) / "zig"
-        if binary.exists():
-            return [Candidate((sys.executable, "-m", "ziglang", "cc"), binary, "ziglang")]
+        for name in ("zig", "zig.exe"):
+            binary = Path(folder) / name
+            if binary.exists():
+                return [Candidate((sys.executable, "-m", "ziglang", "cc"), binary, "ziglang")]
     return []
 
 

@@ -1,18 +1,14 @@
 # cython: language_level=3, boundscheck=False, wraparound=False, cdivision=True
 """Call generated functions with as little Python as possible; interface as in abi_ctypes.
 
-Arrays are read through the buffer protocol: the extension needs Python.h, not NumPy's headers.
+Arrays are read through the buffer protocol: the extension needs Python.h, not NumPy's headers. One
+build serves every Python from 3.11 on: of Python.h it uses the limited API alone.
 """
 
 cimport cython
-from cpython.buffer cimport (
-    PyBUF_C_CONTIGUOUS,
-    PyBUF_FORMAT,
-    PyBUF_WRITABLE,
-    PyBuffer_Release,
-    PyObject_GetBuffer,
-)
-from cpython.float cimport PyFloat_AS_DOUBLE, PyFloat_CheckExact
+from cpython.buffer cimport PyBUF_C_CONTIGUOUS, PyBUF_FORMAT, PyBUF_WRITABLE, PyBuffer_Release
+from cpython.exc cimport PyErr_Clear
+from cpython.float cimport PyFloat_AsDouble, PyFloat_CheckExact
 from libc.stdint cimport uintptr_t
 from libc.stdlib cimport free, malloc
 from libc.string cimport memset
@@ -22,6 +18,10 @@ import numpy as np
 NAME = "cython"
 # of the interface it was built for
 BLOCK_COUNT = BLOCKS
+
+cdef extern from "Python.h":
+    # without "except": in the limited API entering a ``try`` takes longer than this call
+    int PyObject_GetBuffer(object exporter, Py_buffer *view, int flags) noexcept
 
 cdef extern from "map.h" nogil:
     ctypedef struct cardan_in:
@@ -124,6 +124,7 @@ cdef class Fast:
     cdef bint is_long
     cdef Py_ssize_t out_size, work_size
     cdef object caller, shape, held
+    cdef tuple empty_arguments
 
     def __init__(self, caller, int w_slot):
         cdef int i, k
@@ -132,6 +133,7 @@ cdef class Fast:
         self.f = <function><uintptr_t>caller.address
         self.count, self.w_slot = len(caller.arguments), w_slot
         self.out_size, self.work_size, self.shape = caller.size, caller.work_size, caller.shape
+        self.empty_arguments = (self.shape,)
         self.is_long = caller.operations > LONG
         self.w = self.hold(caller.w)
         for i, argument in enumerate(caller.arguments):
@@ -175,7 +177,7 @@ cdef class Fast:
                     if not PyFloat_CheckExact(value):
                         ready = 0
                         break
-                    number[i] = PyFloat_AS_DOUBLE(value)
+                    number[i] = PyFloat_AsDouble(value)
                     if number[i] - number[i] != 0:
                         ready = 0
                         break
@@ -184,9 +186,8 @@ cdef class Fast:
                     if type(value) is not ndarray or self.axes[i] != 1:
                         ready = 0
                         break
-                    try:
-                        PyObject_GetBuffer(value, &views[used], NUMBERS)
-                    except (ValueError, BufferError):
+                    if PyObject_GetBuffer(value, &views[used], NUMBERS):
+                        PyErr_Clear()
                         ready = 0
                         break
                     used += 1
@@ -222,12 +223,14 @@ cdef class Fast:
         cdef Py_buffer view
         cdef int status
         cdef Py_ssize_t bad
-        result = empty(self.shape) if out is None else out
-        if type(result) is not ndarray or result.shape != self.shape:
+        if out is None:
+            result = empty(*self.empty_arguments)
+        elif type(out) is ndarray and out.shape == self.shape:
+            result = out
+        else:
             return None
-        try:
-            PyObject_GetBuffer(result, &view, NUMBERS | PyBUF_WRITABLE)
-        except (ValueError, BufferError):
+        if PyObject_GetBuffer(result, &view, NUMBERS | PyBUF_WRITABLE):
+            PyErr_Clear()
             return None
         if not is_double(&view):
             PyBuffer_Release(&view)
