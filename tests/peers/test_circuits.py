@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import dataclasses
+
 import numpy as np
 import pytest
 
@@ -65,12 +67,26 @@ def test_relations_that_are_no_joints_are_refused_by_name() -> None:
 
 def test_trees_alone_are_not_compared_with_circuits() -> None:
     model = cd.compile(four_bar())
-    absent = taking_part(model, ("casadi", "mujoco", "pydy"))[1]
-    assert set(absent) == {"casadi", "mujoco", "pydy"}
+    absent = taking_part(model, ("casadi", "pydy"))[1]
+    assert set(absent) == {"casadi", "pydy"}
     row = compare(model, ("forward_dynamics",), (), rounds=1).row("forward_dynamics", OURS)
     assert row is not None
     assert row.error is not None
     assert row.error < 1e-12
+
+
+def test_mujoco_holds_points_nearly() -> None:
+    """Its constraints give way by 1e-4 of the force, and it neglects that their rows turn."""
+    pytest.importorskip("mujoco", reason="MuJoCo is not installed: pip install mujoco")
+    scene = four_bar()
+    scene.joints["C"] = dataclasses.replace(scene.joints["C"], kind=cd.Spherical(), cut=True)
+    model = cd.compile(scene)
+    drawn_states = drawn(model, 8)
+    states = dataclasses.replace(drawn_states, u=0 * drawn_states.u)
+    contender = taking_part(model, ("mujoco",))[0]["mujoco"]
+    ours = model.forward_dynamics(states.q, states.u, tau=states.third)
+    theirs = contender.results("forward_dynamics", states)
+    assert 1e-9 < np.abs(theirs - ours).max() / np.abs(ours).max() < 1e-2
 
 
 def test_drawn_states_are_on_the_constraints() -> None:

@@ -9,6 +9,7 @@ import pytest
 
 import cardan as cd
 from cardan.cli import main
+from cardan.scene.summary import notes_of
 
 LINK = (
     '<link name="{0}"><inertial><origin xyz="0 0 -0.5"/><mass value="2"/>'
@@ -104,3 +105,22 @@ def test_the_command_line_lets_them_act(file, capsys) -> None:
     words = ["simulate", str(file(friction=0.1)), "--time", "0.1", "--limits", "stop", "--friction"]
     assert main(words) == 0
     assert "do not act;" not in capsys.readouterr().err
+
+
+def test_notes_say_what_cannot_act(file) -> None:
+    """Limits of a joint that follows another do not act, whatever the options say."""
+    follower = (
+        f"{LINK.format('hand')}"
+        '<joint name="wrist" type="revolute"><parent link="arm"/><child link="hand"/>'
+        '<axis xyz="0 1 0"/><limit lower="-1" upper="1"/><mimic joint="hinge"/>'
+        '<dynamics friction="0.2"/></joint>'
+    )
+    scene = cd.load(file(friction=0.1, more=follower), limits="stop", friction=True)
+    assert set(scene.forces) == {"hinge.stop", "hinge.friction"}
+    said = [note for note in notes_of(scene) if "wrist" in note]
+    assert said == [
+        "joints wrist: friction does not act on joints that follow others or have several "
+        "coordinates",
+        "joints wrist: limits do not act on joints that follow others, are prescribed or have "
+        "several coordinates",
+    ]

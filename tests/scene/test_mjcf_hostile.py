@@ -181,3 +181,36 @@ def test_any_file_is_a_model_or_one_of_our_errors(inside: str) -> None:
         except cd.CardanError as problem:
             found.append(str(problem))
     assert found[0] == found[1]
+
+
+ACTUATOR = st.builds(
+    written,
+    st.sampled_from(["motor", "position", "velocity", "general", "muscle", "x"]),
+    st.dictionaries(
+        st.sampled_from(
+            ["joint", "name", "kp", "kv", "gear", "gainprm", "biasprm", "gaintype", "biastype",
+             "dyntype", "ctrlrange", "ctrllimited", "class", "timeconst", "tendon"]
+        ),
+        st.one_of(WORDS, st.sampled_from(["j", "affine", "fixed", "none", "c", "0 1", "1 2 3"])),
+    ),
+    st.just([]),
+)  # fmt: skip
+
+
+@FUZZ
+@given(st.lists(ACTUATOR, max_size=3), st.lists(ACTUATOR, max_size=3))
+def test_any_actuators_are_inputs_or_one_of_our_errors(
+    defaults: list[str], actuators: list[str]
+) -> None:
+    classes = f'<default>{"".join(defaults)}<default class="c"/></default>'
+    text = one(f'<joint name="j"/>{SOLID}', classes)
+    text = text.replace("</mujoco>", f"<actuator>{''.join(actuators)}</actuator></mujoco>")
+    found = []
+    for _ in range(2):
+        try:
+            scene = from_text(text)
+            assert len(scene.inputs) <= len(actuators)
+            found.append(str(scene))
+        except cd.CardanError as problem:
+            found.append(str(problem))
+    assert found[0] == found[1]

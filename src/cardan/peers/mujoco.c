@@ -3,7 +3,7 @@
 #include <string.h>
 #include <time.h>
 
-enum { FORWARD, INVERSE, MASS, FUNCTIONS, STEPS = 8 };
+enum { FORWARD, INVERSE, MASS, FUNCTIONS, STEPS = 12 };
 typedef void (*step)(const void *model, void *data);
 
 /* what is called one after the other, and where the numbers of a state and its results lie */
@@ -11,7 +11,7 @@ typedef struct {
     const void *model;
     void *data;
     step steps[FUNCTIONS][STEPS]; /* until NULL */
-    step accelerate;
+    step accelerate, constrain; /* constrain: NULL for trees */
     void (*rne)(const void *model, void *data, int accelerations, double *result);
     void (*full)(const void *model, const void *data, double *result);
     double *qpos, *qvel, *force, *qacc, *bias;
@@ -30,6 +30,7 @@ static void once(const peer *p, int function, const double *q, const double *u, 
     if (function == FORWARD) {
         p->rne(p->model, p->data, 0, p->bias);
         p->accelerate(p->model, p->data);
+        if (p->constrain) p->constrain(p->model, p->data);
     }
 }
 

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import ctypes
 import importlib.metadata
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -15,10 +15,13 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from ..api.comparison import Scene, build
+from ..arrays import Array
+from ..errors import BuildError
 from . import coordinates
+from .circuits import Circuits, Connection
 from .coordinates import Convention
 from .loop import HERE, Loop, peer_loop
-from .peer import Contender, Peer, installed
+from .peer import Contender, Peer, States, installed
 from .tree import central, directions
 
 if TYPE_CHECKING:
@@ -32,7 +35,12 @@ STEPS = {
     "inverse_dynamics": (*PLACE, "mj_comVel"),
     "mass_matrix": (*PLACE, "mj_makeM"),
 }
-MOST = 8
+# loops: what makes their rows, and the solver that follows the accelerations
+CONSTRAIN = ("mj_makeConstraint", "mj_projectConstraint", "mj_comVel", "mj_referenceConstraint")
+CLOSED_STEPS = {"forward_dynamics": (*PLACE, "mj_makeM", "mj_factorM", *CONSTRAIN)}
+# the hardest that it takes: impedance d of a constraint, at a residual of any size
+HARD = (0.9999, 0.9999, 0.001, 0.5, 2.0)
+MOST = 12
 OLDEST = (3, 10)
 STEP = ctypes.c_void_p * MOST
 
@@ -43,7 +51,7 @@ class Program(ctypes.Structure):
     _fields_ = (
         *((name, ctypes.c_void_p) for name in ("model", "data")),
         ("steps", STEP * len(STEPS)),
-        *((name, ctypes.c_void_p) for name in ("accelerate", "rne", "full")),
+        *((name, ctypes.c_void_p) for name in ("accelerate", "constrain", "rne", "full")),
         *((name, ctypes.c_void_p) for name in ("qpos", "qvel", "force", "qacc", "bias", "result")),
         ("nq", ctypes.c_int),
         ("nv", ctypes.c_int),
@@ -71,7 +79,7 @@ def refusal(scene: Scene, joints: Sequence[str]) -> str:
     return coordinates.refusal(scene, joints)
 
 
-def _text(scene: Scene) -> str:
+def _text(scene: Scene, connections: Sequence[Connection] = ()) -> str:
     """The tree as MJCF; masses follow later, as its reader would correct them."""
     n, axes = scene.numbers, directions(scene)
     children: dict[int, list[int]] = {}
@@ -95,18 +103,31 @@ def _text(scene: Scene) -> str:
         ]
         waiting.append((body, True))
         waiting += [(child, False) for child in children.get(body, [])[::-1]]
-    option = f'<option gravity="{_row(n["gravity"])}"><flag contact="disable" '
+    off = 'island="disable"' if connections else 'constraint="disable"'
+    option = f'<option gravity="{_row(n["gravity"])}"><flag contact="disable" {off}/></option>'
     tree = "\n".join(lines)
-    return f'<mujoco>{option}constraint="disable"/></option><worldbody>{tree}</worldbody></mujoco>'
+    loops = "".join(map(_equality, connections))
+    text = f"{option}<worldbody>{tree}</worldbody><equality>{loops}</equality>"
+    return f"<mujoco>{text}</mujoco>"
+
+
+def _equality(connection: Connection) -> str:
+    """Two frames that are held together; where they are follows later."""
+    one, other = ("world" if body < 0 else f"b{body}" for body in connection.bodies)
+    if connection.aligned:
+        return f'<weld body1="{one}" body2="{other}"/>'
+    return f'<connect body1="{one}" body2="{other}" anchor="0 0 0"/>'
 
 
 def _row(numbers: Any) -> str:
     return " ".join(repr(float(x)) for x in numbers)
 
 
-def model_and_data(mujoco: ModuleType, scene: Scene) -> tuple[Any, Any]:
-    """Model and data with the masses of the tree."""
-    model = mujoco.MjModel.from_xml_string(_text(scene))
+def model_and_data(
+    mujoco: ModuleType, scene: Scene, connections: Sequence[Connection] = ()
+) -> tuple[Any, Any]:
+    """Model and data with the masses of the tree, and with points held together."""
+    model = mujoco.MjModel.from_xml_string(_text(scene, connections))
     data = mujoco.MjData(model)
     com, inertia = central(scene)
     moments, axes = np.linalg.eigh(inertia)
@@ -122,15 +143,43 @@ def model_and_data(mujoco: ModuleType, scene: Scene) -> tuple[Any, Any]:
         model.body_simple[i] = 0
     model.dof_simplenum[:] = 0
     mujoco.mj_setConst(model, data)
+    for k, connection in enumerate(connections):
+        model.eq_data[k, :6] = connection.positions.reshape(-1)
+        model.eq_solimp[k] = HARD
     mujoco.mj_forward(model, data)
     return model, data
 
 
 def contender(scene: Scene) -> Contender:
     """MuJoCo on a tree."""
+    return _contender(scene, (), STEPS)
+
+
+def closed_contender(circuits: Circuits) -> Contender:
+    """MuJoCo with its solver of soft constraints, as hard as they get.
+
+    Raises:
+        BuildError: frames are held together, not points.
+    """
+    if any(connection.aligned for connection in circuits.connections):
+        raise BuildError("only points are held together there, not frames")
+    inner = _contender(circuits.scene, circuits.connections, CLOSED_STEPS)
+
+    def results(function: str, states: States) -> Array:
+        return inner.results(function, circuits.states(states))[:, : circuits.nu]
+
+    def start(function: str, states: States) -> Callable[[int], float]:
+        return inner.start(function, circuits.states(states))
+
+    return Contender(inner.title, inner.functions, start, results, inner.references)
+
+
+def _contender(
+    scene: Scene, connections: Sequence[Connection], steps: Mapping[str, tuple[str, ...]]
+) -> Contender:
     import mujoco
 
-    model, data = model_and_data(mujoco, scene)
+    model, data = model_and_data(mujoco, scene, connections)
     joints = [model.joint(f"j{body}") for body in range(len(scene.parents))]
     places = [(int(j.qposadr[0]), int(j.dofadr[0])) for j in joints]
     library_file = next(Path(mujoco.__file__).parent.glob("libmujoco*.so*"))
@@ -139,13 +188,16 @@ def contender(scene: Scene) -> Contender:
     def at(name: str) -> int | None:
         return ctypes.cast(shared[name], ctypes.c_void_p).value
 
-    rows = [STEP(*(at(name) for name in names)) for names in STEPS.values()]
-    arrays = (data.qpos, data.qvel, data.qfrc_applied, data.qacc, data.qfrc_bias, data.qacc_smooth)
+    rows = [STEP(*(at(name) for name in steps.get(function, ()))) for function in STEPS]
+    result = data.qacc if connections else data.qacc_smooth
+    arrays = (data.qpos, data.qvel, data.qfrc_applied, data.qacc, data.qfrc_bias, result)
     program = Program(
         model._address,
         data._address,
         (STEP * len(STEPS))(*rows),
-        *(at(name) for name in ("mj_fwdAcceleration", "mj_rne", "mj_fullM")),
+        at("mj_fwdAcceleration"),
+        at("mj_fwdConstraint") if connections else None,
+        *(at(name) for name in ("mj_rne", "mj_fullM")),
         *(array.ctypes.data for array in arrays),
         model.nq,
         model.nv,
@@ -154,7 +206,7 @@ def contender(scene: Scene) -> Contender:
     loop = Loop(peer_loop(adapter), ctypes.byref(program), coordinate_map)
     title = f"MuJoCo {importlib.metadata.version('mujoco')}"
     references = (model, data, program, adapter, shared)
-    return Contender(title, tuple(STEPS), loop.start, loop.results, references)
+    return Contender(title, tuple(steps), loop.start, loop.results, references)
 
 
-PEER = Peer("MuJoCo", "mujoco", missing, refusal, contender)
+PEER = Peer("MuJoCo", "mujoco", missing, refusal, contender, closed_contender)

@@ -20,7 +20,7 @@ def add_stops(scene: SceneRecord) -> None:
     """
     for joint in list(scene.joints.values()):
         lower, upper = joint.limits[:2]
-        if not _moves_alone(joint) or _acted_on(scene, joint, Stop):
+        if not moves_alone(joint) or _acted_on(scene, joint, Stop):
             continue
         if (lower, upper) == (None, None) or (lower is not None and lower == upper):
             continue
@@ -34,11 +34,11 @@ def add_stops(scene: SceneRecord) -> None:
 def add_friction(scene: SceneRecord) -> None:
     """A :class:`Friction` for every joint with declared dry friction that moves freely."""
     for joint in list(scene.joints.values()):
-        if joint.friction and _moves_alone(joint) and not _acted_on(scene, joint, Friction):
+        if joint.friction and moves_alone(joint) and not _acted_on(scene, joint, Friction):
             scene.force(f"{joint.name}.friction", Friction(joint.name, coulomb=joint.friction))
 
 
-def _moves_alone(joint: Joint) -> bool:
+def moves_alone(joint: Joint) -> bool:
     """True for a joint of one coordinate that is neither prescribed nor coupled."""
     free = joint.prescribed is None and joint.couple is None
     return free and len(joint.kind.coordinates) == len(joint.kind.speeds) == 1

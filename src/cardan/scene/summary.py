@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from ..elements.forces.friction import Friction
 from ..elements.forces.stop import Stop
 from .connections import Joint
+from .joint_properties import moves_alone
 
 if TYPE_CHECKING:
     from .scene import SceneRecord
@@ -26,9 +27,26 @@ def notes_of(model: SceneRecord) -> list[str]:
     ends = [j.name for j in joints if j.limits[:2] != (None, None) and j.name not in stopped]
     rates = [j.name for j in joints if j.limits[2:] != (None, None) and j.name not in ends]
     dry = [j.name for j in joints if j.friction and j.name not in rubbing]
+    # what cd.load can make act, and what belongs to the joint that another one follows
+    alone = {joint.name for joint in joints if moves_alone(joint)}
     without_effect = (
-        ("friction does not act; add a Friction, or load the file with friction=True", dry),
-        ("limits do not act; add a Stop, or load the file with limits='stop'", ends),
+        (
+            "friction does not act; add a Friction, or load the file with friction=True",
+            [name for name in dry if name in alone],
+        ),
+        (
+            "friction does not act on joints that follow others or have several coordinates",
+            [name for name in dry if name not in alone],
+        ),
+        (
+            "limits do not act; add a Stop, or load the file with limits='stop'",
+            [name for name in ends if name in alone],
+        ),
+        (
+            "limits do not act on joints that follow others, are prescribed or have several "
+            "coordinates",
+            [name for name in ends if name not in alone],
+        ),
         ("limits of speed and effort do not act", rates),
     )
     sentences = (f"joints {', '.join(names)}: {what}" for what, names in without_effect if names)

@@ -14,14 +14,16 @@ from .mechanism import Mechanism
 from .position_solver import PositionSolver, Solution
 from .targets import Target
 
+INWARD = 8  # searches that begin where the one before ended, outside of limits
+
 
 def search(
     m: Mechanism, targets: Sequence[Target], begin: Array, starts: int, seed: int
 ) -> list[Solution]:
     """Ends of searches from a start and from random coordinates.
 
-    Where the start is outside limits, the second one is the same with these coordinates in the
-    middle of their ranges: all others stay where they were meant to be.
+    Where a search ends outside limits, the next ones begin there, with these coordinates in the
+    middle of their ranges: all others stay near to where they were meant to be.
 
     Ctrl-C ends them once one of them has met the targets.
 
@@ -31,10 +33,11 @@ def search(
     solutions, solver = list[Solution](), PositionSolver(m, targets)
     start = start_of(m.model, {}, {})[0][: m.model.nq]
     rng = np.random.default_rng(seed)
-    inner = [m.inward(begin)] if m.outside(begin) else []
+    from_here, inward = begin, True
     for k in range(starts):
+        if not inward:
+            from_here = drawn(m, start, rng)
         try:
-            from_here = begin if k == 0 else inner.pop() if inner else drawn(m, start, rng)
             end = solver.search(from_here)
         except KeyboardInterrupt:
             if not any(one.met for one in solutions):
@@ -45,6 +48,8 @@ def search(
                 SolveWarning,
             )
             break
+        inward = inward and k < INWARD and end.met and m.outside(end.q) > 0
+        from_here = m.inward(end.q)
         solutions.append(replace(end, q=m.nearest(end.q, begin), first=k == 0))
     return solutions
 
