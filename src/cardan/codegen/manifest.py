@@ -117,17 +117,15 @@ def common(system: System, method: str, functions: Sequence[str]) -> dict[str, A
         "isolated": isolated(system),
         "fixed": list(system.fixed),
         "forces": flat_scene.force_rows(system),
-        "shapes": [_shape(system.frames[k].name, shape) for k, shape in system.shapes],
+        "shapes": [
+            mechanism.ShapeRow(frame=system.frames[k].name, **shape) for k, shape in system.shapes
+        ],
         "notes": list(system.notes),
         "snaps": list(system.snaps),
         "available": list(functions),
         "functions": {},
         "sha256": {},
     }
-
-
-def _shape(frame: str, shape: Mapping[str, Any]) -> mechanism.ShapeRow:
-    return mechanism.ShapeRow(frame=frame, **shape)
 
 
 def isolated(system: System) -> bool:
