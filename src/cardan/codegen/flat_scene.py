@@ -6,7 +6,7 @@ place their shapes with it. Nothing here knows how equations are made.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -16,7 +16,7 @@ from ..equations.functions.blocks import blocks
 from ..ir.function import Block, Function, Output, live
 from ..ir.graph import ZERO, Graph
 from ..ir.matrix import Matrix
-from ..schema.mechanism import ForceRow
+from ..schema.mechanism import ForceRow, ShapeRow
 from ..schema.tree import CloserRow
 from ..spatial.axis import complement, unit
 from ..topology.system import Cut, Joint, System, joint_lengths
@@ -33,6 +33,12 @@ def force_rows(system: System) -> list[ForceRow]:
         )
         for force in system.forces
     ]
+
+
+def shape_rows(system: System) -> list[ShapeRow]:
+    """Shapes with the names of their frames."""
+    rows: list[tuple[int, Mapping[str, Any]]] = [*system.shapes]
+    return [ShapeRow(frame=system.frames[k].name, **shape) for k, shape in rows]
 
 
 def scene(system: System) -> Function:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 from math import isfinite
 from typing import Any
@@ -117,9 +117,7 @@ def common(system: System, method: str, functions: Sequence[str]) -> dict[str, A
         "isolated": isolated(system),
         "fixed": list(system.fixed),
         "forces": flat_scene.force_rows(system),
-        "shapes": [
-            mechanism.ShapeRow(frame=system.frames[k].name, **shape) for k, shape in system.shapes
-        ],
+        "shapes": flat_scene.shape_rows(system),
         "notes": list(system.notes),
         "snaps": list(system.snaps),
         "available": list(functions),
