@@ -210,7 +210,7 @@ def test_strip_and_slider_are_in_step(shown: Shown) -> None:
     box = shown.page.locator("#strip").bounding_box()
     shown.page.mouse.click(box["x"] + box["width"] / 2, box["y"] + 40)
     assert shown.time == pytest.approx(2.0, abs=0.15)
-    shown.page.wait_for_timeout(300)
+    shown.page.wait_for_timeout(1000)
     assert float(shown.page.input_value("#time")) == pytest.approx(shown.time, abs=1e-6)
     assert "total" in shown.page.inner_text("#legend")
     shown.page.click("#tabs button:nth-child(2)")

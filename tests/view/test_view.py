@@ -55,10 +55,16 @@ def test_bodies_are_drawn_by_shape_or_as_links(motion: cd.Trajectory) -> None:
     (upper, lower), _ = bodies(motion)
     assert [solid["kind"] for solid in upper.solids] == ["box"]
     assert upper.solids[0]["a"] == [0, 0, -0.5]
-    # no shape: a link through the center of mass to twice its distance, and a ball there
-    assert [solid["kind"] for solid in lower.solids] == ["link", "sphere"]
+    # no shape: a link through the center of mass to twice its distance
+    assert [solid["kind"] for solid in lower.solids] == ["link"]
     assert lower.solids[0]["b"] == [0, 0, -0.8]
-    assert lower.solids[1]["a"] == [0, 0, -0.4]
+    # a mass at the end of its rod is a ball
+    scene = cd.Scene("bob")
+    bob = scene.body("bob", mass=1, com=(0, 0, -1))
+    bob.at(0, 0, -1, name="tip")
+    scene.joint("pivot", cd.Revolute("y"), scene.ground, bob)
+    (heavy,), _ = bodies(cd.compile(scene).simulate(0.1))
+    assert [solid["kind"] for solid in heavy.solids] == ["link", "sphere"]
 
 
 def test_output_times_without_dense_output_can_be_shown(tmp_path: Path) -> None:

@@ -81,13 +81,22 @@ def _links(motion: TrajectoryRecord) -> dict[str, list[tuple[Array, Array]]]:
     for k, body in bodies:
         rows = links[str(body.name)]
         if not rows or all(np.linalg.norm(b) == 0 for _, b in rows):
-            # nothing hangs on it: its farthest frame, or twice the way to its center of mass
+            # nothing hangs on it: its farthest frame, or the way to its center of mass, twice
             frame_names = [
                 n for n in names if motion.manifest.frames[names.index(n)].body == body.name
             ]
-            tips = [motion.frame_on_body(n)[:3, 3] for n in frame_names] + [2 * _com(motion, k)]
+            tips = [motion.frame_on_body(n)[:3, 3] for n in frame_names] + [_reach(motion, k) * _com(motion, k)]
             rows.append((np.zeros(3), max(tips, key=lambda tip: float(np.linalg.norm(tip)))))
     return links
+
+
+def _reach(motion: TrajectoryRecord, k: int) -> float:
+    """How far a body goes on behind its center of mass: a mass at a point ends there."""
+    mass, com = float(np.ravel(motion.scene["mass"])[k]), _com(motion, k)
+    about_origin = np.reshape(motion.scene["inertia"], (-1, 3, 3))[k]
+    moved = mass * (float(com @ com) * np.eye(3) - np.outer(com, com))
+    extended = np.abs(about_origin - moved).max() > 1e-9 * mass * float(com @ com)
+    return 2.0 if extended else 1.0
 
 
 def _com(motion: TrajectoryRecord, k: int) -> Array:
@@ -112,7 +121,10 @@ def _center(
     )
     ball = {"kind": "sphere", "a": short(com), "r": 1.15 * radius, "color": None}
     if np.linalg.norm(com - foot) < 2 * radius:
-        return [ball]
+        # amid a rod one expects it, at its end or where there is no rod it is what one sees
+        ends = [end for pair in links for end in pair]
+        near = min(float(np.linalg.norm(com - end)) for end in ends)
+        return [ball] if near < 3 * radius else []
     rib = {"kind": "link", "a": short(foot), "b": short(com), "r": 0.35 * radius, "color": None}
     return [rib, ball]
 

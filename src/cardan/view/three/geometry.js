@@ -14,9 +14,10 @@ const materials = new Map();
 export function material(color, more = {}) {
   const key = `${color}${JSON.stringify(more)}`;
   if (!materials.has(key)) {
-    const rgb = typeof color === "string" ? new Color(color) : new Color().setRGB(...color.slice(0, 3), "srgb");
+    // black shows no shape: the darkest is a dark gray
+    const rgb = typeof color === "string" ? new Color(color) : new Color().setRGB(...color.slice(0, 3).map((x) => 0.13 + 0.87 * x), "srgb");
     const alpha = typeof color === "string" || color.length < 4 ? 1 : color[3];
-    materials.set(key, new MeshStandardMaterial({ color: rgb, roughness: 0.5, metalness: 0.05, opacity: alpha, transparent: alpha < 1, ...more }));
+    materials.set(key, new MeshStandardMaterial({ color: rgb, roughness: 0.42, metalness: 0.05, opacity: alpha, transparent: alpha < 1, ...more }));
   }
   return materials.get(key);
 }
@@ -68,18 +69,22 @@ const makers = {
   }),
   mesh: (s, paint) => {
     const geometry = new BufferGeometry(), positions = new Float32Array(s.positions.length);
-    for (let i = 0; i < positions.length; i++) positions[i] = s.low[i % 3] + s.unit[i % 3] * s.positions[i];
+    // toCreasedNormals takes what is nearer than a hundredth for one vertex
+    const most = 1e4 / (65535 * Math.max(...s.unit.map(Math.abs)) || 1);
+    for (let i = 0; i < positions.length; i++) positions[i] = most * (s.low[i % 3] + s.unit[i % 3] * s.positions[i]);
     geometry.setAttribute("position", new BufferAttribute(positions, 3));
     geometry.setIndex(new BufferAttribute(Uint32Array.from(s.triangles), 1));
-    const mesh = shaded(toCreasedNormals(geometry, 0.6), paint), R = s.R, a = s.a;
+    const mesh = shaded(toCreasedNormals(geometry, 0.6).scale(1 / most, 1 / most, 1 / most), paint), R = s.R, a = s.a;
     mesh.applyMatrix4(new Matrix4().set(R[0], R[1], R[2], a[0], R[3], R[4], R[5], a[1], R[6], R[7], R[8], a[2], 0, 0, 0, 1));
     // both sides: scales may mirror
     return mesh;
   },
 };
 
-export function solid(s, color) {
-  const paint = material(s.color || color, s.kind === "mesh" ? { side: DoubleSide } : {});
+// bodies that meet do not flicker: each lies a little behind the one before
+export function solid(s, color, layer = 0) {
+  const behind = { polygonOffset: true, polygonOffsetFactor: layer % 8, polygonOffsetUnits: layer % 8 };
+  const paint = material(s.color || color, s.kind === "mesh" ? { side: DoubleSide } : behind);
   return makers[s.kind](s, paint);
 }
 

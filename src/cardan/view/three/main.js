@@ -63,7 +63,7 @@ class Page {
     this.bodies = data.bodies.map((body, k) => {
       const group = new Group(), color = palette[k % palette.length];
       group.name = body.name;
-      for (const s of body.solids) group.add(solid(s, s.kind === "mesh" ? "#d5d9e0" : color));
+      for (const s of body.solids) group.add(solid(s, s.kind === "mesh" ? "#d5d9e0" : color, k));
       stage.scene.add(group);
       return group;
     });
@@ -85,9 +85,11 @@ class Page {
   frame() {
     const { stage, data } = this;
     const cloud = this.inView();
-    const base = data.floor === "ground" ? this.cloud([]) : cloud;
-    const lowest = base.reduce((least, p) => Math.min(least, p.dot(stage.up)), Infinity);
-    stage.frame(cloud, { below: lowest - 0.04 * size(cloud), ground: lowest }[data.floor] ?? data.floor);
+    // a floor below the base of a robot, or below its feet where it stands on some
+    const lowest = (points) => points.reduce((least, p) => Math.min(least, p.dot(stage.up)), Infinity);
+    const [base, feet] = [lowest(this.cloud([])), lowest(this.cloud([0]))];
+    const ground = feet < base - 0.2 * size(cloud) ? feet : base;
+    stage.frame(cloud, { below: lowest(cloud) - 0.04 * size(cloud), ground }[data.floor] ?? data.floor);
     const unit = stage.size;
     this.triads = this.bodies.map((group) => {
       const axes = triad(0.12 * unit, 0.004 * unit);

@@ -22,9 +22,9 @@ export class Stage {
     this.camera.up.copy(this.up);
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.addEventListener("change", changed);
-    this.scene.add(new HemisphereLight(0xffffff, 0xb4bac6, 2.0));
-    const fill = new DirectionalLight(0xe6edff, 0.8);
-    this.sun = new DirectionalLight(0xffffff, 2.2);
+    this.scene.add(new HemisphereLight(0xffffff, 0xa8b0be, 1.35));
+    const fill = new DirectionalLight(0xe6edff, 0.7);
+    this.sun = new DirectionalLight(0xffffff, 2.7);
     this.sun.castShadow = true;
     this.sun.shadow.mapSize.set(2048, 2048);
     this.sun.shadow.bias = -0.0006;
@@ -74,7 +74,7 @@ export class Stage {
 
   pave(height) {
     const size = this.size, on = this.center.clone().addScaledVector(this.up, height - this.center.dot(this.up));
-    const { plane, grid } = this.floor, cell = 10 ** Math.floor(Math.log10(size)) / (size / 10 ** Math.floor(Math.log10(size)) < 2 ? 5 : 2);
+    const { plane, grid } = this.floor, cell = 10 ** Math.floor(Math.log10(size)) / (size / 10 ** Math.floor(Math.log10(size)) < 2 ? 4 : size / 10 ** Math.floor(Math.log10(size)) < 5 ? 2 : 1);
     for (const mesh of [plane, grid]) { mesh.position.copy(on).addScaledVector(this.up, mesh === plane ? -0.002 * size : -0.001 * size); mesh.scale.setScalar(1); }
     plane.geometry = new PlaneGeometry(40 * size, 40 * size);
     grid.geometry = plane.geometry;
@@ -93,7 +93,7 @@ export class Stage {
     if (x.length() < 0.1) x.set(0, 0, 1);
     x.normalize();
     const back = new Vector3().crossVectors(x, this.up); // -y where z points up
-    return x.multiplyScalar(0.62).addScaledVector(back, 0.78).addScaledVector(this.up, 0.36).normalize();
+    return x.multiplyScalar(0.7).addScaledVector(back, 0.7).addScaledVector(this.up, 0.33).normalize();
   }
 
   // looks from a direction so that the cloud fills the picture
