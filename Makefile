@@ -3,6 +3,7 @@
 #   make test              linters, types, tests; make slow: the rest of those that take long
 #   make bench             speed beside error and beside other programs, docs/performance; QUICK=1
 #   make hard              every integrator on every hard case, docs/hard_cases.md
+#   make browser           the page in Chromium; make picture: the picture of the README
 #   make wheel             source archive and wheel in dist, checked as a package index wants them
 #   make PYTHON=python3.12 choose the interpreter;  make test PYTEST_ARGS="tests/ir -x" choose tests
 
@@ -22,10 +23,10 @@ INSTALL := $(BIN)/python -m pip install --disable-pip-version-check --no-compile
 STEPS := ^ *(Collecting [[:alnum:]_.-]+|Installing collected packages|kernels: .*)
 SOURCES := pyproject.toml setup.py $(wildcard src/cardan/runtime/calls/*.pyx) $(wildcard src/cardan/kernels/*.[ch] src/cardan/kernels/*/*.[ch] src/cardan/kernels/*/*/*.[ch])
 
-.PHONY: help demo test tests slow bench hard lint types external fuzz wheel clean
+.PHONY: help demo test tests slow bench hard lint types external fuzz wheel browser picture clean
 
 help:
-	@sed -n '2,7s/^#   //p' Makefile
+	@sed -n '2,8s/^#   //p' Makefile
 
 $(BIN)/python:
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "cardan needs Python 3.11 or newer; say make PYTHON=...")'
@@ -84,6 +85,18 @@ bench: $(VENV)/.installed-bench
 	$(BIN)/python tests/benchmarks/bench.py $(if $(QUICK),--quick)
 	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 $(BIN)/python tests/benchmarks/runs.py $(if $(QUICK),--quick)
 	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 $(BIN)/python tests/benchmarks/flexible_runs.py $(if $(QUICK),--quick)
+
+$(VENV)/.installed-browser: $(VENV)/.installed-test
+	$(INSTALL) playwright
+	@touch $@
+
+# the page in Chromium; CHROMIUM names one that is not on the path
+browser: $(VENV)/.installed-browser
+	$(BIN)/python -m pytest tests/view/test_browser.py
+
+# docs/page.png, the picture of the README
+picture: $(VENV)/.installed-browser
+	$(BIN)/python tests/view/picture.py
 
 # writes docs/hard_cases.md
 hard: $(VENV)/.installed-test

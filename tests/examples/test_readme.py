@@ -18,8 +18,8 @@ TEXT = (ROOT / "README.md").read_text(encoding="utf-8")
 
 
 def test_the_way_in_is_short() -> None:
-    assert len(TEXT.splitlines()) < 40
-    assert "When not to use it" in TEXT
+    assert len(TEXT.splitlines()) <= 45
+    assert "when not to use it" in TEXT
 
 
 def test_python_block(tmp_path: Path) -> None:
