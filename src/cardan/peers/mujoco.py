@@ -14,9 +14,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from ..api.comparison import Scene, build
+from ..api.comparison import MUJOCO, Scene, build
 from . import coordinates
-from .coordinates import Convention
 from .loop import HERE, Loop, peer_loop
 from .peer import Contender, Peer, installed
 from .tree import central, directions
@@ -24,7 +23,6 @@ from .tree import central, directions
 if TYPE_CHECKING:
     from types import ModuleType
 
-CONVENTION = Convention(scalar_last=False, position_first=True, linear_first=True, body_axes=False)
 JOINT = {"revolute": "hinge", "prismatic": "slide", "spherical": "ball", "free": "free"}
 PLACE = ("mj_kinematics", "mj_comPos")
 STEPS = {
@@ -150,7 +148,7 @@ def contender(scene: Scene) -> Contender:
         model.nq,
         model.nv,
     )
-    coordinate_map = coordinates.coordinates(scene, CONVENTION, places)
+    coordinate_map = coordinates.coordinates(scene, MUJOCO.convention, places)
     loop = Loop(peer_loop(adapter), ctypes.byref(program), coordinate_map)
     title = f"MuJoCo {importlib.metadata.version('mujoco')}"
     references = (model, data, program, adapter, shared)
