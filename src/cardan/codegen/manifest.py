@@ -87,12 +87,19 @@ def base(equations: EquationRecord, functions: Sequence[str] = ()) -> Base:
             for b in system.bodies
         ],
         frames=[_frame(system, frame) for frame in system.frames],
-        outputs=[OutputRow(name=o.name, unit=o.unit) for o in system.outputs],
+        outputs=_outputs(system),
         quaternions=[j.quaternion for j in joints if j.quaternion is not None],
         absent=absent,
         scene=_scene(equations),
     )
     return Base(data, lambda: _saved(equations))
+
+
+def _outputs(system: System) -> list[OutputRow]:
+    """Those of the scene, then the driving forces of prescribed joints."""
+    driving = [joint.driving_output for joint in system.joints if joint.motion is not None]
+    rows = [*((o.name, o.unit) for o in system.outputs), *driving]
+    return [OutputRow(name=name, unit=unit) for name, unit in rows]
 
 
 def common(system: System, method: str, functions: Sequence[str]) -> dict[str, Any]:

@@ -90,7 +90,7 @@ reaction(joint) | t q u r tau wrench z s | 6 | N m and N | bodies | elements
     constraints leave it undetermined one of the possible wrenches comes out, and a
     SolveWarning says so once for each joint; see ``model.redundancy(q)``.
 outputs | t q u r z s | ny | as declared | | elements
-    declared outputs, then forces of prescribed motions
+    declared outputs, then ``<joint>.driving_force`` of prescribed joints
     like: y
 power | t q u r z s | nsources | W | | elements
     power of everything that has no potential, by source

@@ -246,9 +246,8 @@ def _frames(scene: Scene, at: Mapping[Key, int]) -> Frames:
 
 
 def _unit(system: System, name: str) -> str:
-    """Unit of an output, or of a driving force ``<joint>.force``."""
+    """Unit of an output, or of the driving force of a joint."""
     for entry in system.outputs:
         if entry.name == name:
             return entry.unit
-    joint = next(j for j in system.joints if f"{j.name}.force" == name)
-    return "N" if joint.element.speeds[0].unit == "m/s" else "N*m"
+    return dict(joint.driving_output for joint in system.joints if joint.motion)[name]

@@ -98,7 +98,7 @@ def _joint(scene: Scene, i: int) -> Part:
         joint=True,
         reversed_joint=body if joint.reversed else -1,
         driven=(body,) if moved else (),
-        results=(f"{joint.name}.force",) if moved else (),
+        results=(joint.driving_output[0],) if moved else (),
         powers=(f"{joint.name}.motion",) if moved else (),
     )
 
@@ -147,10 +147,10 @@ def _force(scene: Scene, force: Force) -> Part:
             cutting.state(block, first + entry)
     data = cutting.quantities(force.data)
     local_force = Force(element.kind, element, data, frames, joints)
-    names = [scene.system.joints[joint].name for joint in force.joints.values()]
+    originals = [scene.system.joints[joint] for joint in force.joints.values()]
     driven = {
-        number: name
-        for number, name in zip(joints.values(), names, strict=True)
+        number: joint
+        for number, joint in zip(joints.values(), originals, strict=True)
         if cutting.joints[number].motion is not None
     }
     return Part(
@@ -160,8 +160,8 @@ def _force(scene: Scene, force: Force) -> Part:
         cutting.system_of(forces=(local_force,)),
         element.source,
         driven=tuple(driven),
-        results=tuple(f"{name}.force" for name in driven.values()),
-        powers=(force.name, *(f"{name}.motion" for name in driven.values())),
+        results=tuple(joint.driving_output[0] for joint in driven.values()),
+        powers=(force.name, *(f"{joint.name}.motion" for joint in driven.values())),
     )
 
 

@@ -87,7 +87,7 @@ typedef struct cardan_mesh {
     ptrdiff_t work;            /* numbers that the largest work of an element takes, per lane */
     ptrdiff_t local;           /* numbers that the largest element reads and gives, per lane */
     ptrdiff_t powers, driven;  /* sources of power; 1: some of them are multipliers' */
-    ptrdiff_t outputs;         /* of the scene */
+    ptrdiff_t outputs, solved; /* of the scene; 1: some of them read udot or multipliers */
 } cardan_mesh;
 
 /* What the elements are asked at. */

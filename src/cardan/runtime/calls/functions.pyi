@@ -579,7 +579,7 @@ class Functions(Evaluation, metaclass=ABCMeta):
         parameters: Values | None = None,
         out: Array | None = None,
     ) -> Array:
-        """Declared outputs, then forces of prescribed motions.
+        """Declared outputs, then ``<joint>.driving_force`` of prescribed joints.
 
         Args:
             q: coordinates, (..., nq)
