@@ -82,3 +82,9 @@ def test_outputs_of_accelerations_are_those_of_the_motion(coordinates: str) -> N
     motion = cd.compile(cd.derive(scene, coordinates=coordinates)).simulate(0.3, q={"pin": 0.5})
     # a point mass on a massless rod: r phi'' = -g sin(phi), and x of the tip is -r phi
     assert motion["along"] == pytest.approx(9.81 * np.sin(motion["pin"]), rel=1e-9)
+
+
+def test_outputs_of_an_equilibrium_that_is_held() -> None:
+    rest = cd.compile(hanging()).equilibrium(locked={"hinge": 0.3})
+    assert rest["height"] == pytest.approx(-np.sin(0.3), abs=1e-12)
+    assert rest["spring.force"] == pytest.approx(-100.0 * 0.3)

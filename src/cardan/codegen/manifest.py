@@ -14,6 +14,7 @@ from ..equations.constraints import reaction_friction
 from ..equations.constraints.constraints import Row, left_out
 from ..equations.functions import blocks
 from ..equations.functions.dynamics import Dynamics
+from ..equations.functions.element_forces import force_rows
 from ..equations.kinematics.kinematics import Kinematics
 from ..equations.record import EquationRecord
 from ..ir.function import Function
@@ -31,7 +32,7 @@ from ..schema.entries import (
     TickRow,
 )
 from ..schema.manifest import Manifest
-from ..schema.tree import SampleRow, Treatment, Tree
+from ..schema.tree import Treatment, Tree
 from ..topology.beams.segment_tables import Segment
 from ..topology.internal_states import slides
 from ..topology.loops.welds import passed
@@ -97,8 +98,8 @@ def base(equations: EquationRecord, functions: Sequence[str] = ()) -> Base:
 
 def _outputs(system: System) -> list[OutputRow]:
     """Those of the scene, then the driving forces of prescribed joints."""
-    driving = [joint.driving_output for joint in system.joints if joint.motion is not None]
-    rows = [*((o.name, o.unit) for o in system.outputs), *driving]
+    rows = [(entry.name, entry.unit) for entry in system.outputs]
+    rows += [joint.driving_output for joint in system.joints if joint.motion is not None]
     return [OutputRow(name=name, unit=unit) for name, unit in rows]
 
 
@@ -121,6 +122,7 @@ def common(system: System, method: str, functions: Sequence[str]) -> dict[str, A
             for p in system.parameters
         ],
         "structural": dict(system.structural),
+        "element_forces": force_rows(system),
         "isolated": isolated(system),
         "fixed": list(system.fixed),
         "shapes": [_shape(system.frames[k].name, shape) for k, shape in system.shapes],
@@ -281,19 +283,11 @@ def _scene(equations: EquationRecord) -> Tree:
         unknown=unknown,
         curves=curves if any(curves) else (),
         pressed=verified,
-        samples=_samples(system),
+        samples=flat_scene.samples(system),
+        locked=flat_scene.locked_at_start(system),
         # what closes loops, and how accelerations are made to obey
         **(closing if system.closed or system.closures else {}),
     )
-
-
-def _samples(system: System) -> list[SampleRow]:
-    """Reference values of another program for written equations, unless the user added to them."""
-    constraints = [entry.name for entry in system.constraints]
-    if len(system.forces) != len(system.joints):
-        return []
-    samples = (sample for joint in system.joints for sample in joint.element.samples)
-    return [SampleRow(**sample) for sample in samples if sample["held"] == constraints]
 
 
 def _body(system: System, number: int) -> str:

@@ -85,3 +85,6 @@ class FiniteElements(Record):
     reactions: Mapping[str, tuple[int, int]] = field(
         table(pair()), "joint -> group and member whose reaction it is"
     )
+    forces: Mapping[str, tuple[int, int]] = field(
+        table(pair()), "element -> group and member whose force it is", run=NOTHING
+    )

@@ -18,6 +18,7 @@ from .entries import (
     CoordinateRow,
     Entry,
     EventRow,
+    ForceRow,
     LimitRow,
     ModeRow,
     MultiplierRow,
@@ -119,6 +120,9 @@ class Manifest(Record):
     )
     shapes: Sequence[ShapeRow] = field(listed(ShapeRow), "shapes for pictures", run=())
     outputs: Sequence[OutputRow] = field(listed(OutputRow), run=())
+    element_forces: Sequence[ForceRow] = field(
+        listed(ForceRow), "entries of element_forces: <element>.force and so on", default=()
+    )
     quaternions: Sequence[int] = field(
         listed(count), "entries of q that begin a unit quaternion", run=()
     )

@@ -64,6 +64,7 @@ def base(absolute: FiniteElementRecord, functions: Sequence[str]) -> Base:
             reference=_reference(absolute),
             power_sources=list(absolute.powers),
             reactions={name: (int(group), int(k)) for name, (group, k) in absolute.joints.items()},
+            forces={name: (int(group), int(k)) for name, (group, k) in absolute.forces.items()},
         ),
     )
     return Base(data, lambda: saved(absolute))

@@ -30,6 +30,7 @@ enum {
     CARDAN_STRESS,   /* resultants and strains along an element */
     CARDAN_MIXED,    /* balance (nu) and K (nu, nu) with unknowns of its own that are not settled */
     CARDAN_MIXED_STEP, /* these after the increment du */
+    CARDAN_ELEMENT_FORCES, /* along a line or a joint, or the wrench on a frame */
     CARDAN_FORMS
 };
 
