@@ -262,11 +262,8 @@ def _scene(equations: EquationRecord) -> Tree:
         for force in reaction_friction.friction_forces(system)
         if not verified
     ]
-    unknown += [
-        f"the speeds of joint '{joint.name}' are of its own making"
-        for joint in system.joints
-        if flat_scene.has_speeds(joint)
-    ]
+    moved = (joint.name for joint in system.joints if flat_scene.has_speeds(joint))
+    unknown += [f"the speeds of joint '{name}' are of its own making" for name in moved]
     curves = [flat_scene.curve(system.graph, joint) for joint in system.joints]
     treatment = equations.treatment
     closing: dict[str, Any] = {
