@@ -271,6 +271,7 @@ static const cardan_mesh mesh = {
     .powers = 0,
     .driven = 0,
     .outputs = 0,
+    .solved = 0,
     .groups = groups,
     .group_count = 3,
     .movers = movers,

@@ -45,6 +45,7 @@ _PUBLIC: dict[str, str] = {
     "load_model": "api.saved_model",
     "excitation": "analyses.identification.excitation",
     "identify": "analyses.identification.identify",
+    "convert": "analyses.conversion.convert",
     "sample": "analyses.ensembles.sampling",
     "Ensemble": "api.results",
     "Trajectory": "api.trajectory",
@@ -75,7 +76,9 @@ _FAMILIES = {"elements.joints": "JOINTS", "elements.forces": "FORCES"}
 _FACED = frozenset(
     {"load", "from_dh", "from_sympy", "excitation", "identify", "load_motion", "load_ensemble"}
 )
-_MODULES = frozenset({"constraints", "inertia", "orbit", "sample", "section", "shape", "stability"})
+_MODULES = frozenset(
+    {"constraints", "convert", "inertia", "orbit", "sample", "section", "shape", "stability"}
+)
 _RENAMED = {"load_model": "load", "load_motion": "load", "load_ensemble": "load"}
 
 # what pickles name, for ever -> module that holds it

@@ -56,3 +56,35 @@ def test_a_motion_has_reactions_by_name() -> None:
     assert np.array_equal(motion["hinge.force"], wrenches[:, 3:])
     with pytest.raises(cd.ModelError, match=r"motion\['hing.force'\]: there is no such history"):
         motion["hing.force"]
+
+
+@pytest.mark.parametrize("coordinates", ["relative", "absolute"])
+def test_the_driving_force_of_a_prescribed_joint_is_not_its_reaction(coordinates: str) -> None:
+    scene = cd.Scene("lift", gravity=(0, 0, -9.81))
+    cage = scene.body("cage", mass=3.0, com=(0.2, 0, 0), inertia=(1, 1, 1))
+    scene.joint("shaft", cd.Prismatic("z"), scene.ground, cage, prescribed=0.5 * cd.t**2)
+    model = cd.compile(cd.derive(scene, coordinates=coordinates))
+    motion = model.simulate(0.1)
+    # weight, and an acceleration of 1 m/s^2
+    expected = np.full(len(motion.t), 3.0 * (9.81 + 1.0))
+    assert motion["shaft.driving_force"] == pytest.approx(expected, rel=1e-8)
+    assert motion["shaft.force"].shape == (len(motion.t), 3)
+    assert [row.name for row in model.manifest.outputs] == ["shaft.driving_force"]
+    assert [row.unit for row in model.manifest.outputs] == ["N"]
+
+
+@pytest.mark.parametrize("coordinates", ["relative", "absolute"])
+def test_outputs_of_accelerations_are_those_of_the_motion(coordinates: str) -> None:
+    scene = cd.Scene("pendulum")
+    rod = scene.body("rod", mass=1.0, com=(0, 0, -1.0))
+    scene.joint("pin", cd.Revolute("y"), scene.ground, rod)
+    scene.output("along", rod.at(0, 0, -1).acceleration(in_=rod)[0])
+    motion = cd.compile(cd.derive(scene, coordinates=coordinates)).simulate(0.3, q={"pin": 0.5})
+    # a point mass on a massless rod: r phi'' = -g sin(phi), and x of the tip is -r phi
+    assert motion["along"] == pytest.approx(9.81 * np.sin(motion["pin"]), rel=1e-9)
+
+
+def test_outputs_of_an_equilibrium_that_is_held() -> None:
+    rest = cd.compile(hanging()).equilibrium(locked={"hinge": 0.3})
+    assert rest["height"] == pytest.approx(-np.sin(0.3), abs=1e-12)
+    assert rest["spring.force"] == pytest.approx(-100.0 * 0.3)

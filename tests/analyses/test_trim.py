@@ -66,19 +66,21 @@ def bicycle() -> cd.CompiledModel:
 
 
 def test_a_bicycle_turns_steadily(bicycle: cd.CompiledModel) -> None:
-    found = bicycle.trim({"rear_contact.u.yaw": 0.5, "rear_hub.u": -15.0}, free=["steer.force"])
+    found = bicycle.trim(
+        {"rear_contact.u.yaw": 0.5, "rear_hub.u": -15.0}, free=["steer.driving_force"]
+    )
     assert found.converged
     # the other way round: the turn that belongs to this lean
     wanted = {"rear_contact.lean": found["rear_contact.lean"], "rear_hub.u": -15.0}
-    other = bicycle.trim(wanted, free=["steer.force"])
-    assert other["steer.force"] == pytest.approx(found["steer.force"], rel=1e-9)
+    other = bicycle.trim(wanted, free=["steer.driving_force"])
+    assert other["steer.driving_force"] == pytest.approx(found["steer.driving_force"], rel=1e-9)
     assert other["rear_contact.u.yaw"] == pytest.approx(0.5, rel=1e-9)
     # leaned as a point mass would be, but for spin of the wheels and their width of 0
     speed = 4.5
     assert math.tan(-found["rear_contact.lean"]) == pytest.approx(speed * 0.5 / G, rel=0.1)
     # another function says that nothing changes but the direction of the contact
     tau = np.zeros(bicycle.nu)
-    tau[bicycle.speeds.index("steer.u")] = found["steer.force"]
+    tau[bicycle.speeds.index("steer.u")] = found["steer.driving_force"]
     udot = dict(zip(bicycle.speeds, bicycle.forward_dynamics(found.q, found.u, tau=tau),
                     strict=True))  # fmt: skip
     assert udot.pop("rear_contact.u.y") == pytest.approx(speed * 0.5, rel=1e-9)
@@ -162,9 +164,9 @@ def test_what_holds_a_circuit() -> None:
     again = model.equilibrium(q=found.q, u={"spin": found["spin.u"]})
     assert again["slide"] == pytest.approx(-0.65, abs=1e-10)
     assert found.stable is again.stable
-    held = model.trim({"slide": -0.65}, free=["slide.force"])
+    held = model.trim({"slide": -0.65}, free=["slide.driving_force"])
     rest = model.equilibrium(q=held.q, locked={"slide": -0.65, "spin": 0.0})
-    assert held["slide.force"] == pytest.approx(rest.holding_forces["slide"], rel=1e-9)
+    assert held["slide.driving_force"] == pytest.approx(rest.holding_forces["slide"], rel=1e-9)
 
 
 def test_controllers_come_to_rest() -> None:
@@ -202,9 +204,11 @@ def test_a_force_without_a_lever() -> None:
     scene.joint("pin", cd.Revolute("y"), scene.ground, bar)
     scene.force("pull", cd.Force(bar.at(0, 0, -1), (scene.input("F"), 0, 0)))
     model = cd.compile(scene)
-    with pytest.raises(cd.SolveError, match=r"'F' = .* still growing .* Free .*: <joint>.force"):
+    with pytest.raises(
+        cd.SolveError, match=r"'F' = .* still growing .* Free .*: <joint>.driving_force"
+    ):
         model.trim({"pin": math.pi / 2}, free=["F"], check=True)
-    assert model.trim({"pin": math.pi / 2}, free=["pin.force"]).converged
+    assert model.trim({"pin": math.pi / 2}, free=["pin.driving_force"]).converged
 
 
 def test_weight_that_does_not_turn_along() -> None:
@@ -222,12 +226,18 @@ def test_weight_that_does_not_turn_along() -> None:
     [
         (lambda m: m.trim({"nutatoin": 1.0}), "Did you mean 'nutation'"),
         (lambda m: m.trim({"nutation": math.nan}), "finite"),
-        (lambda m: m.trim({"nutation": 1.0}, free=["spin.forse"]), "Did you mean 'spin.force'"),
+        (
+            lambda m: m.trim({"nutation": 1.0}, free=["spin.driving_forse"]),
+            "Did you mean 'spin.driving_force'",
+        ),
         (lambda m: m.trim({"spin.u": 1.0}, free=["spin.u"]), "a target and free"),
         (lambda m: m.trim({"nutation": 1.0}, u={"spinn": 3}), "spin"),
         (lambda m: m.trim({"nutation": 1.0}, t=math.inf), "finite"),
         (lambda m: m.trim(["nutation"]), "give numbers by name"),
-        (lambda m: m.trim({"nutation": 0.5}, free=["nutation.force"])["spinn"], "Did you mean"),
+        (
+            lambda m: m.trim({"nutation": 0.5}, free=["nutation.driving_force"])["spinn"],
+            "Did you mean",
+        ),
     ],
 )
 def test_nonsense_is_refused(top: cd.CompiledModel, call: Callable[[Any], Any], said: str) -> None:

@@ -31,7 +31,7 @@ WORKING = {
     "modes": (ARM,),
     "linearize": (ARM,),
     "identify": (ARM,),
-    "trim": (ARM, "--target", "elbow=0.5", "--free", "elbow.force"),
+    "trim": (ARM, "--target", "elbow=0.5", "--free", "elbow.driving_force"),
     "ensemble": (ARM, "--time", "0.1", "--vary", "waist=0,1"),
     "report": (ARM, "--time", "0.1", "--methods", "DOP853", "RK4"),
     "bench": (ARM, "--peers", "casadi", "--functions", "mass_matrix"),

@@ -132,7 +132,7 @@ def test_trim(scene: str, capsys: pytest.CaptureFixture[str]) -> None:
     assert status("trim", scene, "--target", "foot=0.25") == 1
     assert "no steady motion" in capsys.readouterr().err
     assert status("trim", scene, "--lock", "foot=0.25") == 1
-    assert "--free JOINT.force" in capsys.readouterr().err
+    assert "--free JOINT.driving_force" in capsys.readouterr().err
 
 
 def test_families(scene: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -26,6 +26,7 @@ ACCEPT = "pytest tests/golden/test_functions.py --accept"
 NEEDS = {
     *("constraints", "events", "closed form", "linear"),
     *("bodies", "inertias", "kinetic energy", "causes of forces"),
+    "element forces",
 }
 # what a system has as many of as its elements say
 OPEN = ("ndependent", "nclosing", "ncosines", "nphi", "nsources", "ny")
@@ -72,7 +73,9 @@ def test_a_method_is_a_function_with_a_signature_and_a_docstring(name: str) -> N
 
 def counts(model: cd.CompiledModel) -> dict[str, int]:
     rows = [row["level"] for row in model.manifest["multipliers"]]
+    forces = len(model.manifest.element_forces)
     found = {"nlam": len(rows), "npositions": rows.count("position"), "ne": len(model.event_names)}
+    found["nforces"] = forces
     sizes = {name: getattr(model, name) for name in ("nq", "nu", "nz", "nx", "ns", "nr")}
     return found | sizes | {"ntangent": model.nu**2}
 

@@ -6,6 +6,8 @@ tables of functions, and the compile cache that builds their C.
 
 from __future__ import annotations
 
+from ..analyses.conversion.coordinates import SIZES, Convention, Coordinates, Pair, Sizes, paired
+from ..analyses.conversion.joint_pairs import MUJOCO, PINOCCHIO
 from ..ir.interpreter import evaluate
 from ..ir.serialize import from_dict
 from ..runtime.build import toolchain
@@ -29,16 +31,23 @@ from .compiled_model import CompiledModel
 from .faces import face
 
 __all__ = [
+    "MUJOCO",
     "ORDER",
     "PARAMETERS",
+    "PINOCCHIO",
+    "SIZES",
     "SLOT",
     "CompiledModel",
+    "Convention",
+    "Coordinates",
     "CutRow",
     "Derivative",
     "KindNumbers",
     "LoadedFunction",
     "Moving",
+    "Pair",
     "Scene",
+    "Sizes",
     "States",
     "build",
     "cross",
@@ -52,6 +61,7 @@ __all__ = [
     "kernel_files",
     "load",
     "one_by_one",
+    "paired",
     "pose_of",
     "samples",
     "scene_of",

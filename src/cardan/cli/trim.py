@@ -6,7 +6,8 @@ in a turn, a rotor at its speed, an arm at its angle; and whether it is stable.
 examples:
   cardan trim arm.yaml --target elbow=0.5 --free motor
         the input that holds this angle
-  cardan trim bicycle.yaml --target rear_contact.lean=-0.1 --u rear_hub=-15 --free steer.force
+  cardan trim bicycle.yaml --target rear_contact.lean=-0.1 --u rear_hub=-15 \\
+      --free steer.driving_force
         the torque along the steering axis in a steady turn
   cardan trim governor.yaml --target arm=0.7 --free spin.u --u spin=5
         the speed at which the arm stands like that, looked for from 5 rad/s

@@ -13,20 +13,22 @@ from typing import Any
 from ..elements.joints.joint import Joint as Element
 from ..elements.joints.joint import Reversed
 from ..equations.functions.blocks import blocks
+from ..equations.kinematics.kinematics import Kinematics
+from ..equations.kinematics.loads import places
 from ..ir.function import Block, Function, Output, live
 from ..ir.graph import ZERO, Graph
 from ..ir.matrix import Matrix
-from ..schema.mechanism import ForceRow, ShapeRow
-from ..schema.tree import CloserRow
+from ..schema.mechanism import ForceElementRow, ShapeRow
+from ..schema.tree import CloserRow, SampleRow
 from ..spatial.axis import complement, unit
 from ..topology.system import Cut, Joint, System, joint_lengths
 
 
-def force_rows(system: System) -> list[ForceRow]:
+def force_rows(system: System) -> list[ForceElementRow]:
     """Force elements with the names of their frames, for pictures."""
     names = [frame.name for frame in system.frames]
     return [
-        ForceRow(
+        ForceElementRow(
             name=force.name,
             kind=force.element.kind,
             frames={role: names[k] for role, k in force.frames.items()},
@@ -274,3 +276,25 @@ def _function(
     return Function(
         name, graph, tuple(all_blocks[b] for b in all_blocks if b in read), outputs, about=about
     )
+
+
+def locked_at_start(system: System) -> list[str]:
+    """Elements that hold a velocity in the modes of the start."""
+    k = Kinematics(system)
+    names = []
+    for force in system.forces:
+        if force.element.locked_velocities():
+            starts = [k.graph.const(mode.default) for mode in force.element.modes()]
+            at = replace(places(k, force), s=Matrix(k.graph, len(starts), 1, starts))
+            if any(one.active.node != ZERO for one in force.element.holds(at)):
+                names.append(force.name)
+    return names
+
+
+def samples(system: System) -> list[SampleRow]:
+    """Reference values of another program for written equations, unless the user added to them."""
+    constraints = [entry.name for entry in system.constraints]
+    if len(system.forces) != len(system.joints):
+        return []
+    rows = (sample for joint in system.joints for sample in joint.element.samples)
+    return [SampleRow(**sample) for sample in rows if sample["held"] == constraints]

@@ -14,6 +14,7 @@ from ..equations.constraints import reaction_friction
 from ..equations.constraints.constraints import Row, left_out
 from ..equations.functions import blocks
 from ..equations.functions.dynamics import Dynamics
+from ..equations.functions.element_forces import force_rows
 from ..equations.kinematics.kinematics import Kinematics
 from ..equations.record import EquationRecord
 from ..ir.function import Function
@@ -31,7 +32,7 @@ from ..schema.entries import (
     TickRow,
 )
 from ..schema.manifest import Manifest
-from ..schema.tree import SampleRow, Treatment, Tree
+from ..schema.tree import Treatment, Tree
 from ..topology.beams.segment_tables import Segment
 from ..topology.internal_states import slides
 from ..topology.loops.welds import passed
@@ -87,12 +88,19 @@ def base(equations: EquationRecord, functions: Sequence[str] = ()) -> Base:
             for b in system.bodies
         ],
         frames=[_frame(system, frame) for frame in system.frames],
-        outputs=[OutputRow(name=o.name, unit=o.unit) for o in system.outputs],
+        outputs=_outputs(system),
         quaternions=[j.quaternion for j in joints if j.quaternion is not None],
         absent=absent,
         scene=_scene(equations),
     )
     return Base(data, lambda: _saved(equations))
+
+
+def _outputs(system: System) -> list[OutputRow]:
+    """Those of the scene, then the driving forces of prescribed joints."""
+    rows = [(entry.name, entry.unit) for entry in system.outputs]
+    rows += [joint.driving_output for joint in system.joints if joint.motion is not None]
+    return [OutputRow(name=name, unit=unit) for name, unit in rows]
 
 
 def common(system: System, method: str, functions: Sequence[str]) -> dict[str, Any]:
@@ -114,6 +122,7 @@ def common(system: System, method: str, functions: Sequence[str]) -> dict[str, A
             for p in system.parameters
         ],
         "structural": dict(system.structural),
+        "element_forces": force_rows(system),
         "isolated": isolated(system),
         "fixed": list(system.fixed),
         "forces": flat_scene.force_rows(system),
@@ -250,11 +259,8 @@ def _scene(equations: EquationRecord) -> Tree:
         for force in reaction_friction.friction_forces(system)
         if not verified
     ]
-    unknown += [
-        f"the speeds of joint '{joint.name}' are of its own making"
-        for joint in system.joints
-        if flat_scene.has_speeds(joint)
-    ]
+    moved = (joint.name for joint in system.joints if flat_scene.has_speeds(joint))
+    unknown += [f"the speeds of joint '{name}' are of its own making" for name in moved]
     curves = [flat_scene.curve(system.graph, joint) for joint in system.joints]
     treatment = equations.treatment
     closing: dict[str, Any] = {
@@ -271,19 +277,11 @@ def _scene(equations: EquationRecord) -> Tree:
         unknown=unknown,
         curves=curves if any(curves) else (),
         pressed=verified,
-        samples=_samples(system),
+        samples=flat_scene.samples(system),
+        locked=flat_scene.locked_at_start(system),
         # what closes loops, and how accelerations are made to obey
         **(closing if system.closed or system.closures else {}),
     )
-
-
-def _samples(system: System) -> list[SampleRow]:
-    """Reference values of another program for written equations, unless the user added to them."""
-    constraints = [entry.name for entry in system.constraints]
-    if len(system.forces) != len(system.joints):
-        return []
-    samples = (sample for joint in system.joints for sample in joint.element.samples)
-    return [SampleRow(**sample) for sample in samples if sample["held"] == constraints]
 
 
 def _body(system: System, number: int) -> str:

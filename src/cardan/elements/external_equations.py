@@ -24,6 +24,7 @@ from .quantity import JointName, Quantity, Ready
 UNKNOWN = {
     "bodies": "written equations tell of no bodies and frames; declare what is wanted as an output",
     "inertias": "written equations do not tell masses and inertias from other parameters",
+    "element forces": "written equations tell of no force elements",
     "kinetic energy": "written equations tell of no kinetic energy to differentiate",
     "causes of forces": "written equations do not tell gravity and velocity products from other "
     "forces; 'applied_forces' has all of them",
@@ -172,6 +173,9 @@ class WrittenForces(ForceElement):
 
     def rotor_inertia(self, data: Mapping[str, Matrix]) -> dict[str, Matrix]:
         return {"joint": data["inertia"]}
+
+    def acts_on(self) -> tuple[str, str]:
+        return "", ""
 
     def act(self, at: Places) -> tuple[Action, ...]:
         forces, joint = at.data["forces"], at.joints["joint"]

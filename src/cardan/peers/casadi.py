@@ -15,9 +15,9 @@ from typing import Any
 
 import numpy as np
 
-from ..api.comparison import Scene, build
+from ..api.comparison import SIZES, Convention, Coordinates, Scene, build
 from ..arrays import Array
-from .coordinates import SIZES, Convention, Coordinates, after_each_other, coordinates, refusal
+from .coordinates import after_each_other, coordinates, refusal
 from .loop import HERE, Loop, peer_loop
 from .peer import Contender, Peer, States, installed
 

@@ -12,8 +12,7 @@ from dataclasses import dataclass
 import casadi as ca
 import numpy as np
 
-from ..api.comparison import Scene
-from .coordinates import SIZES
+from ..api.comparison import SIZES, Scene
 from .tree import directions
 
 

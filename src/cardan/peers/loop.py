@@ -11,8 +11,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..api.comparison import Coordinates
 from ..arrays import Array
-from .coordinates import Coordinates
 from .peer import States
 
 HERE = Path(__file__).parent

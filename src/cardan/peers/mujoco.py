@@ -14,12 +14,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from ..api.comparison import Scene, build
+from ..api.comparison import MUJOCO, Scene, build
 from ..arrays import Array
 from ..errors import BuildError
 from . import coordinates
 from .circuits import Circuits, Connection
-from .coordinates import Convention
 from .loop import HERE, Loop, peer_loop
 from .peer import Contender, Peer, States, installed
 from .tree import central, directions
@@ -27,7 +26,6 @@ from .tree import central, directions
 if TYPE_CHECKING:
     from types import ModuleType
 
-CONVENTION = Convention(scalar_last=False, position_first=True, linear_first=True, body_axes=False)
 JOINT = {"revolute": "hinge", "prismatic": "slide", "spherical": "ball", "free": "free"}
 PLACE = ("mj_kinematics", "mj_comPos")
 STEPS = {
@@ -202,7 +200,7 @@ def _contender(
         model.nq,
         model.nv,
     )
-    coordinate_map = coordinates.coordinates(scene, CONVENTION, places)
+    coordinate_map = coordinates.coordinates(scene, MUJOCO.convention, places)
     loop = Loop(peer_loop(adapter), ctypes.byref(program), coordinate_map)
     title = f"MuJoCo {importlib.metadata.version('mujoco')}"
     references = (model, data, program, adapter, shared)

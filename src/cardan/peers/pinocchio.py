@@ -15,19 +15,15 @@ from pathlib import Path
 
 import numpy as np
 
-from ..api.comparison import Scene, build, toolchain
+from ..api.comparison import PINOCCHIO, Coordinates, Scene, build, toolchain
 from ..arrays import Array
 from ..errors import BuildError
 from . import coordinates
 from .circuits import Circuits
-from .coordinates import Convention, Coordinates
 from .loop import HERE, Loop, address, peer_loop
 from .peer import FUNCTIONS, Contender, Peer, States
 from .tree import central, depth_first, directions
 
-CONVENTION = Convention(
-    scalar_last=True, position_first=True, linear_first=True, body_axes=True
-)  # fmt: skip
 KIND = {"revolute": 0, "prismatic": 1, "spherical": 2, "free": 3, "universal": 4}
 # what its own build defines; Boost's lists are too short for its joints otherwise
 OPTIONS = (
@@ -132,7 +128,7 @@ def _tree(
     parents = [place[scene.parents[body]] for body in order]
     self = _model(library, parents, [KIND[scene.kinds[body]] for body in order], numbers)
     places = coordinates.after_each_other(scene, order)
-    return self, coordinates.coordinates(scene, CONVENTION, places), place
+    return self, coordinates.coordinates(scene, PINOCCHIO.convention, places), place
 
 
 def contender(scene: Scene) -> Contender:

@@ -63,6 +63,14 @@ class ParameterRow(Entry):
     declared: bool = field(flag, "declared by the user as a parameter", default=False)
 
 
+class ForceRow(Record):
+    """A number of the force of an element."""
+
+    element: str = field(text)
+    name: str = field(text, "<element>.force, or one of its components")
+    unit: str = field(text)
+
+
 class OutputRow(Entry):
     """An output of the user."""
 

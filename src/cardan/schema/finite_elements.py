@@ -88,3 +88,6 @@ class FiniteElements(Record):
     reaction_frames: Mapping[str, str] = field(
         table(text), "joint -> child frame, where its reaction acts", default=NOTHING
     )
+    forces: Mapping[str, tuple[int, int]] = field(
+        table(pair()), "element -> group and member whose force it is", run=NOTHING
+    )

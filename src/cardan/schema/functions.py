@@ -90,8 +90,15 @@ reaction(joint) | t q u r tau wrench z s | 6 | N m and N | bodies | elements
     constraints leave it undetermined one of the possible wrenches comes out, and a
     SolveWarning says so once for each joint; see ``model.redundancy(q)``.
 outputs | t q u r z s | ny | as declared | | elements
-    declared outputs, then forces of prescribed motions
+    declared outputs, then ``<joint>.driving_force`` of prescribed joints
     like: y
+element_forces | t q u r tau z s | nforces | N or N m | element forces | elements rare
+    forces of elements by name: along a line or a joint, or on a frame
+    like: forces
+    In the order of ``manifest.element_forces``. Along a line a positive force pulls the ends
+    together; along a joint it pushes the child in the positive direction; on a frame it is
+    [force, moment] at its origin in ground axes. Stops, latches and sticking friction hold
+    under the forces of the model and tau; impulses of impacts are not in it.
 power | t q u r z s | nsources | W | | elements
     power of everything that has no potential, by source
     like: sources

@@ -18,6 +18,7 @@ from .entries import (
     CoordinateRow,
     Entry,
     EventRow,
+    ForceRow,
     LimitRow,
     ModeRow,
     MultiplierRow,
@@ -42,7 +43,16 @@ from .fields import (
     text,
 )
 from .finite_elements import FiniteElements
-from .mechanism import GROUND, BeamRow, BodyRow, CutRow, ForceRow, FrameRow, JointRow, ShapeRow
+from .mechanism import (
+    GROUND,
+    BeamRow,
+    BodyRow,
+    CutRow,
+    ForceElementRow,
+    FrameRow,
+    JointRow,
+    ShapeRow,
+)
 from .rows import SCHEMA, Rows, ends, rows_of
 from .seal import unsealed
 from .tree import Tree
@@ -117,9 +127,12 @@ class Manifest(Record):
     beams: Sequence[BeamRow] = field(
         listed(BeamRow), "pieces of beams between named nodes", default=()
     )
-    forces: Sequence[ForceRow] = field(listed(ForceRow), "force elements", default=())
+    forces: Sequence[ForceElementRow] = field(listed(ForceElementRow), "force elements", default=())
     shapes: Sequence[ShapeRow] = field(listed(ShapeRow), "shapes for pictures", run=())
     outputs: Sequence[OutputRow] = field(listed(OutputRow), run=())
+    element_forces: Sequence[ForceRow] = field(
+        listed(ForceRow), "entries of element_forces: <element>.force and so on", default=()
+    )
     quaternions: Sequence[int] = field(
         listed(count), "entries of q that begin a unit quaternion", run=()
     )

@@ -188,7 +188,7 @@ class BeamRow(Record):
     plane: Plane | None = field(Plane, "of the nodes between", default=None)
 
 
-class ForceRow(Record):
+class ForceElementRow(Record):
     """A force element, for pictures."""
 
     name: str = field(text)

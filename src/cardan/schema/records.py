@@ -59,6 +59,7 @@ FORMS = (
     "stress",
     "mixed",
     "mixed_step",
+    "element_forces",
 )
 # the matrices of a tangent
 PARTS = ("K", "C", "M", "R", "G")

@@ -103,6 +103,9 @@ class Tree(Record):
     treatment: Treatment | None = field(
         Treatment, "absent where nothing binds the tree", default=None
     )
+    locked: Sequence[str] = field(
+        listed(text), "elements that hold a joint in the modes of the start", default=()
+    )
 
     @classmethod
     def read(cls, plain: object, run: bool = False) -> Self:

@@ -186,6 +186,12 @@ class Joint:
     reversed: bool = False
     implicit: bool = False
 
+    @property
+    def driving_output(self) -> tuple[str, str]:
+        """Name and unit of the output of the force that moves it as prescribed."""
+        unit = "N" if self.element.speeds[0].unit == "m/s" else "N*m"
+        return f"{self.name}.driving_force", unit
+
 
 @dataclass(frozen=True)
 class Cut:

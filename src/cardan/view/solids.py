@@ -85,7 +85,9 @@ def _links(motion: TrajectoryRecord) -> dict[str, list[tuple[Array, Array]]]:
             frame_names = [
                 n for n in names if motion.manifest.frames[names.index(n)].body == body.name
             ]
-            tips = [motion.frame_on_body(n)[:3, 3] for n in frame_names] + [_reach(motion, k) * _com(motion, k)]
+            tips = [motion.frame_on_body(n)[:3, 3] for n in frame_names] + [
+                _reach(motion, k) * _com(motion, k)
+            ]
             rows.append((np.zeros(3), max(tips, key=lambda tip: float(np.linalg.norm(tip)))))
     return links
 

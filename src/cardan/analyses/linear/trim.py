@@ -60,7 +60,7 @@ def trim(
         model: The compiled model, in relative coordinates.
         targets: Coordinates, speeds and outputs by name -> the value they are to have.
         free: What may change for that: inputs, parameters, speeds (``"spin.u"``), and forces along
-            speeds (``"elbow.force"``). Coordinates are free anyway.
+            speeds (``"elbow.driving_force"``). Coordinates are free anyway.
         q: Coordinates to start from, by name or (nq,).
         u: Speeds by name, as they stay, or start where they are free; others are 0 or follow.
         inputs, parameters: Values by name, as they stay, or start where they are free.

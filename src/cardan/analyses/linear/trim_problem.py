@@ -18,7 +18,7 @@ from ..systems.dynamic_system import Moment
 from ..systems.joint_system import JointSystem
 from .first_order import FirstOrder, chosen, first_order, unit_force_accelerations
 
-FORCE = ".force"
+FORCE = ".driving_force"
 NAMED, LEADING = 1e6, 1e3  # preference of speeds that are spoken of, and of the others
 SLOW = 1e-4  # of the speed of vibrations by a unit: speeds below which nothing is seen to change
 STEP = 1e-5  # of central differences by what is free: their error of 1e-10 slows no search

@@ -14,7 +14,8 @@ from ...arrays import Array
 from ...errors import ModelError, SolveError, SolveWarning, brief, counted, near, warn
 from ...runtime.calls.calling import numbers
 from ...runtime.models.finite_elements.beam_sections import sections
-from ...runtime.models.wrenches import reaction_part
+from ...runtime.models.wrenches import force_names, force_part, reaction_part
+from ...schema.functions import FUNCTIONS
 from ...schema.rows import column
 from ..systems import dynamic_system_of
 from ..systems.dynamic_system import DynamicSystem, NamedState
@@ -100,7 +101,8 @@ class EquilibriumRecord(NamedState):
     def __getitem__(self, name: str) -> Any:
         """A coordinate, speed, internal state, multiplier or output by name.
 
-        ``<joint>.force`` [N] and ``<joint>.moment`` [N m] (3,) are the reaction of a joint.
+        ``<joint>.force`` [N] and ``<joint>.moment`` [N m] (3,) are the reaction of a joint,
+        ``<element>.force`` and ``<element>.moment`` what a force element exerts, as in a motion.
 
         Raises:
             ModelError: no such value.
@@ -113,9 +115,12 @@ class EquilibriumRecord(NamedState):
             return float(self._called("outputs")[outputs.index(name)])
         if part := reaction_part(name, model.joints):
             return self.reaction(part[0])[part[1]]
-        raise ModelError(
-            f"equilibrium['{name}']: there is no such value.{near(name, [*named, *outputs])}"
-        )
+        rows = model.manifest.element_forces
+        if (entries := force_part(name, rows)) is not None:
+            value = self._called("element_forces")[entries]
+            return float(value) if isinstance(entries, int) else value
+        names = [*named, *outputs, *force_names(rows)]
+        raise ModelError(f"equilibrium['{name}']: there is no such value.{near(name, names)}")
 
     @checked
     def reaction(self, joint: str) -> Array:
@@ -127,7 +132,8 @@ class EquilibriumRecord(NamedState):
         locked, tau = Problem(dynamic_system_of(self.model)).locked_forces(self.point, self.load)
         at = self.point.at
         arguments = {"r": self.load.r, "z": at.z, "s": at.s, "tau": tau if locked else ()}
-        some = {name: value for name, value in arguments.items() if len(value)}
+        reads = FUNCTIONS[function].arguments
+        some = {name: value for name, value in arguments.items() if len(value) and name in reads}
         value: Array = getattr(self.model, function)(*of, self.q, self.u, t=self.t, **some)
         return value
 

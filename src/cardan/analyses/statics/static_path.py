@@ -13,7 +13,7 @@ from ...arguments import checked
 from ...arrays import Array, Integers
 from ...errors import ModelError, SolveWarning, counted, near, warn
 from ...runtime.models.loaded_model import LoadedModel
-from ...runtime.models.wrenches import reaction_part
+from ...runtime.models.wrenches import force_names, force_part, reaction_part
 from ...runtime.trajectory.solver_info import FINISHED
 from ...schema.rows import column
 from .continuation_step import Crossing, Place
@@ -147,9 +147,11 @@ class StaticPathRecord:
             return np.array([row.holding_forces[forces[name]] for row in self.rows])
         model = first.model
         outputs = column(model.manifest.outputs, "name")
-        if name in outputs or reaction_part(name, model.joints):
+        rows = model.manifest.element_forces
+        exerted = force_part(name, rows) is not None
+        if name in outputs or exerted or reaction_part(name, model.joints):
             return np.array([row[name] for row in self.rows])
-        names = [*self.values, *first.named, *outputs, *forces]
+        names = [*self.values, *first.named, *outputs, *force_names(rows), *forces]
         raise ModelError(f"path['{name}']: there is no such history.{near(name, names)}")
 
     @checked

@@ -55,7 +55,8 @@ def trim_arguments(group: argparse._ArgumentGroup) -> None:
     group.add_argument("--target", metavar="NAME=VALUE", type=run_options.named, action="append",
                        default=[], help="coordinate, speed or output with this value")  # fmt: skip
     group.add_argument("--free", metavar="NAME", action="append", default=[],
-                       help="input, parameter, JOINT.force or SPEED that may change")  # fmt: skip
+                       help="input, parameter, SPEED, JOINT.driving_force that may change"
+                       )  # fmt: skip
 
 
 def trim_values(scene: Scene, model: CompiledModel, options: argparse.Namespace) -> dict[str, Any]:
@@ -67,7 +68,8 @@ def trim_values(scene: Scene, model: CompiledModel, options: argparse.Namespace)
     loads_named = loads(scene, model, options)
     if loads_named.pop("locked"):
         raise ModelError(
-            "--lock does not go with --target: make it a target, and give --free JOINT.force"
+            "--lock does not go with --target: make it a target, and give "
+            "--free JOINT.driving_force"
         )
     return {
         **loads_named,

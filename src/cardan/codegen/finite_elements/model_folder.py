@@ -65,6 +65,7 @@ def base(absolute: FiniteElementRecord, functions: Sequence[str]) -> Base:
             power_sources=list(absolute.powers),
             reactions={name: (int(group), int(k)) for name, (group, k) in absolute.joints.items()},
             reaction_frames=_reaction_frames(absolute),
+            forces={name: (int(group), int(k)) for name, (group, k) in absolute.forces.items()},
         ),
     )
     return Base(data, lambda: saved(absolute))

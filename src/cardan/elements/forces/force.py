@@ -26,6 +26,8 @@ from ..internal_states import (
 from ..limits import Limit, judge
 from ..quantity import Direction, Quantity, Units, Value, annotated, quantities_of, take
 
+LINE, JOINT, FRAME = "line", "joint", "frame"
+
 
 class Motion(Protocol):
     """Quantities of the moving system that an element may read; in ground axes unless stated.
@@ -181,6 +183,16 @@ class ForceElement(HasSource, ABC):
     @abstractmethod
     def act(self, at: Places) -> tuple[Action, ...]:
         """Its actions."""
+
+    def acts_on(self) -> tuple[str, str]:
+        """What ``motion["<name>.force"]`` is the force on: ``LINE``, ``JOINT`` or ``FRAME``, and
+        the role of that joint or frame; two empty texts where it exerts none."""
+        if self.straight():
+            return LINE, "a"
+        for what, roles in ((JOINT, self.joints()), (FRAME, self.frames())):
+            if roles:
+                return what, next(iter(roles))
+        return "", ""
 
     def paired(self) -> bool:
         """True when all it does comes in pairs, between its frames or across its joints."""

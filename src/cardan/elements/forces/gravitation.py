@@ -9,7 +9,7 @@ from typing import Any
 from ...errors import ModelError, brief
 from ...ir.matrix import Matrix
 from ..fields import Pull
-from .force import Action, ForceElement, Load, Places, constant
+from .force import FRAME, Action, ForceElement, Load, Places, constant
 
 
 class Gravitation(ForceElement):
@@ -38,6 +38,9 @@ class Gravitation(ForceElement):
 
     def masses(self) -> tuple[Any, ...]:
         return tuple(self.bodies)
+
+    def acts_on(self) -> tuple[str, str]:
+        return FRAME, "body"
 
     def act(self, at: Places) -> tuple[Action, ...]:
         center, body, com = at.frames["center"], at.frames["body"], at.data["com"]

@@ -10,7 +10,7 @@ from ...ir.arithmetic import norm
 from ...ir.matrix import Matrix
 from ..limits import Limit, not_negative
 from ..quantity import RATIO, Direction, Place, Quantity, Units, Value, quantities_of
-from .force import Action, ForceElement, JointLoad, Load, Places, RotorBody, constant
+from .force import FRAME, JOINT, Action, ForceElement, JointLoad, Load, Places, RotorBody, constant
 
 
 @dataclass(frozen=True)
@@ -88,6 +88,11 @@ class Rotor(ForceElement):
 
     def paired(self) -> bool:
         return self.momentum is None
+
+    def acts_on(self) -> tuple[str, str]:
+        if self.speed is not None:
+            return "", ""
+        return (JOINT, "rotor") if self.momentum is None else (FRAME, "frame")
 
     def act(self, at: Places) -> tuple[Action, ...]:
         if self.speed is not None:

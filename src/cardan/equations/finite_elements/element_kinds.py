@@ -22,6 +22,7 @@ from ..functions import event_functions, outputs, residuals
 from ..functions.blocks import blocks
 from ..functions.context import Context
 from ..functions.dynamics import Dynamics
+from ..functions.element_forces import force_of
 from ..functions.functions import WRENCH
 from ..kinematics.joint_forces import driving_force, joint_forces
 from ..kinematics.kinematics import Kinematics
@@ -40,6 +41,7 @@ ABOUT = {
     "zdot": "rates of internal states",
     "reaction": "wrench of parent on child at the child joint frame, in its axes",
     "outputs": "contributions to outputs",
+    "element_forces": "force along a line or a joint, or force and moment on a frame",
 }
 
 
@@ -179,6 +181,7 @@ class _Builder:
             "zdot": self._zdot(),
             "reaction": self._reaction(),
             "outputs": self._outputs(),
+            "element_forces": self._element_forces(),
         }
         return {
             name: results
@@ -291,6 +294,12 @@ class _Builder:
         nodes = list(self.k.resolve([entry.node for entry in self.system.outputs]))
         nodes += [force.node for _, force in self._driving()]
         return (Output("outputs", (len(nodes),), tuple(nodes)),)
+
+    def _element_forces(self) -> tuple[Output, ...]:
+        if not self.part.force:
+            return ()
+        (force,) = self.system.forces
+        return (self._vector("element_forces", force_of(self.k, force)),)
 
     def _power(self) -> tuple[Output, ...]:
         nodes: list[int] = []

@@ -14,6 +14,7 @@ from ...ir.graph import ZERO
 from ...spatial.plane import NORMALS
 from ...topology.system import Cut, Joint, System, joint_lengths
 from ..functions.blocks import parameters
+from ..functions.element_forces import named_forces
 from .blocks import Holds, holds
 from .element_kinds import kind_of, structure
 from .nodal_scene import NODE, Key, Scene
@@ -76,12 +77,12 @@ def _lowered(scene: Scene, normal: int | None) -> FiniteElementRecord:
         groups.append(_group(kind, members, at, rows, system, (results, powers)))
         position += kind.mp * len(members)
         other += (kind.m - kind.mp) * len(members)
-    joints = {
-        part.name: (g, e)
+    numbered = [
+        (part, (g, e))
         for g, (_, members) in enumerate(sorted_parts)
         for e, part in enumerate(members)
-        if part.joint
-    }
+    ]
+    forces = {part.force: at for part, at in numbered}
     if normal is not None:
         check(scene, (*groups, *beams.groups), space | beams.space, normal)
     return FiniteElementRecord(
@@ -89,7 +90,8 @@ def _lowered(scene: Scene, normal: int | None) -> FiniteElementRecord:
         places=Places(names, kinds, every),
         groups=(*groups, *beams.groups),
         frames=_frames(scene, at),
-        joints=joints,
+        joints={part.name: at for part, at in numbered if part.joint},
+        forces={one.name: forces[one.name] for one in named_forces(system) if one.name in forces},
         states=states(scene, bodies),
         results=tuple((name, _unit(system, name)) for name in results),
         powers=tuple(powers),
@@ -246,9 +248,8 @@ def _frames(scene: Scene, at: Mapping[Key, int]) -> Frames:
 
 
 def _unit(system: System, name: str) -> str:
-    """Unit of an output, or of a driving force ``<joint>.force``."""
+    """Unit of an output, or of the driving force of a joint."""
     for entry in system.outputs:
         if entry.name == name:
             return entry.unit
-    joint = next(j for j in system.joints if f"{j.name}.force" == name)
-    return "N" if joint.element.speeds[0].unit == "m/s" else "N*m"
+    return dict(joint.driving_output for joint in system.joints if joint.motion)[name]

@@ -10,6 +10,7 @@ from ...elements.joints.joint import Joint as JointElement
 from ...ir.graph import ZERO
 from ...topology.loops.circuits import circuit
 from ...topology.system import Cut, Force, Named, System
+from ..functions.element_forces import named_forces
 from .element_systems import MOVING_JOINT, Cutting, Mass
 from .nodal_scene import Scene
 
@@ -32,6 +33,7 @@ class Part:
         driven: Prescribed joints of the small system to whose driving force it contributes.
         results: Names of the outputs that it contributes to.
         powers: Names of the powers that it contributes to.
+        force: What its force is called by elements that have one, "" if it has none.
     """
 
     name: str
@@ -44,6 +46,7 @@ class Part:
     driven: tuple[int, ...] = ()
     results: tuple[str, ...] = ()
     powers: tuple[str, ...] = ()
+    force: str = ""
 
 
 def parts(scene: Scene) -> Iterator[Part]:
@@ -57,8 +60,9 @@ def parts(scene: Scene) -> Iterator[Part]:
             yield _joint(scene, i)
     for cut in system.cuts:
         yield _closing(scene, cut) if cut.carrier is None else _joint(scene, cut.carrier)
-    for force in system.forces:
-        yield _force(scene, force)
+    names = {one.number: one.name for one in named_forces(system)}
+    for number, force in enumerate(system.forces):
+        yield _force(scene, force, names.get(number, ""))
     for entry in system.constraints:
         yield _relation(scene, entry)
     for entry in system.outputs:
@@ -98,7 +102,7 @@ def _joint(scene: Scene, i: int) -> Part:
         joint=True,
         reversed_joint=body if joint.reversed else -1,
         driven=(body,) if moved else (),
-        results=(f"{joint.name}.force",) if moved else (),
+        results=(joint.driving_output[0],) if moved else (),
         powers=(f"{joint.name}.motion",) if moved else (),
     )
 
@@ -135,7 +139,7 @@ def _cut(
     )
 
 
-def _force(scene: Scene, force: Force) -> Part:
+def _force(scene: Scene, force: Force, name: str) -> Part:
     cutting, element = Cutting(scene), force.element
     frames = {role: cutting.frame(frame) for role, frame in force.frames.items()}
     joints = {role: cutting.joint(joint) for role, joint in force.joints.items()}
@@ -147,10 +151,10 @@ def _force(scene: Scene, force: Force) -> Part:
             cutting.state(block, first + entry)
     data = cutting.quantities(force.data)
     local_force = Force(element.kind, element, data, frames, joints)
-    names = [scene.system.joints[joint].name for joint in force.joints.values()]
+    originals = [scene.system.joints[joint] for joint in force.joints.values()]
     driven = {
-        number: name
-        for number, name in zip(joints.values(), names, strict=True)
+        number: joint
+        for number, joint in zip(joints.values(), originals, strict=True)
         if cutting.joints[number].motion is not None
     }
     return Part(
@@ -160,8 +164,9 @@ def _force(scene: Scene, force: Force) -> Part:
         cutting.system_of(forces=(local_force,)),
         element.source,
         driven=tuple(driven),
-        results=tuple(f"{name}.force" for name in driven.values()),
-        powers=(force.name, *(f"{name}.motion" for name in driven.values())),
+        results=tuple(joint.driving_output[0] for joint in driven.values()),
+        powers=(force.name, *(f"{joint.name}.motion" for joint in driven.values())),
+        force=name,
     )
 
 

@@ -236,6 +236,7 @@ class FiniteElementRecord:
         groups: The elements.
         frames: Where the frames of the scene are fixed.
         joints: Joints that transmit a reaction -> (group, member) whose ``reaction`` it is.
+        forces: Elements whose forces have names -> (group, member) whose ``element_forces`` it is.
         states: [t, q, u, r, p] of the relative formulation -> [q, u] of this one; a scene whose
             loops are closed there has its constraints kept here.
         results: (name, unit) of the outputs of the scene.
@@ -252,6 +253,7 @@ class FiniteElementRecord:
     frames: Frames = field(repr=False)
     joints: Mapping[str, tuple[int, int]] = field(repr=False)
     states: Function = field(repr=False)
+    forces: Mapping[str, tuple[int, int]] = field(default_factory=dict, repr=False)
     results: tuple[tuple[str, str], ...] = ()
     powers: tuple[str, ...] = ()
     reference: Numbers = field(default_factory=lambda: np.zeros(0), repr=False, compare=False)

@@ -162,8 +162,8 @@ def outputs(c: Context) -> tuple[Output, ...]:
     _give_accelerations(c)
     values = [(o.name, c.k.resolve([o.node])[0], o.unit) for o in system.outputs]
     for i, force in _motion(c).items():
-        unit = "N" if system.joints[i].element.speeds[0].unit == "m/s" else "N*m"
-        values.append((f"{system.joints[i].name}.force", force.node, unit))
+        name, unit = system.joints[i].driving_output
+        values.append((name, force.node, unit))
     return _list("outputs", values)
 
 

@@ -16,6 +16,7 @@ from ..constraints import constraint_functions  # noqa: F401
 from . import blocks, canonical, functions, regressor, residuals, rhs_jacobian  # noqa: F401
 from .context import RECIPES as RECIPES
 from .derivatives import request_of
+from .element_forces import named_forces
 
 # characters of a C name before it is cut
 LONGEST = 80
@@ -110,6 +111,8 @@ def _unmet(system: System, name: str, need: str) -> str:
             f"({pulls[0].element.kind}) acts on masses where their centers are, and is not linear "
             "in first moments and inertias. Take the force out to identify the bodies"
         )
+    if need == "element forces" and not any(named_forces(system)):
+        return f"function '{name}' is one of systems with force elements; '{system.name}' has none"
     if need == "events" and not system.events:
         return (
             f"function '{name}' is one of systems with events; nothing in '{system.name}' has any"

@@ -15,6 +15,7 @@ from ...topology.system import Force
 from .kinematics import Kinematics
 from .paths import into_body
 
+NOTHING: Mapping[str, Matrix] = {}
 # body -> (torque, force), (3, 1) each, at its origin in its axes
 Wrenches: TypeAlias = "dict[int, tuple[Matrix, Matrix]]"
 
@@ -92,7 +93,7 @@ def summed(
         kind = force.element.kind
         k.graph.describe(type(force.element), kind)
         with k.graph.made_by(force.name, kind):
-            for action in _actions(k, force, overrides):
+            for action in actions(k, force, overrides):
                 counted = stored or action.potential is None
                 for load in action.loads if counted else ():
                     frame = k.system.frames[load.frame]
@@ -127,7 +128,10 @@ def places(k: Kinematics, force: Force) -> Places:
     return Places(k, _data(k, force), force.frames, force.joints, z, s, reaction_atom)
 
 
-def _actions(k: Kinematics, force: Force, overrides: Mapping[str, Matrix]) -> tuple[Action, ...]:
+def actions(
+    k: Kinematics, force: Force, overrides: Mapping[str, Matrix] = NOTHING
+) -> tuple[Action, ...]:
+    """Everything that an element does, with given numbers in place of its own quantities."""
     at = places(k, force)
     try:
         return force.element.act(replace(at, data={**at.data, **overrides}))

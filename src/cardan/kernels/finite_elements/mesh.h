@@ -30,6 +30,7 @@ enum {
     CARDAN_STRESS,   /* resultants and strains along an element */
     CARDAN_MIXED,    /* balance (nu) and K (nu, nu) with unknowns of its own that are not settled */
     CARDAN_MIXED_STEP, /* these after the increment du */
+    CARDAN_ELEMENT_FORCES, /* along a line or a joint, or the wrench on a frame */
     CARDAN_FORMS
 };
 
@@ -87,7 +88,7 @@ typedef struct cardan_mesh {
     ptrdiff_t work;            /* numbers that the largest work of an element takes, per lane */
     ptrdiff_t local;           /* numbers that the largest element reads and gives, per lane */
     ptrdiff_t powers, driven;  /* sources of power; 1: some of them are multipliers' */
-    ptrdiff_t outputs;         /* of the scene */
+    ptrdiff_t outputs, solved; /* of the scene; 1: some of them read udot or multipliers */
 } cardan_mesh;
 
 /* What the elements are asked at. */

@@ -157,12 +157,21 @@ static int summed(const cardan_mesh *mesh, const cardan_state *at, int form, ptr
     return cardan_mesh_each(mesh, at, form, add, &total, work);
 }
 
+/* Accelerations and driving forces are those under the forces of the scene. */
 int cardan_mesh_call_outputs(const cardan_in *in, real *out, real *work)
 {
     const cardan_mesh *mesh = cardan_mesh_of(in);
-    const cardan_state at = cardan_state_of(in);
+    real *solution = work + cardan_mesh_call_work(mesh) - mesh->nu - mesh->m;
+    cardan_state at = cardan_state_of(in);
+    int status = 0;
 
-    return summed(mesh, &at, CARDAN_OUTPUTS, mesh->outputs, out, work);
+    if (mesh->solved) {
+        at.udot = at.lam = NULL;
+        status = cardan_mesh_accelerations(mesh, &at, NULL, solution, work);
+        at.udot = solution;
+        at.lam = solution + mesh->nu;
+    }
+    return status != 0 ? status : summed(mesh, &at, CARDAN_OUTPUTS, mesh->outputs, out, work);
 }
 
 /* Of every source (powers); driven joints give that of their multipliers, which are solved for. */

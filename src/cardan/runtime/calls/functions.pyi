@@ -579,7 +579,7 @@ class Functions(Evaluation, metaclass=ABCMeta):
         parameters: Values | None = None,
         out: Array | None = None,
     ) -> Array:
-        """Declared outputs, then forces of prescribed motions.
+        """Declared outputs, then ``<joint>.driving_force`` of prescribed joints.
 
         Args:
             q: coordinates, (..., nq)
@@ -593,6 +593,41 @@ class Functions(Evaluation, metaclass=ABCMeta):
 
         Returns:
             (..., ny) [as declared]
+        """
+
+    def element_forces(
+        self,
+        q: State,
+        u: State,
+        *,
+        tau: State | None = None,
+        r: State | None = None,
+        z: State | None = None,
+        s: State | None = None,
+        t: ArrayLike = 0.0,
+        parameters: Values | None = None,
+        out: Array | None = None,
+    ) -> Array:
+        """Forces of elements by name: along a line or a joint, or on a frame.
+
+        In the order of ``manifest.element_forces``. Along a line a positive force pulls the ends
+        together; along a joint it pushes the child in the positive direction; on a frame it is
+        [force, moment] at its origin in ground axes. Stops, latches and sticking friction hold
+        under the forces of the model and tau; impulses of impacts are not in it.
+
+        Args:
+            q: coordinates, (..., nq)
+            u: speeds, (..., nu)
+            tau: generalized applied forces, (..., nu); by default none
+            r: inputs, (..., nr); by default those of the model
+            z: internal states of elements, (..., nz); by default those at the start
+            s: modes of elements, (..., ns); by default those at the start
+            t: time [s], (...)
+            parameters: name -> value (...); by default those of the model
+            out: array that is filled and returned
+
+        Returns:
+            (..., nforces) [N or N m]
         """
 
     def power(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike
 
 from ...arrays import Array
 from ...errors import ArgumentError, ModelError, named, near
+from ...schema.entries import ForceRow
 from ..calls.calling import numbers
 
 if TYPE_CHECKING:
@@ -94,6 +95,27 @@ def by_part(model: Evaluation, wrenches: Mapping[str, ArrayLike], q: Any, **rest
     for part, row in rows.items():
         result[..., parts.index(part), :] = row
     return result
+
+
+def force_part(name: str, rows: Sequence[ForceRow]) -> int | slice | None:
+    """Entry or entries of ``element_forces`` that ``<element>.force`` or ``.moment`` names.
+
+    Args:
+        rows: Of the manifest.
+    """
+    names = [row.name for row in rows]
+    if name in names:
+        return names.index(name)
+    places = [k for k, one in enumerate(names) if one.rpartition(".")[0] == name]
+    return slice(places[0], places[-1] + 1) if places else None
+
+
+def force_names(rows: Sequence[ForceRow]) -> list[str]:
+    """What may be asked for by name: forces and moments as a whole."""
+    parts = (row.name.removeprefix(f"{row.element}.").partition(".")[0] for row in rows)
+    return list(
+        dict.fromkeys(f"{row.element}.{part}" for row, part in zip(rows, parts, strict=True))
+    )
 
 
 def reaction_part(name: str, joints: Collection[str]) -> tuple[str, slice] | None:

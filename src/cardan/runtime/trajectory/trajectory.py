@@ -16,7 +16,7 @@ from ...notebooks import html
 from ...schema.manifest import Manifest
 from ..calls.methods import Energy
 from ..models.finite_elements.beam_sections import sections
-from ..models.wrenches import reaction_part
+from ..models.wrenches import force_names, force_part, reaction_part
 from . import dependent_joints
 from .closure_errors import Ledger, multipliers_of, residuals_of
 from .dense_output import Dense
@@ -172,7 +172,10 @@ class TrajectoryRecord:
         """History of a coordinate, speed, state of an element, input, output or multiplier.
 
         ``<joint>.force`` [N] and ``<joint>.moment`` [N m] (nt, 3) are the reaction of a joint, see
-        :meth:`reaction`. Shape (nt,), (nt, n) for several.
+        :meth:`reaction`. ``<element>.force`` is what a force element exerts: along its line
+        (positive: it pulls the ends together) or its joint (nt,), else the force on its first frame
+        (nt, 3) in ground axes, with ``<element>.moment`` about the origin of that frame. Shape
+        (nt,), (nt, n) for several.
 
         Raises:
             ModelError: no such name.
@@ -195,8 +198,15 @@ class TrajectoryRecord:
                 return table[:, names.index(name)]
         if self.model is not None and (part := reaction_part(name, self.model.joints)):
             return self.reaction(part[0])[:, part[1]]
-        forces = [row.name for row in self.manifest.multipliers]
-        histories = [*self._places, *follow, *self._outputs, *forces]
+        rows = self.manifest.element_forces
+        if (entries := force_part(name, rows)) is not None:
+            model = self._model(f"'{name}'")
+            forces: Array = model.element_forces(
+                self.q, self.u, t=self.t, r=self._r, **self._arguments
+            )
+            return forces[:, entries]
+        multipliers = [row.name for row in self.manifest.multipliers]
+        histories = [*self._places, *follow, *self._outputs, *force_names(rows), *multipliers]
         raise ModelError(f"motion['{name}']: there is no such history.{near(name, histories)}")
 
     @cached_property

@@ -75,6 +75,8 @@ def _unknown(trial: Trial, name: str) -> str:
         return SINGULAR
     if reference.f is None and name in (*SOLVED, "inverse_dynamics"):
         return "the forces of the model are not saved"
+    if name in SOLVED and trial.model.manifest.scene.locked:
+        return f"'{trial.model.manifest.scene.locked[0]}' holds a joint from the start"
     if name in SOLVED and treatment and not treatment.exact:
         return f"constraints treated by '{treatment.name}' give way"
     if name == "multipliers" and not trial.knows("constraint_jacobian"):

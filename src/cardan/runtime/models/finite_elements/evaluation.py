@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from functools import partial
+from itertools import groupby
 from math import prod
 from typing import TYPE_CHECKING, Any
 
@@ -40,9 +41,11 @@ class Results:
         self.frames = Frames.of(model)
         outputs = [row.name for row in self.manifest.outputs]
         lam = model.multipliers_of
+        forces = [row.name for row in self.manifest.element_forces]
         self._names: dict[str, Sequence[str]] = {
             **{"q": model.coordinates, "u": model.speeds, "z": model.internals, "lam": lam},
             **{"positions": lam[: mesh.tables.mp], "y": outputs, "sources": mesh.tables.powers},
+            "forces": forces,
         }
         # q as it is moved comes without its tangent
         self._counts = {f"n{name}": len(entries) for name, entries in self._names.items()}
@@ -200,6 +203,19 @@ class Results:
     def outputs(self, inputs: Inputs) -> Array:
         """The declared outputs (ny,), in their units."""
         return self.mesh.call("outputs", self._at(inputs), self.tables.outputs)
+
+    def element_forces(self, inputs: Inputs) -> Array:
+        """Forces of elements by name (nforces,) [N or N m]."""
+        form, groups = "element_forces", self.tables.groups
+        having = [k for k, group in enumerate(groups) if form in group.kind.functions]
+        results = dict(zip(having, self.mesh.results(form, self._at(inputs)), strict=True))
+        places, values = self.manifest.elements.forces, list[float]()
+        for name, rows in groupby(self.manifest.element_forces, lambda row: row.element):
+            group, member = places.get(name, (-1, 0))
+            # elements that never exert any have no function
+            zeros = [0.0] * len(list(rows))
+            values += results[group][member].tolist() if group in results else zeros
+        return np.array(values)
 
     def _of_member(self, form: str, name: str, at: State) -> Array:
         """The result of one element of the scene."""

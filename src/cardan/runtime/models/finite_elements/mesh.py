@@ -40,7 +40,7 @@ NEEDED = {
     "close_velocity": ("balance", "balance_tangent"),
     "energy": ("energy",),
     "power": ("power", *SOLVED),
-    "outputs": ("outputs",),
+    "outputs": ("outputs", *SOLVED),
     "momentum": ("momentum",),
     "qdot": (),
     "move": (),

@@ -83,7 +83,14 @@ def mesh_fields(tables: Tables, entries: Mapping[str, FunctionRow]) -> Fields:
         "powers": len(tables.powers),
         "driven": int(tables.driven),
         "outputs": tables.outputs,
+        "solved": int(any(_reads_solution(group.kind, entries) for group in tables.groups)),
     }
+
+
+def _reads_solution(kind: ElementKind, entries: Mapping[str, FunctionRow]) -> bool:
+    """True when outputs of a kind depend on accelerations or multipliers."""
+    symbol = kind.functions.get("outputs")
+    return symbol is not None and not {"udot", "lam"}.isdisjoint(entries[symbol].inputs)
 
 
 def _local(kind: ElementKind, entries: Mapping[str, FunctionRow]) -> int:

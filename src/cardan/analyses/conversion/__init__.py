@@ -1,0 +1,1 @@
+"""States in the coordinates and speeds of other programs."""
