@@ -246,7 +246,7 @@ def test_night_phone_and_still(browser: Any, file: str) -> None:
 def test_every_control_has_a_name(shown: Shown) -> None:
     unnamed = shown.page.evaluate(
         """() => [...document.querySelectorAll("button, input, select, canvas")].filter((x) =>
-           !(x.getAttribute("aria-label") || x.textContent.trim() || x.getAttribute("aria-hidden")
+           !(x.getAttribute("aria-label") || x.textContent.trim() || x.closest("[aria-hidden]")
              || x.closest("label")?.textContent.trim())).map((x) => x.id)"""
     )
     assert unnamed == []

@@ -19,7 +19,7 @@ from .solids import Solid
 # steps of lengths, turns and curves against the size of what is shown
 FINE, TURN, CURVE = 1e-5, 1e-5, 1e-4
 # triangles of a page unless a user asks for all of them
-MOST_TRIANGLES = 80_000
+MOST_TRIANGLES = 200_000
 ROUND = 24  # corners of a round section
 
 

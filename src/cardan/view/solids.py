@@ -16,12 +16,12 @@ from .packing import JsonObject
 # as a page has it
 Solid = JsonObject
 THICK = 0.055  # radius of a drawn link, relative to the mean length of the links
-TAPER = 0.7
-UNLINKED = (
-    "free",
-    "planar",
-    "translation",
-)  # joints that hold nothing together: no link leads to them
+TAPER = 0.8
+UNLINKED = ("free", "planar", "translation")
+TURNING = ("revolute", "cylindrical", "screw")
+DARK = {
+    "color": [0.25, 0.28, 0.33, 1.0]
+}  # joints that hold nothing together: no link leads to them
 
 
 @dataclass(frozen=True)
@@ -53,13 +53,31 @@ def bodies(motion: TrajectoryRecord) -> tuple[list[DrawnBody], list[Solid]]:
         name = str(body.name)
         frame = next(r.name for r in manifest.frames if r.body == body.name)
         solids = _shapes(motion, name)
-        bare = [link(a, b, radius) for a, b in links[name]]
-        bare += _center(motion, k, links[name], radius)
+        pins = _pins(motion, k, radius)
+        bare = [link(a, b, radius, joint=not pins) for a, b in links[name]]
+        bare += pins + _cuts(motion, name, radius) + _center(motion, k, links[name], radius)
         poses = motion.pose(frame) @ inverse(motion.frame_on_body(frame))
         drawn.append(DrawnBody(name, solids or bare, bare, poses))
     # thinner than what turns about it, which then covers its end
     ground = _shapes(motion, "ground") or [link(a, b, 0.8 * radius) for a, b in links["ground"]]
     return drawn, ground
+
+
+def _pins(motion: TrajectoryRecord, k: int, radius: float) -> list[Solid]:
+    """The pin about which a body turns, along its axis; none of other joints."""
+    if motion.manifest.joints[k].kind not in TURNING:
+        return []
+    axis = np.reshape(motion.scene["axis"], (-1, 3))[k]
+    half = 1.5 * radius * axis / float(np.linalg.norm(axis))
+    return [{"kind": "cylinder", "a": short(-half), "b": short(half), "r": 1.2 * radius, **DARK}]
+
+
+def _cuts(motion: TrajectoryRecord, body: str, radius: float) -> list[Solid]:
+    """Balls where joints that close loops sit on a body."""
+    owners = {row.name: row.body for row in motion.manifest.frames}
+    frames = [row.child_frame for row in motion.manifest.cuts]
+    places = [motion.frame_on_body(one)[:3, 3] for one in frames if owners.get(one) == body]
+    return [{"kind": "sphere", "a": short(at), "r": 1.3 * radius, **DARK} for at in places]
 
 
 def _bodies(manifest: Manifest) -> list[tuple[int, BodyRow]]:
@@ -78,6 +96,9 @@ def _links(motion: TrajectoryRecord) -> dict[str, list[tuple[Array, Array]]]:
     for k, body in bodies:
         if manifest.joints[k].kind not in UNLINKED and body.parent in links:
             links[str(body.parent)].append((np.zeros(3), position[k]))
+    # the ground has no joint of its own to begin at
+    anchors = [end for _, end in links["ground"]]
+    links["ground"] = [(anchors[0], end) for end in anchors[1:] or anchors] if anchors else []
     for k, body in bodies:
         rows = links[str(body.name)]
         if not rows or all(np.linalg.norm(b) == 0 for _, b in rows):
@@ -107,10 +128,10 @@ def _com(motion: TrajectoryRecord, k: int) -> Array:
     return np.asarray(moment / mass if mass else np.zeros(3))
 
 
-def link(a: Array, b: Array, radius: float) -> Solid:
-    """A rod that gets thinner from the inboard joint on, with a ball at the joint."""
+def link(a: Array, b: Array, radius: float, joint: bool = True) -> Solid:
+    """A rod that gets thinner from the inboard joint on, perhaps with a ball at the joint."""
     ends = {"a": short(a), "b": short(b), "r": radius, "end": TAPER * radius}
-    return {"kind": "link", **ends, "joint": True, "color": None}
+    return {"kind": "link", **ends, "joint": joint, "color": None}
 
 
 def _center(

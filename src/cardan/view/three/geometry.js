@@ -1,7 +1,7 @@
 // Solids, meshes, beams, springs and arrows as things of three.
 
 import {
-  BoxGeometry, BufferAttribute, BufferGeometry, Color, ConeGeometry, CylinderGeometry, DoubleSide, Group, Matrix4, Mesh,
+  BackSide, BoxGeometry, BufferAttribute, BufferGeometry, Color, ConeGeometry, CylinderGeometry, DoubleSide, Group, Matrix4, Mesh,
   MeshStandardMaterial, Quaternion, SphereGeometry, Vector3,
 } from "three";
 import { toCreasedNormals } from "three/examples/jsm/utils/BufferGeometryUtils.js";
@@ -15,7 +15,7 @@ export function material(color, more = {}) {
   const key = `${color}${JSON.stringify(more)}`;
   if (!materials.has(key)) {
     // black shows no shape: the darkest is a dark gray
-    const rgb = typeof color === "string" ? new Color(color) : new Color().setRGB(...color.slice(0, 3).map((x) => 0.13 + 0.87 * x), "srgb");
+    const rgb = typeof color === "string" ? new Color(color) : new Color().setRGB(...color.slice(0, 3).map((x) => 0.17 + 0.83 * x), "srgb");
     const alpha = typeof color === "string" || color.length < 4 ? 1 : color[3];
     materials.set(key, new MeshStandardMaterial({ color: rgb, roughness: 0.42, metalness: 0.05, opacity: alpha, transparent: alpha < 1, ...more }));
   }
@@ -84,7 +84,7 @@ const makers = {
 // bodies that meet do not flicker: each lies a little behind the one before
 export function solid(s, color, layer = 0) {
   const behind = { polygonOffset: true, polygonOffsetFactor: layer % 8, polygonOffsetUnits: layer % 8 };
-  const paint = material(s.color || color, s.kind === "mesh" ? { side: DoubleSide } : behind);
+  const paint = material(s.color || color, s.kind === "mesh" ? { side: DoubleSide, shadowSide: BackSide } : behind);
   return makers[s.kind](s, paint);
 }
 

@@ -13,6 +13,7 @@ const element = (tag, more = {}, ...children) => {
   made.append(...children);
   return made;
 };
+const AXES = ["#d0434f", "#2f9e55", "#2f6fde"];
 const GREY = "#8a919d";
 const LAYERS = { reactions: "#e08700", forces: "#c2255c", contacts: "#c2255c" };
 
@@ -91,6 +92,7 @@ class Page {
     const ground = feet < base - 0.2 * size(cloud) ? feet : base;
     stage.frame(cloud, { below: lowest(cloud) - 0.04 * size(cloud), ground }[data.floor] ?? data.floor);
     const unit = stage.size;
+    if (stage.floor) $("cell").textContent = `grid ${short(stage.cell)} m`;
     this.triads = this.bodies.map((group) => {
       const axes = triad(0.12 * unit, 0.004 * unit);
       axes.visible = false;
@@ -279,10 +281,27 @@ class Page {
     this.dirty = false;
     const [i, k] = this.place();
     this.stage.draw();
+    this.axes();
     if (this.strip) this.strip.draw(this.now, i, k);
     $("time").value = this.now;
     $("time").setAttribute("aria-valuetext", this.clock());
     $("clock").textContent = this.clock();
+  }
+
+  // the directions x, y, z in a corner
+  axes() {
+    const canvas = $("axes"), pen = canvas.getContext("2d"), turn = this.stage.camera.quaternion.clone().invert();
+    pen.clearRect(0, 0, 128, 128);
+    pen.lineWidth = 5;
+    pen.font = "600 24px system-ui, sans-serif";
+    pen.textAlign = "center";
+    pen.textBaseline = "middle";
+    const ends = ["x", "y", "z"].map((name, k) => [name, new Vector3().setComponent(k, 1).applyQuaternion(turn), AXES[k]]);
+    for (const [name, end, color] of ends.sort((a, b) => a[1].z - b[1].z)) {
+      pen.strokeStyle = pen.fillStyle = color;
+      pen.beginPath(); pen.moveTo(64, 64); pen.lineTo(64 + 38 * end.x, 64 - 38 * end.y); pen.stroke();
+      pen.fillText(name, 64 + 54 * end.x, 64 - 54 * end.y);
+    }
   }
 
   // hands
@@ -347,7 +366,7 @@ class Page {
     for (const name of Object.keys(LAYERS)) if (data.arrows.some((a) => a.layer === name)) layer(name, (on) => { this.layers[name] = on; });
     if (data.springs.length) layer("springs", (on) => this.springs.forEach((s) => { s.removeFromParent(); if (on) this.stage.scene.add(s); }));
     if (data.scale) layer(data.scale.kind, (on) => { this.stress = on; $("scale").hidden = !on; });
-    if (this.stage.floor) layer("floor", (on) => { this.stage.floor.plane.visible = this.stage.floor.grid.visible = on; });
+    if (this.stage.floor) layer("floor", (on) => { $("cell").hidden = !on; this.stage.floor.plane.visible = this.stage.floor.grid.visible = on; });
     $("follow").add(new Option("nothing", ""));
     this.named.forEach((thing, k) => {
       const body = k < this.bodies.length;

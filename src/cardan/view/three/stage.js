@@ -63,7 +63,7 @@ export class Stage {
     this.size = Math.max(...new Vector3().subVectors(high, low).toArray(), 1e-9);
     const size = this.size;
     Object.assign(this.sun.shadow.camera, { left: -1.4 * size, right: 1.4 * size, top: 1.4 * size, bottom: -1.4 * size, near: 0.05 * size, far: 8 * size });
-    this.sun.shadow.normalBias = 0.006 * size;
+    this.sun.shadow.normalBias = 0.01 * size;
     const side = this.side();
     const slant = side.clone().multiplyScalar(0.9).addScaledVector(new Vector3().crossVectors(this.up, side), -0.7).addScaledVector(this.up, 2.2);
     this.sun.position.copy(this.center).addScaledVector(slant, 1.5 * size);
@@ -79,6 +79,7 @@ export class Stage {
     plane.geometry = new PlaneGeometry(40 * size, 40 * size);
     grid.geometry = plane.geometry;
     this.grid.uniforms.cell.value = cell;
+    this.cell = cell;
     this.grid.uniforms.far.value = 4.5 * size;
   }
 
