@@ -37,7 +37,7 @@ for name in missing.split():
 SYSTEMS = pytest.mark.parametrize(
     "system", [POSIX, NEITHER, WINDOWS], ids=["posix", "neither", "windows"]
 )
-SCENE = Path(__file__).parents[2] / "examples" / "double_pendulum.yaml"
+SCENE = Path(__file__).parents[2] / "src" / "cardan" / "scenes" / "double_pendulum.yaml"
 
 HOLD = """
 import os, sys
