@@ -11,7 +11,7 @@ here, out = Path(__file__).parent, Path("out/scene_file")
 out.mkdir(parents=True, exist_ok=True)
 
 # The file says what 01_double_pendulum.py says, in the same words. So it becomes the same C.
-file = here / "double_pendulum.yaml"
+file = cd.examples.path("double_pendulum")
 scene = cd.load(file)
 print(scene)
 
@@ -29,7 +29,7 @@ except cd.ModelError as problem:
     print(problem)
 
 # Machines are made of parts: the trolley carries the same bucket twice, one with more load.
-trolley = cd.load(here / "trolley.yaml")
+trolley = cd.examples["trolley"]
 model = cd.compile(trolley)
 swinging = model.simulate(**trolley.settings)
 print("coordinates:", *model.coordinates)

@@ -1,6 +1,6 @@
 """A riderless bicycle: two wheels that roll without sliding, stable at some speeds.
 
-The scene is ``bicycle.yaml``. Run it anywhere; it writes into ``out/bicycle``.
+The scene is ``cd.examples["bicycle"]``. Run it anywhere; it writes into ``out/bicycle``.
 """
 
 from pathlib import Path
@@ -9,10 +9,10 @@ import numpy as np
 
 import cardan as cd
 
-here, out = Path(__file__).parent, Path("out/bicycle")
+out = Path("out/bicycle")
 out.mkdir(parents=True, exist_ok=True)
 
-scene = cd.load(here / "bicycle.yaml")
+scene = cd.examples["bicycle"]
 equations = cd.derive(scene)
 print(equations)
 model = cd.compile(equations)

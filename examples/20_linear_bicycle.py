@@ -1,8 +1,8 @@
 """The linear bicycle as formulas: M, C1, K0 and K2 with the speed as a symbol.
 
-The scene is ``bicycle.yaml``, with two wheels that roll without sliding. Nothing is compiled until
-the end, where the nonlinear bicycle is asked for the same. Run it anywhere; it writes into
-``out/linear_bicycle``.
+The scene is ``cd.examples["bicycle"]``, with two wheels that roll without sliding. Nothing is
+compiled until the end, where the nonlinear bicycle is asked for the same. Run it anywhere; it
+writes into ``out/linear_bicycle``.
 """
 
 from pathlib import Path
@@ -12,10 +12,10 @@ import sympy as sp
 
 import cardan as cd
 
-here, out = Path(__file__).parent, Path("out/linear_bicycle")
+out = Path("out/linear_bicycle")
 out.mkdir(parents=True, exist_ok=True)
 
-scene = cd.load(here / "bicycle.yaml")
+scene = cd.examples["bicycle"]
 equations = cd.derive(scene)
 v = sp.Symbol("v")
 

@@ -24,6 +24,7 @@ __version__ = VERSION
 _PUBLIC: dict[str, str] = {
     "Scene": "api.scene",
     "load": "scene",
+    "examples": "api.examples",
     "from_dh": "scene.dh",
     "from_sympy": "scene.sympy_import",
     "t": "scene",

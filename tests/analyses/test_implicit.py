@@ -12,7 +12,7 @@ from laws.circuits import compiled, start
 from mechanisms.closed import CLOSED
 from table import each
 
-BICYCLE = Path(__file__).parents[2] / "examples" / "bicycle.yaml"
+BICYCLE = Path(__file__).parents[2] / "src" / "cardan" / "scenes" / "bicycle.yaml"
 
 
 @each("index", [3, 2, 1])

@@ -40,7 +40,7 @@ def trolley() -> cd.Scene:
 
 @pytest.fixture(scope="module")
 def bicycle() -> cd.CompiledModel:
-    return cd.compile(cd.load(HERE.parents[1] / "examples" / "bicycle.yaml"))
+    return cd.compile(cd.load(HERE.parents[1] / "src" / "cardan" / "scenes" / "bicycle.yaml"))
 
 
 @pytest.fixture(scope="module")

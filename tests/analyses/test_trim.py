@@ -14,7 +14,7 @@ import pytest
 import cardan as cd
 
 REFERENCES = Path(__file__).parents[1] / "references"
-BICYCLE = REFERENCES.parents[1] / "examples" / "bicycle.yaml"
+BICYCLE = REFERENCES.parents[1] / "src" / "cardan" / "scenes" / "bicycle.yaml"
 G = 9.81
 COIN = json.loads((REFERENCES / "coin_steady.json").read_text("utf-8"))
 

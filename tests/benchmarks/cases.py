@@ -14,7 +14,7 @@ from mechanisms.robots import STANDARD
 FORWARD, INVERSE, MASS, DERIVATIVES = (
     "forward_dynamics", "inverse_dynamics", "mass_matrix", "derivatives",
 )  # fmt: skip
-BICYCLE = Path(__file__).parents[2] / "examples" / "bicycle.yaml"
+BICYCLE = Path(__file__).parents[2] / "src" / "cardan" / "scenes" / "bicycle.yaml"
 ALL = (FORWARD, INVERSE, MASS, DERIVATIVES)
 
 

@@ -163,7 +163,7 @@ def test_defaults_are_those_of_python(capsys: pytest.CaptureFixture[str]) -> Non
 
 
 def test_simulate_says_how_well_constraints_are_kept(capsys: pytest.CaptureFixture[str]) -> None:
-    bicycle = str(ARM.with_name("bicycle.yaml"))
+    bicycle = "bicycle"
     assert status("simulate", bicycle, "--time", "0.1", "--json") == 0
     residuals = json.loads(capsys.readouterr().out)["residuals"]
     assert set(residuals) == {"position", "velocity"}

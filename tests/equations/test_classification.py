@@ -9,7 +9,7 @@ import sympy
 import cardan as cd
 from mechanisms.closed import four_bar
 
-BICYCLE = Path(__file__).parents[2] / "examples" / "bicycle.yaml"
+BICYCLE = Path(__file__).parents[2] / "src" / "cardan" / "scenes" / "bicycle.yaml"
 
 
 def kinds(scene: cd.Scene) -> dict[str, tuple[str, bool, bool]]:

@@ -94,7 +94,7 @@ def test_refusals_name_the_culprit(asked: dict, said: str) -> None:
 def test_the_benchmark_bicycle() -> None:
     # Meijaard et al.: M y'' + v C1 y' + (g K0 + v² K2) y = f with the speed as a symbol
     v = sp.Symbol("v")
-    equations = cd.derive(cd.load(ROOT / "examples/bicycle.yaml"))
+    equations = cd.derive(cd.load(ROOT / "src/cardan/scenes/bicycle.yaml"))
     wanted = ["rear_contact.lean", "steer"]
     straight = equations.linearize(u={"rear_contact.x": v}, independent=[*wanted, "rear_contact.x"])
     assert straight.needed == {}

@@ -31,7 +31,7 @@ UNITS = {"g": "m/s^2", "lam": "rad"} | {
 
 
 def scene() -> cd.Scene:
-    """The bicycle of ``examples/bicycle.yaml`` with a symbol for every number; z points up here.
+    """The bicycle of ``cd.examples["bicycle"]`` with a symbol for every number; z points up here.
 
     Turning the axes by pi about x changes the signs of y, z and of products with x: what stands in
     the scene as -zB or -IBxz is zB and IBxz of the paper.

@@ -37,7 +37,7 @@ BLOCKS = re.findall(r"```yaml\n(.*?)```", TEXT, flags=re.DOTALL)
 
 
 def test_the_blocks_are_one_scene(tmp_path: Path) -> None:
-    shutil.copy(ROOT / "examples" / "bucket.yaml", tmp_path)
+    shutil.copy(ROOT / "src" / "cardan" / "scenes" / "bucket.yaml", tmp_path)
     path = tmp_path / "page.yaml"
     path.write_text("".join(BLOCKS), encoding="utf-8")
     scene = cd.load(path)

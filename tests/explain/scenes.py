@@ -16,9 +16,11 @@ import pytest
 
 import cardan as cd
 
+# files of the package whose C and pages are looked at; the others are like a script
+FILES = [cd.examples.path(n) for n in ("bicycle", "bucket", "double_pendulum", "trolley")]
 EXAMPLES = sorted(
     path
-    for path in (Path(__file__).parents[2] / "examples").iterdir()
+    for path in (*(Path(__file__).parents[2] / "examples").iterdir(), *FILES)
     if path.suffix in (".py", ".yaml", ".urdf")
 )
 # pages that take a second or more, and scenes that another example has already

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 import sympy
@@ -13,8 +11,6 @@ from analyses.interpreted import without_compiler
 from cardan.runtime.sparse.pattern import pattern
 from cardan.runtime.sparse.stages import stages
 from table import each
-
-EXAMPLES = Path(__file__).parents[2] / "examples"
 
 
 def satellite(torque: float = 0.05, **beam: str) -> cd.CompiledModel:
@@ -50,7 +46,7 @@ def test_b1_energy_momentum_keeps_the_momenta_of_hub_wheel_and_panel() -> None:
 
 def test_b1_a_bicycle_on_nodes_runs_at_tight_tolerances() -> None:
     """The same order of elimination: rows of the rear hub went with the heavier frame."""
-    scene = cd.load(EXAMPLES / "bicycle.yaml")
+    scene = cd.examples["bicycle"]
     model = cd.compile(scene, coordinates="absolute")
     for rtol in (1e-6, 1e-8, 1e-9):
         settings = scene.settings | {"t": 0.5, "rtol": rtol, "method": "GeneralizedAlpha"}

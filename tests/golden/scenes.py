@@ -8,7 +8,7 @@ import cardan as cd
 from cardan.codegen.layout import HEADERS
 from cardan.schema import kernel_files
 from cardan.schema.seal import sealed, unsealed
-from explain.scenes import scene_of
+from explain.scenes import FILES, scene_of
 
 __all__ = ["EXAMPLES", "FLEXIBLE", "FUNCTIONS", "ROOT", "scene_of", "written"]
 
@@ -19,7 +19,7 @@ HAPPENING = ("events", "transition")
 # no scene changes: one of them shows it
 EXAMPLES = sorted(
     path
-    for path in (ROOT / "examples").iterdir()
+    for path in (*(ROOT / "examples").iterdir(), *FILES)
     if path.suffix in (".py", ".yaml", ".urdf") and "scene.beam(" not in path.read_text("utf-8")
 )
 FLEXIBLE = ROOT / "examples" / "17_flexible_pendulum.py"

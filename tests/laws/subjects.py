@@ -304,7 +304,7 @@ def _functions() -> Iterator[Call]:
                 yield _needed((f"{module.__name__}.{name}", function, {}), defaults)
     yield "material", cd.material, {"E": 1.0, "nu": 0.3}
     yield "table", cd.table, {"x": (0, 1, 2), "y": (0, 1, 4)}
-    yield "load", cd.load, {"path": "examples/double_pendulum.yaml"}
+    yield "load", cd.load, {"path": "src/cardan/scenes/double_pendulum.yaml"}
     yield "load_motion", cd.load_motion, {"path": "/no/such/file"}
     yield "load_model", cd.load_model, {"directory": "/no/such/folder"}
     yield "from_dh", cd.from_dh, {"rows": [{"a": 1.0, "alpha": 0.0, "d": 0.0}]}

@@ -16,7 +16,7 @@ from spread import some
 pytestmark = pytest.mark.optimized
 
 HERE = Path(__file__).parent
-BICYCLE = HERE.parents[1] / "examples" / "bicycle.yaml"
+BICYCLE = HERE.parents[1] / "src" / "cardan" / "scenes" / "bicycle.yaml"
 G = 9.81
 Array = np.ndarray
 

@@ -14,7 +14,7 @@ import cardan as cd
 from table import each
 
 HERE = Path(__file__).parent
-BICYCLE = HERE.parents[1] / "examples" / "bicycle.yaml"
+BICYCLE = HERE.parents[1] / "src" / "cardan" / "scenes" / "bicycle.yaml"
 EXACT = ("multipliers", "elimination", "null_space")
 
 

@@ -39,7 +39,7 @@ limited_subprocess.SHELL = "no such shell"
 SYSTEMS = pytest.mark.parametrize(
     "system", [POSIX, NEITHER, WINDOWS], ids=["posix", "neither", "windows"]
 )
-SCENE = Path(__file__).parents[2] / "examples" / "double_pendulum.yaml"
+SCENE = Path(__file__).parents[2] / "src" / "cardan" / "scenes" / "double_pendulum.yaml"
 
 HOLD = """
 import os, sys

@@ -50,7 +50,7 @@ def double_pendulum() -> cd.Scene:
 
 
 def test_the_double_pendulum_is_that_of_python() -> None:
-    loaded = cd.load(EXAMPLES / "double_pendulum.yaml")
+    loaded = cd.examples["double_pendulum"]
     assert_same(loaded, double_pendulum())
     assert loaded.settings == {"t": 10.0, "q": {"shoulder": 1.0}, "rtol": 1e-10}
 
@@ -253,8 +253,8 @@ def test_tables_in_the_file_and_beside_it(tmp_path: Path) -> None:
 
 
 def test_parts_from_scenes_and_robots(tmp_path: Path) -> None:
-    for name in ("arm.urdf", "double_pendulum.yaml"):
-        shutil.copy(EXAMPLES / name, tmp_path)
+    for path in (EXAMPLES / "arm.urdf", cd.examples.path("double_pendulum")):
+        shutil.copy(path, tmp_path)
     path = tmp_path / "pair.yaml"
     path.write_text(
         "cardan: 2\n"
@@ -272,7 +272,7 @@ def test_parts_from_scenes_and_robots(tmp_path: Path) -> None:
     path.write_text(text)
     made = cd.Scene("pair")
     cart, box = made.body("cart", mass=1), made.body("box", mass=1)
-    part = cd.load(EXAMPLES / "double_pendulum.yaml", parameters={"m": 3})
+    part = cd.load(cd.examples.path("double_pendulum"), parameters={"m": 3})
     left = made.include(part, "left", at=cart.at(0, 1, 0))
     made.include(cd.load(EXAMPLES / "arm.urdf", base="free"), "right_", at=cart)
     tip = left.bodies["lower"].at(0, 0, -0.1, name="left.tip")
@@ -293,7 +293,7 @@ def test_simulate_follows_the_file_and_the_command_line(
 ) -> None:
     monkeypatch.chdir(tmp_path)
     path = tmp_path / "scene.yml"
-    text = (EXAMPLES / "double_pendulum.yaml").read_text()
+    text = cd.examples.path("double_pendulum").read_text()
     path.write_text(text.replace("time: 10.0", "time: 0.5, u: {elbow: 2}"))
     assert main(["simulate", str(path), "--json"]) == 0
     found = json.loads(capsys.readouterr().out)
@@ -303,7 +303,7 @@ def test_simulate_follows_the_file_and_the_command_line(
     assert (found["time"], found["start"]["shoulder"], found["start"]["elbow"]) == (0.1, 1, 0.3)
     path.write_text(text.replace("child: lower", "child: lover"))
     assert main(["simulate", str(path)]) == 1
-    assert "scene.yml:12:75: joints.elbow.child" in capsys.readouterr().err
+    assert "scene.yml:13:75: joints.elbow.child" in capsys.readouterr().err
     assert main(["simulate", str(path), "--base", "free"]) == 1
     assert "are for robots" in capsys.readouterr().err
 

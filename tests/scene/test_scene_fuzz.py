@@ -4,21 +4,19 @@ from __future__ import annotations
 
 import json
 import random
-from pathlib import Path
 
 import pytest
 import sympy
 from hypothesis import given
 from hypothesis import strategies as st
 
+import cardan as cd
 from cardan.api.scene import Scene
 from cardan.errors import CardanError, ModelError, TopologyError
 from cardan.scene.files.expression import FUNCTIONS, MOTION, parse
 from cardan.scene.files.yaml import from_text, keys
 from cardan.topology import build
 from scene.fuzzing import FUZZ
-
-EXAMPLES = Path(__file__).parents[2] / "examples"
 
 
 def survives(text: str) -> bool:
@@ -79,8 +77,8 @@ def test_documents(sections: dict[str, object]) -> None:
 
 # texts that were scenes once
 
-NAMED = ("double_pendulum.yaml", "bucket.yaml")
-SEEDS = [(EXAMPLES / name).read_text(encoding="utf-8") for name in NAMED]
+NAMED = ("double_pendulum", "bucket")
+SEEDS = [cd.examples.path(name).read_text(encoding="utf-8") for name in NAMED]
 PIECES = [*"{}[]:,&*!|>'\"%@`#-?\n\t 0é", "- ", ": ", "&a ", "*a", "!!x ", "---\n", "<<", "\x00"]
 
 

@@ -1,4 +1,4 @@
-"""Make the meshes of the acrobat, ``src/cardan/cli/scenes/acrobat``: run it after a change.
+"""Make the meshes of the acrobat, ``src/cardan/scenes/acrobat``: run it after a change.
 
 A body is a smooth union of ellipsoids and tapered rods, given by its distance field. Where the
 field changes sign between points of a grid, surface nets lay quadrilaterals, whose corners are then
@@ -22,7 +22,7 @@ Field = Callable[[Array], Array]
 Point = tuple[float, float, float]
 Surface = tuple[Array, list[list[int]]]
 
-FOLDER = Path(__file__).parents[2] / "src" / "cardan" / "cli" / "scenes" / "acrobat"
+FOLDER = Path(__file__).parents[2] / "src" / "cardan" / "scenes" / "acrobat"
 CLOTH = 0.004  # thickness [m]
 SMOOTHINGS, PROJECTIONS = 6, 3
 

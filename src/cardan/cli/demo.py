@@ -99,7 +99,9 @@ def locate(name: str) -> Path:
         BuildError: the package that ships it is not installed.
     """
     if name == "acrobat":
-        return Path(__file__).parent / "scenes" / SCENES[name].load
+        from ..scene.example_files import example_files
+
+        return example_files()[name]
     try:
         files = importlib.metadata.files(PACKAGE) or []
     except importlib.metadata.PackageNotFoundError:

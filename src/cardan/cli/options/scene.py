@@ -24,7 +24,7 @@ def arguments(parser: argparse.ArgumentParser) -> None:
         "file",
         metavar="FILE",
         type=Path,
-        help="a scene (.yaml), robot (.urdf, .sdf) or MJCF (.xml)",
+        help="a scene (.yaml), robot (.urdf, .sdf) or MJCF (.xml); or the name of an example",
     )
     file = parser.add_argument_group("reading a robot")
     file.add_argument("--base", choices=("fixed", "free"), default="fixed",
@@ -49,9 +49,14 @@ def load(options: argparse.Namespace) -> Scene:
     """The scene."""
     from ...api.faces import face
     from ...scene import load
+    from ...scene.example_files import example_files
 
+    file = options.file
+    if not file.exists():
+        # a name without an ending may be that of an example
+        file = example_files().get(str(file), file)
     record = load(
-        options.file,
+        file,
         base=options.base,
         mimic=options.mimic,
         snap=not options.no_snap,
