@@ -117,8 +117,8 @@ def _reach(motion: TrajectoryRecord, k: int) -> float:
     """How far a body goes on behind its center of mass: a mass at a point ends there."""
     mass, com = float(np.ravel(motion.scene["mass"])[k]), _com(motion, k)
     about_origin = np.reshape(motion.scene["inertia"], (-1, 3, 3))[k]
-    moved = mass * (float(com @ com) * np.eye(3) - np.outer(com, com))
-    extended = np.abs(about_origin - moved).max() > 1e-9 * mass * float(com @ com)
+    steiner = mass * (float(com @ com) * np.eye(3) - np.outer(com, com))
+    extended = np.abs(about_origin - steiner).max() > 1e-9 * mass * float(com @ com)
     return 2.0 if extended else 1.0
 
 
