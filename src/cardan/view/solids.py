@@ -18,7 +18,7 @@ Solid = JsonObject
 THICK = 0.055  # radius of a drawn link, relative to the mean length of the links
 TAPER = 0.8
 UNLINKED = ("free", "planar", "translation")
-TURNING = ("revolute", "cylindrical", "screw")
+REVOLUTE = ("revolute", "cylindrical", "screw")
 DARK = {
     "color": [0.25, 0.28, 0.33, 1.0]
 }  # joints that hold nothing together: no link leads to them
@@ -65,7 +65,7 @@ def bodies(motion: TrajectoryRecord) -> tuple[list[DrawnBody], list[Solid]]:
 
 def _pins(motion: TrajectoryRecord, k: int, radius: float) -> list[Solid]:
     """The pin about which a body turns, along its axis; none of other joints."""
-    if motion.manifest.joints[k].kind not in TURNING:
+    if motion.manifest.joints[k].kind not in REVOLUTE:
         return []
     axis = np.reshape(motion.scene["axis"], (-1, 3))[k]
     half = 1.5 * radius * axis / float(np.linalg.norm(axis))
