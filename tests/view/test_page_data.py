@@ -87,6 +87,24 @@ def test_reactions_are_computed_when_they_are_named(motion: cd.Trajectory, tmp_p
     np.testing.assert_allclose(arrow["vector"], expected, rtol=0, atol=1e-3 * size)
 
 
+def test_loads_and_contacts_are_arrows_where_they_act(tmp_path: Path) -> None:
+    scene = cd.Scene("ball", gravity=(0, 0, -9.81))
+    ball = scene.body("ball", mass=2, inertia=(0.1, 0.1, 0.1))
+    scene.joint("lift", cd.Prismatic("z"), scene.ground, ball)
+    floor = cd.Contact(ball, scene.ground, radius=0.1, stiffness=1e4, damping=0.5)
+    scene.force("floor", floor)
+    scene.force("wind", cd.Force(ball.at(0, 0, 0.1), (3, 0, 0)))
+    motion = cd.compile(scene).simulate(10.0, q={"lift": 0.12})
+    arrows = {a["name"]: a for a in page(motion, tmp_path)["arrows"]}  # type: ignore
+    assert {a["layer"] for a in arrows.values()} == {"contacts", "forces"}
+    # at rest the floor bears the weight
+    np.testing.assert_allclose(arrows["floor.force"]["vector"][-1], [0, 0, 2 * 9.81], rtol=0.02)
+    np.testing.assert_allclose(arrows["wind.force"]["vector"][-1], [3, 0, 0], atol=1e-2)
+    rise = arrows["wind.force"]["at"][:, 2] - arrows["floor.force"]["at"][:, 2]
+    np.testing.assert_allclose(rise, 0.1, atol=1e-4)
+    assert page(motion, tmp_path)["floor"] == 0
+
+
 def test_curves_have_names_units_and_events(motion: cd.Trajectory, tmp_path: Path) -> None:
     data = page(motion, tmp_path)
     energy, angles = data["histories"]  # type: ignore

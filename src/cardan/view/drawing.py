@@ -22,6 +22,8 @@ ARROWS = ("reactions", "forces", "contacts")
 LAYERS = (*ARROWS, "frames", "springs", "stress", "strain", "floor")
 # on unless a user names others
 USUAL = ("contacts", "forces", "springs", "stress", "strain", "floor")
+# kinds of force elements that are drawn as arrows: layer, and the frame they begin at
+ACTING = {"contact": ("contacts", "sphere"), "force": ("forces", "frame")}
 # kinds of force elements that are drawn between their frames a and b
 SPRINGS = ("spring_damper",)
 MOST_CURVES, MOST_EVENTS = 8, 400
@@ -173,6 +175,23 @@ class Named(Protocol):
 
     def __getitem__(self, name: str, /) -> object:
         """A history (nt, ...)."""
+
+
+def acting(motion: TrajectoryRecord) -> list[DrawnArrow]:
+    """Loads and contact forces where they act, of motions whose model is known."""
+    if motion.model is None or "element_forces" not in motion.manifest.available:
+        return []
+    named = {row.element for row in motion.manifest.element_forces}
+    return [
+        DrawnArrow(
+            f"{row.name}.force",
+            ACTING[row.kind][0],
+            _place(motion, row.frames[ACTING[row.kind][1]]),
+            motion[f"{row.name}.force"],
+        )
+        for row in motion.manifest.forces
+        if row.kind in ACTING and row.name in named
+    ]
 
 
 def histories(

@@ -245,7 +245,8 @@ def drawing_of(
 def _things(motion: TrajectoryRecord, chosen: Chosen) -> Drawing:
     """What stands in the picture."""
     bodies, ground, beams = drawn.solids_of(motion)
-    reactions = drawn.reactions(motion) if "reactions" in chosen.layers else []
+    arrows = drawn.reactions(motion) if "reactions" in chosen.layers else []
+    arrows += drawn.acting(motion)
     return Drawing(
         name=motion.manifest.name,
         abscissa=Abscissa(motion.t),
@@ -253,7 +254,7 @@ def _things(motion: TrajectoryRecord, chosen: Chosen) -> Drawing:
         ground=ground,
         beams=beams,
         springs=drawn.springs(motion),
-        arrows=reactions,
+        arrows=arrows,
         traces={name: motion.pose(name)[:, :3, 3] for name in chosen.traces},
     )
 
