@@ -91,7 +91,9 @@ class Page {
     const [base, feet] = [lowest(this.cloud([])), lowest(this.cloud([0]))];
     const ground = feet < base - 0.2 * size(cloud) ? feet : base;
     stage.frame(cloud, { below: lowest(cloud) - 0.04 * size(cloud), ground }[data.floor] ?? data.floor);
-    const unit = stage.size;
+    // things that go far keep arrows of their own size
+    const unit = Math.min(stage.size, 2.5 * size(this.cloud([0])) || stage.size);
+    this.unit = unit;
     if (stage.floor) $("cell").textContent = `grid ${short(stage.cell)} m`;
     this.triads = this.bodies.map((group) => {
       const axes = triad(0.12 * unit, 0.004 * unit);
@@ -226,7 +228,7 @@ class Page {
     });
     const a = new Vector3(), b = new Vector3();
     this.springs.forEach((s, n) => s.stretch(mixed(data.springs[n].ends, 6, 0, a), mixed(data.springs[n].ends, 6, 3, b)));
-    const unit = this.stage.size;
+    const unit = this.unit;
     this.arrows.forEach((one, n) => {
       const { at, vector, layer } = data.arrows[n];
       if (!this.layers[layer]) { one.visible = false; return; }
