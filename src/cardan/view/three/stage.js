@@ -1,7 +1,7 @@
 // The stage: renderer, light, floor, and a camera that frames what moves.
 
 import {
-  Color, DirectionalLight, DoubleSide, HemisphereLight, Mesh, NeutralToneMapping, PCFShadowMap, PerspectiveCamera, PlaneGeometry,
+  Color, DirectionalLight, DoubleSide, HemisphereLight, Mesh, LinearToneMapping, PCFShadowMap, PerspectiveCamera, PlaneGeometry,
   Quaternion, Raycaster, Scene, ShaderMaterial, ShadowMaterial, Vector2, Vector3, WebGLRenderer,
 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
@@ -14,7 +14,9 @@ export class Stage {
     this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, preserveDrawingBuffer: true });
     this.renderer.shadowMap.enabled = true;
     this.renderer.shadowMap.type = PCFShadowMap;
-    this.renderer.toneMapping = NeutralToneMapping;
+    // others crush what is dark
+    this.renderer.toneMapping = LinearToneMapping;
+    this.renderer.toneMappingExposure = 0.85;
         this.scene = new Scene();
     this.up = new Vector3(...data.up);
     this.normal = data.normal && new Vector3(...data.normal);
