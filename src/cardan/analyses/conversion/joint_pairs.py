@@ -131,6 +131,12 @@ def joint_map(
         ArgumentError: a joint without counterpart.
     """
     ours = {joint.name: joint for joint in _joints(program, model)}
+    for what, names in (("continuous", continuous), ("peer", peer)):
+        # a text is a sequence of letters, and no list of names
+        listed = isinstance(names, Sequence) and not isinstance(names, str)
+        wrong = not listed if what == "continuous" else isinstance(names, str)
+        if wrong or (listed and not all(isinstance(name, str) for name in names)):
+            raise ArgumentError(f"{what}={brief(names)}: give the names of joints in a list")
     if peer is None or isinstance(peer, Sequence):
         for name in continuous:
             if name not in ours or ours[name].kind != "revolute":
