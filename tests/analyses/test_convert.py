@@ -199,6 +199,14 @@ def test_errors_name_the_joint() -> None:
         cd.convert.to_pinocchio(model, [0, 0], continuous=["elbow"])
     with pytest.raises(cd.ArgumentError, match=r"q has shape \(3,\), expected \(..., 2\)"):
         cd.convert.to_pinocchio(model, [0, 0, 0])
+    for wrong in ("revolute", 5, [1, 2]):
+        with pytest.raises(cd.ArgumentError, match=r"continuous=.*give the names of joints in a"):
+            cd.convert.to_pinocchio(model, [0, 0], continuous=wrong)
+    for wrong in ("revolute", [1, 2]):
+        with pytest.raises(cd.ArgumentError, match=r"peer=.*give the names of joints in a list"):
+            cd.convert.from_mujoco(model, [0, 0], peer=wrong)
+    with pytest.raises(cd.ArgumentError, match=r"peer=array|give the model of MuJoCo"):
+        cd.convert.from_mujoco(model, [0, 0], peer=np.zeros(2))
     with pytest.raises(cd.ArgumentError, match="give the model of Pinocchio or the names"):
         cd.convert.to_pinocchio(model, [0, 0], peer=3)
     with pytest.raises(cd.ArgumentError, match="first argument is the compiled model"):

@@ -131,6 +131,9 @@ def joint_map(
         ArgumentError: a joint without counterpart.
     """
     ours = {joint.name: joint for joint in _joints(program, model)}
+    _check_names("continuous", continuous)
+    if isinstance(peer, Sequence):
+        _check_names("peer", peer)
     if peer is None or isinstance(peer, Sequence):
         for name in continuous:
             if name not in ours or ours[name].kind != "revolute":
@@ -155,6 +158,13 @@ def joint_map(
             followers.append(Follower(*place, joint.ratio, joint.offset, cosine))
     ends = (max((r.q + r.nq for r in theirs), default=0), sum(r.nu for r in theirs))
     return paired(pairs, program.convention, Sizes(model.nq, model.nu, *ends), followers)
+
+
+def _check_names(what: str, names: object) -> None:
+    """Refuse what is not a list of texts; a text is a sequence of letters."""
+    rows = names if isinstance(names, Sequence) and not isinstance(names, str) else (None,)
+    if not all(isinstance(name, str) for name in rows):
+        raise ArgumentError(f"{what}={brief(names)}: give the names of joints in a list")
 
 
 def _revolute(ours: Iterable[Ours]) -> list[str]:
