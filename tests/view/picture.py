@@ -26,7 +26,7 @@ def page(folder: Path) -> Path:
     file = next(Path(str(f.locate())) for f in files if str(f).endswith(scene.load)).resolve()
     packages = [parent for parent in file.parents if parent.name == PACKAGE]
     model = cd.compile(cd.load(file, packages=packages, limits="stop", friction=True))
-    motion = model.simulate(4.0, q=scene.q)
+    motion = model.simulate(3.0, q=scene.q)
     shown = motion.animate(folder / "page.html", show="reactions", traces="panda_hand_tcp")
     return shown.saved()
 
@@ -42,7 +42,7 @@ def main() -> int:
     with tempfile.TemporaryDirectory() as folder, sync_playwright() as started:
         browser = started.chromium.launch(executable_path=chromium, args=OPTIONS)
         shown = browser.new_page(viewport={"width": 1280, "height": 720})
-        shown.goto(page(Path(folder)).as_uri() + "#t=1.15")
+        shown.goto(page(Path(folder)).as_uri() + "#t=0.3")
         shown.wait_for_selector("body[data-ready]")
         shown.wait_for_timeout(500)
         shown.screenshot(path=ROOT / "docs" / "page.png")
