@@ -56,6 +56,14 @@ def test_kinematics_are_linear_and_free_of_inputs() -> None:
             cd.from_sympy(([Q], [U], kinematics, [[1]], [-Q]))
 
 
+def test_tables_by_name_are_mappings() -> None:
+    plain = ([Q], [U], sm.eye(1), [-Q])
+    for value in (np.ones(3), [1], 3):
+        for word in ("outputs", "parameters", "inputs"):
+            with pytest.raises(cd.ModelError, match=f"from_sympy: {word}=.*: give .* by "):
+                cd.from_sympy(plain, **{word: value})
+
+
 def test_values_that_nothing_depends_on_are_refused() -> None:
     with pytest.raises(cd.ModelError, match="'length' does not occur in the equations"):
         cd.from_sympy(([Q], [U], [[1]], [-Q]), parameters={"length": 2.0})

@@ -64,13 +64,14 @@ def from_sympy(
             _refuse_texts(what, value)
         except RecursionError as problem:
             raise ModelError(f"from_sympy: {what}: lists in lists without end") from problem
-    values = {"parameters": parameters, "inputs": inputs}
-    for what, table in values.items():
+    named = (
+        ("outputs", outputs, "expressions by name, such as {'height': z}"),
+        ("parameters", parameters, "values by symbol or name, such as {'m': 1.0}"),
+        ("inputs", inputs, "values by symbol or name, such as {'m': 1.0}"),
+    )
+    for what, table, expected in named:
         if table is not None and not isinstance(table, Mapping):
-            raise ModelError(
-                f"from_sympy: {what}={brief(table)}: give values by symbol or name, such as "
-                "{'m': 1.0}"
-            )
+            raise ModelError(f"from_sympy: {what}={brief(table)}: give {expected}")
     return build_scene(equations, outputs or {}, parameters or {}, inputs or {}, potential, name)
 
 
