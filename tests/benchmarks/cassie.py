@@ -220,7 +220,8 @@ def mujoco_runs(model: cd.CompiledModel, truth: cd.Trajectory) -> list[str]:
     try:
         import mujoco
 
-        from cardan.peers.mujoco import CONVENTION, HARD, model_and_data
+        from cardan.api.comparison import MUJOCO
+        from cardan.peers.mujoco import HARD, model_and_data
     except ImportError as problem:
         print(f"MuJoCo does not take part: {problem}")
         return []
@@ -233,7 +234,7 @@ def mujoco_runs(model: cd.CompiledModel, truth: cd.Trajectory) -> list[str]:
             peer, data = model_and_data(mujoco, loops.scene, loops.connections)
             joints = [peer.joint(f"j{body}") for body in range(len(loops.scene.parents))]
             places = [(int(j.qposadr[0]), int(j.dofadr[0])) for j in joints]
-            change = coordinates.coordinates(loops.scene, CONVENTION, places)
+            change = coordinates.coordinates(loops.scene, MUJOCO.convention, places)
             peer.eq_solimp[:] = impedance
             peer.opt.timestep = step
             peer.opt.integrator = mujoco.mjtIntegrator.mjINT_IMPLICITFAST

@@ -11,7 +11,7 @@ import pinocchio as pin
 from cardan.peers.circuits import Circuits
 from cardan.peers.coordinates import after_each_other, coordinates
 from cardan.peers.peer import States
-from cardan.peers.pinocchio import CONVENTION
+from cardan.api.comparison import PINOCCHIO
 from cardan.peers.tree import central, depth_first, directions
 
 # the proximal iteration ends where nothing changes any more; dependent rows need its steps
@@ -61,7 +61,7 @@ class Constrained:
         self.datas = pin.StdVec_RigidConstraintData()
         for made in self.models:
             self.datas.append(made.createData())
-        self.map = coordinates(scene, CONVENTION, after_each_other(scene, order))
+        self.map = coordinates(scene, PINOCCHIO.convention, after_each_other(scene, order))
         pin.initConstraintDynamics(model, self.data, self.models, self.datas)
 
     def forward_dynamics(self, q: np.ndarray, u: np.ndarray, tau: np.ndarray) -> np.ndarray:
