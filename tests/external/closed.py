@@ -8,10 +8,10 @@ from typing import Any
 import numpy as np
 import pinocchio as pin
 
+from cardan.api.comparison import PINOCCHIO
 from cardan.peers.circuits import Circuits
 from cardan.peers.coordinates import after_each_other, coordinates
 from cardan.peers.peer import States
-from cardan.api.comparison import PINOCCHIO
 from cardan.peers.tree import central, depth_first, directions
 
 # the proximal iteration ends where nothing changes any more; dependent rows need its steps
