@@ -15,11 +15,16 @@ import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from importlib import import_module
+from pathlib import Path
 from types import ModuleType
+from typing import IO
 
 LAST_BYTE = (1 << 31) - 2
 # of flock, on every system that has it
 LOCK_EX, LOCK_NB = 2, 4
+# of a folder whose files belong together
+FOLDER_LOCK = ".lock"
+_FOLDER_LOCKS: set[IO[str]] = set()
 
 
 def _module(name: str) -> ModuleType | None:
@@ -80,6 +85,41 @@ def after_fork(action: Callable[[], object]) -> None:
     """Call something first in every forked child; nothing where processes are not forked."""
     if hasattr(os, "register_at_fork"):
         os.register_at_fork(after_in_child=action)
+
+
+@contextmanager
+def folder_lock(directory: Path, *, read_only: bool = False) -> Iterator[None]:
+    """Alone with the files of a folder, across threads and processes.
+
+    Args:
+        directory: It gets a file named ``.lock``.
+        read_only: Nothing is written. Where nobody has written with a lock, nobody is waited for: an
+            exported folder may lie on a disk that cannot be written to.
+    """
+    try:
+        file = open(directory / FOLDER_LOCK, "r+" if read_only else "w")  # noqa: SIM115
+    except OSError:
+        if not read_only:
+            raise
+        yield
+        return
+    _FOLDER_LOCKS.add(file)
+    try:
+        lock(file.fileno())
+        yield
+    finally:
+        _FOLDER_LOCKS.discard(file)
+        file.close()
+
+
+def _close_folder_locks() -> None:
+    """A forked child would keep the locks of its parent as long as it lives."""
+    for file in _FOLDER_LOCKS:
+        file.close()
+    _FOLDER_LOCKS.clear()
+
+
+after_fork(_close_folder_locks)
 
 
 @contextmanager

@@ -373,20 +373,3 @@ def test_a_run_of_the_compiler_keeps_one_lock(
         assert object_file.intact(one.published().path)
     assert list(cache_directory.glob(".new-*")) == []
     assert len(list(cache_directory.glob("*.so"))) == 3
-
-
-def test_models_of_one_folder_have_the_functions_they_were_compiled_with() -> None:
-    scene = double_pendulum()
-    few = cd.compile(scene, functions=("forward_dynamics",))
-    many = cd.compile(scene)
-    assert few.directory == many.directory
-    assert "inverse_dynamics" in many.manifest.available
-    many.prepare("inverse_dynamics", "energy")
-    # what the other model wrote is in the folder when this one reads its manifest again
-    few.prepare("forward_dynamics")
-    assert [*few.manifest.available] == ["forward_dynamics"]
-    assert few.verify().checked == ("forward_dynamics",)
-    cd.compile(scene, functions=("qdot",))
-    many.prepare("mass_matrix")
-    assert "energy" in many.manifest.available
-    assert "energy" in many.simulate(0.1, **START).manifest.available

@@ -10,8 +10,7 @@ import hashlib
 import json
 import os
 import tempfile
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -35,7 +34,8 @@ T = TypeVar("T")
 HEADERS = ("cardan.h", "lanes.h", "sincos.h")
 # frames up to which a manifest is written for people
 READ = 1000
-MANIFEST, SAVED, LOCK = "manifest.json", "functions.json", ".lock"
+MANIFEST, SAVED = "manifest.json", "functions.json"
+LOCK = processes.FOLDER_LOCK
 
 
 class Damaged(CodegenError):
@@ -53,7 +53,7 @@ def write_model(directory: Path, base: Base) -> None:
         CodegenError: the directory holds other things.
     """
     directory.mkdir(parents=True, exist_ok=True)
-    with _locked(directory):
+    with processes.folder_lock(directory):
         there, damaged = _there(directory)
         if there and not all(
             _is_unchanged(directory, there, name) for name in _shared(there.sha256)
@@ -185,7 +185,7 @@ def change(directory: Path, edit: Callable[[Manifest], Manifest]) -> None:
     Raises:
         CodegenError: it holds no model.
     """
-    with _locked(directory):
+    with processes.folder_lock(directory):
         manifest = manifest_of(directory)
         changed = edit(manifest)
         if changed != manifest:
@@ -287,11 +287,3 @@ def _write(path: Path, text: str | bytes) -> str:
         Path(name).unlink(missing_ok=True)
         raise
     return hashlib.sha256(content).hexdigest()
-
-
-@contextmanager
-def _locked(directory: Path) -> Iterator[None]:
-    """Alone with the manifest, across threads and processes."""
-    with open(directory / LOCK, "w") as file:
-        processes.lock(file.fileno())
-        yield

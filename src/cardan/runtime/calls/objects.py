@@ -6,14 +6,14 @@ import ctypes
 import hashlib
 import json
 import threading
-import time
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from ... import regular_file
+from ... import processes, regular_file
 from ...errors import BuildError, CompilerMissing, DerivationError, ModelError, near
 from ...schema.c_functions import FunctionRow
 from ...schema.manifest import Manifest, from_file
@@ -87,10 +87,6 @@ class Code:
         return replace(self, fresh=False, built=built)
 
 
-# looks at two files that others write one after the other, and seconds between them
-ATTEMPTS, PAUSE = 4, 0.05
-
-
 class Objects:
     """Loaded functions of one directory; safe to use from several threads.
 
@@ -130,6 +126,13 @@ class Objects:
         self._saved_mark = (0, 0)
         self._parsed: dict[str, tuple[Any, Any]] = {}
         self.manifest = self._read()
+
+    @contextmanager
+    def files(self) -> Iterator[Manifest]:
+        """The manifest as it is now, while no other process changes the files it speaks of."""
+        with processes.folder_lock(self.directory, read_only=True):
+            self.manifest = self._read()
+            yield self.manifest
 
     def _read(self) -> Manifest:
         path = self.directory / "manifest.json"
@@ -178,18 +181,16 @@ class Objects:
         Raises:
             ValueError: it is something else.
         """
-        for attempt in range(ATTEMPTS):
+        # another process writes both, one after the other
+        with self.files() as manifest:
             content = regular_file.content(path)
-            stated = self.manifest.sha256.get(path.name)
-            if stated is None or hashlib.sha256(content).hexdigest() == stated:
-                statement = json.loads(content)
-                if not isinstance(statement, dict):
-                    raise ValueError("it holds no functions by their names")
-                return statement
-            # another process writes both, one after the other
-            time.sleep(PAUSE * attempt)
-            self.manifest = self._read()
-        raise ValueError("it is not the file its manifest speaks of")
+        digest = hashlib.sha256(content).hexdigest()
+        if manifest.sha256.get(path.name, digest) != digest:
+            raise ValueError("it is not the file its manifest speaks of")
+        statement = json.loads(content)
+        if not isinstance(statement, dict):
+            raise ValueError("it holds no functions by their names")
+        return statement
 
     def function(self, name: str) -> Any:
         """A saved Function by its C name, made of plain data once."""

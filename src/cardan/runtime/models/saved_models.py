@@ -13,7 +13,7 @@ from ... import regular_file
 from ...errors import BuildError, ModelError
 from ...schema.functions import FUNCTIONS
 from ...schema.manifest import Manifest, checked_manifest
-from ...schema.seal import unsealed
+from ...schema.seal import sealed, unsealed
 from ..build import cache, cache_folder
 from ..calls.parameters import Parameters
 from .loaded_model import LoadedModel
@@ -57,20 +57,24 @@ def unchanged(model: M) -> M:
     Raises:
         ModelError: a file is another one, or missing.
     """
-    for name, stated in model.manifest.sha256.items():
-        path = model.directory / name
-        try:
-            content = regular_file.content(path)
-        except FileNotFoundError:
-            raise ModelError(f"model '{model.name}': file {path} is missing") from None
-        except OSError as error:
-            raise ModelError(f"model '{model.name}': {path}: {error.strerror}") from error
-        if hashlib.sha256(content).hexdigest() != stated:
-            raise ModelError(
-                f"model '{model.name}': {path} is not the file its manifest speaks of. "
-                "Copy or export the model again"
-            )
+    with model._objects.files() as manifest:
+        for name, sha256 in manifest.sha256.items():
+            _verify(model.name, model.directory / name, sha256)
     return model
+
+
+def _verify(model: str, path: Path, sha256: str) -> None:
+    try:
+        content = regular_file.content(path)
+    except FileNotFoundError:
+        raise ModelError(f"model '{model}': file {path} is missing") from None
+    except OSError as error:
+        raise ModelError(f"model '{model}': {path}: {error.strerror}") from error
+    if hashlib.sha256(content).hexdigest() != sha256:
+        raise ModelError(
+            f"model '{model}': {path} is not the file its manifest speaks of. "
+            "Copy or export the model again"
+        )
 
 
 def digest(files: Mapping[str, str]) -> str:
@@ -85,7 +89,11 @@ def parts(model: LoadedModel) -> tuple[dict[str, str], list[float], bool, str]:
     """
     rows = (FUNCTIONS[name] for name in model.manifest.available if name in FUNCTIONS)
     model._objects.write(row.name for row in rows if not row.of and not row.rare)
-    files, values = texts(model.directory), model.parameters.vector.tolist()
+    with model._objects.files() as manifest:
+        files = texts(model.directory)
+    # the model's own functions, where another one of the same folder has others
+    files[MANIFEST] = sealed(vars(manifest), ensure_ascii=False, allow_nan=False)
+    values = model.parameters.vector.tolist()
     return files, values, model._objects.reproducible, digest(files)
 
 

@@ -14,6 +14,7 @@ from typing import Any
 
 import numpy as np
 
+from ....schema.finite_elements import PlaceKind
 from ..differences import BLURRED, input_rates, missing, relative, ways, worst_of
 from ..joint_motion import Array, cross, times
 from ..rotations import quaternion
@@ -280,20 +281,57 @@ def _momentum(members: Members) -> float | str:
 
 
 def _reaction(members: Members) -> float | str:
-    """Force, and moment along it, are those that the multipliers put on a node."""
-    nodes = [
-        (a, b)
-        for block, a, b in zip(members.blocks, *members.starts, strict=False)
-        if block.node and block.nq == NODE
-    ]
-    if not nodes:
-        return "it joins no nodes in space"
+    """The multipliers put it on a node."""
     n, kind = members.count, members.table.kind
     still = members.call("balance", {"lam": np.zeros((n, kind.m))})
     constraint_forces = members.call("balance")[:, : kind.nu] - still[:, : kind.nu]
+    return _on_node(members, constraint_forces, members.call("reaction"))
+
+
+def _element_forces(members: Members) -> float | str:
+    """The element puts it on a node: a wrench, a force along a line, or what drives a joint."""
+    if "M" in members.table.kind.parts:
+        return "what it does to nodes is its inertia too"
+    value = members.call("element_forces")
+    force = members.call("balance")[:, : members.table.kind.nu]
+    if value.shape[-1] == 6:
+        # force first there, moment first in reactions
+        return _on_node(members, force, value[:, [3, 4, 5, 0, 1, 2]])
+    if value.shape[-1] > 1:
+        return "it drives several speeds at once"
+    blocks = zip(members.blocks, members.starts[1], strict=False)
+    parts = [
+        force[:, part]
+        for block, b in blocks
+        for part in ((slice(b, b + 3), slice(b + 3, b + 6)) if _in_space(block) else ())
+    ]
+    if not parts:
+        parts = [force[:, :1]] if members.table.kind.nu == 1 else []
+    # along a line or a slider the node feels the force itself, on an axle the moment alone
+    norms = [np.linalg.norm(part, axis=-1, keepdims=True) for part in reversed(parts)]
+    pushed = [norm for norm in norms if norm.any()]
+    if not norms:
+        return "it acts on no nodes in space"
+    norm = pushed[0] if pushed else norms[0]
+    return relative(np.abs(value) - norm, value)
+
+
+def _in_space(block: PlaceKind) -> bool:
+    return bool(block.node) and block.nq == NODE
+
+
+def _on_node(members: Members, generalized: Array, wrench: Array) -> float | str:
+    """Force of a wrench, and moment along it, are those of generalized forces on a node."""
+    nodes = [
+        (a, b)
+        for block, a, b in zip(members.blocks, *members.starts, strict=False)
+        if _in_space(block)
+    ]
+    if not nodes:
+        return "it acts on no nodes in space"
     a, b = nodes[-1]
-    moment = times(quaternion(members.inputs["q"][:, a : a + 4]), constraint_forces[:, b : b + 3])
-    force, wrench = constraint_forces[:, b + 3 : b + 6], members.call("reaction")
+    moment = times(quaternion(members.inputs["q"][:, a : a + 4]), generalized[:, b : b + 3])
+    force = generalized[:, b + 3 : b + 6]
     size = np.abs(wrench).max(axis=-1, keepdims=True)
     norms = [np.linalg.norm(x, axis=-1) for x in (force, wrench[:, 3:])]
     along = [(x * y).sum(axis=-1) for x, y in ((moment, force), (wrench[:, :3], wrench[:, 3:]))]
@@ -349,6 +387,7 @@ LAWS: dict[str, Callable[[Members], Any]] = {
     "power": lambda members: _balance(members),
     "momentum": _momentum,
     "reaction": _reaction,
+    "element_forces": _element_forces,
     "mixed": _mixed,
     "mixed_step": _mixed_step,
     "stress": _stress,
