@@ -93,8 +93,8 @@ def folder_lock(directory: Path, *, read_only: bool = False) -> Iterator[None]:
 
     Args:
         directory: It gets a file named ``.lock``.
-        read_only: Nothing is written. Where nobody has written with a lock, nobody is waited for: an
-            exported folder may lie on a disk that cannot be written to.
+        read_only: Nothing is written. A folder without a lock is read at once: an exported one may
+            lie on a disk that cannot be written to.
     """
     try:
         file = open(directory / FOLDER_LOCK, "r+" if read_only else "w")  # noqa: SIM115
