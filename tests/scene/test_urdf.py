@@ -362,13 +362,13 @@ def test_meshes_are_found_below_declared_folders(tmp_path):
     mesh = package / "arm.stl"
     mesh.write_text("solid")
     path = tmp_path / "robot.urdf"
-    path.write_text(visual("package://my_robot/arm.stl"))
-    # the folder of packages, or the package itself
-    for root in (tmp_path / "roots", package):
-        model = load(path, packages=[root])
-        assert dict(model.bodies["arm"].shapes[0].size)["file"] == str(mesh)
-    lost = load(path)
-    assert any("packages=" in note for note in lost.notes)
+    for reference in ("package://my_robot/arm.stl", "package:///my_robot/arm.stl"):
+        path.write_text(visual(reference))
+        # the folder of packages, or the package itself
+        for root in (tmp_path / "roots", package):
+            model = load(path, packages=[root])
+            assert dict(model.bodies["arm"].shapes[0].size)["file"] == str(mesh)
+    assert any("packages=" in note for note in load(path).notes)
 
 
 @pytest.mark.parametrize(

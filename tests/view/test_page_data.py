@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import struct
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -143,6 +144,25 @@ def test_a_plane_is_looked_at_from_its_side(tmp_path: Path) -> None:
         data = page(cd.compile(scene).simulate(1.0, q={"pivot": 1.0}), tmp_path)
         np.testing.assert_allclose(data["normal"], normal, atol=1e-9)
         np.testing.assert_allclose(data["up"], up)
+
+
+def test_joints_that_close_loops_are_pins_along_their_axes(tmp_path: Path) -> None:
+    model = cd.compile(cd.examples["four_bar"])
+    data: Any = page(model.simulate([0, 0.1], q={"A": 0.5}), tmp_path)
+    pins = {
+        body["name"]: [s for s in body["solids"] if s["kind"] == "cylinder"]
+        for body in data["bodies"]
+    }
+    # B sits on the coupler, C closes the loop on the tip of the rocker; all turn about z
+    assert {name: len(solids) for name, solids in pins.items()} == {
+        "crank": 1,
+        "coupler": 1,
+        "rocker": 2,
+    }
+    closing = np.array([pins["rocker"][1][end] for end in "ab"])
+    np.testing.assert_allclose(closing.mean(axis=0), [0.2, 0, 0], atol=1e-6)
+    along = closing[1] - closing[0]
+    np.testing.assert_allclose(along, [0, 0, np.linalg.norm(along)], atol=1e-6)
 
 
 def test_motion_in_space_has_no_plane(motion: cd.Trajectory, tmp_path: Path) -> None:

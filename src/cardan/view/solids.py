@@ -17,11 +17,10 @@ from .packing import JsonObject
 Solid = JsonObject
 THICK = 0.055  # radius of a drawn link, relative to the mean length of the links
 TAPER = 0.8
+# no link leads to joints that hold nothing together
 UNLINKED = ("free", "planar", "translation")
 REVOLUTE = ("revolute", "cylindrical", "screw")
-DARK = {
-    "color": [0.25, 0.28, 0.33, 1.0]
-}  # joints that hold nothing together: no link leads to them
+DARK = {"color": [0.25, 0.28, 0.33, 1.0]}
 
 
 @dataclass(frozen=True)
@@ -67,17 +66,29 @@ def _pins(motion: TrajectoryRecord, k: int, radius: float) -> list[Solid]:
     """The pin about which a body turns, along its axis; none of other joints."""
     if motion.manifest.joints[k].kind not in REVOLUTE:
         return []
-    axis = np.reshape(motion.scene["axis"], (-1, 3))[k]
+    return [_pin(np.zeros(3), np.reshape(motion.scene["axis"], (-1, 3))[k], radius)]
+
+
+def _pin(at: Array, axis: Array, radius: float) -> Solid:
     half = 1.5 * radius * axis / float(np.linalg.norm(axis))
-    return [{"kind": "cylinder", "a": short(-half), "b": short(half), "r": 1.2 * radius, **DARK}]
+    ends = {"a": short(at - half), "b": short(at + half)}
+    return {"kind": "cylinder", **ends, "r": 1.2 * radius, **DARK}
 
 
 def _cuts(motion: TrajectoryRecord, body: str, radius: float) -> list[Solid]:
-    """Balls where joints that close loops sit on a body."""
+    """Pins where joints that close loops sit on a body, balls where they have no axis."""
     owners = {row.name: row.body for row in motion.manifest.frames}
-    frames = [row.child_frame for row in motion.manifest.cuts]
-    places = [motion.frame_on_body(one)[:3, 3] for one in frames if owners.get(one) == body]
-    return [{"kind": "sphere", "a": short(at), "r": 1.3 * radius, **DARK} for at in places]
+    solids = list[Solid]()
+    for k, row in enumerate(motion.manifest.cuts):
+        if owners.get(row.child_frame) != body:
+            continue
+        frame = motion.frame_on_body(row.child_frame)
+        if row.kind in REVOLUTE:
+            axis = np.reshape(motion.scene["cut_axis"], (-1, 3))[k]
+            solids.append(_pin(frame[:3, 3], frame[:3, :3] @ axis, radius))
+        else:
+            solids.append({"kind": "sphere", "a": short(frame[:3, 3]), "r": 1.3 * radius, **DARK})
+    return solids
 
 
 def _bodies(manifest: Manifest) -> list[tuple[int, BodyRow]]:

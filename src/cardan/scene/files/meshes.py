@@ -56,6 +56,9 @@ class Meshes:
             scheme, remainder = "", reference
         elif scheme not in ("package", "model", "file"):
             raise ModelError(f"{where}: {what} '{reference[:80]}': '{scheme}' paths are not read")
+        if scheme in ("package", "model"):
+            # some files have three slashes there
+            remainder = remainder.lstrip("/")
         parts = PurePosixPath(remainder).parts
         if ".." in parts and not self._stays(parts):
             raise ModelError(
