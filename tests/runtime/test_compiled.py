@@ -6,6 +6,7 @@ import json
 import pickle
 import subprocess
 import sys
+from contextlib import contextmanager
 
 import numpy as np
 import pytest
@@ -137,20 +138,28 @@ def without_json(files):
     files["manifest.json"] = "{"
 
 
+@contextmanager
+def edited_manifest(files):
+    manifest = json.loads(files["manifest.json"])
+    # who edits a manifest leaves out the hash that finds damage
+    manifest.pop("digest", None)
+    yield manifest
+    files["manifest.json"] = json.dumps(manifest)
+
+
 def of_another_version(files):
-    files["manifest.json"] = files["manifest.json"].replace('"abi": 2', '"abi": 7')
+    with edited_manifest(files) as manifest:
+        manifest["abi"] = 7
 
 
 def with_absurd_sizes(files):
-    manifest = json.loads(files["manifest.json"])
-    manifest["functions"]["rhs"]["work_size"] = 2**62
-    files["manifest.json"] = json.dumps(manifest)
+    with edited_manifest(files) as manifest:
+        manifest["functions"]["rhs"]["work_size"] = 2**62
 
 
 def with_a_symbol_that_is_none(files):
-    manifest = json.loads(files["manifest.json"])
-    manifest["functions"]["rhs(); system"] = manifest["functions"].pop("rhs")
-    files["manifest.json"] = json.dumps(manifest)
+    with edited_manifest(files) as manifest:
+        manifest["functions"]["rhs(); system"] = manifest["functions"].pop("rhs")
 
 
 HARMS = {
