@@ -150,7 +150,7 @@ def test_joints_that_close_loops_are_pins_along_their_axes(tmp_path: Path) -> No
     model = cd.compile(cd.examples["four_bar"])
     data: Any = page(model.simulate([0, 0.1], q={"A": 0.5}), tmp_path)
     pins = {
-        body["name"]: [s for s in body["solids"] if s["kind"] == "cylinder"]
+        body["name"]: [s for s in body["solids"] if s["kind"] == "cylinder" and s["color"]]
         for body in data["bodies"]
     }
     # B sits on the coupler, C closes the loop on the tip of the rocker; all turn about z

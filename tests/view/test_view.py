@@ -56,7 +56,7 @@ def test_bodies_are_drawn_by_shape_or_as_links(motion: cd.Trajectory) -> None:
     assert [solid["kind"] for solid in upper.solids] == ["box"]
     assert upper.solids[0]["a"] == [0, 0, -0.5]
     # no shape: a link through the center of mass to twice its distance
-    assert [solid["kind"] for solid in lower.solids] == ["link", "cylinder"]
+    assert [solid["kind"] for solid in lower.solids] == ["link", "cylinder", "cylinder"]
     assert lower.solids[0]["b"] == [0, 0, -0.8]
     # a mass at the end of its rod is a ball
     scene = cd.Scene("bob")
@@ -64,9 +64,11 @@ def test_bodies_are_drawn_by_shape_or_as_links(motion: cd.Trajectory) -> None:
     bob.at(0, 0, -1, name="tip")
     scene.joint("pivot", cd.Revolute("y"), scene.ground, bob)
     (heavy,), _ = bodies(cd.compile(scene).simulate(0.1))
-    assert [solid["kind"] for solid in heavy.solids] == ["link", "cylinder", "sphere"]
-    # a pin says which way a body turns
-    assert np.subtract(heavy.solids[1]["b"], heavy.solids[1]["a"])[[0, 2]] == pytest.approx(0)
+    kinds = [solid["kind"] for solid in heavy.solids]
+    assert kinds == ["link", "cylinder", "cylinder", "sphere"]
+    # the end of a link and its pin say which way a body turns
+    for solid in heavy.solids[1:3]:
+        assert np.subtract(solid["b"], solid["a"])[[0, 2]] == pytest.approx(0)
 
 
 def test_output_times_without_dense_output_can_be_shown(tmp_path: Path) -> None:
@@ -127,7 +129,7 @@ def test_nothing_is_drawn_to_a_free_body_and_far_masses_hang_on_ribs() -> None:
     scene.joint("fly", cd.Free(), scene.ground.at(5, 0, 0), crate)
     drawn, ground = bodies(cd.compile(scene).simulate(0.1))
     assert [solid["b"] for solid in ground] == [[0, 0, 0]]
-    link, _, rib, ball = drawn[0].solids
+    link, _, _, rib, ball = drawn[0].solids
     assert link["b"] == [0, 0, -1]
     assert (rib["a"], rib["b"]) == ([0, 0, -0.5], [0.4, 0, -0.5])
     assert ball["a"] == [0.4, 0, -0.5]

@@ -17,6 +17,8 @@ from .packing import JsonObject
 Solid = JsonObject
 THICK = 0.055  # radius of a drawn link, relative to the mean length of the links
 TAPER = 0.8
+# half lengths of the end of a link and of its pin, in radii of the link
+EYE_AND_PIN = (1.15, 1.7)
 # no link leads to joints that hold nothing together
 UNLINKED = ("free", "planar", "translation")
 REVOLUTE = ("revolute", "cylindrical", "screw")
@@ -52,9 +54,9 @@ def bodies(motion: TrajectoryRecord) -> tuple[list[DrawnBody], list[Solid]]:
         name = str(body.name)
         frame = next(r.name for r in manifest.frames if r.body == body.name)
         solids = _shapes(motion, name)
-        pins = _pins(motion, k, radius)
-        bare = [link(a, b, radius, joint=not pins) for a, b in links[name]]
-        bare += pins + _cuts(motion, name, radius) + _center(motion, k, links[name], radius)
+        inboard = _inboard(motion, k, radius)
+        bare = [link(a, b, radius, joint=not inboard) for a, b in links[name]]
+        bare += inboard + _cuts(motion, name, radius) + _center(motion, k, links[name], radius)
         poses = motion.pose(frame) @ inverse(motion.frame_on_body(frame))
         drawn.append(DrawnBody(name, solids or bare, bare, poses))
     # thinner than what turns about it, which then covers its end
@@ -62,21 +64,25 @@ def bodies(motion: TrajectoryRecord) -> tuple[list[DrawnBody], list[Solid]]:
     return drawn, ground
 
 
-def _pins(motion: TrajectoryRecord, k: int, radius: float) -> list[Solid]:
-    """The pin about which a body turns, along its axis; none of other joints."""
+def _eye(at: Array, axis: Array, radius: float) -> list[Solid]:
+    """The end of a link that turns about a pin along an axis."""
+    along = radius * axis / float(np.linalg.norm(axis))
+    eye, pin = (
+        {"kind": "cylinder", "a": short(at - part * along), "b": short(at + part * along)}
+        for part in EYE_AND_PIN
+    )
+    return [{**eye, "r": 1.5 * radius, "color": None}, {**pin, "r": 0.75 * radius, **DARK}]
+
+
+def _inboard(motion: TrajectoryRecord, k: int, radius: float) -> list[Solid]:
+    """Where a body turns about its parent; nothing at joints without an axis."""
     if motion.manifest.joints[k].kind not in REVOLUTE:
         return []
-    return [_pin(np.zeros(3), np.reshape(motion.scene["axis"], (-1, 3))[k], radius)]
-
-
-def _pin(at: Array, axis: Array, radius: float) -> Solid:
-    half = 1.5 * radius * axis / float(np.linalg.norm(axis))
-    ends = {"a": short(at - half), "b": short(at + half)}
-    return {"kind": "cylinder", **ends, "r": 1.2 * radius, **DARK}
+    return _eye(np.zeros(3), np.reshape(motion.scene["axis"], (-1, 3))[k], radius)
 
 
 def _cuts(motion: TrajectoryRecord, body: str, radius: float) -> list[Solid]:
-    """Pins where joints that close loops sit on a body, balls where they have no axis."""
+    """Where joints that close loops sit on a body: a ball for those without an axis."""
     owners = {row.name: row.body for row in motion.manifest.frames}
     solids = list[Solid]()
     for k, row in enumerate(motion.manifest.cuts):
@@ -85,7 +91,7 @@ def _cuts(motion: TrajectoryRecord, body: str, radius: float) -> list[Solid]:
         frame = motion.frame_on_body(row.child_frame)
         if row.kind in REVOLUTE:
             axis = np.reshape(motion.scene["cut_axis"], (-1, 3))[k]
-            solids.append(_pin(frame[:3, 3], frame[:3, :3] @ axis, radius))
+            solids += _eye(frame[:3, 3], frame[:3, :3] @ axis, radius)
         else:
             solids.append({"kind": "sphere", "a": short(frame[:3, 3]), "r": 1.3 * radius, **DARK})
     return solids
