@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ..arrays import Array
+from ..errors import ModelError
 from ..runtime.trajectory.frame_history import inverse
 from ..runtime.trajectory.trajectory import TrajectoryRecord
 from ..schema.mechanism import ShapeRow
@@ -48,8 +49,8 @@ class DrawnBeam:
         return sum(self.half_widths) / 2
 
 
-def beams(motion: TrajectoryRecord) -> list[DrawnBeam]:
-    """The beams of a motion, each at some of its sections."""
+def beams(motion: TrajectoryRecord, colored_by: str | None = None) -> list[DrawnBeam]:
+    """The beams of a motion, each at some of its sections; colors as of :func:`.solids_of`."""
     rows = {row.name: row for row in motion.manifest.beams}
     if not rows:
         return []
@@ -62,7 +63,7 @@ def beams(motion: TrajectoryRecord) -> list[DrawnBeam]:
         count = int(np.clip(room, 2, min(MOST_SECTIONS, each.shape[1])))
         chosen = np.unique(np.linspace(0, each.shape[1] - 1, count).round().astype(int))
         e2, e3, is_round = rows[name].outline
-        values, what = _values(motion, name)
+        values, what = _values(motion, name, colored_by)
         drawn.append(
             DrawnBeam(
                 name,
@@ -77,20 +78,37 @@ def beams(motion: TrajectoryRecord) -> list[DrawnBeam]:
     return drawn
 
 
-def _values(motion: TrajectoryRecord, name: str) -> tuple[Array | None, str]:
-    """Largest normal stress at every node of a beam (nt, n), or strain where E is not known."""
-    if motion.model is None:
+def _values(
+    motion: TrajectoryRecord, name: str, colored_by: str | None
+) -> tuple[Array | None, str]:
+    """Largest normal stress or strain at every node of a beam (nt, n).
+
+    Without a wish it is stress, or strain where E is not known, or None.
+
+    Raises:
+        ModelError: what is wished for is not known.
+    """
+    if colored_by:
+        motion._model(f"the {colored_by} of beam '{name}'")
+    elif motion.model is None:
         return None, STRESS
     from ..runtime.models.finite_elements.beams import beam
 
-    stress = beam(motion.model, name, motion.q)
-    has_modulus = stress.modulus is not None
-    if not has_modulus and not any(stress.outline[:2]):
+    stress = beam(motion._model("stress"), name, motion.q)
+    has_modulus, has_outline = stress.modulus is not None, any(stress.outline[:2])
+    if colored_by == "stress" and not has_modulus:
+        raise ModelError(
+            f"show='stress': the section of beam '{name}' has no Young's modulus; take 'strain'"
+        )
+    if not has_modulus and not has_outline:
+        if colored_by:
+            raise ModelError(f"show='strain': the section of beam '{name}' has no outline")
         return None, STRAIN
-    at_ends = stress.extreme if has_modulus else stress.extreme_strain
+    by_stress = has_modulus and colored_by != "strain"
+    at_ends = stress.extreme if by_stress else stress.extreme_strain
     inner = np.maximum(at_ends[:, 1:-1:2], at_ends[:, 2::2])
     values = np.concatenate([at_ends[:, :1], inner, at_ends[:, -1:]], axis=1)
-    return values, STRESS if has_modulus else STRAIN
+    return values, STRESS if by_stress else STRAIN
 
 
 def bodies(

@@ -9,7 +9,8 @@ from typing import Protocol
 import numpy as np
 
 from ..arrays import Array
-from ..errors import ArgumentError, near
+from ..errors import ArgumentError, ModelError, near
+from ..runtime.trajectory.histories import units_of
 from ..runtime.trajectory.trajectory import TrajectoryRecord
 from ..schema.manifest import Manifest
 from .beams import DrawnBeam, beams
@@ -30,6 +31,11 @@ MOST_CURVES, MOST_EVENTS = 8, 400
 # pictures per second of a screen, and swings per second that one can follow
 FAST, FOLLOWED = 60.0, 1.5
 RATES = np.array([0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0])
+# histories by their unit
+KINDS = {
+    "rad": "angles", "m": "lengths", "N": "forces", "N*m": "torques", "rad/s": "angular speeds",
+    "m/s": "speeds", "J": "energies", "W": "powers",
+}  # fmt: skip
 # of the largest speed: what one sees; turns and moves that are none
 VISIBLE, FLAT = 0.25, 1e-6
 
@@ -115,10 +121,22 @@ class Drawing:
     layers: Sequence[str] = USUAL
 
 
-def solids_of(motion: TrajectoryRecord) -> tuple[list[DrawnBody], list[Solid], list[DrawnBeam]]:
-    """Bodies, solids of the ground, and beams of a motion."""
+def solids_of(
+    motion: TrajectoryRecord, colored_by: str | None = None
+) -> tuple[list[DrawnBody], list[Solid], list[DrawnBeam]]:
+    """Bodies, solids of the ground, and beams of a motion.
+
+    Args:
+        motion: The motion.
+        colored_by: ``"stress"`` or ``"strain"`` colors beams; None for what there is.
+
+    Raises:
+        ModelError: there is no such color.
+    """
+    if colored_by and not motion.manifest.beams:
+        raise ModelError(f"show='{colored_by}': '{motion.manifest.name}' has no beams to color")
     if motion.manifest.absolute:
-        drawn_beams = beams(motion)
+        drawn_beams = beams(motion, colored_by)
         return *on_nodes(motion, drawn_beams), drawn_beams
     return *in_joint_coordinates(motion), []
 
@@ -146,16 +164,19 @@ def _place(motion: TrajectoryRecord, frame: str) -> Array:
 def _numbers(motion: TrajectoryRecord) -> dict[str, float]:
     """Parameters and structural numbers by name."""
     manifest = motion.manifest
-    parameters = {row.name: row.default for row in manifest.parameters}
-    if motion.model is not None:
-        parameters = {name: float(value) for name, value in motion.model.parameters.items()}
+    values = motion.parameters
+    parameters = {
+        row.name: row.default if values is None else float(values[k])
+        for k, row in enumerate(manifest.parameters)
+    }
     return {**manifest.structural, **parameters}
 
 
 def reaction_frames(manifest: Manifest) -> Mapping[str, str]:
-    """Joint -> child frame, where its reaction acts."""
+    """Joint -> child frame, where its reaction acts; none of finite elements in files of runs."""
     if manifest.absolute:
-        return manifest.elements.reaction_frames
+        elements = manifest.finite_elements
+        return {} if elements is None else elements.reaction_frames
     frames = {row.name: row.child_frame for row in manifest.joints}
     return frames | {row.name: row.child_frame for row in manifest.cuts}
 
@@ -163,6 +184,7 @@ def reaction_frames(manifest: Manifest) -> Mapping[str, str]:
 def reactions(motion: TrajectoryRecord) -> list[DrawnArrow]:
     """Reaction forces of joints at their child frames."""
     drawn = []
+    motion._model("the reactions of joints")
     for joint, frame in reaction_frames(motion.manifest).items():
         pose = motion.pose(frame)
         force = (pose[:, :3, :3] @ motion.reaction(joint)[:, 3:, None])[:, :, 0]
@@ -208,7 +230,7 @@ def histories(
         ModelError: there is no such history.
     """
     groups: dict[tuple[str, str], list[tuple[str, Array]]] = {}
-    units = _units(motion)
+    units = units_of(motion)
     for name in _usual(motion, of is None) if names is None else names:
         if name == "energy" and of is None:
             energy = motion.energy
@@ -223,8 +245,7 @@ def histories(
             flat = values.reshape(len(values), -1)
             letters = "xyz" if flat.shape[1] == 3 else [str(k) for k in range(flat.shape[1])]
             curves = [(f"{name}.{letters[k]}", flat[:, k]) for k in range(flat.shape[1])]
-        kind = {"rad": "angles", "m": "lengths", "N": "forces", "N m": "torques"}.get(unit, unit)
-        groups.setdefault((kind or "values", unit), []).extend(curves)
+        groups.setdefault((KINDS.get(unit, "values"), unit), []).extend(curves)
     return [Histories(name, unit, curves) for (name, unit), curves in groups.items()]
 
 
@@ -244,15 +265,6 @@ def _usual(motion: TrajectoryRecord, moving: bool) -> list[str]:
     if motion.model is not None:
         names += [row.name for row in manifest.outputs][:MOST_CURVES]
     return names
-
-
-def _units(motion: TrajectoryRecord) -> dict[str, str]:
-    """Units of histories by name."""
-    m = motion.manifest
-    units = {row.name: row.unit for row in (*m.coordinates, *m.speeds, *m.inputs, *m.outputs, *m.z)}
-    joints = [*(row.name for row in m.joints), *(row.name for row in m.cuts), *m.fixed]
-    units |= {f"{name}.force": "N" for name in joints}
-    return units | {f"{name}.moment": "N m" for name in joints}
 
 
 def upward(motion: TrajectoryRecord) -> tuple[Array, bool]:

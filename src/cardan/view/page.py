@@ -106,7 +106,7 @@ def animate(
             default energies, coordinates and outputs.
         follow: Body or frame that the camera goes with.
         traces: Frames whose paths are drawn.
-        meshes: ``"auto"`` reduces meshes to some ten thousand triangles, ``"full"`` keeps all, a
+        meshes: ``"auto"`` reduces meshes to 200,000 triangles, ``"full"`` keeps all, a
             number from 0 to 1 that share of them; False draws links.
         page: ``"3d"``, or ``"plain"``: drawn on a 2-D canvas, for browsers without WebGL.
         fps: Pictures per second of play; long motions get fewer.
@@ -190,6 +190,18 @@ class Chosen:
                 )
         return drawn.USUAL if self.show is None else (*self.show, "springs", "floor")
 
+    @property
+    def colored_by(self) -> str | None:
+        """What colors beams, if it is named.
+
+        Raises:
+            ArgumentError: two are named.
+        """
+        named = [name for name in ("stress", "strain") if name in (self.show or ())]
+        if len(named) > 1:
+            raise ArgumentError(f"show={self.show!r}: beams are colored by stress or by strain")
+        return named[0] if named else None
+
 
 def _names(names: str | Sequence[str] | None) -> Sequence[str] | None:
     return (names,) if isinstance(names, str) else names
@@ -221,7 +233,9 @@ def drawing_of(
     """What a page shows; arguments as of :func:`page_of`."""
     motion = motions[0]
     rate = chosen.rate or (drawn.slowed(motion) if abscissa is None else _sweeping(abscissa))
-    rows = [_resampled(motion, chosen.fps / rate)] if abscissa is None else motions
+    rows = motions
+    if abscissa is None:
+        rows = [_with_energies(_resampled(motion, chosen.fps / rate), motion)]
     things = drawn.joined([_things(row, chosen) for row in rows])
     over = abscissa or things.abscissa
     up, heavy = drawn.upward(motion)
@@ -244,7 +258,7 @@ def drawing_of(
 
 def _things(motion: TrajectoryRecord, chosen: Chosen) -> Drawing:
     """What stands in the picture."""
-    bodies, ground, beams = drawn.solids_of(motion)
+    bodies, ground, beams = drawn.solids_of(motion, chosen.colored_by)
     arrows = drawn.reactions(motion) if "reactions" in chosen.layers else []
     arrows += drawn.acting(motion)
     return Drawing(
@@ -316,11 +330,24 @@ def _resampled(motion: TrajectoryRecord, fps: float) -> TrajectoryRecord:
     return _some(motion, np.unique(np.searchsorted(sign * motion.t, sign * times).clip(0, last)))
 
 
+def _with_energies(resampled: TrajectoryRecord, motion: TrajectoryRecord) -> TrajectoryRecord:
+    """The motion of a file at other times, its energies joined by straight lines."""
+    if motion.model is None and "kinetic" in motion.stored:
+        way = 1.0 if motion.t[-1] >= motion.t[0] else -1.0
+        lines = {
+            name: np.interp(way * resampled.t, way * motion.t, motion.stored[name])
+            for name in ("kinetic", "potential")
+        }
+        return replace(resampled, stored={**resampled.stored, **lines})
+    return resampled
+
+
 def _some(motion: TrajectoryRecord, rows: NDArray[np.intp]) -> TrajectoryRecord:
     """The motion at some of its rows, with what is stored of them."""
     poses = {k: v[rows] for k, v in motion.stored.items() if k.startswith("pose ")}
+    constant = {k: v for k, v in motion.stored.items() if k == "parameters"}
     parts = {name: getattr(motion, name)[rows] for name in ("t", "x", "r", "work_done")}
-    return replace(motion, **parts, dense=None, stored=poses)
+    return replace(motion, **parts, dense=None, stored={**poses, **constant})
 
 
 def publish(path: Path, page: str) -> Path:

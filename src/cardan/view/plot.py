@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from ..arguments import checked
 from ..atomic_file import folder, replaced
 from ..errors import ModelError, brief, listed, near
+from ..runtime.trajectory.histories import units_of
 from ..runtime.trajectory.trajectory import TrajectoryRecord
 
 if TYPE_CHECKING:
@@ -181,7 +182,8 @@ def done(figure: Figure, title: str, path: str | Path | None) -> Figure:
 
 def _smooth(motion: TrajectoryRecord) -> TrajectoryRecord:
     """The motion with points between its rows, where it knows them: curves, not polygons."""
-    if motion.dense is None or len(motion.t) >= POINTS:
+    # without the model, energies are known at the rows of the file alone
+    if motion.dense is None or motion.model is None or len(motion.t) >= POINTS:
         return motion
     dense_times = np.linspace(motion.t[0], motion.t[-1], POINTS)
     times = np.unique(np.concatenate([motion.t, dense_times]))
@@ -204,7 +206,9 @@ def _everything(motion: TrajectoryRecord) -> Panels:
 
 def _chosen(motion: TrajectoryRecord, names: list[str]) -> Panels:
     """One panel for every name asked for; a block of several entries shares one."""
-    return [(name, _columns(name, np.asarray(motion[name]))) for name in names]
+    units = units_of(motion)
+    labels = {name: f"{name} [{units[name]}]" if units.get(name) else name for name in names}
+    return [(label, _columns(name, np.asarray(motion[name]))) for name, label in labels.items()]
 
 
 def _columns(name: str, values: Curve) -> dict[str, Curve]:

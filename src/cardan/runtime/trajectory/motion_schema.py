@@ -211,6 +211,9 @@ def _numbers(notes: Mapping[str, Any], values: dict[str, Array]) -> None:
         ("losses", (event_count,)),
         ("constraints", (count, manifest.position_rows)),
         ("multipliers", (count, rows)),
+        ("parameters", (len(manifest.parameters),)),
+        ("outputs", (count, len(manifest.outputs))),
+        ("element_forces", (count, len(manifest.element_forces))),
     ):
         if name in values:
             _shaped(values, name, shape)

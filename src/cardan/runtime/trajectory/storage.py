@@ -9,6 +9,7 @@ attribute ``manifest``, as JSON; ``sha256`` tells whether all of it is what was 
 from __future__ import annotations
 
 import json
+import warnings
 from dataclasses import asdict
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -17,7 +18,7 @@ import numpy as np
 
 from ...arguments import checked
 from ...arrays import Array
-from ...errors import ModelError
+from ...errors import ModelError, ModelWarning
 from ...schema.fields import dumped
 from ...schema.manifest import BLOCKS, Manifest
 from ...schema.rows import column
@@ -28,6 +29,7 @@ from . import energy_balance, motion_schema
 from .closure_errors import Ledger
 from .dense_output import Dense
 from .event_log import EventLog
+from .histories import COMPUTED, computed
 from .input_history import PiecewiseInput, Recorded
 from .solver_info import SolverInfo
 from .trajectory import TrajectoryRecord
@@ -37,9 +39,13 @@ if TYPE_CHECKING:
 
 NOTES = ("manifest", "conduct", "scene", "happenings", "sources", "signals")
 DENSE = ("spreads", "increments")  # what is between, of quaternions or of their increments
-STORED = ("kinetic", "potential", "constraints", "multipliers", "losses")
+STORED = (
+    "kinetic", "potential", "constraints", "multipliers", "losses", "parameters", *COMPUTED,
+)  # fmt: skip
 LEFT_OUT = ("functions", "sha256", "available", "finite_elements")
 COLUMNS = "largest before projection, when, largest after it, when"
+# entries of a pose (3, 4): rotation matrix and position [m]
+POSE = [f"R{i}{j}" if j < 4 else f"p{'xyz'[i - 1]}" for i in (1, 2, 3) for j in (1, 2, 3, 4)]
 FEWER = "Simulate with an array of output times to keep fewer of them"
 
 
@@ -67,8 +73,7 @@ def _variables(motion: TrajectoryRecord) -> dict[str, Variable]:
     manifest = motion.manifest
 
     def listed(key: str) -> dict[str, str]:
-        rows = manifest.block(key)
-        return {"names": _list(column(rows, "name")), "units": _list(column(rows, "unit"))}
+        return _about(manifest.block(key))
 
     variables = {
         "time": Variable(("time",), motion.t, {"units": "s"}),
@@ -76,6 +81,8 @@ def _variables(motion: TrajectoryRecord) -> dict[str, Variable]:
         "u": Variable(("time", "speed"), motion.u, listed("u")),
         "r": Variable(("time", "input"), motion.r, listed("r")),
     }
+    if (p := motion.parameters) is not None and len(p):
+        variables["parameters"] = Variable(("parameter",), p, listed("p"))
     if manifest.z:
         variables["z"] = Variable(("time", "internal_state"), motion.z, listed("z"))
     if manifest.s:
@@ -87,7 +94,7 @@ def _variables(motion: TrajectoryRecord) -> dict[str, Variable]:
         if len(losses):
             variables["losses"] = Variable(("event",), losses, {"units": "J"})
     if motion.sources:
-        names = {"names": _list(motion.sources), "units": "J"}
+        names = {"names": _list(f"{name}.work" for name in motion.sources), "units": "J"}
         variables["work"] = Variable(("time", "source"), motion.work_done, names)
     if motion.dense is not None:
         axes = ("step", "row", "entry")
@@ -98,24 +105,32 @@ def _variables(motion: TrajectoryRecord) -> dict[str, Variable]:
 def _computed(motion: TrajectoryRecord) -> dict[str, Variable]:
     """Histories computed from the states by the model."""
     variables = {}
-    available = set(motion.manifest.available)
+    manifest, available = motion.manifest, set(motion.manifest.available)
     if "kinetic" in motion.stored or "energy" in available:
         variables["kinetic"] = Variable(("time",), motion.energy.kinetic, {"units": "J"})
         variables["potential"] = Variable(("time",), motion.energy.potential, {"units": "J"})
+    for name, entry in COMPUTED.items():
+        rows = manifest.outputs if name == "outputs" else manifest.element_forces
+        if rows and (name in motion.stored or name in available):
+            table = computed(motion, name, name)
+            variables[name] = Variable(("time", entry), table, _about(rows))
     if motion.ledger is not None:
         table = motion.ledger.table
         variables["ledger"] = Variable(("constraint", "column"), table, {"columns": COLUMNS})
     if "constraints" in motion.stored or ({"constraints"} <= available and motion.constraints):
-        residuals = np.stack([*motion.constraints.values()], axis=-1)
-        variables["constraints"] = Variable(("time", "position_constraint"), residuals)
+        residuals = motion.constraints
+        names = {"names": _list(f"{name}.residual" for name in residuals)}
+        table = np.stack([*residuals.values()], axis=-1)
+        variables["constraints"] = Variable(("time", "position_constraint"), table, names)
     if "multipliers" in motion.stored:
         forces = motion.stored["multipliers"]
-        variables["multipliers"] = Variable(("time", "multiplier"), forces)
+        about = _about(manifest.multipliers)
+        variables["multipliers"] = Variable(("time", "multiplier"), forces, about)
     for k, body in enumerate(_bodies(motion)):
         pose = motion.pose(body)[:, :3, :]
-        variables[f"pose_{k}"] = Variable(
-            ("time", "axis", "column"), pose, {"frame": json.dumps(body)}
-        )
+        entries = [f"{body}.pose.{entry}" for entry in POSE]
+        about = {"frame": json.dumps(body), "names": _list(entries)}
+        variables[f"pose_{k}"] = Variable(("time", "axis", "column"), pose, about)
     return variables
 
 
@@ -138,6 +153,11 @@ def _bodies(motion: TrajectoryRecord) -> list[str]:
         return []
     motion.model.prepare(*(("pose", body) for body in bodies))
     return bodies
+
+
+def _about(rows: Any) -> dict[str, str]:
+    """Names and units of the columns of a variable."""
+    return {"names": _list(column(rows, "name")), "units": _list(column(rows, "unit"))}
 
 
 def _list(names: Any) -> str:
@@ -180,16 +200,19 @@ def load(path: str | Path, model: LoadedModel | None = None) -> TrajectoryRecord
 
     Args:
         path: The file.
-        model: The compiled model, for what needs it (reactions, outputs, further poses).
+        model: The compiled model, for what needs it (reactions, outputs, further poses). Its
+            parameters get the values of the run.
 
     Raises:
         ModelError: not a run of cardan, a damaged one, a newer format, or a model with other
-            coordinates.
+            coordinates or parameters.
     """
     path = Path(path)
     contents = formats.load(path, RUN, ("title", *NOTES))
     try:
         notes, values, poses = motion_schema.checked(contents)
+        if model is not None:
+            model = _of_run(path, notes["manifest"], values.get("parameters"), model)
         motion = _trajectory(notes, values, model)
     except (ValueError, MemoryError, RecursionError) as error:
         if isinstance(error, ModelError):
@@ -199,8 +222,6 @@ def load(path: str | Path, model: LoadedModel | None = None) -> TrajectoryRecord
             "again"
         ) from None
     motion.stored.update(poses)
-    if model is not None:
-        _compare(path, notes["manifest"], model)
     return motion
 
 
@@ -249,8 +270,13 @@ def _recorded(record: motion_schema.Signals | None, values: dict[str, Array]) ->
     return Recorded(constants, tabulated, called, sampled, values["time"], values["r"])
 
 
-def _compare(path: Path, manifest: Manifest, model: LoadedModel) -> None:
-    for letter in "qurzs":
+def _of_run(path: Path, manifest: Manifest, p: Array | None, model: LoadedModel) -> LoadedModel:
+    """The model with the parameters of a run.
+
+    Raises:
+        ModelError: it has other coordinates or parameters.
+    """
+    for letter in "qurzsp":
         here = column(manifest.block(letter), "name")
         there = column(model.manifest.block(letter), "name")
         if here != there:
@@ -259,3 +285,13 @@ def _compare(path: Path, manifest: Manifest, model: LoadedModel) -> None:
                 f"{', '.join(here) or 'none'}; those of '{model.name}' are "
                 f"{', '.join(there) or 'none'}"
             )
+    if p is not None:
+        return model.with_parameters(dict(zip(model.parameters, p.tolist(), strict=True)))
+    if len(model.parameters):
+        warnings.warn(
+            f"{path} is of an earlier format, without the values of its parameters: those of "
+            f"'{model.name}' are taken. Save the run again",
+            ModelWarning,
+            stacklevel=4,
+        )
+    return model

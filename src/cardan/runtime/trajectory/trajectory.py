@@ -11,18 +11,17 @@ import numpy as np
 
 from ...arguments import Times, checked
 from ...arrays import Array
-from ...errors import ModelError, near
+from ...errors import ModelError
 from ...notebooks import html
 from ...schema.manifest import Manifest
 from ..calls.methods import Energy
 from ..models.finite_elements.beam_sections import sections
-from ..models.wrenches import force_names, force_part, reaction_part
-from . import dependent_joints
 from .closure_errors import Ledger, multipliers_of, residuals_of
 from .dense_output import Dense
 from .energy_balance import Balance, balance, impacts
 from .event_log import Event, EventLog
 from .frame_history import frame_on_body, numbers, pose
+from .histories import history
 from .input_history import Recorded
 from .interpolation import inputs_at, states_at
 from .solver_info import EVENT, FINISHED, SolverInfo
@@ -155,6 +154,11 @@ class TrajectoryRecord:
         """Discrete states of elements (nt, ns)."""
         return self.event_log.s if self.event_log.s.size else np.zeros((len(self), 0))
 
+    @property
+    def parameters(self) -> Array | None:
+        """Values of the parameters (np,) in the order of the manifest; None in old files."""
+        return self.stored.get("parameters") if self.model is None else self.model.parameters.vector
+
     @cached_property
     def events(self) -> tuple[Event, ...]:
         """Events in the order of time, without samples: those are :attr:`ticks`.
@@ -180,34 +184,7 @@ class TrajectoryRecord:
         Raises:
             ModelError: no such name.
         """
-        place = self._places.get(name)
-        if place is not None:
-            values, columns = place
-            return values[:, columns]
-        follow = dependent_joints.names(self.manifest)
-        if name in follow:
-            return dependent_joints.history(self, name)
-        for what, names, function in (
-            ("output", self._outputs, "outputs"),
-            ("multiplier", [row.name for row in self.manifest.multipliers], "multipliers"),
-        ):
-            if name in names:
-                model = self._model(f"{what} '{name}'")
-                arguments = {"t": self.t, "r": self._r, **self._arguments}
-                table: Array = getattr(model, function)(self.q, self.u, **arguments)
-                return table[:, names.index(name)]
-        if self.model is not None and (part := reaction_part(name, self.model.joints)):
-            return self.reaction(part[0])[:, part[1]]
-        rows = self.manifest.element_forces
-        if (entries := force_part(name, rows)) is not None:
-            model = self._model(f"'{name}'")
-            forces: Array = model.element_forces(
-                self.q, self.u, t=self.t, r=self._r, **self._arguments
-            )
-            return forces[:, entries]
-        multipliers = [row.name for row in self.manifest.multipliers]
-        histories = [*self._places, *follow, *self._outputs, *force_names(rows), *multipliers]
-        raise ModelError(f"motion['{name}']: there is no such history.{near(name, histories)}")
+        return history(self, name)
 
     @cached_property
     def _places(self) -> dict[str, tuple[Array, int | slice]]:
@@ -224,11 +201,6 @@ class TrajectoryRecord:
             for k, row in enumerate(self.manifest.block(letter)):
                 places.setdefault(row.name, (values, k))
         return places
-
-    @cached_property
-    def _outputs(self) -> list[str]:
-        """Names of the outputs."""
-        return [row.name for row in self.manifest.outputs]
 
     @property
     def _r(self) -> Array | None:
@@ -269,7 +241,8 @@ class TrajectoryRecord:
         at = np.atleast_1d(np.asarray(times, dtype=np.float64))
         y, nx, r = states_at(self, at), self.x.shape[1], inputs_at(self, at)
         event_log = self.event_log
-        changes: dict[str, Any] = {"dense": None, "stored": {}, "work_done": y[:, nx:]}
+        constant = {k: v for k, v in self.stored.items() if k == "parameters"}
+        changes: dict[str, Any] = {"dense": None, "stored": constant, "work_done": y[:, nx:]}
         return replace(
             self,
             t=at,

@@ -1,0 +1,83 @@
+"""Histories of a run by name, and their units."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from ...arrays import Array
+from ...errors import ModelError, near
+from ...schema.entries import Entry
+from ...schema.manifest import Manifest
+from ..models.wrenches import force_names, force_part, reaction_part
+from . import dependent_joints
+
+if TYPE_CHECKING:
+    from .trajectory import TrajectoryRecord
+
+# tables that a model computes along a run, and a file holds: what one history of each is called
+COMPUTED = {"outputs": "output", "element_forces": "force"}
+
+
+def history(motion: TrajectoryRecord, name: str) -> Array:
+    """History of a name, as :meth:`.TrajectoryRecord.__getitem__`.
+
+    Raises:
+        ModelError: no such name, or one that needs the model.
+    """
+    place = motion._places.get(name)
+    if place is not None:
+        values, columns = place
+        return values[:, columns]
+    manifest = motion.manifest
+    follow = dependent_joints.names(manifest)
+    if name in follow:
+        return dependent_joints.history(motion, name)
+    outputs = [row.name for row in manifest.outputs]
+    if name in outputs:
+        return computed(motion, "outputs", f"output '{name}'")[:, outputs.index(name)]
+    multipliers = [row.name for row in manifest.multipliers]
+    if name in multipliers:
+        # of the accelerations, not those that an integrator found
+        return computed(motion, "multipliers", f"multiplier '{name}'")[:, multipliers.index(name)]
+    if part := reaction_part(name, _joints(manifest)):
+        return motion.reaction(part[0])[:, part[1]]
+    rows = manifest.element_forces
+    if (entries := force_part(name, rows)) is not None:
+        return computed(motion, "element_forces", f"'{name}'")[:, entries]
+    histories = [*motion._places, *follow, *outputs, *force_names(rows), *multipliers]
+    raise ModelError(f"motion['{name}']: there is no such history.{near(name, histories)}")
+
+
+def computed(motion: TrajectoryRecord, table: str, what: str) -> Array:
+    """A table (nt, n) that the model computes along the run, or that a file holds.
+
+    Raises:
+        ModelError: there is neither.
+    """
+    if motion.model is None and table in motion.stored:
+        return motion.stored[table]
+    function = getattr(motion._model(what), table)
+    values: Array = function(motion.q, motion.u, t=motion.t, r=motion._r, **motion._arguments)
+    return values
+
+
+def _joints(manifest: Manifest) -> list[str]:
+    """Names of the joints that have reactions, as far as files of runs know them."""
+    joints = [row.name for row in manifest.joints] + [row.name for row in manifest.cuts]
+    elements = manifest.finite_elements
+    return [*joints, *(() if elements is None else elements.reactions), *manifest.fixed]
+
+
+def units_of(motion: TrajectoryRecord) -> dict[str, str]:
+    """Units of histories by name."""
+    m = motion.manifest
+    blocks: tuple[Sequence[Entry], ...] = (m.coordinates, m.speeds, m.inputs, m.outputs, m.z)
+    units = {row.name: row.unit for rows in blocks for row in rows}
+    units |= {row.name: row.unit for row in m.multipliers}
+    for row in m.element_forces:
+        # all entries of a force have the unit of the force
+        units |= {row.name: row.unit, row.name.rpartition(".")[0]: row.unit}
+    for joint in _joints(m):
+        units |= {f"{joint}.force": "N", f"{joint}.moment": "N*m"}
+    return units
