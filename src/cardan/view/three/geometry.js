@@ -195,10 +195,12 @@ export function shade(x, into) {
   return into.setRGB(mix(0), mix(1), mix(2), "srgb");
 }
 
-// a beam: its outline swept along its sections; every picture fills the arrays again
+// a beam: its outline swept along its sections; every picture fills the arrays again. Between the
+// sections runs a cubic that leaves each of them at a right angle
 
 export function beam(b, color) {
-  const n = b.count, m = b.outline.length, round = b.round, corners = round ? m : 2 * m;
+  const pieces = Math.max(1, Math.min(8, Math.round(48 / Math.max(1, b.count - 1))));
+  const n = (b.count - 1) * pieces + 1, m = b.outline.length, round = b.round, corners = round ? m : 2 * m;
   // points (y, z) of the outline with their normals; a corner stands twice
   const ring = [];
   for (let k = 0; k < m; k++) {
@@ -225,11 +227,25 @@ export function beam(b, color) {
   const mesh = shaded(geometry, new MeshStandardMaterial({ vertexColors: true, roughness: 0.5, side: DoubleSide }));
   mesh.frustumCulled = false;
   const p = new Vector3(), v = new Vector3(), turn = new Quaternion();
+  const given = Array.from({ length: b.count }, () => ({ at: new Vector3(), turn: new Quaternion(), along: new Vector3(), amount: null }));
+  const between = (i) => {
+    // fills in p and turn at ring i; returns its amount
+    const k = Math.min(b.count - 2, Math.floor(i / pieces)), x = i / pieces - k, c = given[k], d = given[k + 1];
+    const length = v.subVectors(d.at, c.at).length();
+    p.copy(c.at).addScaledVector(v, x * x * (3 - 2 * x));
+    p.addScaledVector(c.along, length * x * (1 - x) ** 2).addScaledVector(d.along, length * x * x * (x - 1));
+    turn.slerpQuaternions(c.turn, d.turn, x);
+    return c.amount === null ? null : c.amount * (1 - x) + d.amount * x;
+  };
   mesh.bend = (section, value) => {
-    // section(i, p, turn) fills in a place; value(i) from 0 to 1, or null
+    // section(i, at, turn) fills in a place; value(i) from 0 to 1, or null
+    given.forEach((one, i) => {
+      section(i, one.at, one.turn);
+      one.along.set(1, 0, 0).applyQuaternion(one.turn);
+      one.amount = value(i);
+    });
     for (let i = 0; i < n + 2; i++) {
-      const from = i < n ? i : i === n ? 0 : n - 1, amount = value(from);
-      section(from, p, turn);
+      const amount = between(i < n ? i : i === n ? 0 : n - 1);
       if (amount === null) tone.copy(plain);
       else shade(amount, tone);
       for (let k = 0; k < corners; k++) {
