@@ -79,6 +79,7 @@ class CompiledModel(LoadedModel):
         step: float | None = None,
         max_step: float | None = None,
         inputs: Mapping[str, object] | None = None,
+        parameters: Values | None = None,
         sample: float | None = None,
         checkpoint: str | Path | None = None,
         every: float = 10.0,
@@ -89,17 +90,15 @@ class CompiledModel(LoadedModel):
 
         Args:
             t: End time (from 0), ``(start, end)`` (backward too), or an array of output times [s].
-                With an end or a pair the result is dense. A tuple or list of two is a pair; an array
-                of two is refused: ``t_eval`` takes it.
-            x0: Initial state (nx,); or by names:
-            q, u: Initial coordinates and speeds, ``{"elbow": 0.3, "base": [1, 0, 0, 0, 0, 0, 1]}``
+                With an end or a pair the result is dense; ``t_eval`` takes an array of two times.
+            x0: Initial state (nx,); else
+            q, u: initial coordinates and speeds, ``{"elbow": 0.3, "base": [1, 0, 0, 0, 0, 0, 1]}``
                 or arrays (nq,), (nu,). What is not named comes from q0 and u0 of its joint, else 0;
                 of a system with loops it is assembled next to that, see ``model.assemble``.
             z: Initial internal states of elements, ``{"motor.current": 0.1}`` or an array (nz,).
             events: Name -> what to watch, besides the events of the model: ``f(t, x)`` or
                 ``("elbow", 0.5)``. The run ends where that passes zero, or the coordinate, speed or
-                internal state the value; ``(what, "mark")`` only notes it. ``"down"`` or ``"up"`` as
-                a further word says which way, along the run.
+                internal state the value; ``(what, "mark")`` notes it; ``"down"``, ``"up"`` is the way.
             method: Name of an integrator, such as ``"DOP853"``, ``"RK45"``, ``"RKMK853"``,
                 ``"Radau"``, ``"Rosenbrock"`` (adaptive), ``"RK4"``, ``"EnergyMidpoint"``,
                 ``"EnergyMomentum"`` (fixed step), or a :class:`cardan.GeneralizedAlpha`; ``"auto"``
@@ -111,10 +110,10 @@ class CompiledModel(LoadedModel):
             max_step: Largest step of an adaptive method [s]; past functions 1/1000 of the span.
             inputs: Name -> constant, ``(times, values)`` (straight lines between; a time twice is a
                 jump; a cubic spline where the input prescribes a motion) or ``f(t, x)``.
-            sample: Time between two calls of the ``f(t, x)`` [s]; their values are held in between.
-                Without it they are called at every stage of every step.
-            checkpoint: A file that keeps what is computed, ``every`` so many seconds of computing. The
-                same call goes on from there, to the bit.
+            parameters: Values of parameters by name, as ``model.with_parameters`` takes them.
+            sample: Time between calls of ``f(t, x)`` [s], held in between; else called at every stage.
+            checkpoint: A file that keeps what is computed, ``every`` so many seconds; the same call
+                goes on from there, to the bit.
             check: Raise instead of warn, see below and ``docs/integrators.md``.
             progress: True, False or a function of the fraction done; None: a bar in long runs.
 
@@ -124,9 +123,9 @@ class CompiledModel(LoadedModel):
             closure off by more than a hundred times what the tolerance is worth give one too.
 
         Raises:
-            ModelError: an unknown name, an empty span, options that do not fit.
-            ArgumentError: wrong shapes. FunctionError: yours failed; ``motion`` is what was computed.
-            SolveError: a number that is not finite; with ``check``, an early end.
+            ModelError: an unknown name, an empty span, options that do not fit. ArgumentError: wrong
+                shapes. FunctionError: yours failed; ``motion`` is what was computed. SolveError: a
+                number that is not finite; with ``check``, an early end.
         """
     def stepper(
         self,

@@ -4,7 +4,7 @@ cardan compiles multibody mechanics: bodies and joints become equations of motio
 become C, the C becomes fast functions and simulations.
 
 start here:
-  cardan demo                                a small arm, offline, in seconds
+  cardan demo                                an acrobat on a bar, offline, in seconds
   cardan simulate arm.urdf --time 10         your own robot, or a scene (.yaml)
   cardan inspect arm.urdf -o arm.html        its equations, on a page to read
   cardan ensemble arm.urdf --vary 'elbow=uniform(-1, 1)' --runs 1000

@@ -21,9 +21,10 @@ from ..atomic_file import folder, written
 from ..errors import ArgumentError, ModelError, near
 from ..runtime.trajectory import frame_history
 from ..runtime.trajectory.trajectory import TrajectoryRecord
+from . import curves, plain_page, scene_page
 from . import drawing as drawn
-from . import plain_page, scene_page
-from .drawing import Abscissa, Drawing, Named
+from .curves import Named
+from .drawing import Abscissa, Drawing
 from .packing import deflated
 
 PICTURES = 1500  # a longer motion gets fewer pictures per second
@@ -245,7 +246,9 @@ def drawing_of(
     return replace(
         things,
         abscissa=over,
-        histories=drawn.histories(rows[0], chosen.plots, histories) if len(over.values) > 1 else [],
+        histories=curves.histories(rows[0], chosen.plots, histories)
+        if len(over.values) > 1
+        else [],
         events=events[::every],
         up=up,
         normal=drawn.plane_of(things.bodies, things.beams),

@@ -110,7 +110,7 @@ RULES: tuple[Rule, ...] = (
     Rule(
         "DOP853",
         lambda case: True,
-        "not stiff as far as seen: fewest evaluations for an error, from 2 digits to 14",
+        "not stiff so far: fewest evaluations for an error, whether 2 digits or 14 are asked for",
     ),
 )
 

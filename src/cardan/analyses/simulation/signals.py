@@ -46,8 +46,10 @@ class Checked:
             return float(value)
         except (TypeError, ValueError):
             at = f"at t = {t:.9g} s"
+            one = np.size(value) == 1 and np.ndim(value) > 0
+            cure = ". Return its entry, such as float(value[0])" if one else ""
             raise FunctionError(
-                f"{self.who} gave {brief(value)}, which is not a number, {at}"
+                f"{self.who} gave {brief(value)}, which is not a number, {at}{cure}"
             ) from None
 
 

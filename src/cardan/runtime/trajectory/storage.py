@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import json
 import warnings
+from collections.abc import Sequence
 from dataclasses import asdict
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -19,7 +20,7 @@ import numpy as np
 from ...arguments import checked
 from ...arrays import Array
 from ...errors import ModelError, ModelWarning
-from ...schema.fields import dumped
+from ...schema.fields import Record, dumped
 from ...schema.manifest import BLOCKS, Manifest
 from ...schema.rows import column
 from ...version import RUN
@@ -155,7 +156,7 @@ def _bodies(motion: TrajectoryRecord) -> list[str]:
     return bodies
 
 
-def _about(rows: Any) -> dict[str, str]:
+def _about(rows: Sequence[Record]) -> dict[str, str]:
     """Names and units of the columns of a variable."""
     return {"names": _list(column(rows, "name")), "units": _list(column(rows, "unit"))}
 
