@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..arrays import Array
-from ..runtime.trajectory.frame_history import inverse
+from ..runtime.trajectory.frame_history import bodies_in_place, inverse, is_recorded
 from ..runtime.trajectory.trajectory import TrajectoryRecord
 from ..schema.manifest import Manifest
 from ..schema.mechanism import BodyRow, ShapeRow
@@ -48,18 +48,25 @@ def bodies(motion: TrajectoryRecord) -> tuple[list[DrawnBody], list[Solid]]:
     lengths = [length for length in lengths if length > 0]
     radius = THICK * float(np.mean(lengths)) if lengths else 0.02
     drawn = []
+    # without the C of every single pose, as far as that goes
+    places = bodies_in_place(motion) if is_recorded(motion) else {}
     for k, body in _bodies(manifest):
         name = str(body.name)
-        frame = next(r.name for r in manifest.frames if r.body == body.name)
         solids = _shapes(motion, name)
         pins = _pins(motion, k, radius)
         bare = [link(a, b, radius, joint=not pins) for a, b in links[name]]
         bare += pins + _cuts(motion, name, radius) + _center(motion, k, links[name], radius)
-        poses = motion.pose(frame) @ inverse(motion.frame_on_body(frame))
+        poses = places[name] if name in places else _poses(motion, name)
         drawn.append(DrawnBody(name, solids or bare, bare, poses))
     # thinner than what turns about it, which then covers its end
     ground = _shapes(motion, "ground") or [link(a, b, 0.8 * radius) for a, b in links["ground"]]
     return drawn, ground
+
+
+def _poses(motion: TrajectoryRecord, body: str) -> Array:
+    """Transforms (nt, 4, 4) of a body to ground axes."""
+    frame = next(row.name for row in motion.manifest.frames if row.body == body)
+    return np.asarray(motion.pose(frame) @ inverse(motion.frame_on_body(frame)))
 
 
 def _pins(motion: TrajectoryRecord, k: int, radius: float) -> list[Solid]:
