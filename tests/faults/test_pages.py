@@ -51,3 +51,15 @@ def test_bodies_of_a_path_stand_by_the_parameters_of_every_row(tmp_path: Path) -
     data = data_of(path.animate(tmp_path / "page.html").html)
     at = data["poses"].reshape(len(path.rows), -1, 7)[:, 1, :3]
     np.testing.assert_allclose(np.linalg.norm(at, axis=1), path.values["l"], rtol=1e-4)
+
+
+def test_a_sweep_forth_and_back_plays(tmp_path: Path) -> None:
+    """Its page ran from 0 to 0."""
+    model = cd.compile(chain(1))
+    there = np.linspace(0, 1, 11)
+    sweep = model.sweep("pin0", np.concatenate([there, there[::-1]]))
+    data = data_of(sweep.animate(tmp_path / "page.html").html)
+    np.testing.assert_allclose(data["t"][:, 0], np.arange(22), atol=1e-6)
+    assert data["abscissa"] == {"name": "row", "unit": ""}
+    once = data_of(model.sweep("pin0", there).animate(tmp_path / "page.html").html)
+    assert once["abscissa"] == {"name": "pin0", "unit": "rad"}
