@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import cardan as cd
+from cardan.view import meshes
 from cardan.view.solids import bodies
 from view.unpacked import data_of
 
@@ -63,3 +64,19 @@ def test_a_sweep_forth_and_back_plays(tmp_path: Path) -> None:
     assert data["abscissa"] == {"name": "row", "unit": ""}
     once = data_of(model.sweep("pin0", there).animate(tmp_path / "page.html").html)
     assert once["abscissa"] == {"name": "pin0", "unit": "rad"}
+
+
+def test_links_in_a_circle_are_no_material(tmp_path: Path) -> None:
+    """Before Python 3.13 they were a RuntimeError."""
+    (tmp_path / "circle.mtl").symlink_to("circle.mtl")
+    mesh = tmp_path / "part.obj"
+    mesh.write_text("mtllib circle.mtl\nusemtl red\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+    (part,) = meshes.read(mesh)
+    assert part.color is None
+
+
+def test_meshes_of_the_smallest_and_largest_numbers_do_not_overflow(tmp_path: Path) -> None:
+    mesh = tmp_path / "part.obj"
+    mesh.write_text("v 0 0 0\nv 1e-40 0 0\nv 0 1e-40 0\nf 1 2 3\n")
+    (part,) = meshes.read(mesh)
+    assert meshes.encoded(part).positions.max() == meshes.STEPS
