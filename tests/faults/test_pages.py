@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import os
 from pathlib import Path
 
 import numpy as np
@@ -64,6 +65,27 @@ def test_a_sweep_forth_and_back_plays(tmp_path: Path) -> None:
     assert data["abscissa"] == {"name": "row", "unit": ""}
     once = data_of(model.sweep("pin0", there).animate(tmp_path / "page.html").html)
     assert once["abscissa"] == {"name": "pin0", "unit": "rad"}
+
+
+@pytest.mark.parametrize("fps", [0.0, -60.0])
+def test_pictures_per_second_are_positive(fps: float, tmp_path: Path) -> None:
+    """Two pictures were drawn, without a word."""
+    motion = cd.compile(chain(1)).simulate(0.1)
+    with pytest.raises(cd.ArgumentError, match=r"fps=.*such as 60"):
+        motion.animate(tmp_path / "page.html", fps=fps)
+
+
+def test_words_of_titles_and_bodies_that_are_followed(tmp_path: Path) -> None:
+    """A name of a file that is no UTF-8 gave a UnicodeEncodeError; the ground was suggested."""
+    motion = cd.compile(chain(1)).simulate(0.1)
+    title = os.fsdecode(b"run \xff.urdf")
+    assert "<h1>run ?.urdf</h1>" in motion.animate(tmp_path / "page.html", title=title).html
+    with pytest.raises(cd.ArgumentError) as told:
+        motion.animate(tmp_path / "page.html", follow="ground")
+    assert (
+        str(told.value)
+        == "follow='ground': there is no such body. Known: rod0. Did you mean 'rod0'?"
+    )
 
 
 def test_links_in_a_circle_are_no_material(tmp_path: Path) -> None:

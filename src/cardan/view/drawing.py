@@ -335,9 +335,8 @@ def body_followed(
     names = [body.name for body in bodies]
     body = name if name in names else frames.get(name, "")
     if body not in names:
-        raise ArgumentError(
-            f"follow='{name}': there is no such body.{near(name, [*names, *frames])}"
-        )
+        hint = near(name, dict.fromkeys([*names, *(f for f in frames if frames[f] in names)]))
+        raise ArgumentError(f"follow='{name}': there is no such body.{hint}")
     return names.index(body)
 
 
