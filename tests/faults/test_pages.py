@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import json
 import math
 import os
+import re
+import warnings
 from pathlib import Path
 
 import numpy as np
 import pytest
+from scipy.spatial.transform import Rotation
 
 import cardan as cd
 from cardan.view import meshes
@@ -65,6 +69,71 @@ def test_a_sweep_forth_and_back_plays(tmp_path: Path) -> None:
     assert data["abscissa"] == {"name": "row", "unit": ""}
     once = data_of(model.sweep("pin0", there).animate(tmp_path / "page.html").html)
     assert once["abscissa"] == {"name": "pin0", "unit": "rad"}
+
+
+def test_a_satellite_turns_as_exactly_as_a_robot(tmp_path: Path) -> None:
+    """Quaternions were rounded in the steps that are left of 7000 km: a degree."""
+    scene = cd.Scene("satellite", gravity=(0, 0, 0))
+    body = scene.body("body", mass=100, inertia=(10, 12, 15), shape=cd.shape.box(1, 1, 2))
+    scene.joint("fly", cd.Free(), scene.ground, body)
+    motion = cd.compile(scene).simulate(
+        20.0, q={"fly": [1, 0, 0, 0, 7e6, 0, 0]}, u={"fly": [0, 0, 0.1, 0, 7500, 0]}
+    )
+    data = data_of(motion.animate(tmp_path / "page.html").html)
+    exact = motion.resample(data["t"][:, 0]).pose("body")
+    turned = Rotation.from_quat(data["poses"][:, 3:]).as_matrix()
+    np.testing.assert_allclose(turned, exact[:, :3, :3], rtol=0, atol=5e-5)
+    # 150 km in 28 bits, and a step of the time that the page rounds to
+    np.testing.assert_allclose(data["poses"][:, :3], exact[:, :3, 3], rtol=0, atol=2e-3)
+
+
+@pytest.mark.parametrize("length", [1.6e-6, 4e-7])
+def test_micromechanisms_are_drawn_to_scale(length: float, tmp_path: Path) -> None:
+    """Solids were rounded to a micrometer, places of the plain page to ten."""
+    motion = cd.compile(chain(2, length)).simulate(1e-3, q={"pin0": 1.0})
+    for page in ("3d", "plain"):
+        html = motion.animate(tmp_path / "page.html", page=page).html
+        data = data_of(html) if page == "3d" else _plain(html)
+        assert data["bodies"][0]["solids"][0]["b"][2] == pytest.approx(-length)
+    elbow = np.array([row[9:] for row in data["bodies"][1]["pose"]])
+    np.testing.assert_allclose(np.linalg.norm(elbow, axis=1), length, rtol=1e-4)
+
+
+def _plain(html: str) -> dict[str, object]:
+    found = re.search(r'id="data">(.*?)</script>', html, re.S)
+    assert found
+    contents: dict[str, object] = json.loads(found[1])
+    return contents
+
+
+def test_short_motions_are_slow_enough_to_be_seen(tmp_path: Path) -> None:
+    """20 microseconds passed in a flash: the slowest play was 0.001."""
+    motion = cd.compile(chain(1)).simulate(2e-5, u={"pin0": 1e4})
+    rate = data_of(motion.animate(tmp_path / "page.html").html)["rate"]
+    assert 1 < 2e-5 / rate < 10
+
+
+def test_outputs_without_a_number_leave_gaps(tmp_path: Path) -> None:
+    """The whole page was refused, because of places that were all finite."""
+    scene = chain(1)
+    scene.output("root", scene.q("pin0") ** 0.5)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", cd.SolveWarning)
+        motion = cd.compile(scene).simulate(2.0, q={"pin0": 0.5})
+        data = data_of(motion.animate(tmp_path / "page.html", plots="root").html)
+    curve = data["histories"][0]["curves"][0]
+    angle = motion.resample(data["t"][:, 0])["pin0"]
+    there = np.setdiff1d(np.arange(len(angle)), curve["gaps"])
+    assert np.all(angle[curve["gaps"]] < 1e-6)
+    np.testing.assert_allclose(curve["y"][there, 0], np.sqrt(angle[there]), atol=1e-3)
+
+
+def test_small_swings_about_large_values_are_no_stairs(tmp_path: Path) -> None:
+    """Curves were rounded to a ten thousandth of their largest value, not of what they span."""
+    motion = cd.compile(chain(1)).simulate(2.0, q={"pin0": 200 * math.pi + 0.01})
+    data = data_of(motion.animate(tmp_path / "page.html", plots="pin0").html)
+    exact = motion.resample(data["t"][:, 0])["pin0"]
+    np.testing.assert_allclose(data["histories"][0]["curves"][0]["y"][:, 0], exact, atol=2e-6)
 
 
 @pytest.mark.parametrize("fps", [0.0, -60.0])

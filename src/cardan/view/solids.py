@@ -11,7 +11,7 @@ from ..runtime.trajectory.frame_history import bodies_in_place, inverse, is_reco
 from ..runtime.trajectory.trajectory import TrajectoryRecord
 from ..schema.manifest import Manifest
 from ..schema.mechanism import BodyRow, ShapeRow
-from .packing import JsonObject
+from .packing import JsonObject, below_one
 
 # as a page has it
 Solid = JsonObject
@@ -179,8 +179,8 @@ def _nearest(point: Array, a: Array, b: Array) -> Array:
 
 
 def short(x: Array) -> list[float]:
-    """Numbers as they stand in the page."""
-    values: list[float] = np.round(x, 6).tolist()
+    """Numbers as they stand in the page: to a millionth, of the largest where all are small."""
+    values: list[float] = np.round(x, 6 + below_one(float(np.abs(x).max(initial=0.0)))).tolist()
     return values
 
 
