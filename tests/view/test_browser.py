@@ -259,3 +259,92 @@ def test_a_robot_and_a_beam_are_of_moderate_size(tmp_path: Path) -> None:
     scene.joint("pin", cd.Revolute("y"), scene.ground, beam.start)
     motion = cd.compile(scene).simulate(2.0, step=5e-3)
     assert motion.animate(tmp_path / "beam.html").path.stat().st_size < 300_000  # type: ignore[union-attr]
+
+
+def test_views_go_with_a_body_that_is_followed(browser: Any, tmp_path: Path) -> None:
+    """They looked at the start of the scene, from which a stone had fallen 80 m."""
+    scene = cd.Scene("fall", gravity=(0, 0, -9.81))
+    shape = cd.shape.box(0.3, 0.3, 0.3)
+    stone = scene.body("stone", mass=1, inertia=(1, 1, 1), shape=shape)
+    scene.joint("fly", cd.Free(), scene.ground, stone)
+    page = cd.compile(scene).simulate(5.0).animate(tmp_path / "page.html", follow="stone")
+    with Shown(browser, f"{page.saved().as_uri()}#t=4", bypass_csp=True) as shown:
+        for key in ("2", "0", "1"):
+            shown.page.keyboard.press(key)
+            shown.page.wait_for_timeout(100)
+            x, y = shown.tell("project(window.cardan.position('stone'))")
+            assert 0 < x < 1000
+            assert 0 < y < 600
+
+
+def test_the_picture_comes_back_with_the_graphics(shown: Shown) -> None:
+    """A page that was paused stayed empty."""
+    shown.page.evaluate(
+        """() => { window.lose = document.getElementById("stage").getContext("webgl2")
+          .getExtension("WEBGL_lose_context"); window.lose.loseContext(); }"""
+    )
+    shown.page.wait_for_timeout(100)
+    shown.page.evaluate("() => window.lose.restoreContext()")
+    shown.page.wait_for_function(
+        """() => { const gl = document.getElementById("stage").getContext("webgl2");
+          const d = new Uint8Array(4 * 200 * 200);
+          gl.readPixels(400, 200, 200, 200, gl.RGBA, gl.UNSIGNED_BYTE, d);
+          return d.some((x) => x > 0); }""",
+        timeout=5000,
+    )
+
+
+def test_an_address_that_is_changed_is_followed(shown: Shown) -> None:
+    shown.page.evaluate("() => { location.hash = 't=2.5&theme=dark'; }")
+    shown.page.wait_for_function("() => document.documentElement.dataset.theme === 'dark'")
+    assert shown.time == pytest.approx(2.5)
+
+
+def test_numbers_of_axes_differ_and_are_short(browser: Any, tmp_path: Path) -> None:
+    """Late times were all 12350, large energies did not fit beside the curves."""
+    scene = cd.Scene("late", gravity=(0, 0, -9.81))
+    rod = scene.body("rod", mass=1e9, com=(0, 0, -0.5), inertia=(3e8, 3e8, 1e8))
+    scene.joint("pivot", cd.Revolute("y"), scene.ground, rod)
+    times = np.linspace(12345, 12350, 100)
+    page = cd.compile(scene).simulate(times, q={"pivot": 1.0}).animate(tmp_path / "page.html")
+    keep = """window.texts = []; const write = CanvasRenderingContext2D.prototype.fillText;
+      CanvasRenderingContext2D.prototype.fillText = function (text, ...more) {
+        if (this.canvas.id === "strip") window.texts.push(text);
+        write.call(this, text, ...more); }"""
+    context = browser.new_context(bypass_csp=True)
+    shown = context.new_page()
+    shown.add_init_script(keep)
+    shown.goto(page.saved().as_uri() + "#t=12346")
+    shown.wait_for_selector("body[data-ready]")
+    shown.wait_for_timeout(200)
+    texts = set(shown.evaluate("() => window.texts"))
+    context.close()
+    assert {"12346", "12347", "12348", "-2e9"} <= texts
+    assert max(map(len, texts)) <= 8
+
+
+def test_what_is_hidden_has_no_name_under_the_pointer(browser: Any, tmp_path: Path) -> None:
+    scene = cd.Scene("hung")
+    rod = scene.body("rod", mass=1, com=(0, 0, -0.5), inertia=(0.1, 0.1, 0.1))
+    scene.joint("pivot", cd.Revolute("y"), scene.ground, rod)
+    rope = cd.SpringDamper(scene.ground.at(1, 0, -1), rod.at(0, 0, -1), stiffness=3)
+    scene.force("rope", rope)
+    motion = cd.compile(scene).simulate(1.0)
+    page = motion.animate(tmp_path / "page.html").saved().as_uri()
+    with Shown(browser, f"{page}#t=0", bypass_csp=True) as shown:
+
+        def names() -> set[str]:
+            """What the pointer finds about the middle of the rope."""
+            x, y = shown.tell("project([0.5, 0, -1])")
+            found = set()
+            for k in range(-12, 13, 4):
+                shown.page.mouse.move(x, y + k)
+                shown.page.wait_for_timeout(80)
+                found.add(shown.page.evaluate("() => document.getElementById('tag').hidden"))
+            return found
+
+        assert False in names()
+        shown.page.click("#list")
+        shown.page.uncheck("#layer-springs")
+        shown.page.click("#list")
+        assert names() == {True}

@@ -34,7 +34,9 @@ def data_of(page: str) -> dict[str, Any]:
         for order in reversed(range(value["orders"])):
             # differences begin at the row of their order
             table[order:] = np.cumsum(table[order:], axis=0)
-        numbers = table * value["step"] + value.get("first", 0.0)
+        numbers = (
+            table * value["step"] + value.get("first", 0.0) + np.array(value.get("origin", 0.0))
+        )
         if "stretch" in value:
             numbers.reshape(rows, -1, 7)[..., 3:] /= value["stretch"]
         return numbers

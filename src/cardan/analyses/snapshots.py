@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from ..arguments import checked
+from ..arrays import Array
 from ..errors import ArgumentError
 from ..runtime.trajectory.trajectory import TrajectoryRecord
 from ..view.drawing import Abscissa, reaction_frames
@@ -66,7 +67,7 @@ def _rows(
         name = next(iter(result.values), "s")
         values = result.values.get(name, result.s)
         # a path may turn back: then its own length counts
-        if np.any(np.diff(values) <= 0) and np.any(np.diff(values) >= 0):
+        if _turns_back(values):
             name, values = "s", result.s
         return [_of_equilibrium(row, reactions) for row in result.rows], Abscissa(
             np.asarray(values), name, ""
@@ -78,7 +79,11 @@ def _rows(
         swept = TrajectoryRecord.of_states(model, result.t, x, result.r, "sweep")
         units = {row.name: row.unit for row in model.manifest.coordinates}
         unit = "s" if name == "t" else units.get(name, "")
-        return [swept], Abscissa(np.asarray(drivers[name]), name, unit)
+        values = np.asarray(drivers[name], dtype=np.float64)
+        # so may a driver: then the rows are counted
+        if _turns_back(values):
+            name, unit, values = "row", "", np.arange(len(values), dtype=np.float64)
+        return [swept], Abscissa(values, name, unit)
     if isinstance(result, EquilibriumRecord):
         return [_of_equilibrium(result, reactions)], Abscissa(np.array([result.t]))
     at = np.array([result.t])
@@ -86,6 +91,12 @@ def _rows(
         result.model, at, result.x[None], np.atleast_2d(result.r), "assembly"
     )
     return [still], Abscissa(at)
+
+
+def _turns_back(values: Array) -> bool:
+    """Whether values neither rise nor fall from row to row."""
+    steps = np.diff(values)
+    return bool(np.any(steps <= 0) and np.any(steps >= 0))
 
 
 def _of_equilibrium(equilibrium: EquilibriumRecord, reactions: bool) -> TrajectoryRecord:

@@ -29,7 +29,7 @@ SPRINGS = ("spring_damper",)
 MOST_EVENTS = 400
 # pictures per second of a screen, and swings per second that one can follow
 FAST, FOLLOWED = 60.0, 1.5
-RATES = np.array([0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0])
+RATES = np.array([*(float(f"{k}e{n}") for n in range(-9, 0) for k in (1, 2, 5)), 1.0])
 # of the largest speed: what one sees; turns and moves that are none
 VISIBLE, FLAT = 0.25, 1e-6
 
@@ -257,7 +257,7 @@ def slowed(motion: TrajectoryRecord) -> float:
         if size > VISIBLE * most[row.unit] > 0:
             strong = np.sign(speed[np.abs(speed) > VISIBLE * size])
             swings = max(swings, np.count_nonzero(np.diff(strong)) / 2 / span)
-    rate = min(FOLLOWED / swings if swings > 0 else np.inf, max(span / 3.0, 1e-9))
+    rate = min(FOLLOWED / swings if swings > 0 else np.inf, span / 3.0)
     return float(RATES[max(0, int(np.searchsorted(RATES, rate * 1.001, side="right")) - 1)])
 
 
@@ -274,9 +274,8 @@ def body_followed(
     names = [body.name for body in bodies]
     body = name if name in names else frames.get(name, "")
     if body not in names:
-        raise ArgumentError(
-            f"follow='{name}': there is no such body.{near(name, [*names, *frames])}"
-        )
+        hint = near(name, dict.fromkeys([*names, *(f for f in frames if frames[f] in names)]))
+        raise ArgumentError(f"follow='{name}': there is no such body.{hint}")
     return names.index(body)
 
 

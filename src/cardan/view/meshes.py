@@ -75,7 +75,9 @@ def encoded(part: Part) -> Packed:
     """
     low, high = part.vertices.min(axis=0), part.vertices.max(axis=0)
     size = high - low
-    steps = np.rint((part.vertices - low) * (STEPS / np.where(size > 0, size, 1)))
+    # in double precision: 65535 steps in the smallest single numbers overflow these
+    scales = STEPS / np.where(size > 0, size, 1).astype(np.float64)
+    steps = np.rint((part.vertices - low) * scales)
     rows: NDArray[np.uint16] | NDArray[np.uint32] = part.triangles
     if len(part.vertices) <= STEPS + 1:
         rows = part.triangles.astype(np.uint16)

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ..arrays import Array
 from ..errors import ModelError
 
 # an object of JSON
@@ -40,7 +41,13 @@ class Packer:
         most = float(np.abs(table).max(initial=0.0))
         if not np.isfinite(most):
             raise ModelError("a page shows finite numbers; some are not")
-        step = max(step, most / MOST, 1e-300)
+        origin: Array | None = None
+        if most > MOST * step:
+            # what is far away: as seen from where it starts
+            origin = table[0]
+            table = table - origin
+            most = float(np.abs(table).max(initial=0.0))
+        step = step_of(step, most)
         steps = np.rint(table / step).astype(np.int64)
         for order in range(orders):
             # the first row stays, the second becomes a first difference, the rest differ twice
@@ -49,6 +56,8 @@ class Packer:
         planes = zigzag.reshape(-1, 1).view(np.uint8).T
         rows, columns = table.shape
         entry = {"at": self._size, "rows": rows, "columns": columns, "step": step, "orders": orders}
+        if origin is not None:
+            entry["origin"] = origin.tolist()
         self._parts.append(planes.tobytes())
         self._size += zigzag.nbytes
         return entry
@@ -56,6 +65,18 @@ class Packer:
     def text(self) -> str:
         """The block as text."""
         return deflated(b"".join(self._parts))
+
+
+def step_of(step: float, most: float) -> float:
+    """The step to which numbers up to ``most`` can be rounded: the one that is asked for, or what
+    28 bits leave.
+    """
+    return max(step, most / MOST, 1e-300)
+
+
+def below_one(size: float) -> int:
+    """How many decimals more than at a size of one keep the same digits; 9 at most, 0 above."""
+    return int(np.clip(-np.floor(np.log10(size)), 0, 9)) if size > 0 else 0
 
 
 def deflated(content: bytes) -> str:

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from ..arguments import checked
 from ..atomic_file import folder, written
-from ..errors import ArgumentError, ModelError, near
+from ..errors import ArgumentError, CardanError, ModelError, near
 from ..runtime.trajectory import frame_history
 from ..runtime.trajectory.trajectory import TrajectoryRecord
 from . import curves, plain_page, scene_page
@@ -153,6 +153,8 @@ def page_of(
         raise ArgumentError(f"page='{page}': there is no such page.{near(page, PAGES)}")
     first = motions[0].manifest
     detail = _detail(meshes)
+    if fps <= 0:
+        raise ArgumentError(f"fps={fps:g}: give pictures per second, such as 60")
     if "pose" in first.absent:
         raise ModelError(f"a page shows bodies: {first.absent['pose']}; plot() draws coordinates")
     # the plain page begins in real time
@@ -285,7 +287,7 @@ def _filled(drawing: Drawing, page: str, detail: str | float, headline: str) -> 
     """The text of a page."""
     unit = drawing.abscissa.unit
     parts = {
-        "TITLE": html.escape(headline),
+        "TITLE": html.escape(_encodable(headline)),
         "ABSCISSA": html.escape("time" if unit == "s" else drawing.abscissa.name),
     }
     try:
@@ -297,6 +299,8 @@ def _filled(drawing: Drawing, page: str, detail: str | float, headline: str) -> 
             data, block = scene_page.parts(drawing, detail)
             script = {"PROGRAM": _program(), "START": _text("three/start.js")}
             parts |= {"DATA": data, "BLOB": block, **script}
+    except CardanError:
+        raise
     except ValueError:
         raise ModelError(
             f"a page shows bodies at finite places; some of '{drawing.name}' are not"
@@ -306,6 +310,11 @@ def _filled(drawing: Drawing, page: str, detail: str | float, headline: str) -> 
         parts["DATA"] = parts["DATA"].replace(character, f"\\u{ord(character):04x}")
     # in one sweep: what is filled in is never searched for marks
     return MARK.sub(lambda mark: parts[mark[1]], _text(template))
+
+
+def _encodable(text: str) -> str:
+    """A text without the halves of characters that names of files may hold: UTF-8 has none."""
+    return text.encode("utf-8", "replace").decode("utf-8")
 
 
 def _text(name: str) -> str:

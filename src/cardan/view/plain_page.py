@@ -8,24 +8,30 @@ import numpy as np
 
 from ..arrays import Array
 from .drawing import Drawing
+from .packing import below_one
+from .scene_page import size_of
 
 
 def data(drawing: Drawing) -> str:
     """A drawing as JSON: bodies as solids with poses (nt, 12), beams as tubes."""
+    decimals = 5 + below_one(size_of(drawing))
+    t = drawing.abscissa.values
     bodies = [
         {
             "name": body.name,
             "solids": [s for s in body.solids if s["kind"] != "mesh"] or body.bare,
-            "pose": _rows(body.poses),
+            "pose": _rows(body.poses, decimals),
         }
         for body in drawing.bodies
     ]
     tubes = []
     for beam in drawing.beams:
         places = beam.sections[:, :, :3, 3].reshape(len(beam.sections), -1)
-        tubes.append({"name": beam.name, "r": beam.radius, "path": np.round(places, 5).tolist()})
+        tubes.append(
+            {"name": beam.name, "r": beam.radius, "path": np.round(places, decimals).tolist()}
+        )
     contents = {
-        "t": np.round(drawing.abscissa.values, 6).tolist(),
+        "t": np.round(t, 6 + below_one(float(np.ptp(t)))).tolist(),
         "name": drawing.name,
         "bodies": bodies,
         "ground": [s for s in drawing.ground if s["kind"] != "mesh"],
@@ -34,8 +40,10 @@ def data(drawing: Drawing) -> str:
     return json.dumps(contents, separators=(",", ":"), allow_nan=False)
 
 
-def _rows(poses: Array) -> list[list[float]]:
-    """Rotations row by row, then positions."""
-    flat = np.concatenate([poses[:, :3, :3].reshape(-1, 9), poses[:, :3, 3]], axis=1)
-    rows: list[list[float]] = np.round(flat, 5).tolist()
+def _rows(poses: Array, decimals: int) -> list[list[float]]:
+    """Rotations row by row, then positions to so many decimals."""
+    rotations = np.round(poses[:, :3, :3].reshape(-1, 9), 5)
+    rows: list[list[float]] = np.concatenate(
+        [rotations, np.round(poses[:, :3, 3], decimals)], axis=1
+    ).tolist()
     return rows

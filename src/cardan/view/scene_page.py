@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 
 import numpy as np
@@ -13,11 +13,11 @@ from ..errors import ModelError, ModelWarning, counted, warn
 from . import meshes
 from .beams import STRAIN, DrawnBeam
 from .drawing import Drawing
-from .packing import JsonObject, Packer, turns
+from .packing import JsonObject, Packer, step_of, turns
 from .solids import Solid
 
 # steps of lengths, turns and curves against the size of what is shown
-FINE, TURN, CURVE = 1e-5, 1e-5, 1e-4
+FINE, TURN, CURVE, STILL = 1e-5, 1e-5, 1e-4, 1e-9
 # triangles of a page unless a user asks for all of them
 MOST_TRIANGLES = 200_000
 ROUND = 24  # corners of a round section
@@ -31,7 +31,7 @@ def parts(drawing: Drawing, detail: str | float) -> tuple[str, str]:
         detail: As ``meshes=`` of :func:`.page.animate`.
     """
     pack = Packer()
-    size = _size(drawing)
+    size = size_of(drawing)
     solids = _Solids(pack, drawing, detail)
     t = drawing.abscissa.values
     span = float(np.ptp(t)) or 1.0
@@ -68,13 +68,7 @@ def parts(drawing: Drawing, detail: str | float) -> tuple[str, str]:
             for name, path in drawing.traces.items()
         ],
         "histories": [
-            {
-                "name": group.name,
-                "unit": group.unit,
-                "curves": [
-                    {"name": name, "y": pack.add(y, CURVE * _most(y))} for name, y in group.curves
-                ],
-            }
+            {"name": group.name, "unit": group.unit, "curves": _curves(pack, group.curves)}
             for group in drawing.histories
         ],
         "events": [{"t": at, "name": name} for at, name in drawing.events],
@@ -89,11 +83,26 @@ def parts(drawing: Drawing, detail: str | float) -> tuple[str, str]:
     return json.dumps(data, separators=(",", ":"), allow_nan=False), pack.text()
 
 
+def _curves(pack: Packer, curves: Sequence[tuple[str, Array]]) -> list[JsonObject]:
+    """Curves of one axis, in steps of what it spans; ``gaps`` are rows without a number."""
+    finite = [y[np.isfinite(y)] for _, y in curves]
+    every = np.concatenate([*finite, np.zeros(0)])
+    # rounding in the last digits is no history
+    step = max(CURVE * float(np.ptp(every)), STILL * _most(every)) if every.size else 1.0
+    entries: list[JsonObject] = []
+    for (name, y), there in zip(curves, finite, strict=True):
+        gaps = np.flatnonzero(~np.isfinite(y))
+        filled = np.where(np.isfinite(y), y, there[0] if there.size else 0.0)
+        entry = {"name": name, "y": pack.add(filled, step)}
+        entries.append(entry | ({"gaps": gaps.tolist()} if gaps.size else {}))
+    return entries
+
+
 def _most(values: Array) -> float:
     return float(np.abs(values).max(initial=0.0)) or 1.0
 
 
-def _size(drawing: Drawing) -> float:
+def size_of(drawing: Drawing) -> float:
     """Extent of what is shown at the start [m]."""
     points = [body.poses[0, :3, 3] for body in drawing.bodies]
     points += [p for beam in drawing.beams for p in beam.sections[0, :, :3, 3]]
@@ -108,8 +117,10 @@ def _places(pack: Packer, poses: Array, size: float) -> JsonObject:
     """Positions and quaternions (nt, n, 7) of transforms (nt, n, 4, 4)."""
     if not np.isfinite(poses).all():
         raise ModelError("a page shows bodies at finite places; some are not")
-    # one array of whole numbers: quaternions are stretched to the steps of the lengths
-    step, rows = FINE * size, len(poses)
+    # one array of whole numbers: quaternions are stretched to the steps of the lengths, which are
+    # larger than is wanted where bodies go far
+    rows, at = len(poses), poses[..., :3, 3]
+    step = step_of(FINE * size, float(np.abs(at - at[0]).max(initial=0.0)))
     table = np.concatenate([poses[..., :3, 3], turns(poses[..., :3, :3]) * (step / TURN)], axis=-1)
     return pack.add(table.reshape(rows, -1), step) | {"stretch": step / TURN}
 

@@ -7,11 +7,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..arrays import Array
-from ..runtime.trajectory.frame_history import inverse
+from ..runtime.trajectory.frame_history import bodies_in_place, inverse, is_recorded
 from ..runtime.trajectory.trajectory import TrajectoryRecord
 from ..schema.manifest import Manifest
 from ..schema.mechanism import BodyRow, ShapeRow
-from .packing import JsonObject
+from .packing import JsonObject, below_one
 
 # as a page has it
 Solid = JsonObject
@@ -50,18 +50,25 @@ def bodies(motion: TrajectoryRecord) -> tuple[list[DrawnBody], list[Solid]]:
     lengths = [length for length in lengths if length > 0]
     radius = THICK * float(np.mean(lengths)) if lengths else 0.02
     drawn = []
+    # without the C of every single pose, as far as that goes
+    places = bodies_in_place(motion) if is_recorded(motion) else {}
     for k, body in _bodies(manifest):
         name = str(body.name)
-        frame = next(r.name for r in manifest.frames if r.body == body.name)
         solids = _shapes(motion, name)
         inboard = _inboard(motion, k, radius)
         bare = [link(a, b, radius, joint=not inboard) for a, b in links[name]]
         bare += inboard + _cuts(motion, name, radius) + _center(motion, k, links[name], radius)
-        poses = motion.pose(frame) @ inverse(motion.frame_on_body(frame))
+        poses = places[name] if name in places else _poses(motion, name)
         drawn.append(DrawnBody(name, solids or bare, bare, poses))
     # thinner than what turns about it, which then covers its end
     ground = _shapes(motion, "ground") or [link(a, b, 0.8 * radius) for a, b in links["ground"]]
     return drawn, ground
+
+
+def _poses(motion: TrajectoryRecord, body: str) -> Array:
+    """Transforms (nt, 4, 4) of a body to ground axes."""
+    frame = next(row.name for row in motion.manifest.frames if row.body == body)
+    return np.asarray(motion.pose(frame) @ inverse(motion.frame_on_body(frame)))
 
 
 def _eye(at: Array, axis: Array, radius: float) -> list[Solid]:
@@ -178,8 +185,8 @@ def _nearest(point: Array, a: Array, b: Array) -> Array:
 
 
 def short(x: Array) -> list[float]:
-    """Numbers as they stand in the page."""
-    values: list[float] = np.round(x, 6).tolist()
+    """Numbers as they stand in the page: to a millionth, of the largest where all are small."""
+    values: list[float] = np.round(x, 6 + below_one(float(np.abs(x).max(initial=0.0)))).tolist()
     return values
 
 

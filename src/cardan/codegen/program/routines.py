@@ -243,7 +243,8 @@ class _Builder:
         if self.after:
             lines = [Assign(r.place, self._plain_value(r.node), r.comment) for r in plain]
             return [Section("results that are numbers or inputs", tuple(lines))]
-        if len(plain) > COPIES:
+        # places in a step hang on the visit: no table of places holds for all
+        if len(plain) > COPIES and self.stage.kind == "prepare":
             return [Section("parameters as they are", (self._copies(plain),))]
         lines = [Assign(r.place, self._place(r.node), r.comment) for r in plain]
         return [Section("parameters as they are", tuple(lines))]

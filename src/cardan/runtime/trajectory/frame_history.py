@@ -56,19 +56,26 @@ def pose(motion: TrajectoryRecord, frame: str) -> Array:
     if motion.manifest.absolute:
         parts = (motion.scene[name] for name in ("frame_rotation", "frame_position"))
         return frames.Frames(rows, *parts).pose(frame, motion.q)
-    bodies = [row.name for row in motion.manifest.bodies]
     try:
-        joints = joints_of(motion.manifest, motion.scene)
-        scene = flat_scene.scene_from(motion.manifest, motion.scene, joints)
-        rotations, origins = newton_euler.poses(scene, motion.q)
+        return bodies_in_place(motion)[body] @ place
     except (IndexError, ValueError) as problem:
         raise ModelError(
             f"the file does not say how '{frame}' moves: its joints have other numbers of "
             "coordinates or speeds than their kinds"
         ) from problem
-    k, T = bodies.index(body), np.tile(np.eye(4), (len(motion), 1, 1))
-    T[:, :3, :3], T[:, :3, 3] = rotations[k], origins[k]
-    return T @ place
+
+
+def bodies_in_place(motion: TrajectoryRecord) -> dict[str, Array]:
+    """Poses (nt, 4, 4) of all bodies, by the coordinates of a run that :func:`is_recorded`."""
+    joints = joints_of(motion.manifest, motion.scene)
+    scene = flat_scene.scene_from(motion.manifest, motion.scene, joints)
+    rotations, origins = newton_euler.poses(scene, motion.q)
+    transforms: dict[str, Array] = {}
+    for body, rotation, origin in zip(motion.manifest.bodies, rotations, origins, strict=True):
+        T = np.tile(np.eye(4), (len(motion), 1, 1))
+        T[:, :3, :3], T[:, :3, 3] = rotation, origin
+        transforms[str(body.name)] = T
+    return transforms
 
 
 def inverse(pose: Array) -> Array:

@@ -47,7 +47,9 @@ def parts(content: bytes, path: Path) -> list[Part]:
                 raise ModelError(f"more than {MOST_TRIANGLES} triangles")
             # a mirror turns triangles inside out
             order = triangles[:, ::-1] if np.linalg.det(pose[:3, :3]) < 0 else triangles
-            moved = points[order.ravel()] @ pose[:3, :3].T + pose[:3, 3]
+            # what becomes infinite is refused below
+            with np.errstate(over="ignore", invalid="ignore"):
+                moved = points[order.ravel()] @ pose[:3, :3].T + pose[:3, 3]
             corners.setdefault(colors.get(symbol), []).append(unit * moved)
     stacked = {color: np.concatenate(blocks) for color, blocks in corners.items()}
     return [merged(rows, np.arange(len(rows)), color) for color, rows in stacked.items()]
@@ -99,7 +101,8 @@ class _Scene:
         for one in node:
             kind = tag(one)
             if kind in TRANSFORMS:
-                pose = pose @ _transform(one)
+                with np.errstate(over="ignore", invalid="ignore"):
+                    pose = pose @ _transform(one)
             elif kind == "node":
                 yield from self._visit(one, pose, depth + 1)
             elif kind == "instance_node":

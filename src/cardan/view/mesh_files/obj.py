@@ -89,11 +89,12 @@ def _colors(files: list[str], path: Path) -> dict[str, Color | None]:
     home = path.resolve().parent
     colors: dict[str, Color | None] = {}
     for file in files:
-        if "\0" in file or not (place := (home / file).resolve()).is_relative_to(home):
-            continue
         try:
+            # links that lead in a circle are a RuntimeError before Python 3.13
+            if "\0" in file or not (place := (home / file).resolve()).is_relative_to(home):
+                continue
             content = regular_file.content(place, MATERIAL_FILE)
-        except OSError:
+        except (OSError, RuntimeError):
             # pictures do without colors
             continue
         colors |= _materials(content)

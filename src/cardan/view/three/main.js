@@ -261,7 +261,8 @@ class Page {
   say(text) { $("said").textContent = text; }
 
   clock() {
-    const { name, unit } = this.data.abscissa, digits = unit === "s" && Math.abs(this.last - this.first) > 0.5 ? 2 : 4;
+    const { name, unit } = this.data.abscissa, span = Math.abs(this.last - this.first);
+    const digits = span > 0.5 || !span ? 2 : Math.min(12, Math.max(4, 2 - Math.floor(Math.log10(span))));
     const shown = (x) => (unit === "s" ? x.toFixed(digits) : short(x));
     return `${name === "t" ? "" : `${name} = `}${shown(this.now)} / ${shown(this.last)}${unit ? ` ${unit}` : ""}`;
   }
@@ -313,9 +314,11 @@ class Page {
     Object.assign($("time"), { min: Math.min(this.first, this.last), max: Math.max(this.first, this.last) });
     $("time").oninput = () => { this.play(false); this.seek(Number($("time").value)); };
     $("play").onclick = () => this.play(!this.playing);
-    const speeds = [0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10];
-    const timed = data.abscissa.unit === "s";
-    const rates = timed ? [...new Set([...speeds, data.rate])].sort((a, b) => a - b) : speeds.slice(6, -1).map((x) => x * data.rate);
+    const timed = data.abscissa.unit === "s", span = Math.abs(this.last - this.first), speeds = [];
+    for (let power = -9; power < 9; power++) for (const k of [1, 2, 5]) speeds.push(Number(`${k}e${power}`));
+    // down to a tenth of the usual one, and up to where everything passes in some seconds
+    const [least, most] = [Math.min(0.001, data.rate / 10), Math.max(10, span / 3)];
+    const rates = timed ? [...new Set([...speeds.filter((x) => x >= least && x <= most), data.rate])].sort((a, b) => a - b) : [0.1, 0.2, 0.5, 1, 2, 5].map((x) => x * data.rate);
     for (const x of rates) $("rate").add(new Option(`${short(timed ? x : x / data.rate)}×`, x, x === data.rate, x === data.rate));
     $("rate").onchange = () => { this.rate = Number($("rate").value); };
     if (this.nt < 2) $("panel").hidden = true;
@@ -331,7 +334,7 @@ class Page {
     }
     this.list();
     const press = (id, act) => { $(id).onclick = act; };
-    press("home", () => this.stage.look());
+    press("home", () => this.look());
     press("shot", () => this.save());
     press("dark", () => this.theme(document.documentElement.dataset.theme === "dark" ? "light" : "dark"));
     press("list", () => this.open("list", "scene"));
@@ -341,12 +344,22 @@ class Page {
     this.keys(axes);
     this.hover();
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.theme());
+    addEventListener("hashchange", () => this.hash());
+    $("stage").addEventListener("webglcontextrestored", () => { this.dirty = true; });
   }
 
   // a second press looks from the other side
   along(axis) {
     const from = new Vector3().subVectors(this.stage.camera.position, this.stage.controls.target).normalize();
-    this.stage.look(from.dot(axis) > 0.999 ? axis.clone().negate() : axis);
+    this.look(from.dot(axis) > 0.999 ? axis.clone().negate() : axis);
+  }
+
+  // at the whole scene; where a body is followed, from where the start of the scene is with it
+  look(from) {
+    this.stage.look(from);
+    if (!this.following) return;
+    const start = new Vector3().fromArray(this.data.poses, 7 * this.bodies.indexOf(this.following));
+    this.stage.carry(start.subVectors(this.was, start));
   }
 
   open(button, panel) {
@@ -427,7 +440,7 @@ class Page {
       "+": ["+ −", "nearer, farther", () => this.stage.zoom(0.9)],
       "=": [null, null, () => this.stage.zoom(0.9)],
       "-": [null, null, () => this.stage.zoom(1 / 0.9)],
-      0: ["0", "whole scene", () => this.stage.look()],
+      0: ["0", "whole scene", () => this.look()],
       1: ["1 2 3", "view along x, y, z; again from behind", () => this.along(axes.x)],
       2: [null, null, () => this.along(axes.y)],
       3: [null, null, () => this.along(axes.z)],
@@ -460,7 +473,7 @@ class Page {
   }
 
   nameAt(x, y) {
-    const hit = this.stage.under(x, y, [...this.named.filter((thing) => thing.visible), ...this.springs, this.ground]);
+    const hit = this.stage.under(x, y, [...this.named.filter((thing) => thing.visible), ...this.springs.filter((s) => s.parent), this.ground]);
     let thing = hit && hit.object;
     while (thing && !thing.name) thing = thing.parent;
     return thing ? thing.name : null;
@@ -498,10 +511,10 @@ class Page {
   // page.html#t=2.5&show=reactions,frames&theme=dark&view=x&bare
   hash() {
     const asked = new URLSearchParams(location.hash.slice(1));
-    if (asked.has("t")) { this.paused = true; this.seek(Number(asked.get("t")) || this.first); }
+    if (asked.has("t")) { this.paused = true; this.play(false); this.seek(Number(asked.get("t")) || this.first); }
     if (asked.has("show")) for (const name of asked.get("show").split(",")) if (Object.hasOwn(this.switches, name)) this.switches[name](true);
     if (asked.has("theme")) this.theme(asked.get("theme"));
-    if (asked.has("bare")) { document.body.dataset.bare = ""; this.resize(); this.stage.look(); }
+    if (asked.has("bare")) { document.body.dataset.bare = ""; this.resize(); this.look(); }
     if (asked.has("view")) $(`along-${asked.get("view")}`)?.click();
   }
 }

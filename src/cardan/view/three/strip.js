@@ -8,11 +8,17 @@ const DASHES = [[], [7, 4], [2, 3], [9, 3, 2, 3]];
 function ticks(low, high, most) {
   const rough = (high - low) / most, power = 10 ** Math.floor(Math.log10(rough));
   const step = [1, 2, 5, 10].map((k) => k * power).find((k) => k >= rough * 0.999), found = [];
-  for (let y = Math.ceil(low / step - 1e-9) * step; y <= high + 1e-9 * step; y += step) found.push(Math.abs(y) < 1e-9 * step ? 0 : y);
-  return found;
+  for (let k = Math.ceil(low / step - 1e-9); k * step <= high + 1e-9 * step && found.length < 4 * most; k++) found.push(k * step);
+  // as many digits as tell one from the next
+  const digits = Math.min(15, Math.max(4, Math.ceil(Math.log10(Math.max(Math.abs(low), Math.abs(high)) / step)) + 1));
+  return found.map((y) => [y, short(y, digits)]);
 }
 
-export const short = (x) => String(Number(x.toPrecision(4)));
+// few letters, also of what is very large or small
+export function short(x, digits = 4) {
+  const rounded = Number(x.toPrecision(digits)), size = Math.abs(rounded);
+  return size && (size >= 1e6 || size < 1e-4) && digits <= 6 ? rounded.toExponential().replace("e+", "e") : String(rounded);
+}
 
 export class Strip {
   constructor(canvas, legend, tabs, data, css, go) {
@@ -46,7 +52,8 @@ export class Strip {
       return entry;
     }));
     let [low, high] = [Infinity, -Infinity];
-    for (const { y } of this.group.curves) for (const v of y) { low = Math.min(low, v); high = Math.max(high, v); }
+    for (const { y } of this.group.curves) for (const v of y) if (!Number.isNaN(v)) { low = Math.min(low, v); high = Math.max(high, v); }
+    if (low > high) [low, high] = [0, 0];
     const margin = 0.06 * (high - low) || Math.abs(high) * 0.05 || 1;
     [this.low, this.high] = [low - margin, high + margin];
     this.still = null;
@@ -74,14 +81,14 @@ export class Strip {
     pen.fillStyle = css("--soft");
     pen.textBaseline = "middle";
     pen.textAlign = "right";
-    for (const y of ticks(this.low, this.high, 5)) {
+    for (const [y, text] of ticks(this.low, this.high, 5)) {
       pen.beginPath(); pen.moveTo(LEFT, Y(y)); pen.lineTo(width - RIGHT, Y(y)); pen.stroke();
-      pen.fillText(short(y), LEFT - 7, Y(y));
+      pen.fillText(text, LEFT - 7, Y(y), LEFT - 8);
     }
     pen.textBaseline = "alphabetic";
     pen.textAlign = "center";
     const [from, to] = [Math.min(this.first, this.last), Math.max(this.first, this.last)];
-    if (to > from) for (const t of ticks(from, to, Math.max(2, width / 95))) pen.fillText(short(t), X(t), height - 3);
+    if (to > from) for (const [t, text] of ticks(from, to, Math.max(2, width / 95))) pen.fillText(text, Math.min(X(t), width - 1 - pen.measureText(text).width / 2), height - 3);
     pen.strokeStyle = pen.fillStyle = css("--soft");
     for (const event of this.data.events) {
       pen.beginPath(); pen.moveTo(X(event.t), TOP); pen.lineTo(X(event.t), height - BOTTOM); pen.globalAlpha = 0.25; pen.stroke(); pen.globalAlpha = 1;
@@ -93,7 +100,7 @@ export class Strip {
       pen.strokeStyle = palette[k % palette.length];
       pen.setLineDash(DASHES[Math.floor(k / palette.length) % 4]);
       pen.beginPath();
-      for (let i = 0; i < this.t.length; i++) pen[i ? "lineTo" : "moveTo"](X(this.t[i]), Y(y[i]));
+      for (let i = 0; i < this.t.length; i++) if (!Number.isNaN(y[i])) pen[i && !Number.isNaN(y[i - 1]) ? "lineTo" : "moveTo"](X(this.t[i]), Y(y[i]));
       pen.stroke();
     });
     pen.setLineDash([]);

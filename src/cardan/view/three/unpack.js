@@ -8,7 +8,7 @@ async function inflate(id) {
 }
 
 // a Float64Array with `columns`, from { at, rows, columns, step, orders }
-function unpacked(bytes, { at, rows, columns, step, orders, first = 0, stretch = 0 }) {
+function unpacked(bytes, { at, rows, columns, step, orders, first = 0, stretch = 0, origin = null }) {
   const n = rows * columns, whole = new Int32Array(n), values = new Float64Array(n);
   for (let i = 0; i < n; i++) {
     const z = bytes[at + i] | (bytes[at + n + i] << 8) | (bytes[at + 2 * n + i] << 16) | (bytes[at + 3 * n + i] << 24);
@@ -16,7 +16,7 @@ function unpacked(bytes, { at, rows, columns, step, orders, first = 0, stretch =
   }
   for (let order = 0; order < orders; order++)
     for (let i = columns * (orders - order); i < n; i++) whole[i] += whole[i - columns];
-  for (let i = 0; i < n; i++) values[i] = first + whole[i] * step;
+  for (let i = 0; i < n; i++) values[i] = first + (origin ? origin[i % columns] : 0) + whole[i] * step;
   // places: three numbers of a position, four of a quaternion
   if (stretch) for (let i = 0; i < n; i++) if (i % 7 > 2) values[i] /= stretch;
   values.columns = columns;
@@ -31,5 +31,7 @@ export async function load() {
     if ("orders" in value) return unpacked(bytes, value);
     return Object.fromEntries(Object.entries(value).map(([key, x]) => [key, arrays(x)]));
   };
-  return arrays(data);
+  const found = arrays(data);
+  for (const { curves } of found.histories) for (const { y, gaps } of curves) for (const i of gaps ?? []) y[i] = NaN;
+  return found;
 }
