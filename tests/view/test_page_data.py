@@ -225,6 +225,8 @@ def test_positions_that_are_no_motion_have_pages(tmp_path: Path) -> None:
     still = data_of(rest.animate(tmp_path / "rest.html", show="reactions").html)
     assert len(still["t"]) == 1
     assert still["poses"][0, 2] == pytest.approx(rest["guide"], abs=1e-4)
+    with pytest.raises(cd.ArgumentError, match="a single position has not"):
+        rest.animate(tmp_path / "rest.html", plots="guide")
     path = model.statics(P=(0, 20))
     shown = data_of(path.animate(tmp_path / "path.html").html)
     assert shown["abscissa"] == {"name": "P", "unit": ""}

@@ -43,11 +43,14 @@ def animate(
         The page; ``.path`` is its file. Without a path it is opened, or shown in a notebook.
 
     Raises:
-        ModelError, ArgumentError: as :meth:`.Trajectory.animate`, or there are no positions.
+        ModelError, ArgumentError: as :meth:`.Trajectory.animate`; or there are no positions, or
+            histories of a single one.
     """
     rows, abscissa = _rows(result, "reactions" in (show or ()))
     if not rows:
         raise ArgumentError("animate: there are no positions to show")
+    if plots and len(abscissa.values) == 1:
+        raise ArgumentError("animate: plots= draws histories, which a single position has not")
     return page_of(
         rows, path, abscissa=abscissa, histories=result, show=show, plots=plots, follow=follow,
         traces=traces, meshes=meshes, page=page, title=title,

@@ -256,7 +256,8 @@ class Assembly(AssemblyRecord):
             The page; ``.path`` is its file. Without a path it is opened, or shown in a notebook.
 
         Raises:
-            ModelError, ArgumentError: as :meth:`.Trajectory.animate`, or there are no positions.
+            ModelError, ArgumentError: as :meth:`.Trajectory.animate`; or there are no positions, or
+                histories of a single one.
         """
 
 @final
@@ -285,7 +286,8 @@ class Sweep(SweepRecord):
             The page; ``.path`` is its file. Without a path it is opened, or shown in a notebook.
 
         Raises:
-            ModelError, ArgumentError: as :meth:`.Trajectory.animate`, or there are no positions.
+            ModelError, ArgumentError: as :meth:`.Trajectory.animate`; or there are no positions, or
+                histories of a single one.
         """
     def plot(
         self,
@@ -359,7 +361,8 @@ class Equilibrium(EquilibriumRecord):
             The page; ``.path`` is its file. Without a path it is opened, or shown in a notebook.
 
         Raises:
-            ModelError, ArgumentError: as :meth:`.Trajectory.animate`, or there are no positions.
+            ModelError, ArgumentError: as :meth:`.Trajectory.animate`; or there are no positions, or
+                histories of a single one.
         """
 
 @final
@@ -388,7 +391,8 @@ class StaticPath(StaticPathRecord):
             The page; ``.path`` is its file. Without a path it is opened, or shown in a notebook.
 
         Raises:
-            ModelError, ArgumentError: as :meth:`.Trajectory.animate`, or there are no positions.
+            ModelError, ArgumentError: as :meth:`.Trajectory.animate`; or there are no positions, or
+                histories of a single one.
         """
     def plot(
         self,
