@@ -186,6 +186,22 @@ export function spring(s, radius) {
   return group;
 }
 
+// vertices of a geometry that lie farthest out in some directions: they bound it more closely than a box
+
+const outward = [];
+for (const x of [-1, 0, 1]) for (const y of [-1, 0, 1]) for (const z of [-1, 0, 1]) if (x || y || z) outward.push([x, y, z]);
+export function outermost(geometry) {
+  const { array, count } = geometry.attributes.position, most = outward.map(() => -Infinity), found = outward.map(() => 0);
+  for (let i = 0; i < count; i++) {
+    const [x, y, z] = [array[3 * i], array[3 * i + 1], array[3 * i + 2]];
+    outward.forEach((d, k) => {
+      const reach = d[0] * x + d[1] * y + d[2] * z;
+      if (reach > most[k]) { most[k] = reach; found[k] = i; }
+    });
+  }
+  return count ? [...new Set(found)].map((i) => new Vector3().fromArray(array, 3 * i)) : [];
+}
+
 // stress or strain: viridis, which brightens evenly and keeps its order without colors
 
 const viridis = [[68, 1, 84], [71, 44, 122], [59, 81, 139], [44, 113, 142], [33, 144, 141], [39, 173, 129], [92, 200, 99], [170, 220, 50], [253, 231, 37]];

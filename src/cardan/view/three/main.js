@@ -1,7 +1,7 @@
 // The page: what is drawn, time, and hands.
 
 import { BufferAttribute, BufferGeometry, Group, Line, LineBasicMaterial, Quaternion, Vector3 } from "three";
-import { arrow, beam, palette, shade, solid, spring, triad } from "./geometry.js";
+import { arrow, beam, outermost, palette, shade, solid, spring, triad } from "./geometry.js";
 import { short, Strip } from "./strip.js";
 import { Stage } from "./stage.js";
 import { load } from "./unpack.js";
@@ -143,7 +143,7 @@ class Page {
     return this.cloud(rows.slice(0, most));
   }
 
-  // corners of everything, or of some bodies alone, at some rows
+  // outermost points of everything, or of some bodies alone, at some rows
   cloud(rows, some = null) {
     const points = [], { data } = this, p = new Vector3(), q = new Quaternion();
     const corners = [...this.bodies, this.ground].map((group) => {
@@ -151,10 +151,9 @@ class Page {
       group.traverse((one) => {
         if (!one.geometry) return;
         one.updateMatrix();
-        one.geometry.computeBoundingBox();
-        const { min, max } = one.geometry.boundingBox, inner = one.matrix.clone();
+        const inner = one.matrix.clone();
         for (let up = one.parent; up && up !== group; up = up.parent) { up.updateMatrix(); inner.premultiply(up.matrix); }
-        for (let k = 0; k < 8; k++) found.push(new Vector3(k & 1 ? max.x : min.x, k & 2 ? max.y : min.y, k & 4 ? max.z : min.z).applyMatrix4(inner));
+        for (const point of outermost(one.geometry)) found.push(point.applyMatrix4(inner));
       });
       return found.length ? found : group === this.ground ? [] : [new Vector3()];
     });
@@ -345,7 +344,7 @@ class Page {
     this.hover();
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.theme());
     addEventListener("hashchange", () => this.hash());
-    $("stage").addEventListener("webglcontextrestored", () => { this.dirty = true; });
+    $("stage").addEventListener("webglcontextrestored", () => { this.stage.surround(); this.dirty = true; });
   }
 
   // a second press looks from the other side

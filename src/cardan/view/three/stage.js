@@ -2,9 +2,10 @@
 
 import {
   Color, DirectionalLight, DoubleSide, HemisphereLight, Mesh, LinearToneMapping, PCFShadowMap, PerspectiveCamera, PlaneGeometry,
-  Quaternion, Raycaster, Scene, ShaderMaterial, ShadowMaterial, Vector2, Vector3, WebGLRenderer,
+  PMREMGenerator, Quaternion, Raycaster, Scene, ShaderMaterial, ShadowMaterial, Vector2, Vector3, WebGLRenderer,
 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
+import { RoomEnvironment } from "three/examples/jsm/environments/RoomEnvironment.js";
 
 const Z = new Vector3(0, 0, 1), FIELD = 34; // degrees, of the smaller side
 
@@ -17,16 +18,17 @@ export class Stage {
     // others crush what is dark
     this.renderer.toneMapping = LinearToneMapping;
     this.renderer.toneMappingExposure = 0.85;
-        this.scene = new Scene();
+    this.scene = new Scene();
     this.up = new Vector3(...data.up);
+    this.surround();
     this.normal = data.normal && new Vector3(...data.normal);
     this.camera = new PerspectiveCamera(FIELD, 1, 0.01, 100);
     this.camera.up.copy(this.up);
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.addEventListener("change", changed);
-    this.scene.add(new HemisphereLight(0xffffff, 0xa8b0be, 1.35));
-    const fill = new DirectionalLight(0xe6edff, 0.7);
-    this.sun = new DirectionalLight(0xffffff, 2.7);
+    this.scene.add(new HemisphereLight(0xffffff, 0xa8b0be, 0.25));
+    const fill = new DirectionalLight(0xe6edff, 0.5);
+    this.sun = new DirectionalLight(0xffffff, 2.0);
     this.sun.castShadow = true;
     this.sun.shadow.mapSize.set(2048, 2048);
     this.sun.shadow.bias = -0.0006;
@@ -34,6 +36,15 @@ export class Stage {
     this.fill = fill;
     this.scene.add(fill, this.sun, this.sun.target);
     this.floor = data.floor === null ? null : this.paved();
+  }
+
+  // a room with lamps: what is dark shows its shape by what it reflects
+  surround() {
+    const room = new PMREMGenerator(this.renderer);
+    this.scene.environment = room.fromScene(new RoomEnvironment(), 0.04).texture;
+    this.scene.environmentIntensity = 0.4;
+    this.scene.environmentRotation.setFromQuaternion(new Quaternion().setFromUnitVectors(new Vector3(0, 1, 0), this.up));
+    room.dispose();
   }
 
   paved() {
@@ -109,7 +120,8 @@ export class Stage {
     const target = this.center.clone(), d = new Vector3();
     let distance = this.size;
     // the headline and the buttons stand in the topmost pixels
-    const head = tan * (1 - 2 * Math.min(0.2, 46 / (this.canvas.clientHeight || 600)));
+    const bar = "bare" in document.body.dataset ? 0 : 46;
+    const head = tan * (1 - 2 * Math.min(0.2, bar / (this.canvas.clientHeight || 600)));
     for (let round = 0; round < 4; round++) {
       let [left, most, low, high] = [Infinity, -Infinity, Infinity, -Infinity];
       distance = 1e-9;
@@ -121,7 +133,7 @@ export class Stage {
       }
       if (round < 3) target.addScaledVector(right, (left + most) / 2).addScaledVector(up, (low / tan + high / head) / (1 / tan + 1 / head));
     }
-    distance = Math.max(1.12 * distance, 0.2 * this.size);
+    distance = Math.max(1.07 * distance, 0.2 * this.size);
     // straight from above a camera has no upward direction of its own
     if (Math.abs(back.dot(this.up)) > 0.9999) back.addScaledVector(up, -2e-4).normalize();
     this.controls.target.copy(target);
