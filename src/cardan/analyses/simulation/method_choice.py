@@ -83,7 +83,7 @@ RULES: tuple[Rule, ...] = (
     Rule(
         "DOP853",
         lambda case: case.elements,
-        "rigid bodies on nodes, not stiff as far as seen: such a tolerance takes GeneralizedAlpha, "
+        "rigid bodies on nodes, not stiff so far: such a tolerance takes GeneralizedAlpha, "
         "of order 2, many times the steps",
     ),
     Rule(
