@@ -20,7 +20,7 @@ from ...schema.mechanism import BeamRow, BodyRow, FrameRow
 from ...schema.records import PARTS
 from ...schema.tree import Tree
 from .. import flat_scene, layout
-from ..manifest import Base, common
+from ..manifest import Base, common, event_rows, tick_rows
 from ..writing import generate
 from .manifest_rows import plane_of, rows
 
@@ -40,6 +40,8 @@ def base(absolute: FiniteElementRecord, functions: Sequence[str]) -> Base:
         **common(system, "absolute", functions),
         coordinates=coordinates,
         speeds=speeds,
+        events=event_rows(system),
+        ticks=tick_rows(system),
         multipliers=_multipliers(absolute),
         cuts=[],
         joints=joints,
@@ -106,7 +108,7 @@ def numbers(absolute: FiniteElementRecord) -> bytes:
     tables |= {f"stations_{k}": segment.line.stations for k, segment in enumerate(segments)}
     for k, group in enumerate(absolute.groups):
         tables[f"place_{k}"] = group.places
-        integers = {name: getattr(group, name) for name in ("z", "s", "outputs", "powers")}
+        integers = {name: getattr(group, name) for name in ("z", "s", "events", "outputs", "powers")}
         for name, values in {"own": group.attributes, **integers}.items():
             if values is not None:
                 tables[f"{name}_{k}"] = values
@@ -158,9 +160,26 @@ def _kind(kind: Kind, groups: Sequence[Group]) -> ElementKind:
         mp=kind.mp,
         nz=0 if group.z is None else group.z.shape[1],
         ns=0 if group.s is None else group.s.shape[1],
+        **_event_sizes(kind),
         functions={name: f.name for name, f in kind.functions.items()},
         parts=parts(kind.functions),
     )
+
+
+def _event_sizes(kind: Kind) -> dict[str, Any]:
+    """Numbers of the events of a kind, and of the states that change at them."""
+    functions, sizes = kind.functions, dict[str, Any]()
+    own = {o.name: o.size for o in functions["change"].outputs} if "change" in functions else {}
+    z = functions["zdot"].outputs[0].size if "zdot" in functions else 0
+    if own or z:
+        sizes["kept"] = (own.get("z", z), own.get("s", 0))
+    if "signs" in functions:
+        sizes["ne"] = functions["signs"].outputs[0].size
+    if "jumps" in functions:
+        blocks = {block.name: len(block.entries) for block in functions["jumps"].inputs}
+        sizes["jumps"] = functions["jumps"].outputs[0].shape[0]
+        sizes["responses"] = blocks.get("tau", 0)
+    return sizes
 
 
 def parts(functions_by_name: Mapping[str, Function]) -> dict[str, int]:

@@ -161,8 +161,9 @@ int cardan_alpha_balance(cardan_run *run, const cardan_alpha *v, real t)
 int cardan_alpha_gaps(cardan_run *run, const cardan_alpha *v, real t)
 {
     const real *y = run->trial;
-    const cardan_state at = {t, y, y + run->nq, v->udot_new, v->lam_new, y + run->nq + run->nu,
-                             run->s, run->r, NULL, NULL};
+    const cardan_state at = {.t = t, .q = y, .u = y + run->nq, .udot = v->udot_new,
+                             .lam = v->lam_new, .z = y + run->nq + run->nu, .s = run->s,
+                             .r = run->r};
     const int status = v->mesh ? cardan_inputs_at(run, t, y) : cardan_alpha_balance(run, v, t);
 
     if (status != 0 || !v->mesh)
