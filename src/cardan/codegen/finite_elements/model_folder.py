@@ -108,7 +108,9 @@ def numbers(absolute: FiniteElementRecord) -> bytes:
     tables |= {f"stations_{k}": segment.line.stations for k, segment in enumerate(segments)}
     for k, group in enumerate(absolute.groups):
         tables[f"place_{k}"] = group.places
-        integers = {name: getattr(group, name) for name in ("z", "s", "events", "outputs", "powers")}
+        integers = {
+            name: getattr(group, name) for name in ("z", "s", "events", "outputs", "powers")
+        }
         for name, values in {"own": group.attributes, **integers}.items():
             if values is not None:
                 tables[f"{name}_{k}"] = values

@@ -327,12 +327,20 @@ class _Builder:
     def _power(self) -> tuple[Output, ...]:
         nodes: list[int] = []
         if self.system.forces:
-            nodes.append(sum((x for _, x in self.d.loads.power), self._zero()).node)
+            power = sum((x for _, x in self.d.loads.power), self._zero())
+            nodes.append((power + self._surface_power()).node)
         nodes += [(force * self.k.u(i)[0]).node for i, force in self._driving()]
         if self.system.constraints:
             (rate,), (lam,) = self.d.constraints.prescribed, self._lam()
             nodes.append((-lam * rate).node)
         return (Output("power", (len(nodes),), tuple(nodes)),)
+
+    def _surface_power(self) -> Any:
+        """Power of what the element holds on surfaces that move by themselves."""
+        if not any(force.element.locked_velocities() for force in self.system.forces):
+            return self._zero()
+        lam, surfaces = self._lam(), self.d.constraints.surfaces
+        return sum((-lam[row] * rate for row, rate in surfaces), self._zero())
 
     def _zero(self) -> Any:
         return Matrix.zeros(self.k.graph, 1)[0]

@@ -161,7 +161,9 @@ class Results:
     def transition(self, inputs: Inputs) -> Array:
         """u (nu,), z (nz,) and s (ns,) behind the events ``e``."""
         tables, e = self.tables, inputs["e"][: self.tables.ne]
-        return self.mesh.call("transition", self._at(inputs), tables.nu + tables.nz + tables.ns, e=e)
+        return self.mesh.call(
+            "transition", self._at(inputs), tables.nu + tables.nz + tables.ns, e=e
+        )
 
     # motion
 

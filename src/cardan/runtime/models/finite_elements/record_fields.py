@@ -84,7 +84,9 @@ def mesh_fields(tables: Tables, entries: Mapping[str, FunctionRow]) -> Fields:
         "work": max((entry.work_size for entry in entries.values()), default=0),
         "local": max((_local(group.kind, entries) for group in tables.groups), default=0),
         "powers": len(tables.powers),
-        "driven": int(tables.driven),
+        "driven": int(
+            tables.driven or any(_reads(g.kind, "power", entries) for g in tables.groups)
+        ),
         "outputs": tables.outputs,
         "solved": int(any(_reads(g.kind, "outputs", entries) for g in tables.groups)),
         "ne": tables.ne,
