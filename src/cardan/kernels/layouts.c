@@ -152,7 +152,7 @@ const size_t cardan_group_layout[26] = {
     sizeof(cardan_group), offsetof(cardan_group, count), offsetof(cardan_group, places),
     offsetof(cardan_group, nq), offsetof(cardan_group, nu), offsetof(cardan_group, nz),
     offsetof(cardan_group, ns), offsetof(cardan_group, mp), offsetof(cardan_group, m),
-    offsetof(cardan_group, kept_z), offsetof(cardan_group, kept_s), offsetof(cardan_group, ne),
+    offsetof(cardan_group, z_states), offsetof(cardan_group, s_states), offsetof(cardan_group, ne),
     offsetof(cardan_group, jumps), offsetof(cardan_group, responses), offsetof(cardan_group, inner),
     offsetof(cardan_group, inner_start), offsetof(cardan_group, place), offsetof(cardan_group,
     rows), offsetof(cardan_group, z), offsetof(cardan_group, s), offsetof(cardan_group, events),

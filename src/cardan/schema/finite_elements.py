@@ -52,7 +52,7 @@ class ElementKind(Record):
     nz: int = field(count, "number of internal states", default=0)
     ns: int = field(count, "number of modes", default=0)
     ne: int = field(count, "number of events", default=0)
-    kept: tuple[int, int] = field(
+    states: tuple[int, int] = field(
         pair(), "how many of its z and of its s are its own, the first ones", default=(0, 0)
     )
     jumps: int = field(count, "number of impulses and responses", default=0)

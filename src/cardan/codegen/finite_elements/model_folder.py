@@ -7,7 +7,7 @@ import zipfile
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -162,25 +162,32 @@ def _kind(kind: Kind, groups: Sequence[Group]) -> ElementKind:
         mp=kind.mp,
         nz=0 if group.z is None else group.z.shape[1],
         ns=0 if group.s is None else group.s.shape[1],
-        **_event_sizes(kind),
+        **_event_sizes(kind)._asdict(),
         functions={name: f.name for name, f in kind.functions.items()},
         parts=parts(kind.functions),
     )
 
 
-def _event_sizes(kind: Kind) -> dict[str, Any]:
+class _EventSizes(NamedTuple):
     """Numbers of the events of a kind, and of the states that change at them."""
-    functions, sizes = kind.functions, dict[str, Any]()
-    own = {o.name: o.size for o in functions["change"].outputs} if "change" in functions else {}
-    z = functions["zdot"].outputs[0].size if "zdot" in functions else 0
-    if own or z:
-        sizes["kept"] = (own.get("z", z), own.get("s", 0))
-    if "signs" in functions:
-        sizes["ne"] = functions["signs"].outputs[0].size
-    if "jumps" in functions:
-        blocks = {block.name: len(block.entries) for block in functions["jumps"].inputs}
-        sizes["jumps"] = functions["jumps"].outputs[0].shape[0]
-        sizes["responses"] = blocks.get("tau", 0)
+
+    states: tuple[int, int] = (0, 0)
+    ne: int = 0
+    jumps: int = 0
+    responses: int = 0
+
+
+def _event_sizes(kind: Kind) -> _EventSizes:
+    outputs = {name: f.outputs for name, f in kind.functions.items()}
+    counts = {output.name: output.size for output in outputs.get("change", ())}
+    z = outputs["zdot"][0].size if "zdot" in outputs else 0
+    sizes = _EventSizes((counts.get("z", z), counts.get("s", 0)))
+    if "signs" in outputs:
+        sizes = sizes._replace(ne=outputs["signs"][0].size)
+    if "jumps" in outputs:
+        blocks = {block.name: len(block.entries) for block in kind.functions["jumps"].inputs}
+        count = outputs["jumps"][0].shape[0]
+        sizes = sizes._replace(jumps=count, responses=blocks.get("tau", 0))
     return sizes
 
 

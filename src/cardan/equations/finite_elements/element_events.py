@@ -17,9 +17,7 @@ from ...ir.arithmetic import Scalar
 from ...ir.derivative import forward
 from ...ir.function import Output
 from ...ir.graph import ONE, ZERO
-from ...ir.matrix import Matrix
 from ...ir.rewrite import rebuild
-from ...topology.system import System
 from ..constraints.constraints import VELOCITY
 from ..functions.dynamics import Dynamics
 from ..kinematics.loads import places
@@ -33,10 +31,9 @@ ROW = 4
 class LocalSolution:
     """The part of the solution of the equations of motion that the element may read."""
 
-    certainty = None
-
     def __init__(self, d: Dynamics) -> None:
         self._k = d.k
+        self.certainty: Scalar | None = None
         count = sum(len(f.element.locked_velocities()) for f in d.k.system.forces)
         self.multipliers = d.block("lam", count)
 
@@ -138,10 +135,10 @@ class ElementEvents:
 def switches(d: Dynamics) -> tuple[Output, ...]:
     """H (m, m): 1 on the diagonal of rows that no mode holds now, whose multipliers are 0."""
     active = [
-        hold.active
+        constraint.active
         for force in d.k.system.forces
         if force.element.locked_velocities()
-        for hold in force.element.holds(places(d.k, force))
+        for constraint in force.element.holds(places(d.k, force))
     ]
     if not active:
         return ()

@@ -10,6 +10,7 @@ from typing import Any
 from ...elements.forces.force import ForceElement
 from ...elements.joints.joint import Joint as JointElement
 from ...elements.joints.joint import Reversed
+from ...ir.arithmetic import Scalar
 from ...ir.derivative import directional
 from ...ir.function import Block, Function, Output
 from ...ir.graph import ONE, ZERO
@@ -33,7 +34,7 @@ from .record import BlockKind, Kind
 
 METHOD = "composite"
 # functions that stay where they are zero throughout
-KEPT = ("outputs", "signs", "jumps", "change")
+ALWAYS = ("outputs", "signs", "jumps", "change")
 ABOUT = {
     "balance": "M udot + h - f - Gᵀ lam, then g and G u + g_t",
     "balance_tangent": "derivatives of the balance along q, u, udot, of the rates along q, and G",
@@ -196,7 +197,7 @@ class _Builder:
         return {
             name: results
             for name, results in outputs.items()
-            if any(node != ZERO or name in KEPT for o in results for node in o.nodes)
+            if any(node != ZERO or name in ALWAYS for o in results for node in o.nodes)
         }
 
     def _vector(self, name: str, x: Matrix, entries: tuple[str, ...] = ()) -> Output:
@@ -335,12 +336,12 @@ class _Builder:
             nodes.append((-lam * rate).node)
         return (Output("power", (len(nodes),), tuple(nodes)),)
 
-    def _surface_power(self) -> Any:
+    def _surface_power(self) -> Scalar:
         """Power of what the element holds on surfaces that move by themselves."""
         if not any(force.element.locked_velocities() for force in self.system.forces):
             return self._zero()
         lam, surfaces = self._lam(), self.d.constraints.surfaces
         return sum((-lam[row] * rate for row, rate in surfaces), self._zero())
 
-    def _zero(self) -> Any:
+    def _zero(self) -> Scalar:
         return Matrix.zeros(self.k.graph, 1)[0]

@@ -192,7 +192,7 @@ def _group(
         common=_common(kind, members, system),
         z=_table([piece.cutting.z for piece in members]) if members[0].cutting.z else None,
         s=_table([piece.cutting.s for piece in members]) if members[0].cutting.s else None,
-        events=_table([piece.events for piece in members]) if members[0].events else None,
+        events=_table([part.events for part in members]) if members[0].events else None,
         outputs=_table([[results[n] for n in p.results] for p in members])
         if "outputs" in has
         else None,

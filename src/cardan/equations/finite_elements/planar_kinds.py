@@ -32,7 +32,7 @@ RATES = ("u", "udot", "du")
 # results along speeds, and along rows of constraints
 MATRICES, ROWS = ("K", "C", "M", "R", "G"), ("g", "rates", "gamma")
 # functions that stay where they are zero throughout
-KEPT = ("outputs", "signs", "jumps", "change")
+ALWAYS = ("outputs", "signs", "jumps", "change")
 
 
 def plane_node(plane: Plane, number: int) -> BlockKind:
@@ -67,7 +67,7 @@ def flattened(name: str, kind: Kind, blocks: Sequence[BlockKind]) -> Kind:
         functions={
             key: function
             for key, function in functions.items()
-            if key in KEPT or any(node != ZERO for node in function.roots)
+            if key in ALWAYS or any(node != ZERO for node in function.roots)
         },
     )
 
@@ -171,7 +171,8 @@ class Flat:
             at = [row * output.shape[1] + column for row in self.rows for column in self.rows]
             return Output("H", (len(self.rows),) * 2, tuple(nodes[i] for i in at))
         if output.name == "J":
-            reduced = Matrix(graph, *output.shape, nodes) @ self._to_space(graph)
+            reduced = Matrix(graph, output.shape[0], output.shape[1], nodes)
+            reduced = reduced @ self._to_space(graph)
             return Output("J", (reduced.rows, reduced.columns), reduced.nodes)
         if output.name in MATRICES:
             rows, columns = output.shape

@@ -130,8 +130,8 @@ class Kind:
             ``gamma`` (m) with G udot = gamma; ``energy`` [kinetic, potential]; ``momentum`` (6)
             about the origin of the ground; ``zdot`` of its internal states; ``reaction`` (6):
             wrench of parent on child at the child joint frame in its axes; ``outputs`` and
-            ``power``: see :attr:`Group.outputs`; ``signs``, ``jumps`` and ``change`` of its events: see
-            :mod:`.element_events`. What is zero throughout is left out.
+            ``power``: see :attr:`Group.outputs`; ``signs``, ``jumps`` and ``change`` of its events:
+            see :mod:`.element_events`. What is zero throughout is left out.
         source: Literature.
     """
 

@@ -241,7 +241,7 @@ static void take_zdot(const cardan_mesh *mesh, const cardan_group *g, const card
 
     (void)mesh;
     for (ptrdiff_t lane = 0; lane < some->filled; lane++)
-        for (ptrdiff_t i = 0; i < g->kept_z; i++)
+        for (ptrdiff_t i = 0; i < g->z_states; i++)
             zdot[g->z[some->element[lane] * g->nz + i]] = out[i * some->lanes + lane];
 }
 

@@ -54,7 +54,7 @@ typedef struct cardan_group {
     ptrdiff_t count;           /* elements */
     ptrdiff_t places;          /* that each couples */
     ptrdiff_t nq, nu, nz, ns, mp, m; /* local numbers */
-    ptrdiff_t kept_z, kept_s;  /* the first of nz and ns: those that it keeps itself */
+    ptrdiff_t z_states, s_states;  /* the first of nz and ns: those that it keeps itself */
     ptrdiff_t ne, jumps, responses; /* events; impulses and responses that it asks for; the latter */
     ptrdiff_t inner, inner_start; /* unknowns of an element's own while one searches; where they
                                      begin among those of all */

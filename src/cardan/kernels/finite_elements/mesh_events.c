@@ -245,9 +245,9 @@ static void take_change(const cardan_mesh *mesh, const cardan_group *g,
     (void)mesh;
     for (ptrdiff_t lane = 0; lane < some->filled; lane++) {
         const real *entries = out + lane;
-        for (ptrdiff_t i = 0; i < g->kept_z; i++, entries += some->lanes)
+        for (ptrdiff_t i = 0; i < g->z_states; i++, entries += some->lanes)
             all->z[g->z[some->element[lane] * g->nz + i]] = *entries;
-        for (ptrdiff_t i = 0; i < g->kept_s; i++, entries += some->lanes)
+        for (ptrdiff_t i = 0; i < g->s_states; i++, entries += some->lanes)
             all->s[g->s[some->element[lane] * g->ns + i]] = *entries;
     }
 }

@@ -34,7 +34,8 @@ class Pattern:
         value: Where the pair begins in the values of the matrix (pairs,).
         stride: Numbers from one row of a row block to the next (nb,).
         places: Of each group (n, k, k): where what element e adds for its blocks i and j begins in
-            the values; -1 between two blocks of multipliers, but for switched ones on the diagonal. Rows are ``stride`` apart.
+            the values; -1 between two blocks of multipliers, but for switched ones on the
+            diagonal. Rows are ``stride`` apart.
     """
 
     first: Ints
@@ -159,9 +160,9 @@ def pattern(
 
 def _absent(blocks: Longs, lam: Booleans, switches: Booleans) -> Booleans:
     """Which pairs of the blocks of elements the matrix does not have (n, k, k)."""
-    between = lam[blocks][:, :, None] & lam[blocks][:, None, :]
-    own = np.eye(blocks.shape[1], dtype=bool) & switches[blocks][:, :, None]
-    return np.asarray(between & ~own, bool)
+    both = lam[blocks][:, :, None] & lam[blocks][:, None, :]
+    diagonal = np.eye(blocks.shape[1], dtype=bool) & switches[blocks][:, :, None]
+    return np.asarray(both & ~diagonal, bool)
 
 
 def _children(groups: Sequence[Longs], node: Booleans, lam: Booleans) -> Longs:

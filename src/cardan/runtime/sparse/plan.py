@@ -90,8 +90,8 @@ def plan(
     """Plan the factorization of a matrix of blocks.
 
     Args:
-        sizes, cliques, multiplier, massless, switched: As :func:`~cardan.runtime.sparse.pattern.pattern`
-            takes them.
+        sizes, cliques, multiplier, massless, switched: As
+            :func:`~cardan.runtime.sparse.pattern.pattern` takes them.
 
     Raises:
         ArgumentError: blocks that do not fit, or more numbers than can be counted.

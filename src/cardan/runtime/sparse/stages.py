@@ -113,8 +113,8 @@ def _assigned_rows(pattern: Pattern, rows: Longs, columns: Longs, node: Bools) -
     """
     same = pattern.sizes[rows] == pattern.sizes[columns]
     # what modes let go holds nothing for good
-    held = pattern.multiplier & ~pattern.switched
-    fit = held[rows] & node[columns] & same
+    permanent = pattern.multiplier & ~pattern.switched
+    fit = permanent[rows] & node[columns] & same
     shape = (len(node), len(node))
     first = fit & (pattern.child[rows] == columns)
     offers = coo_array((np.ones(int(first.sum())), (rows[first], columns[first])), shape).tocsr()

@@ -166,8 +166,8 @@ class Elements(ABC):
         return [(group, (by_group[id(group)], rows)) for group, rows in pairs]
 
     def tangent(self, at: State) -> dict[str, scipy.sparse.csr_matrix]:
-        """K, C, M (nu, nu), R, G (m, nu), H (m, m): derivatives of the balance, rows of constraints,
-        and which of them no mode holds."""
+        """K, C, M (nu, nu), R, G (m, nu): derivatives of the balance, rows of constraints;
+        H (m, m): which of these no mode holds."""
         tables = self.tables
         entries: dict[str, list[tuple[Any, Any, Any]]] = {name: [] for name in PARTS}
         numbers = [k for k, g in enumerate(tables.groups) if "balance_tangent" in g.kind.functions]
@@ -180,7 +180,7 @@ class Elements(ABC):
                 across = lines if name == "H" else columns
                 block = values[:, start : start + rows.shape[1] * across.shape[1]]
                 entries[name].append(_entries(rows, across, block))
-        height, width = ({name: tables.nu for name in PARTS} for _ in range(2))
+        height, width = (dict.fromkeys(PARTS, tables.nu) for _ in range(2))
         height |= dict.fromkeys("RGH", tables.m)
         width["H"] = tables.m
         shapes = {name: (height[name], width[name]) for name in PARTS}

@@ -256,11 +256,11 @@ class Mesh(Elements):
         """A function of the whole mesh with the interface of generated ones."""
         record, _arrays = self._state(at)
         more = {"tau": tau, "e": e}
-        given = {n: np.ascontiguousarray(x, float) for n, x in more.items() if x is not None}
+        arrays = {n: np.ascontiguousarray(x, float) for n, x in more.items() if x is not None}
         blocks = {name: getattr(record, name) for name in ("q", "u", "z", "s", "r")}
         time = np.array([at.t])
         blocks |= {"t": time.ctypes.data, "w": ctypes.addressof(self.record)}
-        blocks |= {n: x.ctypes.data for n, x in given.items()}
+        blocks |= {n: x.ctypes.data for n, x in arrays.items()}
         pointers = (ctypes.c_void_p * len(ORDER))(*(blocks.get(name) for name in ORDER))
         out, memory = np.empty(size), np.empty(self.work)
         status = self._run(FUNCTION(self.closure(name)), pointers, *map(_at, (out, memory)))

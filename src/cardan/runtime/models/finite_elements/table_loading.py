@@ -104,8 +104,8 @@ def _check_sizes(elements: Tables, group: Table) -> None:
         stated = getattr(kind, name)
         if not np.all(sizes == stated):
             raise ValueError(f"elements of '{kind.name}' have {name} = {stated}")
-    if any(own > count for own, count in zip(kind.kept, (kind.nz, kind.ns), strict=True)):
-        raise ValueError(f"elements of '{kind.name}' keep {kind.kept} states")
+    if any(first > count for first, count in zip(kind.states, (kind.nz, kind.ns), strict=True)):
+        raise ValueError(f"elements of '{kind.name}' keep {kind.states} states")
     if kind.responses > min(kind.jumps, kind.nu):
         raise ValueError(f"elements of '{kind.name}' have {kind.responses} responses")
     if kind.mp > kind.m:
@@ -132,7 +132,7 @@ def _check_results(elements: Tables, entries: Mapping[str, FunctionRow]) -> None
         kind, nu, m = group.kind, group.kind.nu, group.kind.m
         sizes = {"balance": nu + kind.mp + m, "gamma": m, "energy": 2, "momentum": 6}
         sizes |= {"reaction": 6, "stress": 24, "mixed": nu + nu * nu, "mixed_step": INNER}
-        sizes |= {"zdot": kind.kept[0], "signs": kind.ne, "change": sum(kind.kept)}
+        sizes |= {"zdot": kind.states[0], "signs": kind.ne, "change": sum(kind.states)}
         sizes["jumps"] = kind.jumps * (ROW + nu)
         sums = {"power": group.powers, "outputs": group.outputs}
         sizes |= {name: 0 if x is None else x.shape[1] for name, x in sums.items()}
