@@ -31,7 +31,6 @@ class Case:
         stiff: Whether stability has limited the steps of an explicit method.
         elements: Whether the model is one of elements in absolute coordinates.
         beams: Whether some of them are beams, whose vibrations stability has to resolve.
-        internal: Whether they keep continuous states of their own.
     """
 
     rtol: float
@@ -42,7 +41,6 @@ class Case:
     stiff: bool = False
     elements: bool = False
     beams: bool = False
-    internal: bool = False
 
     @property
     def hurried(self) -> bool:
@@ -77,12 +75,6 @@ class Rule:
 BROKEN = ("model_failed", "not_closed", "step_too_small", "not_finite")
 STIFF = "stability limited the steps of DOP853, not accuracy"
 RULES: tuple[Rule, ...] = (
-    Rule(
-        "DOP853",
-        lambda case: case.elements and case.internal,
-        "elements keep internal states, which GeneralizedAlpha does not take; stability of what is "
-        "stiff may limit its steps",
-    ),
     Rule(
         "GeneralizedAlpha",
         lambda case: case.elements and (case.stiff or case.beams or case.rtol >= FINE),

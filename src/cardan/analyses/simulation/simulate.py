@@ -178,7 +178,6 @@ def case_of(
         derived=JACOBIAN in model.manifest.available,
         input_functions=bool(input_signals.functions),
         elements=model.manifest.absolute,
-        internal=bool(model.manifest.z),
         beams=bool(model.manifest.beams),
     )
 
