@@ -168,3 +168,14 @@ def test_a_sampled_controller_turns_a_stiff_arm_as_a_rigid_one() -> None:
         errors.append(abs(motion["shoulder"][-1] - rigid["shoulder"][-1]))
     assert errors[1] < 1e-4 and errors[0] > 1e-3
     assert abs(other["shoulder"][-1] - rigid["shoulder"][-1]) > 1e-2
+
+
+def test_a_continuous_controller_turns_a_stiff_arm_as_a_rigid_one() -> None:
+    rigid = cd.compile(flexible_arm(0, None)).simulate(0.5, rtol=1e-9, atol=1e-10)
+    errors = []
+    for stiffness in (1.0, 1e2):
+        model = cd.compile(flexible_arm(stiffness, None))
+        motion = model.simulate(0.5, step=5e-4, method=cd.GeneralizedAlpha(0.5))
+        at = [abs(motion[name][-1] - rigid[name][-1]) for name in ("shoulder", "pid.integral")]
+        errors.append(max(at))
+    assert errors[1] < 3e-4 and errors[0] > 5e-3
