@@ -127,8 +127,8 @@ def test_a_stiff_coupler_rubs_as_a_rigid_one() -> None:
         motion = model.simulate(1.0, q={"A": 0.3}, step=5e-4, method=method)
         stop = next(event.t for event in motion.events if event.name == "rub.stop")
         errors.append((abs(stop - rigid.events[0].t), abs(motion["A"][-1] - rigid["A"][-1])))
-    assert errors[1] < (1e-4, 2e-4)
-    assert errors[0] > (1e-3, 1e-3)
+    assert max(errors[1]) < 2e-4
+    assert min(errors[0]) > 1e-3
     # friction changes the motion
     without = cd.compile(slider_crank(1e2, 0)).simulate(1.0, q={"A": 0.3}, step=5e-4, method=method)
     assert abs(without["A"][-1] - rigid["A"][-1]) > 0.1
@@ -166,7 +166,8 @@ def test_a_sampled_controller_turns_a_stiff_arm_as_a_rigid_one() -> None:
         model = cd.compile(flexible_arm(stiffness, 0.01))
         motion = model.simulate(0.5, step=5e-4, method=cd.GeneralizedAlpha(0.5))
         errors.append(abs(motion["shoulder"][-1] - rigid["shoulder"][-1]))
-    assert errors[1] < 1e-4 and errors[0] > 1e-3
+    assert errors[1] < 1e-4
+    assert errors[0] > 1e-3
     assert abs(other["shoulder"][-1] - rigid["shoulder"][-1]) > 1e-2
 
 
@@ -178,4 +179,5 @@ def test_a_continuous_controller_turns_a_stiff_arm_as_a_rigid_one() -> None:
         motion = model.simulate(0.5, step=5e-4, method=cd.GeneralizedAlpha(0.5))
         at = [abs(motion[name][-1] - rigid[name][-1]) for name in ("shoulder", "pid.integral")]
         errors.append(max(at))
-    assert errors[1] < 3e-4 and errors[0] > 5e-3
+    assert errors[1] < 3e-4
+    assert errors[0] > 5e-3

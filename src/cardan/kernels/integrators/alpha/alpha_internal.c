@@ -131,8 +131,8 @@ int cardan_alpha_internal(cardan_run *run, const cardan_alpha *v, real t)
     for (int k = 0; k < CORRECTIONS && nz > 0 && status == 0 && worst > SOUGHT; k++) {
         status = zdot_at(run, v, t, z, v->zdot);
         for (ptrdiff_t i = 0; i < nz; i++) {
-            const real known = (m.af * rate[i] - m.am * v->w[i]) / (1 - m.am);
-            v->gap[i] = start[i] + h * ((1 - m.gamma) * v->w[i] + m.gamma * known)
+            const real constant = (m.af * rate[i] - m.am * v->w[i]) / (1 - m.am);
+            v->gap[i] = start[i] + h * ((1 - m.gamma) * v->w[i] + m.gamma * constant)
                         + c * v->zdot[i] - z[i];
         }
         if (status == 0 && k == 0)
