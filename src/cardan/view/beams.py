@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ..arrays import Array
+from ..runtime.models.finite_elements.beams import beam
 from ..runtime.trajectory.frame_history import inverse
 from ..runtime.trajectory.trajectory import TrajectoryRecord
 from ..schema.mechanism import ShapeRow
@@ -81,16 +82,13 @@ def _values(motion: TrajectoryRecord, name: str) -> tuple[Array | None, str]:
     """Largest normal stress at every node of a beam (nt, n), or strain where E is not known."""
     if motion.model is None:
         return None, STRESS
-    from ..runtime.models.finite_elements.beams import beam
-
     stress = beam(motion.model, name, motion.q)
     has_modulus = stress.modulus is not None
     if not has_modulus and not any(stress.outline[:2]):
         return None, STRAIN
-    at_ends = stress.extreme if has_modulus else stress.extreme_strain
-    inner = np.maximum(at_ends[:, 1:-1:2], at_ends[:, 2::2])
-    values = np.concatenate([at_ends[:, :1], inner, at_ends[:, -1:]], axis=1)
-    return values, STRESS if has_modulus else STRAIN
+    if has_modulus:
+        return stress.extreme_at_nodes, STRESS
+    return stress.extreme_strain_at_nodes, STRAIN
 
 
 def bodies(
@@ -111,8 +109,8 @@ def bodies(
         pose = motion.pose(frame_names[0])
         places = {frame: inverse(pose[0]) @ motion.pose(frame)[0] for frame in frame_names}
         # a node of beams with nothing on it is drawn with its beams
-        bare = all(np.linalg.norm(place[:3, 3]) < 1e-9 for place in places.values())
-        if bare and body.parts == [name] and name in nodes:
+        is_node = all(np.linalg.norm(place[:3, 3]) < 1e-9 for place in places.values())
+        if is_node and body.parts == [name] and name in nodes:
             continue
         solids = [solid(row, places[f]) for f in frame_names for row in shapes.get(f, ())]
         drawn.append(DrawnBody(name, solids, [], pose))
@@ -120,15 +118,16 @@ def bodies(
     ground = [
         solid(row, motion.pose(f)[0]) for f in frames.get("ground", ()) for row in shapes.get(f, ())
     ]
-    bare_solids = _bare(arms, drawn_beams)
     complete = [
-        replace(one, solids=one.solids or bare, bare=bare)
-        for one, bare in zip(drawn, bare_solids, strict=True)
+        replace(one, solids=one.solids or fallback, fallback=fallback)
+        for one, fallback in zip(drawn, _fallbacks(arms, drawn_beams), strict=True)
     ]
     return complete, ground
 
 
-def _bare(arms: Sequence[Sequence[Array]], drawn_beams: Sequence[DrawnBeam]) -> list[list[Solid]]:
+def _fallbacks(
+    arms: Sequence[Sequence[Array]], drawn_beams: Sequence[DrawnBeam]
+) -> list[list[Solid]]:
     """Bodies without shapes: a ball at the origin, links from there to the other frames.
 
     Args:

@@ -106,7 +106,7 @@ def animate(
             default energies, coordinates and outputs.
         follow: Body or frame that the camera goes with.
         traces: Frames whose paths are drawn.
-        meshes: ``"auto"`` reduces meshes to some ten thousand triangles, ``"full"`` keeps all, a
+        meshes: ``"auto"`` reduces meshes to 200,000 triangles in all, ``"full"`` keeps all, a
             number from 0 to 1 that share of them; False draws links.
         page: ``"3d"``, or ``"plain"``: drawn on a 2-D canvas, for browsers without WebGL.
         fps: Pictures per second of play; long motions get fewer.

@@ -17,11 +17,11 @@ from .packing import JsonObject
 Solid = JsonObject
 THICK = 0.055  # radius of a drawn link, relative to the mean length of the links
 TAPER = 0.8
+# joints that hold nothing together: no link leads to them
 UNLINKED = ("free", "planar", "translation")
 REVOLUTE = ("revolute", "cylindrical", "screw")
-DARK = {
-    "color": [0.25, 0.28, 0.33, 1.0]
-}  # joints that hold nothing together: no link leads to them
+# pins, and balls where loops are closed
+DARK = {"color": [0.25, 0.28, 0.33, 1.0]}
 
 
 @dataclass(frozen=True)
@@ -30,14 +30,14 @@ class DrawnBody:
 
     Attributes:
         name: Of the body.
-        solids: What it looks like, in its own axes.
-        bare: What it looks like where no mesh can be read.
+        solids: Its shapes, in its own axes, or the fallback.
+        fallback: Links and balls, where no mesh can be read.
         poses: Its transforms to ground axes (nt, 4, 4).
     """
 
     name: str
     solids: list[Solid]
-    bare: list[Solid]
+    fallback: list[Solid]
     poses: Array
 
 
@@ -54,10 +54,10 @@ def bodies(motion: TrajectoryRecord) -> tuple[list[DrawnBody], list[Solid]]:
         frame = next(r.name for r in manifest.frames if r.body == body.name)
         solids = _shapes(motion, name)
         pins = _pins(motion, k, radius)
-        bare = [link(a, b, radius, joint=not pins) for a, b in links[name]]
-        bare += pins + _cuts(motion, name, radius) + _center(motion, k, links[name], radius)
+        fallback = [link(a, b, radius, joint=not pins) for a, b in links[name]]
+        fallback += pins + _cuts(motion, name, radius) + _center(motion, k, links[name], radius)
         poses = motion.pose(frame) @ inverse(motion.frame_on_body(frame))
-        drawn.append(DrawnBody(name, solids or bare, bare, poses))
+        drawn.append(DrawnBody(name, solids or fallback, fallback, poses))
     # thinner than what turns about it, which then covers its end
     ground = _shapes(motion, "ground") or [link(a, b, 0.8 * radius) for a, b in links["ground"]]
     return drawn, ground
@@ -91,7 +91,9 @@ def _links(motion: TrajectoryRecord) -> dict[str, list[tuple[Array, Array]]]:
     bodies = _bodies(manifest)
     links: dict[str, list[tuple[Array, Array]]] = {str(body.name): [] for _, body in bodies}
     links["ground"] = []
-    names = [row.name for row in manifest.frames]
+    frames: dict[str, list[str]] = {}
+    for row in manifest.frames:
+        frames.setdefault(row.body, []).append(row.name)
     position = np.reshape(motion.scene["position"], (-1, 3))
     for k, body in bodies:
         if manifest.joints[k].kind not in UNLINKED and body.parent in links:
@@ -103,18 +105,14 @@ def _links(motion: TrajectoryRecord) -> dict[str, list[tuple[Array, Array]]]:
         rows = links[str(body.name)]
         if not rows or all(np.linalg.norm(b) == 0 for _, b in rows):
             # nothing hangs on it: its farthest frame, or the way to its center of mass, twice
-            frame_names = [
-                n for n in names if motion.manifest.frames[names.index(n)].body == body.name
-            ]
-            tips = [motion.frame_on_body(n)[:3, 3] for n in frame_names] + [
-                _reach(motion, k) * _com(motion, k)
-            ]
+            tips = [motion.frame_on_body(name)[:3, 3] for name in frames.get(str(body.name), ())]
+            tips.append(_reach(motion, k) * _com(motion, k))
             rows.append((np.zeros(3), max(tips, key=lambda tip: float(np.linalg.norm(tip)))))
     return links
 
 
 def _reach(motion: TrajectoryRecord, k: int) -> float:
-    """How far a body goes on behind its center of mass: a mass at a point ends there."""
+    """Multiple of the way to the center of mass at which a body ends: 1 for a mass at a point."""
     mass, com = float(np.ravel(motion.scene["mass"])[k]), _com(motion, k)
     about_origin = np.reshape(motion.scene["inertia"], (-1, 3, 3))[k]
     steiner = mass * (float(com @ com) * np.eye(3) - np.outer(com, com))
