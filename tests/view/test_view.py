@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 import cardan as cd
+from cardan.view.histories import curves_by_unit
 from cardan.view.solids import bodies
 
 NASTY = "</script><img src=x onerror=alert(1)>"
@@ -131,3 +132,22 @@ def test_nothing_is_drawn_to_a_free_body_and_far_masses_hang_on_ribs() -> None:
     assert link["b"] == [0, 0, -1]
     assert (rib["a"], rib["b"]) == ([0, 0, -0.5], [0.4, 0, -0.5])
     assert ball["a"] == [0.4, 0, -0.5]
+
+
+def test_forces_of_elements_are_grouped_by_their_units() -> None:
+    scene = cd.Scene("crane", gravity=(0, 0, -9.81))
+    boom = scene.body("boom", mass=1, inertia=(1, 1, 1))
+    scene.joint("hinge", cd.Revolute("y"), scene.ground, boom)
+    mast = scene.ground.at(0, 0, 3)
+    scene.force("rope", cd.SpringDamper(boom.at(1, 0, 0), mast, stiffness=3))
+    scene.force("load", cd.Force(boom, (1, 2, 0)))
+    scene.force("motor", cd.JointForce("hinge", 0.1))
+    motion = cd.compile(scene).simulate(0.1)
+    names = ["rope.force", "load.force", "load.moment.x", "motor.force"]
+    groups = {
+        (g.name, g.unit): [name for name, _ in g.curves] for g in curves_by_unit(motion, names)
+    }
+    assert groups == {
+        ("forces", "N"): ["rope.force", "load.force.x", "load.force.y", "load.force.z"],
+        ("torques", "N m"): ["load.moment.x", "motor.force"],
+    }

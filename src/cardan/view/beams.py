@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ..arrays import Array
-from ..runtime.models.finite_elements.beams import beam
+from ..runtime.models.finite_elements.beams import at_nodes, beam
 from ..runtime.trajectory.frame_history import inverse
 from ..runtime.trajectory.trajectory import TrajectoryRecord
 from ..schema.mechanism import ShapeRow
@@ -88,7 +88,7 @@ def _values(motion: TrajectoryRecord, name: str) -> tuple[Array | None, str]:
         return None, STRAIN
     if has_modulus:
         return stress.extreme_at_nodes, STRESS
-    return stress.extreme_strain_at_nodes, STRAIN
+    return at_nodes(stress.extreme_strain), STRAIN
 
 
 def bodies(

@@ -1,10 +1,9 @@
-"""What a page shows of a motion: bodies, beams, springs, arrows, histories, events, and how."""
+"""The drawing of a motion: bodies, beams, springs, arrows, floor, and the view of them."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Protocol
 
 import numpy as np
 
@@ -14,6 +13,7 @@ from ..runtime.trajectory.trajectory import TrajectoryRecord
 from ..schema.manifest import Manifest
 from .beams import DrawnBeam, beams
 from .beams import bodies as on_nodes
+from .histories import Histories
 from .solids import DrawnBody, Solid
 from .solids import bodies as in_joint_coordinates
 
@@ -26,7 +26,7 @@ USUAL = ("contacts", "forces", "springs", "stress", "strain", "floor")
 ACTING = {"contact": ("contacts", "sphere"), "force": ("forces", "frame")}
 # kinds of force elements that are drawn between their frames a and b
 SPRINGS = ("spring_damper",)
-MOST_CURVES, MOST_EVENTS = 8, 400
+MOST_EVENTS = 400
 # pictures per second of a screen, and swings per second that one can follow
 FAST, FOLLOWED = 60.0, 1.5
 RATES = np.array([0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0])
@@ -36,7 +36,7 @@ VISIBLE, FLAT = 0.25, 1e-6
 
 @dataclass(frozen=True)
 class Abscissa:
-    """What a page runs over: time, or a load.
+    """Time, or the load that a page runs over.
 
     Attributes:
         name, unit: Of it.
@@ -69,17 +69,8 @@ class DrawnArrow:
 
 
 @dataclass(frozen=True)
-class Histories:
-    """Curves of one unit."""
-
-    name: str
-    unit: str
-    curves: Sequence[tuple[str, Array]]
-
-
-@dataclass(frozen=True)
 class Drawing:
-    """What a page shows.
+    """The contents of a page.
 
     Attributes:
         name: Headline.
@@ -170,13 +161,6 @@ def reactions(motion: TrajectoryRecord) -> list[DrawnArrow]:
     return drawn
 
 
-class Named(Protocol):
-    """Something with histories by name."""
-
-    def __getitem__(self, name: str, /) -> object:
-        """A history (nt, ...)."""
-
-
 def acting(motion: TrajectoryRecord) -> list[DrawnArrow]:
     """Loads and contact forces where they act, of motions whose model is known."""
     if motion.model is None or "element_forces" not in motion.manifest.available:
@@ -192,67 +176,6 @@ def acting(motion: TrajectoryRecord) -> list[DrawnArrow]:
         for row in motion.manifest.forces
         if row.kind in ACTING and row.name in named
     ]
-
-
-def histories(
-    motion: TrajectoryRecord, names: Sequence[str] | None, of: Named | None = None
-) -> list[Histories]:
-    """Curves by unit.
-
-    Args:
-        motion: What it has by name, and in which units.
-        names: Of the curves; by default energies, coordinates and outputs.
-        of: What has the histories, if not the motion; then energies are left out.
-
-    Raises:
-        ModelError: there is no such history.
-    """
-    groups: dict[tuple[str, str], list[tuple[str, Array]]] = {}
-    units = _units(motion)
-    for name in _usual(motion, of is None) if names is None else names:
-        if name == "energy" and of is None:
-            energy = motion.energy
-            rows = [(part, getattr(energy, part)) for part in ("kinetic", "potential", "total")]
-            groups.setdefault(("energy", "J"), []).extend(rows)
-            continue
-        values = np.asarray((of or motion)[name], dtype=np.float64)
-        unit = units.get(name, "")
-        if values.ndim == 1:
-            curves = [(name, values)]
-        else:
-            flat = values.reshape(len(values), -1)
-            letters = "xyz" if flat.shape[1] == 3 else [str(k) for k in range(flat.shape[1])]
-            curves = [(f"{name}.{letters[k]}", flat[:, k]) for k in range(flat.shape[1])]
-        kind = {"rad": "angles", "m": "lengths", "N": "forces", "N m": "torques"}.get(unit, unit)
-        groups.setdefault((kind or "values", unit), []).extend(curves)
-    return [Histories(name, unit, curves) for (name, unit), curves in groups.items()]
-
-
-def _usual(motion: TrajectoryRecord, moving: bool) -> list[str]:
-    """Energies, coordinates of joints with one, and outputs, as far as they can be had."""
-    manifest = motion.manifest
-    names = []
-    computed = motion.model is not None and "energy" in manifest.available
-    if moving and ("kinetic" in motion.stored or computed):
-        names.append("energy")
-    units: dict[str, int] = {}
-    for row in manifest.coordinates:
-        units[row.unit] = units.get(row.unit, 0) + 1
-        if units[row.unit] <= MOST_CURVES and row.joint == row.name and row.unit:
-            # one that follows others has no history of its own everywhere
-            names.append(row.name)
-    if motion.model is not None:
-        names += [row.name for row in manifest.outputs][:MOST_CURVES]
-    return names
-
-
-def _units(motion: TrajectoryRecord) -> dict[str, str]:
-    """Units of histories by name."""
-    m = motion.manifest
-    units = {row.name: row.unit for row in (*m.coordinates, *m.speeds, *m.inputs, *m.outputs, *m.z)}
-    joints = [*(row.name for row in m.joints), *(row.name for row in m.cuts), *m.fixed]
-    units |= {f"{name}.force": "N" for name in joints}
-    return units | {f"{name}.moment": "N m" for name in joints}
 
 
 def upward(motion: TrajectoryRecord) -> tuple[Array, bool]:

@@ -84,17 +84,12 @@ class BeamStress:
         return strain
 
     @property
-    def extreme_at_nodes(self) -> Array:
+    def extremeat_nodes(self) -> Array:
         """``extreme`` at every node (..., n + 1) [Pa]: the larger of the two values beside it.
 
         The nodes are those of ``motion.line(beam)`` and ``motion.sections(beam)``.
         """
-        return _at_nodes(self.extreme)
-
-    @property
-    def extreme_strain_at_nodes(self) -> Array:
-        """``extreme_strain`` at every node (..., n + 1), as :attr:`extreme_at_nodes`."""
-        return _at_nodes(self.extreme_strain)
+        return at_nodes(self.extreme)
 
     def _modulus(self) -> float:
         if self.modulus is None:
@@ -113,7 +108,7 @@ class BeamStress:
         )
 
 
-def _at_nodes(values: Array) -> Array:
+def at_nodes(values: Array) -> Array:
     """The larger of the values (..., 2 n) of elements that meet at each node (..., n + 1)."""
     inner = np.maximum(values[..., 1:-1:ENDS], values[..., ENDS::ENDS])
     return np.concatenate([values[..., :1], inner, values[..., -1:]], axis=-1)
