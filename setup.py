@@ -48,26 +48,26 @@ API, FIRST = "0x030B0000", "cp311"
 OLDEST_GLIBC = (2, 17)
 
 
-def compiler() -> toolchain.Compiler | None:
-    """What compiles; ziglang's clang where nothing else is there, or a glibc is named."""
+def find_compiler() -> toolchain.Compiler | None:
+    """The compiler; ziglang's clang where nothing else is there, or a glibc is named."""
     if GLIBC:
         if not toolchain.ziglang():
             return None
         target = f"{platform.machine()}-linux-gnu.{GLIBC}"
         os.environ["CC"] = f"{shlex.quote(sys.executable)} -m ziglang cc -target {target}"
     try:
-        found = toolchain.find_compiler(lambda mark, ask: ask())
+        compiler = toolchain.find_compiler(lambda mark, ask: ask())
     except BuildError as error:
         print(f"cardan: {error}", file=sys.stderr)
         return None
-    if "ziglang" in found.command:
+    if "ziglang" in compiler.command:
         # its default is the processor that it runs on
-        os.environ["CC"] = shlex.join([*found.command, *cpu_levels.family()[0].zig])
+        os.environ["CC"] = shlex.join([*compiler.command, *cpu_levels.family()[0].zig])
         os.environ["LDSHARED"] = f"{os.environ['CC']} -shared"
-    return found
+    return compiler
 
 
-COMPILER = compiler()
+COMPILER = find_compiler()
 
 
 def _relative(path: Path) -> str:
@@ -138,8 +138,8 @@ def glibc(folder: Path) -> tuple[int, int] | None:
     The names of versions stand as text in a shared object, those that it needs and no others.
     """
     texts = [path.read_bytes() for path in folder.rglob("*.so")]
-    found = [match for text in texts for match in re.findall(rb"\0GLIBC_(\d+)\.(\d+)", text)]
-    return max([OLDEST_GLIBC, *((int(a), int(b)) for a, b in found)]) if found else None
+    rows = [match for text in texts for match in re.findall(rb"\0GLIBC_(\d+)\.(\d+)", text)]
+    return max([OLDEST_GLIBC, *((int(a), int(b)) for a, b in rows)]) if rows else None
 
 
 class Compiled(Distribution):

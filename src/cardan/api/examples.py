@@ -56,7 +56,7 @@ class Examples(Mapping[str, Scene]):
         return files[name]
 
     def description(self, name: str) -> str:
-        """What a scene is: the first comment of its file.
+        """One line on a scene: the first comment of its file.
 
         Raises:
             ModelError: there is none of that name.

@@ -9,6 +9,7 @@ import numpy as np
 
 from ..arrays import Array
 from ..errors import ModelError
+from ..runtime.models.finite_elements.beams import at_nodes, beam
 from ..runtime.trajectory.frame_history import inverse
 from ..runtime.trajectory.trajectory import TrajectoryRecord
 from ..schema.mechanism import ShapeRow
@@ -92,8 +93,6 @@ def _values(
         motion._model(f"the {colored_by} of beam '{name}'")
     elif motion.model is None:
         return None, STRESS
-    from ..runtime.models.finite_elements.beams import beam
-
     stress = beam(motion._model("stress"), name, motion.q)
     has_modulus, has_outline = stress.modulus is not None, any(stress.outline[:2])
     if colored_by == "stress" and not has_modulus:
@@ -105,10 +104,9 @@ def _values(
             raise ModelError(f"show='strain': the section of beam '{name}' has no outline")
         return None, STRAIN
     by_stress = has_modulus and colored_by != "strain"
-    at_ends = stress.extreme if by_stress else stress.extreme_strain
-    inner = np.maximum(at_ends[:, 1:-1:2], at_ends[:, 2::2])
-    values = np.concatenate([at_ends[:, :1], inner, at_ends[:, -1:]], axis=1)
-    return values, STRESS if by_stress else STRAIN
+    if by_stress:
+        return stress.extreme_at_nodes, STRESS
+    return at_nodes(stress.extreme_strain), STRAIN
 
 
 def bodies(
@@ -129,8 +127,8 @@ def bodies(
         pose = motion.pose(frame_names[0])
         places = {frame: inverse(pose[0]) @ motion.pose(frame)[0] for frame in frame_names}
         # a node of beams with nothing on it is drawn with its beams
-        bare = all(np.linalg.norm(place[:3, 3]) < 1e-9 for place in places.values())
-        if bare and body.parts == [name] and name in nodes:
+        is_node = all(np.linalg.norm(place[:3, 3]) < 1e-9 for place in places.values())
+        if is_node and body.parts == [name] and name in nodes:
             continue
         solids = [solid(row, places[f]) for f in frame_names for row in shapes.get(f, ())]
         drawn.append(DrawnBody(name, solids, [], pose))
@@ -138,15 +136,16 @@ def bodies(
     ground = [
         solid(row, motion.pose(f)[0]) for f in frames.get("ground", ()) for row in shapes.get(f, ())
     ]
-    bare_solids = _bare(arms, drawn_beams)
     complete = [
-        replace(one, solids=one.solids or bare, bare=bare)
-        for one, bare in zip(drawn, bare_solids, strict=True)
+        replace(one, solids=one.solids or fallback, fallback=fallback)
+        for one, fallback in zip(drawn, _fallbacks(arms, drawn_beams), strict=True)
     ]
     return complete, ground
 
 
-def _bare(arms: Sequence[Sequence[Array]], drawn_beams: Sequence[DrawnBeam]) -> list[list[Solid]]:
+def _fallbacks(
+    arms: Sequence[Sequence[Array]], drawn_beams: Sequence[DrawnBeam]
+) -> list[list[Solid]]:
     """Bodies without shapes: a ball at the origin, links from there to the other frames.
 
     Args:

@@ -29,22 +29,22 @@ class Histories:
     curves: Sequence[tuple[str, Array]]
 
 
-class Named(Protocol):
-    """Something with histories by name."""
+class HasHistories(Protocol):
+    """A result with histories by name."""
 
     def __getitem__(self, name: str, /) -> object:
         """A history (nt, ...)."""
 
 
 def histories(
-    motion: TrajectoryRecord, names: Sequence[str] | None, of: Named | None = None
+    motion: TrajectoryRecord, names: Sequence[str] | None, of: HasHistories | None = None
 ) -> list[Histories]:
     """Curves by unit.
 
     Args:
-        motion: What it has by name, and in which units.
+        motion: Source of the histories and their units.
         names: Of the curves; by default energies, coordinates and outputs.
-        of: What has the histories, if not the motion; then energies are left out.
+        of: Source of the histories, if not the motion; then energies are left out.
 
     Raises:
         ModelError: there is no such history.
@@ -57,7 +57,7 @@ def histories(
             rows = [(part, getattr(energy, part)) for part in ("kinetic", "potential", "total")]
             groups.setdefault(("energy", "J"), []).extend(rows)
             continue
-        values = np.asarray((of or motion)[name], dtype=np.float64)
+        values = np.asarray((motion if of is None else of)[name], dtype=np.float64)
         unit = units.get(name, "")
         if values.ndim == 1:
             curves = [(name, values)]

@@ -1,4 +1,4 @@
-"""What a page shows of a motion: bodies, beams, springs, arrows, histories, events, and how."""
+"""The drawing of a motion: bodies, beams, springs, arrows, floor, and the view of them."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ VISIBLE, FLAT = 0.25, 1e-6
 
 @dataclass(frozen=True)
 class Abscissa:
-    """What a page runs over: time, or a load.
+    """Time, or the load that a page runs over.
 
     Attributes:
         name, unit: Of it.
@@ -70,7 +70,7 @@ class DrawnArrow:
 
 @dataclass(frozen=True)
 class Drawing:
-    """What a page shows.
+    """The contents of a page.
 
     Attributes:
         name: Headline.

@@ -62,9 +62,8 @@ def _unique_triangles(rows: NDArray[np.intp]) -> NDArray[np.intp]:
     order = (rows.argmin(axis=1)[:, None] + np.arange(3)) % 3
     a, b, c = np.take_along_axis(rows, order, axis=1).T
     count = int(rows.max(initial=0)) + 1
-    pairs, second = np.unique(a * count + b, return_inverse=True)
-    _, first = np.unique(second * count + c, return_index=True)
-    del pairs
+    pairs: NDArray[np.intp] = np.unique(a * count + b, return_inverse=True)[1]
+    first: NDArray[np.intp] = np.unique(pairs * count + c, return_index=True)[1]
     return np.stack([a[first], b[first], c[first]], axis=1)
 
 

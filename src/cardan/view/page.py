@@ -23,7 +23,7 @@ from ..runtime.trajectory import frame_history
 from ..runtime.trajectory.trajectory import TrajectoryRecord
 from . import curves, plain_page, scene_page
 from . import drawing as drawn
-from .curves import Named
+from .curves import HasHistories
 from .drawing import Abscissa, Drawing
 from .packing import deflated
 
@@ -131,7 +131,7 @@ def page_of(
     path: str | Path | None,
     *,
     abscissa: Abscissa | None = None,
-    histories: Named | None = None,
+    histories: HasHistories | None = None,
     show: str | Sequence[str] | None = None,
     plots: str | Sequence[str] | None = None,
     follow: str | None = None,
@@ -159,8 +159,8 @@ def page_of(
         raise ModelError(f"a page shows bodies: {first.absent['pose']}; plot() draws coordinates")
     # the plain page begins in real time
     rate = 1.0 if page == "plain" else None
-    chosen = Chosen(_names(show), _names(plots), follow, _names(traces) or (), fps, rate)
-    drawing = drawing_of(motions, chosen, abscissa, histories)
+    options = PageOptions(_names(show), _names(plots), follow, _names(traces) or (), fps, rate)
+    drawing = drawing_of(motions, options, abscissa, histories)
     text = _filled(drawing, page, detail, str(title if title is not None else first.name))
     if path is not None:
         return Page(text, publish(Path(path), text))
@@ -169,8 +169,8 @@ def page_of(
 
 
 @dataclass(frozen=True)
-class Chosen:
-    """What a user wants to see; as of :func:`animate`."""
+class PageOptions:
+    """Options of a page, as of :func:`animate`."""
 
     show: Sequence[str] | None = None
     plots: Sequence[str] | None = None
@@ -181,7 +181,7 @@ class Chosen:
 
     @property
     def layers(self) -> Sequence[str]:
-        """What shows from the start.
+        """Layers that show from the start.
 
         Raises:
             ArgumentError: there is no such layer.
@@ -195,7 +195,7 @@ class Chosen:
 
     @property
     def colored_by(self) -> str | None:
-        """What colors beams, if it is named.
+        """``"stress"`` or ``"strain"``, if beams are to show it.
 
         Raises:
             ArgumentError: two are named.
@@ -211,7 +211,7 @@ def _names(names: str | Sequence[str] | None) -> Sequence[str] | None:
 
 
 def _detail(meshes: str | float | bool) -> str | float:
-    """How much of the meshes is drawn.
+    """Detail of the meshes: ``"auto"``, ``"full"``, a share, or False without meshes.
 
     Raises:
         ArgumentError: no such detail.
@@ -229,17 +229,17 @@ def _detail(meshes: str | float | bool) -> str | float:
 
 def drawing_of(
     motions: Sequence[TrajectoryRecord],
-    chosen: Chosen,
+    options: PageOptions,
     abscissa: Abscissa | None = None,
-    histories: Named | None = None,
+    histories: HasHistories | None = None,
 ) -> Drawing:
-    """What a page shows; arguments as of :func:`page_of`."""
+    """The contents of a page; arguments as of :func:`page_of`."""
     motion = motions[0]
-    rate = chosen.rate or (drawn.slowed(motion) if abscissa is None else _sweeping(abscissa))
+    rate = options.rate or (drawn.slowed(motion) if abscissa is None else _sweeping(abscissa))
     rows = motions
     if abscissa is None:
-        rows = [_with_energies(_resampled(motion, chosen.fps / rate), motion)]
-    things = drawn.joined([_things(row, chosen) for row in rows])
+        rows = [_with_energies(_resampled(motion, options.fps / rate), motion)]
+    things = drawn.joined([_things(row, options) for row in rows])
     over = abscissa or things.abscissa
     up, heavy = drawn.upward(motion)
     frames = {row.name: row.body for row in motion.manifest.frames}
@@ -248,7 +248,7 @@ def drawing_of(
     return replace(
         things,
         abscissa=over,
-        histories=curves.histories(rows[0], chosen.plots, histories)
+        histories=curves.histories(rows[0], options.plots, histories)
         if len(over.values) > 1
         else [],
         events=events[::every],
@@ -256,15 +256,15 @@ def drawing_of(
         normal=drawn.plane_of(things.bodies, things.beams),
         floor=drawn.floor_of(motion, up, heavy),
         rate=rate,
-        follow=drawn.body_followed(chosen.follow, things.bodies, frames),
-        layers=chosen.layers,
+        follow=drawn.body_followed(options.follow, things.bodies, frames),
+        layers=options.layers,
     )
 
 
-def _things(motion: TrajectoryRecord, chosen: Chosen) -> Drawing:
-    """What stands in the picture."""
-    bodies, ground, beams = drawn.solids_of(motion, chosen.colored_by)
-    arrows = drawn.reactions(motion) if "reactions" in chosen.layers else []
+def _things(motion: TrajectoryRecord, options: PageOptions) -> Drawing:
+    """Bodies, beams, springs, arrows and traces of one motion."""
+    bodies, ground, beams = drawn.solids_of(motion, options.colored_by)
+    arrows = drawn.reactions(motion) if "reactions" in options.layers else []
     arrows += drawn.acting(motion)
     return Drawing(
         name=motion.manifest.name,
@@ -274,7 +274,7 @@ def _things(motion: TrajectoryRecord, chosen: Chosen) -> Drawing:
         beams=beams,
         springs=drawn.springs(motion),
         arrows=arrows,
-        traces={name: motion.pose(name)[:, :3, 3] for name in chosen.traces},
+        traces={name: motion.pose(name)[:, :3, 3] for name in options.traces},
     )
 
 

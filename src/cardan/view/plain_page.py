@@ -19,7 +19,7 @@ def data(drawing: Drawing) -> str:
     bodies = [
         {
             "name": body.name,
-            "solids": [s for s in body.solids if s["kind"] != "mesh"] or body.bare,
+            "solids": [s for s in body.solids if s["kind"] != "mesh"] or body.fallback,
             "pose": _rows(body.poses, decimals),
         }
         for body in drawing.bodies

@@ -18,8 +18,8 @@ from .solids import Solid
 
 # steps of lengths, turns and curves against the size of what is shown
 FINE, TURN, CURVE, STILL = 1e-5, 1e-5, 1e-4, 1e-9
-# triangles of a page unless a user asks for all of them
-MOST_TRIANGLES = 200_000
+# triangles of a page unless a user asks for more or fewer
+AUTO_TRIANGLES = 200_000
 ROUND = 24  # corners of a round section
 
 
@@ -40,7 +40,9 @@ def parts(drawing: Drawing, detail: str | float) -> tuple[str, str]:
         "name": drawing.name,
         "abscissa": {"name": drawing.abscissa.name, "unit": drawing.abscissa.unit},
         "t": pack.add(t - t[0], span * 1e-8) | {"first": float(t[0])},
-        "bodies": [{"name": b.name, "solids": solids.of(b.solids, b.bare)} for b in drawing.bodies],
+        "bodies": [
+            {"name": b.name, "solids": solids.of(b.solids, b.fallback)} for b in drawing.bodies
+        ],
         "poses": None if poses is None else _places(pack, poses, size),
         "ground": solids.of(drawing.ground, []),
         "beams": [_beam(pack, beam, size) for beam in drawing.beams],
@@ -181,11 +183,11 @@ class _Solids:
             except ModelError as problem:
                 self._problems[file] = str(problem)
         total = sum(len(part.triangles) for each in self._parts.values() for part in each)
-        share = 1.0 if detail == "full" else MOST_TRIANGLES / max(total, 1)
+        share = 1.0 if detail == "full" else AUTO_TRIANGLES / max(total, 1)
         self._share = min(1.0, float(detail) if isinstance(detail, float) else share)
 
-    def of(self, solids: list[Solid], bare: list[Solid]) -> list[JsonObject]:
-        """Solids as the page draws them, ``bare`` where not one can be."""
+    def of(self, solids: list[Solid], fallback: list[Solid]) -> list[JsonObject]:
+        """Solids as the page draws them, ``fallback`` where not one can be."""
         drawn: list[JsonObject] = []
         for solid in solids:
             if solid["kind"] != "mesh":
@@ -194,7 +196,7 @@ class _Solids:
             for entry in self._mesh(str(solid["file"])):
                 color = entry["color"] if solid["color"] is None else solid["color"]
                 drawn.append({**entry, **_scaled(entry, solid), "color": color})
-        return drawn or bare
+        return drawn or fallback
 
     def _mesh(self, file: str) -> list[JsonObject]:
         if file not in self._packed:

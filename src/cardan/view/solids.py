@@ -32,13 +32,13 @@ class DrawnBody:
     Attributes:
         name: Of the body.
         solids: What it looks like, in its own axes.
-        bare: What it looks like where no mesh can be read.
+        fallback: Links and balls, where no mesh can be read.
         poses: Its transforms to ground axes (nt, 4, 4).
     """
 
     name: str
     solids: list[Solid]
-    bare: list[Solid]
+    fallback: list[Solid]
     poses: Array
 
 
@@ -56,10 +56,10 @@ def bodies(motion: TrajectoryRecord) -> tuple[list[DrawnBody], list[Solid]]:
         name = str(body.name)
         solids = _shapes(motion, name)
         inboard = _inboard(motion, k, radius)
-        bare = [link(a, b, radius, joint=not inboard) for a, b in links[name]]
-        bare += inboard + _cuts(motion, name, radius) + _center(motion, k, links[name], radius)
+        fallback = [link(a, b, radius, joint=not inboard) for a, b in links[name]]
+        fallback += inboard + _cuts(motion, name, radius) + _center(motion, k, links[name], radius)
         poses = places[name] if name in places else _poses(motion, name)
-        drawn.append(DrawnBody(name, solids or bare, bare, poses))
+        drawn.append(DrawnBody(name, solids or fallback, fallback, poses))
     # thinner than what turns about it, which then covers its end
     ground = _shapes(motion, "ground") or [link(a, b, 0.8 * radius) for a, b in links["ground"]]
     return drawn, ground
@@ -115,7 +115,9 @@ def _links(motion: TrajectoryRecord) -> dict[str, list[tuple[Array, Array]]]:
     bodies = _bodies(manifest)
     links: dict[str, list[tuple[Array, Array]]] = {str(body.name): [] for _, body in bodies}
     links["ground"] = []
-    names = [row.name for row in manifest.frames]
+    frames: dict[str, list[str]] = {}
+    for row in manifest.frames:
+        frames.setdefault(row.body, []).append(row.name)
     position = np.reshape(motion.scene["position"], (-1, 3))
     for k, body in bodies:
         if manifest.joints[k].kind not in UNLINKED and body.parent in links:
@@ -127,18 +129,14 @@ def _links(motion: TrajectoryRecord) -> dict[str, list[tuple[Array, Array]]]:
         rows = links[str(body.name)]
         if not rows or all(np.linalg.norm(b) == 0 for _, b in rows):
             # nothing hangs on it: its farthest frame, or the way to its center of mass, twice
-            frame_names = [
-                n for n in names if motion.manifest.frames[names.index(n)].body == body.name
-            ]
-            tips = [motion.frame_on_body(n)[:3, 3] for n in frame_names] + [
-                _reach(motion, k) * _com(motion, k)
-            ]
+            tips = [motion.frame_on_body(name)[:3, 3] for name in frames.get(str(body.name), ())]
+            tips.append(_reach(motion, k) * _com(motion, k))
             rows.append((np.zeros(3), max(tips, key=lambda tip: float(np.linalg.norm(tip)))))
     return links
 
 
 def _reach(motion: TrajectoryRecord, k: int) -> float:
-    """How far a body goes on behind its center of mass: a mass at a point ends there."""
+    """Multiple of the way to the center of mass at which a body ends: 1 for a mass at a point."""
     mass, com = float(np.ravel(motion.scene["mass"])[k]), _com(motion, k)
     about_origin = np.reshape(motion.scene["inertia"], (-1, 3, 3))[k]
     steiner = mass * (float(com @ com) * np.eye(3) - np.outer(com, com))

@@ -15,7 +15,7 @@ from .coordinates import SIZES, Convention, Coordinates, Follower, Pair, Sizes, 
 
 
 class PinocchioModel(Protocol):
-    """What is read of a ``pinocchio.Model``."""
+    """The part of a ``pinocchio.Model`` that is read."""
 
     names: Sequence[str]
     nqs: Sequence[int]
@@ -31,7 +31,7 @@ class Named(Protocol):
 
 
 class MujocoModel(Protocol):
-    """What is read of a ``mujoco.MjModel``."""
+    """The part of a ``mujoco.MjModel`` that is read."""
 
     njnt: int
     jnt_type: Sequence[int]

@@ -185,8 +185,11 @@ class ForceElement(HasSource, ABC):
         """Its actions."""
 
     def acts_on(self) -> tuple[str, str]:
-        """What ``motion["<name>.force"]`` is the force on: ``LINE``, ``JOINT`` or ``FRAME``, and
-        the role of that joint or frame; two empty texts where it exerts none."""
+        """Receiver of ``motion["<name>.force"]``, and the role of that joint or frame.
+
+        Returns:
+            ``LINE``, ``JOINT`` or ``FRAME``, and the role; two empty texts where it exerts none.
+        """
         if self.straight():
             return LINE, "a"
         for what, roles in ((JOINT, self.joints()), (FRAME, self.frames())):

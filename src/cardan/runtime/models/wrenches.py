@@ -111,7 +111,7 @@ def force_part(name: str, rows: Sequence[ForceRow]) -> int | slice | None:
 
 
 def force_names(rows: Sequence[ForceRow]) -> list[str]:
-    """What may be asked for by name: forces and moments as a whole."""
+    """Names of forces and moments as a whole, ``<element>.force`` and so on."""
     parts = (row.name.removeprefix(f"{row.element}.").partition(".")[0] for row in rows)
     return list(
         dict.fromkeys(f"{row.element}.{part}" for row, part in zip(rows, parts, strict=True))

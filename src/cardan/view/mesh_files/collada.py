@@ -153,8 +153,9 @@ class _Scene:
         if effect is None:
             return None
         technique = child(self.references.target(effect, "url"), "profile_COMMON", "technique")
-        for shading in SHADINGS if technique is not None else ():
-            assert technique is not None
+        if technique is None:
+            return None
+        for shading in SHADINGS:
             diffuse = child(technique, shading, "diffuse", "color")
             if diffuse is not None:
                 return rgb(numbers(diffuse).tolist())

@@ -107,7 +107,7 @@ class References:
         return References({name: one for one in root.iter() if (name := one.get("id"))})
 
     def target(self, element: Element, attribute: str) -> Element:
-        """What ``#id`` in an attribute refers to.
+        """The element that ``#id`` in an attribute refers to.
 
         Raises:
             ModelError: nothing in this document.

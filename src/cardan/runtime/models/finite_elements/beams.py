@@ -89,10 +89,7 @@ class BeamStress:
 
         The nodes are those of ``motion.line(beam)`` and ``motion.sections(beam)``.
         """
-        stress = self.extreme
-        ends = stress[..., :1], stress[..., -1:]
-        inner = np.maximum(stress[..., 1:-1:ENDS], stress[..., ENDS::ENDS])
-        return np.concatenate([ends[0], inner, ends[1]], axis=-1)
+        return at_nodes(self.extreme)
 
     def _modulus(self) -> float:
         if self.modulus is None:
@@ -109,6 +106,12 @@ class BeamStress:
             f"force up to {sizes[0]} N, "
             f"moment up to {sizes[1]} N m)"
         )
+
+
+def at_nodes(values: Array) -> Array:
+    """The larger of the values (..., 2 n) of elements that meet at each node (..., n + 1)."""
+    inner = np.maximum(values[..., 1:-1:ENDS], values[..., ENDS::ENDS])
+    return np.concatenate([values[..., :1], inner, values[..., -1:]], axis=-1)
 
 
 @checked

@@ -136,7 +136,7 @@ class Actuators:
         raise AssertionError
 
     def _refusal(self, element: Element) -> str:
-        """What of an actuator is not read, "" where all is."""
+        """The part of an actuator that is not read, "" where all is."""
         raw = element.raw
         if raw.tag not in ACTUATORS:
             return "actuator"
@@ -150,8 +150,8 @@ class Actuators:
             ("gaintype", GAINS, READ_GAINS, "fixed"),
             ("biastype", BIASES, READ_BIASES, "none"),
         )
-        for name, kngiven_here, accepted, default in attributes:
-            word = chosen(element, name, kngiven_here, default)
+        for name, choices, accepted, default in attributes:
+            word = chosen(element, name, choices, default)
             if word not in accepted:
                 return f"with {name} {word}"
         return ""
@@ -168,5 +168,5 @@ class Actuators:
                 self.idle[f"{what}range does not act; {cure}"].append(f"{name} ({low:g}, {high:g})")
 
     def notes(self) -> list[str]:
-        """What of actuators does not act, with their names."""
+        """Notes on what does not act, with the names of the actuators."""
         return [f"actuators {', '.join(names)}: {what}" for what, names in self.idle.items()]

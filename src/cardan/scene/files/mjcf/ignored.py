@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from .. import unread
+from .. import robot
 
 if TYPE_CHECKING:
     from xml.etree.ElementTree import Element as XmlElement
@@ -50,8 +50,8 @@ def attributes_read(kind: str) -> set[str]:
     return READ[kind] | EVERYWHERE | (POSE_ATTRIBUTES if kind in PLACES else set())
 
 
-class Unread(unread.Unread):
-    """Counts elements and attributes that are passed over."""
+class Unread(robot.Unread):
+    """Counts attributes that are passed over as well."""
 
     def attributes(self, raw: XmlElement, kind: str | None = None) -> None:
         """An element is read: what of it is not?"""

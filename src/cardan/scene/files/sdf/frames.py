@@ -46,7 +46,7 @@ class Node:
 
     @property
     def prefix(self) -> str:
-        """What the names of members begin with."""
+        """The beginning of the names of members."""
         return f"{self.name}." if self.name else ""
 
     def find(self, name: str, role: str, where: str) -> Node:

@@ -111,7 +111,7 @@ class AxisData:
 
     @property
     def named(self) -> list[str]:
-        """What of it is there."""
+        """Names of the entries that are not zero or empty."""
         values = {"limit": self.limits, "damping": self.damping, "friction": self.friction}
         values["spring_stiffness"] = self.stiffness
         return [name for name, value in values.items() if value]

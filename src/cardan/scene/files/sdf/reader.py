@@ -21,8 +21,7 @@ from ..document import place
 from ..meshes import Meshes, shapes
 from ..options import Options
 from ..pose import HERE, Pose, written
-from ..robot import Mimics, announce, body_name
-from ..unread import Unread
+from ..robot import Mimics, Unread, announce, body_name
 from . import components
 from .frames import WORLD, Node, Poses, link_of, tree
 from .kinds import AXES, SINGLE, AxisData, data_of, kind_of, type_of
@@ -164,7 +163,7 @@ class Reader:
         return inertial.number("mass", "1"), pose.position, dict(zip(ENTRIES, tensor, strict=True))
 
     def _shapes(self, link: Item, visual: Item) -> list[Shape]:
-        """What is drawn of a <visual>, in its diffuse color."""
+        """Shapes of a <visual>, in its diffuse color."""
         where = pose_of(visual, False, [])
 
         def origin(element: Element, who: str) -> tuple[list[float], list[float]]:
