@@ -8,8 +8,11 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from ...errors import ModelWarning, warn
+from ..body import Body
+from ..frame import Place
 from ..scene import SceneRecord
 from .document import Element
+from .pose import Pose, written
 
 if TYPE_CHECKING:
     from xml.etree.ElementTree import Element as XmlElement
@@ -112,6 +115,14 @@ def _massless_tips(scene: SceneRecord) -> list[str]:
         for joint in joints
         if joint.kind.coordinates and joint.couple is None and joint.child.body not in heavy
     ]
+
+
+def frame_at(body: Body, pose: Pose) -> Place:
+    """A frame on a body; the body itself where it is its own."""
+    turn = written(pose.rotation)
+    if turn is None and not any(pose.position):
+        return body
+    return body.at(*pose.position, rotation=turn)
 
 
 def body_name(link: str) -> str:

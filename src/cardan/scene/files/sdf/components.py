@@ -22,13 +22,13 @@ def roots(nodes: Sequence[Node], links: Sequence[Node], pairs: Sequence[Pair]) -
     """
     children = {child for _, child in pairs}
     canonical = {link_of(node) for node in nodes if node.kind == "model" and _has_links(node)}
-    selected = []
+    selected: set[Node] = set()
     for group in _groups(links, pairs):
         tops = [link for link in group if link not in children]
         named = [link for link in group if link in canonical]
-        selected.append(tops[0] if len(tops) == 1 else (named or group)[0])
+        selected.add(tops[0] if len(tops) == 1 else (named or group)[0])
     # in the order of the file
-    return [link for link in links if link.fixed or link in set(selected)]
+    return [link for link in links if link.fixed or link in selected]
 
 
 def _has_links(node: Node) -> bool:
@@ -45,6 +45,7 @@ def _groups(links: Sequence[Node], pairs: Sequence[Pair]) -> list[list[Node]]:
         else:
             neighbors[one].append(other)
             neighbors[other].append(one)
+    position = {link: k for k, link in enumerate(links)}
     groups = []
     visited: set[Node] = set()
     for start in links:
@@ -60,6 +61,5 @@ def _groups(links: Sequence[Node], pairs: Sequence[Pair]) -> list[list[Node]]:
                     visited.add(other)
                     waiting.append(other)
         if not on_ground.intersection(group):
-            position = {link: k for k, link in enumerate(links)} if len(group) > 1 else {}
-            groups.append(sorted(group, key=lambda link: position.get(link, 0)))
+            groups.append(sorted(group, key=position.__getitem__))
     return groups

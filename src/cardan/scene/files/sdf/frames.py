@@ -102,8 +102,7 @@ def tree(root: XmlElement, file: str, passed: Callable[[XmlElement, str], None])
         top = Node("model", "", Item(outermost, _where("model", outermost, file)), None)
         top.fixed = top.item.flag("static")
     alone = bool(worlds) and len(inside) == 1
-    count = [0]
-    _fill(top, file, passed, count, alone)
+    _fill(top, file, passed, alone)
     return top
 
 
@@ -125,16 +124,13 @@ def _where(kind: str, raw: XmlElement, file: str) -> str:
     return f"{place(raw, file)}: {kind} '{(raw.get('name') or '')[:80]}'"
 
 
-def _fill(
-    top: Node, file: str, passed: Callable[[XmlElement, str], None], count: list[int], alone: bool
-) -> None:
+def _fill(top: Node, file: str, passed: Callable[[XmlElement, str], None], alone: bool) -> None:
     """Collect the members of a model and of those inside it.
 
     Args:
-        count: Members so far.
         alone: The model inside the world is the only one: its names need no prefix.
     """
-    waiting = [top]
+    waiting, count = [top], 0
     while waiting:
         model = waiting.pop()
         kinds = KINDS if model.kind == "model" else ("model", "frame", "joint")
@@ -155,8 +151,8 @@ def _fill(
             if key in model.members:
                 other = model.members[key].kind
                 raise ModelError(f"{where}: the name is taken by a {other}; rename one of them")
-            count[0] += 1
-            if count[0] > MOST_ITEMS:
+            count += 1
+            if count > MOST_ITEMS:
                 raise ModelError(f"file '{file}' has more than {MOST_ITEMS} links, joints, frames")
             full_name = "" if alone and model is top and raw.tag == "model" else model.prefix + name
             node = Node(raw.tag, full_name, Item(raw, where), model)

@@ -14,14 +14,12 @@ from ....elements.joints.free import Free
 from ....errors import ModelError
 from ....spatial.numbers import Rows, Vector, congruent, product, to_quaternion, transposed
 from ...body import Body
-from ...frame import Place
 from ...scene import SceneRecord
-from ...shape import Shape
 from ..document import place
-from ..meshes import Meshes, shapes
+from ..meshes import Color, Meshes, shapes
 from ..options import Options
 from ..pose import HERE, Pose, written
-from ..robot import Mimics, Unread, announce, body_name
+from ..robot import Mimics, Unread, announce, body_name, frame_at
 from . import components
 from .frames import WORLD, Node, Poses, link_of, tree
 from .kinds import AXES, SINGLE, AxisData, data_of, kind_of, type_of
@@ -129,9 +127,7 @@ class Reader:
                 node.name
             )
         mass, com, tensor = self._inertial(node)
-        drawn: list[Shape] = []
-        for visual in item.children("visual"):
-            drawn += self._shapes(item, visual)
+        drawn = shapes(item, self.meshes, _origin, _color)
         body = self.scene.body(body_name(node.name), mass, com, tensor, None, drawn)
         self.scene.origins["body", body.name] = place(item.raw, self.file)
         self.bodies[node] = body
@@ -161,25 +157,6 @@ class Reader:
             rows = congruent(pose.rotation, rows)
         tensor = [rows[i][j] for i in range(3) for j in range(i, 3)]
         return inertial.number("mass", "1"), pose.position, dict(zip(ENTRIES, tensor, strict=True))
-
-    def _shapes(self, link: Item, visual: Item) -> list[Shape]:
-        """Shapes of a <visual>, in its diffuse color."""
-        where = pose_of(visual, False, [])
-
-        def origin(element: Element, who: str) -> tuple[list[float], list[float]]:
-            turn = written(where.rotation)
-            return list(where.position), [0.0] * 3 if turn is None else list(turn[1:])
-
-        holder = Item(type(link.raw)("link"), link.where)
-        holder.raw.append(visual.raw)
-        material = visual.child("material")
-        paint = None
-        for key in ("diffuse", "ambient"):
-            if paint is None and material is not None and material.word(key) is not None:
-                red, green, blue, *alpha = material.several(key, 3, 4)
-                paint = (red, green, blue, alpha[0] if alpha else 1.0)
-        pictures = shapes(holder, self.meshes, origin)
-        return [dataclasses.replace(shape, color=paint) for shape in pictures]
 
     # joints
 
@@ -218,16 +195,9 @@ class Reader:
                 q0 = (*to_quaternion(pose.rotation), *pose.position)
                 scene.joint(name, Free(), scene.ground, body, q0=q0)
             else:
-                scene.joint(name, Fixed(), self._at(scene.ground, pose), body)
+                scene.joint(name, Fixed(), frame_at(scene.ground, pose), body)
         if free and not any(not node.fixed for node in roots):
             scene.notes.append("base='free' changes nothing: joints of the file hold all to world")
-
-    def _at(self, body: Body, pose: Pose) -> Place:
-        """A frame on a body; the body itself where it is its own."""
-        turn = written(pose.rotation)
-        if turn is None and not any(pose.position):
-            return body
-        return body.at(*pose.position, rotation=turn)
 
     def _joint(self, edge: Edge) -> None:
         """Make a joint: its frames coincide in the configuration of the file."""
@@ -237,7 +207,7 @@ class Reader:
         for link in (edge.parent, edge.child):
             body = scene.ground if link is None else self.bodies[link]
             outer = HERE if link is None else self.poses.of(link)
-            ends.append(self._at(body, swept(outer.inverse().then(world))))
+            ends.append(frame_at(body, swept(outer.inverse().then(world))))
         kind = kind_of(item, edge.kind, lambda axis: self._turn(axis, node))
         single = edge.kind in SINGLE
         data = data_of(item.child("axis"), edge.kind == "continuous")
@@ -333,3 +303,20 @@ class Reader:
             )
         notes += self.unread.notes()
         announce(self.scene, [node.name for node in self.bodies])
+
+
+def _origin(visual: Element, who: str) -> tuple[list[float], list[float]]:
+    """Position and angles of a <visual>; pictures need no snapping."""
+    pose = pose_of(Item(visual.raw, visual.where), False, [], who)
+    turn = written(pose.rotation)
+    return list(pose.position), [0.0] * 3 if turn is None else list(turn[1:])
+
+
+def _color(visual: Element) -> Color | None:
+    """Diffuse color of a <visual>, or else its ambient one."""
+    material = visual.child("material")
+    for key in ("diffuse", "ambient"):
+        if material is not None and material.word(key) is not None:
+            red, green, blue, *alpha = material.several(key, 3, 4)
+            return red, green, blue, alpha[0] if alpha else 1.0
+    return None

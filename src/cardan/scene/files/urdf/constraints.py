@@ -32,8 +32,9 @@ from ...body import Body
 from ...scene import SceneRecord
 from ..document import Element, place
 from ..pose import Pose
+from ..robot import frame_at
 from .kinds import axis_of, origin_of
-from .loops import ends_of, frame_at, kind_of_loop, pose_of, remark
+from .loops import ends_of, kind_of_loop, pose_of, remark
 
 if TYPE_CHECKING:
     from xml.etree.ElementTree import Element as XmlElement

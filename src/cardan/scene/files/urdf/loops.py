@@ -26,10 +26,10 @@ from ....elements.joints.universal import Universal
 from ....errors import ModelError, near
 from ....spatial.numbers import of_sequence
 from ...body import Body
-from ...frame import Place
 from ...scene import SceneRecord
 from ..document import Element, place
-from ..pose import HERE, Pose, written
+from ..pose import HERE, Pose
+from ..robot import frame_at
 from .graph import Edge, check_link
 from .kinds import TYPES as PLAIN
 from .kinds import Origin, axis_of, kind_of, origin_of
@@ -154,11 +154,3 @@ def pose_of(origin: Origin) -> Pose:
     """The pose of an <origin>."""
     (x, y, z), rpy = origin
     return Pose(of_sequence("xyz", rpy), (x, y, z))
-
-
-def frame_at(body: Body, pose: Pose) -> Place:
-    """A frame on a body; the body itself where it is its own."""
-    turn = written(pose.rotation)
-    if turn is None and not any(pose.position):
-        return body
-    return body.at(*pose.position, rotation=turn)

@@ -6,8 +6,7 @@ from collections.abc import Callable
 from xml.etree.ElementTree import Element as XmlElement
 
 from ..document import Element
-
-Color = tuple[float, ...]
+from ..meshes import Color
 
 
 def material_colors(root: XmlElement) -> Callable[[Element], Color | None]:
