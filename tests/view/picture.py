@@ -5,7 +5,6 @@
 
 from __future__ import annotations
 
-import importlib.metadata
 import os
 import shutil
 import sys
@@ -13,7 +12,7 @@ import tempfile
 from pathlib import Path
 
 import cardan as cd
-from cardan.cli.demo import PACKAGE, SCENES
+from cardan.cli.demo import PACKAGE, SCENES, locate
 
 ROOT = Path(__file__).parents[2]
 OPTIONS = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
@@ -22,8 +21,7 @@ OPTIONS = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshad
 def page(folder: Path) -> Path:
     """The page of the demo."""
     scene = SCENES["panda"]
-    files = importlib.metadata.files(PACKAGE) or []
-    file = next(Path(str(f.locate())) for f in files if str(f).endswith(scene.load)).resolve()
+    file = locate("panda")
     packages = [parent for parent in file.parents if parent.name == PACKAGE]
     model = cd.compile(cd.load(file, packages=packages, limits="stop", friction=True))
     motion = model.simulate(3.0, q=scene.q)

@@ -252,7 +252,7 @@ def test_every_control_has_a_name(shown: Shown) -> None:
     assert unnamed == []
 
 
-def test_a_robot_and_a_beam_are_of_moderate_size(tmp_path: Path) -> None:
+def test_a_page_of_a_beam_is_of_moderate_size(tmp_path: Path) -> None:
     scene = cd.Scene("beam", gravity=(0, 0, -9.81))
     rubber = cd.material(E=5e6, nu=0.3, rho=1100)
     beam = scene.beam("bar", (0, 0, 0), (1, 0, 0), cd.section.circle(0.02), rubber, elements=10)

@@ -7,7 +7,7 @@ tables of functions, and the compile cache that builds their C.
 from __future__ import annotations
 
 from ..analyses.conversion.coordinates import SIZES, Convention, Coordinates, Pair, Sizes, paired
-from ..analyses.conversion.joint_pairs import MUJOCO, PINOCCHIO
+from ..analyses.conversion.programs import MUJOCO, PINOCCHIO
 from ..ir.interpreter import evaluate
 from ..ir.serialize import from_dict
 from ..runtime.build import toolchain

@@ -24,7 +24,7 @@ from ..spatial.axis import complement, unit
 from ..topology.system import Cut, Joint, System, joint_lengths
 
 
-def force_rows(system: System) -> list[ForceElementRow]:
+def force_element_rows(system: System) -> list[ForceElementRow]:
     """Force elements with the names of their frames, for pictures."""
     names = [frame.name for frame in system.frames]
     return [

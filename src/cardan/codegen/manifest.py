@@ -125,7 +125,7 @@ def common(system: System, method: str, functions: Sequence[str]) -> dict[str, A
         "element_forces": force_rows(system),
         "isolated": isolated(system),
         "fixed": list(system.fixed),
-        "forces": flat_scene.force_rows(system),
+        "forces": flat_scene.force_element_rows(system),
         "shapes": flat_scene.shape_rows(system),
         "notes": list(system.notes),
         "snaps": list(system.snaps),

@@ -91,14 +91,14 @@ class Impulse:
         after: Its value behind the jump.
         active: 1 where the impulse acts, else 0.
         unilateral: It can only push the velocity up; where it would pull it is left out.
-        clinging: Speed that a unilateral one does hold back: what leaves more slowly stays.
+        release_speed: Below this speed a unilateral one holds the velocity back after all.
     """
 
     velocity: Scalar
     after: Scalar
     active: Scalar
     unilateral: bool = False
-    clinging: Scalar | None = None
+    release_speed: Scalar | None = None
 
 
 @dataclass(frozen=True)

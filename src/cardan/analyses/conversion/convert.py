@@ -30,7 +30,8 @@ from ...errors import ArgumentError
 from ...runtime.calls.calling import numbers
 from ...runtime.models.loaded_model import LoadedModel
 from .coordinates import Coordinates
-from .joint_pairs import MUJOCO, PINOCCHIO, MujocoModel, PinocchioModel, Program, joint_map
+from .joint_pairs import joint_map
+from .programs import MUJOCO, PINOCCHIO, MujocoModel, PinocchioModel, Program
 
 __all__ = ["from_mujoco", "from_pinocchio", "to_mujoco", "to_pinocchio"]
 

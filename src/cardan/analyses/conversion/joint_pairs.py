@@ -3,88 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
-from typing import NamedTuple, Protocol
+from typing import NamedTuple
 
 from ...errors import ArgumentError, brief, near
 from ...runtime.models.loaded_model import LoadedModel
 from ...runtime.verification.flat_scene import scene_of
 from ...runtime.verification.joint_motion import REVERSED
 from ...schema.mechanism import GROUND, JointRow
-from .coordinates import SIZES, Convention, Coordinates, Follower, Pair, Sizes, paired
+from .coordinates import SIZES, Coordinates, Follower, Pair, Sizes, paired
+from .programs import MujocoModel, PeerJoint, PinocchioModel, Program
 
 
-class PinocchioModel(Protocol):
-    """The part of a ``pinocchio.Model`` that is read."""
-
-    names: Sequence[str]
-    nqs: Sequence[int]
-    nvs: Sequence[int]
-    idx_qs: Sequence[int]
-    idx_vs: Sequence[int]
-
-
-class Named(Protocol):
-    """A joint or body of MuJoCo."""
-
-    name: str
-
-
-class MujocoModel(Protocol):
-    """The part of a ``mujoco.MjModel`` that is read."""
-
-    njnt: int
-    jnt_type: Sequence[int]
-    jnt_qposadr: Sequence[int]
-    jnt_dofadr: Sequence[int]
-    jnt_bodyid: Sequence[int]
-
-    def joint(self, index: int, /) -> Named:
-        """One of its joints."""
-
-    def body(self, index: int, /) -> Named:
-        """One of its bodies."""
-
-
-@dataclass(frozen=True)
-class Program:
-    """A program whose states are converted.
-
-    Attributes:
-        name: As it calls itself.
-        convention: Of its free, spherical and planar joints.
-        kinds: Joints that it has as one joint.
-        divided: Joints that are several joints of one coordinate each there.
-        cosines: Kinds whose last angle is always (cos, sin) there.
-        ground: Whether a free joint means the pose of a body on the ground.
-    """
-
-    name: str
-    convention: Convention
-    kinds: frozenset[str]
-    divided: frozenset[str] = frozenset()
-    cosines: frozenset[str] = frozenset()
-    ground: bool = False
-
-
-PINOCCHIO = Program(
-    "Pinocchio",
-    Convention(scalar_last=True, position_first=True, linear_first=True, body_axes=True),
-    frozenset(SIZES) - {"cylindrical"},
-    cosines=frozenset({"planar"}),
-)
-MUJOCO = Program(
-    "MuJoCo",
-    Convention(scalar_last=False, position_first=True, linear_first=True, body_axes=False),
-    frozenset({"revolute", "prismatic", "spherical", "free"}),
-    divided=frozenset({"universal", "cylindrical", "planar", "translation"}),
-    ground=True,
-)
-# sizes of the joints of MuJoCo by their type: free, ball, slide, hinge
-MUJOCO_SIZES = ((7, 6), (4, 3), (1, 1), (1, 1))
-
-
-class Ours(NamedTuple):
+class ModelJoint(NamedTuple):
     """A joint of the model, or one coordinate of it.
 
     Attributes:
@@ -102,17 +32,6 @@ class Ours(NamedTuple):
     u: int
     ratio: float | None = None
     offset: float = 0.0
-
-
-class Theirs(NamedTuple):
-    """A joint of the other program: first entries, sizes, the body that it carries."""
-
-    name: str
-    q: int
-    u: int
-    nq: int
-    nu: int
-    body: str = ""
 
 
 def joint_map(
@@ -141,11 +60,11 @@ def joint_map(
                     f"continuous: model '{model.name}' has no revolute joint "
                     f"{brief(name)}.{near(name, _revolute(ours.values()))}"
                 )
-        names = _ruled(program, model, ours) if peer is None else peer
-        theirs = _allocated(program, model, ours, names, continuous)
+        names = _order_by_rule(program, model, ours) if peer is None else peer
+        theirs = _joints_in_order(program, model, ours, names, continuous)
     else:
         theirs = _read(program, peer)
-    matches = _matched(program, model, ours, theirs)
+    matches = _matches(program, model, ours, theirs)
     pairs, followers = [], []
     for name, row in matches.items():
         joint = ours[name]
@@ -167,14 +86,14 @@ def _check_names(what: str, names: object) -> None:
         raise ArgumentError(f"{what}={brief(names)}: give the names of joints in a list")
 
 
-def _revolute(ours: Iterable[Ours]) -> list[str]:
+def _revolute(ours: Iterable[ModelJoint]) -> list[str]:
     return [joint.name for joint in ours if joint.kind == "revolute"]
 
 
 # joints of the model
 
 
-def _joints(program: Program, model: LoadedModel) -> list[Ours]:
+def _joints(program: Program, model: LoadedModel) -> list[ModelJoint]:
     """Those that have a counterpart, in our order."""
     manifest = model.manifest
     if manifest.absolute:
@@ -189,7 +108,7 @@ def _joints(program: Program, model: LoadedModel) -> list[Ours]:
     numbers = {name: (values["ratio"][i], values["offset"][i]) for i, name in enumerate(rows)
                } if coupled else {}  # fmt: skip
     for name, row in rows.items():
-        reason = _refused(program, row, kinds.get(name, row.kind))
+        reason = _refusal(program, row, kinds.get(name, row.kind))
         if reason:
             raise ArgumentError(f"joint '{name}' ({row.kind}) has no counterpart in {program.name}"
                                 f": {reason}")  # fmt: skip
@@ -199,14 +118,14 @@ def _joints(program: Program, model: LoadedModel) -> list[Ours]:
         q, u = row.slot("q")[0], row.slot("u")[0]
         if row.kind in program.divided:
             parts = model.coordinates[q : q + row.slot("q")[1]]
-            joints += [Ours(part, "revolute", str(row.child), q + k, u + k)
+            joints += [ModelJoint(part, "revolute", str(row.child), q + k, u + k)
                        for k, part in enumerate(parts)]  # fmt: skip
         else:
-            joints.append(Ours(name, row.kind, str(row.child), q, u))
+            joints.append(ModelJoint(name, row.kind, str(row.child), q, u))
     return joints
 
 
-def _refused(program: Program, row: JointRow, kind: str) -> str:
+def _refusal(program: Program, row: JointRow, kind: str) -> str:
     """Why a joint has no counterpart, "" if it has."""
     if row.solved:
         return "its loop determines it and it has no coordinates here"
@@ -231,7 +150,7 @@ def _refused(program: Program, row: JointRow, kind: str) -> str:
 
 def _follower(
     rows: Mapping[str, JointRow], numbers: Mapping[str, tuple[float, float]], row: JointRow
-) -> Ours:
+) -> ModelJoint:
     """A joint in coordinates of the one that it follows in the end."""
     ratio, offset, leader = 1.0, 0.0, row
     while leader.coupled:
@@ -243,13 +162,15 @@ def _follower(
             f"joint '{row.name}' follows '{leader.name}', which has no coordinates here"
         )
     kind = "prismatic" if row.kind == "prismatic" else "revolute"
-    return Ours(str(row.name), kind, str(row.child), leader.q[0], leader.u[0], ratio, offset)
+    return ModelJoint(str(row.name), kind, str(row.child), leader.q[0], leader.u[0], ratio, offset)
 
 
 # joints of the program
 
 
-def _ruled(program: Program, model: LoadedModel, ours: Mapping[str, Ours]) -> list[str]:
+def _order_by_rule(
+    program: Program, model: LoadedModel, ours: Mapping[str, ModelJoint]
+) -> list[str]:
     """Names in the order of the program: depth first."""
     rows = model.manifest.joints
     parts: dict[str, list[str]] = {str(row.child): [] for row in rows}
@@ -258,14 +179,14 @@ def _ruled(program: Program, model: LoadedModel, ours: Mapping[str, Ours]) -> li
     children: dict[str, list[JointRow]] = {}
     for row in rows:
         children.setdefault(str(row.parent), []).append(row)
-    if program is PINOCCHIO:
+    if program.alphabetical:
         for parent, several in children.items():
             if len(several) > 1 and model.manifest.fixed:
                 listed = ", ".join(f"'{row.name}'" for row in several[:3])
                 raise ArgumentError(
-                    f"joints {listed} are on body "
-                    f"'{parent}', and their order in Pinocchio depends on fixed joints that the "
-                    "model no longer has: give peer=, the pinocchio.Model or its names"
+                    f"joints {listed} are on body '{parent}', and their order in {program.name} "
+                    "depends on fixed joints that the model no longer has: give peer=, its model "
+                    "there or the names of its joints"
                 )
             several.sort(key=lambda row: str(row.name))
     names: list[str] = []
@@ -277,41 +198,39 @@ def _ruled(program: Program, model: LoadedModel, ours: Mapping[str, Ours]) -> li
     return names
 
 
-def _allocated(
+def _joints_in_order(
     program: Program,
     model: LoadedModel,
-    ours: Mapping[str, Ours],
+    ours: Mapping[str, ModelJoint],
     names: Sequence[str],
     continuous: Sequence[str],
-) -> list[Theirs]:
+) -> list[PeerJoint]:
     """Joints one after the other, with the sizes that their kinds have."""
-    rows: list[Theirs] = []
+    rows: list[PeerJoint] = []
     q = u = 0
     for name in names:
         if name == "universe":
             continue
         joint = ours.get(name) or _base(ours, name)
         if joint is None:
-            raise _without(program, model, name, ours)
+            raise _no_counterpart(program, model, name, ours)
         nq, nu = SIZES[joint.kind]
         nq += name in continuous or joint.kind in program.cosines
-        rows.append(Theirs(name, q, u, nq, nu))
+        rows.append(PeerJoint(name, q, u, nq, nu))
         q, u = q + nq, u + nu
     return rows
 
 
-def _base(ours: Mapping[str, Ours], name: str) -> Ours | None:
+def _base(ours: Mapping[str, ModelJoint], name: str) -> ModelJoint | None:
     """The free joint behind the name that free flyers get from Pinocchio."""
     free = [joint for joint in ours.values() if joint.kind == "free"]
     return free[0] if name == "root_joint" and len(free) == 1 else None
 
 
-def _read(program: Program, peer: PinocchioModel | MujocoModel) -> list[Theirs]:
+def _read(program: Program, peer: PinocchioModel | MujocoModel) -> list[PeerJoint]:
     """Joints of a model of the program."""
     try:
-        if program is PINOCCHIO:
-            return _read_pinocchio(peer)  # type: ignore[arg-type]
-        return _read_mujoco(peer)  # type: ignore[arg-type]
+        return program.read(peer)
     except AttributeError:
         raise ArgumentError(
             f"peer={type(peer).__name__}: give the model of {program.name} or the names of its "
@@ -319,33 +238,15 @@ def _read(program: Program, peer: PinocchioModel | MujocoModel) -> list[Theirs]:
         ) from None
 
 
-def _read_pinocchio(peer: PinocchioModel) -> list[Theirs]:
-    rows = []
-    for k, name in enumerate(peer.names):
-        place = (int(peer.idx_qs[k]), int(peer.idx_vs[k]))
-        row = Theirs(str(name), *place, int(peer.nqs[k]), int(peer.nvs[k]))
-        # the universe and joints that follow others have no entries
-        if row.nu:
-            rows.append(row)
-    return rows
-
-
-def _read_mujoco(peer: MujocoModel) -> list[Theirs]:
-    rows = []
-    for j in range(peer.njnt):
-        sizes = MUJOCO_SIZES[int(peer.jnt_type[j])]
-        body = peer.body(int(peer.jnt_bodyid[j])).name
-        place = (int(peer.jnt_qposadr[j]), int(peer.jnt_dofadr[j]))
-        rows.append(Theirs(peer.joint(j).name, *place, *sizes, body))
-    return rows
-
-
 # both
 
 
-def _matched(
-    program: Program, model: LoadedModel, ours: Mapping[str, Ours], theirs: Sequence[Theirs]
-) -> dict[str, Theirs]:
+def _matches(
+    program: Program,
+    model: LoadedModel,
+    ours: Mapping[str, ModelJoint],
+    theirs: Sequence[PeerJoint],
+) -> dict[str, PeerJoint]:
     """The counterpart of every joint, by name of ours."""
     named = {row.name: row for row in theirs if row.name}
     matches = {name: named[name] for name in ours if name in named}
@@ -368,14 +269,16 @@ def _matched(
                 f"no joint there has its name.{near(name, names)}"
             )
     if unmatched:
-        raise _without(program, model, unmatched[0].name or f"on body '{unmatched[0].body}'", ours)
+        raise _no_counterpart(
+            program, model, unmatched[0].name or f"on body '{unmatched[0].body}'", ours
+        )
     for name, row in matches.items():
         _check(program, ours[name], row)
     return matches
 
 
-def _without(
-    program: Program, model: LoadedModel, name: str, ours: Mapping[str, Ours]
+def _no_counterpart(
+    program: Program, model: LoadedModel, name: str, ours: Mapping[str, ModelJoint]
 ) -> ArgumentError:
     return ArgumentError(
         f"joint '{name}' of {program.name} has no counterpart in model '{model.name}'."
@@ -383,12 +286,12 @@ def _without(
     )
 
 
-def _check(program: Program, joint: Ours, row: Theirs) -> None:
+def _check(program: Program, joint: ModelJoint, row: PeerJoint) -> None:
     """Refuse counterparts of another kind."""
     nq, nu = SIZES[joint.kind]
-    sizes = {(nq, nu)}
-    if program is PINOCCHIO and joint.kind in ("revolute", "planar"):
-        sizes = {(nq + 1, nu)} | ({(nq, nu)} if joint.kind == "revolute" else set())
+    sizes = set() if joint.kind in program.cosines else {(nq, nu)}
+    if joint.kind in program.cosines | program.perhaps_cosines:
+        sizes.add((nq + 1, nu))
     if (row.nq, row.nu) not in sizes:
         raise ArgumentError(
             f"joint '{joint.name}' ({joint.kind}) has {nq} coordinates and {nu} speeds; its "

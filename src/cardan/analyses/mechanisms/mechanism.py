@@ -17,6 +17,7 @@ from numpy.typing import ArrayLike, NDArray
 from ...arrays import Array
 from ...errors import ModelError
 from ...runtime.models.constraint_projection import Closing, columns_of, size_of
+from ...runtime.models.finite_elements.joint_driven_nodes import SIGN_TOL
 from ...runtime.models.initial import entries
 from ...runtime.models.random_states import random_state
 from ...runtime.verification.rotations import unit
@@ -26,7 +27,6 @@ from .mechanism_record import Connection, connect
 if TYPE_CHECKING:
     from ...runtime.models.loaded_model import LoadedModel
 
-SIGN_TOL = 1e-6  # a cosine of axes that is 0 but for rounding: they are exchanged
 LIMIT_TOL = 1e-9  # beyond limits that counts as on them
 TIGHT, ROUNDED_TOL = 1e-10, 3e-5  # the latter as kernels/solve/dependent.h has it
 NEARBY = 1e-5  # of a central difference; its error of 1e-10 slows no search

@@ -127,7 +127,7 @@ class Stop(ForceElement):
             lying = at.s[0].apply("eq", float(side))
             active = select(lying, 1, jumped.fired(event))
             after = select(lying, 0, after).note(f"{name}_after")
-            impulses.append(Impulse(leaving, after, active, unilateral=True, clinging=settle))
+            impulses.append(Impulse(leaving, after, active, unilateral=True, release_speed=settle))
         return tuple(impulses)
 
     def change(self, at: Places, jumped: Jumped) -> Change:

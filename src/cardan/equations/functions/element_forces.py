@@ -27,7 +27,7 @@ from .dynamics import Dynamics
 XYZ = ("x", "y", "z")
 
 
-class Named(NamedTuple):
+class NamedForce(NamedTuple):
     """An element whose force has a name.
 
     Attributes:
@@ -41,7 +41,7 @@ class Named(NamedTuple):
     entries: tuple[tuple[str, str], ...]
 
 
-def named_forces(system: System) -> Iterator[Named]:
+def named_forces(system: System) -> Iterator[NamedForce]:
     """The elements whose forces have names, in the order of the system."""
     records = Counter(force.name for force in system.forces)
     for number, force in enumerate(system.forces):
@@ -53,7 +53,7 @@ def named_forces(system: System) -> Iterator[Named]:
         name = force.name
         if records[name] > 1:
             name = f"{name}.{system.frames[force.frames['body']].name}"
-        yield Named(number, name, tuple(_entries(system, force, name)))
+        yield NamedForce(number, name, tuple(_entries(system, force, name)))
 
 
 def force_rows(system: System) -> list[ForceRow]:

@@ -174,9 +174,9 @@ def _jumped(
         for i in impulses
     ]
     inertia = {
-        i: _felt(d, jacobian[i], bound, (names[i], *row_names))
+        i: _effective_inertia(d, jacobian[i], bound, (names[i], *row_names))
         for i in unilateral
-        if len(unilateral) > 1 and impulses[i].clinging is not None
+        if len(unilateral) > 1 and impulses[i].release_speed is not None
     }
     behind = before
     for attempt in ATTEMPTS[: min(len(unilateral) - 1, PASSES) + 1]:
@@ -199,18 +199,18 @@ def _jumped(
             g.hint(push.node, name, f"{attempt}impulse")
         for i in unilateral:
             pull = pushes[i] * -1
-            clinging = impulses[i].clinging
-            if clinging is None or i not in inertia:
+            release_speed = impulses[i].release_speed
+            if release_speed is None or i not in inertia:
                 pushing = pull.apply("le", pull * 0)
             else:
                 # against the impulse that gives it that speed where nothing else holds it
-                pushing = pull.apply("le", clinging * inertia[i])
+                pushing = pull.apply("le", release_speed * inertia[i])
             active[i] = active[i] * select(pushing, 1, 0)
     return behind
 
 
-def _felt(d: Dynamics, row: Matrix, bound: Matrix, names: tuple[str, ...]) -> Scalar:
-    """Inertia felt along a velocity (1, nu), the loops closed: impulse for a unit of it."""
+def _effective_inertia(d: Dynamics, row: Matrix, bound: Matrix, names: tuple[str, ...]) -> Scalar:
+    """Effective inertia along a velocity (1, nu), the loops closed: impulse for a unit of it."""
     g = d.k.graph
     one = [MINUS_ONE] + [ZERO] * bound.rows
     pushes = d.pushed(

@@ -22,7 +22,8 @@ if TYPE_CHECKING:
 SAVED = "states"
 ASSEMBLY_SIGNS = "assembly_signs "  # before the joint whose axes the numbers are about
 ROUNDING = 1e-14
-SIGN_TOL = 1e-6  # a cosine of axes that is 0 but for rounding: they are exchanged
+# cosines of exchanged axes are 0 but for rounding; as kernels/solve/position.c has it
+SIGN_TOL = 1e-6
 # entries of the coordinates and speeds of a node in space
 POSE, MOTION = ("qw", "qx", "qy", "qz", "px", "py", "pz"), ("x", "y", "z", "px", "py", "pz")
 
