@@ -14,8 +14,9 @@ from ..schema.manifest import Manifest
 from .beams import DrawnBeam, beams
 from .beams import bodies as on_nodes
 from .curves import Histories
-from .solids import DrawnBody, Solid
+from .solids import DrawnBody, Solid, numbers_of
 from .solids import bodies as in_joint_coordinates
+from .supports import Support
 
 # layers of arrows, and what else a page may show from the start
 ARROWS = ("reactions", "forces", "contacts")
@@ -75,7 +76,7 @@ class Drawing:
     Attributes:
         name: Headline.
         abscissa: What it runs over.
-        bodies, ground, beams, springs, arrows: What is drawn.
+        bodies, ground, beams, supports, springs, arrows: What is drawn.
         traces: Paths (nt, 3) of frames, by name.
         histories: Curves, by unit.
         events: When what happened.
@@ -93,6 +94,7 @@ class Drawing:
     bodies: list[DrawnBody]
     ground: list[Solid]
     beams: list[DrawnBeam]
+    supports: list[Support] = field(default_factory=list)
     springs: list[DrawnSpring] = field(default_factory=list)
     arrows: list[DrawnArrow] = field(default_factory=list)
     traces: dict[str, Array] = field(default_factory=dict)
@@ -128,7 +130,7 @@ def solids_of(
 
 def springs(motion: TrajectoryRecord) -> list[DrawnSpring]:
     """Springs and dampers between two frames."""
-    numbers = _numbers(motion)
+    numbers = numbers_of(motion)
     return [
         DrawnSpring(
             row.name,
@@ -144,17 +146,6 @@ def springs(motion: TrajectoryRecord) -> list[DrawnSpring]:
 
 def _place(motion: TrajectoryRecord, frame: str) -> Array:
     return motion.pose(frame)[:, :3, 3]
-
-
-def _numbers(motion: TrajectoryRecord) -> dict[str, float]:
-    """Parameters and structural numbers by name."""
-    manifest = motion.manifest
-    values = motion.parameters
-    parameters = {
-        row.name: row.default if values is None else float(values[k])
-        for k, row in enumerate(manifest.parameters)
-    }
-    return {**manifest.structural, **parameters}
 
 
 def reaction_frames(manifest: Manifest) -> Mapping[str, str]:
@@ -196,7 +187,7 @@ def acting(motion: TrajectoryRecord) -> list[DrawnArrow]:
 
 def upward(motion: TrajectoryRecord) -> tuple[Array, bool]:
     """Direction against gravity, and whether there is gravity."""
-    numbers = _numbers(motion)
+    numbers = numbers_of(motion)
     gravity = np.array([numbers.get(f"gravity.{axis}", 0.0) for axis in "xyz"])
     if "gravity" in motion.scene:
         gravity = np.asarray(motion.scene["gravity"], dtype=np.float64)
@@ -304,6 +295,10 @@ def joined(rows: Sequence[Drawing]) -> Drawing:
             )
             for k, beam in enumerate(first.beams)
         ],
+        supports=[
+            replace(one, travel=_widest([row.supports[k].travel for row in rows]))
+            for k, one in enumerate(first.supports)
+        ],
         springs=[
             replace(
                 spring,
@@ -324,6 +319,10 @@ def joined(rows: Sequence[Drawing]) -> Drawing:
         ],
         traces={name: all_of(row.traces[name] for row in rows) for name in first.traces},
     )
+
+
+def _widest(travels: Sequence[tuple[float, float]]) -> tuple[float, float]:
+    return min(low for low, _ in travels), max(high for _, high in travels)
 
 
 def floor_of(motion: TrajectoryRecord, up: Array, heavy: bool) -> float | str | None:

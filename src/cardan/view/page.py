@@ -26,6 +26,7 @@ from . import drawing as drawn
 from .curves import HasHistories
 from .drawing import Abscissa, Drawing
 from .packing import deflated
+from .supports import supports
 
 PICTURES = 1500  # a longer motion gets fewer pictures per second
 HERE = Path(__file__).parent
@@ -272,6 +273,7 @@ def _things(motion: TrajectoryRecord, options: PageOptions) -> Drawing:
         bodies=bodies,
         ground=ground,
         beams=beams,
+        supports=supports(motion, bodies, beams),
         springs=drawn.springs(motion),
         arrows=arrows,
         traces={name: motion.pose(name)[:, :3, 3] for name in options.traces},

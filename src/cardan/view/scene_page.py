@@ -14,7 +14,7 @@ from . import meshes
 from .beams import STRAIN, DrawnBeam
 from .drawing import Drawing
 from .packing import JsonObject, Packer, step_of, turns
-from .solids import Solid
+from .solids import Solid, short
 
 # steps of lengths, turns and curves against the size of what is shown
 FINE, TURN, CURVE, STILL = 1e-5, 1e-5, 1e-4, 1e-9
@@ -46,6 +46,16 @@ def parts(drawing: Drawing, detail: str | float) -> tuple[str, str]:
         "poses": None if poses is None else _places(pack, poses, size),
         "ground": solids.of(drawing.ground, []),
         "beams": [_beam(pack, beam, size) for beam in drawing.beams],
+        "supports": [
+            {
+                "kind": one.kind,
+                "at": short(one.at),
+                "axis": one.axis.tolist(),
+                "r": one.radius,
+                "travel": one.travel,
+            }
+            for one in drawing.supports
+        ],
         "scale": _scale(drawing.beams),
         "springs": [
             {

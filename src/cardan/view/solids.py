@@ -15,13 +15,20 @@ from .packing import JsonObject, below_one
 
 # as a page has it
 Solid = JsonObject
+Links = dict[str, list[tuple[Array, Array]]]
 THICK = 0.055  # radius of a drawn link, relative to the mean length of the links
 TAPER = 0.8
+POINT = 0.045  # of a ball that stands for a body without length, relative to how far it goes
 # half lengths of the end of a link and of its pin, in radii of the link
-EYE_AND_PIN = (1.15, 1.7)
+EYE_AND_PIN = (1.05, 1.45)
 # no link leads to joints that hold nothing together
 UNLINKED = ("free", "planar", "translation")
 REVOLUTE = ("revolute", "cylindrical", "screw")
+RAIL = ("prismatic",)
+# half length and half width of what slides, in radii of the link
+SLEEVE = (1.9, 1.35)
+# links that a body without joints may have
+MOST_ARMS = 12
 DARK = {"color": [0.25, 0.28, 0.33, 1.0]}
 
 
@@ -46,9 +53,7 @@ def bodies(motion: TrajectoryRecord) -> tuple[list[DrawnBody], list[Solid]]:
     """Bodies of a scene in joint coordinates, and the solids of the ground."""
     manifest = motion.manifest
     links = _links(motion)
-    lengths = [float(np.linalg.norm(b - a)) for rows in links.values() for a, b in rows]
-    lengths = [length for length in lengths if length > 0]
-    radius = THICK * float(np.mean(lengths)) if lengths else 0.02
+    radius = _radius(motion, links)
     drawn = []
     # without the C of every single pose, as far as that goes
     places = bodies_in_place(motion) if is_recorded(motion) else {}
@@ -58,11 +63,39 @@ def bodies(motion: TrajectoryRecord) -> tuple[list[DrawnBody], list[Solid]]:
         inboard = _inboard(motion, k, radius)
         fallback = [link(a, b, radius, joint=not inboard) for a, b in links[name]]
         fallback += inboard + _cuts(motion, name, radius) + _center(motion, k, links[name], radius)
+        fallback += _touching(motion, name)
         poses = places[name] if name in places else _poses(motion, name)
         drawn.append(DrawnBody(name, solids or fallback, fallback, poses))
     # thinner than what turns about it, which then covers its end
     ground = _shapes(motion, "ground") or [link(a, b, 0.8 * radius) for a, b in links["ground"]]
     return drawn, ground
+
+
+def numbers_of(motion: TrajectoryRecord) -> dict[str, float]:
+    """Parameters and structural numbers by name."""
+    manifest = motion.manifest
+    values = motion.parameters
+    parameters = {
+        row.name: row.default if values is None else float(values[k])
+        for k, row in enumerate(manifest.parameters)
+    }
+    return {**manifest.structural, **parameters}
+
+
+def link_radius(motion: TrajectoryRecord) -> float:
+    """Radius of the links of a scene in joint coordinates [m]."""
+    return _radius(motion, _links(motion))
+
+
+def _radius(motion: TrajectoryRecord, links: Links) -> float:
+    lengths = [float(np.linalg.norm(b - a)) for rows in links.values() for a, b in rows]
+    lengths = [length for length in lengths if length > 0]
+    if lengths:
+        return THICK * float(np.mean(lengths))
+    # bodies without any length are as large as one sees on their way
+    paths = [_poses(motion, str(body.name))[:, :3, 3] for _, body in _bodies(motion.manifest)]
+    extents = [float(np.ptp(path, axis=0).max(initial=0.0)) for path in paths]
+    return POINT * max(extents, default=0.0) or 0.02
 
 
 def _poses(motion: TrajectoryRecord, body: str) -> Array:
@@ -78,14 +111,29 @@ def _eye(at: Array, axis: Array, radius: float) -> list[Solid]:
         {"kind": "cylinder", "a": short(at - part * along), "b": short(at + part * along)}
         for part in EYE_AND_PIN
     )
-    return [{**eye, "r": 1.5 * radius, "color": None}, {**pin, "r": 0.75 * radius, **DARK}]
+    return [{**eye, "r": 1.4 * radius, "color": None}, {**pin, "r": 0.7 * radius, **DARK}]
 
 
 def _inboard(motion: TrajectoryRecord, k: int, radius: float) -> list[Solid]:
-    """Where a body turns about its parent; nothing at joints without an axis."""
-    if motion.manifest.joints[k].kind not in REVOLUTE:
-        return []
-    return _eye(np.zeros(3), np.reshape(motion.scene["axis"], (-1, 3))[k], radius)
+    """Where a body turns about its parent or slides on it; nothing at joints without an axis."""
+    kind, axis = motion.manifest.joints[k].kind, np.reshape(motion.scene["axis"], (-1, 3))[k]
+    if kind in RAIL:
+        return [_sleeve(axis, radius, motion.manifest.joints[k].parent == "ground")]
+    return _eye(np.zeros(3), axis, radius) if kind in REVOLUTE else []
+
+
+def _sleeve(axis: Array, radius: float, on_ground: bool) -> Solid:
+    """What slides along an axis: a carriage on the ground, else a tube."""
+    long, wide = radius * np.array(SLEEVE)
+    if not on_ground:
+        along = long * axis / float(np.linalg.norm(axis))
+        return {"kind": "cylinder", "a": short(-along), "b": short(along), "r": wide, "color": None}
+    # a rotation whose first column is the axis, the others near to axes of the body
+    order = np.argsort(-np.abs(axis), kind="stable")
+    columns = np.linalg.qr(np.column_stack([axis, np.eye(3)[order[1:]].T]))[0]
+    turn = columns * np.array([1.0, 1.0, np.linalg.det(columns)])
+    place = {"R": short(turn.ravel()), "a": [0.0, 0.0, 0.0]}
+    return {"kind": "box", "size": [2 * long, 2 * wide, 2 * wide], **place, "color": None}
 
 
 def _cuts(motion: TrajectoryRecord, body: str, radius: float) -> list[Solid]:
@@ -104,16 +152,31 @@ def _cuts(motion: TrajectoryRecord, body: str, radius: float) -> list[Solid]:
     return solids
 
 
+def _touching(motion: TrajectoryRecord, body: str) -> list[Solid]:
+    """The spheres of a body that contacts act on."""
+    owners, numbers = {row.name: row.body for row in motion.manifest.frames}, numbers_of(motion)
+    places = {
+        (row.frames["sphere"], numbers.get(f"{row.name}.radius", 0.0))
+        for row in motion.manifest.forces
+        if row.kind == "contact" and owners.get(row.frames["sphere"]) == body
+    }
+    return [
+        {"kind": "sphere", "a": short(motion.frame_on_body(f)[:3, 3]), "r": r, "color": None}
+        for f, r in sorted(places)
+        if r > 0
+    ]
+
+
 def _bodies(manifest: Manifest) -> list[tuple[int, BodyRow]]:
     """Number and row of every body; those without parts only stand for joints."""
     return [(k, body) for k, body in enumerate(manifest.bodies) if body.parts]
 
 
-def _links(motion: TrajectoryRecord) -> dict[str, list[tuple[Array, Array]]]:
+def _links(motion: TrajectoryRecord) -> Links:
     """Straight links in body axes: from the inboard joint to every outboard one, or to the tip."""
     manifest = motion.manifest
     bodies = _bodies(manifest)
-    links: dict[str, list[tuple[Array, Array]]] = {str(body.name): [] for _, body in bodies}
+    links: Links = {str(body.name): [] for _, body in bodies}
     links["ground"] = []
     frames: dict[str, list[str]] = {}
     for row in manifest.frames:
@@ -130,6 +193,13 @@ def _links(motion: TrajectoryRecord) -> dict[str, list[tuple[Array, Array]]]:
         if not rows or all(np.linalg.norm(b) == 0 for _, b in rows):
             # nothing hangs on it: its farthest frame, or the way to its center of mass, twice
             tips = [motion.frame_on_body(name)[:3, 3] for name in frames.get(str(body.name), ())]
+            if not rows and manifest.joints[k].kind in UNLINKED:
+                # what flies, such as a frame with rotors, has all its arms
+                arms = np.unique(np.round(tips, 9), axis=0)
+                arms = arms[np.linalg.norm(arms, axis=1) > 0]
+                rows += [(np.zeros(3), arm) for arm in arms[:MOST_ARMS]]
+                if rows:
+                    continue
             tips.append(_reach(motion, k) * _com(motion, k))
             rows.append((np.zeros(3), max(tips, key=lambda tip: float(np.linalg.norm(tip)))))
     return links

@@ -15,14 +15,14 @@ export function material(color, more = {}) {
   const key = `${color}${JSON.stringify(more)}`;
   if (!materials.has(key)) {
     // black shows no shape: the darkest is a dark gray
-    const rgb = typeof color === "string" ? new Color(color) : new Color().setRGB(...color.slice(0, 3).map((x) => x + 0.24 * (1 - x) ** 3), "srgb");
+    const rgb = typeof color === "string" ? new Color(color) : new Color().setRGB(...color.slice(0, 3).map((x) => x + 0.29 * (1 - x) ** 3), "srgb");
     const alpha = typeof color === "string" || color.length < 4 ? 1 : color[3];
     materials.set(key, new MeshStandardMaterial({ color: rgb, roughness: 0.42, metalness: 0.05, opacity: alpha, transparent: alpha < 1, ...more }));
   }
   return materials.get(key);
 }
 
-function shaded(geometry, paint) {
+export function shaded(geometry, paint) {
   const mesh = new Mesh(geometry, paint);
   mesh.castShadow = mesh.receiveShadow = true;
   return mesh;

@@ -2,6 +2,7 @@
 
 import { BufferAttribute, BufferGeometry, Group, Line, LineBasicMaterial, Quaternion, Vector3 } from "three";
 import { arrow, beam, outermost, palette, shade, solid, spring, triad } from "./geometry.js";
+import { holders, posts } from "./supports.js";
 import { short, Strip } from "./strip.js";
 import { Stage } from "./stage.js";
 import { load } from "./unpack.js";
@@ -70,7 +71,10 @@ class Page {
     });
     const ground = new Group();
     ground.name = "ground";
-    for (const s of data.ground) ground.add(solid(s, GREY));
+    // posts on the floor take the place of links between what the ground holds
+    const hasPosts = stage.floor && data.supports.length;
+    for (const s of hasPosts ? [] : data.ground) ground.add(solid(s, GREY));
+    for (const s of data.supports) if (holders[s.kind]) ground.add(holders[s.kind](s, GREY));
     stage.scene.add(ground);
     this.ground = ground;
     this.beams = data.beams.map((b, k) => {
@@ -91,6 +95,7 @@ class Page {
     const [base, feet] = [lowest(this.cloud([])), lowest(this.cloud([0]))];
     const ground = feet < base - 0.2 * size(cloud) ? feet : base;
     stage.frame(cloud, { below: lowest(cloud) - 0.04 * size(cloud), ground }[data.floor] ?? data.floor);
+    if (stage.floor) for (const part of data.supports.flatMap((s) => posts(s, stage, GREY))) this.ground.add(part);
     // things that go far keep arrows of their own size
     const unit = Math.min(stage.size, 2.5 * size(this.cloud([0])) || stage.size);
     this.unit = unit;
@@ -131,15 +136,18 @@ class Page {
     return rows;
   }
 
-  // what the picture has to hold: everything, but for a few bodies that fly off, up to a tenth of the size
+  // what the picture has to hold: everything, but for a few bodies that fly off; of what goes far, its start
   inView() {
-    const start = size(this.cloud([0])), rows = this.rows(60), whole = this.cloud(rows);
+    const { data } = this, start = size(this.cloud([0])), rows = this.rows(60), whole = this.cloud(rows);
     if (size(whole) < 3 * start || !(start > 0)) return whole;
     const center = middle(this.cloud([0]));
     const stays = this.bodies.map((_, b) => this.cloud(rows, [b]).every((p) => p.distanceTo(center) < 2 * start));
     if (stays.filter(Boolean).length > this.bodies.length / 2) return this.cloud(rows, stays.flatMap((stay, b) => (stay ? [b] : [])));
+    if (size(whole) < 12 * start) return whole;
+    // the camera goes with what goes far
+    if (data.follow === null) data.follow = Math.max(0, stays.indexOf(false));
     let most = rows.length;
-    while (most > 1 && size(this.cloud(rows.slice(0, most))) > 10 * start) most--;
+    while (most > 1 && size(this.cloud(rows.slice(0, most))) > 3 * start) most--;
     return this.cloud(rows.slice(0, most));
   }
 

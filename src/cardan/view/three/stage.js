@@ -7,7 +7,7 @@ import {
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { RoomEnvironment } from "three/examples/jsm/environments/RoomEnvironment.js";
 
-const Z = new Vector3(0, 0, 1), FIELD = 34; // degrees, of the smaller side
+const Z = new Vector3(0, 0, 1), FIELD = 24; // degrees, of the smaller side
 
 export class Stage {
   constructor(canvas, data, changed) {
@@ -17,7 +17,7 @@ export class Stage {
     this.renderer.shadowMap.type = PCFShadowMap;
     // others crush what is dark
     this.renderer.toneMapping = LinearToneMapping;
-    this.renderer.toneMappingExposure = 0.85;
+    this.renderer.toneMappingExposure = 0.74;
     this.scene = new Scene();
     this.up = new Vector3(...data.up);
     this.surround();
@@ -26,15 +26,15 @@ export class Stage {
     this.camera.up.copy(this.up);
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.addEventListener("change", changed);
-    this.scene.add(new HemisphereLight(0xffffff, 0xa8b0be, 0.25));
-    const fill = new DirectionalLight(0xe6edff, 0.5);
-    this.sun = new DirectionalLight(0xffffff, 2.0);
+    this.scene.add(new HemisphereLight(0xffffff, 0x9aa4b6, 0.2));
+    const fill = new DirectionalLight(0xd4e2ff, 0.5), rim = new DirectionalLight(0xffffff, 1.6);
+    this.sun = new DirectionalLight(0xfffaf3, 2.1);
     this.sun.castShadow = true;
     this.sun.shadow.mapSize.set(2048, 2048);
     this.sun.shadow.bias = -0.0006;
     this.sun.shadow.radius = 4;
-    this.fill = fill;
-    this.scene.add(fill, this.sun, this.sun.target);
+    Object.assign(this, { fill, rim });
+    this.scene.add(fill, rim, this.sun, this.sun.target);
     this.floor = data.floor === null ? null : this.paved();
   }
 
@@ -42,7 +42,7 @@ export class Stage {
   surround() {
     const room = new PMREMGenerator(this.renderer);
     this.scene.environment = room.fromScene(new RoomEnvironment(), 0.04).texture;
-    this.scene.environmentIntensity = 0.4;
+    this.scene.environmentIntensity = 0.38;
     this.scene.environmentRotation.setFromQuaternion(new Quaternion().setFromUnitVectors(new Vector3(0, 1, 0), this.up));
     room.dispose();
   }
@@ -57,7 +57,9 @@ export class Stage {
       vertexShader: "varying vec2 w; void main() { w = (modelMatrix * vec4(position, 1.)).xy; w = position.xy; gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.); }",
       fragmentShader: `varying vec2 w; uniform vec3 ink; uniform vec2 middle; uniform float cell, far;
         float line(float c) { vec2 g = abs(fract(w / c - .5) - .5) / fwidth(w / c); return 1. - min(min(g.x, g.y) / 1.2, 1.); }
-        void main() { float a = max(.22 * line(cell), .42 * line(5. * cell)) * (1. - smoothstep(.25 * far, far, distance(w, middle)));
+        // squares, averaged over a pixel
+        float squares(vec2 c) { vec2 d = fwidth(c) + 1e-4, i = 2. * (abs(fract((c - .5 * d) / 2.) - .5) - abs(fract((c + .5 * d) / 2.) - .5)) / d; return .5 - .5 * i.x * i.y; }
+        void main() { float a = max(max(.09 * squares(w / cell), .2 * line(cell)), .42 * line(5. * cell)) * (1. - smoothstep(.25 * far, far, distance(w, middle)));
           if (a < .004) discard; gl_FragColor = vec4(ink, a); }`,
     });
     const grid = new Mesh(new PlaneGeometry(1, 1), this.grid);
@@ -78,14 +80,17 @@ export class Stage {
     Object.assign(this.sun.shadow.camera, { left: -1.4 * size, right: 1.4 * size, top: 1.4 * size, bottom: -1.4 * size, near: 0.05 * size, far: 8 * size });
     this.sun.shadow.normalBias = 0.01 * size;
     const side = this.side();
-    const slant = side.clone().multiplyScalar(0.9).addScaledVector(new Vector3().crossVectors(this.up, side), -0.7).addScaledVector(this.up, 2.2);
+    const slant = side.clone().multiplyScalar(1.3).addScaledVector(new Vector3().crossVectors(this.up, side), -0.9).addScaledVector(this.up, 2);
     this.sun.position.copy(this.center).addScaledVector(slant, 1.5 * size);
     this.sun.target.position.copy(this.center);
     this.fill.position.copy(slant.clone().reflect(this.up).negate());
+    // from behind: edges stand out against what is behind them
+    this.rim.position.copy(side).multiplyScalar(-1).addScaledVector(new Vector3().crossVectors(this.up, side), 0.5).addScaledVector(this.up, 0.7);
     if (this.floor) this.pave(floor);
   }
 
   pave(height) {
+    this.height = height;
     const size = this.size, on = this.center.clone().addScaledVector(this.up, height - this.center.dot(this.up));
     const { plane, grid } = this.floor, cell = 10 ** Math.floor(Math.log10(size)) / (size / 10 ** Math.floor(Math.log10(size)) < 2 ? 4 : size / 10 ** Math.floor(Math.log10(size)) < 5 ? 2 : 1);
     for (const mesh of [plane, grid]) { mesh.position.copy(on).addScaledVector(this.up, mesh === plane ? -0.002 * size : -0.001 * size); mesh.scale.setScalar(1); }
