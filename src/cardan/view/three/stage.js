@@ -17,7 +17,7 @@ export class Stage {
     this.renderer.shadowMap.type = PCFShadowMap;
     // others crush what is dark
     this.renderer.toneMapping = LinearToneMapping;
-    this.renderer.toneMappingExposure = 0.74;
+    this.renderer.toneMappingExposure = 0.8;
     this.scene = new Scene();
     this.up = new Vector3(...data.up);
     this.surround();
