@@ -293,7 +293,7 @@ def test_the_picture_comes_back_with_the_graphics(shown: Shown) -> None:
           const d = new Uint8Array(4 * 200 * 200);
           gl.readPixels(400, 200, 200, 200, gl.RGBA, gl.UNSIGNED_BYTE, d);
           return d.some((x) => x > 0); }""",
-        timeout=5000,
+        timeout=60000,
     )
 
 

@@ -7,7 +7,7 @@ import {
 import { toCreasedNormals } from "three/examples/jsm/utils/BufferGeometryUtils.js";
 
 // colors that people with any kind of sight tell apart (P. Tol, bright)
-export const palette = ["#4d8fd6", "#ee6677", "#2f9e55", "#d9b93b", "#66ccee", "#b5489a", "#a07d4a", "#8080c8"];
+export const palette = ["#4d8fd6", "#e34d61", "#2f9e55", "#d9b93b", "#66ccee", "#b5489a", "#a07d4a", "#8080c8"];
 const Y = new Vector3(0, 1, 0);
 const materials = new Map();
 

@@ -27,7 +27,7 @@ export class Stage {
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.addEventListener("change", changed);
     this.scene.add(new HemisphereLight(0xffffff, 0x9aa4b6, 0.2));
-    const fill = new DirectionalLight(0xd4e2ff, 0.5), rim = new DirectionalLight(0xffffff, 1.6);
+    const fill = new DirectionalLight(0xe4ecff, 0.85), rim = new DirectionalLight(0xffffff, 1.6);
     this.sun = new DirectionalLight(0xfffaf3, 2.1);
     this.sun.castShadow = true;
     this.sun.shadow.mapSize.set(2048, 2048);
