@@ -138,7 +138,7 @@ export class Stage {
       }
       if (round < 3) target.addScaledVector(right, (left + most) / 2).addScaledVector(up, (low / tan + high / head) / (1 / tan + 1 / head));
     }
-    distance = Math.max(1.07 * distance, 0.2 * this.size);
+    distance = Math.max(1.12 * distance, 0.2 * this.size);
     // straight from above a camera has no upward direction of its own
     if (Math.abs(back.dot(this.up)) > 0.9999) back.addScaledVector(up, -2e-4).normalize();
     this.controls.target.copy(target);
