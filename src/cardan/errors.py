@@ -196,4 +196,4 @@ def outside(value: float, lower: float | None, upper: float | None, unit: str = 
         past = f"above the upper limit {upper:g}{unit}"
     else:
         return ""
-    return f"the start {value:g}{unit} is {past}, and limits do not act: give another start"
+    return f"the start {value:g}{unit} is {past}, and joint limits are ignored: give another start"

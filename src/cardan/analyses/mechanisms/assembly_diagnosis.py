@@ -1,4 +1,4 @@
-"""Why a mechanism cannot be assembled: what stays open, or what cannot hold together."""
+"""Why a mechanism cannot be assembled: what stays open, or what is inconsistent."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ import numpy as np
 from ...arrays import Array
 from ...errors import ModelError
 from ...runtime.trajectory.closure_errors import residual_unit
+from .branch_advice import guess_advice
 from .mechanism import Mechanism
 from .position_solver import PositionSolver, Solution, missed
 from .rounded_loops import ROUNDED
@@ -47,7 +48,20 @@ def explain(
     if not _any_met(bare):
         raise ModelError(_culprits(m, again) or _open(m, bare))
     conflict = _smallest(required, lambda some: _any_met(again(m, some)))
+    remedy += _guessed(m, required, conflict, again)
     raise ModelError(_conflict(m, conflict, [*again(m, _wished(conflict)), *bare], remedy))
+
+
+def _guessed(
+    m: Mechanism, required: Sequence[Target], conflict: Sequence[Target], again: Search
+) -> str:
+    """How the last value that conflicts could be used as a guess instead; "" where it could not."""
+    dropped = conflict[-1]
+    for remaining in ([one for one in required if one is not dropped], conflict[:-1]):
+        advice = guess_advice(m, remaining, dropped, again(m, remaining))
+        if advice:
+            return advice
+    return ""
 
 
 def _any_met(solutions: Sequence[Solution]) -> bool:
@@ -55,7 +69,7 @@ def _any_met(solutions: Sequence[Solution]) -> bool:
 
 
 def _smallest(required: Sequence[T], holds: Callable[[Sequence[T]], bool]) -> list[T]:
-    """Smallest set of conditions that cannot hold together, any of which could without the
+    """Smallest set of conditions that are inconsistent, any of which could without the
     others.
     """
     conflicting = list(required)
@@ -86,7 +100,7 @@ def _conflict(
     said = [f"'{t.name}' (asked {t.description}; reached {actual_value(m, t, q)})" for t in targets]
     if len(said) == 1:
         return f"{said[0]} is out of reach{moment(m)}. {remedy}"
-    return f"{', '.join(said[:-1])} and {said[-1]} cannot hold together{moment(m)}. {remedy}"
+    return f"{', '.join(said[:-1])} and {said[-1]} are inconsistent{moment(m)}. {remedy}"
 
 
 def actual_value(m: Mechanism, target: Target, q: Array) -> str:
@@ -149,11 +163,11 @@ def _culprits(m: Mechanism, again: Search) -> str:
     circuits = " with the loops" if m.cuts else ""
     if len(names) == 1:
         return (
-            f"constraint {names[0]} cannot hold together{circuits}{moment(m)}: without it "
+            f"constraint {names[0]} is inconsistent{circuits}{moment(m)}: without it "
             "everything closes. Look at its expression, its numbers and signs"
         )
     return (
-        f"constraints {', '.join(names[:-1])} and {names[-1]} cannot hold together{circuits}"
+        f"constraints {', '.join(names[:-1])} and {names[-1]} are inconsistent{circuits}"
         f"{moment(m)}: without any one of them the others hold. Leave one out, or correct it"
     )
 
