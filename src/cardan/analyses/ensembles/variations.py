@@ -185,7 +185,7 @@ class Reader:
             self.columns.append(Column(block, name, place, values))
         for column in self.columns:
             if column.block == "p":
-                self.model._parameters.checked(column.name, column.values[:, 0])
+                self.model._parameters.checked(column.name, column.values[:, 0], "run")
         return self.runs[0]
 
 

@@ -59,7 +59,12 @@ def assembled(m: Mechanism, goals: list[Target], q: Array) -> Solution:
         met = [one for one in solutions if one.met]
     if not met:
         explain(
-            m, goals, solutions, lambda n, some: search(n, some, q, min(6, m.searches), 0), NAMED
+            m,
+            goals,
+            solutions,
+            lambda n, some: search(n, some, q, min(6, m.searches), 0),
+            NAMED,
+            "q=",
         )
     return nearest(m, goals, q, choose(m, met, [], q))
 
