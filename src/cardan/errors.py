@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import sys
 import warnings
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from contextvars import ContextVar
 from difflib import get_close_matches
 from reprlib import Repr
 from typing import Any
@@ -78,8 +80,27 @@ class SolveWarning(UserWarning):
     """Numbers failed, but what was computed is kept."""
 
 
+# of the runs of an ensemble, whose threads have no line of the caller; None elsewhere
+_COLLECTED: ContextVar[list[str] | None] = ContextVar("collected", default=None)
+
+
+@contextmanager
+def collected_warnings() -> Iterator[list[str]]:
+    """Messages of the warnings of cardan in this thread, which are not given meanwhile."""
+    messages: list[str] = []
+    token = _COLLECTED.set(messages)
+    try:
+        yield messages
+    finally:
+        _COLLECTED.reset(token)
+
+
 def warn(message: str, category: type[Warning]) -> None:
     """Warn at the line of the caller's code, however deep in cardan the reason was found."""
+    messages = _COLLECTED.get()
+    if messages is not None:
+        messages.append(message)
+        return
     frame, level = sys._getframe(1), 2
     while frame.f_back is not None and _inside(frame.f_globals.get("__name__", "")):
         frame, level = frame.f_back, level + 1
@@ -196,4 +217,4 @@ def outside(value: float, lower: float | None, upper: float | None, unit: str = 
         past = f"above the upper limit {upper:g}{unit}"
     else:
         return ""
-    return f"the start {value:g}{unit} is {past}, and limits do not act: give another start"
+    return f"the start {value:g}{unit} is {past}, and joint limits are ignored: give another start"

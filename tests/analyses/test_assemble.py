@@ -156,13 +156,13 @@ def test_a_circuit_that_cannot_be_assembled() -> None:
 
 
 def test_targets_in_conflict(bars: cd.CompiledModel) -> None:
-    said = r"'A' \(asked 1; reached .*\) and 'D' \(asked 2\.5; reached .*\) cannot hold together"
+    said = r"'A' \(asked 1; reached .*\) and 'D' \(asked 2\.5; reached .*\) are inconsistent"
     with pytest.raises(cd.ModelError, match=said):
         bars.assemble({"A": 1.0, "D": 2.5})
     # one of them alone is out of reach; the other is not blamed
     with pytest.raises(cd.ModelError, match=r"'D' \(asked 1; reached .*\) is out of reach") as one:
         bars.assemble({"A": 1.0, "D": 1.0})
-    assert "'A'" not in str(one.value)
+    assert "'A'" not in str(one.value).partition(". ")[0]
 
 
 def test_a_branch_that_does_not_exist(bars: cd.CompiledModel) -> None:
@@ -175,10 +175,10 @@ def test_a_branch_that_does_not_exist(bars: cd.CompiledModel) -> None:
 
 
 def test_speeds_that_cannot_hold_together(bars: cd.CompiledModel) -> None:
-    said = r"speeds of 'A', 'D' cannot hold together: joint 'C' would come apart .* 'C\.p"
+    said = r"speeds of 'A', 'D' are inconsistent: joint 'C' would come apart .* 'C\.p"
     with pytest.raises(cd.ModelError, match=said):
         bars.assemble({"A": 1.0}, u={"A": 1.0, "D": 1.0})
-    with pytest.raises(cd.ModelError, match=r"accelerations of 'A', 'D' cannot hold together"):
+    with pytest.raises(cd.ModelError, match=r"accelerations of 'A', 'D' are inconsistent"):
         bars.assemble({"A": 1.0}, udot={"A": 1.0, "D": 1.0})
 
 

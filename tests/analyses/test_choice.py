@@ -13,12 +13,12 @@ from mechanisms import ZOO
 from table import each
 
 CHOICES: list[tuple[Case, str, str]] = [
-    (Case(1e-6), "DOP853", "not stiff so far"),
-    (Case(1e-2), "DOP853", "not stiff so far"),
+    (Case(1e-6), "DOP853", "the motion is not stiff so far"),
+    (Case(1e-2), "DOP853", "the motion is not stiff so far"),
     (Case(1e-6, period=1e-3, length=1.0), "RK45", "samples or ticks"),
     (Case(1e-6, period=1e-3), "RK45", "samples or ticks"),
-    (Case(1e-6, period=0.1, length=1.0), "DOP853", "not stiff so far"),
-    (Case(1e-10, period=1e-3, length=1.0), "DOP853", "not stiff so far"),
+    (Case(1e-6, period=0.1, length=1.0), "DOP853", "the motion is not stiff so far"),
+    (Case(1e-10, period=1e-3, length=1.0), "DOP853", "the motion is not stiff so far"),
     (Case(1e-6, stiff=True), "Rosenbrock", "stability limited"),
     (Case(1e-9, stiff=True), "Radau", "stability limited"),
     (Case(1e-6, stiff=True, input_functions=True), "Radau", "slopes of f(t, x)"),
@@ -78,7 +78,7 @@ def test_what_is_not_stiff_is_not_said_to_be() -> None:
     for rtol in (1e-2, 1e-4, 1e-6, 1e-9):
         motion = model.simulate(10.0, q={"shoulder": 1.5}, rtol=rtol)
         assert motion.solver_info.method == "DOP853"
-        assert motion.solver_info.reason.startswith("not stiff so far")
+        assert motion.solver_info.reason.startswith("the motion is not stiff so far")
         assert motion.statistics["limited"] <= 0.2 * motion.statistics["looked"]
     assert model.simulate(1.0, method="RK45").solver_info.reason == ""
 

@@ -136,7 +136,7 @@ def input_four_bar() -> cd.Scene:
 def test_pictures_and_words(bars: cd.CompiledModel, tmp_path: Path) -> None:
     found = bars.sweep("A", np.linspace(0, 6, 13), branch={"D": "+"})
     assert "0 to 6: reached all values" in repr(found)
-    assert "weakest hold" in repr(found)
+    assert "smallest singular value of the driven constraints" in repr(found)
     figure = found.plot(tmp_path / "sweep.png", names=["D", "D.u"])
     assert (tmp_path / "sweep.png").stat().st_size > 1000
     assert len(figure.axes) == 2

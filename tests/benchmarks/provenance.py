@@ -17,7 +17,10 @@ DOCS = ROOT / "docs"
 APART = ("cli", "view", "explain")
 KINDS = (".py", ".pyx", ".pxd", ".c", ".h")
 MEASURED = re.compile(r"\nMeasured with the source of fingerprint `([0-9a-f]{12})`\.\n")
-OLDER = "**The code has changed since the figures on this page were measured.**"
+OLDER = (
+    "**Measured with an earlier version of the code: steps, errors and times may differ now. "
+    "`make hard` (this takes a quarter of an hour) and `make bench` measure them anew.**"
+)
 
 
 def pages() -> list[Path]:

@@ -52,7 +52,7 @@ def test_a_motion_of_format_1(tmp_path: Path) -> None:
     (event,) = motion.events
     assert (event.name, event.kind) == ("stop.lower", "impact")
     assert motion.energy.total[-1] == pytest.approx(-4.347714837426282, rel=1e-15)
-    assert "lost in impacts 0.9999" in repr(motion)
+    assert "impacts 0.9999" in repr(motion)
     # between its rows, and in a page, by its coordinates alone
     turned = motion.resample([0.1, 0.2]).pose("rod")
     np.testing.assert_allclose(turned[:, 0, 0], np.cos(motion.at([0.1, 0.2])[:, 0]), atol=1e-15)

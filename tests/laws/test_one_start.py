@@ -266,7 +266,7 @@ def test_enough_closed_forms_were_compared() -> None:
     [
         ({"A": 1.1, "guide": 0.5}, {}, "'C' closes gives 0.331816"),
         ({"guide": 0.7}, {}, "'C' closes gives"),
-        ({"A": 1.1}, {"A": 1.0, "B": 5.0}, "speeds of 'B' cannot hold together"),
+        ({"A": 1.1}, {"A": 1.0, "B": 5.0}, "speeds of 'B' are inconsistent"),
         ({"A": 1.1, "B": (1.0, 2.0)}, {}, "2 values, expected 1"),
     ],
 )

@@ -39,7 +39,7 @@ def file(tmp_path: Path):
 def test_a_joint_stays_inside_its_limits_and_lies_against_one(file) -> None:
     path = file()
     scene = cd.load(path, limits="stop")
-    assert not any("limits do not act;" in note for note in cd.derive(scene).system.notes)
+    assert not any("limits are ignored;" in note for note in cd.derive(scene).system.notes)
     motion = cd.compile(scene).simulate(1.5, u={"hinge": 6.0}, rtol=1e-9)
     assert motion["hinge"].max() == pytest.approx(0.8, abs=1e-9)
     # as listed, the limit is passed
@@ -84,7 +84,7 @@ FOLLOWER = (
 def test_a_joint_that_follows_another_has_no_stop_of_its_own(file) -> None:
     scene = cd.load(file(more=FOLLOWER), limits="stop", friction=True)
     assert set(scene.forces) == {"hinge.stop"}
-    assert any("follow: limits do not act" in note for note in cd.derive(scene).system.notes)
+    assert any("follow: limits are ignored" in note for note in cd.derive(scene).system.notes)
 
 
 def test_a_stop_of_a_scene_file_is_not_doubled(tmp_path: Path) -> None:
@@ -104,11 +104,11 @@ def test_other_words_are_refused(file) -> None:
 def test_the_command_line_lets_them_act(file, capsys) -> None:
     words = ["simulate", str(file(friction=0.1)), "--time", "0.1", "--limits", "stop", "--friction"]
     assert main(words) == 0
-    assert "do not act;" not in capsys.readouterr().err
+    assert "are ignored;" not in capsys.readouterr().err
 
 
 def test_notes_say_what_cannot_act(file) -> None:
-    """Limits of a joint that follows another do not act, whatever the options say."""
+    """Limits of a joint that follows another are ignored, whatever the options say."""
     follower = (
         f"{LINK.format('hand')}"
         '<joint name="wrist" type="revolute"><parent link="arm"/><child link="hand"/>'
@@ -119,8 +119,8 @@ def test_notes_say_what_cannot_act(file) -> None:
     assert set(scene.forces) == {"hinge.stop", "hinge.friction"}
     said = [note for note in notes_of(scene) if "wrist" in note]
     assert said == [
-        "joints wrist: friction does not act on joints that follow others or have several "
+        "joints wrist: friction is ignored on joints that follow others or have several "
         "coordinates",
-        "joints wrist: limits do not act on joints that follow others, are prescribed or have "
+        "joints wrist: limits are ignored on joints that follow others, are prescribed or have "
         "several coordinates",
     ]

@@ -206,11 +206,11 @@ def test_summary_fits_on_a_screen():
     scene = scene_with_arm()
     scene.joint("elbow", Revolute("y"), "upper", "forearm", prescribed=sympy.sin(t))
     scene.force("motor", JointForce("shoulder", 1.0))
-    scene.notes.append("joints elbow: limits do not act in a run")
+    scene.notes.append("joints elbow: limits are ignored in a run")
     text = str(scene)
     assert "model 'robot': 2 bodies, 2 joints, 1 force" in text
     assert "prescribed: sin(t)" in text
-    assert "note: joints elbow: limits do not act" in text
+    assert "note: joints elbow: limits are ignored" in text
     inner = scene.ground
     for k in range(200):
         body = scene.body(f"link{k}", mass=1.0)

@@ -267,7 +267,7 @@ def test_dynamics_and_limits(tmp_path: Path) -> None:
     assert scene.joints["j"].limits == (-1, 2, None, 5)
     assert scene.joints["j"].friction == 0.1
     said = " ".join(notes_of(scene))
-    assert "limits do not act" in said
+    assert "limits are ignored" in said
     assert "friction does not act" in said
     path = tmp_path / "a.sdf"
     path.write_text(ONE)
@@ -275,7 +275,7 @@ def test_dynamics_and_limits(tmp_path: Path) -> None:
     assert acting.forces["j.stop"].element == cd.Stop("j", -1.0, 2.0)
     assert acting.forces["j.friction"].element == cd.Friction("j", coulomb=0.1)
     (note,) = [n for n in notes_of(acting) if "act" in n]
-    assert note == "joints j: limits of speed and effort do not act"
+    assert note == "joints j: limits of speed and effort are ignored"
 
 
 def test_endless_joints_have_no_limits() -> None:

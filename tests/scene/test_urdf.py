@@ -193,14 +193,14 @@ def test_what_acts_and_what_does_not():
     assert model.joints["hinge"].friction == 0.2
     system = build(model)
     assert [(f.name, f.element.kind) for f in system.forces] == [("hinge.damping", "joint_damper")]
-    ends = "joints hinge: limits do not act; add a Stop, or load the file with limits='stop'"
+    ends = "joints hinge: limits are ignored; add a Stop, or load the file with limits='stop'"
     dry = "joints hinge: friction does not act; add a Friction, or load the file with friction=True"
     assert system.notes == (dry, ends)
     assert all(note in summary(model) for note in (dry, ends))
     # who does what the notes say is not told again
     model.force("ends", Stop("hinge", lower=-1, upper=2))
     model.force("dry", Friction("hinge", coulomb=0.2))
-    assert build(model).notes == ("joints hinge: limits of speed and effort do not act",)
+    assert build(model).notes == ("joints hinge: limits of speed and effort are ignored",)
 
 
 def test_limits_of_a_continuous_joint_are_those_of_speed_and_effort():

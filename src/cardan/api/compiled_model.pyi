@@ -107,7 +107,7 @@ class CompiledModel(LoadedModel):
                 generalized-alpha on nodes (rtol + atol) times the extent of the motion, of angles 1.
                 atol follows rtol unless given: 1e-3 rtol, at most 1e-9.
             step: Step of fixed methods and of generalized-alpha, first one of others [s].
-            max_step: Largest step of an adaptive method [s]; past functions 1/1000 of the span.
+            max_step: Largest step of an adaptive method [s]; with input functions 1/1000 of the span.
             inputs: Name -> constant, ``(times, values)`` (straight lines between; a time twice is a
                 jump; a cubic spline where the input prescribes a motion) or ``f(t, x)``.
             parameters: Values of parameters by name, as ``model.with_parameters`` takes them.
@@ -340,7 +340,7 @@ class CompiledModel(LoadedModel):
             t, r: Time [s] and inputs, where something is prescribed.
 
         Raises:
-            ModelError: the loops cannot be assembled, targets that cannot hold together, no position
+            ModelError: the loops cannot be assembled, inconsistent targets, no position
                 on the branch, unknown names.
             ArgumentError, SolveError: values of a wrong shape, or not finite.
 
@@ -996,6 +996,8 @@ class CompiledModel(LoadedModel):
         r: Any,
     ) -> None:
         """Warn where the reaction of a joint is not determined at the first, middle and last state.
+
+        The warning names all joints of which that is true, and is given once for all of them.
 
         Args:
             joint: Whose reaction was asked for.

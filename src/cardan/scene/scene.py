@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from ..arguments import checked
-from ..elements.forces.force import ForceElement
+from ..elements.forces.force import ForceElement, refuse_several
 from ..elements.joints.joint import Joint as JointElement
 from ..elements.quantity import Direction, Rows, Value
 from ..errors import ModelError, brief, counted, near
@@ -281,6 +281,9 @@ class SceneRecord(Vocabulary):
                 f"'{self.name}'"
             )
         force = Force(name, by_names(element))
+        joint = self.joints.get(getattr(force.element, "joint", ""))
+        if joint is not None:
+            refuse_several(name, force.element, joint.kind.coordinates)
         self.forces[name] = force
         return force
 

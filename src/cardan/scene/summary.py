@@ -35,19 +35,19 @@ def notes_of(model: SceneRecord) -> list[str]:
             [name for name in dry if name in alone],
         ),
         (
-            "friction does not act on joints that follow others or have several coordinates",
+            "friction is ignored on joints that follow others or have several coordinates",
             [name for name in dry if name not in alone],
         ),
         (
-            "limits do not act; add a Stop, or load the file with limits='stop'",
+            "limits are ignored; add a Stop, or load the file with limits='stop'",
             [name for name in ends if name in alone],
         ),
         (
-            "limits do not act on joints that follow others, are prescribed or have several "
+            "limits are ignored on joints that follow others, are prescribed or have several "
             "coordinates",
             [name for name in ends if name not in alone],
         ),
-        ("limits of speed and effort do not act", rates),
+        ("limits of speed and effort are ignored", rates),
     )
     sentences = (f"joints {', '.join(names)}: {what}" for what, names in without_effect if names)
     return [*model.notes, *sentences]

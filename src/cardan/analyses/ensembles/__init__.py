@@ -17,7 +17,15 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ...arguments import Count, Seed, checked
-from ...errors import CardanError, ModelError, SolveError, SolveWarning, brief, warn
+from ...errors import (
+    CardanError,
+    ModelError,
+    SolveError,
+    SolveWarning,
+    brief,
+    collected_warnings,
+    warn,
+)
 from ...runtime.calls.batch import threads as threads_of
 from ...runtime.models.loaded_model import LoadedModel
 from ..simulation.events import event_table_of
@@ -168,15 +176,16 @@ def _settled(job: Job, rtol: float) -> Job:
     case = case_of(job.model, rtol, job.over, job.input_signals, job.event_table)
     how, first = chosen(job.how, case), job.varied.part(0, 1)
     try:
-        motion(
-            job.model,
-            how,
-            job.input_signals,
-            job.event_table,
-            replace(job.over, times=None),
-            first,
-            case,
-        )
+        with collected_warnings():  # that run warns where its turn comes
+            motion(
+                job.model,
+                how,
+                job.input_signals,
+                job.event_table,
+                replace(job.over, times=None),
+                first,
+                case,
+            )
     except Limited as found:
         how = chosen(job.how, found.case)
     except CardanError:
@@ -258,12 +267,15 @@ def _computed(
                     file.add(block_result)
                 gathered.add(block_result)
                 show(gathered.done / job.varied.runs)
-    missed = unaccounted(job, gathered.x, gathered.numbers, gathered.finished)
+    with collected_warnings():  # runs that are made again have warned before
+        missed = unaccounted(job, gathered.x, gathered.numbers, gathered.finished)
     gathered.add_messages(missed)
     saved_message = f"{file.runs} runs are kept in {file.path}, {AGAIN}" if file else CURE
     record = EnsembleRecord.of(
         gathered, time.perf_counter() - clock, repr(executor), restored, saved_message
     )
+    for text in gathered.merged_warnings():
+        warn(text, SolveWarning)
     return record, missed
 
 

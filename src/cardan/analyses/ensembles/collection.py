@@ -4,17 +4,20 @@ from __future__ import annotations
 
 import math
 import os
+import re
 from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 
 from ...arrays import Array, Booleans
-from ...errors import ArgumentError, ModelError
+from ...errors import ArgumentError, ModelError, counted
 from .job import BlockResult, Job
 from .lane_runner import NUMBERS
 from .reductions import Parts, States
 
+MOTION = re.compile(r"\bmotion\.(?=\w)")
+NUMBER = re.compile(r"-?\d[-+.\de]*")
 MESSAGES = 1000  # that are kept as text; the others are told by run(i)
 UNFINISHED = ("not_run", "interrupted")
 LESS = "Keep less: reduce='max of ...', 'mean of ...', or fewer runs at once"
@@ -42,6 +45,7 @@ class Gathered:
         self.numbers = np.zeros((runs, len(NUMBERS)))
         self.numbers[:, 0] = np.nan
         self.messages: dict[int, str] = {}
+        self.warnings: dict[int, list[str]] = {}
         self.per_run: dict[str, Array] = {}
         self._merged: dict[str, Parts] = {}
         # statistics of blocks whose predecessors are still to come
@@ -57,6 +61,7 @@ class Gathered:
                 self.status_names.append(word)
             self.codes[here][block_result.status == word] = self.status_names.index(word)
         self.add_messages(block_result.messages)
+        self.warnings |= block_result.warnings
         self.done += int(np.isin(block_result.status, UNFINISHED, invert=True).sum())
         partial: dict[str, Parts] = {}
         for name, reduction in self.job.reductions.items():
@@ -89,7 +94,21 @@ class Gathered:
         """Keep what is to be said of runs, by their numbers."""
         for k, text in messages.items():
             if len(self.messages) < MESSAGES:
-                self.messages[k] = text
+                # a message speaks of the motion of a single run: that of an ensemble is run(k)
+                self.messages[k] = MOTION.sub(f"runs.run({k}).", text)
+
+    def merged_warnings(self) -> list[str]:
+        """One message for all warnings that differ in numbers only."""
+        alike: dict[str, list[tuple[int, str]]] = {}
+        for k in sorted(self.warnings):
+            for text in dict.fromkeys(self.warnings[k]):
+                alike.setdefault(NUMBER.sub("", text), []).append((k, text))
+        runs = self.job.varied.runs
+        return [
+            f"{len(same)} of {counted(runs, 'run')}: {same[0][1]} (run {same[0][0]}"
+            f"{', the first' if len(same) > 1 else ''})"
+            for same in alike.values()
+        ]
 
     def _merge(self, first: int) -> None:
         self._next, parts = self._early.pop(first)

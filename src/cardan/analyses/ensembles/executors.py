@@ -239,6 +239,7 @@ def remote(
     job = Job(**{f.name: getattr(job, f.name) for f in fields(job)} | {"width": width})
     block_result = compute(job, job.runner(), 0, last - first)
     messages = {first + k: text for k, text in block_result.messages.items()}
+    warnings = {first + k: texts for k, texts in block_result.warnings.items()}
     return BlockResult(
         first,
         block_result.x,
@@ -246,4 +247,5 @@ def remote(
         block_result.numbers,
         messages,
         block_result.parts,
+        warnings,
     )

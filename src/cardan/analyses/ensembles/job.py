@@ -12,6 +12,7 @@ from ...arrays import Array
 from ...runtime.models.loaded_model import LoadedModel
 from ...runtime.trajectory.solver_info import EVENT, FINISHED
 from ...runtime.trajectory.trajectory import TrajectoryRecord
+from ...schema.functions import FUNCTIONS
 from ..simulation.events import EventTable
 from ..simulation.settings import Settings
 from ..simulation.signals import Signals
@@ -20,6 +21,9 @@ from .lane_runner import Ends, LaneRunner, suits
 from .reductions import Histories, Parts, Reduction
 from .single_runs import Single, motion
 from .variations import Varied
+
+# histories beside those of states, inputs and outputs
+ENERGIES = ("kinetic energy", "potential energy", "energy")
 
 
 @dataclass(frozen=True)
@@ -80,6 +84,7 @@ class BlockResult:
         messages: Of runs that did not reach their end, or miss far more than their tolerance is
             worth, by number of the run.
         parts: Of every reduction.
+        warnings: Messages of warnings, by number of the run.
     """
 
     first: int
@@ -88,6 +93,7 @@ class BlockResult:
     numbers: Array
     messages: dict[int, str]
     parts: dict[str, Parts] = field(repr=False)
+    warnings: dict[int, list[str]] = field(default_factory=dict, repr=False)
 
     @property
     def last(self) -> int:
@@ -108,6 +114,7 @@ def compute(job: Job, runner: LaneRunner | Single, first: int, last: int) -> Blo
         ends.numbers,
         {first + k: text for k, text in ends.messages.items()},
         parts,
+        {first + k: texts for k, texts in ends.warnings.items()},
     )
 
 
@@ -125,17 +132,20 @@ def histories(job: Job, part: Varied, ends: Ends) -> Histories:
     def of(name: str) -> Array:
         if name in columns:
             return columns[name]
-        if not histories:
-            values = _outputs(model, part, ends.rows)
+        if name in outputs and name not in histories:
+            values = _values(model, part, ends.rows, "outputs")
             histories.update((n, values[:, :, k]) for k, n in enumerate(outputs))
+        if name not in histories:
+            values = _values(model, part, ends.rows, "energy")
+            histories.update((n, values[:, :, k]) for k, n in enumerate(ENERGIES))
         return histories[name]
 
     status = np.array(ends.status)
     return Histories(t, x, status == FINISHED, status == EVENT, of)
 
 
-def _outputs(model: LoadedModel, part: Varied, rows: Array) -> Array:
-    """The user's outputs (runs, nt, ny); NaN where a run had ended."""
+def _values(model: LoadedModel, part: Varied, rows: Array, function: str) -> Array:
+    """Outputs or energies (runs, nt, n) along runs; NaN where a run had ended."""
     there = np.isfinite(rows[:, :, : 1 + model.nx]).all(axis=2)
     run, parameters = np.nonzero(there)[0], None
     if part.varies_parameters:
@@ -145,8 +155,11 @@ def _outputs(model: LoadedModel, part: Varied, rows: Array) -> Array:
         parameters = {name: p[run, names.index(name)] for name in changed}
     sizes = np.cumsum([1, model.nq, model.nu, model.nz, model.nr, model.ns])
     t, q, u, z, r, s, _ = np.split(rows[there], sizes, axis=1)
-    blocks: dict[str, Array] = {k: v for k, v in (("r", r), ("z", z), ("s", s)) if v.shape[1]}
-    values = model.outputs(q, u, t=t[:, 0], parameters=parameters, **blocks)
+    reads = FUNCTIONS[function].arguments
+    blocks = {k: v for k, v in (("r", r), ("z", z), ("s", s)) if v.shape[1] and k in reads}
+    values = getattr(model, function)(q, u, t=t[:, 0], parameters=parameters, **blocks)
+    if function == "energy":
+        values = np.stack([values.kinetic, values.potential, values.total], axis=-1)
     result = np.full((*there.shape, values.shape[1]), np.nan)
     result[there] = values
     return result
@@ -155,7 +168,9 @@ def _outputs(model: LoadedModel, part: Varied, rows: Array) -> Array:
 def histories_of(model: LoadedModel) -> list[str]:
     """Names that reductions may speak of."""
     outputs = [row.name for row in model.manifest.outputs]
-    return [*entries(model), *model.inputs, *outputs]
+    names = [*entries(model), *model.inputs, *outputs]
+    energies = ENERGIES if "energy" in model.manifest.available else ()
+    return [*names, *(name for name in energies if name not in names)]
 
 
 def entries(model: LoadedModel) -> tuple[str, ...]:

@@ -8,7 +8,7 @@ are copies of run records. The GIL is released all the while.
 from __future__ import annotations
 
 import ctypes
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -49,6 +49,7 @@ class Ends:
         messages: Of the runs that did not reach their end, or miss far more than their tolerance is
             worth, by index in the block.
         numbers: (count, 4), of :data:`NUMBERS`: where it ended [s], ...
+        warnings: Messages of warnings, by index in the block.
     """
 
     x: Array
@@ -56,6 +57,7 @@ class Ends:
     status: list[str]
     messages: dict[int, str]
     numbers: Array
+    warnings: dict[int, list[str]] = field(default_factory=dict)
 
 
 def suits(

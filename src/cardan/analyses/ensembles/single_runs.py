@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ...arrays import Array
-from ...errors import CardanError, FunctionError
+from ...errors import CardanError, FunctionError, collected_warnings
 from ...runtime.calls.parameters import Parameters
 from ...runtime.models.constraint_projection import Closing
 from ...runtime.models.loaded_model import LoadedModel
@@ -113,9 +113,10 @@ class Single:
                 break
             try:
                 one = part.part(k, k + 1)
-                trajectory, runner = motion(
-                    self.model, self.how, self.input_signals, self.event_table, over, one
-                )
+                with collected_warnings() as texts:
+                    trajectory, runner = motion(
+                        self.model, self.how, self.input_signals, self.event_table, over, one
+                    )
             except FunctionError:
                 # the function is at fault, not this run
                 raise
@@ -123,6 +124,9 @@ class Single:
                 # such as loops that do not close with the parameters of this run
                 ends.status[k], ends.messages[k] = "not_begun", f"not begun: {problem}"
                 continue
+            finally:
+                if texts:
+                    ends.warnings[k] = texts
             self._store(ends, k, trajectory, runner)
         return ends
 

@@ -14,6 +14,7 @@ from ...runtime.calls.calling import numbers
 from ...runtime.models.initial import entries, initial_state, missing
 from ...runtime.models.loaded_model import LoadedModel
 from ...runtime.models.named_rotations import check_units, component, refuse_components
+from ..simulation.settings import refuse_second
 from ..simulation.signals import Signals, signals
 from . import sampling
 
@@ -184,7 +185,7 @@ class Reader:
             self.columns.append(Column(block, name, place, values))
         for column in self.columns:
             if column.block == "p":
-                self.model._parameters.checked(column.name, column.values[:, 0])
+                self.model._parameters.checked(column.name, column.values[:, 0], "run")
         return self.runs[0]
 
 
@@ -217,8 +218,7 @@ def varied(
         ArgumentError: shapes that do not fit. SolveError: a value that is not finite.
     """
     reader = Reader(model, runs, seed)
-    if x0 is not None and any(block is not None for block in (q, u, z)):
-        raise ModelError("the start is given twice: by x0= and by q=, u= or z=. Leave one out")
+    refuse_second(x0, {"q": q, "u": u, "z": z})
     ends = model.nq, model.nq + model.nu
     if x0 is not None:
         x = reader.shaped("x0", numbers("x0", x0), model.nx)

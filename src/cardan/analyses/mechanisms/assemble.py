@@ -63,7 +63,7 @@ def assemble(
         t, r: Time [s] and inputs, where something is prescribed.
 
     Raises:
-        ModelError: the loops cannot be assembled, targets that cannot hold together, no position
+        ModelError: the loops cannot be assembled, inconsistent targets, no position
             on the branch, unknown names.
         ArgumentError, SolveError: values of a wrong shape, or not finite.
 

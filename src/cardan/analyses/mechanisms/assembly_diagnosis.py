@@ -1,4 +1,4 @@
-"""Why a mechanism cannot be assembled: what stays open, or what cannot hold together."""
+"""Why a mechanism cannot be assembled: what stays open, or what is inconsistent."""
 
 from __future__ import annotations
 
@@ -11,8 +11,11 @@ import numpy as np
 from ...arrays import Array
 from ...errors import ModelError
 from ...runtime.trajectory.closure_errors import residual_unit
+from .branch_advice import guess_advice
+from .branches import OFFSET
 from .mechanism import Mechanism
 from .position_solver import PositionSolver, Solution, missed
+from .redundancy import rank_of
 from .rounded_loops import ROUNDED
 from .targets import Target
 
@@ -29,6 +32,7 @@ def explain(
     solutions: Sequence[Solution],
     again: Search,
     remedy: str = WEIGHTS,
+    start: str = "start=",
 ) -> NoReturn:
     """Raise the error for searches of which none met what must hold.
 
@@ -38,6 +42,7 @@ def explain(
         solutions: Where the searches ended.
         again: Searches for other targets, or without some relations.
         remedy: What to do about targets that cannot hold.
+        start: The argument that says where searches begin.
 
     Raises:
         ModelError: always.
@@ -45,9 +50,22 @@ def explain(
     required = [target for target in targets if target.weight is None]
     bare = again(m, []) if required else solutions
     if not _any_met(bare):
-        raise ModelError(_culprits(m, again) or _open(m, bare))
+        raise ModelError(_culprits(m, again) or _open(m, bare, start))
     conflict = _smallest(required, lambda some: _any_met(again(m, some)))
+    remedy += _guessed(m, required, conflict, again)
     raise ModelError(_conflict(m, conflict, [*again(m, _wished(conflict)), *bare], remedy))
+
+
+def _guessed(
+    m: Mechanism, required: Sequence[Target], conflict: Sequence[Target], again: Search
+) -> str:
+    """How the last value that conflicts could be used as a guess instead; "" where it could not."""
+    dropped = conflict[-1]
+    for remaining in ([one for one in required if one is not dropped], conflict[:-1]):
+        advice = guess_advice(m, remaining, dropped, again(m, remaining))
+        if advice:
+            return advice
+    return ""
 
 
 def _any_met(solutions: Sequence[Solution]) -> bool:
@@ -55,7 +73,7 @@ def _any_met(solutions: Sequence[Solution]) -> bool:
 
 
 def _smallest(required: Sequence[T], holds: Callable[[Sequence[T]], bool]) -> list[T]:
-    """Smallest set of conditions that cannot hold together, any of which could without the
+    """Smallest set of conditions that are inconsistent, any of which could without the
     others.
     """
     conflicting = list(required)
@@ -86,7 +104,7 @@ def _conflict(
     said = [f"'{t.name}' (asked {t.description}; reached {actual_value(m, t, q)})" for t in targets]
     if len(said) == 1:
         return f"{said[0]} is out of reach{moment(m)}. {remedy}"
-    return f"{', '.join(said[:-1])} and {said[-1]} cannot hold together{moment(m)}. {remedy}"
+    return f"{', '.join(said[:-1])} and {said[-1]} are inconsistent{moment(m)}. {remedy}"
 
 
 def actual_value(m: Mechanism, target: Target, q: Array) -> str:
@@ -136,6 +154,13 @@ def moment(m: Mechanism) -> str:
     return f" at t = {m.t:g} s" if m.t else ""
 
 
+def _redundant(m: Mechanism, q: Array) -> bool:
+    """True when conditions are redundant beside a position (nq,), where rounding can open them."""
+    aside = np.random.default_rng(0).uniform(-OFFSET, OFFSET, m.nu)
+    G = m.jacobian(m.advance(q, aside))
+    return rank_of(np.linalg.svd(G, compute_uv=False)) < len(G)
+
+
 def _culprits(m: Mechanism, again: Search) -> str:
     """Relations of the user without which everything else holds; "" where they do not matter."""
     relations = m.relations
@@ -149,16 +174,16 @@ def _culprits(m: Mechanism, again: Search) -> str:
     circuits = " with the loops" if m.cuts else ""
     if len(names) == 1:
         return (
-            f"constraint {names[0]} cannot hold together{circuits}{moment(m)}: without it "
+            f"constraint {names[0]} is inconsistent{circuits}{moment(m)}: without it "
             "everything closes. Look at its expression, its numbers and signs"
         )
     return (
-        f"constraints {', '.join(names[:-1])} and {names[-1]} cannot hold together{circuits}"
+        f"constraints {', '.join(names[:-1])} and {names[-1]} are inconsistent{circuits}"
         f"{moment(m)}: without any one of them the others hold. Leave one out, or correct it"
     )
 
 
-def _open(m: Mechanism, solutions: Sequence[Solution]) -> str:
+def _open(m: Mechanism, solutions: Sequence[Solution], start: str) -> str:
     """Message about the largest residual at the nearest position of the search."""
     if not m.closing.rows:
         return (
@@ -175,7 +200,8 @@ def _open(m: Mechanism, solutions: Sequence[Solution]) -> str:
     if reversed_joints and not any(gap_of(one) < NEAR for one in straight):
         return reversed_axis_message(reversed_joints[0])
     # the constraint with the largest residual at the best position found
-    gaps = m.gaps(min(straight or solutions, key=gap_of).q)
+    q = min(straight or solutions, key=gap_of).q
+    gaps = m.gaps(q)
     name = max(gaps, key=lambda one: max(gaps[one][0] / m.size, gaps[one][1]))
     length, other = gaps[name]
     many = f"{len(solutions)} start{'s' if len(solutions) != 1 else ''}"
@@ -185,13 +211,13 @@ def _open(m: Mechanism, solutions: Sequence[Solution]) -> str:
         least = f"{max(length, other):.3g} {residual_unit(row)}".strip()
         return (
             f"constraint '{name}' cannot be met{moment(m)}: its residual comes no nearer to 0 than "
-            f"{least}, from {many}. Look at its expression, or give start= near the position that "
+            f"{least}, from {many}. Look at its expression, or give {start} near the position that "
             "is meant"
         )
     gap = f"{length:.3g} m" if length / m.size >= other else f"{other:.3g} (of an angle)"
     near = ""
     # nearly closed: rounded geometry is the likely cause
-    if max(length / m.size, other) < NEAR:
+    if max(length / m.size, other) < NEAR and _redundant(m, q):
         near = (
             f". Redundant conditions of rounded numbers leave such residuals: up to {ROUNDED:g} of "
             "the size of the mechanism they are ignored, so give lengths and axes more digits"
@@ -204,6 +230,6 @@ def _open(m: Mechanism, solutions: Sequence[Solution]) -> str:
         f"the loop that joint '{name}' closes ({path}) cannot be assembled{moment(m)}: the "
         f"least residual found is {gap}, between {ends}, from {many}. Check lengths and places "
         "of its joints"
-        f"{', the prescribed motion' if 'prescribed' in moment(m) else ''}, or give start= near "
+        f"{', the prescribed motion' if 'prescribed' in moment(m) else ''}, or give {start} near "
         f"the position that is meant{near}"
     )

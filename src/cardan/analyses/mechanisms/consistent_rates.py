@@ -26,7 +26,7 @@ def speeds(m: Mechanism, q: Array, named: Mapping[str, object], default: Array) 
             one.
 
     Raises:
-        ModelError: an unknown name, or values that cannot hold together.
+        ModelError: an unknown name, or inconsistent values.
         ArgumentError, SolveError: values of a wrong shape, or not finite.
     """
     chosen, values = read("u", m.model, named)
@@ -115,7 +115,7 @@ def _meet(
         said = ", ".join(f"'{name}'" for name in names) or "prescribed motions"
         kind = "speeds" if what == "u" else "accelerations"
         raise ModelError(
-            f"{kind} of {said} cannot hold together{_separation(m, worst, abs(left[worst]))}. "
+            f"{kind} of {said} are inconsistent{_separation(m, worst, abs(left[worst]))}. "
             "Leave one of them out"
         )
     return v

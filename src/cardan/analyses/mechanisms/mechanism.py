@@ -40,7 +40,7 @@ class Mechanism:
         size: Against which lengths count [m].
         columns: Size of the unit of every speed (nu,): ``size`` where it is a velocity.
         released: Relations of the user that are not asked to hold.
-        closure_tol: Residual without units up to which conditions that say the same twice may
+        closure_tol: Residual without units up to which redundant conditions may
             disagree, as rounded lengths make them; 0 where they agree.
         searches: How many searches are begun before a start is refused.
     """

@@ -16,6 +16,7 @@ import numpy as np
 from ...arrays import Array
 from ...errors import SolveWarning, warn
 from .assembly_diagnosis import explain
+from .branch_advice import tie_advice
 from .branches import Branch, refuse
 from .mechanism import Mechanism
 from .position_solver import PositionSolver, Solution
@@ -58,7 +59,12 @@ def assembled(m: Mechanism, goals: list[Target], q: Array) -> Solution:
         met = [one for one in solutions if one.met]
     if not met:
         explain(
-            m, goals, solutions, lambda n, some: search(n, some, q, min(6, m.searches), 0), NAMED
+            m,
+            goals,
+            solutions,
+            lambda n, some: search(n, some, q, min(6, m.searches), 0),
+            NAMED,
+            "q=",
         )
     return nearest(m, goals, q, choose(m, met, [], q))
 
@@ -89,7 +95,7 @@ def nearest(m: Mechanism, goals: list[Target], q: Array, first: Solution) -> Sol
     best = [end for end in solutions if wish.distance(end.q) <= (1 + EQUAL) * least]
     if len(best) > 1:
         best = sorted(best, key=lambda end: places(m, end.q))
-        _warn_of_tie(m, best[0].q, best[1].q)
+        _warn_of_tie(m, goals, best, solutions)
     return best[0]
 
 
@@ -138,14 +144,18 @@ def _same(m: Mechanism, one: Array, other: Array) -> bool:
     return bool(np.abs(one[m.led] - other[m.led]).max(initial=0.0) < EQUAL)
 
 
-def _warn_of_tie(m: Mechanism, one: Array, other: Array) -> None:
-    """Warn of two positions that are equally near, with what differs between them."""
+def _warn_of_tie(
+    m: Mechanism, goals: Sequence[Target], best: Sequence[Solution], solutions: Sequence[Solution]
+) -> None:
+    """Warn of positions that are equally near, with what differs between them and lines that
+    choose."""
+    one, other = best[0].q, best[1].q
     names, differing = m.model.coordinates, m.led[np.abs(one[m.led] - other[m.led]) >= EQUAL][:4]
     said = [", ".join(f"{names[k]} = {q[k]:.6g}" for k in differing.tolist()) for q in (one, other)]
+    alternatives = [end.q for end in solutions if end is not best[0]]
     warn(
         f"the start of '{m.model.name}' is equally near to two positions: {said[0]}; or {said[1]}. "
-        f"The first is taken. Give '{names[differing[0]]}' a value at the start to say "
-        "which is meant",
+        f"The first is taken. {tie_advice(m, goals, best[0], alternatives)}",
         SolveWarning,
     )
 

@@ -1,4 +1,4 @@
-"""Constraints that say the same twice, and what that leaves undetermined."""
+"""Redundant constraints, and what that leaves undetermined."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ class Redundancy:
         loops: Cut joint or constraint -> (constraints, rank of them alone).
         left_out: Those of the constraints that the motion of their loop fulfills by itself: the
             model has no multipliers for them.
-        directions: What is held twice, in words, one for each redundant constraint.
+        directions: Redundant conditions in words, one for each redundant constraint.
         vectors: The same as combinations of the multipliers, then of what is left out
             (redundant, m): self-stresses.
         unique: Multiplier, or constraint that is left out -> whether it is determined.
@@ -104,7 +104,7 @@ class Redundancy:
             f"{self.redundant} redundant; {self.freedoms} "
             f"degree{'s' if self.freedoms != 1 else ''} of freedom"
         ]
-        lines += [f"  held twice: {direction}" for direction in self.directions]
+        lines += [f"  redundant: {direction}" for direction in self.directions]
         lines += [f"  {line}" for line in self.undetermined]
         firm = [name for name, determined in self.joints.items() if determined]
         if firm and self.undetermined:
@@ -136,6 +136,8 @@ def redundancy(
 def doubt(model: LoadedModel, joint: str, q: Any, t: Any, r: Any) -> None:
     """Warn where the reaction of a joint is not determined at the first, middle and last state.
 
+    The warning names all joints of which that is true, and is given once for all of them.
+
     Args:
         model: The compiled model.
         joint: Whose reaction was asked for.
@@ -150,22 +152,34 @@ def doubt(model: LoadedModel, joint: str, q: Any, t: Any, r: Any) -> None:
     states = np.reshape(model._vector("q", q), (-1, model.nq))
     times = np.broadcast_to(np.ravel(t), len(states)) if np.size(t) > 1 else np.ravel(t)
     inputs = None if r is None else np.reshape(model._vector("r", r), (-1, model.nr))
-    for k in {0, len(states) // 2, len(states) - 1} if len(states) else ():
+    reports: list[Redundancy] = []
+    for k in sorted({0, len(states) // 2, len(states) - 1}) if len(states) else ():
         row = None if inputs is None else inputs[min(k, len(inputs) - 1)]
         m = Mechanism(model, float(times[min(k, len(times) - 1)]), row)
-        redundancy = report(m, states[k])
-        if redundancy.joints.get(joint, True):
+        reports.append(report(m, states[k]))
+        if reports[-1].joints.get(joint, True):
             return
-    if len(states):
-        elastic = rests or model.manifest.absolute
-        warn(
-            f"the reaction of '{joint}' is not determined ({redundancy.released(joint)}): "
-            "constraints "
-            f"of its loop say the same twice, {redundancy.directions[0]}. One of the possible "
-            "wrenches is given. model.redundancy(q) tells which components are determined; "
-            f"{ELASTIC if elastic else SHARED}",
-            SolveWarning,
-        )
+    if not reports:
+        return
+    # one warning for all joints: the others are not asked again
+    last, elastic = reports[-1], rests or model.manifest.absolute
+    open_joints = [n for n in last.components if not any(r.joints.get(n, True) for r in reports)]
+    model._doubted.update(open_joints)
+    warn(
+        f"reactions are not determined in {_components(last, open_joints)}: constraints "
+        f"are redundant, {last.directions[0]}. There one of the possible values is given; all "
+        "other components are determined. model.redundancy(q) has the details; "
+        f"{ELASTIC if elastic else SHARED}",
+        SolveWarning,
+    )
+
+
+def _components(redundancy: Redundancy, joints: Sequence[str]) -> str:
+    """Components of reactions that are not determined, with the joints alike in that."""
+    alike: dict[str, list[str]] = {}
+    for name in joints:
+        alike.setdefault(redundancy.released(name), []).append(f"'{name}'")
+    return "; ".join(f"{which} of {', '.join(names)}" for which, names in alike.items())
 
 
 def undetermined(model: LoadedModel, q: Array, t: float = 0.0) -> tuple[str, ...]:

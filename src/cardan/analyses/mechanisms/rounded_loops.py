@@ -1,6 +1,6 @@
 """Loops whose redundant conditions disagree a little, because lengths or axes are rounded.
 
-Conditions that say the same twice hold together for exact numbers only. With rounded ones they
+Redundant conditions are consistent for exact numbers only. With rounded ones they
 leave a residual, or allow single positions without motion. Where residuals stay below a bound they
 are ignored, in assembly and in runs alike, and the user is told.
 """
@@ -73,8 +73,8 @@ def warn_of_residual(m: Mechanism, residual: float) -> None:
     joints = ", ".join(f"'{cut.name}'" for cut in m.cuts)
     warn(
         f"model '{m.model.name}': loops (of {joints}) close to {residual * m.size:.1g} m only. "
-        "Conditions that say the same twice disagree by that much, as rounded lengths or axes "
-        "make them: give the numbers more digits. Until then the residual is ignored (it may be "
+        "Redundant conditions disagree by that much, as rounded lengths or axes make them: give "
+        "the numbers more digits. Until then the residual is ignored (it may be "
         f"{ROUNDED:g} of the size of the mechanism), and rtol below {MARGIN * residual:.0e} is in "
         "vain",
         SolveWarning,

@@ -105,8 +105,8 @@ class SweepRecord:
         if len(self):
             worst = int(np.argmin(self.quality))
             lines.append(
-                f"  {counted(len(self), 'position')}; weakest hold {self.quality[worst]:.3g} at "
-                f"{first[worst]:.6g}"
+                f"  {counted(len(self), 'position')}; smallest singular value of the driven "
+                f"constraints {self.quality[worst]:.3g}, at {first[worst]:.6g}"
             )
         return "\n".join(lines)
 

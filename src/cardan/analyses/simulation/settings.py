@@ -183,7 +183,7 @@ class Start:
         x: The state (nx,).
         defaulted: Those of its entries that nobody named.
         closure_tol: Residual, in sizes of the mechanism, up to which loops count as closed because
-            conditions that say the same twice disagree; 0 where they agree.
+            redundant conditions disagree; 0 where they agree.
         followers: ``"q"`` and ``"u"`` -> joints that follow from loops in closed form, and the
             values that were named for them.
     """
@@ -206,8 +206,7 @@ def start(model: LoadedModel, x0: object, q: object, u: object, z: object = None
         ModelError: both given, or an unknown name. ArgumentError: wrong shape.
         SolveError: a value that is not finite.
     """
-    if x0 is not None and any(block is not None for block in (q, u, z)):
-        raise ModelError("the start is given twice: by x0= and by q=, u= or z=. Leave one out")
+    refuse_second(x0, {"q": q, "u": u, "z": z})
     coordinates, speeds, internals = model.coordinates, model.speeds, model.internals
     if x0 is not None:
         x = _array("x0", x0, (*coordinates, *speeds, *internals))
@@ -227,6 +226,27 @@ def start(model: LoadedModel, x0: object, q: object, u: object, z: object = None
     if isinstance(q, Mapping):
         _within_limits(model, begin.x, q)
     return begin
+
+
+def refuse_second(x0: object, blocks: Mapping[str, object]) -> None:
+    """Refuse a start that is given twice.
+
+    Args:
+        x0: The whole state, or None.
+        blocks: ``"q"``, ``"u"`` and ``"z"`` -> what was given for these blocks, or None.
+
+    Raises:
+        ModelError: both are given.
+    """
+    also = [f"{letter}=" for letter, value in blocks.items() if value is not None]
+    if x0 is None or not also:
+        return
+    raise ModelError(
+        f"the start is given twice: by {' and '.join(also)} besides x0=, which holds coordinates, "
+        "speeds and internal states. Leave one out, or give blocks: q=x0[..., :model.nq], "
+        "u={...}; of a result such as model.assemble(...): "
+        "q=result.q, u={...}"
+    )
 
 
 def _within_limits(model: LoadedModel, x: Array, named: Values) -> None:

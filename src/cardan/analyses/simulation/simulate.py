@@ -85,7 +85,7 @@ def simulate(
             generalized-alpha on nodes (rtol + atol) times the extent of the motion, of angles 1.
             atol follows rtol unless given: 1e-3 rtol, at most 1e-9.
         step: Step of fixed methods and of generalized-alpha, first one of others [s].
-        max_step: Largest step of an adaptive method [s]; past functions 1/1000 of the span.
+        max_step: Largest step of an adaptive method [s]; with input functions 1/1000 of the span.
         inputs: Name -> constant, ``(times, values)`` (straight lines between; a time twice is a
             jump; a cubic spline where the input prescribes a motion) or ``f(t, x)``.
         parameters: Values of parameters by name, as ``model.with_parameters`` takes them.

@@ -124,7 +124,10 @@ class EquilibriumRecord(NamedState):
 
     @checked
     def reaction(self, joint: str) -> Array:
-        """Wrench (6,) of parent on child at the child joint frame, in its axes."""
+        """Wrench (6,) of parent on child at the child joint frame, in its axes; moment first.
+
+        Along the freedoms of the joint it holds what a JointSpring or JointForce exerts on it.
+        """
         return self._called("reaction", joint)
 
     def _called(self, function: str, *of: str) -> Array:

@@ -323,7 +323,7 @@ class DynamicSystem(Protocol):
         Joints keep their speeds; rates are those of a steady motion with them.
 
         Raises:
-            ModelError: an unknown name, or speeds that cannot hold together.
+            ModelError: an unknown name, or inconsistent speeds.
         """
 
     def steady_state_tangent(

@@ -141,7 +141,7 @@ class FiniteElementSystem(CompiledSystem):
             rows = np.abs(open_by[: len(self.rows)])
             joint = self.model.manifest.multipliers[int(rows.argmax())].joint
             raise ModelError(
-                f"speeds of {said} cannot hold together: joint '{joint}' would come apart at "
+                f"speeds of {said} are inconsistent: joint '{joint}' would come apart at "
                 f"{rows.max():.3g}. Leave one of them out"
             )
         separated = self._corotating_motion.relative_motion(at.q, moment.u)

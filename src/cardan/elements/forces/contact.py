@@ -34,7 +34,8 @@ class Contact(ForceElement):
         stiffness: [N/m^exponent].
         damping: Hunt and Crossley's [s/m]; or by ``restitution`` and ``speed``:
         restitution: Speed after an impact over that before it, a number above 0 and at most 1.
-        speed: Of the impact that it is wanted of [m/s], a number; slower ones bounce more.
+        speed: Impact speed at which ``restitution`` holds [m/s], a number; slower impacts bounce
+            more.
         exponent: 1.5 for spheres (Hertz), 1 for a linear spring.
         normal: Of the plane, in axes of ``other``, out of its material.
         other_radius: Of the other sphere [m]; None: ``other`` is a plane.

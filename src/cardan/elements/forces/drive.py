@@ -50,6 +50,7 @@ class Drive(ForceElement):
     """
 
     kind: ClassVar[str] = "drive"
+    _one_coordinate: ClassVar[bool] = True
     units: ClassVar[Units] = {
         **{"inertia": "kg*m^2", "stiffness": "N*m/rad", "damping": "N*m*s/rad"},
         **{"ratio": RATIO, "torque": "N*m", "friction": "N*m*s/rad"},

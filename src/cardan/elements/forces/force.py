@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, ClassVar, Protocol
 
@@ -150,6 +150,8 @@ class ForceElement(HasSource, ABC):
 
     kind: ClassVar[str]
     units: ClassVar[Units] = {}
+    # True where ``joint`` must have one coordinate
+    _one_coordinate: ClassVar[bool] = False
 
     def __post_init__(self) -> None:
         take(self, self.kind, self.units)
@@ -298,6 +300,27 @@ def constant(x: Matrix) -> bool:
     return all(n[0] != "atom" and (n[0] != "var" or n[1] == "p") for n in leaves)
 
 
+# cure for joints with several coordinates
+CHAIN = (
+    "Make it of Revolute and Prismatic joints, with bodies of mass 0 between them: three Prismatic "
+    "joints move as a Translation"
+)
+
+
+def refuse_several(name: str, element: ForceElement, coordinates: Sequence[object]) -> None:
+    """Refuse an element on a joint with several coordinates that needs one.
+
+    Raises:
+        ModelError: there are several.
+    """
+    if element._one_coordinate and len(coordinates) > 1:
+        raise ModelError(
+            f"force '{name}': joint '{getattr(element, 'joint', '')}' has {len(coordinates)} "
+            f"coordinates; {element.kind} needs a joint with one. "
+            f"{CHAIN}"
+        )
+
+
 def one_coordinate(motion: Motion, joint: int, who: str) -> tuple[Scalar, Scalar]:
     """Coordinate and speed of a joint that must have one.
 
@@ -308,6 +331,6 @@ def one_coordinate(motion: Motion, joint: int, who: str) -> tuple[Scalar, Scalar
     if q.rows != 1 or u.rows != 1:
         raise ModelError(
             f"{who}: the joint has {q.rows} coordinates; this element needs a joint with one. "
-            "Use a JointForce with an expression"
+            f"{CHAIN}"
         )
     return q[0], u[0]

@@ -56,6 +56,7 @@ class Friction(ForceElement):
     """
 
     kind: ClassVar[str] = "friction"
+    _one_coordinate: ClassVar[bool] = True
     units: ClassVar[Units] = {
         **{"coulomb": "N*m|N", "mu": "", "radius": "m", "stribeck": "rad/s|m/s"},
         **{"smooth": "rad/s|m/s", "static": "N*m|N", "viscous": "N*m*s/rad|N*s/m"},

@@ -29,6 +29,7 @@ class JointSpring(ForceElement):
     """
 
     kind: ClassVar[str] = "joint_spring"
+    _one_coordinate: ClassVar[bool] = True
     units: ClassVar[Units] = {
         **{"stiffness": "N*m/rad|N/m", "damping": "N*m*s/rad|N*s/m", "rest": "rad|m"}
     }

@@ -47,6 +47,7 @@ class Lock(ForceElement):
     """
 
     kind: ClassVar[str] = "lock"
+    _one_coordinate: ClassVar[bool] = True
     units: ClassVar[Units] = {"when": "", "release": "", "strength": "N*m|N"}
     joint: JointName
     when: Value

@@ -52,6 +52,7 @@ class Stop(ForceElement):
     """
 
     kind: ClassVar[str] = "stop"
+    _one_coordinate: ClassVar[bool] = True
     units: ClassVar[Units] = {
         **{"lower": "rad|m", "upper": "rad|m", "restitution": "", "settle": "rad/s|m/s"}
     }

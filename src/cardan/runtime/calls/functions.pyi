@@ -548,7 +548,8 @@ class Functions(Evaluation, metaclass=ABCMeta):
 
         [Mx, My, Mz, Fx, Fy, Fz]. The system accelerates under tau and wrenches. Where redundant
         constraints leave it undetermined one of the possible wrenches comes out, and a
-        SolveWarning says so once for each joint; see ``model.redundancy(q)``.
+        SolveWarning says so once; see ``model.redundancy(q)``. Forces along the joint, such as
+        JointSpring, and its tau act through it: Mz of a hinge about z holds them.
 
         Args:
             joint: name of a joint, with motion, cut or fixed

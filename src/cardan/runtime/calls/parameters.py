@@ -92,8 +92,8 @@ class Parameters(Mapping[str, float]):
                 name = limit.parameter
                 raise ModelError(f"parameter '{name}'{where}: {limit.element}: {message}")
 
-    def checked(self, name: str, value: ArrayLike) -> Array:
-        """Values (...) that a parameter may have.
+    def checked(self, name: str, value: ArrayLike, what: str = "value") -> Array:
+        """Values (...) that a parameter may have; ``what`` one of several is, for messages.
 
         Raises:
             ModelError: unknown or structural name; a value that is not finite; a negative mass.
@@ -114,5 +114,9 @@ class Parameters(Mapping[str, float]):
             raise ModelError(f"parameter '{name}' must be finite, not {array[tuple(bad)]}{where}")
         # the number written as the mass of a body, under the name the model gave it
         if name.endswith(".mass") and self.unit(name) == "kg" and (array < 0).any():
-            raise ModelError(f"parameter '{name}' is a mass and cannot be {value!r} kg")
+            bad = np.argwhere(array < 0)[0]
+            where = f" ({what} {bad[0]} of {len(array)}, from 0)" if array.ndim else ""
+            raise ModelError(
+                f"parameter '{name}' is a mass and cannot be {array[tuple(bad)]:g} kg{where}"
+            )
         return array

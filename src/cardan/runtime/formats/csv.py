@@ -12,6 +12,8 @@ import json
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
+import numpy as np
+
 from .contents import Attributes, FileFormat, Variable, Variables
 
 ROWS = ("time", "run")  # axes along which tables go
@@ -19,11 +21,12 @@ ROWS = ("time", "run")  # axes along which tables go
 
 def _written(path: Path, attributes: Attributes, variables: Variables) -> None:
     along = "run" if "cardan_ensemble" in attributes else "time"
+    entries = _texts(variables["entry"]) if "entry" in variables else []
     columns = [
         column
         for name, one in variables.items()
         if one.dimensions[0] == along
-        for column in _columns(name, one)
+        for column in _columns(name, one, entries)
     ]
     with path.open("w", encoding="utf-8", newline="") as file:
         out = csv.writer(file)
@@ -31,14 +34,27 @@ def _written(path: Path, attributes: Attributes, variables: Variables) -> None:
         out.writerows(zip(*(values for _, values in columns), strict=True))
 
 
-def _columns(name: str, one: Variable) -> Iterator[tuple[str, Sequence[str]]]:
-    """Heading and texts of every column of an array."""
+def _texts(one: Variable) -> list[str]:
+    """Texts out of an array of bytes."""
+    return [b"".join(row).rstrip(b"\0").decode() for row in one.values]
+
+
+def _columns(
+    name: str, one: Variable, entries: Sequence[str]
+) -> Iterator[tuple[str, Sequence[str]]]:
+    """Heading and texts of every column of an array; ``entries``: of a state, by name."""
     if one.values.dtype.kind == "S":
-        yield name, [b"".join(row).rstrip(b"\0").decode() for row in one.values]
+        yield name, _texts(one)
         return
     name = json.loads(one.attributes.get("name", json.dumps("t" if name == "time" else name)))
     flat = one.values.reshape(len(one.values), -1)
-    heads = json.loads(one.attributes.get("names", "[]")) or [
+    heads = json.loads(one.attributes.get("names", "[]"))
+    if not heads and one.dimensions[-1] == "entry":
+        # final angle; states at several times: states[3] angle
+        places = np.ndindex(one.values.shape[1:-1])
+        axes = ["".join(f"[{k}]" for k in place) for place in places]
+        heads = [f"{name}{place} {entry}" for place in axes for entry in entries]
+    heads = heads or [
         name if one.values.ndim == 1 else f"{name}[{k}]" for k in range(flat.shape[1])
     ]
     for k, head in enumerate(heads):

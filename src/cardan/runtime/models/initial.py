@@ -206,7 +206,7 @@ def _follows(name: str, what: str, manifest: Manifest) -> str:
     if joint is not None and joint.solved:
         return f"joint '{name}' follows from the loop that '{joint.solved.loop}' closes."
     if joint is not None:
-        return f"joint '{name}' moves as prescribed and has no {what} of its own."
+        return _prescribed(name, what, manifest)
     # in absolute coordinates every joint has multipliers, and one that closes a loop nothing else
     if manifest.absolute and name in {row.joint for row in manifest.multipliers}:
         return (
@@ -214,6 +214,18 @@ def _follows(name: str, what: str, manifest: Manifest) -> str:
             "it. Name others."
         )
     return ""
+
+
+def _prescribed(name: str, what: str, manifest: Manifest) -> str:
+    """Message about a joint whose motion is prescribed, and how to choose between positions."""
+    cure = "Leave it out: its motion gives its value at the start."
+    joint = next((j for j in manifest.joints if j.slot("q")[1] == 1), None)
+    if what == "coordinate" and manifest.cuts and joint is not None and not manifest.absolute:
+        cure += (
+            " Of several positions of the loop, "
+            f"q=model.assemble(branch={{'{joint.name}': '+'}}).q takes one."
+        )
+    return f"joint '{name}' moves as prescribed and has no {what} of its own. {cure}"
 
 
 def _numbers(where: str, value: ArrayLike, entries: list[str]) -> Array:

@@ -42,9 +42,9 @@ class Balance:
 
     def __str__(self) -> str:
         parts = [f"{self.before:.6g} J, then {self.after:.6g} J"]
-        parts += [f"given {self.supplied:.4g}"] if self.supplied else []
+        parts += [f"supplied {self.supplied:.4g}"] if self.supplied else []
         parts += [f"taken {self.taken:.4g}"] if self.taken else []
-        for label, some in (("dissipated", self.dissipated), ("lost in impacts", self.impacts)):
+        for label, some in (("dissipated", self.dissipated), ("impacts", self.impacts)):
             parts += [f"{label} {sum(some.values()):.4g}"] if some else []
         return ", ".join(parts)
 

@@ -359,7 +359,11 @@ class TrajectoryRecord:
 
     @checked
     def reaction(self, joint: str) -> Array:
-        """Wrench (nt, 6) of parent on child at the child joint frame, in its axes; moment first."""
+        """Wrench (nt, 6) of parent on child at the child joint frame, in its axes; moment first.
+
+        Along the freedoms of the joint it holds what a JointSpring, JointDamper or JointForce
+        exerts on it: Mz of a hinge about z holds the torque of its spring.
+        """
         if f"reaction {joint}" in self.stored:
             return self.stored[f"reaction {joint}"]
         model = self._model(f"the reaction of '{joint}'")

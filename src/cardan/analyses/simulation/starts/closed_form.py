@@ -176,8 +176,9 @@ def _refuse(m: Mechanism, q: Array, one: Follower) -> None:
     raise ModelError(
         f"q={{'{one.name}': {', '.join(f'{x:.6g}' for x in one.value)}}}: the loop that "
         f"'{solution.loop}' closes gives {gives} next to the other named values, on "
-        "the branch of its formulas. Name fewer coordinates, or take constraints='multipliers', "
-        "which takes either branch"
+        f"the branch of its formulas. Named values must fit to {NEARLY:g}: name fewer coordinates, "
+        f"compile with the other branch (branches={{'{solution.loop}': '+'}} or '-'), or take "
+        "constraints='multipliers', which takes either branch"
     )
 
 
@@ -187,7 +188,7 @@ def speed(
     """Speeds (nu,) next to a start with those of joints that follow, entries ``locked`` kept.
 
     Raises:
-        ModelError: speeds that do not hold together.
+        ModelError: inconsistent speeds.
     """
     places = followers(m.model.manifest, "u")
     r = m.model._layout.start("r") if m.r is None else m.r
@@ -213,7 +214,7 @@ def speed(
     if not (left <= max(SPEED_TOL, m.closure_tol) * size).all():
         names = ", ".join(f"'{name}'" for name in named_values)
         raise ModelError(
-            f"speeds of {names} cannot hold together with the others that are named: the loops "
+            f"speeds of {names} are inconsistent with the others that are named: the loops "
             f"miss them by {left.max():.3g}. Leave one of them out"
         )
     return speeds

@@ -192,7 +192,7 @@ class _Start:
         """Speeds of everything at a position.
 
         Raises:
-            ModelError: speeds that cannot hold together.
+            ModelError: inconsistent speeds.
         """
         if self.u is None:
             return self._near_speeds(q)
@@ -219,7 +219,7 @@ class _Start:
         off = np.abs(solved - u)[locked != 0].max(initial=0.0)
         if off > GOOD * max(1.0, float(np.abs(u).max(initial=0.0))):
             raise ModelError(
-                f"speeds of {', '.join(f'{name!r}' for name in self.u)} cannot hold together. "
+                f"speeds of {', '.join(f'{name!r}' for name in self.u)} are inconsistent. "
                 "Leave one of them out"
             )
         self._check_rates(q, solved, ", ".join(f"'{name}'" for name in self.u) or "all joints")
@@ -253,7 +253,7 @@ class _Start:
         if len(rates) and abs(rates[worst]) > GOOD * size:
             row = self.model.manifest.multipliers[worst]
             raise ModelError(
-                f"speeds of {said} cannot hold together: joint '{row.joint}' would come apart "
+                f"speeds of {said} are inconsistent: joint '{row.joint}' would come apart "
                 f"at {abs(rates[worst]):.3g} in '{row.name}'. Leave one of them out"
             )
 
