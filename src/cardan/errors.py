@@ -193,8 +193,7 @@ def near(name: object, candidates: Iterable[str]) -> str:
     names = sorted(candidates) if isinstance(candidates, set | frozenset) else list(candidates)
     name = name if isinstance(name, str) else ""
     listed = ", ".join(names[:12]) + (", ..." if len(names) > 12 else "")
-    close = [one for one in names if one.casefold() == name.casefold()]
-    close = close or get_close_matches(name, names, n=1)
+    close = likely(name, names)
     same = [one for one in names if one != name and looks(one) == looks(name)]
     # base.x of a free joint may be base.qx or base.px
     head, _, last = name.rpartition(".")
@@ -206,6 +205,12 @@ def near(name: object, candidates: Iterable[str]) -> str:
     if same:
         hint = f" Did you mean {points(same[0])}? It only looks like {points(name)}."
     return f" Known: {listed}.{hint}" if names else " There are none."
+
+
+def likely(name: str, names: Sequence[str]) -> list[str]:
+    """Names that a misspelt one may stand for: those that differ in case, or else the nearest."""
+    same = [one for one in names if one.casefold() == name.casefold()]
+    return same or get_close_matches(name, names, n=1)
 
 
 def outside(value: float, lower: float | None, upper: float | None, unit: str = "") -> str:

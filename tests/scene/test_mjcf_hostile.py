@@ -32,7 +32,7 @@ REFUSED = {
     "quaternion": (one(SOLID, place='quat="0 0 0 0"'), "quat has no direction"),
     "global": (one(SOLID, '<compiler coordinate="global"/>'), "coordinate='global' is not read"),
     "sequence": (one(SOLID, '<compiler eulerseq="xyzz"/>'), "not three letters"),
-    "size": (one('<geom type="box" size="1 2"/>'), "has 2 numbers, but 3 to 3 are wanted"),
+    "size": (one('<geom type="box" size="1 2"/>'), "has 2 numbers, expected 3"),
     "negative": (one('<geom size="-1"/>'), "must be positive"),
     "density": (one('<geom size="1" density="-1"/>'), "density is negative"),
     "ends": (one('<geom type="capsule" size="1" fromto="0 0 0 0 0 0"/>'), "both ends at one point"),

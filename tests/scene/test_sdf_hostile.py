@@ -59,7 +59,7 @@ REFUSED = {
     "nan": (sdf(link("a").replace(">2<", ">nan<")), "not a number"),
     "huge": (sdf(link("a").replace(">2<", ">1e31<")), "not a number up to"),
     "auto": (one('<inertial auto="true"/>'), "give mass and inertia"),
-    "pose": (sdf(link("a", "1 2 3")), "has 3 numbers, but 6 are wanted"),
+    "pose": (sdf(link("a", "1 2 3")), "has 3 numbers, expected 6"),
     "quaternion": (
         one('<pose rotation_format="quat_xyzw">0 0 0 0 0 0 0</pose>'),
         "the quaternion of its pose has length 0",

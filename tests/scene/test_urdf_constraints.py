@@ -99,7 +99,7 @@ REFUSED = {
     "taken": (constraint().replace('"C"', '"A"'), "a joint has this name"),
     "beside a loop joint": (PIN + constraint(), "a joint has this name"),
     "older": (constraint(more='<predecessor link="a"/>'), "<predecessor> and <successor> are not"),
-    "number": (constraint().replace("0.25", "nan"), "which is not a number"),
+    "number": (constraint().replace("0.25", "nan"), "'nan' is not a number"),
     "two parents": (joint("C", "coupler", "rocker", "0 0 0"), "or as <constraint>"),
 }  # fmt: skip
 

@@ -134,7 +134,7 @@ REFUSED = {
     "axes": (loop(kind="universal"), "needs <axis2 xyz=.../>"),
     "taken": (PIN.replace('"C"', '"A"'), "a joint has this name"),
     "twice": (PIN + PIN, "a joint has this name"),
-    "number": (PIN.replace("0.25", "nan"), "which is not a number"),
+    "number": (PIN.replace("0.25", "nan"), "'nan' is not a number"),
     "two parents": (joint("C", "coupler", "rocker", "0 0 0"), "as <loop_joint>"),
 }  # fmt: skip
 

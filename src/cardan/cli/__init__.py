@@ -39,6 +39,7 @@ from typing import Any, NoReturn, cast
 
 from ..errors import BuildWarning, CardanError, ModelWarning, SolveWarning
 from ..version import VERSION
+from .options.spelling import spelled
 
 INTERRUPTED = 128 + signal.SIGINT
 # where the examples begin in the docstring of a command
@@ -115,20 +116,21 @@ def build_parser(*loaded: str) -> Parser:
                 name, help=summary, description=description, epilog=epilog
             )
             command.arguments(subparser)
-            subparser.set_defaults(run=command.run)
+            subparser.set_defaults(run=command.run, parser=subparser)
         else:
             commands.add_parser(name, help=summary)
     return top
 
 
 @contextmanager
-def _warnings(command: str) -> Iterator[None]:
+def _warnings(options: argparse.Namespace) -> Iterator[None]:
     """Warnings of cardan as messages of a command, without the line of code that gave them."""
     usual = warnings.showwarning
 
     def show(message: Any, category: type[Warning], *where: Any, **more: Any) -> None:
         if issubclass(category, ModelWarning | SolveWarning | BuildWarning):
-            print(f"cardan {command}: {message}", file=sys.stderr)
+            said = spelled(str(message), options)
+            print(f"cardan {options.command}: {said}", file=sys.stderr)
         else:
             usual(message, category, *where, **more)
 
@@ -152,7 +154,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         top.print_help(sys.stderr)
         return 2
     try:
-        with _warnings(options.command):
+        with _warnings(options):
             status = int(options.run(options))
         sys.stdout.flush()
         return status
@@ -161,7 +163,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 128 + signal.SIGPIPE
     except (CardanError, OSError) as problem:
-        said = str(problem).removeprefix(f"{options.command}: ")
+        said = spelled(str(problem).removeprefix(f"{options.command}: "), options)
         print(f"cardan {options.command}: {said}", file=sys.stderr)
         return 1
     except KeyboardInterrupt:

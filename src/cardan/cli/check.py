@@ -29,6 +29,7 @@ from typing import TYPE_CHECKING
 
 from ..errors import CardanError, DerivationError, ImpossibleWarning, ModelWarning, SolveWarning
 from .options import scene as scene_options
+from .options.spelling import spelled
 
 if TYPE_CHECKING:
     from ..api.equations import Equations, FiniteElementEquations
@@ -53,7 +54,10 @@ def arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Print the complaints. Returns the exit status."""
-    problems = complaints(options)
+    problems = [
+        Complaint(complaint.level, spelled(complaint.says, options))
+        for complaint in complaints(options)
+    ]
     if options.json:
         rows = [{"file": str(options.file), **asdict(complaint)} for complaint in problems]
         print(json.dumps(rows, indent=1))

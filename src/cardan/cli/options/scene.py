@@ -7,6 +7,8 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from .spelling import spelled
+
 if TYPE_CHECKING:
     from ...api.scene import Scene
 
@@ -74,5 +76,5 @@ def read(options: argparse.Namespace) -> Scene:
 
     scene = load(options)
     for note in notes_of(scene):
-        print(f"note: {note}", file=sys.stderr)
+        print(f"note: {spelled(note, options)}", file=sys.stderr)
     return scene

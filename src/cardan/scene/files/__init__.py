@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 from warnings import catch_warnings, simplefilter
 
 from ...arguments import checked
-from ...errors import ModelError, warn
+from ...errors import ModelError, TopologyError, warn
 from ..joint_properties import add_friction, add_stops
-from ..origins import gathered
+from ..origins import Origins, gathered
 from ..scene import SceneRecord
 from . import mjcf, sdf, urdf, yaml
-from .document import content, parse
+from .document import PLACE, content, parse
 from .options import Options
 
 # by the root element of an XML file, whatever its name ends in
@@ -82,15 +83,21 @@ def load(
     roots = tuple(Path(root) for root in folders)
     if limits not in LIMITS:
         raise ModelError(f"limits must be {' or '.join(map(repr, LIMITS))}, not {limits!r}")
-    with catch_warnings(record=True) as said:
-        simplefilter("always")
-        model = _read(Path(path), Options(base, mimic, snap, roots, load=_read))
-        if limits == "stop":
-            add_stops(model)
-        if friction:
-            add_friction(model)
-    for doubt in gathered(said, model.origins):
-        warn(str(doubt), type(doubt))
+    file, options = Path(path), Options(base, mimic, snap, roots, load=_read)
+    origins: Origins = {}
+    try:
+        with catch_warnings(record=True) as said, _named(file):
+            simplefilter("always")
+            model = _read(file, options)
+            origins = model.origins
+            if limits == "stop":
+                add_stops(model)
+            if friction:
+                add_friction(model)
+    finally:
+        # a doubt may say why the file cannot be read
+        for doubt in gathered(said, origins):
+            warn(str(doubt), type(doubt))
     model.values.update(parameters or {})
     return model
 
@@ -103,4 +110,16 @@ def _read(file: Path, options: Options) -> SceneRecord:
             f"file '{file.name}': cannot read '{file.suffix}' files. Known: {', '.join(READERS)}"
         )
     options.budget.take()
-    return reader(file, options)
+    with _named(file):
+        return reader(file, options)
+
+
+@contextmanager
+def _named(file: Path) -> Iterator[None]:
+    """Errors about a scene name the file it was read from."""
+    try:
+        yield
+    except (ModelError, TopologyError) as problem:
+        if file.name in str(problem) or PLACE.match(str(problem)):
+            raise
+        raise type(problem)(f"file '{file.name}': {problem}") from problem

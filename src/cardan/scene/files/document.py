@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Self
@@ -10,11 +11,13 @@ from xml.etree.ElementTree import Element as XmlElement
 from xml.etree.ElementTree import TreeBuilder
 
 from ... import regular_file
-from ...errors import ModelError
+from ...errors import ModelError, counted
 
 LARGEST_FILE = 64 * 2**20
 DEEPEST = 200
 LARGEST_NUMBER = 1e30
+# how a message begins that says where it is, in this file or an included one
+PLACE = re.compile(r"^[^:]+:\d+: ")
 
 
 def content(path: Path) -> bytes:
@@ -146,43 +149,43 @@ class Element:
         return self.numbers(name, 1, default)[0]
 
     def numbers(self, name: str, count: int, default: str | None = None) -> list[float]:
-        """An attribute of several numbers.
-
-        Raises:
-            ModelError: another count, text, NaN or an absurd size.
-        """
-        texts = self.text(name, default).split()
-        if len(texts) != count:
-            raise ModelError(
-                f"{self.where}: {name}={self.text(name, default)[:80]!r} of <{self.raw.tag}> has "
-                f"{len(texts)} numbers, but {count} are wanted"
-            )
-        return [self._finite(name, word) for word in texts]
+        """An attribute of so many numbers, see :meth:`several`."""
+        return self.several(name, count, count, default)
 
     def several(self, name: str, least: int, most: int, default: str | None = None) -> list[float]:
-        """An attribute of a few numbers.
+        """An attribute of a few numbers, with blanks between them.
 
         Raises:
             ModelError: too few or too many, text, NaN or an absurd size.
         """
-        texts = self.text(name, default).split()
-        if not least <= len(texts) <= most:
+        text = self.text(name, default)
+        # where one number is expected, '1 kg' is a faulty number rather than two
+        texts = [text.strip()] if most == 1 else text.split()
+        values = [self._finite(name, word, text) for word in texts]
+        if not least <= len(values) <= most:
+            expected = f"{least} to {most}" if least < most else f"{most}"
             raise ModelError(
-                f"{self.where}: {name}={self.text(name, default)[:80]!r} of <{self.raw.tag}> has "
-                f"{len(texts)} numbers, but {least} to {most} are wanted"
+                f"{self.where}: {name}={text[:80]!r} of <{self.raw.tag}> has "
+                f"{counted(len(values), 'number')}, expected {expected}"
             )
-        return [self._finite(name, word) for word in texts]
+        return values
 
-    def _finite(self, name: str, word: str) -> float:
+    def _finite(self, name: str, word: str, text: str) -> float:
+        """A number of an attribute, of which the whole text is given too."""
         try:
             value = float(word) if "_" not in word else math.nan
         except ValueError:
             value = math.nan
         if not abs(value) <= LARGEST_NUMBER:
-            raise ModelError(
-                f"{self.where}: {name} of <{self.raw.tag}> has {word[:40]!r}, which is not a "
-                f"number up to {LARGEST_NUMBER:g}"
-            )
+            where = f"{self.where}: {name} of <{self.raw.tag}>"
+            if "," in word:
+                blanks = " ".join(text[:80].replace(",", " ").split())
+                raise ModelError(
+                    f"{where}: {text[:80]!r} has commas, but blanks separate numbers: write "
+                    f"{blanks!r}"
+                )
+            size = f" up to {LARGEST_NUMBER:g}" if _is_number(word) else ""
+            raise ModelError(f"{where}: {word[:40]!r} is not a number{size}")
         return value
 
     def optional(self, name: str) -> float | None:
@@ -194,8 +197,16 @@ class Element:
             value = float(word)
         except ValueError as problem:
             raise ModelError(
-                f"{self.where}: {name} of <{self.raw.tag}> is {word[:40]!r}, no number"
+                f"{self.where}: {name} of <{self.raw.tag}>: {word[:40]!r} is not a number"
             ) from problem
         if math.isnan(value):
             raise ModelError(f"{self.where}: {name} of <{self.raw.tag}> is not a number")
         return value if abs(value) <= LARGEST_NUMBER else None
+
+
+def _is_number(word: str) -> bool:
+    """True where a text is a number of any size."""
+    try:
+        return not math.isnan(float(word)) and "_" not in word
+    except ValueError:
+        return False

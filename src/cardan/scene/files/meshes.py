@@ -13,6 +13,7 @@ from .document import Element
 
 Origin = Callable[[Element, str], tuple[list[float], list[float]]]
 Color = tuple[float, ...]
+MAX_NAMED = 4  # meshes in one note
 
 
 @dataclass
@@ -22,22 +23,27 @@ class Meshes:
     Attributes:
         packages: Folders below which ``package://`` and absolute paths must lie.
         folder: Of the file that refers to them; relative paths stay below it.
-        missing: What was not found.
+        key: What a <mesh> calls its file: ``filename`` in URDF, ``uri`` in SDF.
+        missing: Those not found, each with its owner.
     """
 
     packages: tuple[Path, ...]
     folder: Path | None
-    missing: list[str] = field(default_factory=list)
+    key: str = "filename"
+    missing: list[tuple[str, str]] = field(default_factory=list)
 
     def find(self, reference: str, where: str) -> str:
         """Path of a mesh, or the reference as written where no such file exists.
+
+        Args:
+            where: Its owner, such as ``link 'rod'``.
 
         Raises:
             ModelError: it leads out of the declared folders.
         """
         path = self.locate(reference, where, "mesh")
         if path is None:
-            self.missing.append(reference)
+            self.missing.append((reference, where))
         return reference if path is None else str(path)
 
     def locate(self, reference: str, where: str, what: str) -> Path | None:
@@ -62,7 +68,9 @@ class Meshes:
         parts = PurePosixPath(remainder).parts
         if ".." in parts and not self._stays(parts):
             raise ModelError(
-                f"{where}: {what} '{reference[:80]}' leads out of the declared folders (packages=)"
+                f"{where}: {what} '{reference[:80]}' leads out of the declared folders, "
+                f"{self._searched()}; write it as package://... and name the folder that it starts "
+                "from with packages="
             )
         return next((path for path in self._candidates(remainder) if path.is_file()), None)
 
@@ -87,15 +95,32 @@ class Meshes:
             candidates += [p for t in tries if (p := t.resolve()).is_relative_to(home)]
         return candidates
 
+    def _searched(self) -> str:
+        """The folders to look in, for messages."""
+        folders = [f"'{root}'" for root in self.packages]
+        if self.folder is not None:
+            # a file that was named without its folder stands where the user is
+            name = "" if self.folder == Path() else f" ('{self.folder}')"
+            folders.append(f"the folder of the file{name}")
+        return " and ".join(folders) or "no folder"
+
     def notes(self) -> list[str]:
+        """What was not found, whose it is, where it was looked for and what to do."""
         if not self.missing:
             return []
-        many = len(self.missing) > 1
-        were, more = ("were", ", ...") if many else ("was", "")
+        references = [reference for reference, _ in self.missing]
+        meshes = [f"'{reference[:80]}' of {where}" for reference, where in self.missing]
+        more = f" and {len(meshes) - MAX_NAMED} more" if len(meshes) > MAX_NAMED else ""
+        were = "was" if len(meshes) == 1 else "were"
+        named = any("://" in reference or reference.startswith("/") for reference in references)
+        relative = any("://" not in reference for reference in references)
+        cures = [
+            *(["relative paths start at the folder of the file"] if relative else []),
+            *(["packages= names the folders to look in"] if named else []),
+        ]
         return [
-            f"{counted(len(self.missing), 'mesh file')} {were} not found "
-            f"({self.missing[0]}{more}); "
-            "packages= names the folders to look in"
+            f"{counted(len(meshes), 'mesh file')} {were} not found in {self._searched()}: "
+            f"{', '.join(meshes[:MAX_NAMED])}{more}; {'; '.join(cures)}"
         ]
 
 
@@ -143,8 +168,8 @@ def _shape(
     if sphere is not None:
         return shape.sphere(sphere.number("radius"), position=position, color=color)
     if mesh is not None:
-        # URDF and SDF have different words for it
-        key = "filename" if mesh.word("uri") is None else "uri"
+        # the first versions of SDF had the word of URDF
+        key = "filename" if mesh.word("filename") is not None else meshes.key
         file = meshes.find(mesh.text(key), geometry.where)
         scale = mesh.numbers("scale", 3, "1 1 1")
         return shape.mesh(file, scale=scale, position=position, rotation=rotation, color=color)

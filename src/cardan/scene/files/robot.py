@@ -1,11 +1,9 @@
-"""Parts that readers of robots share: mimicking joints, what is passed over, missing masses."""
+"""Parts that readers of robots share: mimicking joints, missing masses, frames."""
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Collection
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
 
 from ...errors import ModelWarning, warn
 from ..body import Body
@@ -14,26 +12,27 @@ from ..scene import SceneRecord
 from .document import Element
 from .pose import Pose, written
 
-if TYPE_CHECKING:
-    from xml.etree.ElementTree import Element as XmlElement
+MAX_NAMED = 6  # links or joints in one note
 
 
-class Unread:
-    """Counts elements and attributes that are passed over."""
+class Remarks:
+    """Sentences on links and joints; those that share one stand in one note."""
 
     def __init__(self) -> None:
-        self.counts: Counter[str] = Counter()
+        self._names: dict[tuple[str, str], list[str]] = {}
 
-    def element(self, raw: XmlElement, inside: str = "") -> None:
-        """A whole element is passed over."""
-        self.counts[f"{inside} {raw.tag}".strip()] += 1
+    def add(self, kind: str, name: str, what: str) -> None:
+        """Say something of a ``"link"`` or ``"joint"``."""
+        self._names.setdefault((kind, what), []).append(name)
 
     def notes(self) -> list[str]:
-        """All of it in one note, the most frequent first."""
-        if not self.counts:
-            return []
-        names = (f"{what} ({n})" if n > 1 else what for what, n in self.counts.most_common())
-        return [f"not read: {', '.join(names)}"]
+        """All of it, in the order in which it was said."""
+        notes = []
+        for (kind, what), names in self._names.items():
+            listed = ", ".join(f"'{name}'" for name in names[:MAX_NAMED])
+            more = f" and {len(names) - MAX_NAMED} more" if len(names) > MAX_NAMED else ""
+            notes.append(f"{kind}{'s' if len(names) > 1 else ''} {listed}{more}: {what}")
+        return notes
 
 
 @dataclass

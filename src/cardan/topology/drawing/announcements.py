@@ -44,11 +44,7 @@ def announce(
             for name in names
             if name not in convert.used
         ]
-    notes += [
-        f"body '{name}' is a massless tip: nothing resists the joint '{joint}' that moves it. "
-        "Give it a mass or an inertia, or fix or prescribe the joint"
-        for name, joint in massless_tips(system)
-    ]
+    notes += massless_notes(system)
     notes += [
         f"beam '{name}' flies: nothing joins it to the ground, itself or through others. Join one "
         "of its ends if something is to hold it"
@@ -167,6 +163,32 @@ def turnings(
             axes = np.concatenate([axes, (moved[-1] @ modes[:3]).T])
         axes_of_bodies[number] = moved[0], axes
     return axes_of_bodies
+
+
+def massless_notes(system: System) -> list[str]:
+    """Notes on joints that nothing resists, with the bodies that they move."""
+    outboard: dict[int, list[int]] = {}
+    for k, body in enumerate(system.bodies):
+        outboard.setdefault(body.parent, []).append(k)
+    numbers = {body.name: k for k, body in enumerate(system.bodies)}
+    notes = []
+    for name, joint in massless_tips(system):
+        outer, waiting = list[str](), [*outboard.get(numbers[name], ())]
+        while waiting:
+            k = waiting.pop(0)
+            outer.append(f"'{system.bodies[k].name}'")
+            waiting += outboard.get(k, ())
+        if outer:
+            more = f" and {len(outer) - 4} more" if len(outer) > 4 else ""
+            state = f"and all that it carries ({', '.join(outer[:4])}{more}) are massless"
+            cure = "Give one of them"
+        else:
+            state, cure = "is a massless tip", "Give it"
+        notes.append(
+            f"body '{name}' {state}: nothing resists the joint '{joint}' that moves it. {cure} a "
+            "mass or an inertia, or fix or prescribe the joint"
+        )
+    return notes
 
 
 def massless_tips(system: System) -> list[tuple[str, str]]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -10,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ....errors import ModelError, TopologyError
-from ..document import Element, Numbered, content, element_at, parse, place
+from ..document import PLACE, Element, Numbered, content, element_at, parse, place
 from ..meshes import Meshes
 from ..options import Options
 from ..pose import HERE, Pose
@@ -22,8 +21,6 @@ if TYPE_CHECKING:
     from xml.etree.ElementTree import Element as XmlElement
 
 MOST_BODIES = 100_000
-# how a message begins that says where it is
-PLACE = re.compile(r"^[^:]+:\d+: ")
 # they make bodies by rules of their own; without them the model would be another
 REFUSED = ("replicate", "composite", "flexcomp", "attach")
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from .. import robot
+from .. import unread
 
 if TYPE_CHECKING:
     from xml.etree.ElementTree import Element as XmlElement
@@ -50,7 +50,7 @@ def attributes_read(kind: str) -> set[str]:
     return READ[kind] | EVERYWHERE | (POSE_ATTRIBUTES if kind in PLACES else set())
 
 
-class Unread(robot.Unread):
+class Unread(unread.Unread):
     """Counts attributes that are passed over as well."""
 
     def attributes(self, raw: XmlElement, kind: str | None = None) -> None:

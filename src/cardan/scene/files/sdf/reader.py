@@ -19,7 +19,8 @@ from ..document import place
 from ..meshes import Color, Meshes, shapes
 from ..options import Options
 from ..pose import HERE, Pose, written
-from ..robot import Mimics, Unread, announce, body_name, frame_at
+from ..robot import Mimics, announce, body_name, frame_at
+from ..unread import Unread
 from . import components
 from .frames import WORLD, Node, Poses, link_of, tree
 from .kinds import AXES, SINGLE, AxisData, data_of, kind_of, type_of
@@ -72,7 +73,7 @@ class Reader:
         self.scene = SceneRecord(name)
         self.scene.of_robot = True
         self.mimics = Mimics(self.options.mimic == "couple")
-        self.meshes = Meshes(self.options.packages, self.folder)
+        self.meshes = Meshes(self.options.packages, self.folder, "uri")
         self.poses = Poses(lambda item: self._pose(item))
         self.in_model = version < (1, 5)
         if top.kind == WORLD:

@@ -76,7 +76,7 @@ def close(
             raise ModelError(f"{element.where}: a joint has this name; rename one of them")
         scene.joint(name, kind, frames[0], frames[1], cut=True)
         scene.origins["joint", name] = where
-        remark(scene, element)
+        remark(scene, element, "parent_axis")
 
 
 def _kind(element: Element, snap: bool, snaps: list[str]) -> tuple[JointElement, Rows]:

@@ -80,7 +80,7 @@ def check_link(who: str, role: str, link: str, links: Iterable[str]) -> None:
 
 
 def base_of(links: dict[str, Element], edges: list[Edge], file: str) -> str:
-    """The one link that is nobody's child.
+    """The root link: the only one that is the child of no joint.
 
     Raises:
         ModelError: a joint of a link that does not exist.
@@ -100,14 +100,16 @@ def base_of(links: dict[str, Element], edges: list[Edge], file: str) -> str:
     roots = [name for name in links if name not in inboard]
     if not roots:
         raise TopologyError(
-            f"file '{file}': every link is the child of a joint, so they form a loop; one link "
-            "must be the root"
+            f"file '{file}': every link is the child of a joint, so the links form a loop and none "
+            "is the root. Write the joint that closes the loop as <loop_joint> with "
+            "<link1 link=.../> and <link2 link=.../>, or as <constraint>"
         )
     if len(roots) > 1:
         listed = ", ".join(f"'{r}'" for r in roots[:8])
         raise TopologyError(
-            f"file '{file}' has {len(roots)} links that are nobody's child: {listed}. Join all "
-            "but one of them to the rest"
+            f"file '{file}' has {len(roots)} root links, which no joint has as its <child>: "
+            f"{listed}. A robot has one root: add joints to the others, or correct the names in "
+            "<parent> and <child>"
         )
     _check_connected(roots[0], edges, file)
     return roots[0]
@@ -130,6 +132,7 @@ def _check_connected(base: str, edges: list[Edge], file: str) -> None:
     loop = [f"'{edge.child}'" for edge in edges if edge.child not in visited]
     if loop:
         raise TopologyError(
-            f"file '{file}': links {', '.join(loop[:8])} form a loop that does not hang on the "
-            f"root '{base}'"
+            f"file '{file}': no chain of joints leads from the root link '{base}' to the links "
+            f"{', '.join(loop[:8])}: their joints form a loop. Change the <parent> of one of these "
+            "joints, or write it as <loop_joint> or <constraint> and join a link to the root"
         )

@@ -15,6 +15,9 @@ from ..angles import snap_all, snap_axis
 from ..document import Element
 
 TYPES = ("revolute", "continuous", "prismatic", "fixed", "floating", "planar")
+# those that have an axis, and those that must have limits
+AXIAL = ("revolute", "continuous", "prismatic", "planar")
+LIMITED = ("revolute", "prismatic")
 Origin = tuple[list[float], list[float]]
 
 
@@ -37,6 +40,16 @@ def kind_of(element: Element, snap: bool, snaps: list[str], tag: str = "axis") -
     family = {"prismatic": Prismatic, "planar": Planar}
     element_kind: JointElement = family.get(kind, Revolute)(axis_of(element, tag, snap, snaps))
     return element_kind
+
+
+def omissions(element: Element) -> list[str]:
+    """Sentences on what a <joint> leaves to a default although a user will want to say it."""
+    kind, said = element.text("type"), []
+    if kind in AXIAL and element.child("axis") is None:
+        said.append("no <axis>; x is taken, as URDF says")
+    if kind in LIMITED and element.child("limit") is None:
+        said.append(f"no <limit>, which URDF requires of a {kind} joint; it moves without limits")
+    return said
 
 
 def axis_of(element: Element, tag: str, snap: bool, snaps: list[str]) -> tuple[float, ...]:

@@ -31,8 +31,8 @@ from ..document import Element, place
 from ..pose import HERE, Pose
 from ..robot import frame_at
 from .graph import Edge, check_link
+from .kinds import AXIAL, Origin, axis_of, kind_of, origin_of
 from .kinds import TYPES as PLAIN
-from .kinds import Origin, axis_of, kind_of, origin_of
 
 if TYPE_CHECKING:
     from xml.etree.ElementTree import Element as XmlElement
@@ -81,8 +81,14 @@ def close(
         remark(scene, element)
 
 
-def remark(scene: SceneRecord, element: Element) -> None:
-    """Say what of a joint that closes a loop does not act."""
+def remark(scene: SceneRecord, element: Element, tag: str = "axis") -> None:
+    """Note what of a joint that closes a loop does not act, and a missing axis.
+
+    Args:
+        tag: Of its axis.
+    """
+    if element.text("type") in (*AXIAL, "cylindrical", "universal") and element.child(tag) is None:
+        scene.notes.append(f"{element.where}: no <{tag}>; x is taken")
     skipped = [tag for tag in PASSED_OVER if element.child(tag) is not None]
     if skipped:
         scene.notes.append(f"{element.where}: {', '.join(skipped)} does not act on it")

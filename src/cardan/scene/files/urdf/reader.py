@@ -3,28 +3,37 @@
 from __future__ import annotations
 
 import dataclasses
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
+from warnings import catch_warnings, simplefilter
 
 from ....elements.forces.joint_damper import JointDamper
 from ....elements.joints.fixed import Fixed
 from ....elements.joints.free import Free
 from ....elements.joints.joint import Joint as JointElement
+from ....errors import ImpossibleWarning, warn
 from ...body import Body
+from ...checks import lone_moment, unphysical
 from ...scene import SceneRecord
 from ..angles import rotated_inertia
 from ..document import Element
 from ..meshes import Meshes, shapes
 from ..options import Options
-from ..robot import Mimics, announce, body_name
+from ..robot import Mimics, Remarks, announce, body_name
+from ..unread import Unread
 from . import constraints, loops
+from .contents import CONTENTS
 from .graph import Edge, base_of, edges_of, links_of
-from .kinds import Origin, kind_of, origin_of
+from .kinds import Origin, kind_of, omissions, origin_of
 from .materials import material_colors
 
 if TYPE_CHECKING:
     from xml.etree.ElementTree import Element as XmlElement
+
+
+MOMENTS = ("ixx", "iyy", "izz")
 
 
 @dataclass
@@ -38,10 +47,15 @@ class Reader:
 
     def model(self) -> SceneRecord:
         """The model; to be asked once."""
+        # first: what is misspelt is often why the rest is at fault
+        unread, unread_notes = Unread(), list[str]()
+        unread.document(self.root, CONTENTS, self.file)
+        unread.announce(unread_notes)
         links, edges = links_of(self.root, self.file), edges_of(self.root, self.file)
         base = base_of(links, edges, self.file)
         self.scene = SceneRecord(self.root.get("name") or "robot")
         self.scene.of_robot = True
+        self.remarks = Remarks()
         self.mimics = Mimics(self.options.mimic == "couple")
         self.meshes = Meshes(self.options.packages, self.folder)
         self.color = material_colors(self.root)
@@ -55,6 +69,7 @@ class Reader:
             loops.close(self.scene, self.root, self.file, self.bodies, drawn, snap)
         constraints.close(self.scene, self.root, self.file, self.bodies, self.options.snap)
         self._announce()
+        self.scene.notes += unread_notes
         return self.scene
 
     # links
@@ -62,6 +77,7 @@ class Reader:
     def _body(self, name: str, link: Element) -> Body:
         inertial = link.child("inertial")
         mass: float = 0.0
+        lacking = list[str]()
         com: list[float] = [0.0, 0.0, 0.0]
         tensor: tuple[float, ...] = (0.0,) * 6
         if inertial is not None:
@@ -73,11 +89,31 @@ class Reader:
                     inertia.number(f"i{key}", "0") for key in ("xx", "xy", "xz", "yy", "yz", "zz")
                 ]
                 tensor = rotated_inertia(entries, rpy)
+                lacking = [key for key in MOMENTS if inertia.word(key) is None]
         keys = ("xx", "xy", "xz", "yy", "yz", "zz")
         drawn = shapes(link, self.meshes, self._origin, self.color)
-        return self.scene.body(
-            body_name(name), mass, com, dict(zip(keys, tensor, strict=True)), None, drawn
-        )
+        # where moments are missing, they are the reason why no body has the others
+        explained = self._lacking(name, lacking, tensor)
+        with catch_warnings():
+            if explained:
+                simplefilter("ignore", ImpossibleWarning)
+            return self.scene.body(
+                body_name(name), mass, com, dict(zip(keys, tensor, strict=True)), None, drawn
+            )
+
+    def _lacking(self, link: str, lacking: list[str], tensor: Sequence[float]) -> bool:
+        """Say which moments of inertia are missing; True where no body has what is left."""
+        if not lacking:
+            return False
+        what = f"<inertia> lacks {' and '.join(lacking)}"
+        impossible = bool(unphysical(tensor)) and lone_moment(tensor) is None
+        if impossible:
+            name = body_name(link)
+            text = f"{what}; with 0 in its place no body has this inertia: give {lacking[0]}"
+            warn(f"body '{name}': {text}", ImpossibleWarning)
+        else:
+            self.remarks.add("link", link, f"{what}; 0 is taken")
+        return impossible
 
     def _origin(self, element: Element, who: str, snap: bool = False) -> Origin:
         return origin_of(element, who, snap, self.scene.snaps)
@@ -101,6 +137,8 @@ class Reader:
         if any(xyz) or any(rpy):
             place = parent.at(*xyz, rotation=("xyz", *rpy) if any(rpy) else None)  # type: ignore[assignment]
         kind = kind_of(element, self.options.snap, scene.snaps)
+        for what in omissions(element):
+            self.remarks.add("joint", edge.name, what)
         moves = bool(kind.coordinates)
         joint = scene.joint(
             edge.name,
@@ -141,5 +179,6 @@ class Reader:
     def _announce(self) -> None:
         notes = self.scene.notes
         self.mimics.announce(notes, self.file)
+        notes += self.remarks.notes()
         notes += self.meshes.notes()
         announce(self.scene, self.bodies)
