@@ -266,3 +266,29 @@ def test_the_command_that_compiles_an_export_stands_on_one_line(
     subprocess.run(command, shell=True, cwd="arm_c", check=True)
     done = subprocess.run(["./example"], cwd="arm_c", capture_output=True, text=True, check=True)
     assert "[0] = " in done.stdout
+
+
+def test_messages_quote_options_of_the_command(capsys: pytest.CaptureFixture[str]) -> None:
+    """They quoted arguments of Python: ``packages=``, ``limits='stop'``, ``friction=True``."""
+    mesh = "<visual><geometry><mesh filename='package://arm/rod.stl'/></geometry></visual>"
+    inertial = "<inertial><mass value='1'/><inertia ixx='1' iyy='1' izz='1'/></inertial>"
+    Path("arm.urdf").write_text(
+        f"<robot name='arm'><link name='base'/><link name='rod'>{inertial}{mesh}</link>"
+        "<joint name='a' type='revolute'><parent link='base'/><child link='rod'/>"
+        "<axis xyz='0 0 1'/><limit lower='-1' upper='1'/><dynamics friction='1'/></joint></robot>"
+    )
+    options = ("load the file with --limits stop", "with --friction", "--packages names the")
+    for command in ("check", "inspect"):
+        assert status(command, "arm.urdf") == 0
+        text = "".join(capsys.readouterr())
+        assert all(option in text for option in options), text
+        assert not [word for word in ("limits='", "friction=", "packages=") if word in text]
+    Path("arm.yaml").write_text("cardan: 1\nbodies: {rod: {mass: 1}}\n")
+    assert status("inspect", "arm.yaml", "--base", "free") == 1
+    assert "--base and --mimic are for robots" in capsys.readouterr().err
+
+
+def test_a_warning_that_is_a_note_is_printed_once(capsys: pytest.CaptureFixture[str]) -> None:
+    Path("arm.urdf").write_text("<robot name='arm'><link name='base'><intertial/></link></robot>")
+    assert status("inspect", "arm.urdf") == 0
+    assert capsys.readouterr().err.count("Did you mean 'inertial'?") == 1

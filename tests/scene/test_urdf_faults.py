@@ -10,6 +10,7 @@ import cardan as cd
 from cardan.errors import ImpossibleWarning
 from cardan.scene.files import mjcf, sdf
 from cardan.scene.files.urdf import from_text
+from cardan.scene.summary import summary
 from table import each
 
 INERTIAL = '<inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1"/></inertial>'
@@ -225,6 +226,12 @@ def test_a_missing_mesh_is_named_with_its_link_and_the_folders(tmp_path: Path) -
         f"1 mesh file was not found in 'ros' and the folder of the file ('{tmp_path}'): "
         "'package://arm/boom.stl' of link 'boom'; packages= names the folders to look in"
     )
+
+
+def test_the_cure_at_the_end_of_a_note_is_printed() -> None:
+    meshes = "".join(mesh(f"meshes/a_part_with_a_long_name_{k}.stl") for k in range(3))
+    printed = summary(from_text(arm(boom=INERTIAL + meshes)))
+    assert "relative paths start at the folder of the file\n" in printed
 
 
 def test_a_mesh_of_an_sdf_without_a_file_lacks_its_uri() -> None:

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
 
 MOST_ROWS = 30
 WIDEST = 28
+LONGEST_NOTE = 400  # what to do stands at its end
 
 
 def notes_of(model: SceneRecord) -> list[str]:
@@ -77,7 +78,7 @@ def summary(model: SceneRecord) -> str:
     lines += ["", *_table(body_rows(model))] if model.bodies else []
     lines += ["", *_table(beam_rows(model))] if model.beams else []
     lines += ["", "forces", *(f"  {line}" for line in force_rows(model))] if model.forces else []
-    lines += [f"note: {_fit(note, 160)}" for note in notes_of(model)]
+    lines += [f"note: {_fit(note, LONGEST_NOTE)}" for note in notes_of(model)]
     return "\n".join(lines)
 
 

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import argparse
 import sys
+import warnings
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from ...errors import warn
 from .spelling import spelled
 
 if TYPE_CHECKING:
@@ -74,7 +76,17 @@ def read(options: argparse.Namespace) -> Scene:
     """The scene; its notes go to standard error."""
     from ...scene.summary import notes_of
 
-    scene = load(options)
-    for note in notes_of(scene):
+    notes = list[str]()
+    try:
+        with warnings.catch_warnings(record=True) as said:
+            warnings.simplefilter("always")
+            scene = load(options)
+        notes = notes_of(scene)
+    finally:
+        # warnings first, without those that a note repeats
+        for one in said:
+            if not any(note in str(one.message) for note in notes):
+                warn(str(one.message), one.category)
+    for note in notes:
         print(f"note: {spelled(note, options)}", file=sys.stderr)
     return scene

@@ -94,12 +94,13 @@ class Unread:
             self.misspelt[sentence] += 1
         return bool(sentence)
 
-    def announce(self, notes: list[str]) -> None:
-        """Note what is passed over; warn of what is misspelt."""
+    def announce(self) -> list[str]:
+        """Warn of what is misspelt; the notes on it."""
+        notes = []
         for sentence, count in self.misspelt.most_common(MAX_MISSPELT):
             notes.append(f"{sentence} ({count} times)" if count > 1 else sentence)
             warn(notes[-1], ModelWarning)
-        notes += self.notes()
+        return notes
 
     def notes(self) -> list[str]:
         """All that is passed over in one note, the most frequent first."""

@@ -48,13 +48,14 @@ class Reader:
     def model(self) -> SceneRecord:
         """The model; to be asked once."""
         # first: what is misspelt is often why the rest is at fault
-        unread, unread_notes = Unread(), list[str]()
+        unread = Unread()
         unread.document(self.root, CONTENTS, self.file)
-        unread.announce(unread_notes)
+        misspelt = unread.announce()
         links, edges = links_of(self.root, self.file), edges_of(self.root, self.file)
         base = base_of(links, edges, self.file)
         self.scene = SceneRecord(self.root.get("name") or "robot")
         self.scene.of_robot = True
+        self.scene.notes += misspelt
         self.remarks = Remarks()
         self.mimics = Mimics(self.options.mimic == "couple")
         self.meshes = Meshes(self.options.packages, self.folder)
@@ -69,7 +70,7 @@ class Reader:
             loops.close(self.scene, self.root, self.file, self.bodies, drawn, snap)
         constraints.close(self.scene, self.root, self.file, self.bodies, self.options.snap)
         self._announce()
-        self.scene.notes += unread_notes
+        self.scene.notes += unread.notes()
         return self.scene
 
     # links
