@@ -63,7 +63,7 @@ def test_dry_friction_brings_a_joint_to_rest_where_the_book_says(file) -> None:
     scene = cd.load(file("0 0 1", -9, 9, friction=0.5), friction=True)
     motion = cd.compile(scene).simulate(2.0, u={"hinge": 3.0}, rtol=1e-10)
     assert motion["hinge"][-1] == pytest.approx(3.0**2 * 0.1 / (2 * 0.5), rel=1e-8)
-    assert motion.u[-1, 0] == 0.0
+    assert abs(motion.u[-1, 0]) < 1e-15
 
 
 def test_a_range_without_zero_starts_in_its_middle(file) -> None:
