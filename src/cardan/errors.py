@@ -86,7 +86,7 @@ _COLLECTED: ContextVar[list[str] | None] = ContextVar("collected", default=None)
 
 @contextmanager
 def collected_warnings() -> Iterator[list[str]]:
-    """Messages of the warnings of cardan in this thread, which are not given meanwhile."""
+    """Messages of warnings of models and numbers in this thread, which are not given meanwhile."""
     messages: list[str] = []
     token = _COLLECTED.set(messages)
     try:
@@ -98,7 +98,7 @@ def collected_warnings() -> Iterator[list[str]]:
 def warn(message: str, category: type[Warning]) -> None:
     """Warn at the line of the caller's code, however deep in cardan the reason was found."""
     messages = _COLLECTED.get()
-    if messages is not None:
+    if messages is not None and not issubclass(category, BuildWarning):
         messages.append(message)
         return
     frame, level = sys._getframe(1), 2

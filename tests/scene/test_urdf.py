@@ -194,7 +194,7 @@ def test_what_acts_and_what_does_not():
     system = build(model)
     assert [(f.name, f.element.kind) for f in system.forces] == [("hinge.damping", "joint_damper")]
     ends = "joints hinge: limits are ignored; add a Stop, or load the file with limits='stop'"
-    dry = "joints hinge: friction does not act; add a Friction, or load the file with friction=True"
+    dry = "joints hinge: friction is ignored; add a Friction, or load the file with friction=True"
     assert system.notes == (dry, ends)
     assert all(note in summary(model) for note in (dry, ends))
     # who does what the notes say is not told again

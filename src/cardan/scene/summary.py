@@ -32,7 +32,7 @@ def notes_of(model: SceneRecord) -> list[str]:
     alone = {joint.name for joint in joints if moves_alone(joint)}
     without_effect = (
         (
-            "friction does not act; add a Friction, or load the file with friction=True",
+            "friction is ignored; add a Friction, or load the file with friction=True",
             [name for name in dry if name in alone],
         ),
         (
