@@ -293,3 +293,39 @@ def test_hints_of_other_formats_stay() -> None:
     text = "<mujoco><worldbody><body><inertial pos='0 0 0' mass='1' diaginertia='1,1,1'/></body>"
     with pytest.raises(cd.ModelError, match="blanks separate numbers"):
         mjcf.from_text(f"{text}</worldbody></mujoco>")
+
+
+LINKS = '<link name="a"/><link name="b">{inertial}</link><link name="c"/>'
+
+
+@pytest.mark.parametrize(
+    ("mass", "message"),
+    [
+        ("", r"link 'b': <inertial> lacks <mass value"),
+        ("<mass>1.5</mass>", r"lacks the attribute 'value': write <mass value=\"1\.5\"/>"),
+    ],
+)
+def test_a_mass_that_is_missing_is_named(tmp_path: Path, mass: str, message: str) -> None:
+    inertia = '<inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/>'
+    links = LINKS.format(inertial=f"<inertial>{mass}{inertia}</inertial>")
+    joints = (
+        '<joint name="{n}" type="continuous"><parent link="{p}"/><child link="{c}"/>'
+        '<axis xyz="0 0 1"/></joint>'
+    )
+    both = joints.format(n="j", p="a", c="b") + joints.format(n="k", p="b", c="c")
+    file = tmp_path / "robot.urdf"
+    file.write_text(f'<robot name="robot">{links}{both}</robot>')
+    with pytest.raises(cd.ModelError, match=message):
+        cd.load(file)
+
+
+def test_links_that_are_exchanged_are_suspected(tmp_path: Path) -> None:
+    joints = "".join(
+        f'<joint name="{n}" type="continuous"><parent link="{p}"/><child link="{c}"/>'
+        '<axis xyz="0 0 1"/></joint>'
+        for n, p, c in (("first", "a", "b"), ("second", "c", "b"))
+    )
+    file = tmp_path / "robot.urdf"
+    file.write_text(f'<robot name="robot">{LINKS.format(inertial="")}{joints}</robot>')
+    with pytest.raises(cd.TopologyError, match="<parent> and <child> of 'second' exchanged"):
+        cd.load(file)

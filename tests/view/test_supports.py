@@ -105,3 +105,13 @@ def test_what_flies_has_its_arms(tmp_path: Path) -> None:
     data = data_of(cd.compile(scene).simulate(0.1).animate(tmp_path / "page.html").html)
     links = [s["b"] for s in data["bodies"][0]["solids"] if s["kind"] == "link"]
     assert sorted(map(tuple, links)) == sorted(ends)
+
+
+def test_a_rail_stays_under_a_carriage_with_a_shape(tmp_path: Path) -> None:
+    scene = cd.Scene("cart", gravity=(0, 0, -9.81))
+    cart = scene.body("cart", mass=1, shape=cd.shape.box(0.3, 0.2, 0.1))
+    rod = scene.body("rod", mass=1, com=(0, 0, -0.5), inertia=(0.1, 0.1, 0.01))
+    scene.joint("slide", cd.Prismatic("x"), scene.ground, cart)
+    scene.joint("pin", cd.Revolute("y"), cart, rod)
+    motion = cd.compile(scene).simulate(1.0, q={"pin": 1.0})
+    assert [row["kind"] for row in supports(motion, tmp_path)] == ["rail"]

@@ -43,21 +43,24 @@ def supports(
     if manifest.absolute:
         return list(_clamps(motion, drawn_beams, owners))
     rows = [*_of_tree(motion, bodies), *_of_cuts(motion, bodies, owners)]
-    return [row for row in rows if row] if all(rows) else []
+    # links between all of them are drawn where some have no axis
+    return [row for row, _ in rows if row] if all(row or not linked for row, linked in rows) else []
 
 
-def _of_tree(motion: TrajectoryRecord, bodies: Sequence[DrawnBody]) -> Iterator[Support | None]:
+def _of_tree(
+    motion: TrajectoryRecord, bodies: Sequence[DrawnBody]
+) -> Iterator[tuple[Support | None, bool]]:
     axes, radius = np.reshape(motion.scene["axis"], (-1, 3)), link_radius(motion)
     drawn = {body.name: body for body in bodies}
     for k, row in enumerate(motion.manifest.joints):
         if row.parent == "ground" and row.child in drawn and row.kind not in UNLINKED:
             body = drawn[row.child]
-            yield _support(row.kind, body.poses, axes[k], radius) if _linked(body) else None
+            yield _support(row.kind, body.poses, axes[k], radius), _linked(body)
 
 
 def _of_cuts(
     motion: TrajectoryRecord, bodies: Sequence[DrawnBody], owners: dict[str, str]
-) -> Iterator[Support | None]:
+) -> Iterator[tuple[Support | None, bool]]:
     axes, radius = np.reshape(motion.scene.get("cut_axis", ()), (-1, 3)), link_radius(motion)
     drawn = {body.name: body for body in bodies}
     for k, row in enumerate(motion.manifest.cuts):
@@ -65,8 +68,7 @@ def _of_cuts(
         if len(moving) == 1 and owners.get(moving[0]) in drawn:
             poses = motion.pose(moving[0])
             axis = poses[0, :3, :3].T @ motion.pose(row.child_frame)[0, :3, :3] @ axes[k]
-            linked = _linked(drawn[owners[moving[0]]])
-            yield _support(row.kind, poses, axis, radius) if linked else None
+            yield _support(row.kind, poses, axis, radius), _linked(drawn[owners[moving[0]]])
 
 
 def _linked(body: DrawnBody) -> bool:

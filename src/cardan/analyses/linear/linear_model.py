@@ -267,6 +267,7 @@ class LinearModelRecord:
 
         Raises:
             ModuleNotFoundError: python-control is not installed (extra ``control``).
+            ModelError: a system with one output and no input, which python-control does not take.
         """
         try:
             from control import StateSpace
@@ -274,6 +275,11 @@ class LinearModelRecord:
             raise ModuleNotFoundError(
                 "to_control needs python-control: pip install 'cardan[control]'"
             ) from missing
+        if not self.inputs and len(self.outputs) == 1:
+            raise ModelError(
+                "to_control: python-control takes no system with one output and no input. Add an "
+                "input to the scene, or name more outputs"
+            )
         rows = {"states": self.states, "inputs": self.inputs, "outputs": self.outputs}
         # what is a state and an output has one name in both
         new_names = _plain(tuple(dict.fromkeys(name for names in rows.values() for name in names)))

@@ -118,7 +118,15 @@ def force_names(rows: Sequence[ForceRow]) -> list[str]:
     )
 
 
-def reaction_part(name: str, joints: Collection[str]) -> tuple[str, slice] | None:
-    """The joint whose reaction ``<joint>.force`` or ``.moment`` names, and the entries of it."""
+def reaction_part(name: str, joints: Collection[str]) -> tuple[str, slice | int] | None:
+    """The joint whose reaction a name means, and the entry or entries of it.
+
+    ``<joint>.force`` and ``.moment``, each perhaps with ``.x``, ``.y`` or ``.z`` behind.
+    """
+    vector, _, axis = name.rpartition(".")
+    if axis in ("x", "y", "z") and (named_vector := reaction_part(vector, joints)):
+        joint, entries = named_vector
+        assert isinstance(entries, slice)
+        return joint, entries.start + "xyz".index(axis)
     joint, _, part = name.rpartition(".")
     return (joint, PARTS[part]) if part in PARTS and joint in joints else None

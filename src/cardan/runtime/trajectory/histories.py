@@ -9,7 +9,7 @@ from ...arrays import Array
 from ...errors import ModelError, near
 from ...schema.entries import Entry
 from ...schema.manifest import Manifest
-from ..models.wrenches import force_names, force_part, reaction_part
+from ..models.wrenches import PARTS, force_names, force_part, reaction_part
 from . import dependent_joints
 
 if TYPE_CHECKING:
@@ -17,6 +17,8 @@ if TYPE_CHECKING:
 
 # tables that a model computes along a run, and a file holds: what one history of each is called
 COMPUTED = {"outputs": "output", "element_forces": "force"}
+# names of energies -> their attribute of ``Trajectory.energy``
+ENERGIES = {"energy": "total", "kinetic energy": "kinetic", "potential energy": "potential"}
 
 
 def history(motion: TrajectoryRecord, name: str) -> Array:
@@ -45,7 +47,18 @@ def history(motion: TrajectoryRecord, name: str) -> Array:
     rows = manifest.element_forces
     if (entries := force_part(name, rows)) is not None:
         return computed(motion, "element_forces", f"'{name}'")[:, entries]
-    histories = [*motion._places, *follow, *outputs, *force_names(rows), *multipliers]
+    if name in ENERGIES:
+        energy: Array = getattr(motion.energy, ENERGIES[name])
+        return energy
+    reactions = [f"{joint}.{part}" for joint in _joints(manifest) for part in PARTS]
+    histories = [*motion._places, *follow, *outputs, *force_names(rows), *reactions]
+    histories += [*multipliers, *ENERGIES]
+    joint, _, suffix = name.rpartition(".")
+    if suffix == "driving_force" and joint in _joints(manifest):
+        raise ModelError(
+            f"motion['{name}']: '{joint}' moves freely; only a joint with prescribed= has a "
+            "driving force"
+        )
     raise ModelError(f"motion['{name}']: there is no such history.{near(name, histories)}")
 
 
@@ -78,6 +91,7 @@ def units_of(motion: TrajectoryRecord) -> dict[str, str]:
     for row in m.element_forces:
         # all entries of a force have the unit of the force
         units |= {row.name: row.unit, row.name.rpartition(".")[0]: row.unit}
+    units |= dict.fromkeys(ENERGIES, "J")
     for joint in _joints(m):
         units |= {f"{joint}.force": "N", f"{joint}.moment": "N*m"}
     return units

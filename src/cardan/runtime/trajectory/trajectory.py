@@ -176,10 +176,11 @@ class TrajectoryRecord:
         """History of a coordinate, speed, state of an element, input, output or multiplier.
 
         ``<joint>.force`` [N] and ``<joint>.moment`` [N m] (nt, 3) are the reaction of a joint, see
-        :meth:`reaction`. ``<element>.force`` is what a force element exerts: along its line
-        (positive: it pulls the ends together) or its joint (nt,), else the force on its first frame
-        (nt, 3) in ground axes, with ``<element>.moment`` about the origin of that frame. Shape
-        (nt,), (nt, n) for several.
+        :meth:`reaction`; ``.force.x`` is one of its parts. ``energy``, ``kinetic energy`` and
+        ``potential energy`` [J] are those of :attr:`energy`. ``<element>.force`` is what a force
+        element exerts: along its line (positive: it pulls the ends together) or its joint (nt,),
+        else the force on its first frame (nt, 3) in ground axes, with ``<element>.moment`` about
+        the origin of that frame. Shape (nt,), (nt, n) for several.
 
         Raises:
             ModelError: no such name.

@@ -16,6 +16,7 @@ from ...errors import ModelError, counted
 LARGEST_FILE = 64 * 2**20
 DEEPEST = 200
 LARGEST_NUMBER = 1e30
+LONGEST_QUOTE = 20  # letters of a text that a message repeats
 # how a message begins that says where it is, in this file or an included one
 PLACE = re.compile(r"^[^:]+:\d+: ")
 
@@ -129,7 +130,11 @@ class Element:
 
     def lacks(self, name: str) -> str:
         """Message that something is missing."""
-        return f"{self.where}: <{self.raw.tag}> lacks the attribute '{name}'"
+        missing = f"{self.where}: <{self.raw.tag}> lacks the attribute '{name}'"
+        text = (self.raw.text or "").strip()
+        if not text or len(text) > LONGEST_QUOTE:
+            return missing
+        return f'{missing}: write <{self.raw.tag} {name}="{text}"/>'
 
     def text(self, name: str, default: str | None = None) -> str:
         """An attribute.

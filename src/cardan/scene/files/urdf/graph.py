@@ -79,6 +79,15 @@ def check_link(who: str, role: str, link: str, links: Iterable[str]) -> None:
         raise ModelError(f"{who}: {role} '{link}' is not a link.{listed}")
 
 
+def _swapped(edges: list[Edge], *two: Edge) -> str:
+    """Which of two joints with one child may have its links exchanged."""
+    children = {edge.child for edge in edges}
+    roots = {edge.parent for edge in edges} - children
+    # a root of its own behind one of them
+    names = [edge.name for edge in two if edge.parent in roots and edge.parent != edges[0].parent]
+    return f" (are <parent> and <child> of '{names[0]}' exchanged?)" if names else ""
+
+
 def base_of(links: dict[str, Element], edges: list[Edge], file: str) -> str:
     """The root link: the only one that is the child of no joint.
 
@@ -93,8 +102,9 @@ def base_of(links: dict[str, Element], edges: list[Edge], file: str) -> str:
         if edge.child in inboard:
             raise TopologyError(
                 f"link '{edge.child}' is the child of two joints, '{inboard[edge.child].name}' and "
-                f"'{edge.name}'; write the one that closes a loop as <loop_joint> with "
-                "<link1 link=.../> and <link2 link=.../>, or as <constraint>"
+                f"'{edge.name}'{_swapped(edges, inboard[edge.child], edge)}; write the one that "
+                "closes a loop as <loop_joint> with <link1 link=.../> and <link2 link=.../>, or as "
+                "<constraint>"
             )
         inboard[edge.child] = edge
     roots = [name for name in links if name not in inboard]

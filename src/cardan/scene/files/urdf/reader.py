@@ -13,7 +13,7 @@ from ....elements.forces.joint_damper import JointDamper
 from ....elements.joints.fixed import Fixed
 from ....elements.joints.free import Free
 from ....elements.joints.joint import Joint as JointElement
-from ....errors import ImpossibleWarning, warn
+from ....errors import ImpossibleWarning, ModelError, warn
 from ...body import Body
 from ...checks import lone_moment, unphysical
 from ...scene import SceneRecord
@@ -84,7 +84,12 @@ class Reader:
         if inertial is not None:
             com, rpy = self._origin(inertial, f"{link.where} inertial", self.options.snap)
             mass_element, inertia = inertial.child("mass"), inertial.child("inertia")
-            mass = mass_element.number("value") if mass_element is not None else 0.0
+            if mass_element is None:
+                raise ModelError(
+                    f'{link.where}: <inertial> lacks <mass value="..."/>; leave <inertial> out '
+                    "where a link has no mass"
+                )
+            mass = mass_element.number("value")
             if inertia is not None:
                 entries = [
                     inertia.number(f"i{key}", "0") for key in ("xx", "xy", "xz", "yy", "yz", "zz")
