@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 
 import numpy as np
 
@@ -21,24 +21,27 @@ from .nodal_scene import NODE, Key, Scene
 from .parts import Part, parts
 from .planar_kinds import flattened
 from .planarity import check, planes
-from .record import GROUND, BlockKind, FiniteElementRecord, Frames, Group, Kind, Places, unique
+from .record import CARRIED, GROUND, BlockKind, FiniteElementRecord, Frames, Group, Kind, Places, unique
 from .segments import beamed
 from .states import states
 
 
-def lowered(system: System, plane: str | None = None) -> FiniteElementRecord:
+def lowered(
+    system: System, plane: str | None = None, nodes: Collection[int] | None = None
+) -> FiniteElementRecord:
     """A system in absolute coordinates.
 
     Args:
         system: The system graph.
         plane: Normal of the plane it stays in ("x", "y" or "z"), "auto" to look for one, None for
             space.
+        nodes: As of :class:`.nodal_scene.Scene`.
 
     Raises:
         DerivationError: it has events, or friction pressed by reactions; or leaves the plane.
     """
     _refuse(system)
-    scene = Scene(system)
+    scene = Scene(system, nodes)
     if plane != "auto":
         return _lowered(scene, None if plane is None else NORMALS.index(plane))
     for normal in reversed(range(3)):
@@ -231,7 +234,7 @@ def _frames(scene: Scene, at: Mapping[Key, int]) -> Frames:
     """Poses of the frames of the scene on their nodes."""
     system = scene.system
     frames = [system.frames[scene.frame(k)] for k in range(len(system.frames))]
-    place = [GROUND if f.body < 0 else at[NODE, f.body] for f in frames]
+    place = [GROUND if f.body < 0 else at.get((NODE, f.body), CARRIED) for f in frames]
     rotation = tuple(node for f in frames for node in f.rotation)
     position = tuple(node for f in frames for node in f.position)
     results = [

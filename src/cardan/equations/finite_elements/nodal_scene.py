@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from functools import cached_property
 from typing import TypeAlias
 
@@ -21,10 +22,13 @@ class Scene:
 
     Args:
         system: The system graph.
+        nodes: Bodies that have a node of their own where rigid trees have the coordinates of their
+            joints; None gives one to every body.
     """
 
-    def __init__(self, system: System) -> None:
+    def __init__(self, system: System, nodes: Collection[int] | None = None) -> None:
         self.system = system
+        self._nodes = nodes
 
     @cached_property
     def joints_of_cuts(self) -> dict[int, Cut]:
@@ -46,13 +50,40 @@ class Scene:
         )
 
     @cached_property
+    def in_trees(self) -> frozenset[int]:
+        """Bodies that joints alone place: they have no node."""
+        if self._nodes is None:
+            return frozenset()
+        bodies, joints = self.system.bodies, self.system.joints
+        return frozenset(
+            i
+            for i, joint in enumerate(joints)
+            if i not in self._nodes
+            and i not in self.joints_of_cuts
+            and not (joint.element == Free() and bodies[i].parent == GROUND)
+        )
+
+    @cached_property
+    def trees(self) -> tuple[tuple[int, ...], ...]:
+        """Bodies of every rigid tree, each behind the one that carries it."""
+        trees: dict[int, list[int]] = {}
+        first: dict[int, int] = {}
+        for i in sorted(self.in_trees):
+            parent = self.system.bodies[i].parent
+            # one tree for all that hangs on a node, one for each branch on the ground
+            key = first[parent] if parent in first else i if parent == GROUND else -2 - parent
+            first[i] = key
+            trees.setdefault(key, []).append(i)
+        return tuple(map(tuple, trees.values()))
+
+    @cached_property
     def places(self) -> tuple[Key, ...]:
         """All places, in the order of the tree: a joint with coordinates before its node."""
         keys: list[Key] = []
         for i, joint in enumerate(self.system.joints):
             if joint.q >= 0 and i not in self.nodal:
                 keys.append((JOINT, i))
-            if i not in self.joints_of_cuts:
+            if i not in self.joints_of_cuts and i not in self.in_trees:
                 keys.append((NODE, i))
         return tuple(keys)
 

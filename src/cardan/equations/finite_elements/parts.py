@@ -14,6 +14,7 @@ from ..functions.element_forces import named_forces
 from .element_systems import MOVING_JOINT, Cutting, Mass
 from .nodal_scene import Scene
 
+TREE = "Roberson and Schwertassek, Dynamics of Multibody Systems, 1988, chapter 12"
 BODY = "Géradin and Cardona, Flexible Multibody Dynamics, 2001, chapter 7 (rigid body)"
 
 
@@ -51,12 +52,14 @@ class Part:
 
 def parts(scene: Scene) -> Iterator[Part]:
     """The pieces of a system: bodies, joints of the tree, those that close loops, the rest."""
-    system = scene.system
+    system, without_node = scene.system, scene.in_trees | set(scene.joints_of_cuts)
+    for tree in scene.trees:
+        yield _tree(scene, tree)
     for i in range(len(system.bodies)):
-        if i not in scene.joints_of_cuts and _has_mass(system, i):
+        if i not in without_node and _has_mass(system, i):
             yield _body(scene, i)
     for i in range(len(system.joints)):
-        if i not in scene.nodal and i not in scene.joints_of_cuts:
+        if i not in scene.nodal and i not in without_node:
             yield _joint(scene, i)
     for cut in system.cuts:
         yield _closing(scene, cut) if cut.carrier is None else _joint(scene, cut.carrier)
@@ -74,12 +77,26 @@ def _has_mass(system: System, i: int) -> bool:
     return any(node != ZERO for node in (body.mass, *body.first_moment, *body.inertia))
 
 
-def _body(scene: Scene, i: int) -> Part:
-    cutting, body = Cutting(scene), scene.system.bodies[i]
+def _mass(cutting: Cutting, i: int) -> Mass:
+    body = cutting.system.bodies[i]
     (mass,) = cutting.expressions((body.mass,), "mass")
     moment = cutting.expressions(body.first_moment, "first_moment")
-    inertia = cutting.expressions(body.inertia, "inertia")
-    cutting.node(i, Mass(mass, moment, inertia))
+    return Mass(mass, moment, cutting.expressions(body.inertia, "inertia"))
+
+
+def _tree(scene: Scene, tree: tuple[int, ...]) -> Part:
+    """Bodies that joints carry from the ground or a node on."""
+    cutting = Cutting(scene)
+    for i in tree:
+        cutting.carried(i, _mass(cutting, i))
+    gravity = cutting.expressions(scene.system.gravity, "gravity")
+    name = scene.system.joints[tree[0]].name
+    return Part(name, "tree", cutting, cutting.system_of(gravity=gravity), TREE)
+
+
+def _body(scene: Scene, i: int) -> Part:
+    cutting, body = Cutting(scene), scene.system.bodies[i]
+    cutting.node(i, _mass(cutting, i))
     gravity = cutting.expressions(scene.system.gravity, "gravity")
     return Part(body.name, "body", cutting, cutting.system_of(gravity=gravity), BODY)
 

@@ -30,6 +30,8 @@ Numbers: TypeAlias = Array
 
 # the place of an end that is fixed to the ground
 GROUND = -1
+# that of a frame on a body that joints alone place
+CARRIED = -2
 POSE = 7  # entries of the q of a node in space
 
 
