@@ -257,7 +257,7 @@ def _frame(absolute: FiniteElementRecord, k: int) -> FrameRow:
     frame, place = system.frames[k], int(absolute.frames.place[k])
     body = system.bodies[frame.body] if frame.body >= 0 else None
     parts = body.parts if body is not None else ()
-    fixed = place == GROUND
+    fixed = place < 0
     return FrameRow(
         name=frame.name,
         body=body.name if body is not None and parts else "ground",

@@ -63,6 +63,7 @@ class Cutting:
     Attributes:
         places: Keys of the places whose coordinates it has, in the order of its q and u.
         data: Expression in the parameters of the scene of each of its own parameters.
+        moved: Bodies of rigid trees of the scene -> their numbers here.
         z, s: Entries of the internal states and modes of the scene that it reads.
     """
 
@@ -77,6 +78,7 @@ class Cutting:
         self.atoms: dict[str, Atom] = {}
         self.places: list[Key] = []
         self.data: list[int] = []
+        self.moved: dict[int, int] = {}
         self.z: list[int] = []
         self.s: list[int] = []
         self._names: list[str] = []
@@ -145,6 +147,7 @@ class Cutting:
         )
         data = self.quantities(joint.data)
         number = self._moving("", i, parent, joint.element, data, place, mass)
+        self.moved[i] = number
         self._joint.setdefault(i, number)
         return number
 

@@ -9,6 +9,7 @@ from typing import TypeAlias
 from ...elements.joints.free import Free
 from ...elements.joints.joint import Joint as JointElement
 from ...elements.joints.joint import Reversed
+from ...ir.function import live
 from ...topology.conversion import IDENTITY, ORIGIN
 from ...topology.system import GROUND, Cut, System
 
@@ -59,9 +60,26 @@ class Scene:
             i
             for i, joint in enumerate(joints)
             if i not in self._nodes
+            and i not in self._in_relations
             and i not in self.joints_of_cuts
+            and not joint.element.slips
             and not (joint.element == Free() and bodies[i].parent == GROUND)
         )
+
+    @cached_property
+    def _in_relations(self) -> frozenset[int]:
+        """Bodies whose motion relations read: their forces pass through nodes."""
+        system = self.system
+        order = live(system.graph, [entry.node for entry in system.constraints])
+        names = {system.graph.nodes[i][1] for i in order if system.graph.nodes[i][0] == "atom"}
+        atoms = [system.atoms[name] for name in names if name in system.atoms]
+        frames = {
+            frame
+            for atom in atoms
+            if atom.quantity not in ("q", "u")
+            for frame in (atom.frame, atom.wrt, atom.in_)
+        }
+        return frozenset(system.frames[frame].body for frame in frames)
 
     @cached_property
     def trees(self) -> tuple[tuple[int, ...], ...]:
@@ -123,6 +141,12 @@ class Scene:
         """Number of coordinates of a joint if they just add up, else 0."""
         element = self.system.joints[i].element
         return len(element.coordinates) if adds_up(element) else 0
+
+
+def ends_of_beams(system: System) -> frozenset[int]:
+    """Bodies that beams begin or end at."""
+    frames = (frame for s in system.segments for frame in (s.frame_a, s.frame_b))
+    return frozenset(system.frames[frame].body for frame in frames) - {GROUND}
 
 
 def adds_up(element: JointElement) -> bool:

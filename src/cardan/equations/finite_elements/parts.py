@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import Any
 
 from ...elements.joints.fixed import Fixed
 from ...elements.joints.joint import Joint as JointElement
@@ -34,6 +35,7 @@ class Part:
         driven: Prescribed joints of the small system to whose driving force it contributes.
         results: Names of the outputs that it contributes to.
         powers: Names of the powers that it contributes to.
+        tree: Whether it is a rigid tree, which tells how its bodies move.
         force: What its force is called by elements that have one, "" if it has none.
     """
 
@@ -47,6 +49,7 @@ class Part:
     driven: tuple[int, ...] = ()
     results: tuple[str, ...] = ()
     powers: tuple[str, ...] = ()
+    tree: bool = False
     force: str = ""
 
 
@@ -91,7 +94,27 @@ def _tree(scene: Scene, tree: tuple[int, ...]) -> Part:
         cutting.carried(i, _mass(cutting, i))
     gravity = cutting.expressions(scene.system.gravity, "gravity")
     name = scene.system.joints[tree[0]].name
-    return Part(name, "tree", cutting, cutting.system_of(gravity=gravity), TREE)
+    system = cutting.system_of(gravity=gravity)
+    return Part(name, "tree", cutting, system, TREE, tree=True, **_driven(cutting, {}))
+
+
+def _driven(cutting: Cutting, driven: dict[int, int], *powers: str) -> dict[str, Any]:
+    """What an element gives prescribed joints, as attributes of its part.
+
+    Args:
+        cutting: Its places, with the joints of trees that carry it.
+        driven: Other prescribed joints, number in the scene -> number here.
+        powers: Names of its other powers.
+    """
+    system = cutting.system
+    carrying = {i: n for i, n in cutting.moved.items() if system.joints[i].motion is not None}
+    every = driven | carrying
+    joints = [system.joints[i] for i in every]
+    return {
+        "driven": tuple(every.values()),
+        "results": tuple(joint.driving_output[0] for joint in joints),
+        "powers": (*powers, *(f"{joint.name}.motion" for joint in joints)),
+    }
 
 
 def _body(scene: Scene, i: int) -> Part:
@@ -109,7 +132,7 @@ def _joint(scene: Scene, i: int) -> Part:
     end = cutting.body_frame(cutting.node(i)) if cut is None else cutting.frame(cut.child_frame)
     body = cutting.moving_body(i, parent)
     weld = _cut(cutting, Fixed(), (cutting.body_frame(body), end), body)
-    moved = joint.motion is not None
+    driven = {i: body} if joint.motion is not None else {}
     return Part(
         joint.name,
         joint.element.kind,
@@ -118,9 +141,7 @@ def _joint(scene: Scene, i: int) -> Part:
         joint.element.source,
         joint=True,
         reversed_joint=body if joint.reversed else -1,
-        driven=(body,) if moved else (),
-        results=(joint.driving_output[0],) if moved else (),
-        powers=(f"{joint.name}.motion",) if moved else (),
+        **_driven(cutting, driven),
     )
 
 
@@ -131,7 +152,9 @@ def _closing(scene: Scene, cut: Cut) -> Part:
     local_cut = _cut(cutting, cut.element, frames, None, cutting.quantities(cut.data))
     system = cutting.system_of(cuts=(local_cut,))
     kind = f"{cut.element.kind}_held"
-    return Part(cut.name, kind, cutting, system, cut.element.source, joint=True)
+    return Part(
+        cut.name, kind, cutting, system, cut.element.source, joint=True, **_driven(cutting, {})
+    )
 
 
 def _cut(
@@ -168,10 +191,9 @@ def _force(scene: Scene, force: Force, name: str) -> Part:
             cutting.state(block, first + entry)
     data = cutting.quantities(force.data)
     local_force = Force(element.kind, element, data, frames, joints)
-    originals = [scene.system.joints[joint] for joint in force.joints.values()]
     driven = {
-        number: joint
-        for number, joint in zip(joints.values(), originals, strict=True)
+        i: number
+        for i, number in zip(force.joints.values(), joints.values(), strict=True)
         if cutting.joints[number].motion is not None
     }
     return Part(
@@ -180,10 +202,8 @@ def _force(scene: Scene, force: Force, name: str) -> Part:
         cutting,
         cutting.system_of(forces=(local_force,)),
         element.source,
-        driven=tuple(driven),
-        results=tuple(joint.driving_output[0] for joint in driven.values()),
-        powers=(force.name, *(f"{joint.name}.motion" for joint in driven.values())),
         force=name,
+        **_driven(cutting, driven, force.name),
     )
 
 
