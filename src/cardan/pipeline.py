@@ -128,7 +128,7 @@ def derive(
         joint_options = {"speeds": speeds, "rewrites": rewrites, "branches": branches}
         joint_options["independent"] = independent
         named_options += [name for name, value in joint_options.items() if value is not None]
-        return _absolute(system, named_options, plane, coordinates == "mixed")
+        return _absolute(system, named_options, plane, coordinates != "absolute")
     if plane is not None:
         raise DerivationError(
             f"plane='{plane}' belongs to absolute coordinates: take coordinates='absolute'"
