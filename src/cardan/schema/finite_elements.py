@@ -88,6 +88,9 @@ class FiniteElements(Record):
     reaction_frames: Mapping[str, str] = field(
         table(text), "joint -> child frame, where its reaction acts", default=NOTHING
     )
+    tree_joints: Sequence[str] = field(
+        listed(text), "joints inside of rigid trees, whose reactions add up over elements", default=()
+    )
     forces: Mapping[str, tuple[int, int]] = field(
         table(pair()), "element -> group and member whose force it is", run=NOTHING
     )

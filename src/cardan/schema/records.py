@@ -60,6 +60,8 @@ FORMS = (
     "mixed",
     "mixed_step",
     "element_forces",
+    "bodies",
+    "reactions",
 )
 # the matrices of a tangent
 PARTS = ("K", "C", "M", "R", "G")

@@ -65,6 +65,7 @@ def base(absolute: FiniteElementRecord, functions: Sequence[str]) -> Base:
             power_sources=list(absolute.powers),
             reactions={name: (int(group), int(k)) for name, (group, k) in absolute.joints.items()},
             reaction_frames=_reaction_frames(absolute),
+            tree_joints=list(absolute.tree_joints),
             forces={name: (int(group), int(k)) for name, (group, k) in absolute.forces.items()},
         ),
     )
@@ -106,7 +107,7 @@ def numbers(absolute: FiniteElementRecord) -> bytes:
     tables |= {f"stations_{k}": segment.line.stations for k, segment in enumerate(segments)}
     for k, group in enumerate(absolute.groups):
         tables[f"place_{k}"] = group.places
-        integers = {name: getattr(group, name) for name in ("z", "s", "outputs", "powers")}
+        integers = {name: getattr(group, name) for name in ("z", "s", "outputs", "powers", "reactions")}
         for name, values in {"own": group.attributes, **integers}.items():
             if values is not None:
                 tables[f"{name}_{k}"] = values
@@ -228,7 +229,8 @@ def _reaction_frames(absolute: FiniteElementRecord) -> dict[str, str]:
         for joint in system.joints
     }
     children |= {cut.name: cut.child_frame for cut in system.cuts}
-    return {n: system.frames[k].name for n, k in children.items() if n in absolute.joints}
+    having = {*absolute.joints, *absolute.tree_joints}
+    return {n: system.frames[k].name for n, k in children.items() if n in having}
 
 
 def _beams(absolute: FiniteElementRecord) -> Iterator[BeamRow]:
@@ -257,11 +259,12 @@ def _frame(absolute: FiniteElementRecord, k: int) -> FrameRow:
     frame, place = system.frames[k], int(absolute.frames.place[k])
     body = system.bodies[frame.body] if frame.body >= 0 else None
     parts = body.parts if body is not None else ()
-    fixed = place == GROUND
+    fixed = place < 0
     return FrameRow(
         name=frame.name,
         body=body.name if body is not None and parts else "ground",
         part=parts[frame.part].name if parts else None,
         node=None if fixed else (int(places.q[place]), int(places.u[place])),
+        tree=absolute.frames.bodies.get(k),
         plane=None if fixed else plane_of(places.kinds[places.kind[place]]),
     )

@@ -24,13 +24,16 @@ from ..functions.context import Context
 from ..functions.dynamics import Dynamics
 from ..functions.element_forces import force_of
 from ..functions.functions import WRENCH
+from ..kinematics.accelerations import Accelerations
 from ..kinematics.joint_forces import driving_force, joint_forces
 from ..kinematics.kinematics import Kinematics
+from ..kinematics.loads import Loads
 from .joint_constraints import JointConstraint, increments
 from .parts import Part
 from .record import BlockKind, Kind
 
 METHOD = "composite"
+MOTION = 24  # numbers of the motion of a body
 ABOUT = {
     "balance": "M udot + h - f - Gᵀ lam, then g and G u + g_t",
     "balance_tangent": "derivatives of the balance along q, u, udot, of the rates along q, and G",
@@ -41,6 +44,8 @@ ABOUT = {
     "zdot": "rates of internal states",
     "reaction": "wrench of parent on child at the child joint frame, in its axes",
     "outputs": "contributions to outputs",
+    "bodies": "of bodies of a rigid tree R (9), p (3), velocity (6), acceleration (6), ground axes",
+    "reactions": "shares of the wrenches of joints that carry it, parent on child at its frame",
     "element_forces": "force along a line or a joint, or force and moment on a frame",
 }
 
@@ -67,6 +72,8 @@ def structure(part: Part, places: Iterable[BlockKind]) -> str:
         part.driven,
         len(part.cutting.z),
         len(part.cutting.s),
+        [(n, part.cutting.system.joints[i].reversed) for i, n in part.cutting.moved.items()],
+        part.tree,
         [place.name for place in places],
         system.graph.nodes,
     )
@@ -182,6 +189,8 @@ class _Builder:
             "reaction": self._reaction(),
             "outputs": self._outputs(),
             "element_forces": self._element_forces(),
+            "bodies": self._bodies(),
+            "reactions": self._reactions(),
         }
         return {
             name: results
@@ -273,23 +282,54 @@ class _Builder:
             wrench = outputs.on_declared_child(self.k, reversed_joint, wrench)
         return (Output("reaction", (6,), wrench.nodes, *WRENCH),)
 
+    @cached_property
+    def _accelerations(self) -> Accelerations:
+        return outputs.system_accelerations(self.d, self.c.udot)
+
+    def _bodies(self) -> tuple[Output, ...]:
+        """Motion of the bodies of a rigid tree, in the order of the tree."""
+        if not self.part.tree:
+            return ()
+        nodes = list[int]()
+        for number in self.part.cutting.moved.values():
+            frame = self.system.joints[number].child_frame
+            nodes += [*self.k.rotation(frame).nodes, *self.k.position(frame).nodes]
+            nodes += outputs.velocity(self.k, frame).nodes
+            nodes += outputs.acceleration(self.d, self._accelerations, frame).nodes
+        return (Output("bodies", (len(nodes) // MOTION, MOTION), tuple(nodes)),)
+
+    def _reactions(self) -> tuple[Output, ...]:
+        """What joints of rigid trees transmit on account of this element."""
+        moved, nodes = self.part.cutting.moved, list[int]()
+        if not moved or not (self.part.tree or self.part.joint or self.system.forces):
+            return ()
+        forces = joint_forces(self.k, self._accelerations, self._loads)
+        for i, number in moved.items():
+            wrench = Matrix.vstack(forces.moment[number], forces.force[number])
+            if self.part.cutting.system.joints[i].reversed:
+                wrench = outputs.on_declared_child(self.k, number, wrench)
+            nodes += wrench.nodes
+        return (Output("reactions", (len(moved), 6), tuple(nodes)),)
+
+    @cached_property
+    def _loads(self) -> Loads:
+        """Loads with the wrench of the joint that the element is made of."""
+        closings = [self.constraint.transmitted(self._lam())] if self.part.joint else []
+        return with_closing(self.k, self.d.loads, closings)
+
     def _driving(self) -> list[tuple[int, Any]]:
         """(joint, force along it) of prescribed joints, as far as this element needs it."""
         if not self.part.driven:
             return []
-        d, udot = self.d, self.c.udot
-        acc = outputs.system_accelerations(d, udot)
-        loads = with_closing(
-            self.k, d.loads, [self.constraint.transmitted(self._lam())] if self.part.joint else []
-        )
-        forces = joint_forces(self.k, acc, loads)
+        d = self.d
+        forces = joint_forces(self.k, self._accelerations, self._loads)
         still = Matrix.zeros(self.k.graph, 1)
         return [(i, driving_force(self.k, i, forces, d.loads, still)[0]) for i in self.part.driven]
 
     def _outputs(self) -> tuple[Output, ...]:
         d = self.d
         if any(atom.quantity == "acceleration" for atom in self.system.atoms.values()):
-            acc = outputs.system_accelerations(d, self.c.udot)
+            acc = self._accelerations
             self.k.acceleration = lambda frame: outputs.acceleration(d, acc, frame)
         nodes = list(self.k.resolve([entry.node for entry in self.system.outputs]))
         nodes += [force.node for _, force in self._driving()]

@@ -30,6 +30,8 @@ Numbers: TypeAlias = Array
 
 # the place of an end that is fixed to the ground
 GROUND = -1
+# that of a frame on a body that joints alone place
+CARRIED = -2
 POSE = 7  # entries of the q of a node in space
 
 
@@ -189,6 +191,8 @@ class Group:
         attributes: Data that are numbers once and for all (n, k2).
         z, s: Entries of the scene's internal states and modes that are its local z and s (n, k);
             None where it reads none. ``zdot`` is that of the first of z.
+        reactions: Joints of trees, by number in ``tree_joints``, to whose reactions the function of
+            that name contributes (n, k).
         outputs, powers: Entries of the scene's outputs and powers to which the functions of that
             name contribute (n, k); contributions of several members to one entry add up. None
             without the function.
@@ -202,6 +206,7 @@ class Group:
     attributes: Numbers | None = field(default=None, repr=False, compare=False)
     z: Integers | None = field(default=None, repr=False, compare=False)
     s: Integers | None = field(default=None, repr=False, compare=False)
+    reactions: Integers | None = field(default=None, repr=False, compare=False)
     outputs: Integers | None = field(default=None, repr=False, compare=False)
     powers: Integers | None = field(default=None, repr=False, compare=False)
 
@@ -214,13 +219,15 @@ class Frames:
     """Poses of the frames of a scene, in the order of ``System.frames``.
 
     Attributes:
-        place: Index of the node, GROUND for the ground (n,).
+        place: Index of the node, GROUND for the ground, CARRIED for a body of a tree (n,).
+        bodies: For frames on bodies of trees (group, member, number in ``bodies`` of the member).
         poses: Parameters p -> outputs ``rotation`` (n, 9), R from frame axes to those of the node,
             and ``position`` (n, 3) from its origin in its axes.
     """
 
     place: Integers = field(repr=False, compare=False)
     poses: Function = field(repr=False, compare=False)
+    bodies: Mapping[int, tuple[int, int, int]] = field(default_factory=dict, repr=False)
 
 
 @dataclass(frozen=True)
@@ -236,6 +243,7 @@ class FiniteElementRecord:
         groups: The elements.
         frames: Where the frames of the scene are fixed.
         joints: Joints that transmit a reaction -> (group, member) whose ``reaction`` it is.
+        tree_joints: Joints inside of rigid trees; their reactions add up over elements.
         forces: Elements whose forces have names -> (group, member) whose ``element_forces`` it is.
         states: [t, q, u, r, p] of the relative formulation -> [q, u] of this one; a scene whose
             loops are closed there has its constraints kept here.
@@ -253,6 +261,7 @@ class FiniteElementRecord:
     frames: Frames = field(repr=False)
     joints: Mapping[str, tuple[int, int]] = field(repr=False)
     states: Function = field(repr=False)
+    tree_joints: tuple[str, ...] = ()
     forces: Mapping[str, tuple[int, int]] = field(default_factory=dict, repr=False)
     results: tuple[tuple[str, str], ...] = ()
     powers: tuple[str, ...] = ()

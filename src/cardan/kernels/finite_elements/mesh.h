@@ -31,6 +31,8 @@ enum {
     CARDAN_MIXED,    /* balance (nu) and K (nu, nu) with unknowns of its own that are not settled */
     CARDAN_MIXED_STEP, /* these after the increment du */
     CARDAN_ELEMENT_FORCES, /* along a line or a joint, or the wrench on a frame */
+    CARDAN_BODIES,    /* motion of the bodies of a rigid tree */
+    CARDAN_REACTIONS, /* shares of the wrenches of joints of rigid trees */
     CARDAN_FORMS
 };
 

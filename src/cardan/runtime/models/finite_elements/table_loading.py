@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 FILE = "mesh.npz"
 # elements of a group from which on they go side by side: fewer would leave most lanes unused
 LANE_THRESHOLD = 8
-INTEGER_TABLES = ("z", "s", "outputs", "powers")
+INTEGER_TABLES = ("z", "s", "outputs", "powers", "reactions")
 
 
 def tables(manifest: Manifest, directory: Path) -> Tables:
@@ -68,6 +68,7 @@ def _fit(read: Tables, manifest: Manifest) -> None:
             (read.ns, group.s),
             (len(manifest.outputs), group.outputs),
             (len(read.powers), group.powers),
+            (len(manifest.elements.tree_joints), group.reactions),
         )
         for most, table in limits:
             if table is not None and not (
@@ -127,6 +128,7 @@ def _check_results(elements: Tables, entries: Mapping[str, FunctionRow]) -> None
         sizes |= {"reaction": 6, "stress": 24, "mixed": nu + nu * nu, "mixed_step": INNER}
         sums = {"power": group.powers, "outputs": group.outputs}
         sizes |= {name: 0 if x is None else x.shape[1] for name, x in sums.items()}
+        sizes["reactions"] = 0 if group.reactions is None else 6 * group.reactions.shape[1]
         checks.append((kind.name, kind.functions, sizes))
     for what, functions, sizes in checks:
         for name in sizes.keys() & functions.keys():

@@ -30,6 +30,7 @@ class Table:
         members: Their names.
         z, s: (n, nz), (n, ns) which internal states and modes of the scene are theirs.
         outputs, powers: (n, k) entries of the scene's to which they contribute.
+        reactions: (n, k) joints of trees to whose reactions they contribute.
     """
 
     kind: ElementKind
@@ -41,6 +42,7 @@ class Table:
     s: Integers | None = None
     outputs: Integers | None = None
     powers: Integers | None = None
+    reactions: Integers | None = None
 
     def __len__(self) -> int:
         return len(self.place)

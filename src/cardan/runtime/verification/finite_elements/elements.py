@@ -23,6 +23,7 @@ from .shapes import ENERGIES, MOMENTA, STRESSES, quaternion_of
 
 # inputs are shaken by this to see what rounding may do, and how many times
 SHAKEN, LESS = 1e-14, 1e2
+MOTION = 24  # numbers of the motion of a body of a tree
 NO_LAW = "no law leads to it"
 MATRICES = {"K": ("q", 0), "C": ("u", 0), "M": ("udot", 0), "R": ("q", 1), "G": ("u", 1)}
 
@@ -266,13 +267,18 @@ def _momentum(members: Members) -> float | str:
     if ends and names:
         expected = MOMENTA[max(names, key=len)](*ends)
         return relative(value - expected, expected)
-    if any(not block.node or block.nq != NODE for block in members.blocks):
+    in_space = [_in_space(block) for block in members.blocks]
+    # what carries a rigid tree moves all of it
+    on_node = "bodies" in members.table.kind.functions and sum(in_space) == 1
+    if not (all(in_space) or on_node):
         return "its places are not nodes in space"
     if "ground" in members.table.kind.name:
         return NO_LAW
     p = _momenta(members, lambda b: members.call("energy", b), members.inputs)
     expected = np.zeros((members.count, 6))
-    for a, b, _ in zip(*members.starts, members.blocks, strict=False):
+    for a, b, here in zip(*members.starts, in_space, strict=False):
+        if not here:
+            continue
         q = members.inputs["q"][:, a : a + NODE]
         linear_part = times(quaternion(q[:, :4]), p[:, b : b + 3])
         linear = p[:, b + 3 : b + 6]
@@ -341,6 +347,27 @@ def _on_node(members: Members, generalized: Array, wrench: Array) -> float | str
     return max(first, relative(gap[:, None], size * size))
 
 
+def _bodies(members: Members) -> float | str:
+    """Velocities are the rates of poses, accelerations those of velocities."""
+
+    def parts(values: Array) -> tuple[Array, Array, Array, Array]:
+        rows = values.reshape(members.count, -1, MOTION)
+        return rows[..., :9], rows[..., 9:12], rows[..., 12:18], rows[..., 18:]
+
+    value = members.call("bodies")
+    slope, off = members.slope(lambda b: members.call("bodies", b), _rates(members))
+    (R, _, velocity, acceleration), rates = parts(value), parts(slope)
+    axes = np.moveaxis(R.reshape(*R.shape[:-1], 3, 3), -1, 0)
+    turned = np.stack([cross(velocity[..., :3], axis) for axis in axes], axis=-1)
+    pairs = (
+        (rates[0], turned.reshape(R.shape)),
+        (rates[1], velocity[..., 3:]),
+        (rates[2], acceleration),
+    )
+    flat = [(a.reshape(members.count, -1), b.reshape(members.count, -1)) for a, b in pairs]
+    return max(missing(expected, off, result) for expected, result in flat)
+
+
 def _mixed(members: Members) -> float | str:
     """With the stress that there is: the balance and its tangent."""
     none = {"du": np.zeros_like(members.inputs["du"])}
@@ -388,6 +415,7 @@ LAWS: dict[str, Callable[[Members], Any]] = {
     "momentum": _momentum,
     "reaction": _reaction,
     "element_forces": _element_forces,
+    "bodies": _bodies,
     "mixed": _mixed,
     "mixed_step": _mixed_step,
     "stress": _stress,
