@@ -35,7 +35,7 @@ def lowered(system: System, plane: str | None = None) -> FiniteElementRecord:
             space.
 
     Raises:
-        DerivationError: it has events, or friction pressed by reactions; or leaves the plane.
+        DerivationError: it has friction pressed by reactions; or leaves the plane.
     """
     _refuse(system)
     scene = Scene(system)
@@ -114,7 +114,7 @@ def _refuse(system: System) -> None:
     """Refuse options that belong to joint coordinates alone.
 
     Raises:
-        DerivationError: written equations, events, or friction pressed by reactions.
+        DerivationError: written equations, or friction pressed by reactions.
     """
     if system.written:
         raise DerivationError(
@@ -125,8 +125,6 @@ def _refuse(system: System) -> None:
         what = ""
         if force.element.by_reaction:
             what = "the force follows from the reaction of its joint"
-        elif force.element.events():
-            what = f"it has events ('{force.element.events()[0].about}')"
         if what:
             cure = 'Use coordinates="relative"'
             if system.segments:
@@ -194,6 +192,7 @@ def _group(
         common=_common(kind, members, system),
         z=_table([piece.cutting.z for piece in members]) if members[0].cutting.z else None,
         s=_table([piece.cutting.s for piece in members]) if members[0].cutting.s else None,
+        events=_table([part.events for part in members]) if members[0].events else None,
         outputs=_table([[results[n] for n in p.results] for p in members])
         if "outputs" in has
         else None,

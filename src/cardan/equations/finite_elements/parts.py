@@ -34,6 +34,7 @@ class Part:
         results: Names of the outputs that it contributes to.
         powers: Names of the powers that it contributes to.
         force: What its force is called by elements that have one, "" if it has none.
+        events: Entries of the events of the scene that are its own.
     """
 
     name: str
@@ -47,6 +48,7 @@ class Part:
     results: tuple[str, ...] = ()
     powers: tuple[str, ...] = ()
     force: str = ""
+    events: tuple[int, ...] = ()
 
 
 def parts(scene: Scene) -> Iterator[Part]:
@@ -167,6 +169,7 @@ def _force(scene: Scene, force: Force, name: str) -> Part:
         results=tuple(joint.driving_output[0] for joint in driven.values()),
         powers=(force.name, *(f"{joint.name}.motion" for joint in driven.values())),
         force=name,
+        events=tuple(range(force.e, force.e + len(element.events()))),
     )
 
 

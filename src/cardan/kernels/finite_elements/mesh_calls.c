@@ -87,7 +87,7 @@ static int solve(const cardan_mesh *mesh, const real *u, const real *rates,
 int cardan_mesh_accelerations(const cardan_mesh *mesh, const cardan_state *requested, const real *tau,
                               real *out, real *work)
 {
-    const cardan_assembly parts = {{0, 0, 1}, 0, 0, NULL};
+    const cardan_assembly parts = {{0, 0, 1}, 0, 0, NULL, 0};
     cardan_mesh_system system = {0};
     real *missing = work + cardan_mesh_lay(mesh, work, &system);
     real *gamma = missing + mesh->nu + mesh->mp + mesh->m;
@@ -202,6 +202,8 @@ int cardan_mesh_call_rhs(const cardan_in *in, real *out, real *work)
         status = cardan_mesh_accelerations(mesh, &at, NULL, solution, work);
     for (ptrdiff_t i = 0; i < mesh->nu; i++)
         out[mesh->nq + i] = solution[i];
+    if (status == 0 && mesh->nz > 0)
+        status = cardan_mesh_zdot(mesh, &at, out + mesh->nq + mesh->nu, work);
     return status;
 }
 
@@ -210,7 +212,7 @@ int cardan_mesh_call_rhs(const cardan_in *in, real *out, real *work)
 static int closing_step(const cardan_mesh *mesh, const cardan_state *at, const real *locked,
                         const real *open, ptrdiff_t rows, cardan_mesh_system *system)
 {
-    const cardan_assembly parts = {{0, 0, 1}, 0, 0, NULL};
+    const cardan_assembly parts = {{0, 0, 1}, 0, 0, NULL, 0};
     int status = cardan_mesh_matrix(mesh, at, &parts, system);
     real largest = 0;
 
@@ -275,7 +277,7 @@ int cardan_mesh_call_close_velocity(const cardan_in *in, real *out, real *work)
 int cardan_mesh_values(const cardan_mesh *mesh, const cardan_state *at, const real *shares,
                        real *a, real *work)
 {
-    const cardan_assembly parts = {{shares[0], shares[1], shares[2]}, 0, 0, NULL};
+    const cardan_assembly parts = {{shares[0], shares[1], shares[2]}, 0, 0, NULL, 0};
     cardan_mesh_system system = {0};
 
     (void)cardan_mesh_lay(mesh, work, &system);
@@ -303,5 +305,6 @@ ptrdiff_t cardan_mesh_call_work(const cardan_mesh *mesh)
         if (most < mesh->work + movers->nq + movers->nu * movers->nu)
             most = mesh->work + movers->nq + movers->nu * movers->nu;
     }
-    return most + cardan_mesh_lay(mesh, NULL, &system) + 2 * mesh->nu + mesh->mp + 3 * mesh->m;
+    return most + cardan_mesh_lay(mesh, NULL, &system) + 2 * mesh->nu + mesh->mp + 3 * mesh->m
+           + cardan_mesh_jump_room(mesh);
 }

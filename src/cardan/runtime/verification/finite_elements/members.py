@@ -191,6 +191,8 @@ def _drawn(inputs: dict[str, Array], rng: np.random.Generator) -> dict[str, Arra
     n, nu = inputs["u"].shape
     drawn = dict(inputs)
     drawn["du"] = 1e-2 * rng.uniform(-1, 1, (n, nu))
+    drawn["e"] = rng.integers(0, 2, drawn["e"].shape).astype(float)
+    drawn["tau"] = rng.uniform(0.5, 2, drawn["tau"].shape)
     if not drawn["z"].shape[-1]:
         drawn["z"] = rng.uniform(-1, 1, (n, 6))
     return drawn
