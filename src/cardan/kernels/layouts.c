@@ -168,8 +168,8 @@ const size_t cardan_movers_layout[9] = {
     w_rates)
 };
 
-extern const size_t cardan_mesh_layout[33];
-const size_t cardan_mesh_layout[33] = {
+extern const size_t cardan_mesh_layout[32];
+const size_t cardan_mesh_layout[32] = {
     sizeof(cardan_mesh), offsetof(cardan_mesh, nq), offsetof(cardan_mesh, nu), offsetof(cardan_mesh,
     nz), offsetof(cardan_mesh, ns), offsetof(cardan_mesh, nr), offsetof(cardan_mesh, mp),
     offsetof(cardan_mesh, m), offsetof(cardan_mesh, places), offsetof(cardan_mesh, nodes),
@@ -179,8 +179,8 @@ const size_t cardan_mesh_layout[33] = {
     movers), offsetof(cardan_mesh, plan), offsetof(cardan_mesh, unknown), offsetof(cardan_mesh,
     diagonal), offsetof(cardan_mesh, lanes), offsetof(cardan_mesh, work), offsetof(cardan_mesh,
     local), offsetof(cardan_mesh, powers), offsetof(cardan_mesh, driven), offsetof(cardan_mesh, ne),
-    offsetof(cardan_mesh, jumps), offsetof(cardan_mesh, responses), offsetof(cardan_mesh,
-    signs_solved), offsetof(cardan_mesh, outputs), offsetof(cardan_mesh, solved)
+    offsetof(cardan_mesh, jumps), offsetof(cardan_mesh, responses), offsetof(cardan_mesh, outputs),
+    offsetof(cardan_mesh, solved)
 };
 
 extern const size_t cardan_state_layout[14];

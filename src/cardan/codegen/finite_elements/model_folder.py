@@ -183,7 +183,7 @@ def _event_sizes(kind: Kind) -> _EventSizes:
     z = outputs["zdot"][0].size if "zdot" in outputs else 0
     sizes = _EventSizes((counts.get("z", z), counts.get("s", 0)))
     if "signs" in outputs:
-        sizes = sizes._replace(ne=outputs["signs"][0].size)
+        sizes = sizes._replace(ne=next(o.size for o in outputs["signs"] if o.name == "signs"))
     if "jumps" in outputs:
         blocks = {block.name: len(block.entries) for block in kind.functions["jumps"].inputs}
         count = outputs["jumps"][0].shape[0]

@@ -10,13 +10,14 @@ and 8.
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Sequence
 from functools import cached_property
 
 from ...elements.internal_states import Impulse
 from ...ir.arithmetic import Scalar
 from ...ir.derivative import forward
-from ...ir.function import Output
-from ...ir.graph import ONE, ZERO
+from ...ir.function import Output, live, operands
+from ...ir.graph import ONE, ZERO, Graph
 from ...ir.rewrite import rebuild
 from ..constraints.constraints import VELOCITY
 from ..functions.dynamics import Dynamics
@@ -89,9 +90,11 @@ class ElementEvents:
         self._jump = LocalJump(d)
 
     def signs(self) -> tuple[Output, ...]:
-        """Values of its events."""
+        """Values of its events, then 1 where they read accelerations or multipliers now."""
         values = self.force.element.signs(self.at, LocalSolution(self.d))
-        return (Output("signs", (len(values),), tuple(value.node for value in values)),)
+        nodes = tuple(value.node for value in values)
+        read = _reads_solution(self.d.k.graph, nodes)
+        return (Output("signs", (len(values),), nodes), Output("solved", (1,), (read,)))
 
     @cached_property
     def change(self) -> tuple[Output, ...]:
@@ -146,6 +149,28 @@ def switches(d: Dynamics) -> tuple[Output, ...]:
     for i, one in enumerate(active):
         nodes[i * (m + 1)] = (Scalar(d.k.graph, ONE) - one).node
     return (Output("H", (m, m), tuple(nodes)),)
+
+
+def _reads_solution(g: Graph, nodes: Sequence[int]) -> int:
+    """1 where the values of some nodes depend on ``udot`` or ``lam``, by what selections choose."""
+    reads: dict[int, int] = {}
+    for node in live(g, nodes):
+        op, *read = g.nodes[node]
+        if op == "var":
+            reads[node] = ONE if read[0] in ("udot", "lam") else ZERO
+        elif op == "select" and reads[read[0]] == ZERO:
+            reads[node] = g.apply("select", read[0], reads[read[1]], reads[read[2]])
+        else:
+            reads[node] = _any(g, [reads[operand] for operand in operands(g.nodes[node])])
+    return _any(g, [reads[node] for node in nodes])
+
+
+def _any(g: Graph, flags: Iterable[int]) -> int:
+    """1 where one of the flags is, else 0."""
+    total = ZERO
+    for flag in dict.fromkeys(flags):
+        total = g.apply("select", flag, ONE, total)
+    return total
 
 
 def _gradient(d: Dynamics, velocity: Scalar) -> list[int]:

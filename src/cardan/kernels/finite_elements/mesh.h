@@ -33,7 +33,7 @@ enum {
     CARDAN_MIXED_STEP, /* these after the increment du */
     CARDAN_ELEMENT_FORCES, /* along a line or a joint, or the wrench on a frame */
     CARDAN_ZDOT,     /* of its internal states */
-    CARDAN_SIGNS,    /* (ne) values of its events */
+    CARDAN_SIGNS,    /* (ne) values of its events, then 1 where they read udot or lam now */
     CARDAN_JUMPS,    /* impulses at events (jumps, 4), gradients of velocities (jumps, nu) */
     CARDAN_CHANGE,   /* its own z and s behind events */
     CARDAN_FORMS
@@ -97,7 +97,6 @@ typedef struct cardan_mesh {
     ptrdiff_t local;           /* numbers that the largest element reads and gives, per lane */
     ptrdiff_t powers, driven;  /* sources of power; 1: some of them are multipliers' */
     ptrdiff_t ne, jumps, responses; /* of all elements */
-    ptrdiff_t signs_solved;    /* 1: some events read udot or multipliers */
     ptrdiff_t outputs, solved; /* of the scene; 1: some of them read udot or multipliers */
 } cardan_mesh;
 

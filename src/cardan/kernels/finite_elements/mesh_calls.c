@@ -4,6 +4,7 @@
  */
 #include "mesh_calls.h"
 #include <math.h>
+#include <string.h>
 
 /* what resists a motion without inertia while loops are closed [kg] */
 static const real LIGHT = 1e-6;
@@ -14,6 +15,8 @@ static const real EXPLAINED = 100, GOOD = 1e-8;
 /* speeds [rad/s, m/s] of what is as good as at rest: beside slower ones the rounding of rates would
  * explain anything */
 static const real SLOWEST = 1e-6;
+/* what is open of closed constraints; a projection seeks the same (close.c) */
+static const real CLOSED = 1e-15;
 
 int cardan_mesh_call_balance(const cardan_in *in, real *out, real *work)
 {
@@ -235,6 +238,16 @@ static int closing_step(const cardan_mesh *mesh, const cardan_state *at, const r
     return status != 0 ? status : cardan_mesh_solve(mesh, system);
 }
 
+/* Whether the largest of what is open (rows) is rounding, of which no step makes less. */
+static int is_closed(const real *open, ptrdiff_t rows)
+{
+    real most = 0;
+
+    for (ptrdiff_t k = 0; k < rows; k++)
+        most = fabs(open[k]) <= most ? most : fabs(open[k]);
+    return most <= CLOSED;
+}
+
 /* q (nq) a step nearer to closing all loops, then what was open (mp). */
 int cardan_mesh_call_close_position(const cardan_in *in, real *out, real *work)
 {
@@ -246,6 +259,10 @@ int cardan_mesh_call_close_position(const cardan_in *in, real *out, real *work)
 
     for (ptrdiff_t k = 0; k < mesh->mp; k++)
         out[mesh->nq + k] = open[k];
+    if (status == 0 && is_closed(open, mesh->mp)) {
+        memcpy(out, in->q, (size_t)mesh->nq * sizeof(real));
+        return 0;
+    }
     system.open = open;
     if (status == 0)
         status = closing_step(mesh, &at, in->tau, open, mesh->mp, &system);
@@ -265,6 +282,10 @@ int cardan_mesh_call_close_velocity(const cardan_in *in, real *out, real *work)
 
     for (ptrdiff_t k = 0; k < mesh->m; k++)
         out[mesh->nu + k] = rates[k];
+    if (status == 0 && is_closed(rates, mesh->m)) {
+        memcpy(out, in->u, (size_t)mesh->nu * sizeof(real));
+        return 0;
+    }
     system.open = missing + mesh->nu;
     if (status == 0)
         status = closing_step(mesh, &at, in->tau, rates, mesh->m, &system);

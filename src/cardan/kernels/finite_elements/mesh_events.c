@@ -18,6 +18,8 @@ enum { BILATERAL, UNILATERAL, SLOW_RELEASE, RESPONSE };
 enum { KIND, ACTIVE, MISSING, RELEASE_SPEED, ROW };
 /* what is left of the response of an impulse beside others where it follows from them */
 static const real DEPENDENT = 1e-10;
+/* response of a velocity that constraints hold, of that of its speeds one by one: rounding */
+static const real HELD = 1e-12;
 
 /* What a transition works with. */
 typedef struct jumping {
@@ -53,32 +55,44 @@ ptrdiff_t cardan_mesh_jump_room(const cardan_mesh *mesh)
     return mesh->ne > 0 ? lay(mesh, NULL, &none) : 0;
 }
 
+/* where values of events go, and whether some of them read accelerations or multipliers now */
+typedef struct signs {
+    real *values;
+    int *solved;
+} signs;
+
 static void take_signs(const cardan_mesh *mesh, const cardan_group *g,
                        const cardan_element_lanes *some, real *out, void *to)
 {
-    real *signs = to;
+    const signs *all = to;
 
     (void)mesh;
-    for (ptrdiff_t lane = 0; lane < some->filled; lane++)
+    for (ptrdiff_t lane = 0; lane < some->filled; lane++) {
         for (ptrdiff_t i = 0; i < g->ne; i++)
-            signs[g->events[some->element[lane] * g->ne + i]] = out[i * some->lanes + lane];
+            all->values[g->events[some->element[lane] * g->ne + i]] = out[i * some->lanes + lane];
+        if (out[g->ne * some->lanes + lane] != 0)
+            *all->solved = 1;
+    }
 }
 
-/* Values (ne) of all events; accelerations and multipliers are those of the present modes. */
+/* Values (ne) of all events; accelerations and multipliers are those of the present modes, which are
+ * solved for only where some value reads them in these modes. */
 int cardan_mesh_call_events(const cardan_in *in, real *out, real *work)
 {
     const cardan_mesh *mesh = cardan_mesh_of(in);
     real *solution = work + cardan_mesh_call_work(mesh) - mesh->nu - mesh->m;
     cardan_state at = cardan_state_of(in);
-    int status = 0;
+    int solved = 0, status;
+    signs all = {out, &solved};
 
     at.udot = at.lam = NULL;
-    if (mesh->signs_solved) {
-        status = cardan_mesh_accelerations(mesh, &at, NULL, solution, work);
-        at.udot = solution;
-        at.lam = solution + mesh->nu;
-    }
-    return status != 0 ? status : cardan_mesh_each(mesh, &at, CARDAN_SIGNS, take_signs, out, work);
+    status = cardan_mesh_each(mesh, &at, CARDAN_SIGNS, take_signs, &all, work);
+    if (status != 0 || !solved)
+        return status;
+    status = cardan_mesh_accelerations(mesh, &at, NULL, solution, work);
+    at.udot = solution;
+    at.lam = solution + mesh->nu;
+    return status != 0 ? status : cardan_mesh_each(mesh, &at, CARDAN_SIGNS, take_signs, &all, work);
 }
 
 static void take_jumps(const cardan_mesh *mesh, const cardan_group *g,
@@ -183,12 +197,24 @@ static void eliminate(const jumping *all, ptrdiff_t n)
         all->P[i] = all->P[i] != 0 ? all->right[i] / a[i * n + i] : 0;
 }
 
+/* Leave out impulses along velocities that constraints hold: nothing answers them. */
+static void leave_held(const cardan_mesh *mesh, const cardan_mesh_system *system, const jumping *all)
+{
+    for (ptrdiff_t i = 0; i < mesh->jumps; i++) {
+        real alone = 0;
+        for (ptrdiff_t k = 0; k < mesh->nu; k++)
+            alone += pow(all->J[i * mesh->nu + k] * system->units[k], 2);
+        if (!(all->R[i * mesh->jumps + i] > HELD * alone))
+            all->rows[ROW * i + ACTIVE] = 0;
+    }
+}
+
 /* Leave out impulses that would pull where they can only push. */
 static void leave_out(const jumping *all, ptrdiff_t n, ptrdiff_t unilateral)
 {
     for (ptrdiff_t i = 0; i < n; i++) {
         real *row = all->rows + ROW * i, release = 0;
-        if (row[KIND] != UNILATERAL && row[KIND] != SLOW_RELEASE)
+        if (row[ACTIVE] == 0 || (row[KIND] != UNILATERAL && row[KIND] != SLOW_RELEASE))
             continue;
         /* against the impulse that gives it that speed where nothing else holds it */
         if (row[KIND] == SLOW_RELEASE && unilateral > 1)
@@ -221,6 +247,7 @@ static int jump(const cardan_mesh *mesh, const cardan_state *at, const jumping *
     for (ptrdiff_t i = 0; i < n; i++)
         for (ptrdiff_t j = 0; j < n; j++)
             all->R[i * n + j] = cardan_dot(all->J + i * mesh->nu, all->X + j * mesh->nu, mesh->nu);
+    leave_held(mesh, &system, all);
     for (ptrdiff_t attempt = 0; attempt == 0 || (attempt <= PASSES && attempt < unilateral); attempt++) {
         if (attempt > 0)
             leave_out(all, n, unilateral);

@@ -229,6 +229,16 @@ def _of_elements(
                 Check(label, np.nan, f"not checked: {why}", error) if why else Check(label, error)
             )
             checks.append(entry)
+    if fresh is None and elements.tables.ne:
+        from ..models.finite_elements.mesh import Mesh
+        from .finite_elements.impacts import check_events
+
+        assert isinstance(elements, Mesh)
+        for name, found in check_events(model, elements, codes, states, seed).items():
+            judged = (
+                Check(name, found) if not isinstance(found, str) else Check(name, np.nan, found)
+            )
+            checks.append(judged)
     return Verification(model.name, states, tuple(checks), LAWS)
 
 

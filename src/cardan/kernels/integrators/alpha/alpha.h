@@ -46,8 +46,9 @@ typedef struct cardan_alpha {
     real *w;         /* mesh: (nz) algorithmic rates of internal states */
 
     /* trial step */
-    real *w_new, *zdot, *gap; /* mesh: (nz) */
-    real *slopes;    /* mesh: (8, nz) */
+    real *w_new, *zdot, *gap, *terms; /* mesh: (nz) */
+    real *slopes;    /* mesh: (most states of an element, nz) */
+    real *block;     /* mesh: system of equations of the states of an element */
     real *a_new, *udot_new, *lam_new;
     real *shift;     /* (nu) part the stabilization subtracts from the increment */
     real *increment; /* (nu) */
@@ -117,10 +118,11 @@ int cardan_alpha_differences(cardan_run *run, const cardan_alpha *v, real t, con
                              const real *udot, const real *lam);
 
 /* alpha_internal.c: internal states z' of the trial, and their rates; algorithmic rates for another
- * step size or at the start of a segment; error in units of the tolerance */
+ * step size or at the start of a segment; error in units of the tolerance; most of an element */
 int cardan_alpha_internal(cardan_run *run, const cardan_alpha *v, real t);
 void cardan_alpha_internal_restart(const cardan_run *run, const cardan_alpha *v, real share, int fresh);
 real cardan_alpha_internal_error(const cardan_run *run, const cardan_alpha *v, real h);
+ptrdiff_t cardan_alpha_most_states(const cardan_mesh *mesh);
 
 /* alpha_dense.c */
 int cardan_alpha_dense(cardan_run *run);

@@ -6,17 +6,19 @@
  *     (1 - am) w' + am w = (1 - af) zdot' + af zdot
  *
  * with coefficients of its own by the same spectral radius. For every state q', u' that Newton's
- * method looks at, z' is solved for element by element, with slopes by differences: its iteration
- * matrix does not know of them.
+ * method looks at, z' is solved for by Newton's method, element by element, with slopes by
+ * differences: the iteration matrix of the motion does not know of them. What does not converge is a
+ * failed step.
  * Source: K. E. Jansen, C. H. Whiting, G. M. Hulbert, Comput. Methods Appl. Mech. Eng. 190 (2000)
  * 305-319.
  */
 #include "alpha.h"
 #include <math.h>
 
-enum { CORRECTIONS = 8, WIDEST = 8 };
-static const real CHANGED = 1e-7; /* of a state, for differences */
-static const real SOUGHT = 1e-14;
+enum { MOST_CORRECTIONS = 50 };
+/* CHANGED: of a state, for differences. SOUGHT: corrections, of the terms that a state consists of;
+ * ROUNDING: below that they may stand still. SLOW: convergence rate from which on slopes are new */
+static const real CHANGED = 1e-7, SOUGHT = 1e-14, ROUNDING = 1e-10, SLOW = 0.1;
 
 typedef struct coefficients {
     real am, af, gamma;
@@ -72,20 +74,20 @@ static void eliminate(ptrdiff_t n, real *a, real *b)
 }
 
 /* Corrections of the states of every element: (1 - c dzdot/dz) dz = missing. */
-static void correct(const cardan_alpha *v, real c, const real *size, real *missing)
+static void correct(const cardan_alpha *v, real c, const real *change, real *missing)
 {
     const ptrdiff_t nz = v->mesh->nz;
 
     for (ptrdiff_t k = 0; k < v->mesh->group_count; k++) {
         const cardan_group *g = v->mesh->groups + k;
-        const ptrdiff_t n = g->z_states < WIDEST ? g->z_states : WIDEST;
+        const ptrdiff_t n = g->z_states;
         for (ptrdiff_t e = 0; e < g->count; e++) {
             const ptrdiff_t *z = g->z + e * g->nz;
-            real a[WIDEST * WIDEST], b[WIDEST];
+            real *a = v->block, *b = v->block + n * n;
             for (ptrdiff_t i = 0; i < n; i++) {
                 b[i] = missing[z[i]];
                 for (ptrdiff_t j = 0; j < n; j++)
-                    a[i * n + j] = (i == j) - c * v->slopes[j * nz + z[i]] / size[z[j]];
+                    a[i * n + j] = (i == j) - c * v->slopes[j * nz + z[i]] / change[z[j]];
             }
             eliminate(n, a, b);
             for (ptrdiff_t i = 0; i < n; i++)
@@ -94,63 +96,122 @@ static void correct(const cardan_alpha *v, real c, const real *size, real *missi
     }
 }
 
-/* Changes of the rates where the j-th state of every element changes; by how much in `size`. */
-static int differentiate(cardan_run *run, const cardan_alpha *v, real t, real *z, real *size)
+/* Add `share` of its change to the j-th state of every element that has so many. Returns how many. */
+static ptrdiff_t shift(const cardan_alpha *v, ptrdiff_t j, real share, const real *change, real *z)
+{
+    ptrdiff_t some = 0;
+
+    for (ptrdiff_t k = 0; k < v->mesh->group_count; k++) {
+        const cardan_group *g = v->mesh->groups + k;
+        for (ptrdiff_t e = 0; e < g->count && j < g->z_states; e++, some++)
+            z[g->z[e * g->nz + j]] += share * change[g->z[e * g->nz + j]];
+    }
+    return some;
+}
+
+/* Slopes (most states of an element, nz): changes of the rates where the j-th state of every element
+ * changes; `change` (nz): by how much. */
+static int differentiate(cardan_run *run, const cardan_alpha *v, real t, real *z, real *change)
 {
     const ptrdiff_t nz = v->mesh->nz;
     int status = 0;
 
     for (ptrdiff_t i = 0; i < nz; i++)
-        size[i] = CHANGED * fmax(1, fabs(z[i]));
-    for (ptrdiff_t j = 0; j < WIDEST && status == 0; j++) {
-        real *slope = v->slopes + j * nz;
-        ptrdiff_t some = 0;
-        for (int sign = 1; sign >= -1; sign -= 2)
-            for (ptrdiff_t k = 0; k < v->mesh->group_count; k++) {
-                const cardan_group *g = v->mesh->groups + k;
-                for (ptrdiff_t e = 0; e < g->count && j < g->z_states; e++, some++)
-                    z[g->z[e * g->nz + j]] += sign * size[g->z[e * g->nz + j]];
-                if (sign > 0 && k + 1 == v->mesh->group_count && some > 0)
-                    status = zdot_at(run, v, t, z, slope);
-            }
-        for (ptrdiff_t i = 0; i < nz && some > 0; i++)
-            slope[i] -= v->zdot[i];
+        change[i] = CHANGED * fmax(1, fabs(z[i]));
+    for (ptrdiff_t j = 0; status == 0 && shift(v, j, 1, change, z) > 0; j++) {
+        status = zdot_at(run, v, t, z, v->slopes + j * nz);
+        (void)shift(v, j, -1, change, z);
+        for (ptrdiff_t i = 0; i < nz; i++)
+            v->slopes[j * nz + i] -= v->zdot[i];
     }
     return status;
+}
+
+/* What z (nz) misses of the rule of a step, into `gap`; the size of the terms it consists of. */
+static void miss(const cardan_run *run, const cardan_alpha *v, const coefficients *m, real h,
+                 const real *z, real *terms)
+{
+    const ptrdiff_t first = run->nq + run->nu;
+    const real c = h * m->gamma * (1 - m->af) / (1 - m->am);
+    const real *start = run->y + first, *rate = run->f + first;
+
+    for (ptrdiff_t i = 0; i < v->mesh->nz; i++) {
+        const real known = (m->af * rate[i] - m->am * v->w[i]) / (1 - m->am);
+        const real added = h * ((1 - m->gamma) * v->w[i] + m->gamma * known);
+        v->gap[i] = start[i] + added + c * v->zdot[i] - z[i];
+        terms[i] = fabs(start[i]) + fabs(added) + fabs(c * v->zdot[i]) + fabs(z[i]);
+    }
+}
+
+/* The largest correction of a state, of the terms it consists of; the worst state. */
+static real largest(const cardan_alpha *v, const real *terms, ptrdiff_t *worst)
+{
+    real most = 0;
+
+    for (ptrdiff_t i = 0; i < v->mesh->nz; i++) {
+        const real part = v->gap[i] == 0 ? 0 : fabs(v->gap[i]) / terms[i];
+        if (!(part <= most)) {
+            most = part;
+            *worst = i;
+        }
+        if (!(part < INFINITY))
+            break;
+    }
+    return most;
+}
+
+/* Solve for z' of the trial; `change`, `terms`: room (nz). */
+static int solve(cardan_run *run, const cardan_alpha *v, real t, real *change, real *terms)
+{
+    const coefficients m = first_order(v);
+    const ptrdiff_t first = run->nq + run->nu;
+    const real h = v->now[ALPHA_STEP], c = h * m.gamma * (1 - m.af) / (1 - m.am);
+    real *z = run->trial + first, last = INFINITY;
+    ptrdiff_t worst = 0;
+    int renew = 1;
+
+    for (int k = 0; k < MOST_CORRECTIONS; k++) {
+        int status = zdot_at(run, v, t, z, v->zdot);
+        if (status == 0 && renew)
+            status = differentiate(run, v, t, z, change);
+        if (status != 0)
+            return status;
+        miss(run, v, &m, h, z, terms);
+        correct(v, c, change, v->gap);
+        const real size = largest(v, terms, &worst);
+        if (!(size < INFINITY))
+            break;
+        for (ptrdiff_t i = 0; i < v->mesh->nz; i++)
+            z[i] += v->gap[i];
+        /* small, or as small as rounding lets them become */
+        if (size <= SOUGHT || (size <= ROUNDING && size > 0.5 * last))
+            return zdot_at(run, v, t, z, v->zdot);
+        renew = size > SLOW * last;
+        last = size;
+    }
+    run->culprit = first + worst;
+    return CARDAN_UNSOLVED;
 }
 
 int cardan_alpha_internal(cardan_run *run, const cardan_alpha *v, real t)
 {
     const coefficients m = first_order(v);
-    const ptrdiff_t nz = v->mesh ? v->mesh->nz : 0, first = run->nq + run->nu;
-    const real h = v->now[ALPHA_STEP], c = h * m.gamma * (1 - m.af) / (1 - m.am);
-    const real *start = run->y + first, *rate = run->f + first;
-    real *z = run->trial + first, *size = v->w_new, worst = 1;
-    int status = 0;
+    const ptrdiff_t nz = v->mesh ? v->mesh->nz : 0;
+    const real *rate = run->f + run->nq + run->nu;
+    const int status = nz > 0 ? solve(run, v, t, v->w_new, v->terms) : 0;
 
-    for (int k = 0; k < CORRECTIONS && nz > 0 && status == 0 && worst > SOUGHT; k++) {
-        status = zdot_at(run, v, t, z, v->zdot);
-        for (ptrdiff_t i = 0; i < nz; i++) {
-            const real constant = (m.af * rate[i] - m.am * v->w[i]) / (1 - m.am);
-            v->gap[i] = start[i] + h * ((1 - m.gamma) * v->w[i] + m.gamma * constant)
-                        + c * v->zdot[i] - z[i];
-        }
-        if (status == 0 && k == 0)
-            status = differentiate(run, v, t, z, size);
-        correct(v, c, size, v->gap);
-        worst = 0;
-        for (ptrdiff_t i = 0; i < nz; i++) {
-            worst = fmax(worst, fabs(v->gap[i]) / fmax(1, fabs(z[i])));
-            z[i] += v->gap[i];
-        }
-        if (!(worst < INFINITY))
-            return status != 0 ? status : CARDAN_UNSOLVED;
-    }
-    if (nz > 0 && status == 0)
-        status = zdot_at(run, v, t, z, v->zdot);
     for (ptrdiff_t i = 0; i < nz; i++)
         v->w_new[i] = ((1 - m.af) * v->zdot[i] + m.af * rate[i] - m.am * v->w[i]) / (1 - m.am);
     return status;
+}
+
+ptrdiff_t cardan_alpha_most_states(const cardan_mesh *mesh)
+{
+    ptrdiff_t most = 0;
+
+    for (ptrdiff_t k = 0; k < mesh->group_count; k++)
+        most = mesh->groups[k].z_states > most ? mesh->groups[k].z_states : most;
+    return most;
 }
 
 void cardan_alpha_internal_restart(const cardan_run *run, const cardan_alpha *v, real share, int fresh)

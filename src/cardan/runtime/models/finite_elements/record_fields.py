@@ -92,7 +92,6 @@ def mesh_fields(tables: Tables, entries: Mapping[str, FunctionRow]) -> Fields:
         "ne": tables.ne,
         "jumps": sum(len(group) * group.kind.jumps for group in tables.groups),
         "responses": sum(len(group) * group.kind.responses for group in tables.groups),
-        "signs_solved": int(any(_reads(g.kind, "signs", entries) for g in tables.groups)),
     }
 
 

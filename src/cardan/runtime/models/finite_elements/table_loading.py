@@ -132,7 +132,7 @@ def _check_results(elements: Tables, entries: Mapping[str, FunctionRow]) -> None
         kind, nu, m = group.kind, group.kind.nu, group.kind.m
         sizes = {"balance": nu + kind.mp + m, "gamma": m, "energy": 2, "momentum": 6}
         sizes |= {"reaction": 6, "stress": 24, "mixed": nu + nu * nu, "mixed_step": INNER}
-        sizes |= {"zdot": kind.states[0], "signs": kind.ne, "change": sum(kind.states)}
+        sizes |= {"zdot": kind.states[0], "signs": kind.ne + 1, "change": sum(kind.states)}
         sizes["jumps"] = kind.jumps * (ROW + nu)
         sums = {"power": group.powers, "outputs": group.outputs}
         sizes |= {name: 0 if x is None else x.shape[1] for name, x in sums.items()}

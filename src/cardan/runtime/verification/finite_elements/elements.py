@@ -18,21 +18,26 @@ from ....schema.finite_elements import PlaceKind
 from ..differences import BLURRED, input_rates, missing, relative, ways, worst_of
 from ..joint_motion import Array, cross, times
 from ..rotations import quaternion
+from . import element_events
 from .members import NODE, Members, NotThere
 from .shapes import ENERGIES, MOMENTA, STRESSES, quaternion_of
 
 # inputs are shaken by this to see what rounding may do, and how many times
 SHAKEN, LESS = 1e-14, 1e2
 NO_LAW = "no law leads to it"
+OF_EVENTS = ("signs", "jumps", "change")
 MATRICES = {"K": ("q", 0), "C": ("u", 0), "M": ("udot", 0), "R": ("q", 1), "G": ("u", 1)}
 
 
 def check_kinds(members: Members) -> Iterator[tuple[str, float, str]]:
     """Name, error and reason of every function of a kind."""
+    # what modes hold is judged in each of them; other elements are as they are at the start
+    everywhere = members.in_all_modes
     for form in members.codes:
-        error, why = _text(members, form), ""
+        judged = everywhere if "H" in members.table.kind.parts or form in OF_EVENTS else members
+        error, why = _text(judged, form), ""
         try:
-            law = LAWS[form](members) if form in LAWS else NO_LAW
+            law = LAWS[form](judged) if form in LAWS else NO_LAW
         except NotThere as missed:
             law = f"needs '{missed}'"
         if isinstance(law, str):
@@ -86,7 +91,7 @@ def _tangent(members: Members) -> float | str:
             size = np.abs(members.call("balance")).max(axis=-1, initial=0.0)
             error = missing(slope[:, ends], off, times(values, way), scale, size * 1e-3)
             worst = worst_of(worst, error)
-    return worst
+    return worst_of(worst, element_events.released(members)) if "H" in kind.parts else worst
 
 
 def _rates(members: Members, moving: bool = True) -> dict[str, Array]:
@@ -293,7 +298,9 @@ def _element_forces(members: Members) -> float | str:
     if "M" in members.table.kind.parts:
         return "what it does to nodes is its inertia too"
     value = members.call("element_forces")
-    force = members.call("balance")[:, : members.table.kind.nu]
+    # what modes hold is not part of it
+    none = {"lam": np.zeros_like(members.inputs["lam"])}
+    force = members.call("balance", none)[:, : members.table.kind.nu]
     if value.shape[-1] == 6:
         # force first there, moment first in reactions
         return _on_node(members, force, value[:, [3, 4, 5, 0, 1, 2]])
@@ -391,4 +398,7 @@ LAWS: dict[str, Callable[[Members], Any]] = {
     "mixed": _mixed,
     "mixed_step": _mixed_step,
     "stress": _stress,
+    "signs": element_events.signs,
+    "jumps": element_events.impulses,
+    "change": element_events.change,
 }
