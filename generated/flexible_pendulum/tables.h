@@ -275,7 +275,6 @@ static const cardan_mesh mesh = {
     .ne = 0,
     .jumps = 0,
     .responses = 0,
-    .signs_solved = 0,
     .groups = groups,
     .group_count = 3,
     .movers = movers,

@@ -19,7 +19,7 @@ enum { KIND, ACTIVE, MISSING, RELEASE_SPEED, ROW };
 /* what is left of the response of an impulse beside others where it follows from them */
 static const real DEPENDENT = 1e-10;
 /* response of a velocity that constraints hold, of that of its speeds one by one: rounding */
-static const real HELD = 1e-12;
+static const real IMMOBILE = 1e-12;
 
 /* What a transition works with. */
 typedef struct jumping {
@@ -198,13 +198,13 @@ static void eliminate(const jumping *all, ptrdiff_t n)
 }
 
 /* Leave out impulses along velocities that constraints hold: nothing answers them. */
-static void leave_held(const cardan_mesh *mesh, const cardan_mesh_system *system, const jumping *all)
+static void leave_immobile(const cardan_mesh *mesh, const cardan_mesh_system *system, const jumping *all)
 {
     for (ptrdiff_t i = 0; i < mesh->jumps; i++) {
         real alone = 0;
         for (ptrdiff_t k = 0; k < mesh->nu; k++)
             alone += pow(all->J[i * mesh->nu + k] * system->units[k], 2);
-        if (!(all->R[i * mesh->jumps + i] > HELD * alone))
+        if (!(all->R[i * mesh->jumps + i] > IMMOBILE * alone))
             all->rows[ROW * i + ACTIVE] = 0;
     }
 }
@@ -247,7 +247,7 @@ static int jump(const cardan_mesh *mesh, const cardan_state *at, const jumping *
     for (ptrdiff_t i = 0; i < n; i++)
         for (ptrdiff_t j = 0; j < n; j++)
             all->R[i * n + j] = cardan_dot(all->J + i * mesh->nu, all->X + j * mesh->nu, mesh->nu);
-    leave_held(mesh, &system, all);
+    leave_immobile(mesh, &system, all);
     for (ptrdiff_t attempt = 0; attempt == 0 || (attempt <= PASSES && attempt < unilateral); attempt++) {
         if (attempt > 0)
             leave_out(all, n, unilateral);

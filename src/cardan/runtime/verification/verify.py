@@ -234,11 +234,8 @@ def _of_elements(
         from .finite_elements.impacts import check_events
 
         assert isinstance(elements, Mesh)
-        for name, found in check_events(model, elements, codes, states, seed).items():
-            judged = (
-                Check(name, found) if not isinstance(found, str) else Check(name, np.nan, found)
-            )
-            checks.append(judged)
+        for name, of in check_events(model, elements, codes, states, seed).items():
+            checks.append(Check(name, np.nan, of) if isinstance(of, str) else Check(name, of))
     return Verification(model.name, states, tuple(checks), LAWS)
 
 

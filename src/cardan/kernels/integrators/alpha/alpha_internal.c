@@ -16,8 +16,8 @@
 #include <math.h>
 
 enum { MOST_CORRECTIONS = 50 };
-/* CHANGED: of a state, for differences. SOUGHT: corrections, of the terms that a state consists of;
- * ROUNDING: below that they may stand still. SLOW: convergence rate from which on slopes are new */
+/* parts of the terms that a state consists of. CHANGED: for differences. SOUGHT: what may be missing;
+ * ROUNDING: below that it may stand still. SLOW: convergence rate from which on slopes are new */
 static const real CHANGED = 1e-7, SOUGHT = 1e-14, ROUNDING = 1e-10, SLOW = 0.1;
 
 typedef struct coefficients {
@@ -117,7 +117,7 @@ static int differentiate(cardan_run *run, const cardan_alpha *v, real t, real *z
     int status = 0;
 
     for (ptrdiff_t i = 0; i < nz; i++)
-        change[i] = CHANGED * fmax(1, fabs(z[i]));
+        change[i] = CHANGED * (v->terms[i] > 0 ? v->terms[i] : 1);
     for (ptrdiff_t j = 0; status == 0 && shift(v, j, 1, change, z) > 0; j++) {
         status = zdot_at(run, v, t, z, v->slopes + j * nz);
         (void)shift(v, j, -1, change, z);
@@ -129,27 +129,44 @@ static int differentiate(cardan_run *run, const cardan_alpha *v, real t, real *z
 
 /* What z (nz) misses of the rule of a step, into `gap`; the size of the terms it consists of. */
 static void miss(const cardan_run *run, const cardan_alpha *v, const coefficients *m, real h,
-                 const real *z, real *terms)
+                 const real *z)
 {
     const ptrdiff_t first = run->nq + run->nu;
     const real c = h * m->gamma * (1 - m->af) / (1 - m->am);
     const real *start = run->y + first, *rate = run->f + first;
 
     for (ptrdiff_t i = 0; i < v->mesh->nz; i++) {
-        const real known = (m->af * rate[i] - m->am * v->w[i]) / (1 - m->am);
-        const real added = h * ((1 - m->gamma) * v->w[i] + m->gamma * known);
+        const real explicit_rate = (m->af * rate[i] - m->am * v->w[i]) / (1 - m->am);
+        const real added = h * ((1 - m->gamma) * v->w[i] + m->gamma * explicit_rate);
         v->gap[i] = start[i] + added + c * v->zdot[i] - z[i];
-        terms[i] = fabs(start[i]) + fabs(added) + fabs(c * v->zdot[i]) + fabs(z[i]);
+        v->terms[i] = fabs(start[i]) + fabs(added) + fabs(c * v->zdot[i]) + fabs(z[i]);
     }
 }
 
-/* The largest correction of a state, of the terms it consists of; the worst state. */
-static real largest(const cardan_alpha *v, const real *terms, ptrdiff_t *worst)
+/* Add to the terms of every state what the states of its element have in its rate: it may cancel. */
+static void add_terms(const cardan_alpha *v, real c, const real *change, const real *z)
+{
+    const ptrdiff_t nz = v->mesh->nz;
+
+    for (ptrdiff_t k = 0; k < v->mesh->group_count; k++) {
+        const cardan_group *g = v->mesh->groups + k;
+        for (ptrdiff_t e = 0; e < g->count; e++) {
+            const ptrdiff_t *z_of = g->z + e * g->nz;
+            for (ptrdiff_t i = 0; i < g->z_states; i++)
+                for (ptrdiff_t j = 0; j < g->z_states; j++)
+                    v->terms[z_of[i]] +=
+                        fabs(c * v->slopes[j * nz + z_of[i]] / change[z_of[j]] * z[z_of[j]]);
+        }
+    }
+}
+
+/* The largest part of its terms that a state misses; the worst state. */
+static real largest(const cardan_alpha *v, ptrdiff_t *worst)
 {
     real most = 0;
 
     for (ptrdiff_t i = 0; i < v->mesh->nz; i++) {
-        const real part = v->gap[i] == 0 ? 0 : fabs(v->gap[i]) / terms[i];
+        const real part = v->gap[i] == 0 ? 0 : fabs(v->gap[i]) / v->terms[i];
         if (!(part <= most)) {
             most = part;
             *worst = i;
@@ -160,8 +177,8 @@ static real largest(const cardan_alpha *v, const real *terms, ptrdiff_t *worst)
     return most;
 }
 
-/* Solve for z' of the trial; `change`, `terms`: room (nz). */
-static int solve(cardan_run *run, const cardan_alpha *v, real t, real *change, real *terms)
+/* Solve for z' of the trial, `zdot` their rates; `change`: room (nz). */
+static int solve(cardan_run *run, const cardan_alpha *v, real t, real *change)
 {
     const coefficients m = first_order(v);
     const ptrdiff_t first = run->nq + run->nu;
@@ -170,22 +187,25 @@ static int solve(cardan_run *run, const cardan_alpha *v, real t, real *change, r
     ptrdiff_t worst = 0;
     int renew = 1;
 
-    for (int k = 0; k < MOST_CORRECTIONS; k++) {
+    for (int k = 0; k <= MOST_CORRECTIONS; k++) {
         int status = zdot_at(run, v, t, z, v->zdot);
-        if (status == 0 && renew)
+        if (status != 0)
+            return status;
+        miss(run, v, &m, h, z);
+        if (renew)
             status = differentiate(run, v, t, z, change);
         if (status != 0)
             return status;
-        miss(run, v, &m, h, z, terms);
-        correct(v, c, change, v->gap);
-        const real size = largest(v, terms, &worst);
+        add_terms(v, c, change, z);
+        const real size = largest(v, &worst);
+        /* nothing, or as little as rounding lets it become */
+        if (size <= SOUGHT || (size <= ROUNDING && size > 0.5 * last))
+            return 0;
         if (!(size < INFINITY))
             break;
+        correct(v, c, change, v->gap);
         for (ptrdiff_t i = 0; i < v->mesh->nz; i++)
             z[i] += v->gap[i];
-        /* small, or as small as rounding lets them become */
-        if (size <= SOUGHT || (size <= ROUNDING && size > 0.5 * last))
-            return zdot_at(run, v, t, z, v->zdot);
         renew = size > SLOW * last;
         last = size;
     }
@@ -198,7 +218,7 @@ int cardan_alpha_internal(cardan_run *run, const cardan_alpha *v, real t)
     const coefficients m = first_order(v);
     const ptrdiff_t nz = v->mesh ? v->mesh->nz : 0;
     const real *rate = run->f + run->nq + run->nu;
-    const int status = nz > 0 ? solve(run, v, t, v->w_new, v->terms) : 0;
+    const int status = nz > 0 ? solve(run, v, t, v->w_new) : 0;
 
     for (ptrdiff_t i = 0; i < nz; i++)
         v->w_new[i] = ((1 - m.af) * v->zdot[i] + m.af * rate[i] - m.am * v->w[i]) / (1 - m.am);

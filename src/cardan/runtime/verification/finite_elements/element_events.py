@@ -9,7 +9,7 @@ Source: F. Pfeiffer and Ch. Glocker, Multibody Dynamics with Unilateral Contacts
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 import numpy as np
 
@@ -51,10 +51,10 @@ def _gaps(members: Members) -> Iterator[float]:
     slope, off = members.slope(lambda b: members.call("signs", b), rates)
     numbers, J = jumps(members.call("jumps"), kind.jumps)
     for k in range(min(kind.jumps, kind.ne)):
-        judged = np.isin(numbers[:, k, KIND], UNILATERAL) & (np.abs(slope[:, k]) > off)
-        if judged.any():
-            speed = times(J, inputs["u"])[judged, k : k + 1]
-            yield missing(slope[judged, k : k + 1], off[judged], speed, np.abs(inputs["u"][judged]))
+        clear = np.isin(numbers[:, k, KIND], UNILATERAL) & (np.abs(slope[:, k]) > off)
+        if clear.any():
+            speed = times(J, inputs["u"])[clear, k : k + 1]
+            yield missing(slope[clear, k : k + 1], off[clear], speed, np.abs(inputs["u"][clear]))
 
 
 def _pulls(members: Members, value: Array) -> Iterator[float]:
@@ -67,12 +67,12 @@ def _pulls(members: Members, value: Array) -> Iterator[float]:
         members.call("balance") - members.call("balance", {"lam": np.zeros_like(inputs["lam"])})
     )[:, : kind.nu]
     for k in range(kind.jumps):
-        held = np.isin(numbers[:, k, KIND], UNILATERAL) & (numbers[:, k, ACTIVE] != 0)
-        held &= (force != 0).any(axis=-1)
-        if held.any():
-            row = J[held, k]
-            push = (force[held] * row).sum(axis=-1) / (row * row).sum(axis=-1)
-            gap = np.abs(value[held, :-1] - push[:, None]).min(axis=-1)
+        active = np.isin(numbers[:, k, KIND], UNILATERAL) & (numbers[:, k, ACTIVE] != 0)
+        active &= (force != 0).any(axis=-1)
+        if active.any():
+            row = J[active, k]
+            push = (force[active] * row).sum(axis=-1) / (row * row).sum(axis=-1)
+            gap = np.abs(value[active, :-1] - push[:, None]).min(axis=-1)
             yield relative(gap[:, None], push[:, None])
 
 
@@ -97,25 +97,25 @@ def impulses(members: Members) -> float | str:
             first, second = (slope[acts, index : index + 1] for slope, _ in parts)
             doubt = sum(off[acts] for _, off in parts)
             judges, worst = 1, worst_of(worst, missing(first, doubt, second, np.abs(J[acts, k])))
-    for error in _held(members, J):
+    for error in _constrained(members, J):
         judges, worst = 1, worst_of(worst, error)
     return worst if judges else NO_LAW
 
 
-def _held(members: Members, J: Array) -> Iterator[float]:
+def _constrained(members: Members, J: Array) -> Iterator[float]:
     """Impulses act along rows that modes hold."""
     kind = members.table.kind
     if not kind.m:
         return
     G = members.constraint_rows()
-    held = (G != 0).any(axis=(1, 2))
-    if not held.any():
+    active = (G != 0).any(axis=(1, 2))
+    if not active.any():
         return
-    inverse = np.linalg.pinv(G[held])
+    inverse = np.linalg.pinv(G[active])
     for k in range(kind.jumps):
-        row = J[held, k]
+        row = J[active, k]
         yield relative(
-            row - times(np.swapaxes(G[held], 1, 2), times(np.swapaxes(inverse, 1, 2), row)), row
+            row - times(np.swapaxes(G[active], 1, 2), times(np.swapaxes(inverse, 1, 2), row)), row
         )
 
 
@@ -160,3 +160,10 @@ def jumps(values: Array, count: int) -> tuple[Array, Array]:
     n = len(values)
     split = count * ROW
     return values[:, :split].reshape(n, count, ROW), values[:, split:].reshape(n, count, -1)
+
+
+LAWS: dict[str, Callable[[Members], float | str]] = {
+    "signs": signs,
+    "jumps": impulses,
+    "change": change,
+}

@@ -25,19 +25,18 @@ from .shapes import ENERGIES, MOMENTA, STRESSES, quaternion_of
 # inputs are shaken by this to see what rounding may do, and how many times
 SHAKEN, LESS = 1e-14, 1e2
 NO_LAW = "no law leads to it"
-OF_EVENTS = ("signs", "jumps", "change")
 MATRICES = {"K": ("q", 0), "C": ("u", 0), "M": ("udot", 0), "R": ("q", 1), "G": ("u", 1)}
 
 
 def check_kinds(members: Members) -> Iterator[tuple[str, float, str]]:
     """Name, error and reason of every function of a kind."""
-    # what modes hold is judged in each of them; other elements are as they are at the start
-    everywhere = members.in_all_modes
+    # what modes hold is judged in each of them
+    modal, everywhere = "H" in members.table.kind.parts, members.in_all_modes
     for form in members.codes:
-        judged = everywhere if "H" in members.table.kind.parts or form in OF_EVENTS else members
-        error, why = _text(judged, form), ""
+        at = everywhere if modal or form in element_events.LAWS else members
+        error, why = _text(at, form), ""
         try:
-            law = LAWS[form](judged) if form in LAWS else NO_LAW
+            law = LAWS[form](at) if form in LAWS else NO_LAW
         except NotThere as missed:
             law = f"needs '{missed}'"
         if isinstance(law, str):
@@ -298,9 +297,8 @@ def _element_forces(members: Members) -> float | str:
     if "M" in members.table.kind.parts:
         return "what it does to nodes is its inertia too"
     value = members.call("element_forces")
-    # what modes hold is not part of it
-    none = {"lam": np.zeros_like(members.inputs["lam"])}
-    force = members.call("balance", none)[:, : members.table.kind.nu]
+    # without what modes hold
+    force = members.call("balance", {"lam": 0 * members.inputs["lam"]})[:, : members.table.kind.nu]
     if value.shape[-1] == 6:
         # force first there, moment first in reactions
         return _on_node(members, force, value[:, [3, 4, 5, 0, 1, 2]])
@@ -398,7 +396,5 @@ LAWS: dict[str, Callable[[Members], Any]] = {
     "mixed": _mixed,
     "mixed_step": _mixed_step,
     "stress": _stress,
-    "signs": element_events.signs,
-    "jumps": element_events.impulses,
-    "change": element_events.change,
+    **element_events.LAWS,
 }

@@ -50,7 +50,7 @@ def check_events(
     names = ("events", "transition", "energy at events")
     if mesh.tables.nu > LARGEST:
         return dict.fromkeys(names, f"not checked: more than {LARGEST} speeds")
-    rng, found = np.random.default_rng(seed), list[tuple[float, float, float]]()
+    rng, errors = np.random.default_rng(seed), list[tuple[float, float, float]]()
     length = length_of(mesh.tables)
     start, modes = model._layout.start("s"), [row.labels for row in model.manifest.s]
     for k in range(max(states, *(len(each) for each in modes), 1)):
@@ -66,16 +66,16 @@ def check_events(
         ]
         event_state = _Events(mesh, codes, replace(at, s=np.array(chosen)))
         try:
-            found += event_state.errors(rng)
+            errors += event_state.errors(rng)
         except SolveError:
             continue
-    if not found:
+    if not errors:
         return dict.fromkeys(names, NOWHERE)
-    return dict(zip(names, (worst_of(*each) for each in zip(*found, strict=True)), strict=True))
+    return dict(zip(names, (worst_of(*each) for each in zip(*errors, strict=True)), strict=True))
 
 
 def _closed(mesh: Mesh, at: State, modes: Array) -> State | None:
-    """A state near another that closes all loops; None where none is found."""
+    """A state near another that closes all loops; None where none is errors."""
     tables = mesh.tables
     at = replace(at, s=modes)
     try:
@@ -141,14 +141,14 @@ class _Events:
 
     def struck(self, numbers: Array) -> Array:
         """Which rows belong to elements with impulses that act (m,): the modes behind these hold
-        what has been brought to rest."""
+        what has been brought to zero."""
         tables, first = self.mesh.tables, 0
         rows = np.zeros(tables.m, bool)
         for number in self._having("jumps"):
             group = tables.groups[number]
             count = len(group) * group.kind.jumps
-            own = numbers[first : first + count].reshape(len(group), group.kind.jumps, -1)
-            acting = (own[..., KIND] != RESPONSE) & (own[..., ACTIVE] != 0)
+            row_numbers = numbers[first : first + count].reshape(len(group), group.kind.jumps, -1)
+            acting = (row_numbers[..., KIND] != RESPONSE) & (row_numbers[..., ACTIVE] != 0)
             if count and group.kind.m:
                 rows[tables.lines(number)[acting.any(axis=1)]] = True
             first += count
@@ -167,8 +167,8 @@ class _Events:
 
     def _solved(self, rounding: float) -> State:
         """The same with so much rounding of all forces and coefficients."""
-        nu, rest = self.mesh.tables.nu, replace(self.at, udot=None, lam=None)
-        right = np.concatenate([-self.mesh.balance(rest)[0], self.mesh.gamma(rest)])
+        nu, zero = self.mesh.tables.nu, replace(self.at, udot=None, lam=None)
+        right = np.concatenate([-self.mesh.balance(zero)[0], self.mesh.gamma(zero)])
         rng = np.random.default_rng(9)
         a, b = (x * (1 + rounding * rng.uniform(-1, 1, x.shape)) for x in (self.system, right))
         solution: Array = np.linalg.lstsq(a, b, rcond=None)[0].astype(float)
@@ -239,7 +239,9 @@ class _Events:
         # speeds were drawn of order 1
         scale = np.abs(u)[None, :], np.abs(behind)[None, :], np.ones((1, 1))
         worst = max(worst, relative((G[self.permanent] @ (behind - u))[None, :], *scale))
-        worst = max(worst, self._reached(J[acting], numbers[acting], behind - u, impulses[:count]))
+        worst = max(
+            worst, self._unreached(J[acting], numbers[acting], behind - u, impulses[:count])
+        )
         states = self._changed(e, behind, responses)
         # what rounding decides, such as of a mode that cannot end here, is left out
         near = [self._changed(e, behind, responses, shift) for shift in (-NOTHING, NOTHING)]
@@ -264,37 +266,38 @@ class _Events:
             if not group.kind.jumps or group.events is None:
                 continue
             values = self._call(number, "jumps", self.solution, e=e[group.events])
-            own, local = jumps(values, group.kind.jumps)
+            row_numbers, local = jumps(values, group.kind.jumps)
             J = np.zeros((len(group), group.kind.jumps, tables.nu))
             columns = tables.columns(group)
             for member in range(len(group)):
                 for k in range(columns.shape[1]):
                     J[member, :, columns[member, k]] += local[member, :, k]
-            asked = J[own[..., KIND] == RESPONSE]
-            force = np.concatenate([asked, np.zeros((len(asked), tables.m))], axis=1)
+            velocities = J[row_numbers[..., KIND] == RESPONSE]
+            force = np.concatenate([velocities, np.zeros((len(velocities), tables.m))], axis=1)
             moved = np.linalg.lstsq(self.system, force.T, rcond=None)[0][: tables.nu]
-            responses[number] = (asked.T * moved).sum(axis=0).reshape(len(group), -1)
-            numbers.append(own.reshape(-1, own.shape[-1]))
+            responses[number] = (velocities.T * moved).sum(axis=0).reshape(len(group), -1)
+            numbers.append(row_numbers.reshape(-1, row_numbers.shape[-1]))
             rows.append(J.reshape(-1, tables.nu))
         if not rows:
             return np.zeros((0, 4)), np.zeros((0, tables.nu)), responses
         return np.concatenate(numbers), np.concatenate(rows), responses
 
-    def _reached(self, J: Array, numbers: Array, change: Array, impulses: Array) -> float:
+    def _unreached(self, J: Array, numbers: Array, change: Array, impulses: Array) -> float:
         """What impulses that act miss of their speeds; some that only push are left out."""
         M, G, _ = self.matrices
         worst, size = 0.0, np.abs(impulses).max(initial=0.0)
-        held = G[self.permanent]
-        basis = np.linalg.qr(held.T)[0] if len(held) else np.zeros((len(M), 0))
-        for row, own, impulse in zip(J, numbers, impulses, strict=True):
+        permanent = G[self.permanent]
+        basis = np.linalg.qr(permanent.T)[0] if len(permanent) else np.zeros((len(M), 0))
+        for row, row_numbers, impulse in zip(J, numbers, impulses, strict=True):
             # along what constraints hold nothing can be reached
             free = row - basis @ (basis.T @ row)
-            pushed = own[KIND] == 0 or abs(impulse) > NOTHING * size
+            pushed = row_numbers[KIND] == 0 or abs(impulse) > NOTHING * size
             if np.abs(free).max() <= NOTHING * np.abs(row).max(initial=0.0) or not pushed:
                 continue
-            gap = np.array([[row @ change + own[MISSING]]])
+            gap = np.array([[row @ change + row_numbers[MISSING]]])
             worst = max(
-                worst, relative(gap, np.array([[own[MISSING], 1.0]]), np.abs(change)[None, :])
+                worst,
+                relative(gap, np.array([[row_numbers[MISSING], 1.0]]), np.abs(change)[None, :]),
             )
         return worst
 
