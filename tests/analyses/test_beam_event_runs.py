@@ -127,6 +127,35 @@ def test_runs_that_no_file_keeps_say_so(model: cd.CompiledModel, tmp_path: Path)
         model.simulate(SPAN, checkpoint=tmp_path / "run")
 
 
+@pytest.mark.parametrize("method", ["DOP853", "GeneralizedAlpha"])
+def test_a_checkpoint_in_memory_goes_on_to_the_same_bits(
+    model: cd.CompiledModel, method: str
+) -> None:
+    stepper = model.stepper(method=method)
+    stepper.step(0.1)
+    middle = stepper.save()
+    ends = []
+    for _ in range(2):
+        stepper.restore(middle)
+        stepper.step(0.02)
+        ends.append((np.array(stepper.state), [event.t for event in stepper.events]))
+    np.testing.assert_array_equal(ends[0][0], ends[1][0])
+    assert ends[0][1] == ends[1][1] != []
+
+
+def test_ensembles_go_on_from_a_file(model: cd.CompiledModel, tmp_path: Path) -> None:
+    starts, file = {"rail": np.array([0.0, -0.02])}, tmp_path / "runs.npz"
+    first = model.ensemble(SPAN, u=starts, method="DOP853", checkpoint=file)
+    again = model.ensemble(SPAN, u=starts, method="DOP853", checkpoint=file)
+    np.testing.assert_array_equal(first.final, again.final)
+
+
+def test_exported_runs_refuse_events_by_name(tmp_path: Path) -> None:
+    equations = cd.derive(cantilever(2, lower=LOWER, restitution=0.0))
+    with pytest.raises(cd.CodegenError, match="'cantilever' has events.*leave out what has them"):
+        equations.export(tmp_path / "out", language="c", integrators=["alpha"])
+
+
 def test_dense_output_stays_on_the_constraints_that_modes_hold(model: cd.CompiledModel) -> None:
     motion = model.simulate(SPAN, method=cd.GeneralizedAlpha(0.8), step=STEP)
     hit, left = (event.t for event in motion.events[:2])

@@ -62,7 +62,7 @@ def test_accelerations_are_solved_for_only_where_a_value_reads_them() -> None:
     assert marks == [0.0, 1.0]
     # a value of a mode that reads them is that of the solution
     lam = model.multipliers(q, u, s=[LYING])
-    row = [name for name in model.multipliers_of].index("stop.stop")
+    row = list(model.multipliers_of).index("stop.stop")
     assert model.events(q, u, s=[LYING])[-1] == pytest.approx(lam[row])
 
 
