@@ -152,7 +152,7 @@ def test_ensembles_go_on_from_a_file(model: cd.CompiledModel, tmp_path: Path) ->
 
 def test_exported_runs_refuse_events_by_name(tmp_path: Path) -> None:
     equations = cd.derive(cantilever(2, lower=LOWER, restitution=0.0))
-    with pytest.raises(cd.CodegenError, match="'cantilever' has events.*leave out what has them"):
+    with pytest.raises(cd.CodegenError, match=r"'cantilever' has events.*leave out what has them"):
         equations.export(tmp_path / "out", language="c", integrators=["alpha"])
 
 
