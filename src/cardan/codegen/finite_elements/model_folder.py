@@ -7,7 +7,7 @@ import zipfile
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -20,7 +20,7 @@ from ...schema.mechanism import BeamRow, BodyRow, FrameRow
 from ...schema.records import PARTS
 from ...schema.tree import Tree
 from .. import flat_scene, layout
-from ..manifest import Base, common
+from ..manifest import Base, common, event_rows, tick_rows
 from ..writing import generate
 from .manifest_rows import plane_of, rows
 
@@ -40,6 +40,8 @@ def base(absolute: FiniteElementRecord, functions: Sequence[str]) -> Base:
         **common(system, "absolute", functions),
         coordinates=coordinates,
         speeds=speeds,
+        events=event_rows(system),
+        ticks=tick_rows(system),
         multipliers=_multipliers(absolute),
         cuts=[],
         joints=joints,
@@ -107,7 +109,8 @@ def numbers(absolute: FiniteElementRecord) -> bytes:
     tables |= {f"stations_{k}": segment.line.stations for k, segment in enumerate(segments)}
     for k, group in enumerate(absolute.groups):
         tables[f"place_{k}"] = group.places
-        integers = {name: getattr(group, name) for name in ("z", "s", "outputs", "powers", "reactions")}
+        names = ("z", "s", "events", "outputs", "powers", "reactions")
+        integers = {name: getattr(group, name) for name in names}
         for name, values in {"own": group.attributes, **integers}.items():
             if values is not None:
                 tables[f"{name}_{k}"] = values
@@ -159,9 +162,33 @@ def _kind(kind: Kind, groups: Sequence[Group]) -> ElementKind:
         mp=kind.mp,
         nz=0 if group.z is None else group.z.shape[1],
         ns=0 if group.s is None else group.s.shape[1],
+        **_event_sizes(kind)._asdict(),
         functions={name: f.name for name, f in kind.functions.items()},
         parts=parts(kind.functions),
     )
+
+
+class _EventSizes(NamedTuple):
+    """Numbers of the events of a kind, and of the states that change at them."""
+
+    states: tuple[int, int] = (0, 0)
+    ne: int = 0
+    jumps: int = 0
+    responses: int = 0
+
+
+def _event_sizes(kind: Kind) -> _EventSizes:
+    outputs = {name: f.outputs for name, f in kind.functions.items()}
+    counts = {output.name: output.size for output in outputs.get("change", ())}
+    z = outputs["zdot"][0].size if "zdot" in outputs else 0
+    sizes = _EventSizes((counts.get("z", z), counts.get("s", 0)))
+    if "signs" in outputs:
+        sizes = sizes._replace(ne=next(o.size for o in outputs["signs"] if o.name == "signs"))
+    if "jumps" in outputs:
+        blocks = {block.name: len(block.entries) for block in kind.functions["jumps"].inputs}
+        count = outputs["jumps"][0].shape[0]
+        sizes = sizes._replace(jumps=count, responses=blocks.get("tau", 0))
+    return sizes
 
 
 def parts(functions_by_name: Mapping[str, Function]) -> dict[str, int]:

@@ -10,6 +10,7 @@ from typing import Any
 from ...elements.forces.force import ForceElement
 from ...elements.joints.joint import Joint as JointElement
 from ...elements.joints.joint import Reversed
+from ...ir.arithmetic import Scalar
 from ...ir.derivative import directional
 from ...ir.function import Block, Function, Output
 from ...ir.graph import ONE, ZERO
@@ -28,12 +29,15 @@ from ..kinematics.accelerations import Accelerations
 from ..kinematics.joint_forces import driving_force, joint_forces
 from ..kinematics.kinematics import Kinematics
 from ..kinematics.loads import Loads
+from .element_events import ElementEvents, switches
 from .joint_constraints import JointConstraint, increments
 from .parts import Part
 from .record import BlockKind, Kind
 
 METHOD = "composite"
 MOTION = 24  # numbers of the motion of a body
+# functions that stay where they are zero throughout
+ALWAYS = ("outputs", "signs", "jumps", "change")
 ABOUT = {
     "balance": "M udot + h - f - Gᵀ lam, then g and G u + g_t",
     "balance_tangent": "derivatives of the balance along q, u, udot, of the rates along q, and G",
@@ -46,6 +50,9 @@ ABOUT = {
     "outputs": "contributions to outputs",
     "bodies": "of bodies of a rigid tree R (9), p (3), velocity (6), acceleration (6), ground axes",
     "reactions": "shares of the wrenches of joints that carry it, parent on child at its frame",
+    "signs": "values of its events, which happen where they fall through zero",
+    "jumps": "impulses at events, and velocities whose responses are asked for",
+    "change": "internal states and modes behind events",
     "element_forces": "force along a line or a joint, or force and moment on a frame",
 }
 
@@ -118,10 +125,13 @@ def kind_of(name: str, part: Part, places: tuple[BlockKind, ...]) -> Kind:
         places: What its places hold.
     """
     context = _context(part)
-    functions = _Builder(context, part).functions()
+    builder = _Builder(context, part)
+    functions = builder.functions()
     listed = blocks(part.system)
     listed["z"] = _states("z", len(part.cutting.z))
     listed["s"] = _states("s", len(part.cutting.s))
+    if builder.events is not None:
+        listed["tau"] = _states("tau", builder.events.responses)
     inputs = tuple(listed[letter] for letter in ABI_ORDER)
     return Kind(
         name=name,
@@ -177,7 +187,7 @@ class _Builder:
         self.k, self.d = context.k, context.d
 
     def functions(self) -> dict[str, tuple[Output, ...]]:
-        """Functions that are not zero throughout; outputs are kept in any case."""
+        """Functions that are not zero throughout; outputs and events are kept in any case."""
         outputs = {
             "balance": self._balance(),
             "balance_tangent": self._tangent(),
@@ -191,11 +201,12 @@ class _Builder:
             "element_forces": self._element_forces(),
             "bodies": self._bodies(),
             "reactions": self._reactions(),
+            **self._events(),
         }
         return {
             name: results
             for name, results in outputs.items()
-            if any(node != ZERO or name == "outputs" for o in results for node in o.nodes)
+            if any(node != ZERO or name in ALWAYS for o in results for node in o.nodes)
         }
 
     def _vector(self, name: str, x: Matrix, entries: tuple[str, ...] = ()) -> Output:
@@ -219,7 +230,7 @@ class _Builder:
         if self.part.joint:
             outputs = self._constraint_tangent()
         elif self.system.closed:
-            outputs = residuals.balance_tangent(self.c)
+            outputs = (*residuals.balance_tangent(self.c), *switches(self.d))
         else:
             outputs = self._free_tangent()
         return tuple(output for output in outputs if any(node != ZERO for node in output.nodes))
@@ -262,6 +273,19 @@ class _Builder:
 
     def _zdot(self) -> tuple[Output, ...]:
         return (self._vector("zdot", event_functions.rates(self.d)),)
+
+    @cached_property
+    def events(self) -> ElementEvents | None:
+        """Events of the force that it is; None without."""
+        forces = self.system.forces
+        having = forces and (forces[0].element.events() or forces[0].element.modes())
+        return ElementEvents(self.d) if having else None
+
+    def _events(self) -> dict[str, tuple[Output, ...]]:
+        if self.events is None:
+            return {}
+        change = self.events.change
+        return {"signs": self.events.signs(), "jumps": self.events.jumps(), "change": change}
 
     def _lam(self) -> Matrix:
         return self.d.block("lam", len(rows(self.system)))
@@ -344,12 +368,20 @@ class _Builder:
     def _power(self) -> tuple[Output, ...]:
         nodes: list[int] = []
         if self.system.forces:
-            nodes.append(sum((x for _, x in self.d.loads.power), self._zero()).node)
+            power = sum((x for _, x in self.d.loads.power), self._zero())
+            nodes.append((power + self._surface_power()).node)
         nodes += [(force * self.k.u(i)[0]).node for i, force in self._driving()]
         if self.system.constraints:
             (rate,), (lam,) = self.d.constraints.prescribed, self._lam()
             nodes.append((-lam * rate).node)
         return (Output("power", (len(nodes),), tuple(nodes)),)
 
-    def _zero(self) -> Any:
+    def _surface_power(self) -> Scalar:
+        """Power of what the element holds on surfaces that move by themselves."""
+        if not any(force.element.locked_velocities() for force in self.system.forces):
+            return self._zero()
+        lam, surfaces = self._lam(), self.d.constraints.surfaces
+        return sum((-lam[row] * rate for row, rate in surfaces), self._zero())
+
+    def _zero(self) -> Scalar:
         return Matrix.zeros(self.k.graph, 1)[0]

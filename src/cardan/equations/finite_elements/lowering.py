@@ -38,7 +38,7 @@ def lowered(
         nodes: As of :class:`.nodal_scene.Scene`.
 
     Raises:
-        DerivationError: it has events, or friction pressed by reactions; or leaves the plane.
+        DerivationError: it has friction pressed by reactions; or leaves the plane.
     """
     _refuse(system)
     scene = Scene(system, nodes)
@@ -119,7 +119,7 @@ def _refuse(system: System) -> None:
     """Refuse options that belong to joint coordinates alone.
 
     Raises:
-        DerivationError: written equations, events, or friction pressed by reactions.
+        DerivationError: written equations, or friction pressed by reactions.
     """
     if system.written:
         raise DerivationError(
@@ -130,8 +130,6 @@ def _refuse(system: System) -> None:
         what = ""
         if force.element.by_reaction:
             what = "the force follows from the reaction of its joint"
-        elif force.element.events():
-            what = f"it has events ('{force.element.events()[0].about}')"
         if what:
             cure = 'Use coordinates="relative"'
             if system.segments:
@@ -200,6 +198,7 @@ def _group(
         common=_common(kind, members, system),
         z=_table([piece.cutting.z for piece in members]) if members[0].cutting.z else None,
         s=_table([piece.cutting.s for piece in members]) if members[0].cutting.s else None,
+        events=_table([part.events for part in members]) if members[0].events else None,
         outputs=_table([[results[n] for n in p.results] for p in members])
         if "outputs" in has
         else None,

@@ -37,6 +37,7 @@ class Part:
         powers: Names of the powers that it contributes to.
         tree: Whether it is a rigid tree, which tells how its bodies move.
         force: What its force is called by elements that have one, "" if it has none.
+        events: Entries of the events of the scene that are its own.
     """
 
     name: str
@@ -51,6 +52,7 @@ class Part:
     powers: tuple[str, ...] = ()
     tree: bool = False
     force: str = ""
+    events: tuple[int, ...] = ()
 
 
 def parts(scene: Scene) -> Iterator[Part]:
@@ -204,6 +206,7 @@ def _force(scene: Scene, force: Force, name: str) -> Part:
         element.source,
         force=name,
         **_driven(cutting, driven, force.name),
+        events=tuple(range(force.e, force.e + len(element.events()))),
     )
 
 

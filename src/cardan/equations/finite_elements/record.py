@@ -127,11 +127,13 @@ class Kind:
         data: Names of the entries of p.
         functions: Those it has, by name:
             ``balance`` [b (nu), g (mp), rates G u + g_t (m)], b = M udot + h - f - Gᵀ lam;
-            ``balance_tangent``: of [K, C, M (nu, nu), R, G (m, nu)] those that are not zero;
+            ``balance_tangent``: of [K, C, M (nu, nu), R, G (m, nu), H (m, m)] those that are not
+            zero, with H of rows that no mode holds;
             ``gamma`` (m) with G udot = gamma; ``energy`` [kinetic, potential]; ``momentum`` (6)
             about the origin of the ground; ``zdot`` of its internal states; ``reaction`` (6):
             wrench of parent on child at the child joint frame in its axes; ``outputs`` and
-            ``power``: see :attr:`Group.outputs`. What is zero throughout is left out.
+            ``power``: see :attr:`Group.outputs`; ``signs``, ``jumps`` and ``change`` of its events:
+            see :mod:`.element_events`. What is zero throughout is left out.
         source: Literature.
     """
 
@@ -196,6 +198,7 @@ class Group:
         outputs, powers: Entries of the scene's outputs and powers to which the functions of that
             name contribute (n, k); contributions of several members to one entry add up. None
             without the function.
+        events: Entries of the scene's events that are its own (n, ne); None where it has none.
     """
 
     kind: Kind
@@ -209,6 +212,7 @@ class Group:
     reactions: Integers | None = field(default=None, repr=False, compare=False)
     outputs: Integers | None = field(default=None, repr=False, compare=False)
     powers: Integers | None = field(default=None, repr=False, compare=False)
+    events: Integers | None = field(default=None, repr=False, compare=False)
 
     def __len__(self) -> int:
         return len(self.members)

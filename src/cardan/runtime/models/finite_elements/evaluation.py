@@ -52,7 +52,7 @@ class Results:
         }
         # q as it is moved comes without its tangent
         self._counts = {f"n{name}": len(entries) for name, entries in self._names.items()}
-        self._counts |= {"nx": model.nx, "ntangent": 0}
+        self._counts |= {"nx": model.nx, "ntangent": 0, "ns": mesh.tables.ns, "ne": mesh.tables.ne}
 
     def of(self, name: str, of: str | None) -> Callable[[Inputs], Array]:
         """A function of given blocks."""
@@ -101,8 +101,12 @@ class Results:
         return self._solved(inputs)[1]
 
     def rhs(self, inputs: Inputs) -> Array:
-        """Time derivative (nx,) of the state [q, u], per s."""
-        return np.concatenate([self.qdot(inputs), self.forward_dynamics(inputs)])
+        """Time derivative (nx,) of the state [q, u, z], per s."""
+        at, nx = self._at(inputs), self._counts["nx"]
+        if "tau" in inputs:
+            rates = np.concatenate([self.qdot(inputs), self.forward_dynamics(inputs)])
+            return np.concatenate([rates, self.mesh.call("rhs", at, nx)[len(rates) :]])
+        return self.mesh.call("rhs", at, nx)
 
     def inverse_dynamics(self, inputs: Inputs) -> Array:
         """tau (nu,) [N m or N] with M udot + h = f + tau."""
@@ -150,6 +154,19 @@ class Results:
         at = State(q=q, u=u, t=float(inputs["t"]), **more)
         size = tables.nq + tables.mp if name == "close_position" else tables.nu + tables.m
         return self.mesh.call(name, at, size, tau=locked)
+
+    # events
+
+    def events(self, inputs: Inputs) -> Array:
+        """Values (ne,) of events, which happen where they fall through zero."""
+        return self.mesh.call("events", self._at(inputs), self.tables.ne)
+
+    def transition(self, inputs: Inputs) -> Array:
+        """u (nu,), z (nz,) and s (ns,) behind the events ``e``."""
+        tables, e = self.tables, inputs["e"][: self.tables.ne]
+        return self.mesh.call(
+            "transition", self._at(inputs), tables.nu + tables.nz + tables.ns, e=e
+        )
 
     # motion
 

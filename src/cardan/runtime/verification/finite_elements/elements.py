@@ -18,6 +18,7 @@ from ....schema.finite_elements import PlaceKind
 from ..differences import BLURRED, input_rates, missing, relative, ways, worst_of
 from ..joint_motion import Array, cross, times
 from ..rotations import quaternion
+from . import element_events
 from .members import NODE, Members, NotThere
 from .shapes import ENERGIES, MOMENTA, STRESSES, quaternion_of
 
@@ -30,10 +31,13 @@ MATRICES = {"K": ("q", 0), "C": ("u", 0), "M": ("udot", 0), "R": ("q", 1), "G": 
 
 def check_kinds(members: Members) -> Iterator[tuple[str, float, str]]:
     """Name, error and reason of every function of a kind."""
+    # what modes hold is judged in each of them
+    modal, everywhere = "H" in members.table.kind.parts, members.in_all_modes
     for form in members.codes:
-        error, why = _text(members, form), ""
+        at = everywhere if modal or form in element_events.LAWS else members
+        error, why = _text(at, form), ""
         try:
-            law = LAWS[form](members) if form in LAWS else NO_LAW
+            law = LAWS[form](at) if form in LAWS else NO_LAW
         except NotThere as missed:
             law = f"needs '{missed}'"
         if isinstance(law, str):
@@ -87,7 +91,7 @@ def _tangent(members: Members) -> float | str:
             size = np.abs(members.call("balance")).max(axis=-1, initial=0.0)
             error = missing(slope[:, ends], off, times(values, way), scale, size * 1e-3)
             worst = worst_of(worst, error)
-    return worst
+    return worst_of(worst, element_events.released(members)) if "H" in kind.parts else worst
 
 
 def _rates(members: Members, moving: bool = True) -> dict[str, Array]:
@@ -299,7 +303,8 @@ def _element_forces(members: Members) -> float | str:
     if "M" in members.table.kind.parts:
         return "what it does to nodes is its inertia too"
     value = members.call("element_forces")
-    force = members.call("balance")[:, : members.table.kind.nu]
+    # without what modes hold
+    force = members.call("balance", {"lam": 0 * members.inputs["lam"]})[:, : members.table.kind.nu]
     if value.shape[-1] == 6:
         # force first there, moment first in reactions
         return _on_node(members, force, value[:, [3, 4, 5, 0, 1, 2]])
@@ -419,4 +424,5 @@ LAWS: dict[str, Callable[[Members], Any]] = {
     "mixed": _mixed,
     "mixed_step": _mixed_step,
     "stress": _stress,
+    **element_events.LAWS,
 }
