@@ -7,6 +7,7 @@ from typing import ClassVar
 
 from ...ir.matrix import Matrix
 from ...spatial.short_rotations import Slopes
+from .element import BUSHING, Lines
 from .element_ends import Ends
 from .relative import Relative, mean_axes
 from .section import flat
@@ -30,6 +31,7 @@ class Bushing(StrainElement):
 
     kind: ClassVar[str] = "bushing"
     geometric: ClassVar[tuple[str, ...]] = STRAIN_DATA
+    formulas: ClassVar[Lines] = BUSHING
     # springs that are missing have no flexibility
     mixed: ClassVar[bool] = False
 

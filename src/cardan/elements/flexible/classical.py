@@ -7,6 +7,7 @@ from typing import ClassVar
 
 from ...ir.matrix import Matrix
 from ...spatial.short_rotations import Slopes
+from .element import CLASSICAL, CLASSICAL_PLAIN, Lines
 from .element_ends import Ends
 from .relative import Relative, mean_axes
 from .section import SECTION, SHAPE, Section, without_locking
@@ -40,6 +41,10 @@ class Classical(StrainElement):
     @property
     def variant(self) -> str:
         return "" if self.residual_flexibility else "plain"
+
+    @property
+    def formula_lines(self) -> Lines:
+        return CLASSICAL if self.residual_flexibility else CLASSICAL_PLAIN
 
     def measures(self, at: Relative) -> tuple[Slopes, Slopes]:
         return mean_axes(at.turn)

@@ -7,7 +7,7 @@ from typing import ClassVar
 
 from ...ir.function import Function, Output
 from ...spatial.short_rotations import Slopes
-from .element import FlexibleElement, balance, tangents
+from .element import DAMPING, FlexibleElement, Lines, balance, tangents
 from .element_ends import Ends
 from .relative import Relative, forces, moved, transport, transport_slope
 from .section import STIFFNESS, diagonal, without_locking
@@ -27,6 +27,7 @@ class Damping(FlexibleElement):
 
     kind: ClassVar[str] = "damping"
     geometric: ClassVar[tuple[str, ...]] = ("length",)
+    formulas: ClassVar[Lines] = DAMPING
 
     @property
     def common(self) -> tuple[str, ...]:

@@ -7,6 +7,7 @@ from typing import ClassVar
 
 from ...ir.matrix import Matrix
 from ...spatial.short_rotations import Slopes
+from .element import HELICOIDAL, Lines
 from .element_ends import Ends
 from .relative import Relative
 from .section import SECTION, SHAPE, Section
@@ -26,6 +27,7 @@ class Helicoidal(StrainElement):
 
     kind: ClassVar[str] = "helicoidal"
     geometric: ClassVar[tuple[str, ...]] = SHAPE
+    formulas: ClassVar[Lines] = HELICOIDAL
 
     @property
     def common(self) -> tuple[str, ...]:

@@ -8,7 +8,7 @@ from typing import ClassVar
 from ...ir.function import Function
 from ...ir.matrix import Matrix
 from ...spatial.short_rotations import Slopes
-from .element import balance, energy, matrix
+from .element import HELLINGER_REISSNER, Lines, balance, energy, matrix
 from .element_ends import Ends
 from .equilibrium_load import CarriedLoad
 from .relative import Relative
@@ -53,6 +53,10 @@ class HellingerReissner(StrainElement):
     @property
     def variant(self) -> str:
         return "loaded" if self.loaded else ""
+
+    @property
+    def formula_lines(self) -> Lines:
+        return () if self.loaded else HELLINGER_REISSNER
 
     def measures(self, at: Relative) -> tuple[Slopes, Slopes]:
         return Slopes(-0.5), at.inverse

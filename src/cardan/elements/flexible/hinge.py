@@ -7,6 +7,7 @@ from typing import ClassVar
 
 from ...ir.matrix import Matrix
 from ...spatial.short_rotations import Slopes
+from .element import BUSHING, Lines
 from .element_ends import Ends
 from .relative import Relative, mean_axes
 from .section import diagonal, flat
@@ -30,6 +31,7 @@ class FlexibleHinge(StrainElement):
 
     kind: ClassVar[str] = "flexible_hinge"
     geometric: ClassVar[tuple[str, ...]] = STRAIN_DATA
+    formulas: ClassVar[Lines] = BUSHING
     # a hinge that turns freely has no flexibility
     mixed: ClassVar[bool] = False
 

@@ -7,6 +7,7 @@ from typing import ClassVar
 
 from ...ir.arithmetic import Scalar
 from ...ir.matrix import Matrix
+from .element import LINKED, Lines
 from .element_ends import NAMES, Ends
 from .inertia import DENSITY, InertiaElement, spin
 from .node_set import Motion, Pose
@@ -37,6 +38,7 @@ class LinkedInertia(InertiaElement):
 
     kind: ClassVar[str] = "linked_inertia"
     geometric: ClassVar[tuple[str, ...]] = ("length",)
+    formulas: ClassVar[Lines] = LINKED
 
     @property
     def common(self) -> tuple[str, ...]:

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from ...ir.matrix import Matrix
+from .element import LUMPED, Lines
 from .element_ends import Ends
 from .inertia import DENSITY, InertiaElement, spin
 from .section import GRAVITY
@@ -23,6 +24,7 @@ class LumpedInertia(InertiaElement):
 
     kind: ClassVar[str] = "lumped_inertia"
     geometric: ClassVar[tuple[str, ...]] = ("length",)
+    formulas: ClassVar[Lines] = LUMPED
 
     @property
     def common(self) -> tuple[str, ...]:

@@ -7,6 +7,7 @@ from dataclasses import fields, is_dataclass, replace
 from functools import cached_property
 from typing import Any
 
+from ...elements.flexible.element import MULTIPLIERS, RIGID
 from ...elements.forces.force import ForceElement
 from ...elements.joints.joint import Joint as JointElement
 from ...elements.joints.joint import Reversed
@@ -134,6 +135,7 @@ def kind_of(name: str, part: Part, places: tuple[BlockKind, ...]) -> Kind:
             for function, results in functions.items()
         },
         source=part.source,
+        formulas=MULTIPLIERS if part.joint else RIGID if part.rigid else (),
     )
 
 

@@ -34,6 +34,7 @@ class Part:
         results: Names of the outputs that it contributes to.
         powers: Names of the powers that it contributes to.
         force: What its force is called by elements that have one, "" if it has none.
+        rigid: Whether it is a rigid body and nothing else.
     """
 
     name: str
@@ -47,6 +48,7 @@ class Part:
     results: tuple[str, ...] = ()
     powers: tuple[str, ...] = ()
     force: str = ""
+    rigid: bool = False
 
 
 def parts(scene: Scene) -> Iterator[Part]:
@@ -81,7 +83,8 @@ def _body(scene: Scene, i: int) -> Part:
     inertia = cutting.expressions(body.inertia, "inertia")
     cutting.node(i, Mass(mass, moment, inertia))
     gravity = cutting.expressions(scene.system.gravity, "gravity")
-    return Part(body.name, "body", cutting, cutting.system_of(gravity=gravity), BODY)
+    small = cutting.system_of(gravity=gravity)
+    return Part(body.name, "body", cutting, small, BODY, rigid=True)
 
 
 def _joint(scene: Scene, i: int) -> Part:

@@ -19,6 +19,7 @@ from typing import TypeAlias
 import numpy as np
 
 from ...arrays import Array, Integers
+from ...elements.flexible.element import Lines
 from ...errors import DerivationError, near
 from ...ir.function import Function
 from ...spatial.plane import Plane
@@ -131,6 +132,8 @@ class Kind:
             wrench of parent on child at the child joint frame in its axes; ``outputs`` and
             ``power``: see :attr:`Group.outputs`. What is zero throughout is left out.
         source: Literature.
+        formulas: (what it is, formula) for readers, in Python;
+            between ends in space.
     """
 
     name: str
@@ -140,6 +143,7 @@ class Kind:
     data: tuple[str, ...]
     functions: Mapping[str, Function] = field(repr=False, compare=False)
     source: str = ""
+    formulas: Lines = field(default=(), repr=False)
 
     @property
     def m(self) -> int:

@@ -5,6 +5,7 @@ Names are whatever users called their joints: each writer escapes what it writes
 
 from __future__ import annotations
 
+import ast
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -141,3 +142,135 @@ def _word(text: str) -> str:
 
 def _index(text: str) -> str:
     return text if text.isalnum() and len(text) <= 2 else _word(text)
+
+
+# functions that are set by their name
+NAMED = {"sin": "sin", "cos": "cos", "cot": "cot", "rotation_vector": "log"}
+SUM, DOT, PRODUCT, UNARY, POWER, ATOM = range(6)
+Set = tuple[str, str, str]  # text, MathML, LaTeX
+
+
+def typeset(formula: str) -> Set:
+    """A formula ``left = right``, written in Python, as text, MathML and LaTeX.
+
+    Only what the formulas of elements use is known: arithmetic, ``@``, ``.T``, a few functions.
+    """
+    (statement,) = ast.parse(formula).body
+    assert isinstance(statement, ast.Assign)
+    left, right = _set(statement.targets[0])[1], _set(statement.value)[1]
+    return (
+        f"{left[0]} = {right[0]}",
+        f"<mrow>{left[1]}<mo>=</mo>{right[1]}</mrow>",
+        f"{left[2]} = {right[2]}",
+    )
+
+
+def _set(node: ast.expr) -> tuple[int, Set]:
+    """How tightly an expression binds, and how it is set."""
+    if isinstance(node, ast.Name):
+        return ATOM, _typeset_name(node.id)
+    if isinstance(node, ast.Constant):
+        number = repr(node.value)
+        return ATOM, (number, f"<mn>{number}</mn>", number)
+    if isinstance(node, ast.Attribute):
+        base = _at_least(node.value, ATOM)
+        return ATOM, (f"{base[0]}ᵀ", f"<msup>{base[1]}<mi>T</mi></msup>", f"{{{base[2]}}}^T")
+    if isinstance(node, ast.UnaryOp):
+        inner = _at_least(node.operand, DOT)
+        return SUM, (f"-{inner[0]}", f"<mo>−</mo>{inner[1]}", f"-{inner[2]}")
+    if isinstance(node, ast.BinOp):
+        return _operation(node)
+    assert isinstance(node, ast.Call)
+    return _call(node)
+
+
+def _at_least(node: ast.expr, tightness: int) -> Set:
+    """An expression, in brackets where it binds less tightly."""
+    binding, done = _set(node)
+    return done if binding >= tightness else _bracketed(done)
+
+
+def _bracketed(inner: Set) -> Set:
+    text, mathml, latex = inner
+    brackets = '<mo stretchy="false">(</mo>{}<mo stretchy="false">)</mo>'
+    return f"({text})", f"<mrow>{brackets.format(mathml)}</mrow>", rf"\left({latex}\right)"
+
+
+def _operation(node: ast.BinOp) -> tuple[int, Set]:
+    if isinstance(node.op, (ast.Add, ast.Sub)):
+        sign, operator = ("+", "+") if isinstance(node.op, ast.Add) else ("-", "−")
+        a, b = _set(node.left)[1], _at_least(node.right, DOT)
+        return SUM, (f"{a[0]} {sign} {b[0]}", f"{a[1]}<mo>{operator}</mo>{b[1]}",
+                     f"{a[2]} {sign} {b[2]}")  # fmt: skip
+    if isinstance(node.op, ast.Div):
+        a, b = _set(node.left)[1], _set(node.right)[1]
+        text = f"{_at_least(node.left, PRODUCT)[0]} / {_at_least(node.right, UNARY)[0]}"
+        mathml = f"<mfrac><mrow>{a[1]}</mrow><mrow>{b[1]}</mrow></mfrac>"
+        return PRODUCT, (text, mathml, rf"\frac{{{a[2]}}}{{{b[2]}}}")
+    if isinstance(node.op, ast.Pow):
+        a, b = _at_least(node.left, ATOM), _set(node.right)[1]
+        return POWER, (f"{a[0]}^{b[0]}", f"<msup>{a[1]}{b[1]}</msup>", f"{{{a[2]}}}^{{{b[2]}}}")
+    a, b = _at_least(node.left, PRODUCT), _at_least(node.right, UNARY)
+    times = "<mo>&#x2062;</mo>"
+    return PRODUCT, (f"{a[0]} {b[0]}", f"{a[1]}{times}{b[1]}", rf"{a[2]} \, {b[2]}")
+
+
+def _call(node: ast.Call) -> tuple[int, Set]:
+    assert isinstance(node.func, ast.Name)
+    function, arguments = node.func.id, node.args
+    if function == "dot":
+        a, b = (_at_least(x, PRODUCT) for x in arguments)
+        return DOT, (f"{a[0]} · {b[0]}", f"{a[1]}<mo>·</mo>{b[1]}", rf"{a[2]} \cdot {b[2]}")
+    parts = [_set(x)[1] for x in arguments]
+    if function == "skew":
+        text, mathml, latex = parts[0]
+        return ATOM, (f"[{text}]", f"<mover><mrow>{mathml}</mrow><mo>~</mo></mover>",
+                      rf"\widetilde{{{latex}}}")  # fmt: skip
+    if function == "inverse":
+        text, mathml, latex = _at_least(arguments[0], ATOM)
+        return ATOM, (f"{text}⁻¹", f"<msup>{mathml}<mrow><mo>−</mo><mn>1</mn></mrow></msup>",
+                      f"{{{latex}}}^{{-1}}")  # fmt: skip
+    if function == "sqrt":
+        text, mathml, latex = parts[0]
+        return ATOM, (f"sqrt({text})", f"<msqrt>{mathml}</msqrt>", rf"\sqrt{{{latex}}}")
+    if function in NAMED:
+        text, mathml, latex = _bracketed(parts[0])
+        word = NAMED[function]
+        return ATOM, (f"{word}{text}", f"<mi>{word}</mi>{mathml}", rf"\{word}{latex}")
+    columns = {"column": 1, "block": 2}.get(function, len(parts))
+    if function == "diagonal":
+        head = ("diag", "<mi>diag</mi>", r"\operatorname{diag}")
+        return ATOM, _joined(head, _matrix(parts, columns))
+    return ATOM, _matrix(parts, columns)
+
+
+def _joined(a: Set, b: Set) -> Set:
+    return a[0] + b[0], a[1] + b[1], a[2] + b[2]
+
+
+def _matrix(parts: list[Set], columns: int) -> Set:
+    rows = [parts[k : k + columns] for k in range(0, len(parts), columns)]
+    text = "; ".join(", ".join(x[0] for x in row) for row in rows)
+    mathml = "".join(
+        "<mtr>" + "".join(f"<mtd>{x[1]}</mtd>" for x in row) + "</mtr>" for row in rows
+    )
+    latex = r" \\ ".join(" & ".join(x[2] for x in row) for row in rows)
+    table = f"<mrow><mo>(</mo><mtable>{mathml}</mtable><mo>)</mo></mrow>"
+    return f"({text})", table, rf"\begin{{pmatrix}} {latex} \end{{pmatrix}}"
+
+
+def _typeset_name(name: str) -> Set:
+    """A letter with dots and an index: ``omegadot_1``."""
+    match = re.fullmatch(r"([A-Za-z]+?)(dot)?(?:_(\w+))?", name)
+    assert match is not None, name
+    letter, dotted, index = match.groups()
+    letter = "lambda" if letter == "lam" else letter
+    greek, sign = letter in GREEK, Notation(letter).character
+    mathml = f"<mi>{sign}</mi>"
+    latex = f"\\{letter}" if greek else letter if len(letter) == 1 else rf"\mathrm{{{letter}}}"
+    if dotted:
+        mathml, latex = f"<mover>{mathml}<mo>.</mo></mover>", rf"\dot{{{latex}}}"
+    if index:
+        tag = "mn" if index.isdigit() else "mi"
+        mathml, latex = f"<msub>{mathml}<{tag}>{index}</{tag}></msub>", f"{latex}_{{{index}}}"
+    return name, mathml, latex
