@@ -1,6 +1,8 @@
 /*
  * revolute__balance
  * M udot + h - f - Gᵀ lam, then g and G u + g_t
+ * b = -Gᵀ lam
+ * Source: R. Featherstone, Rigid Body Dynamics Algorithms, 2008, table 4.1
  * passes: reassociate, schedule
  *
  * Sizes: out 19, work 0, w 0

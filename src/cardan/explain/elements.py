@@ -125,7 +125,7 @@ ENDS = (
     "axes and v its velocity, g gravity. A tilde or square brackets make a matrix of a cross "
     "product; (a; b) stacks. Forces on an end that is not at its node are carried to the node, and "
     "those on an end at the ground are left out; in a plane, the rows of x, y and the angle are "
-    "left. b adds up over all elements, as the sum above has it."
+    "left. At x = 0 coefficients are their limits. b adds up over all elements, as above."
 )
 
 
