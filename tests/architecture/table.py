@@ -60,6 +60,7 @@ FAMILIES: dict[str, frozenset[str]] = {
             "equilibrium_load",
             "element",
             "element_ends",
+            "formulas",
             "node_set",
             "plane",
             "relative",

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from ..equations.reading.notation import typeset
+from ..equations.reading.typesetting import typeset
 from ..ir.function import Function
 from . import content as d
 from .formulas import CONSTRAINT_LEVELS
@@ -158,6 +158,8 @@ def _kind(lines: Sequence[tuple[str, str]], kinds: Sequence[Kind]) -> Iterator[d
 
 
 def _line(about: str, formula: str) -> d.Text:
-    text, mathml, latex = typeset(formula)
-    formula_set = d.Written(mathml, latex, text)
-    return (f"{about}: ", formula_set) if about else (formula_set,)
+    """A formula behind what it is; lines may end between its segments."""
+    parts = list[d.Inline]([f"{about}: "] if about else [])
+    for segment in typeset(formula):
+        parts += [d.Written(segment.mathml, segment.latex, segment.text), " "]
+    return tuple(parts[:-1])

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from ...equations.finite_elements.record import GROUND, BlockKind, FiniteElementRecord, Group, Kind
-from ...equations.reading.notation import typeset
+from ...equations.reading.typesetting import text_of
 from ...ir.function import Function
 from ...schema.entries import MultiplierRow, OutputRow
 from ...schema.finite_elements import ElementKind, FiniteElements, GroupRow, PlaceKind
@@ -148,7 +148,7 @@ def _notes(kind: Kind, function: str) -> tuple[str, ...]:
     lefts = IN_HEAD.get(function, ())
     formulas = (line for _, line in kind.formulas if line.partition(" = ")[0] in lefts)
     source = (f"Source: {kind.source}",) if kind.source else ()
-    return (*(typeset(line)[0] for line in formulas), *source)
+    return (*map(text_of, formulas), *source)
 
 
 def _place(kind: BlockKind) -> PlaceKind:

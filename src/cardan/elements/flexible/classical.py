@@ -7,8 +7,9 @@ from typing import ClassVar
 
 from ...ir.matrix import Matrix
 from ...spatial.short_rotations import Slopes
-from .element import CLASSICAL, CLASSICAL_PLAIN, Lines
+from ..formulas import Lines
 from .element_ends import Ends
+from .formulas import CLASSICAL, CLASSICAL_PLAIN
 from .relative import Relative, mean_axes
 from .section import SECTION, SHAPE, Section, without_locking
 from .strain import Elastic, Field, StrainElement

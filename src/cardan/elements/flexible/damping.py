@@ -7,8 +7,10 @@ from typing import ClassVar
 
 from ...ir.function import Function, Output
 from ...spatial.short_rotations import Slopes
-from .element import DAMPING, FlexibleElement, Lines, balance, tangents
+from ..formulas import Lines
+from .element import FlexibleElement, balance, tangents
 from .element_ends import Ends
+from .formulas import DAMPING
 from .relative import Relative, forces, moved, transport, transport_slope
 from .section import STIFFNESS, diagonal, without_locking
 

@@ -7,8 +7,9 @@ from typing import ClassVar
 
 from ...ir.matrix import Matrix
 from ...spatial.short_rotations import Slopes
-from .element import HELICOIDAL, Lines
+from ..formulas import Lines
 from .element_ends import Ends
+from .formulas import HELICOIDAL
 from .relative import Relative
 from .section import SECTION, SHAPE, Section
 from .strain import Elastic, Field, StrainElement

@@ -8,9 +8,11 @@ from typing import ClassVar
 from ...ir.function import Function
 from ...ir.matrix import Matrix
 from ...spatial.short_rotations import Slopes
-from .element import HELLINGER_REISSNER, Lines, balance, energy, matrix
+from ..formulas import Lines
+from .element import balance, energy, matrix
 from .element_ends import Ends
 from .equilibrium_load import CarriedLoad
+from .formulas import HELLINGER_REISSNER
 from .relative import Relative
 from .section import DEAD_LOADS, FORCES, SECTION, SHAPE, weight
 from .strain import StrainElement, increment, stresses, transported_strain, unknown

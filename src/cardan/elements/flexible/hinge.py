@@ -7,8 +7,9 @@ from typing import ClassVar
 
 from ...ir.matrix import Matrix
 from ...spatial.short_rotations import Slopes
-from .element import BUSHING, Lines
+from ..formulas import Lines
 from .element_ends import Ends
+from .formulas import BUSHING
 from .relative import Relative, mean_axes
 from .section import diagonal, flat
 from .strain import STRAIN_DATA, Elastic, Field, StrainElement

@@ -7,8 +7,9 @@ from typing import ClassVar
 
 from ...ir.arithmetic import Scalar
 from ...ir.matrix import Matrix
-from .element import LINKED, Lines
+from ..formulas import Lines
 from .element_ends import NAMES, Ends
+from .formulas import LINKED
 from .inertia import DENSITY, InertiaElement, spin
 from .node_set import Motion, Pose
 from .section import GRAVITY

@@ -6,8 +6,9 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from ...ir.matrix import Matrix
-from .element import LUMPED, Lines
+from ..formulas import Lines
 from .element_ends import Ends
+from .formulas import LUMPED
 from .inertia import DENSITY, InertiaElement, spin
 from .section import GRAVITY
 

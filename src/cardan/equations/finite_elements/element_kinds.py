@@ -7,8 +7,8 @@ from dataclasses import fields, is_dataclass, replace
 from functools import cached_property
 from typing import Any
 
-from ...elements.flexible.element import MULTIPLIERS, RIGID
 from ...elements.forces.force import ForceElement
+from ...elements.formulas import MULTIPLIERS, RIGID
 from ...elements.joints.joint import Joint as JointElement
 from ...elements.joints.joint import Reversed
 from ...ir.derivative import directional

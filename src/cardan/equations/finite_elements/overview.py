@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from ...errors import counted
-from ..reading.notation import typeset
+from ..reading.typesetting import text_of
 
 if TYPE_CHECKING:
     from .record import FiniteElementRecord
@@ -50,7 +50,7 @@ def _formulas(scene: FiniteElementRecord) -> Iterator[str]:
     if by_formulas:
         yield '  in symbols, which equations.explain("page.html") defines:'
     for main, kinds in by_formulas.items():
-        yield f"    {_row(kinds)}: " + ", ".join(typeset(line)[0] for line in main)
+        yield f"    {_row(kinds)}: " + ", ".join(map(text_of, main))
 
 
 def _row(names: Sequence[str]) -> str:

@@ -19,7 +19,7 @@ from typing import TypeAlias
 import numpy as np
 
 from ...arrays import Array, Integers
-from ...elements.flexible.element import Lines
+from ...elements.formulas import Lines
 from ...errors import DerivationError, near
 from ...ir.function import Function
 from ...spatial.plane import Plane
