@@ -25,6 +25,14 @@ FUNCTIONS: Values = {
     "column": lambda *parts: np.vstack(parts),
     "row": lambda *parts: np.hstack(parts),
     "block": lambda a, b, c, d: np.block([[a, b], [c, d]]),
+    "matrix": lambda *entries: np.reshape(entries, (3, 3)),
+    "rotation": lambda n, angle: rotation(n, angle),
+    "unit": lambda *entries: unit(*entries),
+    "max": max,
+    "min": min,
+    "abs": abs,
+    "atan2": np.arctan2,
+    "tan": np.tan,
     "diagonal": lambda *entries: np.diag(entries),
     "inverse": np.linalg.inv,
     "rotation_vector": lambda r: Rotation.from_matrix(r).as_rotvec()[:, None],
@@ -38,15 +46,32 @@ FUNCTIONS: Values = {
 }
 
 
-def computed(lines: tuple[tuple[str, str], ...], given: Values) -> Values:
-    """The left sides, one after the other."""
+def computed(lines: tuple[tuple[str, str], ...], given: Values, entries: str = "") -> Values:
+    """The left sides, one after the other; of vectors and matrices ``entries`` by number too."""
     values = {**FUNCTIONS, **given}
     for _, formula in lines:
         left, _, right = formula.partition(" = ")
         values[left] = eval(right, {"__builtins__": {}}, values)
-        if left == "s":
+        if left in entries.split():
+            values |= _numbered(left, values[left])
+        if left == "s" and len(values["s"]) == 6:
             values |= {"m": values["s"][:3], "n": values["s"][3:]}
     return values
+
+
+def _numbered(left: str, value: Any) -> Values:
+    value = np.asarray(value)
+    if value.shape[1] == 1:
+        return {f"{left}_{i + 1}": x for i, x in enumerate(value.ravel())}
+    return {f"{left}_{i + 1}{j + 1}": x for (i, j), x in np.ndenumerate(value)}
+
+
+def rotation(n: Any, angle: float) -> Any:
+    return Rotation.from_rotvec(np.ravel(n) * angle).as_matrix()
+
+
+def unit(*entries: float) -> Any:
+    return column(entries) / np.linalg.norm(entries)
 
 
 def poses(q: Any) -> Values:

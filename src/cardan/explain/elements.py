@@ -123,9 +123,11 @@ def some(names: Iterable[str]) -> str:
 ENDS = (
     "R and p are pose and position of a body or of an end, omega its angular velocity in its own "
     "axes and v its velocity, g gravity. A tilde or square brackets make a matrix of a cross "
-    "product; (a; b) stacks. Forces on an end that is not at its node are carried to the node, and "
-    "those on an end at the ground are left out; in a plane, the rows of x, y and the angle are "
-    "left. At x = 0 coefficients are their limits. b adds up over all elements, as above."
+    "product; (a; b) stacks; R_32 is an entry of R. Forces on an end that is not at its node are "
+    "carried to the node, and those on an end at the ground are left out. In a plane, the rows of "
+    "x, y and the angle are left, and those of g that motion in the plane changes. At x = 0 "
+    "coefficients are their limits. b adds up over all elements, as above. G is the derivative of "
+    "g, and of the velocities that vanish, along the speeds."
 )
 
 

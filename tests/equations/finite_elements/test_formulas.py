@@ -69,7 +69,7 @@ def test_joints_pull_along_their_rows() -> None:
                   "lam": rng.normal(size=kind.m), "p": rng.normal(size=len(kind.data))}  # fmt: skip
         b = np.ravel(evaluate(functions["balance"], inputs, "numpy")["balance"])
         G = np.reshape(evaluate(functions["balance_tangent"], inputs, "numpy")["G"], (kind.m, -1))
-        shown = computed(kind.formulas, {"G": G, "lam": column(inputs["lam"])})["b"]
+        shown = computed(kind.formulas[-1:], {"G": G, "lam": column(inputs["lam"])})["b"]
         assert np.abs(np.ravel(shown) - b).max() < ROUNDING * np.abs(b).max()
 
 

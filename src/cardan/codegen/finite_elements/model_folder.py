@@ -27,7 +27,10 @@ from .manifest_rows import plane_of, rows
 
 FILE = "mesh.npz"
 # left sides of the formulas of a kind that open the C of a function
-IN_HEAD = {"balance": ("sigma", "b_m", "b_f", "b"), "energy": ("T", "V")}
+IN_HEAD = {
+    "balance": ("R_q", "p_q", "R", "p", "sigma", "g", "s", "b_m", "b_f", "b"),
+    "energy": ("T", "V"),
+}
 
 
 def base(absolute: FiniteElementRecord, functions: Sequence[str]) -> Base:

@@ -8,7 +8,7 @@ from functools import cached_property
 from typing import Any
 
 from ...elements.forces.force import ForceElement
-from ...elements.formulas import MULTIPLIERS, RIGID
+from ...elements.formulas import RIGID, Lines
 from ...elements.joints.joint import Joint as JointElement
 from ...elements.joints.joint import Reversed
 from ...ir.derivative import directional
@@ -28,6 +28,7 @@ from ..functions.functions import WRENCH
 from ..kinematics.joint_forces import driving_force, joint_forces
 from ..kinematics.kinematics import Kinematics
 from .joint_constraints import JointConstraint, increments
+from .joint_formulas import joint_lines
 from .parts import Part
 from .record import BlockKind, Kind
 
@@ -135,8 +136,15 @@ def kind_of(name: str, part: Part, places: tuple[BlockKind, ...]) -> Kind:
             for function, results in functions.items()
         },
         source=part.source,
-        formulas=MULTIPLIERS if part.joint else RIGID if part.rigid else (),
+        formulas=_lines(part, context.k),
     )
+
+
+def _lines(part: Part, k: Kinematics) -> Lines:
+    """Formulas for readers."""
+    if part.joint:
+        return joint_lines(k)
+    return RIGID if part.rigid else ()
 
 
 def _suffix(name: str) -> str:

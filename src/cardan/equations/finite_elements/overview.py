@@ -12,8 +12,8 @@ if TYPE_CHECKING:
     from .record import FiniteElementRecord
 
 MAX_PRINTED = 10
-# energies, stress and balance among the formulas of a kind
-MAIN = ("T", "V", "sigma", "b_m", "b_f", "b")
+# energies, stress, constraints and balance among the formulas of a kind
+MAIN = ("T", "V", "sigma", "g", "s", "b_m", "b_f", "b")
 
 
 def overview(scene: FiniteElementRecord) -> str:

@@ -17,7 +17,7 @@ NAMED = {"sin": "sin", "cos": "cos", "cot": "cot", "rotation_vector": "log", "at
 # functions whose arguments stand one beside the other in brackets
 LISTED = {"diagonal": "diag"}
 NO_TEX = ("atan2", "diag")
-SUM, DOT, PRODUCT, UNARY, POWER, ATOM = range(6)
+CONDITION, SUM, DOT, PRODUCT, UNARY, POWER, ATOM = range(7)
 TIMES = "<mo>&#x2062;</mo>"
 
 
@@ -87,8 +87,28 @@ def _set(node: ast.expr) -> tuple[int, Segments]:
         return SUM, _before(minus, _at_least(node.operand, DOT), "", "")
     if isinstance(node, ast.BinOp):
         return _operation(node)
+    if isinstance(node, ast.Compare):
+        left, right = _at_least(node.left, SUM), _at_least(node.comparators[0], SUM)
+        sign = RELATIONS[type(node.ops[0])]
+        return CONDITION, (*left, *_before(sign, right))
+    if isinstance(node, ast.IfExp):
+        value, condition, other = (_at_least(x, CONDITION)
+                                   for x in (node.body, node.test, node.orelse))  # fmt: skip
+        return CONDITION, (*value, *_before(_word("if"), condition), *_before(_word("else"), other))
     assert isinstance(node, ast.Call)
     return _call(node)
+
+
+RELATIONS: dict[type[ast.cmpop], Segment] = {
+    ast.Lt: Segment("<", "<mo>&lt;</mo>", "<"),
+    ast.LtE: Segment("<=", "<mo>≤</mo>", r"\le"),
+    ast.Eq: Segment("==", "<mo>=</mo>", "="),
+}
+
+
+def _word(word: str) -> Segment:
+    mathml = f"<mspace width='0.3em'/><mtext>{word}</mtext><mspace width='0.3em'/>"
+    return Segment(word, mathml, rf"\text{{{word}}}")
 
 
 def _at_least(node: ast.expr, tightness: int) -> Segments:
@@ -163,7 +183,7 @@ def _applied(function: str, parts: list[Segments]) -> Segments:
 
 
 # functions that make matrices of blocks -> blocks in a row, 0 for all
-MATRICES = {"column": 1, "block": 2, "row": 0}
+MATRICES = {"column": 1, "block": 2, "matrix": 3, "row": 0}
 
 
 def _matrix(parts: list[Segment], columns: int) -> Segment:
