@@ -55,7 +55,7 @@ def computed(lines: tuple[tuple[str, str], ...], given: Values, entries: str = "
         if left in entries.split():
             values |= _numbered(left, values[left])
         if left == "s" and len(values["s"]) == 6:
-            values |= {"m": values["s"][:3], "n": values["s"][3:]}
+            values |= {"s_m": values["s"][:3], "s_n": values["s"][3:]}
     return values
 
 

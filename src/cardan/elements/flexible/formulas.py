@@ -51,8 +51,8 @@ EQUILIBRIUM: Lines = (
     ("flexibility of the element", "F = c + A.T @ c @ A / 12"),
     ("stress resultants of the middle", "s = inverse(F) @ y"),
     ("energy", "V = dot(y, s) - dot(s, F @ s) / 2"),
-    ("derivative of A s by the strain, m and n moment and force of s",
-     "Z = block(-skew(m), -skew(n), -skew(n), O)"),
+    ("derivative of A s by the strain, s_m and s_n moment and force of s",
+     "Z = block(-skew(s_m), -skew(s_n), -skew(s_n), O)"),
     ("stress that works on the strain, dV/dy", "sigma = s - Z.T @ c @ A @ s / 12"),
 )  # fmt: skip
 WORK: Lines = (
@@ -140,3 +140,95 @@ CLASSICAL: Lines = (*POSE, *HALFWAY, *MEASURES, *DENSE, *SOFT, *CONSTANT, *WORK)
 CLASSICAL_PLAIN: Lines = (*POSE, *HALFWAY, *MEASURES, *DENSE, *SECTION, *CONSTANT, *WORK)
 BUSHING: Lines = (*POSE, *HALFWAY, *MEASURES, *SPRINGS, *WORK)
 DAMPING: Lines = (*POSE, *HELIX, *MEASURES, *SOFT, *WORK[:-1], *RATE, *WORK[-1:])
+
+# f: dead load and weight per length in ground axes, n: follower load in section axes
+CARRIED: Lines = (
+    ("dead load f_0 and weight per length, mu the mass per length", "f = f_0 + mu * g"),
+    ("as the ends see it", "a_1 = R_1.T @ f"),
+    ("", "a_2 = R_2.T @ f"),
+    ("picks the force of a stress, and the length of a strain", "E = row(O, I)"),
+    ("load in axes of the strain, n the follower load per length",
+     "l = L * E.T @ ((a_1 + a_2) / 2 + n)"),
+)  # fmt: skip
+LOADED: Lines = (
+    ("compliance", "c = L * inverse(C)"),
+    ("change of the stress in equilibrium from end to end is -(A s + l)",
+     "A = block(skew(theta), skew(e), O, skew(theta))"),
+    ("flexibility of the element", "F = c + A.T @ c @ A / 12"),
+    ("stress resultants of the middle", "s = inverse(F) @ (y - A.T @ c @ l / 12)"),
+    ("change from end to end, with its sign turned", "t = A @ s + l"),
+    ("energy of the strain, less the work of the load on the helix",
+     "V = dot(s, c @ s) / 2 + dot(t, c @ (t - 2 * l)) / 24"
+     " - L / 2 * dot(f, p_1 + p_2) + L / 12 * dot(a_2 - a_1, e)"),
+    ("derivative of A s by the strain, s_m and s_n moment and force of s",
+     "Z = block(-skew(s_m), -skew(s_n), -skew(s_n), O)"),
+    ("stress that works on the strain",
+     "sigma = s - Z.T @ c @ t / 12 + L / 12 * E.T @ (a_2 - a_1)"),
+)  # fmt: skip
+CARRYING: Lines = (
+    ("derivatives of V by a_1 and a_2", "d_1 = -(L * E @ c @ t / 24) - L / 12 * e"),
+    ("", "d_2 = -(L * E @ c @ t / 24) + L / 12 * e"),
+    ("balance: moment and force that hold end 1, then end 2",
+     "b = B.T @ sigma"
+     " + column(skew(d_1) @ a_1, -(L / 2 * f), skew(d_2) @ a_2, -(L / 2 * f))"),
+)  # fmt: skip
+HELLINGER_REISSNER_LOADED: Lines = (
+    *POSE, *HELIX, *MEASURES, *DENSE, *SECTION, *CARRIED, *LOADED, *WORK[:-1], *CARRYING
+)  # fmt: skip
+
+SPAN: Lines = (
+    ("from end to end", "d = p_2 - p_1"),
+    ("distance of the ends", "ell = sqrt(dot(d, d))"),
+)
+STRETCH = ("strain, epsilon that without stress", "gamma = ell / L - 1 - epsilon")
+SLACK = ("strain, epsilon that without stress; a slack cable has none",
+         "gamma = max(ell / L - 1 - epsilon, 0)")  # fmt: skip
+PULLED: Lines = (
+    ("energy", "V = EA * L * gamma ** 2 / 2"),
+    ("force that pulls end 1 towards end 2", "f = EA * gamma * d / ell"),
+    ("balance: forces that hold the ends, without moments", "b_1 = -f"),
+    ("", "b_2 = f"),
+)
+CABLE: Lines = (*SPAN, SLACK, *PULLED)
+TRUSS: Lines = (*SPAN, STRETCH, *PULLED)
+CABLE_INERTIA: Lines = (
+    ("mass, mu that per length", "m = mu * L"),
+    ("kinetic energy of the straight line", "T = m * (dot(v_1, v_1 + v_2) + dot(v_2, v_2)) / 6"),
+    ("potential energy", "V = -(m * dot(g, p_1 + p_2) / 2)"),
+    ("accelerations less gravity", "a_1 = vdot_1 - g"),
+    ("", "a_2 = vdot_2 - g"),
+    ("balance: forces that hold the ends, without moments", "b_1 = m * (2 * a_1 + a_2) / 6"),
+    ("", "b_2 = m * (a_1 + 2 * a_2) / 6"),
+)
+
+# f_1, f_2: force per length in ground axes as the ends have it, m_1, m_2: moment in their axes
+SHARES: Lines = (
+    ("forces at the ends by work on the cubic through them, i = (1, 0, 0)",
+     "n_1 = L * (7 * f_1 + 3 * f_2) / 20"),
+    ("", "n_2 = L * (3 * f_1 + 7 * f_2) / 20"),
+    ("forces on the tangents R_1 i, R_2 i", "h_1 = L ** 2 * (3 * f_1 + 2 * f_2) / 60"),
+    ("", "h_2 = -(L ** 2 * (2 * f_1 + 3 * f_2) / 60)"),
+)  # fmt: skip
+HOLDING: Lines = (
+    ("moments that hold the ends, in their axes", "tau_1 = -(skew(i) @ R_1.T @ h_1 + L / 2 * m_1)"),
+    ("", "tau_2 = -(skew(i) @ R_2.T @ h_2 + L / 2 * m_2)"),
+    ("balance", "b = column(tau_1, -n_1, tau_2, -n_2)"),
+)
+DEAD_LOAD: Lines = (
+    ("force and moment per length in ground axes", "f_1 = f"),
+    ("", "f_2 = f"),
+    ("", "m_1 = R_1.T @ m"),
+    ("", "m_2 = R_2.T @ m"),
+    *SHARES,
+    ("potential energy of the force",
+     "V = -(dot(n_1, p_1) + dot(n_2, p_2) + dot(h_1, R_1 @ i) + dot(h_2, R_2 @ i))"),
+    *HOLDING,
+)  # fmt: skip
+FOLLOWER_LOAD: Lines = (
+    ("force and moment per length in section axes", "f_1 = R_1 @ f"),
+    ("", "f_2 = R_2 @ f"),
+    ("", "m_1 = m"),
+    ("", "m_2 = m"),
+    *SHARES,
+    *HOLDING,
+)

@@ -12,7 +12,7 @@ from ..formulas import Lines
 from .element import balance, energy, matrix
 from .element_ends import Ends
 from .equilibrium_load import CarriedLoad
-from .formulas import HELLINGER_REISSNER
+from .formulas import HELLINGER_REISSNER, HELLINGER_REISSNER_LOADED
 from .relative import Relative
 from .section import DEAD_LOADS, FORCES, SECTION, SHAPE, weight
 from .strain import StrainElement, increment, stresses, transported_strain, unknown
@@ -58,7 +58,7 @@ class HellingerReissner(StrainElement):
 
     @property
     def formula_lines(self) -> Lines:
-        return () if self.loaded else HELLINGER_REISSNER
+        return HELLINGER_REISSNER_LOADED if self.loaded else HELLINGER_REISSNER
 
     def measures(self, at: Relative) -> tuple[Slopes, Slopes]:
         return Slopes(-0.5), at.inverse
