@@ -7,7 +7,10 @@ from typing import Any
 import numpy as np
 from scipy.spatial.transform import Rotation
 
+from cardan.elements.flexible import FlexibleElement
+
 Values = dict[str, Any]
+STIFFNESS = ("GJ", "EI2", "EI3", "EA", "GA2", "GA3")
 
 
 def skew(v: Any) -> Any:
@@ -28,6 +31,7 @@ FUNCTIONS: Values = {
     "matrix": lambda *entries: np.reshape(entries, (3, 3)),
     "rotation": lambda n, angle: rotation(n, angle),
     "unit": lambda *entries: unit(*entries),
+    "trace": np.trace,
     "max": max,
     "min": min,
     "abs": abs,
@@ -70,8 +74,10 @@ def rotation(n: Any, angle: float) -> Any:
     return Rotation.from_rotvec(np.ravel(n) * angle).as_matrix()
 
 
-def unit(*entries: float) -> Any:
-    return column(entries) / np.linalg.norm(entries)
+def unit(*entries: Any) -> Any:
+    """Unit vector along a vector, or along three entries."""
+    vector = np.ravel(entries)
+    return column(vector) / np.linalg.norm(vector)
 
 
 def poses(q: Any) -> Values:
@@ -93,3 +99,36 @@ def motions(u: Any, udot: Any) -> Values:
 
 def column(entries: Any) -> Any:
     return np.array(entries, dtype=float)[:, None]
+
+
+def data_of(element: FlexibleElement, inputs: Values) -> Values:
+    """Names that formulas of a flexible element use without defining them."""
+    data = dict(zip(element.data(), inputs["p"], strict=True))
+    given = poses(inputs["q"]) | motions(inputs["u"], inputs["udot"])
+    given |= {"u": column(inputs["u"]), "L": data.get("length"), "eta": data.get("damping")}
+    given |= {f"{name[:2]}_{name[2:]}" if name[2:] else name: data.get(name) for name in STIFFNESS}
+    if "K1" in data:
+        given["K"] = column([data[name] for name in ("K1", "K2", "K3", "E1", "E2", "E3")])
+        given["epsilon"] = column([data[f"strain_{k}"] for k in range(1, 7)])
+    if "theta1" in data:
+        given["y_0"] = column([data[f"{x}{k}"] for x in ("theta", "e") for k in (1, 2, 3)])
+    if "k11" in data:
+        given["k"] = np.array([[data[f"k{min(i, j)}{max(i, j)}"] for j in range(1, 7)]
+                               for i in range(1, 7)])  # fmt: skip
+    if "turn" in data:
+        names = ("turn", "tilt", "tilt", "axial", "radial", "radial")
+        given["k"] = np.diag([data[name] for name in names])
+    if "gravity_1" in data:
+        given |= {"mu": data["rhoA"], "g": column([data[f"gravity_{k}"] for k in (1, 2, 3)])}
+    if element.kind in ("cable", "truss"):
+        given["epsilon"] = data["strain_4"]
+    loads = {"dead_force": "f_0", "follower_force": "n"}
+    if element.kind.endswith("_load"):
+        loads = {element.kind.replace("load", x): x[0] for x in ("force", "moment")}
+    for name, letter in loads.items():
+        if f"{name}_1" in data:
+            given[letter] = column([data[f"{name}_{k}"] for k in (1, 2, 3)])
+    if "rhoI2" in data:
+        second, third = data["rhoI2"], data["rhoI3"]
+        given["J"] = np.diag([second + third, second, third])
+    return given

@@ -10,7 +10,7 @@ import pytest
 from cardan.elements.flexible import BEAMS, FLEXIBLE, INERTIAS, Cable, FlexibleElement
 from cardan.equations.reading.typesetting import typeset, unbroken
 from cardan.ir.interpreter import evaluate
-from elements.formula_values import column, computed, motions, poses, skew
+from elements.formula_values import computed, data_of, skew
 
 ELEMENTS: dict[str, FlexibleElement] = {
     **BEAMS, **INERTIAS, "truss": Cable(compression=True),
@@ -19,7 +19,6 @@ ELEMENTS: dict[str, FlexibleElement] = {
 }  # fmt: skip
 # solves of six equations with stiffness of one magnitude
 ROUNDING = 1e-10
-STIFFNESS = ("GJ", "EI2", "EI3", "EA", "GA2", "GA3")
 
 
 @pytest.mark.parametrize("name", ELEMENTS)
@@ -31,7 +30,7 @@ def test_balance_and_energy(name: str) -> None:
     pulls = False
     for _ in range(5):
         inputs = _state(rng, element.data())
-        given = _given(element, inputs)
+        given = data_of(element, inputs)
         if name != "lumped":
             values = computed(element.formula_lines, given)
         else:
@@ -60,39 +59,6 @@ def _state(rng: np.random.Generator, data: tuple[str, ...]) -> dict[str, Any]:
     return {"q": q.ravel(), "u": rng.normal(size=12), "udot": rng.normal(size=12), "p": p}
 
 
-def _given(element: FlexibleElement, inputs: dict[str, Any]) -> dict[str, Any]:
-    """Names that formulas use without defining them."""
-    data = dict(zip(element.data(), inputs["p"], strict=True))
-    given = poses(inputs["q"]) | motions(inputs["u"], inputs["udot"])
-    given |= {"u": column(inputs["u"]), "L": data.get("length"), "eta": data.get("damping")}
-    given |= {f"{name[:2]}_{name[2:]}" if name[2:] else name: data.get(name) for name in STIFFNESS}
-    if "K1" in data:
-        given["K"] = column([data[name] for name in ("K1", "K2", "K3", "E1", "E2", "E3")])
-        given["epsilon"] = column([data[f"strain_{k}"] for k in range(1, 7)])
-    if "theta1" in data:
-        given["y_0"] = column([data[f"{x}{k}"] for x in ("theta", "e") for k in (1, 2, 3)])
-    if "k11" in data:
-        given["k"] = np.array([[data[f"k{min(i, j)}{max(i, j)}"] for j in range(1, 7)]
-                               for i in range(1, 7)])  # fmt: skip
-    if "turn" in data:
-        names = ("turn", "tilt", "tilt", "axial", "radial", "radial")
-        given["k"] = np.diag([data[name] for name in names])
-    if "gravity_1" in data:
-        given |= {"mu": data["rhoA"], "g": column([data[f"gravity_{k}"] for k in (1, 2, 3)])}
-    if element.kind in ("cable", "truss"):
-        given["epsilon"] = data["strain_4"]
-    loads = {"dead_force": "f_0", "follower_force": "n"}
-    if element.kind.endswith("_load"):
-        loads = {element.kind.replace("load", x): x[0] for x in ("force", "moment")}
-    for name, letter in loads.items():
-        if f"{name}_1" in data:
-            given[letter] = column([data[f"{name}_{k}"] for k in (1, 2, 3)])
-    if "rhoI2" in data:
-        second, third = data["rhoI2"], data["rhoI3"]
-        given["J"] = np.diag([second + third, second, third])
-    return given
-
-
 def _end(given: dict[str, Any], k: int) -> dict[str, Any]:
     """Motion of end k."""
     return {x: given[f"{x}_{k}"] for x in ("p", "v", "vdot", "omega", "omegadot")}
@@ -118,7 +84,7 @@ def test_forces_are_carried_to_the_node(name: str) -> None:
     placed |= {f"start_p{x}": s[i, 0] for i, x in enumerate("xyz")}
     inputs["p"] = np.array(list(placed.values()))
     plain = inputs | {"p": inputs["p"][: len(element.data())]}
-    given = _given(element, plain)
+    given = data_of(element, plain)
     node, omega, omegadot = given["R_1"], given["omega_1"], given["omegadot_1"]
     spun = skew(omega)
     given |= {

@@ -127,7 +127,8 @@ ENDS = (
     "carried to the node, and those on an end at the ground are left out. In a plane, the rows of "
     "x, y and the angle are left, and those of g that motion in the plane changes. At x = 0 "
     "coefficients are their limits. b adds up over all elements, as above. G is the derivative of "
-    "g, and of the velocities that vanish, along the speeds."
+    "g, and of the velocities that vanish, along the speeds. Forces F at the origin of a frame, "
+    "moments M on it and forces tau along a joint enter b with the opposite sign."
 )
 
 

@@ -142,7 +142,7 @@ BUSHING: Lines = (*POSE, *HALFWAY, *MEASURES, *SPRINGS, *WORK)
 DAMPING: Lines = (*POSE, *HELIX, *MEASURES, *SOFT, *WORK[:-1], *RATE, *WORK[-1:])
 
 # f: dead load and weight per length in ground axes, n: follower load in section axes
-CARRIED: Lines = (
+DEAD: Lines = (
     ("dead load f_0 and weight per length, mu the mass per length", "f = f_0 + mu * g"),
     ("as the ends see it", "a_1 = R_1.T @ f"),
     ("", "a_2 = R_2.T @ f"),
@@ -165,7 +165,7 @@ LOADED: Lines = (
     ("stress that works on the strain",
      "sigma = s - Z.T @ c @ t / 12 + L / 12 * E.T @ (a_2 - a_1)"),
 )  # fmt: skip
-CARRYING: Lines = (
+END_FORCES: Lines = (
     ("derivatives of V by a_1 and a_2", "d_1 = -(L * E @ c @ t / 24) - L / 12 * e"),
     ("", "d_2 = -(L * E @ c @ t / 24) + L / 12 * e"),
     ("balance: moment and force that hold end 1, then end 2",
@@ -173,7 +173,7 @@ CARRYING: Lines = (
      " + column(skew(d_1) @ a_1, -(L / 2 * f), skew(d_2) @ a_2, -(L / 2 * f))"),
 )  # fmt: skip
 HELLINGER_REISSNER_LOADED: Lines = (
-    *POSE, *HELIX, *MEASURES, *DENSE, *SECTION, *CARRIED, *LOADED, *WORK[:-1], *CARRYING
+    *POSE, *HELIX, *MEASURES, *DENSE, *SECTION, *DEAD, *LOADED, *WORK[:-1], *END_FORCES
 )  # fmt: skip
 
 SPAN: Lines = (
@@ -181,7 +181,7 @@ SPAN: Lines = (
     ("distance of the ends", "ell = sqrt(dot(d, d))"),
 )
 STRETCH = ("strain, epsilon that without stress", "gamma = ell / L - 1 - epsilon")
-SLACK = ("strain, epsilon that without stress; a slack cable has none",
+TENSION = ("strain, epsilon that without stress; a slack cable has none",
          "gamma = max(ell / L - 1 - epsilon, 0)")  # fmt: skip
 PULLED: Lines = (
     ("energy", "V = EA * L * gamma ** 2 / 2"),
@@ -189,7 +189,7 @@ PULLED: Lines = (
     ("balance: forces that hold the ends, without moments", "b_1 = -f"),
     ("", "b_2 = f"),
 )
-CABLE: Lines = (*SPAN, SLACK, *PULLED)
+CABLE: Lines = (*SPAN, TENSION, *PULLED)
 TRUSS: Lines = (*SPAN, STRETCH, *PULLED)
 CABLE_INERTIA: Lines = (
     ("mass, mu that per length", "m = mu * L"),
@@ -209,7 +209,7 @@ SHARES: Lines = (
     ("forces on the tangents R_1 i, R_2 i", "h_1 = L ** 2 * (3 * f_1 + 2 * f_2) / 60"),
     ("", "h_2 = -(L ** 2 * (2 * f_1 + 3 * f_2) / 60)"),
 )  # fmt: skip
-HOLDING: Lines = (
+SUPPORT: Lines = (
     ("moments that hold the ends, in their axes", "tau_1 = -(skew(i) @ R_1.T @ h_1 + L / 2 * m_1)"),
     ("", "tau_2 = -(skew(i) @ R_2.T @ h_2 + L / 2 * m_2)"),
     ("balance", "b = column(tau_1, -n_1, tau_2, -n_2)"),
@@ -222,7 +222,7 @@ DEAD_LOAD: Lines = (
     *SHARES,
     ("potential energy of the force",
      "V = -(dot(n_1, p_1) + dot(n_2, p_2) + dot(h_1, R_1 @ i) + dot(h_2, R_2 @ i))"),
-    *HOLDING,
+    *SUPPORT,
 )  # fmt: skip
 FOLLOWER_LOAD: Lines = (
     ("force and moment per length in section axes", "f_1 = R_1 @ f"),
@@ -230,5 +230,5 @@ FOLLOWER_LOAD: Lines = (
     ("", "m_1 = m"),
     ("", "m_2 = m"),
     *SHARES,
-    *HOLDING,
+    *SUPPORT,
 )

@@ -27,6 +27,7 @@ from ..functions.element_forces import force_of
 from ..functions.functions import WRENCH
 from ..kinematics.joint_forces import driving_force, joint_forces
 from ..kinematics.kinematics import Kinematics
+from ..kinematics.loads import places as force_places
 from .joint_constraints import JointConstraint, increments
 from .joint_formulas import joint_lines
 from .parts import Part
@@ -144,6 +145,9 @@ def _lines(part: Part, k: Kinematics) -> Lines:
     """Formulas for readers."""
     if part.joint:
         return joint_lines(k)
+    if part.system.forces:
+        (force,) = part.system.forces
+        return force.element.formulas(force_places(k, force))
     return RIGID if part.rigid else ()
 
 

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 MAX_PRINTED = 10
 # energies, stress, constraints and balance among the formulas of a kind
-MAIN = ("T", "V", "sigma", "g", "s", "b_m", "b_f", "b")
+MAIN = ("T", "V", "sigma", "g", "s", "f", "F", "M", "tau", "zdot", "b_m", "b_f", "b")
 
 
 def overview(scene: FiniteElementRecord) -> str:

@@ -101,6 +101,7 @@ def _set(node: ast.expr) -> tuple[int, Segments]:
 
 RELATIONS: dict[type[ast.cmpop], Segment] = {
     ast.Lt: Segment("<", "<mo>&lt;</mo>", "<"),
+    ast.Gt: Segment(">", "<mo>&gt;</mo>", ">"),
     ast.LtE: Segment("<=", "<mo>≤</mo>", r"\le"),
     ast.Eq: Segment("==", "<mo>=</mo>", "="),
 }
