@@ -34,6 +34,8 @@ SYMPY_AT_IMPORT: frozenset[str] = frozenset(
         "cardan.ir.forms.sympy_bridge",
         "cardan.ir.forms.sympy_out",
         "cardan.ir.forms.readable",
+        "cardan.equations.reading.energy_expressions",
+        "cardan.equations.reading.expressions_of_formulas",
         "cardan.equations.reading.mathml",
         "cardan.explain.breaking",
         "cardan.equations.reading.named",

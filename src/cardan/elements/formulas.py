@@ -24,3 +24,21 @@ RIGID: Lines = (
 MULTIPLIERS: Lines = (
     ("balance: forces of the multipliers lam, along the rows of g", "b = -(G.T @ lam)"),
 )
+
+# element -> shapes of what its formulas read, beside vectors and rotations of its ends and numbers
+Shape: TypeAlias = "tuple[int | str, int]"
+_STRAINS: dict[str, Shape] = {"K": (6, 1), "epsilon": (6, 1)}
+_SPRINGS: dict[str, Shape] = {"y_0": (6, 1), "k": ("symmetric", 6)}
+_SPIN: dict[str, Shape] = {"J": ("diagonal", 3)}
+_LOAD: dict[str, Shape] = {"f": (3, 1), "m": (3, 1)}
+_MASS: dict[str, Shape] = {"c": (3, 1), "I": ("symmetric", 3)}
+SHAPES: dict[str, dict[str, Shape]] = {
+    **dict.fromkeys(("helicoidal", "classical", "damping"), _STRAINS),
+    "hellinger_reissner": _STRAINS | {"f_0": (3, 1), "n": (3, 1)},
+    **dict.fromkeys(("bushing", "flexible_hinge"), _SPRINGS),
+    **dict.fromkeys(("linked_inertia", "lumped_inertia"), _SPIN),
+    **dict.fromkeys(("dead_load", "follower_load"), _LOAD),
+    "body": {"c": (3, 1), "J": ("symmetric", 3)},
+    **dict.fromkeys(("central_gravity", "gravity_gradient"), _MASS),
+    "contact": {"n_0": (3, 1)},
+}

@@ -50,10 +50,11 @@ EQUILIBRIUM: Lines = (
      "A = block(skew(theta), skew(e), O, skew(theta))"),
     ("flexibility of the element", "F = c + A.T @ c @ A / 12"),
     ("stress resultants of the middle", "s = inverse(F) @ y"),
-    ("energy", "V = dot(y, s) - dot(s, F @ s) / 2"),
+    ("change from end to end, with its sign turned", "t = A @ s"),
+    ("energy", "V = dot(s, c @ s) / 2 + dot(t, c @ t) / 24"),
     ("derivative of A s by the strain, s_m and s_n moment and force of s",
      "Z = block(-skew(s_m), -skew(s_n), -skew(s_n), O)"),
-    ("stress that works on the strain, dV/dy", "sigma = s - Z.T @ c @ A @ s / 12"),
+    ("stress that works on the strain, dV/dy", "sigma = s - Z.T @ c @ t / 12"),
 )  # fmt: skip
 WORK: Lines = (
     ("derivative of theta by the relative rotation",

@@ -138,7 +138,20 @@ def kind_of(name: str, part: Part, places: tuple[BlockKind, ...]) -> Kind:
         },
         source=part.source,
         formulas=_lines(part, context.k),
+        element=part.kind,
+        part="joint"
+        if part.joint
+        else "body"
+        if part.rigid
+        else "force" * bool(part.system.forces),
     )
+
+
+def _family(part: Part) -> str:
+    """Body, joint or force; "" for relations and outputs."""
+    if part.joint:
+        return "joint"
+    return "body" if part.rigid else "force" * bool(part.system.forces)
 
 
 def _lines(part: Part, k: Kinematics) -> Lines:

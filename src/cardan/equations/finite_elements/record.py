@@ -25,6 +25,7 @@ from ...ir.function import Function
 from ...spatial.plane import Plane
 from ...topology.system import System
 from ..reading.counts import Counts
+from .kinds import Kinds
 from .overview import overview
 
 Numbers: TypeAlias = Array
@@ -134,6 +135,8 @@ class Kind:
         source: Literature.
         formulas: (what it is, formula) for readers, in Python;
             between ends in space.
+        element: Its element in the catalog, such as "revolute"; "body" of rigid bodies.
+        part: "body", "joint", "force" or "beam"; "" of others.
     """
 
     name: str
@@ -144,6 +147,8 @@ class Kind:
     functions: Mapping[str, Function] = field(repr=False, compare=False)
     source: str = ""
     formulas: Lines = field(default=(), repr=False)
+    element: str = ""
+    part: str = ""
 
     @property
     def m(self) -> int:
@@ -313,9 +318,9 @@ class FiniteElementRecord:
         return tuple(name for name, _ in self.results)
 
     @property
-    def kinds(self) -> tuple[Kind, ...]:
-        """The kinds of elements, once each."""
-        return tuple({group.kind.name: group.kind for group in self.groups}.values())
+    def kinds(self) -> Kinds:
+        """The kinds of elements, once each: by number, or some of them by name."""
+        return Kinds({group.kind.name: group.kind for group in self.groups}.values())
 
     def function(self, kind: str, name: str) -> Function:
         """A function of a kind of element as expressions.

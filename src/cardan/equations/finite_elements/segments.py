@@ -270,7 +270,9 @@ class _Builder:
             places = (self.holds.node,) * len(end_blocks)
             functions, source = element.derived(kinds), element.source
             data, formulas = element.data(kinds), element.formula_lines
-            kind = Kind(name, places, (), 0, data, functions, source, formulas)
+            kind = Kind(
+                *(name, places, (), 0, data, functions, source, formulas, element.kind, "beam")
+            )
             if end_blocks != places:
                 space, planar_name = kind, unique(name, self.taken)
                 kind = flattened(planar_name, space, end_blocks)
