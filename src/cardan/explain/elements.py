@@ -5,10 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from ..equations.reading.typesetting import typeset
 from ..ir.function import Function
 from . import content as d
-from .formulas import CONSTRAINT_LEVELS
+from .formulas import CONSTRAINT_LEVELS, formula_line
 
 if TYPE_CHECKING:
     from ..equations.finite_elements.record import BlockKind, FiniteElementRecord, Kind
@@ -154,15 +153,7 @@ def _formulas(scene: FiniteElementRecord) -> d.Section:
 def _kind(lines: Sequence[tuple[str, str]], kinds: Sequence[Kind]) -> Iterator[d.Block]:
     """Names, formulas, sources."""
     yield d.Paragraph((", ".join(kind.name for kind in kinds) + ":",))
-    yield d.Listing(tuple(_line(about, formula) for about, formula in lines))
+    yield d.Listing(tuple(formula_line(about, formula) for about, formula in lines))
     sources = dict.fromkeys(kind.source for kind in kinds if kind.source)
     for source in sources:
         yield d.Paragraph((f"Source: {source}",), quiet=True)
-
-
-def _line(about: str, formula: str) -> d.Text:
-    """A formula behind what it is; lines may end between its segments."""
-    parts = list[d.Inline]([f"{about}: "] if about else [])
-    for segment in typeset(formula):
-        parts += [d.Written(segment.mathml, segment.latex, segment.text), " "]
-    return tuple(parts[:-1])

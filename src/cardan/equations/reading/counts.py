@@ -7,7 +7,9 @@ from typing import TYPE_CHECKING
 
 from ...errors import counted
 from ...ir.function import Function, count
+from .chain_pattern import chain_pattern
 from .loop_report import loop_lines
+from .typesetting import text_of
 
 if TYPE_CHECKING:
     from ..record import EquationRecord
@@ -81,6 +83,10 @@ def overview(equations: EquationRecord) -> str:
         lines.append(f"  {name:18}" + "".join(f"{n:6d}" for n in row))
     for name, (now, before) in equations.gain.items():
         lines.append(f"  {name}: {before - now} operations less than with all parameters free")
+    pattern = chain_pattern(s)
+    if pattern:
+        lines.append(f"  chain of n = {len(s.bodies)} equal links:")
+        lines += [f"    {text_of(line):44}  {about}" for about, line in pattern]
     return "\n".join(lines)
 
 

@@ -128,7 +128,7 @@ def _operation(node: ast.BinOp) -> tuple[int, Segments]:
     if isinstance(node.op, (ast.Add, ast.Sub)):
         adds = isinstance(node.op, ast.Add)
         sign = Segment(*("+", "<mo>+</mo>", "+") if adds else ("-", "<mo>−</mo>", "-"))
-        return SUM, (*_set(node.left)[1], *_before(sign, _at_least(node.right, DOT)))
+        return SUM, (*_at_least(node.left, SUM), *_before(sign, _at_least(node.right, DOT)))
     if isinstance(node.op, ast.Div):
         above, below = unbroken(_set(node.left)[1]), unbroken(_set(node.right)[1])
         numerator = unbroken(_at_least(node.left, PRODUCT)).text
@@ -168,9 +168,21 @@ def _call(node: ast.Call) -> tuple[int, Segments]:
         inner = unbroken(parts[0])
         mathml = f"<msqrt>{inner.mathml}</msqrt>"
         return ATOM, (Segment(f"sqrt({inner.text})", mathml, rf"\sqrt{{{inner.latex}}}"),)
+    if function == "total":
+        return SUM, _sum([unbroken(x) for x in parts[:3]], _at_least(arguments[3], DOT))
     if function in MATRICES:
         return ATOM, (_matrix([unbroken(x) for x in parts], MATRICES[function] or len(parts)),)
     return ATOM, _applied(function, parts)
+
+
+def _sum(limits: Sequence[Segment], terms: Segments) -> Segments:
+    """The sum of terms over an index from first to last."""
+    index, first, last = limits
+    text = f"sum({index.text} = {first.text} .. {last.text})"
+    low = f"<mrow>{index.mathml}<mo>=</mo>{first.mathml}</mrow>"
+    mathml = f"<munderover><mo>∑</mo>{low}<mrow>{last.mathml}</mrow></munderover>"
+    latex = rf"\sum_{{{index.latex} = {first.latex}}}^{{{last.latex}}}"
+    return _before(Segment(text, mathml, latex), terms)
 
 
 def _applied(function: str, parts: list[Segments]) -> Segments:

@@ -75,6 +75,8 @@ def _text(
     inner = [texts[k] for k in operands(node)]
     if node[0] == "mul" and node[1] == node[2]:
         return POWER, f"{_at_least(inner[0], ATOM)} ** 2"
+    if node[0] == "mul" and graph.nodes[node[2]][0] == "const":
+        inner = inner[::-1]
     if node[0] in INFIX:
         sign, binding = INFIX[node[0]]
         right = binding if node[0] in ("add", "mul") else binding + 1
