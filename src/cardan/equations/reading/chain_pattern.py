@@ -33,7 +33,7 @@ PATTERN: Lines = (
     ("angles of the links, i = 1 ... n", "phi_i = total(j, 1, i, q_j)"),
     ("inertia that links i and j share", "a_ij = (J if i == j else ell * sigma)"
      " + (n - max(i, j)) * m * ell ** 2"),
-    ("gravity on link i and on what it carries, g_1 and g_2 along and across at angle 0",
+    ("gravity on link i and on later ones, g_1 along angle 0",
      "w_i = (sigma + (n - i) * m * ell) * (g_1 * sin(phi_i) - g_2 * cos(phi_i))"),
     ("balance of link i", "b_i = total(j, 1, n, a_ij * (cos(phi_i - phi_j) * phiddot_j"
      " + sin(phi_i - phi_j) * phidot_j ** 2)) + w_i"),

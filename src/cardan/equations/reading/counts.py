@@ -62,6 +62,10 @@ class Counts(dict[str, int]):
         return hypot(SIDE_BY_SIDE * self.total, IN_TURN * self.critical_path)
 
 
+# letters of a line
+WIDTH = 100
+
+
 def overview(equations: EquationRecord) -> str:
     """Formalism, sizes, names and counts on one screen."""
     s = equations.system
@@ -86,7 +90,9 @@ def overview(equations: EquationRecord) -> str:
     pattern = chain_pattern(s)
     if pattern:
         lines.append(f"  chain of n = {len(s.bodies)} equal links:")
-        lines += [f"    {text_of(line):44}  {about}" for about, line in pattern]
+        for about, line in pattern:
+            row = f"    {text_of(line):44}  {about}"
+            lines += [row] if len(row) <= WIDTH else [f"    {text_of(line)}", f"{'':50}{about}"]
     return "\n".join(lines)
 
 
