@@ -179,7 +179,9 @@ def _absolute(
             f"{', '.join(f'{name}=' for name in named_options)}: for joint coordinates only. Leave "
             "out such arguments, or take coordinates='relative'"
         )
-    equations: FiniteElementEquations = face(lowered(system, plane, ends_of_beams(system) if trees else None))
+    equations: FiniteElementEquations = face(
+        lowered(system, plane, ends_of_beams(system) if trees else None)
+    )
     return equations
 
 

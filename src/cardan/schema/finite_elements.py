@@ -95,7 +95,9 @@ class FiniteElements(Record):
         table(text), "joint -> child frame, where its reaction acts", default=NOTHING
     )
     tree_joints: Sequence[str] = field(
-        listed(text), "joints inside of rigid trees, whose reactions add up over elements", default=()
+        listed(text),
+        "joints inside of rigid trees, whose reactions add up over elements",
+        default=(),
     )
     forces: Mapping[str, tuple[int, int]] = field(
         table(pair()), "element -> group and member whose force it is", run=NOTHING

@@ -96,7 +96,10 @@ class State:
         """Angular acceleration and that of the origin of a frame, by those of its node."""
         place, _, arm = self.reference.node(frame)
         if place == CARRIED:
-            (alpha, a), rest = np.split(self.reference.body(frame, udot)[0], 2), self.reference.body(frame, udot)[1]
+            (alpha, a), rest = (
+                np.split(self.reference.body(frame, udot)[0], 2),
+                self.reference.body(frame, udot)[1],
+            )
             R, omega = rest[:9].reshape(3, 3), rest[12:15]
             return self._at_arm(alpha, omega, R @ arm, a)
         at = self.reference.scene.places.u[place]

@@ -11,7 +11,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ...equations.finite_elements.record import GROUND, BlockKind, FiniteElementRecord, Group, Kind
+from ...equations.finite_elements.record import BlockKind, FiniteElementRecord, Group, Kind
+from ...equations.reading.typesetting import text_of
 from ...ir.function import Function
 from ...schema.entries import MultiplierRow, OutputRow
 from ...schema.finite_elements import ElementKind, FiniteElements, GroupRow, PlaceKind
@@ -25,6 +26,11 @@ from ..writing import generate
 from .manifest_rows import plane_of, rows
 
 FILE = "mesh.npz"
+# left sides of the formulas of a kind that open the C of a function
+IN_HEAD = {
+    "balance": ("R_q", "p_q", "R", "p", "sigma", "g", "s", "b_m", "b_f", "b"),
+    "energy": ("T", "V"),
+}
 
 
 def base(absolute: FiniteElementRecord, functions: Sequence[str]) -> Base:
@@ -136,9 +142,20 @@ def write(folder: Path, absolute: FiniteElementRecord, available: Sequence[str])
     functions_by_name = {f.name: f for f in functions(absolute)}
     missing = [functions_by_name[each] for each in layout.missing(folder, list(functions_by_name))]
     # no word of the model: what its elements share with those of others is compiled once
-    texts = [(generate(f), f) for f in missing]
+    notes = {
+        f.name: _notes(kind, name) for kind in absolute.kinds for name, f in kind.functions.items()
+    }
+    texts = [(generate(f, notes=notes.get(f.name, ())), f) for f in missing]
     if texts:
         layout.add_functions(folder, texts)
+
+
+def _notes(kind: Kind, function: str) -> tuple[str, ...]:
+    """Formulas of a function of a kind, and the source of the kind, for the head of its C."""
+    lefts = IN_HEAD.get(function, ())
+    formulas = (line for _, line in kind.formulas if line.partition(" = ")[0] in lefts)
+    source = (f"Source: {kind.source}",) if kind.source else ()
+    return (*map(text_of, formulas), *source)
 
 
 def _place(kind: BlockKind) -> PlaceKind:

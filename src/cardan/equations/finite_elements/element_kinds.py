@@ -8,6 +8,7 @@ from functools import cached_property
 from typing import Any
 
 from ...elements.forces.force import ForceElement
+from ...elements.formulas import RIGID, Lines
 from ...elements.joints.joint import Joint as JointElement
 from ...elements.joints.joint import Reversed
 from ...ir.arithmetic import Scalar
@@ -29,8 +30,10 @@ from ..kinematics.accelerations import Accelerations
 from ..kinematics.joint_forces import driving_force, joint_forces
 from ..kinematics.kinematics import Kinematics
 from ..kinematics.loads import Loads
+from ..kinematics.loads import places as force_places
 from .element_events import ElementEvents, switches
 from .joint_constraints import JointConstraint, increments
+from .joint_formulas import joint_lines
 from .parts import Part
 from .record import BlockKind, Kind
 
@@ -151,7 +154,31 @@ def kind_of(name: str, part: Part, places: tuple[BlockKind, ...]) -> Kind:
             for function, results in functions.items()
         },
         source=part.source,
+        formulas=_lines(part, context.k),
+        element=part.kind,
+        part="joint"
+        if part.joint
+        else "body"
+        if part.rigid
+        else "force" * bool(part.system.forces),
     )
+
+
+def _family(part: Part) -> str:
+    """Body, joint or force; "" for relations and outputs."""
+    if part.joint:
+        return "joint"
+    return "body" if part.rigid else "force" * bool(part.system.forces)
+
+
+def _lines(part: Part, k: Kinematics) -> Lines:
+    """Formulas for readers."""
+    if part.joint:
+        return joint_lines(k)
+    if part.system.forces:
+        (force,) = part.system.forces
+        return force.element.formulas(force_places(k, force))
+    return RIGID if part.rigid else ()
 
 
 def _suffix(name: str) -> str:

@@ -21,7 +21,17 @@ from .nodal_scene import NODE, Key, Scene
 from .parts import Part, parts
 from .planar_kinds import flattened
 from .planarity import check, planes
-from .record import CARRIED, GROUND, BlockKind, FiniteElementRecord, Frames, Group, Kind, Places, unique
+from .record import (
+    CARRIED,
+    GROUND,
+    BlockKind,
+    FiniteElementRecord,
+    Frames,
+    Group,
+    Kind,
+    Places,
+    unique,
+)
 from .segments import beamed
 from .states import states
 

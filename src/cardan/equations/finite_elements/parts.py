@@ -38,6 +38,7 @@ class Part:
         tree: Whether it is a rigid tree, which tells how its bodies move.
         force: What its force is called by elements that have one, "" if it has none.
         events: Entries of the events of the scene that are its own.
+        rigid: Whether it is a rigid body and nothing else.
     """
 
     name: str
@@ -53,6 +54,7 @@ class Part:
     tree: bool = False
     force: str = ""
     events: tuple[int, ...] = ()
+    rigid: bool = False
 
 
 def parts(scene: Scene) -> Iterator[Part]:
@@ -123,7 +125,8 @@ def _body(scene: Scene, i: int) -> Part:
     cutting, body = Cutting(scene), scene.system.bodies[i]
     cutting.node(i, _mass(cutting, i))
     gravity = cutting.expressions(scene.system.gravity, "gravity")
-    return Part(body.name, "body", cutting, cutting.system_of(gravity=gravity), BODY)
+    small = cutting.system_of(gravity=gravity)
+    return Part(body.name, "body", cutting, small, BODY, rigid=True)
 
 
 def _joint(scene: Scene, i: int) -> Part:

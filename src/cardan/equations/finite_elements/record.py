@@ -19,11 +19,13 @@ from typing import TypeAlias
 import numpy as np
 
 from ...arrays import Array, Integers
+from ...elements.formulas import Lines
 from ...errors import DerivationError, near
 from ...ir.function import Function
 from ...spatial.plane import Plane
 from ...topology.system import System
 from ..reading.counts import Counts
+from .kinds import Kinds
 from .overview import overview
 
 Numbers: TypeAlias = Array
@@ -135,6 +137,10 @@ class Kind:
             ``power``: see :attr:`Group.outputs`; ``signs``, ``jumps`` and ``change`` of its events:
             see :mod:`.element_events`. What is zero throughout is left out.
         source: Literature.
+        formulas: (what it is, formula) for readers, in Python;
+            between ends in space.
+        element: Its element in the catalog, such as "revolute"; "body" of rigid bodies.
+        part: "body", "joint", "force" or "beam"; "" of others.
     """
 
     name: str
@@ -144,6 +150,9 @@ class Kind:
     data: tuple[str, ...]
     functions: Mapping[str, Function] = field(repr=False, compare=False)
     source: str = ""
+    formulas: Lines = field(default=(), repr=False)
+    element: str = ""
+    part: str = ""
 
     @property
     def m(self) -> int:
@@ -322,9 +331,9 @@ class FiniteElementRecord:
         return tuple(name for name, _ in self.results)
 
     @property
-    def kinds(self) -> tuple[Kind, ...]:
-        """The kinds of elements, once each."""
-        return tuple({group.kind.name: group.kind for group in self.groups}.values())
+    def kinds(self) -> Kinds:
+        """The kinds of elements, once each: by number, or some of them by name."""
+        return Kinds({group.kind.name: group.kind for group in self.groups}.values())
 
     def function(self, kind: str, name: str) -> Function:
         """A function of a kind of element as expressions.
