@@ -91,8 +91,8 @@ def overview(equations: EquationRecord) -> str:
     if pattern:
         lines.append(f"  chain of n = {len(s.bodies)} equal links:")
         for about, line in pattern:
-            row = f"    {text_of(line):44}  {about}"
-            lines += [row] if len(row) <= WIDTH else [f"    {text_of(line)}", f"{'':50}{about}"]
+            text = f"    {text_of(line):44}  {about}"
+            lines += [text] if len(text) <= WIDTH else [f"    {text_of(line)}", f"{'':50}{about}"]
     return "\n".join(lines)
 
 
