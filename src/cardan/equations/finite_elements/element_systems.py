@@ -133,8 +133,7 @@ class Cutting:
         for i in reversed(way):
             if i not in self._body:
                 parent = self.system.bodies[i].parent
-                base = parent if parent == GROUND else self.node(parent)
-                local = self._body[parent] if parent in self._body else base
+                local = self._body[parent] if parent in self._body else self.node(parent)
                 self._body[i] = self._carried(i, local, mass if i == body else NOTHING)
         return self._body[body]
 

@@ -1,4 +1,4 @@
-"""Frames on the bodies of rigid trees, whose motion follows from the coordinates of their joints."""
+"""Frames on the bodies of rigid trees, which move with the coordinates of their joints."""
 
 from __future__ import annotations
 
