@@ -64,6 +64,17 @@ class SolveError(CardanError, ArithmeticError):
     """Numbers failed: a state outside its domain, a singular matrix, a run that broke down."""
 
 
+class NoteOnFiles(str):
+    """A note on the files of this machine, which neither scenes nor models that are saved keep."""
+
+    __slots__ = ()
+
+
+def lasting(notes: Iterable[str]) -> list[str]:
+    """Notes without those on the files of this machine."""
+    return [note for note in notes if not isinstance(note, NoteOnFiles)]
+
+
 class ModelWarning(UserWarning):
     """Something in a scene that may not be meant."""
 

@@ -70,7 +70,7 @@ def test_summary_says_what_happened(ball: cd.CompiledModel) -> None:
         "times: 0.45",
         "floor.impact = -",
         "balance   ",
-        "in impacts",
+        "impacts ",
         "given: z = 1",
         "motor.force = 0",
     ):

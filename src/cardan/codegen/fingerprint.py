@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import hashlib
+from dataclasses import replace
 from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from ..equations.finite_elements.record import FiniteElementRecord
 from ..equations.record import EquationRecord
+from ..errors import lasting
 from ..version import VERSION
 from .finite_elements import model_folder
 
@@ -19,6 +21,7 @@ if TYPE_CHECKING:
 def fingerprint(equations: EquationRecord | FiniteElementRecord, loops: bool | None = None) -> str:
     """Hash of everything the C of a system depends on; ``loops`` as in :func:`compile`."""
     system: System = equations.system
+    system = replace(system, notes=tuple(lasting(system.notes)))
     digest = hashlib.sha256()
     for part in (
         VERSION,

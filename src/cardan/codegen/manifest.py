@@ -17,6 +17,7 @@ from ..equations.functions.dynamics import Dynamics
 from ..equations.functions.element_forces import force_rows
 from ..equations.kinematics.kinematics import Kinematics
 from ..equations.record import EquationRecord
+from ..errors import lasting
 from ..ir.function import Function
 from ..schema import mechanism
 from ..schema.entries import (
@@ -127,7 +128,7 @@ def common(system: System, method: str, functions: Sequence[str]) -> dict[str, A
         "fixed": list(system.fixed),
         "forces": flat_scene.force_element_rows(system),
         "shapes": flat_scene.shape_rows(system),
-        "notes": list(system.notes),
+        "notes": lasting(system.notes),
         "snaps": list(system.snaps),
         "available": list(functions),
         "functions": {},

@@ -155,10 +155,14 @@ def moment(m: Mechanism) -> str:
 
 
 def _redundant(m: Mechanism, q: Array) -> bool:
-    """True when conditions are redundant beside a position (nq,), where rounding can open them."""
+    """True when conditions are redundant beside a position (nq,), where rounding can open them.
+
+    Those of mechanisms such as Bricard's are so only where it closes: there are as many as speeds,
+    though it moves.
+    """
     aside = np.random.default_rng(0).uniform(-OFFSET, OFFSET, m.nu)
     G = m.jacobian(m.advance(q, aside))
-    return rank_of(np.linalg.svd(G, compute_uv=False)) < len(G)
+    return len(G) >= m.nu or rank_of(np.linalg.svd(G, compute_uv=False)) < len(G)
 
 
 def _culprits(m: Mechanism, again: Search) -> str:

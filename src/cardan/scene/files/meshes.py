@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path, PurePosixPath
 
-from ...errors import ModelError, counted
+from ...errors import ModelError, NoteOnFiles, counted
 from .. import shape
 from ..shape import Shape
 from .document import Element
@@ -119,8 +119,10 @@ class Meshes:
             *(["packages= names the folders to look in"] if named else []),
         ]
         return [
-            f"{counted(len(meshes), 'mesh file')} {were} not found in {self._searched()}: "
-            f"{', '.join(meshes[:MAX_NAMED])}{more}; {'; '.join(cures)}"
+            NoteOnFiles(
+                f"{counted(len(meshes), 'mesh file')} {were} not found in {self._searched()}: "
+                f"{', '.join(meshes[:MAX_NAMED])}{more}; {'; '.join(cures)}"
+            )
         ]
 
 

@@ -83,9 +83,7 @@ class _Reader:
                 getattr(self, f"_{section}")(sections[section])
             if section in ("include", "beams"):
                 self._late_frames(last=section == "beams")
-        for note in self.meshes.notes():
-            if note not in self.model.notes:
-                self.model.notes.append(note)
+        self.model.notes += self.meshes.notes()
 
     def _sections(self, root: Item) -> dict[str, Item]:
         """The keys of the document.

@@ -11,7 +11,7 @@ from typing import Any
 from ....arguments import checked
 from ....atomic_file import written
 from ....elements.validation import AXES
-from ....errors import ModelError
+from ....errors import ModelError, lasting
 from ....version import SCENE
 from ...beam import Beam
 from ...beam_arguments import ELEMENT, INERTIA, ROLES
@@ -98,7 +98,7 @@ class _Writer:
             "outputs": {n: self._said(o, "output") for n, o in model.outputs.items()},
             "values": {n: number(value) for n, value in model.values.items()},
             "simulate": self._settings(),
-            "notes": list(model.notes),
+            "notes": lasting(model.notes),
             "snaps": list(model.snaps),
         }
         sections["tables"] = {
