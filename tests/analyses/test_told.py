@@ -126,7 +126,7 @@ def test_multipliers_have_histories(bars: cd.CompiledModel) -> None:
     expected = bars.multipliers(motion.q, motion.u)
     for k, name in enumerate(bars.multipliers_of):
         np.testing.assert_array_equal(motion[name], expected[:, k])
-    with pytest.raises(cd.ModelError, match=r"no such history.*C\.px"):
+    with pytest.raises(cd.ModelError, match=r"no such history.*C\.p[xy]"):
         motion["C.pp"]
 
 
