@@ -115,3 +115,10 @@ def test_a_rail_stays_under_a_carriage_with_a_shape(tmp_path: Path) -> None:
     scene.joint("pin", cd.Revolute("y"), cart, rod)
     motion = cd.compile(scene).simulate(1.0, q={"pin": 1.0})
     assert [row["kind"] for row in supports(motion, tmp_path)] == ["rail"]
+
+
+def test_no_post_goes_through_a_shape_that_turns(tmp_path: Path) -> None:
+    scene = cd.Scene("wheel", gravity=(0, 0, -9.81))
+    wheel = scene.body("wheel", mass=1, inertia=(1, 1, 1), shape=cd.shape.cylinder(0.3, 0.05))
+    scene.joint("axle", cd.Revolute("y"), scene.ground, wheel)
+    assert supports(cd.compile(scene).simulate(0.1, u={"axle": 1.0}), tmp_path) == []

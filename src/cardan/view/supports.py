@@ -35,7 +35,7 @@ class Support:
 def supports(
     motion: TrajectoryRecord, bodies: Sequence[DrawnBody], drawn_beams: Sequence[DrawnBeam]
 ) -> list[Support]:
-    """Supports of a scene; none where shapes of the user or joints without an axis are on it."""
+    """Supports of a scene; none where the ground has shapes of the user or joints without an axis."""
     manifest = motion.manifest
     owners = {row.name: row.body for row in manifest.frames}
     if any(owners.get(shape.frame) == "ground" for shape in manifest.shapes):
@@ -44,7 +44,10 @@ def supports(
         return list(_clamps(motion, drawn_beams, owners))
     rows = [*_of_tree(motion, bodies), *_of_cuts(motion, bodies, owners)]
     # links between all of them are drawn where some have no axis
-    return [row for row, _ in rows if row] if all(row or not linked for row, linked in rows) else []
+    if any(row is None and linked for row, linked in rows):
+        return []
+    # shapes of the user show how they are held, but not how far they slide
+    return [row for row, linked in rows if row and (linked or row.kind == "rail")]
 
 
 def _of_tree(
