@@ -35,7 +35,7 @@ class Support:
 def supports(
     motion: TrajectoryRecord, bodies: Sequence[DrawnBody], drawn_beams: Sequence[DrawnBeam]
 ) -> list[Support]:
-    """Supports of a scene; none where the ground has shapes of the user or joints without an axis."""
+    """Supports of a scene; none where the ground has shapes of its own or joints without axes."""
     manifest = motion.manifest
     owners = {row.name: row.body for row in manifest.frames}
     if any(owners.get(shape.frame) == "ground" for shape in manifest.shapes):
