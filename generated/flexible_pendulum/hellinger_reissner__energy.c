@@ -2,6 +2,9 @@
  * hellinger_reissner__energy
  * Geometrically exact beam with a stress field in equilibrium and helicoidal strain
  * energy = y·s - s·F s / 2, F s = y, F = c + Aᵀ c A / 12, A = d(stress end to end) / ds
+ * V = (s · c s) / 2 + (t · c t) / 24
+ * Source: Sonneville, Cardona and Brüls, CMAME 268 (2014) for the strain; Pian and Sumihara,
+ *     IJNME 20 (1984) for stress fields; their union on SE(3) is our own
  * passes: reassociate
  *
  * Sizes: out 2, work 0, w 18

@@ -2,6 +2,10 @@
  * linked_inertia__balance
  * Mass of the cubic through both ends along their tangents, and of rotations between them
  * kinetic = 1/2 sum mass_ij x_i'·x_j' + 1/2 integral omega·rhoI omega
+ * b = (tau_1; f_1; tau_2; f_2)
+ * Source: Archer, J. Structural Division ASCE 89 (1963); Przemieniecki,
+ *     Theory of Matrix Structural Analysis (1968), section 11.4,
+ *     for small displacements; its finite form is our own
  * passes: reassociate
  *
  * Sizes: out 12, work 0, w 12

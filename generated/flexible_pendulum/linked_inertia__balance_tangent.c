@@ -2,6 +2,9 @@
  * linked_inertia__balance_tangent
  * Mass of the cubic through both ends along their tangents, and of rotations between them
  * kinetic = 1/2 sum mass_ij x_i'·x_j' + 1/2 integral omega·rhoI omega
+ * Source: Archer, J. Structural Division ASCE 89 (1963); Przemieniecki,
+ *     Theory of Matrix Structural Analysis (1968), section 11.4,
+ *     for small displacements; its finite form is our own
  * passes: reassociate
  *
  * Sizes: out 432, work 0, w 15

@@ -2,6 +2,11 @@
  * linked_inertia__energy
  * Mass of the cubic through both ends along their tangents, and of rotations between them
  * kinetic = 1/2 sum mass_ij x_i'·x_j' + 1/2 integral omega·rhoI omega
+ * T = T_1 + T_2
+ * V = -g · (mu L / 2 (p_1 + p_2) + (m_13 - m_14) (R_1 i - R_2 i))
+ * Source: Archer, J. Structural Division ASCE 89 (1963); Przemieniecki,
+ *     Theory of Matrix Structural Analysis (1968), section 11.4,
+ *     for small displacements; its finite form is our own
  * passes: reassociate
  *
  * Sizes: out 2, work 0, w 14

@@ -1,6 +1,12 @@
 /*
  * revolute__balance
  * M udot + h - f - Gᵀ lam, then g and G u + g_t
+ * R_q = (cos(q), 0, sin(q); 0, 1, 0; -sin(q), 0, cos(q))
+ * R = (R_P R_q)ᵀ R_C
+ * p = R_qᵀ R_Pᵀ (p_C - p_P)
+ * g = (R_32; R_13; R_21; p_1; p_2; p_3)
+ * b = -Gᵀ lam
+ * Source: R. Featherstone, Rigid Body Dynamics Algorithms, 2008, table 4.1
  * passes: reassociate, schedule
  *
  * Sizes: out 19, work 0, w 0

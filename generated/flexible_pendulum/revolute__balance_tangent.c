@@ -1,6 +1,7 @@
 /*
  * revolute__balance_tangent
  * derivatives of the balance along q, u, udot, of the rates along q, and G
+ * Source: R. Featherstone, Rigid Body Dynamics Algorithms, 2008, table 4.1
  * passes: reassociate, schedule
  *
  * Sizes: out 133, work 0, w 0

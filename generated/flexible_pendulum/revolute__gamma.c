@@ -1,6 +1,7 @@
 /*
  * revolute__gamma
  * G udot = gamma
+ * Source: R. Featherstone, Rigid Body Dynamics Algorithms, 2008, table 4.1
  * passes: reassociate, schedule
  *
  * Sizes: out 6, work 0, w 0

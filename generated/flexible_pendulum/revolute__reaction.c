@@ -1,6 +1,7 @@
 /*
  * revolute__reaction
  * wrench of parent on child at the child joint frame, in its axes
+ * Source: R. Featherstone, Rigid Body Dynamics Algorithms, 2008, table 4.1
  * passes: reassociate, schedule
  *
  * Sizes: out 6, work 0, w 0

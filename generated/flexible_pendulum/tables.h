@@ -68,7 +68,7 @@ static const ptrdiff_t spots_0[] = {
     14, 13, 26, 19, 1, 0, 7, 13, 1172, 1171, -1, 7,
 };
 static const ptrdiff_t parts_0[] = {
-    0, -1, -1, 49, 91,
+    0, -1, -1, 49, 91, -1,
 };
 static const ptrdiff_t place_1[] = {
     1, 3, 3, 4, 4, 5, 5, 6, 6, 7, 7, 8,
@@ -86,7 +86,7 @@ static const ptrdiff_t spots_1[] = {
     961, 967, 18, 1069, 1075, 18, 1075, 1063, 18, 133, 127, 12,
 };
 static const ptrdiff_t parts_1[] = {
-    0, -1, -1, -1, -1,
+    0, -1, -1, -1, -1, -1,
 };
 static const ptrdiff_t place_2[] = {
     1, 3, 3, 4, 4, 5, 5, 6, 6, 7, 7, 8,
@@ -104,7 +104,7 @@ static const ptrdiff_t spots_2[] = {
     961, 967, 18, 1069, 1075, 18, 1075, 1063, 18, 133, 127, 12,
 };
 static const ptrdiff_t parts_2[] = {
-    0, 144, 288, -1, -1,
+    0, 144, 288, -1, -1, -1,
 };
 static const ptrdiff_t place_of_mover_0[] = {
     0,
@@ -242,9 +242,9 @@ static const ptrdiff_t diagonal_of_mesh[] = {
     1056, 1075, 1094, 1113, 1132, 1151, 1170,
 };
 static const cardan_group groups[] = {
-    {.count = 1, .places = 2, .nq = 8, .nu = 7, .nz = 0, .ns = 0, .mp = 6, .m = 6, .inner = 0, .inner_start = 0, .place = place_0, .rows = rows_0, .spots = spots_0, .z = NULL, .s = NULL, .powers = NULL, .outputs = NULL, .parts = parts_0},
-    {.count = 10, .places = 2, .nq = 14, .nu = 12, .nz = 0, .ns = 0, .mp = 0, .m = 0, .inner = 6, .inner_start = 0, .place = place_1, .rows = rows_1, .spots = spots_1, .z = NULL, .s = NULL, .powers = NULL, .outputs = NULL, .parts = parts_1},
-    {.count = 10, .places = 2, .nq = 14, .nu = 12, .nz = 0, .ns = 0, .mp = 0, .m = 0, .inner = 0, .inner_start = 0, .place = place_2, .rows = rows_2, .spots = spots_2, .z = NULL, .s = NULL, .powers = NULL, .outputs = NULL, .parts = parts_2},
+    {.count = 1, .places = 2, .nq = 8, .nu = 7, .nz = 0, .ns = 0, .mp = 6, .m = 6, .z_states = 0, .s_states = 0, .ne = 0, .jumps = 0, .responses = 0, .inner = 0, .inner_start = 0, .place = place_0, .rows = rows_0, .spots = spots_0, .z = NULL, .s = NULL, .events = NULL, .powers = NULL, .outputs = NULL, .parts = parts_0},
+    {.count = 10, .places = 2, .nq = 14, .nu = 12, .nz = 0, .ns = 0, .mp = 0, .m = 0, .z_states = 0, .s_states = 0, .ne = 0, .jumps = 0, .responses = 0, .inner = 6, .inner_start = 0, .place = place_1, .rows = rows_1, .spots = spots_1, .z = NULL, .s = NULL, .events = NULL, .powers = NULL, .outputs = NULL, .parts = parts_1},
+    {.count = 10, .places = 2, .nq = 14, .nu = 12, .nz = 0, .ns = 0, .mp = 0, .m = 0, .z_states = 0, .s_states = 0, .ne = 0, .jumps = 0, .responses = 0, .inner = 0, .inner_start = 0, .place = place_2, .rows = rows_2, .spots = spots_2, .z = NULL, .s = NULL, .events = NULL, .powers = NULL, .outputs = NULL, .parts = parts_2},
 };
 static const cardan_movers movers[] = {
     {.count = 1, .nq = 1, .nu = 1, .place = place_of_mover_0},
@@ -272,6 +272,9 @@ static const cardan_mesh mesh = {
     .driven = 0,
     .outputs = 0,
     .solved = 0,
+    .ne = 0,
+    .jumps = 0,
+    .responses = 0,
     .groups = groups,
     .group_count = 3,
     .movers = movers,

@@ -19,6 +19,7 @@ from .equations.constraints.assembly_branches import with_branches
 from .equations.constraints.feasibility import feasibility
 from .equations.constraints.treatments import Treatment, treatment
 from .equations.finite_elements.lowering import lowered
+from .equations.finite_elements.nodal_scene import ends_of_beams
 from .equations.finite_elements.record import FiniteElementRecord
 from .equations.formalism_choice import check_chooses, chosen_by
 from .equations.record import EquationRecord
@@ -33,7 +34,7 @@ if TYPE_CHECKING:
     from .scene.scene import SceneRecord
     from .topology.system import Named, System
 
-COORDINATES = ("auto", "relative", "absolute")
+COORDINATES = ("auto", "relative", "absolute", "mixed")
 PLANES = ("auto", "x", "y", "z")
 
 
@@ -121,13 +122,13 @@ def derive(
         check_chooses(method)
     solved = branches is not None or independent or constraints == "closed_form"
     system = topology.build(scene, specialize, (branches or {}) if solved else None, independent)
-    if coordinates == "absolute" or (coordinates == "auto" and system.segments):
+    if coordinates in ("absolute", "mixed") or (coordinates == "auto" and system.segments):
         options = {"method": method, "constraints": constraints}
         named_options = [name for name, value in options.items() if value != "auto"]
         joint_options = {"speeds": speeds, "rewrites": rewrites, "branches": branches}
         joint_options["independent"] = independent
         named_options += [name for name, value in joint_options.items() if value is not None]
-        return _absolute(system, named_options, plane)
+        return _absolute(system, named_options, plane, coordinates != "absolute")
     if plane is not None:
         raise DerivationError(
             f"plane='{plane}' belongs to absolute coordinates: take coordinates='absolute'"
@@ -164,7 +165,7 @@ def _relative(
 
 
 def _absolute(
-    system: System, named_options: Sequence[str], plane: str | None
+    system: System, named_options: Sequence[str], plane: str | None, trees: bool
 ) -> FiniteElementEquations:
     """Equations in absolute coordinates.
 
@@ -178,7 +179,9 @@ def _absolute(
             f"{', '.join(f'{name}=' for name in named_options)}: for joint coordinates only. Leave "
             "out such arguments, or take coordinates='relative'"
         )
-    equations: FiniteElementEquations = face(lowered(system, plane))
+    equations: FiniteElementEquations = face(
+        lowered(system, plane, ends_of_beams(system) if trees else None)
+    )
     return equations
 
 

@@ -47,7 +47,8 @@ def test_check(crane: Path, capsys: pytest.CaptureFixture[str]) -> None:
 def test_inspect(crane: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["inspect", str(crane)]) == 0
     text = capsys.readouterr().out
-    assert "beam: ground == boom.end  [boom]" in text
+    assert "beam: ground == boom.end  [boom: 3 elements]" in text
+    assert "b = Bᵀ sigma" in text
     assert "hellinger_reissner" in text
     assert main(["inspect", str(crane), "--json"]) == 0
     counts = json.loads(capsys.readouterr().out)["elements"]

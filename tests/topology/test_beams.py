@@ -332,16 +332,16 @@ def test_loads_and_strains() -> None:
 
 def test_the_graph_draws_beams() -> None:
     scene = Scene("m")
-    beam = scene.beam("<b>", scene.ground, (1, 0, 0), GENERAL)
+    beam = scene.beam("<b>", scene.ground, (1, 0, 0), GENERAL, elements=6)
     beam.at(0.5, name="mid")
     scene.joint("pin", cd.Revolute("z"), scene.ground, beam.end)
     view = scene.graph
     assert view.beams == (("<b>", "ground", "mid"), ("<b>", "mid", "<b>.end"))
     assert view.incidence["mid", "mid"] == -1
-    assert "beam: ground == mid  [<b>]" in str(view)
-    assert '"mid" -> "<b>.end" [label="<b>", style=bold' in view.dot()
-    assert view.svg().count('stroke-width="6"') == 2
-    assert "<b>" not in view.svg()
+    assert "beam: ground == mid  [<b>: 3 elements]" in str(view)
+    assert '"mid" -> "<b>.end" [label="<b>\\n3 elements", style=bold' in view.dot()
+    assert view.svg().count('stroke-width="6"') == len(view.elements) == 2
+    assert (view.svg().count("<circle"), view.svg().count("<b>")) == (4, 0)
 
 
 def test_size_of_the_graph_does_not_depend_on_the_number_of_elements() -> None:

@@ -74,8 +74,8 @@ def base(equations: EquationRecord, functions: Sequence[str] = ()) -> Base:
         **common(system, equations.method, functions),
         coordinates=_coordinates(system),
         speeds=_speeds(equations),
-        events=_events(system),
-        ticks=_ticks(system),
+        events=event_rows(system),
+        ticks=tick_rows(system),
         limits=limits,
         multipliers=[_multiplier(row) for row in equations.constraint_rows],
         # what holds such a system together is that its constraints give way
@@ -209,7 +209,7 @@ def _multiplier(row: Row) -> MultiplierRow:
     )
 
 
-def _events(system: System) -> list[EventRow]:
+def event_rows(system: System) -> list[EventRow]:
     """Everything that can happen, in the order of the block e."""
     return [
         EventRow(
@@ -225,7 +225,7 @@ def _events(system: System) -> list[EventRow]:
     ]
 
 
-def _ticks(system: System) -> list[TickRow]:
+def tick_rows(system: System) -> list[TickRow]:
     """When events at known times happen."""
     return [
         TickRow(event=i, period=event.period, phase=event.phase)

@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from ..ir.function import Function
 from . import content as d
-from .formulas import CONSTRAINT_LEVELS
+from .formulas import CONSTRAINT_LEVELS, formula_line
 
 if TYPE_CHECKING:
-    from ..equations.finite_elements.record import BlockKind, FiniteElementRecord
+    from ..equations.finite_elements.record import BlockKind, FiniteElementRecord, Kind
 
 NAMED = 12
 
@@ -19,6 +19,7 @@ def sections(scene: FiniteElementRecord) -> Iterator[d.Section]:
     """Sections beyond graph, parameters and frames."""
     yield _places(scene)
     yield _elements(scene)
+    yield _formulas(scene)
     yield _energy(scene)
     yield _operations(scene)
 
@@ -116,3 +117,43 @@ def some(names: Iterable[str]) -> str:
     listed = list(names)
     listing = ", ".join(listed[:NAMED])
     return listing + (f", ... ({len(listed)})" if len(listed) > NAMED else "")
+
+
+ENDS = (
+    "R and p are pose and position of a body or of an end, omega its angular velocity in its own "
+    "axes and v its velocity, g gravity. A tilde or square brackets make a matrix of a cross "
+    "product; (a; b) stacks; R_32 is an entry of R. Forces on an end that is not at its node are "
+    "carried to the node, and those on an end at the ground are left out. In a plane, the rows of "
+    "x, y and the angle are left, and those of g that motion in the plane changes. At x = 0 "
+    "coefficients are their limits. b adds up over all elements, as above. G is the derivative of "
+    "g, and of the velocities that vanish, along the speeds. Forces F at the origin of a frame, "
+    "moments M on it and forces tau along a joint enter b with the opposite sign."
+)
+
+
+def _formulas(scene: FiniteElementRecord) -> d.Section:
+    """What every kind of element computes."""
+    blocks: list[d.Block] = [d.Paragraph((ENDS,), quiet=True)]
+    shared: dict[tuple[tuple[str, str], ...], list[Kind]] = {}
+    for kind in scene.kinds:
+        shared.setdefault(kind.formulas, []).append(kind)
+    unread = shared.pop((), [])
+    for lines, kinds in shared.items():
+        blocks += _kind(lines, kinds)
+    if unread:
+        names = ", ".join(kind.name for kind in unread)
+        said = (
+            f"Without formulas here: {names}. equations.function(kind, 'balance') has what they "
+            "compute as expressions."
+        )
+        blocks.append(d.Paragraph((said,)))
+    return d.Section("Equations of the elements", tuple(blocks))
+
+
+def _kind(lines: Sequence[tuple[str, str]], kinds: Sequence[Kind]) -> Iterator[d.Block]:
+    """Names, formulas, sources."""
+    yield d.Paragraph((", ".join(kind.name for kind in kinds) + ":",))
+    yield d.Listing(tuple(formula_line(about, formula) for about, formula in lines))
+    sources = dict.fromkeys(kind.source for kind in kinds if kind.source)
+    for source in sources:
+        yield d.Paragraph((f"Source: {source}",), quiet=True)

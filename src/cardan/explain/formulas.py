@@ -6,9 +6,11 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from ..equations.reading.chain_pattern import chain_pattern
 from ..equations.reading.contributions import LETTERS, VELOCITIES, WEIGHT, Contribution
 from ..equations.reading.formula import LONGEST, SIMPLIFIED, rates_are_speeds
 from ..equations.reading.notation import GREEK, Notation, notation
+from ..equations.reading.typesetting import typeset
 from ..errors import DerivationError
 from ..ir.function import length
 from ..schema.blocks import of_rate
@@ -89,11 +91,19 @@ class Formulas:
             said = "Nothing moves freely: there are no equations of motion."
             return d.Section("Equations of motion", (d.Paragraph((said,)),))
         names = self.equations.names()
-        blocks: list[d.Block] = [d.Paragraph(self._general())]
+        blocks: list[d.Block] = [d.Paragraph(self._general()), *self._pattern()]
         for name, letter, dots, about in FUNCTIONS:
             if name in names:
                 blocks += self._function(name, letter, dots, about)
         return d.Section("Equations of motion", (*blocks, *self._determined()))
+
+    def _pattern(self) -> Iterator[d.Block]:
+        """A chain of equal links by its pattern."""
+        lines = chain_pattern(self.equations.system)
+        if lines:
+            links = len(self.equations.system.bodies)
+            yield d.Paragraph((f"A chain of n = {links} equal links:",))
+            yield d.Listing(tuple(formula_line(about, line) for about, line in lines))
 
     def _general(self) -> d.Text:
         if not self.equations.system.closed:
@@ -254,3 +264,11 @@ def intermediate(name: str) -> Notation:
     if letter and (letter in GREEK or len(letter) == 1) and owner:
         return Notation(letter, ", ".join(filter(None, (owner, component))))
     return Notation(quantity, owner) if owner else notation(name)
+
+
+def formula_line(about: str, formula: str) -> d.Text:
+    """A formula behind what it is; lines may end between its segments."""
+    parts = list[d.Inline]([f"{about}: "] if about else [])
+    for segment in typeset(formula):
+        parts += [d.Written(segment.mathml, segment.latex, segment.text), " "]
+    return tuple(parts[:-1])

@@ -29,7 +29,7 @@ def caption(arcs: Sequence[Arc]) -> str:
     styles = {arc.style for arc in arcs}
     said = "Bodies on their joints, the ground at the bottom"
     said += "; dashed: joints that close loops" * ("closing" in styles)
-    return said + "; thick: beams" * ("beam" in styles) + "."
+    return said + "; thick: beams with their nodes" * ("beam" in styles) + "."
 
 
 def _arcs(system: System) -> Iterator[Arc]:
@@ -48,7 +48,7 @@ def _arcs(system: System) -> Iterator[Arc]:
         yield Arc(cut.name, kind, *ends, "closing")
     for segment in system.segments:
         ends = _part(system, segment.frame_a), _part(system, segment.frame_b)
-        yield Arc(segment.name, "beam", *ends, "beam")
+        yield drawing.beam_arc(segment.name, *ends, segment.line.elements)
 
 
 def _fixed(parts: tuple[Part, ...]) -> Iterator[Arc]:

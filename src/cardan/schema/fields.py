@@ -190,6 +190,17 @@ def pair() -> Kind:
     return Kind(read, two.schema)
 
 
+def triple() -> Kind:
+    """Three counts: a group, an element of it, and a part of that."""
+    three = listed(count, 3)
+
+    def read(value: object, run: bool) -> tuple[int, int, int]:
+        group, member, number = three.read(value, run)
+        return group, member, number
+
+    return Kind(read, three.schema)
+
+
 def of(entry: Kind | type[Record]) -> Kind:
     """The kind of an entry; a record stands for itself."""
     return entry if isinstance(entry, Kind) else Kind(entry.read, entry.json_schema())

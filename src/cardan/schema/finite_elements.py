@@ -51,6 +51,12 @@ class ElementKind(Record):
     mp: int = field(count, "those of positions among them, which come first")
     nz: int = field(count, "number of internal states", default=0)
     ns: int = field(count, "number of modes", default=0)
+    ne: int = field(count, "number of events", default=0)
+    states: tuple[int, int] = field(
+        pair(), "how many of its z and of its s are its own, the first ones", default=(0, 0)
+    )
+    jumps: int = field(count, "number of impulses and responses", default=0)
+    responses: int = field(count, "number of responses among them", default=0)
     functions: Mapping[str, str] = field(table(text), "name -> C name", default=NOTHING)
     parts: Mapping[str, int] = field(
         table(count), "matrices of the tangent -> where they begin in it", default=NOTHING
@@ -87,6 +93,11 @@ class FiniteElements(Record):
     )
     reaction_frames: Mapping[str, str] = field(
         table(text), "joint -> child frame, where its reaction acts", default=NOTHING
+    )
+    tree_joints: Sequence[str] = field(
+        listed(text),
+        "joints inside of rigid trees, whose reactions add up over elements",
+        default=(),
     )
     forces: Mapping[str, tuple[int, int]] = field(
         table(pair()), "element -> group and member whose force it is", run=NOTHING

@@ -131,9 +131,9 @@ close_position | t q r | nq+npositions | of q, then of g | constraints | \
 close_velocity | t q u r z s | nu+nlam | of u, then of the rates | constraints | elements rewritable
     u moved onto the constraints, and their rates before
     M is the metric.
-events | t q u r z s | ne | of each event | events | rewritable
+events | t q u r z s | ne | of each event | events | elements rewritable
     numbers that fall through zero where an event happens
-transition | t q u r z s e | nu+nz+ns | of u, z and s | events | rewritable
+transition | t q u r z s e | nu+nz+ns | of u, z and s | events | elements rewritable
     speeds, internal and discrete states behind the events e
     call: q u events
 balance | t q u udot lam r z s | nu+npositions+nlam | of tau, g and its rates | | \

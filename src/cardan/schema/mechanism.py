@@ -19,6 +19,7 @@ from .fields import (
     pair,
     table,
     text,
+    triple,
 )
 from .finite_elements import Plane
 
@@ -154,6 +155,11 @@ class FrameRow(Record):
         pair(),
         "of a model in absolute coordinates: first coordinate and speed of its node, absent on "
         "the ground",
+        default=None,
+    )
+    tree: tuple[int, int, int] | None = field(
+        triple(),
+        "of a body of a rigid tree: group and member of the tree, and number of the body in it",
         default=None,
     )
     plane: Plane | None = field(Plane, default=None)

@@ -60,9 +60,15 @@ FORMS = (
     "mixed",
     "mixed_step",
     "element_forces",
+    "zdot",
+    "signs",
+    "jumps",
+    "change",
+    "bodies",
+    "reactions",
 )
 # the matrices of a tangent
-PARTS = ("K", "C", "M", "R", "G")
+PARTS = ("K", "C", "M", "R", "G", "H")
 # fields of SimdSteps that are one number per lane: of its run, of its trial
 PER_LANE = (
     *("t", "size", "until", "span", "idle", "rejected", "steps", "rejections", "evaluations"),

@@ -56,7 +56,7 @@ def test_a_pickled_motion_is_the_same(crank: cd.CompiledModel) -> None:
 
 def test_parameters_of_one_call(crank: cd.CompiledModel) -> None:
     q, u = crank.split(crank.initial())
-    slides = list(crank.speeds).index("slider.u.px")
+    slides = list(crank.speeds).index("guide.u")
     u[slides] = 2.0
     heavy, light = crank.energy(q, u, parameters={"slider.mass": 3.0}), crank.energy(q, u)
     assert heavy.kinetic - light.kinetic == pytest.approx(0.5 * 2.7 * 2.0**2, rel=1e-12)

@@ -10,7 +10,7 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from cardan.equations.finite_elements.lowering import lowered
-from cardan.equations.finite_elements.record import FiniteElementRecord
+from cardan.equations.finite_elements.record import CARRIED, FiniteElementRecord
 from cardan.equations.functions.blocks import defaults
 from cardan.ir.interpreter import evaluate
 from equations.finite_elements.reference import Reference
@@ -95,11 +95,22 @@ class State:
     def _acceleration(self, frame: int, udot: Array) -> Array:
         """Angular acceleration and that of the origin of a frame, by those of its node."""
         place, _, arm = self.reference.node(frame)
+        if place == CARRIED:
+            (alpha, a), rest = (
+                np.split(self.reference.body(frame, udot)[0], 2),
+                self.reference.body(frame, udot)[1],
+            )
+            R, omega = rest[:9].reshape(3, 3), rest[12:15]
+            return self._at_arm(alpha, omega, R @ arm, a)
         at = self.reference.scene.places.u[place]
         R, turning = self.axes(place), self.reference.u[at : at + 3]
         alpha, omega, arm = R @ udot[at : at + 3], R @ turning, R @ arm
-        carried = np.cross(alpha, arm) + np.cross(omega, np.cross(omega, arm))
-        return np.concatenate([alpha, udot[at + 3 : at + 6] + carried])
+        return self._at_arm(alpha, omega, arm, udot[at + 3 : at + 6])
+
+    @staticmethod
+    def _at_arm(alpha: Array, omega: Array, arm: Array, a: Array) -> Array:
+        turned = np.cross(alpha, arm) + np.cross(omega, np.cross(omega, arm))
+        return np.concatenate([alpha, a + turned])
 
     def axes(self, place: int) -> Array:
         """R of a node."""
@@ -109,10 +120,11 @@ class State:
 
     def reactions(self) -> tuple[dict[str, Array], dict[str, Array]]:
         """Wrenches of all joints that transmit one, absolute and relative."""
-        parts, lam = len(self.frames), self.solved[1]
+        parts, (udot, lam, _) = len(self.frames), self.solved
         given = {"q": self.q, "u": self.u, "wrench": np.zeros(6 * parts)}
-        joints = self.both.absolute.joints
-        mine = {name: self.reference.reaction(name, lam) for name in joints}
+        absolute = self.both.absolute
+        joints = (*absolute.joints, *absolute.tree_joints)
+        mine = {name: self.reference.reaction(name, udot, lam) for name in joints}
         other = {name: self.both.call("reaction", name, **given)["reaction"] for name in joints}
         return mine, other
 
@@ -120,7 +132,9 @@ class State:
         """Whether the reaction of a joint is the only one possible."""
         _, _, G, _ = self.reference.assembled()
         u, sizes, _ = np.linalg.svd(G)
-        free = u[:, np.sum(sizes > 1e-9 * sizes[0]) :]
+        free = u[:, np.sum(sizes > 1e-9 * sizes[:1].sum()) :]
+        if joint in self.both.absolute.tree_joints:
+            return not free.size
         g, e = self.both.absolute.joints[joint]
         rows = self.reference.rows(self.both.absolute.groups[g])[e]
         return bool(np.abs(free[rows]).max(initial=0) < 1e-9)

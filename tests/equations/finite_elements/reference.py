@@ -179,10 +179,27 @@ class Reference:
                 )
         return found
 
-    def reaction(self, joint: str, lam: Array) -> Array:
+    def reaction(self, joint: str, udot: Array, lam: Array) -> Array:
         """Wrench (6,) of parent on child at the child joint frame in its axes."""
+        if joint in self.scene.tree_joints:
+            return self._sum_of_reactions(udot, lam)[self.scene.tree_joints.index(joint)]
         g, e = self.scene.joints[joint]
         return self.call(self.scene.groups[g], "reaction", lam=lam)["reaction"][e]
+
+    def _sum_of_reactions(self, udot: Array, lam: Array) -> Array:
+        """Of the joints of trees (n, 6)."""
+        total = np.zeros((len(self.scene.tree_joints), 6))
+        for group in self.scene.groups:
+            if "reactions" in group.kind.functions:
+                shares = self.call(group, "reactions", udot, lam)["reactions"]
+                np.add.at(total, group.reactions, shares)
+        return total
+
+    def body(self, frame: int, udot: Array) -> tuple[Array, Array]:
+        """Acceleration (6,) of the body of a tree that carries a frame, and the rest (18,)."""
+        g, e, k = self.scene.frames.bodies[frame]
+        row = self.call(self.scene.groups[g], "bodies", udot)["bodies"][e, k]
+        return row[18:], row[:18]
 
     def node(self, frame: int) -> tuple[int, Array, Array]:
         """Place (-1: ground) of a frame, R (3, 3) and p (3) in its axes."""

@@ -173,7 +173,8 @@ def test_a_beam_on_a_hinged_arm() -> None:
     udot, _, _ = reference.solved()
     assert np.isfinite(udot).all()
     _, bias, _, _ = reference.assembled()
-    assert np.abs(bias).max() < 3.0 * 9.81 * 1.01
+    # the load hangs on the node as a tree of its own
+    assert np.abs(bias).max() < (3.0 + 1.0) * 9.81 * 1.01
 
 
 def test_damping_and_loads_have_elements_and_powers() -> None:

@@ -67,6 +67,12 @@ class _Looked:
             self._say("rolls", "rolling constraints bind speeds alone")
         for number, group in enumerate(tables.groups):
             kind, what = group.kind, _named(group)
+            if "bodies" in kind.functions:
+                raise ModelError(
+                    f"{self.who} keeps the momenta of nodes, and {what} moves bodies by the "
+                    "coordinates of joints: compile with coordinates='absolute', which gives "
+                    "every body a node"
+                )
             if "M" not in kind.parts and self._resists(number):
                 self._say(what, "its force depends on speeds")
             if "M" in kind.parts and kind.nu and len(group.place[0]) > 1:

@@ -59,8 +59,8 @@ def _joint_speeds(model: LoadedModel, method: Integrator) -> tuple[Integrator, s
 
 
 def _no_internal_states(model: LoadedModel, method: Integrator) -> tuple[Integrator, str]:
-    """No element keeps states of its own."""
-    if model.manifest.z:
+    """No element keeps states of its own, but in tables, where the method has a rule for them."""
+    if model.manifest.z and not model.manifest.absolute:
         names = ", ".join(f"'{row.name}'" for row in model.manifest.z[:3])
         raise ModelError(
             f"method '{method.name}' takes no internal states, and model '{model.name}' has "

@@ -195,8 +195,10 @@ def _event(runner: Runner, answer: int, at: str) -> tuple[str, str]:
             f"stopped {at}: {what} happens again and again at this one time: what it changes does "
             "not end what causes it"
         )
+    # steps longer than a vibration go on through a stop at once
+    shorter = "" if runner.settings.method.adaptive else "take step= shorter, "
     return "chatter", (
         f"stopped {at}: {what} happens ever again within no time to speak of, such as the last "
-        "bounces of a ball that comes to rest. Let it stick below a speed (Stop: settle=), take a "
-        "smooth law (Friction: smooth=), or end the run there with events="
+        "bounces of a ball that comes to rest. Let it stick below a speed (Stop: settle=), "
+        f"{shorter}take a smooth law (Friction: smooth=), or end the run there with events="
     )

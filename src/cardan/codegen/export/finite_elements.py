@@ -110,7 +110,7 @@ def _check(absolute: FiniteElementRecord, request: ExportRequest) -> None:
     """Refuse what elements in tables do not go with.
 
     Raises:
-        CodegenError: a package, a method that needs other functions, or internal states.
+        CodegenError: a package, a method that needs other functions, internal states or events.
     """
     name = absolute.system.name
     if request.language != "c":
@@ -124,14 +124,16 @@ def _check(absolute: FiniteElementRecord, request: ExportRequest) -> None:
                 f"integrators: '{method}' needs functions that absolute coordinates do not have. "
                 f"Model '{name}' goes with {', '.join(METHODS)}"
             )
-    if request.integrators and blocks.internals(absolute.system):
-        cure = "leave out what has them"
-        if not absolute.system.segments:
-            cure = "derive(scene, coordinates='relative')"
-        raise CodegenError(
-            f"integrators: model '{name}' has internal states, which no run in absolute "
-            f"coordinates takes: {cure}"
-        )
+    system = absolute.system
+    for what, having in (("internal states", blocks.internals(system)), ("events", system.events)):
+        if request.integrators and having:
+            cure = "leave out what has them"
+            if not system.segments:
+                cure = "derive(scene, coordinates='relative')"
+            raise CodegenError(
+                f"integrators: model '{name}' has {what}, which no exported run in absolute "
+                f"coordinates takes: {cure}"
+            )
 
 
 def _requested(functions: Sequence[Any] | None, integrators: Sequence[str]) -> tuple[str, ...]:

@@ -7,11 +7,12 @@ import zipfile
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from ...equations.finite_elements.record import GROUND, BlockKind, FiniteElementRecord, Group, Kind
+from ...equations.finite_elements.record import BlockKind, FiniteElementRecord, Group, Kind
+from ...equations.reading.typesetting import text_of
 from ...ir.function import Function
 from ...schema.entries import MultiplierRow, OutputRow
 from ...schema.finite_elements import ElementKind, FiniteElements, GroupRow, PlaceKind
@@ -20,11 +21,16 @@ from ...schema.mechanism import BeamRow, BodyRow, FrameRow
 from ...schema.records import PARTS
 from ...schema.tree import Tree
 from .. import flat_scene, layout
-from ..manifest import Base, common
+from ..manifest import Base, common, event_rows, tick_rows
 from ..writing import generate
 from .manifest_rows import plane_of, rows
 
 FILE = "mesh.npz"
+# left sides of the formulas of a kind that open the C of a function
+IN_HEAD = {
+    "balance": ("R_q", "p_q", "R", "p", "sigma", "g", "s", "b_m", "b_f", "b"),
+    "energy": ("T", "V"),
+}
 
 
 def base(absolute: FiniteElementRecord, functions: Sequence[str]) -> Base:
@@ -40,6 +46,8 @@ def base(absolute: FiniteElementRecord, functions: Sequence[str]) -> Base:
         **common(system, "absolute", functions),
         coordinates=coordinates,
         speeds=speeds,
+        events=event_rows(system),
+        ticks=tick_rows(system),
         multipliers=_multipliers(absolute),
         cuts=[],
         joints=joints,
@@ -65,6 +73,7 @@ def base(absolute: FiniteElementRecord, functions: Sequence[str]) -> Base:
             power_sources=list(absolute.powers),
             reactions={name: (int(group), int(k)) for name, (group, k) in absolute.joints.items()},
             reaction_frames=_reaction_frames(absolute),
+            tree_joints=list(absolute.tree_joints),
             forces={name: (int(group), int(k)) for name, (group, k) in absolute.forces.items()},
         ),
     )
@@ -106,7 +115,8 @@ def numbers(absolute: FiniteElementRecord) -> bytes:
     tables |= {f"stations_{k}": segment.line.stations for k, segment in enumerate(segments)}
     for k, group in enumerate(absolute.groups):
         tables[f"place_{k}"] = group.places
-        integers = {name: getattr(group, name) for name in ("z", "s", "outputs", "powers")}
+        names = ("z", "s", "events", "outputs", "powers", "reactions")
+        integers = {name: getattr(group, name) for name in names}
         for name, values in {"own": group.attributes, **integers}.items():
             if values is not None:
                 tables[f"{name}_{k}"] = values
@@ -132,9 +142,20 @@ def write(folder: Path, absolute: FiniteElementRecord, available: Sequence[str])
     functions_by_name = {f.name: f for f in functions(absolute)}
     missing = [functions_by_name[each] for each in layout.missing(folder, list(functions_by_name))]
     # no word of the model: what its elements share with those of others is compiled once
-    texts = [(generate(f), f) for f in missing]
+    notes = {
+        f.name: _notes(kind, name) for kind in absolute.kinds for name, f in kind.functions.items()
+    }
+    texts = [(generate(f, notes=notes.get(f.name, ())), f) for f in missing]
     if texts:
         layout.add_functions(folder, texts)
+
+
+def _notes(kind: Kind, function: str) -> tuple[str, ...]:
+    """Formulas of a function of a kind, and the source of the kind, for the head of its C."""
+    lefts = IN_HEAD.get(function, ())
+    formulas = (line for _, line in kind.formulas if line.partition(" = ")[0] in lefts)
+    source = (f"Source: {kind.source}",) if kind.source else ()
+    return (*map(text_of, formulas), *source)
 
 
 def _place(kind: BlockKind) -> PlaceKind:
@@ -158,9 +179,33 @@ def _kind(kind: Kind, groups: Sequence[Group]) -> ElementKind:
         mp=kind.mp,
         nz=0 if group.z is None else group.z.shape[1],
         ns=0 if group.s is None else group.s.shape[1],
+        **_event_sizes(kind)._asdict(),
         functions={name: f.name for name, f in kind.functions.items()},
         parts=parts(kind.functions),
     )
+
+
+class _EventSizes(NamedTuple):
+    """Numbers of the events of a kind, and of the states that change at them."""
+
+    states: tuple[int, int] = (0, 0)
+    ne: int = 0
+    jumps: int = 0
+    responses: int = 0
+
+
+def _event_sizes(kind: Kind) -> _EventSizes:
+    outputs = {name: f.outputs for name, f in kind.functions.items()}
+    counts = {output.name: output.size for output in outputs.get("change", ())}
+    z = outputs["zdot"][0].size if "zdot" in outputs else 0
+    sizes = _EventSizes((counts.get("z", z), counts.get("s", 0)))
+    if "signs" in outputs:
+        sizes = sizes._replace(ne=next(o.size for o in outputs["signs"] if o.name == "signs"))
+    if "jumps" in outputs:
+        blocks = {block.name: len(block.entries) for block in kind.functions["jumps"].inputs}
+        count = outputs["jumps"][0].shape[0]
+        sizes = sizes._replace(jumps=count, responses=blocks.get("tau", 0))
+    return sizes
 
 
 def parts(functions_by_name: Mapping[str, Function]) -> dict[str, int]:
@@ -228,7 +273,8 @@ def _reaction_frames(absolute: FiniteElementRecord) -> dict[str, str]:
         for joint in system.joints
     }
     children |= {cut.name: cut.child_frame for cut in system.cuts}
-    return {n: system.frames[k].name for n, k in children.items() if n in absolute.joints}
+    having = {*absolute.joints, *absolute.tree_joints}
+    return {n: system.frames[k].name for n, k in children.items() if n in having}
 
 
 def _beams(absolute: FiniteElementRecord) -> Iterator[BeamRow]:
@@ -257,11 +303,12 @@ def _frame(absolute: FiniteElementRecord, k: int) -> FrameRow:
     frame, place = system.frames[k], int(absolute.frames.place[k])
     body = system.bodies[frame.body] if frame.body >= 0 else None
     parts = body.parts if body is not None else ()
-    fixed = place == GROUND
+    fixed = place < 0
     return FrameRow(
         name=frame.name,
         body=body.name if body is not None and parts else "ground",
         part=parts[frame.part].name if parts else None,
         node=None if fixed else (int(places.q[place]), int(places.u[place])),
+        tree=absolute.frames.bodies.get(k),
         plane=None if fixed else plane_of(places.kinds[places.kind[place]]),
     )

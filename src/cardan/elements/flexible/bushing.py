@@ -7,7 +7,9 @@ from typing import ClassVar
 
 from ...ir.matrix import Matrix
 from ...spatial.short_rotations import Slopes
+from ..formulas import Lines
 from .element_ends import Ends
+from .formulas import BUSHING
 from .relative import Relative, mean_axes
 from .section import flat
 from .strain import STRAIN_DATA, Elastic, Field, StrainElement
@@ -30,6 +32,7 @@ class Bushing(StrainElement):
 
     kind: ClassVar[str] = "bushing"
     geometric: ClassVar[tuple[str, ...]] = STRAIN_DATA
+    formulas: ClassVar[Lines] = BUSHING
     # springs that are missing have no flexibility
     mixed: ClassVar[bool] = False
 

@@ -8,8 +8,10 @@ from typing import ClassVar
 from ...ir.arithmetic import norm
 from ...ir.function import Function
 from ...ir.matrix import Matrix
+from ..formulas import Lines
 from .element import FlexibleElement, balance, energy, tangents
 from .element_ends import Ends
+from .formulas import CABLE, TRUSS
 
 
 @dataclass(frozen=True)
@@ -37,6 +39,10 @@ class Cable(FlexibleElement):
     @property
     def variant(self) -> str:
         return "truss" if self.compression else ""
+
+    @property
+    def formula_lines(self) -> Lines:
+        return TRUSS if self.compression else CABLE
 
     def functions(self, ends: Ends) -> dict[str, Function]:
         length, stiffness = ends.number("length"), ends.number("EA")

@@ -6,7 +6,9 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from ...ir.matrix import Matrix
+from ..formulas import Lines
 from .element_ends import Ends
+from .formulas import CABLE_INERTIA
 from .inertia import InertiaElement
 from .section import GRAVITY
 
@@ -22,6 +24,7 @@ class CableInertia(InertiaElement):
 
     kind: ClassVar[str] = "cable_inertia"
     geometric: ClassVar[tuple[str, ...]] = ("length",)
+    formulas: ClassVar[Lines] = CABLE_INERTIA
 
     @property
     def common(self) -> tuple[str, ...]:

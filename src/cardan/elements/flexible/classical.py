@@ -7,7 +7,9 @@ from typing import ClassVar
 
 from ...ir.matrix import Matrix
 from ...spatial.short_rotations import Slopes
+from ..formulas import Lines
 from .element_ends import Ends
+from .formulas import CLASSICAL, CLASSICAL_PLAIN
 from .relative import Relative, mean_axes
 from .section import SECTION, SHAPE, Section, without_locking
 from .strain import Elastic, Field, StrainElement
@@ -40,6 +42,10 @@ class Classical(StrainElement):
     @property
     def variant(self) -> str:
         return "" if self.residual_flexibility else "plain"
+
+    @property
+    def formula_lines(self) -> Lines:
+        return CLASSICAL if self.residual_flexibility else CLASSICAL_PLAIN
 
     def measures(self, at: Relative) -> tuple[Slopes, Slopes]:
         return mean_axes(at.turn)

@@ -7,8 +7,10 @@ from typing import ClassVar
 
 from ...ir.function import Function, Output
 from ...spatial.short_rotations import Slopes
+from ..formulas import Lines
 from .element import FlexibleElement, balance, tangents
 from .element_ends import Ends
+from .formulas import DAMPING
 from .relative import Relative, forces, moved, transport, transport_slope
 from .section import STIFFNESS, diagonal, without_locking
 
@@ -27,6 +29,7 @@ class Damping(FlexibleElement):
 
     kind: ClassVar[str] = "damping"
     geometric: ClassVar[tuple[str, ...]] = ("length",)
+    formulas: ClassVar[Lines] = DAMPING
 
     @property
     def common(self) -> tuple[str, ...]:

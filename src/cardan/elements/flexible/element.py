@@ -17,6 +17,7 @@ from ...ir.function import Block, Function, Output
 from ...ir.graph import Graph
 from ...ir.matrix import Matrix
 from ...literature import HasSource
+from ..formulas import Lines
 from .element_ends import NODE, Ends
 
 
@@ -26,10 +27,12 @@ class FlexibleElement(HasSource, ABC):
     Attributes:
         kind: Name in scenes, and of its kind of element.
         geometric: Names of the data that come from the geometry once and for all.
+        formulas: For readers, in Python; empty where they are not written yet.
     """
 
     kind: ClassVar[str]
     geometric: ClassVar[tuple[str, ...]] = ()
+    formulas: ClassVar[Lines] = ()
 
     @property
     @abstractmethod
@@ -44,6 +47,11 @@ class FlexibleElement(HasSource, ABC):
     def about(self) -> str:
         """One line for the reader of the C."""
         return " ".join((self.__doc__ or "").split(".")[0].split())
+
+    @property
+    def formula_lines(self) -> Lines:
+        """Formulas of the element with its options."""
+        return self.formulas
 
     @property
     def carries(self) -> tuple[str, ...]:

@@ -6,7 +6,9 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from ...ir.matrix import Matrix
+from ..formulas import Lines
 from .element_ends import Ends
+from .formulas import FOLLOWER_LOAD
 from .loading import LoadElement
 from .node_set import Pose
 from .section import FOLLOWER
@@ -27,6 +29,7 @@ class FollowerLoad(LoadElement):
 
     kind: ClassVar[str] = "follower_load"
     geometric: ClassVar[tuple[str, ...]] = ("length",)
+    formulas: ClassVar[Lines] = FOLLOWER_LOAD
     fixed: ClassVar[bool] = False
 
     @property

@@ -7,7 +7,9 @@ from typing import ClassVar
 
 from ...ir.matrix import Matrix
 from ...spatial.short_rotations import Slopes
+from ..formulas import Lines
 from .element_ends import Ends
+from .formulas import HELICOIDAL
 from .relative import Relative
 from .section import SECTION, SHAPE, Section
 from .strain import Elastic, Field, StrainElement
@@ -26,6 +28,7 @@ class Helicoidal(StrainElement):
 
     kind: ClassVar[str] = "helicoidal"
     geometric: ClassVar[tuple[str, ...]] = SHAPE
+    formulas: ClassVar[Lines] = HELICOIDAL
 
     @property
     def common(self) -> tuple[str, ...]:

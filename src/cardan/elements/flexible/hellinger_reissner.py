@@ -8,9 +8,11 @@ from typing import ClassVar
 from ...ir.function import Function
 from ...ir.matrix import Matrix
 from ...spatial.short_rotations import Slopes
+from ..formulas import Lines
 from .element import balance, energy, matrix
 from .element_ends import Ends
 from .equilibrium_load import CarriedLoad
+from .formulas import HELLINGER_REISSNER, HELLINGER_REISSNER_LOADED
 from .relative import Relative
 from .section import DEAD_LOADS, FORCES, SECTION, SHAPE, weight
 from .strain import StrainElement, increment, stresses, transported_strain, unknown
@@ -53,6 +55,10 @@ class HellingerReissner(StrainElement):
     @property
     def variant(self) -> str:
         return "loaded" if self.loaded else ""
+
+    @property
+    def formula_lines(self) -> Lines:
+        return HELLINGER_REISSNER_LOADED if self.loaded else HELLINGER_REISSNER
 
     def measures(self, at: Relative) -> tuple[Slopes, Slopes]:
         return Slopes(-0.5), at.inverse

@@ -7,7 +7,9 @@ from typing import ClassVar
 
 from ...ir.matrix import Matrix
 from ...spatial.short_rotations import Slopes
+from ..formulas import Lines
 from .element_ends import Ends
+from .formulas import BUSHING
 from .relative import Relative, mean_axes
 from .section import diagonal, flat
 from .strain import STRAIN_DATA, Elastic, Field, StrainElement
@@ -30,6 +32,7 @@ class FlexibleHinge(StrainElement):
 
     kind: ClassVar[str] = "flexible_hinge"
     geometric: ClassVar[tuple[str, ...]] = STRAIN_DATA
+    formulas: ClassVar[Lines] = BUSHING
     # a hinge that turns freely has no flexibility
     mixed: ClassVar[bool] = False
 

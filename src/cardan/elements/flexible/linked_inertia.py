@@ -7,7 +7,9 @@ from typing import ClassVar
 
 from ...ir.arithmetic import Scalar
 from ...ir.matrix import Matrix
+from ..formulas import Lines
 from .element_ends import NAMES, Ends
+from .formulas import LINKED
 from .inertia import DENSITY, InertiaElement, spin
 from .node_set import Motion, Pose
 from .section import GRAVITY
@@ -37,6 +39,7 @@ class LinkedInertia(InertiaElement):
 
     kind: ClassVar[str] = "linked_inertia"
     geometric: ClassVar[tuple[str, ...]] = ("length",)
+    formulas: ClassVar[Lines] = LINKED
 
     @property
     def common(self) -> tuple[str, ...]:

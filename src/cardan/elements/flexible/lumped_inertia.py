@@ -6,7 +6,9 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from ...ir.matrix import Matrix
+from ..formulas import Lines
 from .element_ends import Ends
+from .formulas import LUMPED
 from .inertia import DENSITY, InertiaElement, spin
 from .section import GRAVITY
 
@@ -23,6 +25,7 @@ class LumpedInertia(InertiaElement):
 
     kind: ClassVar[str] = "lumped_inertia"
     geometric: ClassVar[tuple[str, ...]] = ("length",)
+    formulas: ClassVar[Lines] = LUMPED
 
     @property
     def common(self) -> tuple[str, ...]:

@@ -7,10 +7,11 @@ from typing import ClassVar
 
 from ...ir.matrix import Matrix
 from ..fields import Central, Pull
+from ..formulas import Lines
 from ..limits import Limit, not_negative
 from ..quantity import Bodies, Place, Units, Value
-from .force import Places
-from .gravitation import Gravitation
+from .force import Places, constant
+from .gravitation import ATTRACTION, REACH, Gravitation
 
 
 @dataclass(frozen=True)
@@ -44,3 +45,12 @@ class CentralGravity(Gravitation):
 
     def pull(self, r: Matrix, at: Places) -> Pull:
         return Central(at.data["mu"][0]).on_mass(r, at.data["mass"][0])
+
+    def formulas(self, at: Places) -> Lines:
+        fixed = constant(at.data["mu"])
+        return (
+            *REACH,
+            ("force at the center of mass, m the mass", "F_body = -(mu * m / rho ** 3 * r)"),
+            *ATTRACTION,
+            *((("potential energy", "V = -(mu * m / rho)"),) * fixed),
+        )

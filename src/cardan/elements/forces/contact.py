@@ -9,6 +9,7 @@ from typing import ClassVar
 from ...errors import ModelError
 from ...ir.arithmetic import Scalar, norm, select, sqrt
 from ...ir.matrix import Matrix
+from ..formulas import Lines
 from ..internal_states import MODE, Change, EventSpec, Jumped, Mode, Solved
 from ..limits import Limit, not_negative, positive
 from ..quantity import RATIO, Direction, Place, Quantity, Units, Value, quantities_of
@@ -169,6 +170,34 @@ class Contact(ForceElement):
             arm = place - at.motion.position(frame)
             loads.append(Load(frame, arm.cross(end_force), end_force))
         return tuple(loads)
+
+    def formulas(self, at: Places) -> Lines:
+        plane = "normal" in at.data
+        normal: Lines = (
+            ("span", "d = p_s - p_o"),
+            ("normal out of the plane" if plane else "normal towards the sphere",
+             "n = R_o @ unit(n_0)" if plane else "n = d / sqrt(dot(d, d))"),
+            ("depth of the overlap", "delta = r - dot(n, d)" if plane
+             else "delta = r + r_o - sqrt(dot(d, d))"),
+            ("place of the contact", "x = p_s - (r - delta / 2) * n"),
+            ("velocity of the sphere there",
+             "v = v_s + R_s @ skew(omega_s) @ R_s.T @ (x - p_s)"
+             " - v_o - R_o @ skew(omega_o) @ R_o.T @ (x - p_o)"),
+        )  # fmt: skip
+        push: Lines = (
+            ("elastic force while they touch, k the stiffness, N the exponent",
+             "f_e = k * delta ** N if delta > 0 else 0"),
+            ("with damping c", "f = max(f_e * (1 - c * dot(n, v)), 0)"),
+            ("sliding velocity", "w = v - dot(n, v) * n"),
+            ("force on the sphere, friction with the transition velocity epsilon",
+             "F_s = f * n - mu * f / sqrt(dot(w, w) + epsilon ** 2) * w"),
+            ("moment on it", "M_s = skew(x - p_s) @ F_s"),
+            ("on the other", "F_o = -F_s"),
+            ("", "M_o = -(skew(x - p_o) @ F_s)"),
+        )  # fmt: skip
+        fixed = all(constant(at.data[name]) for name in ("stiffness", "exponent", "radius"))
+        stored = "V = k * delta ** (N + 1) / (N + 1) if delta > 0 else 0"
+        return (*normal, *push, *((("potential energy", stored),) * fixed))
 
     # touching and parting
 

@@ -9,6 +9,7 @@ from typing import ClassVar
 from ...errors import ModelError, brief
 from ...ir.arithmetic import Scalar
 from ...ir.matrix import Matrix
+from ..formulas import Lines
 from ..quantity import RATIO, JointName, Quantity, Units, Value, quantities_of
 from .force import (
     Action,
@@ -135,6 +136,23 @@ class Drive(ForceElement):
             Action(joint_loads=pair(spring), potential=energy),
             Action(joint_loads=pair(damper)),
             Action(joint_loads=(_load(motion, rotor, torque - friction * speed),)),
+        )
+
+    def formulas(self, at: Places) -> Lines:
+        rotor: Lines = ()
+        if self.rotor() is None:
+            about = "kinetic energy of the rotor, J its inertia, n its turns per turn of the joint"
+            rotor = ((about, "T = J * n ** 2 * u ** 2 / 2"),)
+        if self.stiffness is None:
+            about = "force along the joint: torque m of the motor, c the friction"
+            return (*rotor, (about, "tau = n * (m - c * n * u)"))
+        fixed = constant(at.data["stiffness"]) and constant(at.data["ratio"])
+        return (
+            ("twist of the shaft, n turns of the rotor per turn", "phi = q_rotor / n - q"),
+            ("torque of the shaft", "f = k * phi + d * (u_rotor / n - u)"),
+            ("force along the joint", "tau = f"),
+            ("on the rotor, m of the motor, c the friction", "tau_rotor = m - c * u_rotor - f / n"),
+            *((("potential energy", "V = k * phi ** 2 / 2"),) * fixed),
         )
 
 

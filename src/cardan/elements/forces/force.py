@@ -13,6 +13,7 @@ from ...ir.function import live
 from ...ir.graph import Graph
 from ...ir.matrix import Matrix
 from ...literature import HasSource
+from ..formulas import Lines
 from ..internal_states import (
     Change,
     EventSpec,
@@ -185,6 +186,14 @@ class ForceElement(HasSource, ABC):
     @abstractmethod
     def act(self, at: Places) -> tuple[Action, ...]:
         """Its actions."""
+
+    def formulas(self, at: Places) -> Lines:
+        """What it does, as formulas for readers; () where none are written.
+
+        F and M are force at the origin of a frame and moment on it in ground axes, tau the force
+        along the speeds of a joint; frames and joints have their role as index where there are two.
+        """
+        return ()
 
     def acts_on(self) -> tuple[str, str]:
         """Receiver of ``motion["<name>.force"]``, and the role of that joint or frame.

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from ...ir.matrix import Matrix
+from ..formulas import Lines
 from ..quantity import Place, Units, Vector
 from .force import Action, ForceElement, Load, Places
 
@@ -38,3 +39,8 @@ class Force(ForceElement):
         if "in_" in frames:
             force = motion.rotation(frames["in_"]) @ force
         return (Action((Load(frames["frame"], Matrix.zeros(motion.graph, 3), force),)),)
+
+    def formulas(self, at: Places) -> Lines:
+        rotates = "in_" in at.frames
+        about = "force f in the axes whose rotation is R" if rotates else "force f in ground axes"
+        return ((about, "F = R_in @ f" if rotates else "F = f"),)

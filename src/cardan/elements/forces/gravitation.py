@@ -9,6 +9,7 @@ from typing import Any
 from ...errors import ModelError, brief
 from ...ir.matrix import Matrix
 from ..fields import Pull
+from ..formulas import Lines
 from .force import FRAME, Action, ForceElement, Load, Places, constant
 
 
@@ -52,6 +53,16 @@ class Gravitation(ForceElement):
         )
         fixed = all(constant(at.data[name]) for name in self.quantities())
         return (Action(loads, potential=pull.potential if fixed else None),)
+
+
+REACH: Lines = (
+    ("center of mass c of the body from the center", "r = p_body + R_body @ c - p_center"),
+    ("distance", "rho = sqrt(dot(r, r))"),
+)
+ATTRACTION: Lines = (
+    ("moment about the origin of the body", "M_body = skew(R_body @ c) @ F_body"),
+    ("force on the center", "F_center = -F_body"),
+)
 
 
 def several(who: str, bodies: Any) -> tuple[Any, ...]:

@@ -7,10 +7,13 @@ from typing import ClassVar
 
 from ...ir.matrix import Matrix
 from ..fields import Central, Pull
+from ..formulas import Lines
 from ..limits import Limit, not_negative
 from ..quantity import Bodies, Place, Units, Value
-from .force import Action, Places
-from .gravitation import Gravitation
+from .force import Action, Places, constant
+from .gravitation import REACH, Gravitation
+
+POTENTIAL = "V = -(mu / (2 * rho ** 3) * (trace(J) - 3 * dot(r, J @ r) / rho ** 2))"
 
 
 @dataclass(frozen=True)
@@ -56,3 +59,24 @@ class GravityGradient(Gravitation):
     def act(self, at: Places) -> tuple[Action, ...]:
         acted = super().act(at)
         return acted if self.force else tuple(replace(a, potential=None) for a in acted)
+
+    def formulas(self, at: Places) -> Lines:
+        torque = "M_body = 3 * mu / rho ** 5 * skew(r) @ J @ r"
+        center: Lines = (("on the center", "M_center = -M_body"),)
+        field: Lines = (
+            *REACH,
+            ("inertia I about the center of mass in ground axes", "J = R_body @ I @ R_body.T"),
+        )
+        if not self.force:
+            return (*field, ("torque", torque), *center)
+        fixed = constant(at.data["mu"])
+        return (
+            *field,
+            ("force at the center of mass",
+             "F_body = -(3 * mu / (2 * rho ** 5) * ((trace(J) - 5 * dot(r, J @ r) / rho ** 2) * r"
+             " + 2 * J @ r))"),
+            ("torque, and moment of the force about the origin of the body",
+             f"{torque} + skew(R_body @ c) @ F_body"),
+            ("force on the center", "F_center = -F_body"),
+            *((("potential energy", POTENTIAL),) * fixed),
+        )  # fmt: skip

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar
 
+from ..formulas import Lines
 from ..quantity import JointName, Units, Value
 from .force import Action, ForceElement, JointLoad, Places
 
@@ -39,3 +40,6 @@ class JointDamper(ForceElement):
         joint = joints["joint"]
         drag = -(motion.u(joint) * data["damping"][0])
         return () if drag.is_zero else (Action(joint_loads=(JointLoad(joint, drag),)),)
+
+    def formulas(self, at: Places) -> Lines:
+        return (("force along the joint, c the damping", "tau = -(c * u)"),)

@@ -8,6 +8,7 @@ from typing import ClassVar
 
 from ...errors import ModelError, counted
 from ...ir.matrix import Matrix
+from ..formulas import Lines
 from ..quantity import JointName, Quantity, Rows
 from ..validation import number, vector
 from .force import Action, ForceElement, JointLoad, Places
@@ -61,3 +62,6 @@ class JointForce(ForceElement):
             )
         column = Matrix(motion.graph, speeds, 1, force.nodes)
         return (Action(joint_loads=(JointLoad(joint, column),)),)
+
+    def formulas(self, at: Places) -> Lines:
+        return (("force along the joint", "tau = f"),)

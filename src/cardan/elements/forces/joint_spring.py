@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from ...ir.matrix import Matrix
+from ..formulas import Lines
 from ..quantity import JointName, Units, Value
 from .force import Action, ForceElement, JointLoad, Places, constant, one_coordinate
 
@@ -60,3 +61,15 @@ class JointSpring(ForceElement):
             drag = Matrix.vector(motion.graph, [-(damping * u)])
             actions.append(Action(joint_loads=(JointLoad(joint, drag),)))
         return tuple(actions)
+
+    def formulas(self, at: Places) -> Lines:
+        spring, damper = (not at.data[name].is_zero for name in ("stiffness", "damping"))
+        turn = "q" if at.data["rest"].is_zero else "(q - q_0)"
+        terms = [f"k * {turn}"] * spring + ["c * u"] * damper
+        if not terms:
+            return ()
+        about = "force along the joint, k the stiffness" if spring else "force along the joint"
+        about += ", c the damping" * damper + ", q_0 its place without load" * (turn != "q")
+        fixed = constant(at.data["stiffness"]) and constant(at.data["rest"])
+        energy: Lines = (("potential energy", f"V = k * {turn} ** 2 / 2"),)
+        return ((about, f"tau = -({' + '.join(terms)})"), *energy * (spring and fixed))

@@ -4,7 +4,12 @@ from __future__ import annotations
 
 from ...ir.arithmetic import Scalar, select
 from ...ir.matrix import Matrix
+from ..formulas import Lines
 from .force import Action, Load, Motion
+
+SPAN: Lines = (("from a to b", "d = p_b - p_a"), ("distance", "ell = sqrt(dot(d, d))"))
+PULL: Lines = (("force on a and on b", "F_a = f / ell * d"), ("", "F_b = -(f / ell * d)"))
+RATE = ("its rate", "elldot = dot(d, v_b - v_a) / ell")
 
 
 def direction(span: Matrix, distance: Scalar) -> Matrix:

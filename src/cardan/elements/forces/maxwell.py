@@ -8,12 +8,13 @@ from typing import ClassVar
 from ...errors import ModelError
 from ...ir.arithmetic import Scalar, norm
 from ...ir.matrix import Matrix
+from ..formulas import Lines
 from ..internal_states import Internal
 from ..limits import Limit, positive
 from ..quantity import Place, Units, Value
 from ..validation import number
 from .force import Action, ForceElement, Places
-from .line import along_line, direction
+from .line import PULL, SPAN, along_line, direction
 
 
 @dataclass(frozen=True)
@@ -80,3 +81,14 @@ class Maxwell(ForceElement):
         distance = norm(*span)
         force = at.data["stiffness"][0] * (distance - at.data["rest_length"][0] - at.z[0])
         return direction(span, distance), force
+
+    def formulas(self, at: Places) -> Lines:
+        return (
+            *SPAN,
+            (
+                "force, k the stiffness, ell_0 the free length, z the flow",
+                "f = k * (ell - ell_0 - z)",
+            ),
+            *PULL,
+            ("rate of the flow, c the damping", "zdot = f / c"),
+        )

@@ -8,6 +8,7 @@ from typing import ClassVar
 from ...errors import ModelError
 from ...ir.arithmetic import norm
 from ...ir.matrix import Matrix
+from ..formulas import Lines
 from ..limits import Limit, not_negative
 from ..quantity import RATIO, Direction, Place, Quantity, Units, Value, quantities_of
 from .force import FRAME, JOINT, Action, ForceElement, JointLoad, Load, Places, RotorBody, constant
@@ -116,3 +117,13 @@ class Rotor(ForceElement):
         rotor = at.joints["rotor"]
         torque = at.data["torque"] - at.motion.u(rotor) * at.data["friction"][0]
         return (Action(joint_loads=(JointLoad(rotor, torque),)),)
+
+    def formulas(self, at: Places) -> Lines:
+        if self.speed is not None:
+            return ()
+        if self.momentum is None:
+            return (("torque on the wheel, c the friction", "tau = m - c * u"),)
+        return (
+            ("angular momentum along the axis a", "h = H / sqrt(dot(a, a)) * a"),
+            ("gyroscopic torque", "M = R @ skew(h) @ omega"),
+        )

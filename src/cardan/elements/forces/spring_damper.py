@@ -6,9 +6,10 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from ...ir.arithmetic import norm
+from ..formulas import Lines
 from ..quantity import Place, Units, Value
 from .force import Action, ForceElement, Places, constant
-from .line import along_line, direction
+from .line import PULL, RATE, SPAN, along_line, direction
 
 
 @dataclass(frozen=True)
@@ -70,3 +71,16 @@ class SpringDamper(ForceElement):
             rate = along.dot(motion.velocity(b) - motion.velocity(a))
             actions.append(along_line(motion, a, b, along * (damping * rate), None))
         return tuple(actions)
+
+    def formulas(self, at: Places) -> Lines:
+        spring, damper = (not at.data[name].is_zero for name in ("stiffness", "damping"))
+        stretch = "ell" if at.data["rest_length"].is_zero else "(ell - ell_0)"
+        terms = [f"k * {stretch}"] * spring + ["c * elldot"] * damper
+        if not terms:
+            return ()
+        about = "force, k the stiffness" * spring + ", " * (spring and damper)
+        about = (about or "force, ") + "c the damping" * damper
+        pull = (about + ", ell_0 the free length" * (stretch != "ell"), f"f = {' + '.join(terms)}")
+        fixed = constant(at.data["stiffness"]) and constant(at.data["rest_length"])
+        energy: Lines = (("potential energy", f"V = k * {stretch} ** 2 / 2"),)
+        return (*SPAN, *(RATE,) * damper, pull, *PULL, *energy * (spring and fixed))

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from ...ir.matrix import Matrix
+from ..formulas import Lines
 from ..quantity import Place, Units, Vector
 from .force import Action, ForceElement, Load, Places
 
@@ -37,3 +38,8 @@ class Torque(ForceElement):
         if "in_" in frames:
             torque = motion.rotation(frames["in_"]) @ torque
         return (Action((Load(frames["frame"], torque, Matrix.zeros(motion.graph, 3)),)),)
+
+    def formulas(self, at: Places) -> Lines:
+        rotates = "in_" in at.frames
+        about = "torque m in the axes whose rotation is R" if rotates else "torque m in ground axes"
+        return ((about, "M = R_in @ m" if rotates else "M = m"),)

@@ -99,7 +99,7 @@ def _joint_block(scene: Scene, key: Key, taken: set[str]) -> BlockKind:
     if count:
         return _block(name, element, {})
     cutting = Cutting(scene)
-    cutting.joint(key[1])
+    cutting.alone(key[1])
     return _block(name, element, _functions(cutting.system_of(), name))
 
 

@@ -8,8 +8,10 @@ from functools import cached_property
 from typing import Any
 
 from ...elements.forces.force import ForceElement
+from ...elements.formulas import RIGID, Lines
 from ...elements.joints.joint import Joint as JointElement
 from ...elements.joints.joint import Reversed
+from ...ir.arithmetic import Scalar
 from ...ir.derivative import directional
 from ...ir.function import Block, Function, Output
 from ...ir.graph import ONE, ZERO
@@ -24,13 +26,21 @@ from ..functions.context import Context
 from ..functions.dynamics import Dynamics
 from ..functions.element_forces import force_of
 from ..functions.functions import WRENCH
+from ..kinematics.accelerations import Accelerations
 from ..kinematics.joint_forces import driving_force, joint_forces
 from ..kinematics.kinematics import Kinematics
+from ..kinematics.loads import Loads
+from ..kinematics.loads import places as force_places
+from .element_events import ElementEvents, switches
 from .joint_constraints import JointConstraint, increments
+from .joint_formulas import joint_lines
 from .parts import Part
 from .record import BlockKind, Kind
 
 METHOD = "composite"
+MOTION = 24  # numbers of the motion of a body
+# functions that stay where they are zero throughout
+ALWAYS = ("outputs", "signs", "jumps", "change")
 ABOUT = {
     "balance": "M udot + h - f - Gᵀ lam, then g and G u + g_t",
     "balance_tangent": "derivatives of the balance along q, u, udot, of the rates along q, and G",
@@ -41,6 +51,11 @@ ABOUT = {
     "zdot": "rates of internal states",
     "reaction": "wrench of parent on child at the child joint frame, in its axes",
     "outputs": "contributions to outputs",
+    "bodies": "of bodies of a rigid tree R (9), p (3), velocity (6), acceleration (6), ground axes",
+    "reactions": "shares of the wrenches of joints that carry it, parent on child at its frame",
+    "signs": "values of its events, which happen where they fall through zero",
+    "jumps": "impulses at events, and velocities whose responses are asked for",
+    "change": "internal states and modes behind events",
     "element_forces": "force along a line or a joint, or force and moment on a frame",
 }
 
@@ -67,6 +82,8 @@ def structure(part: Part, places: Iterable[BlockKind]) -> str:
         part.driven,
         len(part.cutting.z),
         len(part.cutting.s),
+        [(n, part.cutting.system.joints[i].reversed) for i, n in part.cutting.moved.items()],
+        part.tree,
         [place.name for place in places],
         system.graph.nodes,
     )
@@ -111,10 +128,13 @@ def kind_of(name: str, part: Part, places: tuple[BlockKind, ...]) -> Kind:
         places: What its places hold.
     """
     context = _context(part)
-    functions = _Builder(context, part).functions()
+    builder = _Builder(context, part)
+    functions = builder.functions()
     listed = blocks(part.system)
     listed["z"] = _states("z", len(part.cutting.z))
     listed["s"] = _states("s", len(part.cutting.s))
+    if builder.events is not None:
+        listed["tau"] = _states("tau", builder.events.responses)
     inputs = tuple(listed[letter] for letter in ABI_ORDER)
     return Kind(
         name=name,
@@ -134,7 +154,31 @@ def kind_of(name: str, part: Part, places: tuple[BlockKind, ...]) -> Kind:
             for function, results in functions.items()
         },
         source=part.source,
+        formulas=_lines(part, context.k),
+        element=part.kind,
+        part="joint"
+        if part.joint
+        else "body"
+        if part.rigid
+        else "force" * bool(part.system.forces),
     )
+
+
+def _family(part: Part) -> str:
+    """Body, joint or force; "" for relations and outputs."""
+    if part.joint:
+        return "joint"
+    return "body" if part.rigid else "force" * bool(part.system.forces)
+
+
+def _lines(part: Part, k: Kinematics) -> Lines:
+    """Formulas for readers."""
+    if part.joint:
+        return joint_lines(k)
+    if part.system.forces:
+        (force,) = part.system.forces
+        return force.element.formulas(force_places(k, force))
+    return RIGID if part.rigid else ()
 
 
 def _suffix(name: str) -> str:
@@ -170,7 +214,7 @@ class _Builder:
         self.k, self.d = context.k, context.d
 
     def functions(self) -> dict[str, tuple[Output, ...]]:
-        """Functions that are not zero throughout; outputs are kept in any case."""
+        """Functions that are not zero throughout; outputs and events are kept in any case."""
         outputs = {
             "balance": self._balance(),
             "balance_tangent": self._tangent(),
@@ -182,11 +226,14 @@ class _Builder:
             "reaction": self._reaction(),
             "outputs": self._outputs(),
             "element_forces": self._element_forces(),
+            "bodies": self._bodies(),
+            "reactions": self._reactions(),
+            **self._events(),
         }
         return {
             name: results
             for name, results in outputs.items()
-            if any(node != ZERO or name == "outputs" for o in results for node in o.nodes)
+            if any(node != ZERO or name in ALWAYS for o in results for node in o.nodes)
         }
 
     def _vector(self, name: str, x: Matrix, entries: tuple[str, ...] = ()) -> Output:
@@ -210,7 +257,7 @@ class _Builder:
         if self.part.joint:
             outputs = self._constraint_tangent()
         elif self.system.closed:
-            outputs = residuals.balance_tangent(self.c)
+            outputs = (*residuals.balance_tangent(self.c), *switches(self.d))
         else:
             outputs = self._free_tangent()
         return tuple(output for output in outputs if any(node != ZERO for node in output.nodes))
@@ -254,6 +301,19 @@ class _Builder:
     def _zdot(self) -> tuple[Output, ...]:
         return (self._vector("zdot", event_functions.rates(self.d)),)
 
+    @cached_property
+    def events(self) -> ElementEvents | None:
+        """Events of the force that it is; None without."""
+        forces = self.system.forces
+        having = forces and (forces[0].element.events() or forces[0].element.modes())
+        return ElementEvents(self.d) if having else None
+
+    def _events(self) -> dict[str, tuple[Output, ...]]:
+        if self.events is None:
+            return {}
+        change = self.events.change
+        return {"signs": self.events.signs(), "jumps": self.events.jumps(), "change": change}
+
     def _lam(self) -> Matrix:
         return self.d.block("lam", len(rows(self.system)))
 
@@ -273,23 +333,54 @@ class _Builder:
             wrench = outputs.on_declared_child(self.k, reversed_joint, wrench)
         return (Output("reaction", (6,), wrench.nodes, *WRENCH),)
 
+    @cached_property
+    def _accelerations(self) -> Accelerations:
+        return outputs.system_accelerations(self.d, self.c.udot)
+
+    def _bodies(self) -> tuple[Output, ...]:
+        """Motion of the bodies of a rigid tree, in the order of the tree."""
+        if not self.part.tree:
+            return ()
+        nodes = list[int]()
+        for number in self.part.cutting.moved.values():
+            frame = self.system.joints[number].child_frame
+            nodes += [*self.k.rotation(frame).nodes, *self.k.position(frame).nodes]
+            nodes += outputs.velocity(self.k, frame).nodes
+            nodes += outputs.acceleration(self.d, self._accelerations, frame).nodes
+        return (Output("bodies", (len(nodes) // MOTION, MOTION), tuple(nodes)),)
+
+    def _reactions(self) -> tuple[Output, ...]:
+        """What joints of rigid trees transmit on account of this element."""
+        moved, nodes = self.part.cutting.moved, list[int]()
+        if not moved or not (self.part.tree or self.part.joint or self.system.forces):
+            return ()
+        forces = joint_forces(self.k, self._accelerations, self._loads)
+        for i, number in moved.items():
+            wrench = Matrix.vstack(forces.moment[number], forces.force[number])
+            if self.part.cutting.system.joints[i].reversed:
+                wrench = outputs.on_declared_child(self.k, number, wrench)
+            nodes += wrench.nodes
+        return (Output("reactions", (len(moved), 6), tuple(nodes)),)
+
+    @cached_property
+    def _loads(self) -> Loads:
+        """Loads with the wrench of the joint that the element is made of."""
+        closings = [self.constraint.transmitted(self._lam())] if self.part.joint else []
+        return with_closing(self.k, self.d.loads, closings)
+
     def _driving(self) -> list[tuple[int, Any]]:
         """(joint, force along it) of prescribed joints, as far as this element needs it."""
         if not self.part.driven:
             return []
-        d, udot = self.d, self.c.udot
-        acc = outputs.system_accelerations(d, udot)
-        loads = with_closing(
-            self.k, d.loads, [self.constraint.transmitted(self._lam())] if self.part.joint else []
-        )
-        forces = joint_forces(self.k, acc, loads)
+        d = self.d
+        forces = joint_forces(self.k, self._accelerations, self._loads)
         still = Matrix.zeros(self.k.graph, 1)
         return [(i, driving_force(self.k, i, forces, d.loads, still)[0]) for i in self.part.driven]
 
     def _outputs(self) -> tuple[Output, ...]:
         d = self.d
         if any(atom.quantity == "acceleration" for atom in self.system.atoms.values()):
-            acc = outputs.system_accelerations(d, self.c.udot)
+            acc = self._accelerations
             self.k.acceleration = lambda frame: outputs.acceleration(d, acc, frame)
         nodes = list(self.k.resolve([entry.node for entry in self.system.outputs]))
         nodes += [force.node for _, force in self._driving()]
@@ -304,12 +395,20 @@ class _Builder:
     def _power(self) -> tuple[Output, ...]:
         nodes: list[int] = []
         if self.system.forces:
-            nodes.append(sum((x for _, x in self.d.loads.power), self._zero()).node)
+            power = sum((x for _, x in self.d.loads.power), self._zero())
+            nodes.append((power + self._surface_power()).node)
         nodes += [(force * self.k.u(i)[0]).node for i, force in self._driving()]
         if self.system.constraints:
             (rate,), (lam,) = self.d.constraints.prescribed, self._lam()
             nodes.append((-lam * rate).node)
         return (Output("power", (len(nodes),), tuple(nodes)),)
 
-    def _zero(self) -> Any:
+    def _surface_power(self) -> Scalar:
+        """Power of what the element holds on surfaces that move by themselves."""
+        if not any(force.element.locked_velocities() for force in self.system.forces):
+            return self._zero()
+        lam, surfaces = self._lam(), self.d.constraints.surfaces
+        return sum((-lam[row] * rate for row, rate in surfaces), self._zero())
+
+    def _zero(self) -> Scalar:
         return Matrix.zeros(self.k.graph, 1)[0]

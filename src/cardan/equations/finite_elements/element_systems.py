@@ -63,6 +63,7 @@ class Cutting:
     Attributes:
         places: Keys of the places whose coordinates it has, in the order of its q and u.
         data: Expression in the parameters of the scene of each of its own parameters.
+        moved: Bodies of rigid trees of the scene -> their numbers here.
         z, s: Entries of the internal states and modes of the scene that it reads.
     """
 
@@ -77,6 +78,7 @@ class Cutting:
         self.atoms: dict[str, Atom] = {}
         self.places: list[Key] = []
         self.data: list[int] = []
+        self.moved: dict[int, int] = {}
         self.z: list[int] = []
         self.s: list[int] = []
         self._names: list[str] = []
@@ -114,10 +116,39 @@ class Cutting:
 
     def node(self, body: int, mass: Mass = NOTHING) -> int:
         """Number here of a body of the scene."""
+        if body in self.scene.in_trees:
+            return self.carried(body)
         if body not in self._body:
             self._body[body] = self.floating(self._numbered("body"), mass)
             self.places.append((NODE, body))
         return self._body[body]
+
+    def carried(self, body: int, mass: Mass = NOTHING) -> int:
+        """Number here of a body of a rigid tree: joints carry it from its base on."""
+        way = [body]
+        while way[-1] not in self._body and self.system.bodies[way[-1]].parent in (
+            self.scene.in_trees
+        ):
+            way.append(self.system.bodies[way[-1]].parent)
+        for i in reversed(way):
+            if i not in self._body:
+                parent = self.system.bodies[i].parent
+                local = self._body[parent] if parent in self._body else self.node(parent)
+                self._body[i] = self._carried(i, local, mass if i == body else NOTHING)
+        return self._body[body]
+
+    def _carried(self, i: int, parent: int, mass: Mass) -> int:
+        """A body that joint i of the scene moves from a body here."""
+        joint = self.system.joints[i]
+        place = (
+            self.expressions(joint.rotation, "place_rotation"),
+            self.expressions(joint.position, "place_position"),
+        )
+        data = self.quantities(joint.data)
+        number = self._moving("", i, parent, joint.element, data, place, mass)
+        self.moved[i] = number
+        self._joint.setdefault(i, number)
+        return number
 
     def floating(self, name: str, mass: Mass = NOTHING) -> int:
         """Number here of a new body that moves freely."""
@@ -127,9 +158,14 @@ class Cutting:
         """Number here of a joint of the scene whose coordinates are read."""
         if i in self.scene.nodal:
             return self.node(i)
-        if i not in self._joint:
-            element, data = self._stand_in(i)
-            self._joint[i] = self._moving("", i, GROUND, element, data)
+        if i in self.scene.in_trees and not self.scene.line(i):
+            return self.carried(i)
+        return self._joint[i] if i in self._joint else self.alone(i)
+
+    def alone(self, i: int) -> int:
+        """Number here of a body on the ground that has the coordinates of a joint of the scene."""
+        element, data = self._stand_in(i)
+        self._joint[i] = self._moving("", i, GROUND, element, data)
         return self._joint[i]
 
     def moving_body(self, i: int, parent: int) -> int:
@@ -158,11 +194,15 @@ class Cutting:
         element: JointElement,
         data: Data,
         place: tuple[Nodes, Nodes] = (IDENTITY, ORIGIN),
+        mass: Mass = NOTHING,
     ) -> int:
-        """A body without mass on a joint with the coordinates of joint i of the scene."""
+        """A body on a joint with the coordinates of joint i of the scene."""
         joint = self.system.joints[i]
         coupling = motion = None
-        if joint.coupling is not None:
+        if i in self._joint and joint.motion is None:
+            # its coordinate is here already
+            coupling = Coupling(self._joint[i], ONE, ZERO)
+        elif joint.coupling is not None:
             ratio, offset = joint.coupling.ratio, joint.coupling.offset
             ratio_and_offset = self.expressions((ratio, offset), "coupling")
             coupling = Coupling(self.joint(joint.coupling.leader), *ratio_and_offset)
@@ -173,7 +213,7 @@ class Cutting:
         else:
             self.places.append(("joint", i))
         name = name or self._numbered("joint")
-        return self._enter(name, parent, element, data, NOTHING, place, coupling, motion)
+        return self._enter(name, parent, element, data, mass, place, coupling, motion)
 
     def _numbered(self, name: str) -> str:
         return f"{name}{sum(joint.name.startswith(name) for joint in self.joints) + 1}"

@@ -74,12 +74,31 @@ class JointConstraint:
     def __init__(self, k: Kinematics) -> None:
         self.k, self.graph = k, k.graph
         self.cut = k.system.cuts[0]
-        frames = k.system.frames
-        self.parent = frames[self.cut.parent_frame].body
-        self.child = frames[self.cut.child_frame].body
         self.carrier = self.cut.carrier
-        if self.carrier is not None:
-            self.parent = k.system.bodies[self.carrier].parent
+        frames = k.system.frames
+        self._paths = [
+            self._path(frames[frame].body)
+            for frame in (self.cut.parent_frame, self.cut.child_frame)
+        ]
+        self.parent, self.child = (path[0] for path in self._paths)
+
+    def _path(self, body: int) -> list[int]:
+        """The ground or node that carries a body, and what joints move from there to it."""
+        bodies, joints, path = self.k.system.bodies, self.k.system.joints, [body]
+        while path[0] != GROUND and (
+            path[0] == self.carrier
+            or not (joints[path[0]].element == Free() and bodies[path[0]].parent == GROUND)
+        ):
+            path.insert(0, bodies[path[0]].parent)
+        return path
+
+    def _pose_on(self, path: list[int], start: tuple[Matrix, Matrix]) -> tuple[Matrix, Matrix]:
+        """Rotation and position at the end of a path from those at its start."""
+        rotation, position = start
+        for body in path[1:]:
+            step = self.k.pose_of(body)
+            rotation, position = rotation @ step.rotation, position + rotation @ step.position
+        return rotation, position
 
     # poses, as leaves
 
@@ -97,11 +116,15 @@ class JointConstraint:
     @cached_property
     def D(self) -> Matrix:
         """R_Aᵀ R_B."""
+        if self.parent == self.child:
+            return Matrix.identity(self.graph, 3)
         return Matrix(self.graph, 3, 3, self._leaves[:9])
 
     @cached_property
     def d(self) -> Matrix:
         """R_Aᵀ (x_B - x_A)."""
+        if self.parent == self.child:
+            return Matrix.zeros(self.graph, 3)
         return Matrix(self.graph, 3, 1, self._leaves[9:12])
 
     def settled(self, x: Matrix) -> Matrix:
@@ -125,11 +148,15 @@ class JointConstraint:
     def pose(self) -> tuple[Matrix, Matrix]:
         """R_PC and p_PC."""
         here = Matrix.identity(self.graph, 3), Matrix.zeros(self.graph, 3)
-        if self.carrier is not None:
-            carrier_pose = self.k.pose_of(self.carrier)
-            here = carrier_pose.rotation, carrier_pose.position
-        near = frame_pose(self.k, self.cut.parent_frame, here)
-        far = frame_pose(self.k, self.cut.child_frame, (self.D, self.d))
+        near, far = (
+            frame_pose(self.k, frame, self._pose_on(path, start))
+            for frame, path, start in zip(
+                (self.cut.parent_frame, self.cut.child_frame),
+                self._paths,
+                (here, (self.D, self.d)),
+                strict=True,
+            )
+        )
         return near[0].T @ far[0], near[0].T @ (far[1] - near[1])
 
     @cached_property
@@ -150,7 +177,9 @@ class JointConstraint:
             seeds[first : first + len(carrier_seeds)] = carrier_seeds
         for body in {self.parent, self.child} - {GROUND}:
             first = self.k.system.joints[body].u
-            seeds[first : first + 6] = self._moved(body)
+            # what moves both ends alike does not change their relative pose
+            alike = self.parent == self.child
+            seeds[first : first + 6] = [Seeds() for _ in range(6)] if alike else self._moved(body)
         return seeds
 
     def _moved(self, body: int) -> list[Seeds]:
@@ -187,6 +216,8 @@ class JointConstraint:
             if joint.q >= 0 and i not in (self.parent, self.child):
                 for n in range(len(joint.element.coordinates)):
                     seeds[g.var("q", joint.q + n)] = self.k.rates.nodes[joint.q + n]
+        if self.parent == self.child:
+            return seeds
         return seeds | self._changes(*self._speeds(self.parent), *self._speeds(self.child))
 
     # what vanishes
@@ -221,11 +252,16 @@ class JointConstraint:
 
     @property
     def _twist(self) -> Matrix:
-        """Velocity of C against P at the origin of C, in C axes, of a joint without carrier."""
-        (w_a, _), (w_b, _) = self._speeds(self.parent), self._speeds(self.child)
-        axes = self.k.matrix(3, 3, self.k.system.frames[self.cut.child_frame].rotation)
+        """Velocity of C against P at the origin of C, in C axes."""
         R, p = self.pose
         moved = self._column(forward(self.graph, p.nodes, self.time_seeds))
+        if max(map(len, self._paths)) > 1:
+            rate = Matrix(self.graph, 3, 3, forward(self.graph, R.nodes, self.time_seeds))
+            turning = R.T @ rate
+            omega = [turning[2, 1].node, turning[0, 2].node, turning[1, 0].node]
+            return Matrix.vstack(self._column(omega), R.T @ moved)
+        (w_a, _), (w_b, _) = self._speeds(self.parent), self._speeds(self.child)
+        axes = self.k.matrix(3, 3, self.k.system.frames[self.cut.child_frame].rotation)
         return Matrix.vstack(axes.T @ (w_b - self.D.T @ w_a), R.T @ moved)
 
     @cached_property

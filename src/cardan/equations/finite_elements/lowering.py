@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 
 import numpy as np
 
@@ -21,24 +21,37 @@ from .nodal_scene import NODE, Key, Scene
 from .parts import Part, parts
 from .planar_kinds import flattened
 from .planarity import check, planes
-from .record import GROUND, BlockKind, FiniteElementRecord, Frames, Group, Kind, Places, unique
+from .record import (
+    CARRIED,
+    GROUND,
+    BlockKind,
+    FiniteElementRecord,
+    Frames,
+    Group,
+    Kind,
+    Places,
+    unique,
+)
 from .segments import beamed
 from .states import states
 
 
-def lowered(system: System, plane: str | None = None) -> FiniteElementRecord:
+def lowered(
+    system: System, plane: str | None = None, nodes: Collection[int] | None = None
+) -> FiniteElementRecord:
     """A system in absolute coordinates.
 
     Args:
         system: The system graph.
         plane: Normal of the plane it stays in ("x", "y" or "z"), "auto" to look for one, None for
             space.
+        nodes: As of :class:`.nodal_scene.Scene`.
 
     Raises:
-        DerivationError: it has events, or friction pressed by reactions; or leaves the plane.
+        DerivationError: it has friction pressed by reactions; or leaves the plane.
     """
     _refuse(system)
-    scene = Scene(system)
+    scene = Scene(system, nodes)
     if plane != "auto":
         return _lowered(scene, None if plane is None else NORMALS.index(plane))
     for normal in reversed(range(3)):
@@ -74,7 +87,8 @@ def _lowered(scene: Scene, normal: int | None) -> FiniteElementRecord:
     other = sum(kind.mp * len(members) for kind, members in sorted_parts)
     for kind, members in sorted_parts:
         rows = _rows(kind, len(members), position, other)
-        groups.append(_group(kind, members, at, rows, system, (results, powers)))
+        carrying = {i: k for k, i in enumerate(sorted(scene.in_trees))}
+        groups.append(_group(kind, members, at, rows, system, (results, powers), carrying))
         position += kind.mp * len(members)
         other += (kind.m - kind.mp) * len(members)
     numbered = [
@@ -89,7 +103,8 @@ def _lowered(scene: Scene, normal: int | None) -> FiniteElementRecord:
         system=system,
         places=Places(names, kinds, every),
         groups=(*groups, *beams.groups),
-        frames=_frames(scene, at),
+        frames=_frames(scene, at, numbered),
+        tree_joints=tuple(system.joints[i].name for i in sorted(scene.in_trees)),
         joints={part.name: at for part, at in numbered if part.joint},
         forces={one.name: forces[one.name] for one in named_forces(system) if one.name in forces},
         states=states(scene, bodies),
@@ -114,7 +129,7 @@ def _refuse(system: System) -> None:
     """Refuse options that belong to joint coordinates alone.
 
     Raises:
-        DerivationError: written equations, events, or friction pressed by reactions.
+        DerivationError: written equations, or friction pressed by reactions.
     """
     if system.written:
         raise DerivationError(
@@ -125,8 +140,6 @@ def _refuse(system: System) -> None:
         what = ""
         if force.element.by_reaction:
             what = "the force follows from the reaction of its joint"
-        elif force.element.events():
-            what = f"it has events ('{force.element.events()[0].about}')"
         if what:
             cure = 'Use coordinates="relative"'
             if system.segments:
@@ -182,6 +195,7 @@ def _group(
     rows: Integers,
     system: System,
     named: tuple[Mapping[str, int], Mapping[str, int]],
+    carrying: Mapping[int, int],
 ) -> Group:
     """The table of the members of a kind."""
     results, powers = named
@@ -194,10 +208,14 @@ def _group(
         common=_common(kind, members, system),
         z=_table([piece.cutting.z for piece in members]) if members[0].cutting.z else None,
         s=_table([piece.cutting.s for piece in members]) if members[0].cutting.s else None,
+        events=_table([part.events for part in members]) if members[0].events else None,
         outputs=_table([[results[n] for n in p.results] for p in members])
         if "outputs" in has
         else None,
         powers=_table([[powers[n] for n in p.powers] for p in members]) if "power" in has else None,
+        reactions=_table([[carrying[i] for i in p.cutting.moved] for p in members])
+        if "reactions" in has
+        else None,
     )
 
 
@@ -227,11 +245,13 @@ def _of_parameters(name: str, system: System, results: tuple[Output, ...]) -> Fu
     return Function(name, system.graph, (parameters(system),), results, ("ground",))
 
 
-def _frames(scene: Scene, at: Mapping[Key, int]) -> Frames:
-    """Poses of the frames of the scene on their nodes."""
+def _frames(
+    scene: Scene, at: Mapping[Key, int], numbered: Sequence[tuple[Part, tuple[int, int]]]
+) -> Frames:
+    """Poses of the frames of the scene on their nodes or bodies of trees."""
     system = scene.system
     frames = [system.frames[scene.frame(k)] for k in range(len(system.frames))]
-    place = [GROUND if f.body < 0 else at[NODE, f.body] for f in frames]
+    place = [GROUND if f.body < 0 else at.get((NODE, f.body), CARRIED) for f in frames]
     rotation = tuple(node for f in frames for node in f.rotation)
     position = tuple(node for f in frames for node in f.position)
     results = [
@@ -244,7 +264,14 @@ def _frames(scene: Scene, at: Mapping[Key, int]) -> Frames:
     if lengths:
         results.append(Output("lengths", (len(lengths),), lengths))
     poses = _of_parameters("frames__data", system, tuple(results))
-    return Frames(np.array(place, dtype=np.intp), poses)
+    bodies = {
+        i: (*member, k)
+        for part, member in numbered
+        if part.tree
+        for k, i in enumerate(part.cutting.moved)
+    }
+    carried = {k: bodies[f.body] for k, f in enumerate(frames) if f.body in bodies}
+    return Frames(np.array(place, dtype=np.intp), poses, carried)
 
 
 def _unit(system: System, name: str) -> str:

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from functools import cached_property
 from typing import TypeAlias
 
 from ...elements.joints.free import Free
 from ...elements.joints.joint import Joint as JointElement
 from ...elements.joints.joint import Reversed
+from ...ir.function import live
 from ...topology.conversion import IDENTITY, ORIGIN
 from ...topology.system import GROUND, Cut, System
 
@@ -21,10 +23,13 @@ class Scene:
 
     Args:
         system: The system graph.
+        nodes: Bodies that have a node of their own where rigid trees have the coordinates of their
+            joints; None gives one to every body.
     """
 
-    def __init__(self, system: System) -> None:
+    def __init__(self, system: System, nodes: Collection[int] | None = None) -> None:
         self.system = system
+        self._nodes = nodes
 
     @cached_property
     def joints_of_cuts(self) -> dict[int, Cut]:
@@ -46,13 +51,57 @@ class Scene:
         )
 
     @cached_property
+    def in_trees(self) -> frozenset[int]:
+        """Bodies that joints alone place: they have no node."""
+        if self._nodes is None:
+            return frozenset()
+        bodies, joints = self.system.bodies, self.system.joints
+        return frozenset(
+            i
+            for i, joint in enumerate(joints)
+            if i not in self._nodes
+            and i not in self._in_relations
+            and i not in self.joints_of_cuts
+            and not joint.element.slips
+            and not (joint.element == Free() and bodies[i].parent == GROUND)
+        )
+
+    @cached_property
+    def _in_relations(self) -> frozenset[int]:
+        """Bodies whose motion relations read: their forces pass through nodes."""
+        system = self.system
+        order = live(system.graph, [entry.node for entry in system.constraints])
+        names = {system.graph.nodes[i][1] for i in order if system.graph.nodes[i][0] == "atom"}
+        atoms = [system.atoms[name] for name in names if name in system.atoms]
+        frames = {
+            frame
+            for atom in atoms
+            if atom.quantity not in ("q", "u")
+            for frame in (atom.frame, atom.wrt, atom.in_)
+        }
+        return frozenset(system.frames[frame].body for frame in frames)
+
+    @cached_property
+    def trees(self) -> tuple[tuple[int, ...], ...]:
+        """Bodies of every rigid tree, each behind the one that carries it."""
+        trees: dict[int, list[int]] = {}
+        first: dict[int, int] = {}
+        for i in sorted(self.in_trees):
+            parent = self.system.bodies[i].parent
+            # one tree for all that hangs on a node, one for each branch on the ground
+            key = first[parent] if parent in first else i if parent == GROUND else -2 - parent
+            first[i] = key
+            trees.setdefault(key, []).append(i)
+        return tuple(map(tuple, trees.values()))
+
+    @cached_property
     def places(self) -> tuple[Key, ...]:
         """All places, in the order of the tree: a joint with coordinates before its node."""
         keys: list[Key] = []
         for i, joint in enumerate(self.system.joints):
             if joint.q >= 0 and i not in self.nodal:
                 keys.append((JOINT, i))
-            if i not in self.joints_of_cuts:
+            if i not in self.joints_of_cuts and i not in self.in_trees:
                 keys.append((NODE, i))
         return tuple(keys)
 
@@ -92,6 +141,12 @@ class Scene:
         """Number of coordinates of a joint if they just add up, else 0."""
         element = self.system.joints[i].element
         return len(element.coordinates) if adds_up(element) else 0
+
+
+def ends_of_beams(system: System) -> frozenset[int]:
+    """Bodies that beams begin or end at."""
+    frames = (frame for s in system.segments for frame in (s.frame_a, s.frame_b))
+    return frozenset(system.frames[frame].body for frame in frames) - {GROUND}
 
 
 def adds_up(element: JointElement) -> bool:

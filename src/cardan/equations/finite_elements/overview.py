@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from ...errors import counted
+from ..reading.typesetting import text_of
 
 if TYPE_CHECKING:
     from .record import FiniteElementRecord
 
 MAX_PRINTED = 10
+# energies, stress, constraints and balance among the formulas of a kind
+MAIN = ("T", "V", "sigma", "g", "s", "f", "F", "M", "tau", "zdot", "b_m", "b_f", "b")
 
 
 def overview(scene: FiniteElementRecord) -> str:
@@ -33,7 +36,21 @@ def overview(scene: FiniteElementRecord) -> str:
         ]
         row = f"  {kind.name:20} {len(group):7d}  {kind.nu:8d}  {kind.m:4d}"
         lines.append(row + f"  {counts[0]:7d}  {counts[1]:7d}")
+    lines += _formulas(scene)
     return "\n".join(lines)
+
+
+def _formulas(scene: FiniteElementRecord) -> Iterator[str]:
+    """Energies and balances of the kinds in symbols, once each."""
+    by_formulas: dict[tuple[str, ...], list[str]] = {}
+    for kind in scene.kinds:
+        main = tuple(line for _, line in kind.formulas if line.partition(" = ")[0] in MAIN)
+        if main:
+            by_formulas.setdefault(main, []).append(kind.name)
+    if by_formulas:
+        yield '  in symbols, which equations.explain("page.html") defines:'
+    for main, kinds in by_formulas.items():
+        yield f"    {_row(kinds)}: " + ", ".join(map(text_of, main))
 
 
 def _row(names: Sequence[str]) -> str:

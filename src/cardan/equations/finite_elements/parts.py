@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import Any
 
 from ...elements.joints.fixed import Fixed
 from ...elements.joints.joint import Joint as JointElement
@@ -14,6 +15,7 @@ from ..functions.element_forces import named_forces
 from .element_systems import MOVING_JOINT, Cutting, Mass
 from .nodal_scene import Scene
 
+TREE = "Roberson and Schwertassek, Dynamics of Multibody Systems, 1988, chapter 12"
 BODY = "Géradin and Cardona, Flexible Multibody Dynamics, 2001, chapter 7 (rigid body)"
 
 
@@ -33,7 +35,10 @@ class Part:
         driven: Prescribed joints of the small system to whose driving force it contributes.
         results: Names of the outputs that it contributes to.
         powers: Names of the powers that it contributes to.
+        tree: Whether it is a rigid tree, which tells how its bodies move.
         force: What its force is called by elements that have one, "" if it has none.
+        events: Entries of the events of the scene that are its own.
+        rigid: Whether it is a rigid body and nothing else.
     """
 
     name: str
@@ -46,17 +51,22 @@ class Part:
     driven: tuple[int, ...] = ()
     results: tuple[str, ...] = ()
     powers: tuple[str, ...] = ()
+    tree: bool = False
     force: str = ""
+    events: tuple[int, ...] = ()
+    rigid: bool = False
 
 
 def parts(scene: Scene) -> Iterator[Part]:
     """The pieces of a system: bodies, joints of the tree, those that close loops, the rest."""
-    system = scene.system
+    system, without_node = scene.system, scene.in_trees | set(scene.joints_of_cuts)
+    for tree in scene.trees:
+        yield _tree(scene, tree)
     for i in range(len(system.bodies)):
-        if i not in scene.joints_of_cuts and _has_mass(system, i):
+        if i not in without_node and _has_mass(system, i):
             yield _body(scene, i)
     for i in range(len(system.joints)):
-        if i not in scene.nodal and i not in scene.joints_of_cuts:
+        if i not in scene.nodal and i not in without_node:
             yield _joint(scene, i)
     for cut in system.cuts:
         yield _closing(scene, cut) if cut.carrier is None else _joint(scene, cut.carrier)
@@ -74,14 +84,49 @@ def _has_mass(system: System, i: int) -> bool:
     return any(node != ZERO for node in (body.mass, *body.first_moment, *body.inertia))
 
 
-def _body(scene: Scene, i: int) -> Part:
-    cutting, body = Cutting(scene), scene.system.bodies[i]
+def _mass(cutting: Cutting, i: int) -> Mass:
+    body = cutting.system.bodies[i]
     (mass,) = cutting.expressions((body.mass,), "mass")
     moment = cutting.expressions(body.first_moment, "first_moment")
-    inertia = cutting.expressions(body.inertia, "inertia")
-    cutting.node(i, Mass(mass, moment, inertia))
+    return Mass(mass, moment, cutting.expressions(body.inertia, "inertia"))
+
+
+def _tree(scene: Scene, tree: tuple[int, ...]) -> Part:
+    """Bodies that joints carry from the ground or a node on."""
+    cutting = Cutting(scene)
+    for i in tree:
+        cutting.carried(i, _mass(cutting, i))
     gravity = cutting.expressions(scene.system.gravity, "gravity")
-    return Part(body.name, "body", cutting, cutting.system_of(gravity=gravity), BODY)
+    name = scene.system.joints[tree[0]].name
+    system = cutting.system_of(gravity=gravity)
+    return Part(name, "tree", cutting, system, TREE, tree=True, **_driven(cutting, {}))
+
+
+def _driven(cutting: Cutting, driven: dict[int, int], *powers: str) -> dict[str, Any]:
+    """What an element gives prescribed joints, as attributes of its part.
+
+    Args:
+        cutting: Its places, with the joints of trees that carry it.
+        driven: Other prescribed joints, number in the scene -> number here.
+        powers: Names of its other powers.
+    """
+    system = cutting.system
+    carrying = {i: n for i, n in cutting.moved.items() if system.joints[i].motion is not None}
+    every = driven | carrying
+    joints = [system.joints[i] for i in every]
+    return {
+        "driven": tuple(every.values()),
+        "results": tuple(joint.driving_output[0] for joint in joints),
+        "powers": (*powers, *(f"{joint.name}.motion" for joint in joints)),
+    }
+
+
+def _body(scene: Scene, i: int) -> Part:
+    cutting, body = Cutting(scene), scene.system.bodies[i]
+    cutting.node(i, _mass(cutting, i))
+    gravity = cutting.expressions(scene.system.gravity, "gravity")
+    small = cutting.system_of(gravity=gravity)
+    return Part(body.name, "body", cutting, small, BODY, rigid=True)
 
 
 def _joint(scene: Scene, i: int) -> Part:
@@ -92,7 +137,7 @@ def _joint(scene: Scene, i: int) -> Part:
     end = cutting.body_frame(cutting.node(i)) if cut is None else cutting.frame(cut.child_frame)
     body = cutting.moving_body(i, parent)
     weld = _cut(cutting, Fixed(), (cutting.body_frame(body), end), body)
-    moved = joint.motion is not None
+    driven = {i: body} if joint.motion is not None else {}
     return Part(
         joint.name,
         joint.element.kind,
@@ -101,9 +146,7 @@ def _joint(scene: Scene, i: int) -> Part:
         joint.element.source,
         joint=True,
         reversed_joint=body if joint.reversed else -1,
-        driven=(body,) if moved else (),
-        results=(joint.driving_output[0],) if moved else (),
-        powers=(f"{joint.name}.motion",) if moved else (),
+        **_driven(cutting, driven),
     )
 
 
@@ -114,7 +157,9 @@ def _closing(scene: Scene, cut: Cut) -> Part:
     local_cut = _cut(cutting, cut.element, frames, None, cutting.quantities(cut.data))
     system = cutting.system_of(cuts=(local_cut,))
     kind = f"{cut.element.kind}_held"
-    return Part(cut.name, kind, cutting, system, cut.element.source, joint=True)
+    return Part(
+        cut.name, kind, cutting, system, cut.element.source, joint=True, **_driven(cutting, {})
+    )
 
 
 def _cut(
@@ -151,10 +196,9 @@ def _force(scene: Scene, force: Force, name: str) -> Part:
             cutting.state(block, first + entry)
     data = cutting.quantities(force.data)
     local_force = Force(element.kind, element, data, frames, joints)
-    originals = [scene.system.joints[joint] for joint in force.joints.values()]
     driven = {
-        number: joint
-        for number, joint in zip(joints.values(), originals, strict=True)
+        i: number
+        for i, number in zip(force.joints.values(), joints.values(), strict=True)
         if cutting.joints[number].motion is not None
     }
     return Part(
@@ -163,10 +207,9 @@ def _force(scene: Scene, force: Force, name: str) -> Part:
         cutting,
         cutting.system_of(forces=(local_force,)),
         element.source,
-        driven=tuple(driven),
-        results=tuple(joint.driving_output[0] for joint in driven.values()),
-        powers=(force.name, *(f"{joint.name}.motion" for joint in driven.values())),
         force=name,
+        **_driven(cutting, driven, force.name),
+        events=tuple(range(force.e, force.e + len(element.events()))),
     )
 
 

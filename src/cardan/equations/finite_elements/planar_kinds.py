@@ -31,6 +31,8 @@ SPEEDS = ("m/s", "m/s", "rad/s")
 RATES = ("u", "udot", "du")
 # results along speeds, and along rows of constraints
 MATRICES, ROWS = ("K", "C", "M", "R", "G"), ("g", "rates", "gamma")
+# functions that stay where they are zero throughout
+ALWAYS = ("outputs", "signs", "jumps", "change")
 
 
 def plane_node(plane: Plane, number: int) -> BlockKind:
@@ -65,7 +67,7 @@ def flattened(name: str, kind: Kind, blocks: Sequence[BlockKind]) -> Kind:
         functions={
             key: function
             for key, function in functions.items()
-            if key == "outputs" or any(node != ZERO for node in function.roots)
+            if key in ALWAYS or any(node != ZERO for node in function.roots)
         },
     )
 
@@ -165,6 +167,13 @@ class Flat:
         if output.name in ROWS:
             picked = tuple(nodes[row] for row in self.rows if row < len(nodes))
             return Output(output.name, (len(picked),), picked)
+        if output.name == "H":
+            at = [row * output.shape[1] + column for row in self.rows for column in self.rows]
+            return Output("H", (len(self.rows),) * 2, tuple(nodes[i] for i in at))
+        if output.name == "J":
+            reduced = Matrix(graph, output.shape[0], output.shape[1], nodes)
+            reduced = reduced @ self._to_space(graph)
+            return Output("J", (reduced.rows, reduced.columns), reduced.nodes)
         if output.name in MATRICES:
             rows, columns = output.shape
             reduced = Matrix(graph, rows, columns, nodes) @ self._to_space(graph)

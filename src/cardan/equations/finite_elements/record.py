@@ -19,17 +19,21 @@ from typing import TypeAlias
 import numpy as np
 
 from ...arrays import Array, Integers
+from ...elements.formulas import Lines
 from ...errors import DerivationError, near
 from ...ir.function import Function
 from ...spatial.plane import Plane
 from ...topology.system import System
 from ..reading.counts import Counts
+from .kinds import Kinds
 from .overview import overview
 
 Numbers: TypeAlias = Array
 
 # the place of an end that is fixed to the ground
 GROUND = -1
+# that of a frame on a body that joints alone place
+CARRIED = -2
 POSE = 7  # entries of the q of a node in space
 
 
@@ -125,12 +129,18 @@ class Kind:
         data: Names of the entries of p.
         functions: Those it has, by name:
             ``balance`` [b (nu), g (mp), rates G u + g_t (m)], b = M udot + h - f - Gᵀ lam;
-            ``balance_tangent``: of [K, C, M (nu, nu), R, G (m, nu)] those that are not zero;
+            ``balance_tangent``: of [K, C, M (nu, nu), R, G (m, nu), H (m, m)] those that are not
+            zero, with H of rows that no mode holds;
             ``gamma`` (m) with G udot = gamma; ``energy`` [kinetic, potential]; ``momentum`` (6)
             about the origin of the ground; ``zdot`` of its internal states; ``reaction`` (6):
             wrench of parent on child at the child joint frame in its axes; ``outputs`` and
-            ``power``: see :attr:`Group.outputs`. What is zero throughout is left out.
+            ``power``: see :attr:`Group.outputs`; ``signs``, ``jumps`` and ``change`` of its events:
+            see :mod:`.element_events`. What is zero throughout is left out.
         source: Literature.
+        formulas: (what it is, formula) for readers, in Python;
+            between ends in space.
+        element: Its element in the catalog, such as "revolute"; "body" of rigid bodies.
+        part: "body", "joint", "force" or "beam"; "" of others.
     """
 
     name: str
@@ -140,6 +150,9 @@ class Kind:
     data: tuple[str, ...]
     functions: Mapping[str, Function] = field(repr=False, compare=False)
     source: str = ""
+    formulas: Lines = field(default=(), repr=False)
+    element: str = ""
+    part: str = ""
 
     @property
     def m(self) -> int:
@@ -189,9 +202,12 @@ class Group:
         attributes: Data that are numbers once and for all (n, k2).
         z, s: Entries of the scene's internal states and modes that are its local z and s (n, k);
             None where it reads none. ``zdot`` is that of the first of z.
+        reactions: Joints of trees, by number in ``tree_joints``, to whose reactions the function of
+            that name contributes (n, k).
         outputs, powers: Entries of the scene's outputs and powers to which the functions of that
             name contribute (n, k); contributions of several members to one entry add up. None
             without the function.
+        events: Entries of the scene's events that are its own (n, ne); None where it has none.
     """
 
     kind: Kind
@@ -202,8 +218,10 @@ class Group:
     attributes: Numbers | None = field(default=None, repr=False, compare=False)
     z: Integers | None = field(default=None, repr=False, compare=False)
     s: Integers | None = field(default=None, repr=False, compare=False)
+    reactions: Integers | None = field(default=None, repr=False, compare=False)
     outputs: Integers | None = field(default=None, repr=False, compare=False)
     powers: Integers | None = field(default=None, repr=False, compare=False)
+    events: Integers | None = field(default=None, repr=False, compare=False)
 
     def __len__(self) -> int:
         return len(self.members)
@@ -214,13 +232,15 @@ class Frames:
     """Poses of the frames of a scene, in the order of ``System.frames``.
 
     Attributes:
-        place: Index of the node, GROUND for the ground (n,).
+        place: Index of the node, GROUND for the ground, CARRIED for a body of a tree (n,).
+        bodies: For frames on bodies of trees (group, member, number in ``bodies`` of the member).
         poses: Parameters p -> outputs ``rotation`` (n, 9), R from frame axes to those of the node,
             and ``position`` (n, 3) from its origin in its axes.
     """
 
     place: Integers = field(repr=False, compare=False)
     poses: Function = field(repr=False, compare=False)
+    bodies: Mapping[int, tuple[int, int, int]] = field(default_factory=dict, repr=False)
 
 
 @dataclass(frozen=True)
@@ -236,6 +256,7 @@ class FiniteElementRecord:
         groups: The elements.
         frames: Where the frames of the scene are fixed.
         joints: Joints that transmit a reaction -> (group, member) whose ``reaction`` it is.
+        tree_joints: Joints inside of rigid trees; their reactions add up over elements.
         forces: Elements whose forces have names -> (group, member) whose ``element_forces`` it is.
         states: [t, q, u, r, p] of the relative formulation -> [q, u] of this one; a scene whose
             loops are closed there has its constraints kept here.
@@ -253,6 +274,7 @@ class FiniteElementRecord:
     frames: Frames = field(repr=False)
     joints: Mapping[str, tuple[int, int]] = field(repr=False)
     states: Function = field(repr=False)
+    tree_joints: tuple[str, ...] = ()
     forces: Mapping[str, tuple[int, int]] = field(default_factory=dict, repr=False)
     results: tuple[tuple[str, str], ...] = ()
     powers: tuple[str, ...] = ()
@@ -309,9 +331,9 @@ class FiniteElementRecord:
         return tuple(name for name, _ in self.results)
 
     @property
-    def kinds(self) -> tuple[Kind, ...]:
-        """The kinds of elements, once each."""
-        return tuple({group.kind.name: group.kind for group in self.groups}.values())
+    def kinds(self) -> Kinds:
+        """The kinds of elements, once each: by number, or some of them by name."""
+        return Kinds({group.kind.name: group.kind for group in self.groups}.values())
 
     def function(self, kind: str, name: str) -> Function:
         """A function of a kind of element as expressions.

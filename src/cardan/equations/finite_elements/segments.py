@@ -269,7 +269,10 @@ class _Builder:
         if key not in self._kinds:
             places = (self.holds.node,) * len(end_blocks)
             functions, source = element.derived(kinds), element.source
-            kind = Kind(name, places, (), 0, element.data(kinds), functions, source)
+            data, formulas = element.data(kinds), element.formula_lines
+            kind = Kind(
+                *(name, places, (), 0, data, functions, source, formulas, element.kind, "beam")
+            )
             if end_blocks != places:
                 space, planar_name = kind, unique(name, self.taken)
                 kind = flattened(planar_name, space, end_blocks)

@@ -179,7 +179,7 @@ def _jumped(
         if len(unilateral) > 1 and impulses[i].release_speed is not None
     }
     behind = before
-    for attempt in ATTEMPTS[: min(len(unilateral) - 1, PASSES) + 1]:
+    for attempt in ATTEMPTS[: min(max(len(unilateral), 1) - 1, PASSES) + 1]:
         for on, name in zip(active, names, strict=True):
             g.hint(on.node, name, f"{attempt}active")
         rows = [row * on for row, on in zip(jacobian, active, strict=True)]

@@ -7,7 +7,9 @@ from typing import TYPE_CHECKING
 
 from ...errors import counted
 from ...ir.function import Function, count
+from .chain_pattern import chain_pattern
 from .loop_report import loop_lines
+from .typesetting import text_of
 
 if TYPE_CHECKING:
     from ..record import EquationRecord
@@ -60,6 +62,10 @@ class Counts(dict[str, int]):
         return hypot(SIDE_BY_SIDE * self.total, IN_TURN * self.critical_path)
 
 
+# letters of a line
+WIDTH = 100
+
+
 def overview(equations: EquationRecord) -> str:
     """Formalism, sizes, names and counts on one screen."""
     s = equations.system
@@ -81,6 +87,12 @@ def overview(equations: EquationRecord) -> str:
         lines.append(f"  {name:18}" + "".join(f"{n:6d}" for n in row))
     for name, (now, before) in equations.gain.items():
         lines.append(f"  {name}: {before - now} operations less than with all parameters free")
+    pattern = chain_pattern(s)
+    if pattern:
+        lines.append(f"  chain of n = {len(s.bodies)} equal links:")
+        for about, line in pattern:
+            text = f"    {text_of(line):44}  {about}"
+            lines += [text] if len(text) <= WIDTH else [f"    {text_of(line)}", f"{'':50}{about}"]
     return "\n".join(lines)
 
 

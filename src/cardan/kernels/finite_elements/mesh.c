@@ -56,6 +56,21 @@ static real *fetch_places(const cardan_group *g, const ptrdiff_t *element,
     return to;
 }
 
+/* Which of their events happen, and the responses that they asked for. */
+static real *gather_events(const cardan_mesh *mesh, const cardan_group *g, const ptrdiff_t *element,
+                           ptrdiff_t lanes, const cardan_state *at, real *local)
+{
+    const real *responses = at->responses;
+
+    for (const cardan_group *other = mesh->groups; other != g; other++)
+        responses += other->count * other->responses;
+    local = pick(at->e, g->events, g->ne, element, lanes, local);
+    for (ptrdiff_t i = 0; i < g->responses; i++)
+        for (ptrdiff_t lane = 0; lane < lanes; lane++)
+            *local++ = responses[element[lane] * g->responses + i];
+    return local;
+}
+
 /* What the elements read, side by side into `local`. Returns where the next block begins. */
 static real *gather(const cardan_mesh *mesh, const cardan_group *g, const ptrdiff_t *element,
                     ptrdiff_t lanes, const cardan_state *at, real *local)
@@ -70,9 +85,11 @@ static real *gather(const cardan_mesh *mesh, const cardan_group *g, const ptrdif
         }
     local = pick(at->z, g->z, g->nz, element, lanes, local);
     local = pick(at->s, g->s, g->ns, element, lanes, local);
-    if (!at->inner)
+    if (!at->inner && !at->behind)
         return local;
-    local = fetch_places(g, element, lanes, mesh->u, at->du, local);
+    local = fetch_places(g, element, lanes, mesh->u, at->behind ? at->behind : at->du, local);
+    if (at->behind)
+        return gather_events(mesh, g, element, lanes, at, local);
     for (ptrdiff_t i = 0; i < g->inner; i++)
         for (ptrdiff_t lane = 0; lane < lanes; lane++)
             *local++ = at->inner[g->inner_start + element[lane] * g->inner + i];
@@ -94,6 +111,8 @@ static cardan_in blocks(const cardan_group *g, const real *t, const real *r, con
     in.z = in.lam + g->m * stride;
     in.s = in.z + g->nz * stride;
     in.du = in.s + g->ns * stride;
+    in.e = in.du + g->nu * stride;
+    in.tau = in.e + g->ne * stride;
     /* kinds with unknowns of their own have no internal states */
     if (g->inner > 0)
         in.z = in.du + g->nu * stride;
@@ -213,6 +232,23 @@ int cardan_mesh_gamma(const cardan_mesh *mesh, const cardan_state *at, real *gam
     for (ptrdiff_t k = 0; k < mesh->m; k++)
         gamma[k] = 0;
     return cardan_mesh_each(mesh, at, CARDAN_GAMMA, take_rows, gamma, room);
+}
+
+static void take_zdot(const cardan_mesh *mesh, const cardan_group *g, const cardan_element_lanes *some,
+                      real *out, void *to)
+{
+    real *zdot = to;
+
+    (void)mesh;
+    for (ptrdiff_t lane = 0; lane < some->filled; lane++)
+        for (ptrdiff_t i = 0; i < g->z_states; i++)
+            zdot[g->z[some->element[lane] * g->nz + i]] = out[i * some->lanes + lane];
+}
+
+int cardan_mesh_zdot(const cardan_mesh *mesh, const cardan_state *at, real *zdot, real *room)
+{
+    (void)zeros(mesh->nz, zdot);
+    return cardan_mesh_each(mesh, at, CARDAN_ZDOT, take_zdot, zdot, room);
 }
 
 typedef struct sum {

@@ -20,7 +20,8 @@
 /* what the functions of an element give */
 enum {
     CARDAN_BALANCE,  /* M udot + h - f - Gᵀ lam (nu), g (mp), G u + g_t (m) */
-    CARDAN_TANGENT,  /* its derivatives: K C M (nu, nu) each, R G (m, nu) each; see `parts` */
+    CARDAN_TANGENT,  /* its derivatives: K C M (nu, nu) each, R G (m, nu) each, H (m, m) of rows
+                        that no mode holds; see `parts` */
     CARDAN_GAMMA,    /* (m) G udot = gamma */
     CARDAN_ENERGY,   /* kinetic, potential */
     CARDAN_MOMENTUM, /* (6) about the origin of the ground, angular part first */
@@ -31,11 +32,17 @@ enum {
     CARDAN_MIXED,    /* balance (nu) and K (nu, nu) with unknowns of its own that are not settled */
     CARDAN_MIXED_STEP, /* these after the increment du */
     CARDAN_ELEMENT_FORCES, /* along a line or a joint, or the wrench on a frame */
+    CARDAN_ZDOT,     /* of its internal states */
+    CARDAN_SIGNS,    /* (ne) values of its events, then 1 where they read udot or lam now */
+    CARDAN_JUMPS,    /* impulses at events (jumps, 4), gradients of velocities (jumps, nu) */
+    CARDAN_CHANGE,   /* its own z and s behind events */
+    CARDAN_BODIES,    /* motion of the bodies of a rigid tree */
+    CARDAN_REACTIONS, /* shares of the wrenches of joints of rigid trees */
     CARDAN_FORMS
 };
 
 /* the matrices of a tangent */
-enum { CARDAN_K, CARDAN_C, CARDAN_M, CARDAN_R, CARDAN_G, CARDAN_PARTS };
+enum { CARDAN_K, CARDAN_C, CARDAN_M, CARDAN_R, CARDAN_G, CARDAN_RELEASED, CARDAN_PARTS };
 
 /* A function of a kind with what was prepared of the data of every element. */
 typedef struct cardan_form {
@@ -49,11 +56,14 @@ typedef struct cardan_group {
     ptrdiff_t count;           /* elements */
     ptrdiff_t places;          /* that each couples */
     ptrdiff_t nq, nu, nz, ns, mp, m; /* local numbers */
+    ptrdiff_t z_states, s_states;  /* the first of nz and ns: those that it keeps itself */
+    ptrdiff_t ne, jumps, responses; /* events; impulses and responses that it asks for; the latter */
     ptrdiff_t inner, inner_start; /* unknowns of an element's own while one searches; where they
                                      begin among those of all */
     const ptrdiff_t *place;    /* (count, places) */
     const ptrdiff_t *rows;     /* (count, 2): first row of positions, first of the others */
     const ptrdiff_t *z, *s;    /* (count, nz), (count, ns): which of the scene's they are */
+    const ptrdiff_t *events;   /* (count, ne): which of the scene's they are */
     const ptrdiff_t *parts;    /* (CARDAN_PARTS): where each begins in a tangent, -1: it is zero */
     const ptrdiff_t *spots;    /* (count, blocks, blocks + 1) of the plan: where every block of its
                                   places, then of its rows, begins, and the stride of its rows */
@@ -88,6 +98,7 @@ typedef struct cardan_mesh {
     ptrdiff_t work;            /* numbers that the largest work of an element takes, per lane */
     ptrdiff_t local;           /* numbers that the largest element reads and gives, per lane */
     ptrdiff_t powers, driven;  /* sources of power; 1: some of them are multipliers' */
+    ptrdiff_t ne, jumps, responses; /* of all elements */
     ptrdiff_t outputs, solved; /* of the scene; 1: some of them read udot or multipliers */
 } cardan_mesh;
 
@@ -96,6 +107,8 @@ typedef struct cardan_state {
     real t;
     const real *q, *u, *udot, *lam, *z, *s, *r;
     const real *du, *inner; /* of a search: increments (nu), unknowns of elements; NULL else */
+    /* of events: speeds behind them (nu), which happen (ne), responses of all elements; NULL else */
+    const real *behind, *e, *responses;
 } cardan_state;
 
 /* Elements side by side. */
@@ -119,6 +132,8 @@ int cardan_mesh_balance(const cardan_mesh *mesh, const cardan_state *at, real *o
 /* The same of the elements that have rows alone; what stands in b means nothing. */
 int cardan_mesh_gaps(const cardan_mesh *mesh, const cardan_state *at, real *out, real *room);
 int cardan_mesh_gamma(const cardan_mesh *mesh, const cardan_state *at, real *gamma, real *room);
+/* rates of all internal states (nz) */
+int cardan_mesh_zdot(const cardan_mesh *mesh, const cardan_state *at, real *zdot, real *room);
 /* sums over the elements: CARDAN_ENERGY, CARDAN_MOMENTUM, CARDAN_POWER */
 int cardan_mesh_sum(const cardan_mesh *mesh, const cardan_state *at, int form, ptrdiff_t size,
                     real *out, real *room);

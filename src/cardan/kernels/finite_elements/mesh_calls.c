@@ -4,6 +4,7 @@
  */
 #include "mesh_calls.h"
 #include <math.h>
+#include <string.h>
 
 /* what resists a motion without inertia while loops are closed [kg] */
 static const real LIGHT = 1e-6;
@@ -14,6 +15,8 @@ static const real EXPLAINED = 100, GOOD = 1e-8;
 /* speeds [rad/s, m/s] of what is as good as at rest: beside slower ones the rounding of rates would
  * explain anything */
 static const real SLOWEST = 1e-6;
+/* what is open of closed constraints; a projection seeks the same (close.c) */
+static const real CLOSED = 1e-15;
 
 int cardan_mesh_call_balance(const cardan_in *in, real *out, real *work)
 {
@@ -87,7 +90,7 @@ static int solve(const cardan_mesh *mesh, const real *u, const real *rates,
 int cardan_mesh_accelerations(const cardan_mesh *mesh, const cardan_state *requested, const real *tau,
                               real *out, real *work)
 {
-    const cardan_assembly parts = {{0, 0, 1}, 0, 0, NULL};
+    const cardan_assembly parts = {{0, 0, 1}, 0, 0, NULL, 0};
     cardan_mesh_system system = {0};
     real *missing = work + cardan_mesh_lay(mesh, work, &system);
     real *gamma = missing + mesh->nu + mesh->mp + mesh->m;
@@ -202,6 +205,8 @@ int cardan_mesh_call_rhs(const cardan_in *in, real *out, real *work)
         status = cardan_mesh_accelerations(mesh, &at, NULL, solution, work);
     for (ptrdiff_t i = 0; i < mesh->nu; i++)
         out[mesh->nq + i] = solution[i];
+    if (status == 0 && mesh->nz > 0)
+        status = cardan_mesh_zdot(mesh, &at, out + mesh->nq + mesh->nu, work);
     return status;
 }
 
@@ -210,7 +215,7 @@ int cardan_mesh_call_rhs(const cardan_in *in, real *out, real *work)
 static int closing_step(const cardan_mesh *mesh, const cardan_state *at, const real *locked,
                         const real *open, ptrdiff_t rows, cardan_mesh_system *system)
 {
-    const cardan_assembly parts = {{0, 0, 1}, 0, 0, NULL};
+    const cardan_assembly parts = {{0, 0, 1}, 0, 0, NULL, 0};
     int status = cardan_mesh_matrix(mesh, at, &parts, system);
     real largest = 0;
 
@@ -233,6 +238,16 @@ static int closing_step(const cardan_mesh *mesh, const cardan_state *at, const r
     return status != 0 ? status : cardan_mesh_solve(mesh, system);
 }
 
+/* Whether the largest of what is open (rows) is rounding, of which no step makes less. */
+static int is_closed(const real *open, ptrdiff_t rows)
+{
+    real most = 0;
+
+    for (ptrdiff_t k = 0; k < rows; k++)
+        most = fabs(open[k]) <= most ? most : fabs(open[k]);
+    return most <= CLOSED;
+}
+
 /* q (nq) a step nearer to closing all loops, then what was open (mp). */
 int cardan_mesh_call_close_position(const cardan_in *in, real *out, real *work)
 {
@@ -244,6 +259,10 @@ int cardan_mesh_call_close_position(const cardan_in *in, real *out, real *work)
 
     for (ptrdiff_t k = 0; k < mesh->mp; k++)
         out[mesh->nq + k] = open[k];
+    if (status == 0 && is_closed(open, mesh->mp)) {
+        memcpy(out, in->q, (size_t)mesh->nq * sizeof(real));
+        return 0;
+    }
     system.open = open;
     if (status == 0)
         status = closing_step(mesh, &at, in->tau, open, mesh->mp, &system);
@@ -263,6 +282,10 @@ int cardan_mesh_call_close_velocity(const cardan_in *in, real *out, real *work)
 
     for (ptrdiff_t k = 0; k < mesh->m; k++)
         out[mesh->nu + k] = rates[k];
+    if (status == 0 && is_closed(rates, mesh->m)) {
+        memcpy(out, in->u, (size_t)mesh->nu * sizeof(real));
+        return 0;
+    }
     system.open = missing + mesh->nu;
     if (status == 0)
         status = closing_step(mesh, &at, in->tau, rates, mesh->m, &system);
@@ -275,7 +298,7 @@ int cardan_mesh_call_close_velocity(const cardan_in *in, real *out, real *work)
 int cardan_mesh_values(const cardan_mesh *mesh, const cardan_state *at, const real *shares,
                        real *a, real *work)
 {
-    const cardan_assembly parts = {{shares[0], shares[1], shares[2]}, 0, 0, NULL};
+    const cardan_assembly parts = {{shares[0], shares[1], shares[2]}, 0, 0, NULL, 0};
     cardan_mesh_system system = {0};
 
     (void)cardan_mesh_lay(mesh, work, &system);
@@ -303,5 +326,6 @@ ptrdiff_t cardan_mesh_call_work(const cardan_mesh *mesh)
         if (most < mesh->work + movers->nq + movers->nu * movers->nu)
             most = mesh->work + movers->nq + movers->nu * movers->nu;
     }
-    return most + cardan_mesh_lay(mesh, NULL, &system) + 2 * mesh->nu + mesh->mp + 3 * mesh->m;
+    return most + cardan_mesh_lay(mesh, NULL, &system) + 2 * mesh->nu + mesh->mp + 3 * mesh->m
+           + cardan_mesh_jump_room(mesh);
 }

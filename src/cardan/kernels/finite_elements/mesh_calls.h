@@ -11,8 +11,8 @@ static inline const cardan_mesh *cardan_mesh_of(const cardan_in *in)
 
 static inline cardan_state cardan_state_of(const cardan_in *in)
 {
-    const cardan_state at = {in->t ? *in->t : 0, in->q, in->u, in->udot, in->lam,
-                             in->z, in->s, in->r, NULL, NULL};
+    const cardan_state at = {.t = in->t ? *in->t : 0, .q = in->q, .u = in->u, .udot = in->udot,
+                             .lam = in->lam, .z = in->z, .s = in->s, .r = in->r};
 
     return at;
 }
@@ -33,6 +33,10 @@ int cardan_mesh_call_power(const cardan_in *in, real *out, real *work);
 int cardan_mesh_call_rhs(const cardan_in *in, real *out, real *work);
 int cardan_mesh_call_close_position(const cardan_in *in, real *out, real *work);
 int cardan_mesh_call_close_velocity(const cardan_in *in, real *out, real *work);
+/* mesh_events.c; `jump_room`: numbers of memory of a transition besides that of accelerations */
+int cardan_mesh_call_events(const cardan_in *in, real *out, real *work);
+int cardan_mesh_call_transition(const cardan_in *in, real *out, real *work);
+ptrdiff_t cardan_mesh_jump_room(const cardan_mesh *mesh);
 ptrdiff_t cardan_mesh_call_work(const cardan_mesh *mesh);
 
 /* mesh_start.c: move what is not held of x = [q, u] until all constraints hold, then the speeds.

@@ -3,7 +3,9 @@
  * Part of cardan. Caller owns all memory.
  *
  *     [k K T + c C + m M   Gᵀ]      T: turns increments of rotations into motions (cardan_mesh_move)
- *     [G T + lever R T      0]      rows of positions G T; lever: of the rows that bind speeds
+ *     [G T + lever R T      H]      rows of positions G T; lever: of the rows that bind speeds
+ *
+ * H: 1 on the diagonal of rows that no mode holds.
  */
 #include "mesh_matrix.h"
 #include "mesh_lanes.h"
@@ -119,6 +121,21 @@ static void add_constraints(const assembling *to, const cardan_mesh *mesh, const
     add_rows(to->a, mesh, g, some, g->places, g->m, G);
 }
 
+/* Diagonal of the rows that no mode holds. */
+static void add_switches(const assembling *to, const cardan_group *g,
+                         const cardan_element_lanes *some, const real *out)
+{
+    const ptrdiff_t blocks = g->places + 1, size = blocks * (blocks + 1);
+    const real *H = out + g->parts[CARDAN_RELEASED] * some->lanes;
+
+    for (ptrdiff_t lane = 0; lane < some->filled; lane++) {
+        const ptrdiff_t *spots = g->spots + some->element[lane] * size + g->places * (blocks + 1);
+        for (ptrdiff_t k = 0; k < g->m; k++)
+            to->a[spots[g->places] + k * (spots[blocks] + 1)] +=
+                to->parts->released ? 1 : H[k * (g->m + 1) * some->lanes + lane];
+    }
+}
+
 /* Shares of K T, C and M, in place of the first of them; NULL: there is none. */
 static real *shared(const assembling *to, const cardan_mesh *mesh, const cardan_group *g,
                     const cardan_element_lanes *some, real *out)
@@ -153,7 +170,9 @@ static void take_matrix(const cardan_mesh *mesh, const cardan_group *g, const ca
         add_rows(to->a, mesh, g, some, k, n, sum);
         sum += n * g->nu * some->lanes;
     }
-    if (g->m > 0)
+    if (g->parts[CARDAN_RELEASED] >= 0)
+        add_switches(to, g, some, out);
+    if (g->m > 0 && !(to->parts->released && g->parts[CARDAN_RELEASED] >= 0))
         add_constraints(to, mesh, g, some, out);
 }
 

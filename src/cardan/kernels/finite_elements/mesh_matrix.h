@@ -10,6 +10,7 @@ typedef struct cardan_assembly {
     real lever;         /* of R in rows that bind speeds */
     int stabilized;     /* 1: rows of positions bind speeds too */
     const real *tangent_maps; /* (places, 9), NULL: increments are small */
+    int released;       /* 1: modes hold nothing */
 } cardan_assembly;
 
 /* A matrix with its factors, and room for what is solved with it. */

@@ -46,7 +46,8 @@ ptrdiff_t cardan_mesh_lay(const cardan_mesh *mesh, real *block, cardan_mesh_syst
     return used;
 }
 
-/* The largest number of a row of constraints, in units of the speeds. */
+/* The largest number of a row of constraints, in units of the speeds; of one that no mode holds its
+ * diagonal. */
 static real most_of(const cardan_mesh *mesh, const cardan_mesh_system *system, ptrdiff_t block,
                     const real *row)
 {
@@ -56,8 +57,7 @@ static real most_of(const cardan_mesh *mesh, const cardan_mesh_system *system, p
     for (ptrdiff_t pair = plan->row[block]; pair < plan->row[block + 1]; pair++) {
         const int32_t column = plan->column[pair];
         for (ptrdiff_t j = plan->first[column]; j < plan->first[column + 1]; j++, row++)
-            if (j < mesh->nu)
-                most = fmax(most, fabs(*row) * system->units[j]);
+            most = fmax(most, fabs(*row) * (j < mesh->nu ? system->units[j] : 1));
     }
     return most;
 }

@@ -31,7 +31,7 @@ static int renew(cardan_run *run, const cardan_conserving *v, real h, real t)
 {
     const cardan_state at = {.t = t, .q = v->half, .u = v->mean, .udot = v->rise, .lam = v->lam_new,
                              .s = run->s, .r = run->r};
-    const cardan_assembly parts = {{0.25 * h * h, 0.5 * h, 1}, 0, 0, NULL};
+    const cardan_assembly parts = {{0.25 * h * h, 0.5 * h, 1}, 0, 0, NULL, 0};
     cardan_mesh_system system = v->system;
     int assembled, status;
 

@@ -101,7 +101,9 @@ def _measured(model: LoadedModel) -> float:
         values = model._evaluate_saved(function, p=vector)
         if model.manifest.absolute:
             # where the ground has frames says nothing
-            on_nodes = [row.node is not None for row in model.manifest.frames]
+            on_nodes = [
+                row.node is not None or row.tree is not None for row in model.manifest.frames
+            ]
             places = node_frames(model)[1][on_nodes]
         else:
             parts = [np.ravel(values[key]) for key in ("position", "frame_position")]

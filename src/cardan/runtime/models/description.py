@@ -70,7 +70,8 @@ class Description(Derivatives):
         manifest = self.manifest
         moving = [*column(manifest.joints, "name"), *(row.name for row in manifest.cuts)]
         # elements that transmit a reaction, some without coordinates of their own
-        moving += manifest.elements.reactions if manifest.absolute else ()
+        if manifest.absolute:
+            moving += (*manifest.elements.reactions, *manifest.elements.tree_joints)
         return (*dict.fromkeys(moving), *manifest.fixed)
 
     @property

@@ -43,7 +43,10 @@ class Matrices:
         poses = [kind.node for kind in tables.kinds]
         massless = np.zeros(len(total), bool)
         massless[:places] = ~np.array(poses, bool)[tables.kind] if places else False
-        matrix_plan = plan(total, cliques, np.arange(len(total)) >= places, massless)
+        switched = np.zeros(len(total), bool)
+        for group, count, start in zip(tables.groups, having, starts, strict=False):
+            switched[start : start + count] = "H" in group.kind.parts
+        matrix_plan = plan(total, cliques, np.arange(len(total)) >= places, massless, switched)
         matrix, unknown, spots = matrix_plan.pattern, np.empty(tables.m, dtype=np.intp), []
         for number, (group, count, start) in enumerate(
             zip(tables.groups, having, starts, strict=False)

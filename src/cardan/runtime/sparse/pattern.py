@@ -26,6 +26,7 @@ class Pattern:
         first: The first unknown of each block, and how many there are (nb + 1,).
         multiplier, massless: Which blocks are multipliers; which speeds may have no diagonal of
             their own (nb,).
+        switched: Which blocks of multipliers have a diagonal, of rows that are not in use (nb,).
         child: Of each block of multipliers the last node that its element couples, which a joint
             holds to the others; -1 of other blocks (nb,).
         row: Where the list of a row block begins in ``column`` (nb + 1,).
@@ -33,12 +34,14 @@ class Pattern:
         value: Where the pair begins in the values of the matrix (pairs,).
         stride: Numbers from one row of a row block to the next (nb,).
         places: Of each group (n, k, k): where what element e adds for its blocks i and j begins in
-            the values; -1 between two blocks of multipliers. Rows are ``stride`` apart.
+            the values; -1 between two blocks of multipliers, but for switched ones on the
+            diagonal. Rows are ``stride`` apart.
     """
 
     first: Ints
     multiplier: Booleans
     massless: Booleans
+    switched: Booleans
     child: Longs
     row: Ints
     column: Ints
@@ -117,6 +120,7 @@ def pattern(
     cliques: Sequence[ArrayLike],
     multiplier: ArrayLike | None = None,
     massless: ArrayLike | None = None,
+    switched: ArrayLike | None = None,
 ) -> Pattern:
     """The matrix of elements each of which couples its blocks pairwise.
 
@@ -127,6 +131,7 @@ def pattern(
         multiplier: Which blocks are multipliers (nb,); none by default.
         massless: Which blocks of speeds may have no diagonal of their own (nb,), such as the
             coordinates of joints; none by default.
+        switched: Which blocks of multipliers have a diagonal (nb,); none by default.
 
     Raises:
         ArgumentError: sizes, blocks or masks that do not fit, or more numbers than can be counted.
@@ -136,10 +141,11 @@ def pattern(
     if size.size and size.min() < 0:
         raise ArgumentError(f"block {int(size.argmin())} has {size.min()} unknowns")
     lam, light = _mask("multiplier", multiplier, nb), _mask("massless", massless, nb)
+    switches = _mask("switched", switched, nb) & lam
     groups = [_blocks(i, clique, nb) for i, clique in enumerate(cliques)]
     # pairs of blocks as numbers, and where the pairs of every element are among them
     keys = [blocks[:, :, None] * nb + blocks[:, None, :] for blocks in groups]
-    absent = [lam[blocks][:, :, None] & lam[blocks][:, None, :] for blocks in groups]
+    absent = [_absent(blocks, lam, switches) for blocks in groups]
     present = [key[~without] for key, without in zip(keys, absent, strict=True)]
     pairs = distinct(np.concatenate([np.flatnonzero(~lam) * (nb + 1), *present]))
     row, column, value, stride = _laid(pairs, size)
@@ -149,7 +155,14 @@ def pattern(
     first = np.concatenate([[0], np.cumsum(size)]).astype(np.int32)
     light &= ~lam
     child = _children(groups, ~lam & ~light, lam)
-    return Pattern(first, lam, light, child, row, column, value, stride, tuple(positions))
+    return Pattern(first, lam, light, switches, child, row, column, value, stride, tuple(positions))
+
+
+def _absent(blocks: Longs, lam: Booleans, switches: Booleans) -> Booleans:
+    """Which pairs of the blocks of elements the matrix does not have (n, k, k)."""
+    both = lam[blocks][:, :, None] & lam[blocks][:, None, :]
+    diagonal = np.eye(blocks.shape[1], dtype=bool) & switches[blocks][:, :, None]
+    return np.asarray(both & ~diagonal, bool)
 
 
 def _children(groups: Sequence[Longs], node: Booleans, lam: Booleans) -> Longs:

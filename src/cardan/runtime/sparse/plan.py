@@ -85,17 +85,18 @@ def plan(
     cliques: Sequence[ArrayLike],
     multiplier: ArrayLike | None = None,
     massless: ArrayLike | None = None,
+    switched: ArrayLike | None = None,
 ) -> Plan:
     """Plan the factorization of a matrix of blocks.
 
     Args:
-        sizes, cliques, multiplier, massless: As :func:`~cardan.runtime.sparse.pattern.pattern`
-            takes them.
+        sizes, cliques, multiplier, massless, switched: As
+            :func:`~cardan.runtime.sparse.pattern.pattern` takes them.
 
     Raises:
         ArgumentError: blocks that do not fit, or more numbers than can be counted.
     """
-    return planned(pattern(sizes, cliques, multiplier, massless))
+    return planned(pattern(sizes, cliques, multiplier, massless, switched))
 
 
 def planned(matrix: Pattern) -> Plan:

@@ -112,7 +112,9 @@ def _assigned_rows(pattern: Pattern, rows: Longs, columns: Longs, node: Bools) -
     rows first: they may have no mass. In a floating tree the root remains without rows.
     """
     same = pattern.sizes[rows] == pattern.sizes[columns]
-    fit = pattern.multiplier[rows] & node[columns] & same
+    # what modes let go holds nothing for good
+    permanent = pattern.multiplier & ~pattern.switched
+    fit = permanent[rows] & node[columns] & same
     shape = (len(node), len(node))
     first = fit & (pattern.child[rows] == columns)
     offers = coo_array((np.ones(int(first.sum())), (rows[first], columns[first])), shape).tocsr()

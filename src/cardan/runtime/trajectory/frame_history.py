@@ -90,7 +90,9 @@ def is_recorded(motion: TrajectoryRecord) -> bool:
     """True when a run without its model tells poses by its coordinates alone."""
     manifest = motion.manifest
     if manifest.absolute:
-        return "frame_rotation" in motion.scene
+        # bodies of rigid trees are placed by functions of the model
+        in_trees = any(row.tree is not None for row in manifest.frames)
+        return "frame_rotation" in motion.scene and not in_trees
     scene = manifest.scene
     complete = all(
         kind.removeprefix(REVERSED) in POSES and (rotation is None or rotation in PARAMETERS)

@@ -79,7 +79,8 @@ def _joints(manifest: Manifest) -> list[str]:
     """Names of the joints that have reactions, as far as files of runs know them."""
     joints = [row.name for row in manifest.joints] + [row.name for row in manifest.cuts]
     elements = manifest.finite_elements
-    return [*joints, *(() if elements is None else elements.reactions), *manifest.fixed]
+    more = () if elements is None else (*elements.reactions, *elements.tree_joints)
+    return [*joints, *more, *manifest.fixed]
 
 
 def units_of(motion: TrajectoryRecord) -> dict[str, str]:

@@ -229,6 +229,13 @@ def _of_elements(
                 Check(label, np.nan, f"not checked: {why}", error) if why else Check(label, error)
             )
             checks.append(entry)
+    if fresh is None and elements.tables.ne:
+        from ..models.finite_elements.mesh import Mesh
+        from .finite_elements.impacts import check_events
+
+        assert isinstance(elements, Mesh)
+        for name, of in check_events(model, elements, codes, states, seed).items():
+            checks.append(Check(name, np.nan, of) if isinstance(of, str) else Check(name, of))
     return Verification(model.name, states, tuple(checks), LAWS)
 
 

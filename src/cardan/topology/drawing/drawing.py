@@ -6,6 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from html import escape
 
+from ...errors import counted
 from ...ir.printing import quoted
 from ...scene.connections import Joint
 from ..tree import Branch
@@ -19,12 +20,17 @@ Point = tuple[float, float]
 
 # a piece of a beam: its name and the bodies it joins
 BeamArc = tuple[str, str, str]
+# nodes of a piece of a beam that are drawn one by one
+MAX_NODES = 12
 
 
 def text(
-    branches: Sequence[Branch], closing: Sequence[Joint], beams: Sequence[BeamArc] = ()
+    branches: Sequence[Branch],
+    closing: Sequence[Joint],
+    beams: Sequence[BeamArc] = (),
+    elements: Sequence[int] = (),
 ) -> str:
-    """The tree with one line per body."""
+    """The tree with one line per body; ``elements`` are those of every piece of a beam."""
     outboard: dict[str, list[Branch]] = {}
     for branch in branches:
         outboard.setdefault(branch.inner.name, []).append(branch)
@@ -41,7 +47,8 @@ def text(
     for joint in closing:
         ends = f"{joint.parent.body.name} .. {joint.child.body.name}"
         lines.append(f"closes a loop: {ends}  [{joint.name}: {joint.kind.kind}]")
-    lines += [f"beam: {start} == {end}  [{name}]" for name, start, end in beams]
+    for (name, start, end), count in zip(beams, elements, strict=True):
+        lines.append(f"beam: {start} == {end}  [{name}: {counted(count, 'element')}]")
     return "\n".join(lines)
 
 
@@ -51,6 +58,7 @@ def dot(
     branches: Sequence[Branch],
     closing: Sequence[Joint],
     beams: Sequence[BeamArc] = (),
+    elements: Sequence[int] = (),
 ) -> str:
     """A directed graph; loops are closed by dashed arcs, beams are thick ones."""
     lines = [f"digraph {quoted(name)} {{", "  rankdir=BT;", "  node [shape=box];"]
@@ -63,9 +71,10 @@ def dot(
         # \n is the line break of Graphviz
         label = quoted(joint.name)[:-1] + "\\n" + joint.kind.kind + '"'
         lines.append(f"  {ends} [label={label}{style}];")
-    for beam, start, end in beams:
+    for (beam, start, end), count in zip(beams, elements, strict=True):
         ends = f"{quoted(start)} -> {quoted(end)}"
-        lines.append(f"  {ends} [label={quoted(beam)}, style=bold, penwidth=4, dir=none];")
+        label = quoted(beam)[:-1] + f"\\n{counted(count, 'element')}" + '"'
+        lines.append(f"  {ends} [label={label}, style=bold, penwidth=4, dir=none];")
     return "\n".join([*lines, "}"])
 
 
@@ -78,6 +87,7 @@ class Arc:
         inner, outer: Names of the bodies it joins; of a branch of the tree ``inner`` is nearer to
             the ground.
         style: ``"tree"``, ``"closing"`` or ``"beam"``.
+        elements: Number of finite elements of a piece of a beam.
     """
 
     name: str
@@ -85,10 +95,14 @@ class Arc:
     inner: str
     outer: str
     style: str = "tree"
+    elements: int = 0
 
 
 def arcs(
-    branches: Sequence[Branch], closing: Sequence[Joint], beams: Sequence[BeamArc] = ()
+    branches: Sequence[Branch],
+    closing: Sequence[Joint],
+    beams: Sequence[BeamArc] = (),
+    elements: Sequence[int] = (),
 ) -> list[Arc]:
     """The graph of a model as arcs."""
     arcs_listed = [
@@ -97,7 +111,13 @@ def arcs(
     arcs_listed += [
         Arc(j.name, j.kind.kind, j.parent.body.name, j.child.body.name, "closing") for j in closing
     ]
-    return [*arcs_listed, *(Arc(name, "beam", start, end, "beam") for name, start, end in beams)]
+    arcs_listed += [beam_arc(*beam, n) for beam, n in zip(beams, elements, strict=True)]
+    return arcs_listed
+
+
+def beam_arc(name: str, start: str, end: str, elements: int) -> Arc:
+    """A piece of a beam."""
+    return Arc(name, f"beam, {counted(elements, 'element')}", start, end, "beam", elements)
 
 
 def svg(bodies: Sequence[str], arcs: Sequence[Arc]) -> str:
@@ -115,10 +135,13 @@ def svg(bodies: Sequence[str], arcs: Sequence[Arc]) -> str:
         line = " ".join(f"{x:g} {y:g}" for x, y in points[1:])
         start = f"M{points[0][0]:g} {points[0][1]:g}"
         parts.append(f'<path d="{start}{bend}{line}"{fill} {_LINES[arc.style]}/>')
+        for x, y in _nodes(arc, points):
+            parts.append(f'<circle cx="{x:g}" cy="{y:g}" r="4" fill="#fff" stroke="#456"/>')
         if arc.style != "tree":
             x, y = _middle(points)
             halo = ' stroke="#fff" stroke-width="3" paint-order="stroke"'
-            labels.append(_label(arc, x, y + 3, halo))
+            # beside the nodes of a beam
+            labels.append(_label(arc, x, y - 8 if arc.elements > 1 else y + 3, halo))
     # every body but the ground stands on one joint of the tree: it is named in the same box
     inboard = {arc.outer: arc for arc in arcs if arc.style == "tree"}
     for body in bodies:
@@ -162,6 +185,8 @@ def tikz(bodies: Sequence[str], arcs: Sequence[Arc], escaped: Callable[[str], st
         ends = [at(x, y) for x, y in points]
         inner = f" .. controls {ends[1]} and {ends[2]} .. " if len(points) == 4 else " -- "
         lines.append(rf"\draw[{_STROKES[arc.style]}] {ends[0]}{inner}{ends[-1]};")
+        for point in _nodes(arc, points):
+            lines.append(rf"\node[draw,circle,fill=white,inner sep=1pt] at {at(*point)} {{}};")
         if arc.style != "tree":
             label = rf"\node[fill=white,inner sep=1pt] at {at(*_middle(points))} {{{named(arc)}}};"
             labels.append(label)
@@ -228,9 +253,22 @@ def _spanning(arcs: Sequence[Arc]) -> list[tuple[str, str]]:
 
 def _middle(points: Sequence[Point]) -> Point:
     """Middle of a line or a cubic curve."""
-    weights = (0.125, 0.375, 0.375, 0.125) if len(points) == 4 else (0.5, 0.5)
+    return _along(points, 0.5)
+
+
+def _along(points: Sequence[Point], s: float) -> Point:
+    """A point of a line or a cubic curve, at 0 its start and at 1 its end."""
+    r = 1 - s
+    weights = (r**3, 3 * r * r * s, 3 * r * s * s, s**3) if len(points) == 4 else (r, s)
     pairs = list(zip(weights, points, strict=True))
     return sum(w * x for w, (x, _) in pairs), sum(w * y for w, (_, y) in pairs)
+
+
+def _nodes(arc: Arc, points: Sequence[Point]) -> list[Point]:
+    """The nodes inside a piece of a beam; none where there is no room for them."""
+    if arc.elements - 1 > MAX_NODES:
+        return []
+    return [_along(points, k / arc.elements) for k in range(1, arc.elements)]
 
 
 class _Places:

@@ -15,6 +15,7 @@ from ...scene.beam import Beam
 from ...scene.body import Body
 from ...scene.connections import Joint
 from ...scene.scene import SceneRecord
+from ..beams.beam_nodes import shares
 from ..beams.nodal_scene import with_beams
 from ..tree import Branch, loop, spanning_tree
 from . import drawing
@@ -32,6 +33,7 @@ class GraphView:
         closing: The joints that close loops, and are cut.
         reasons: Why each of them was chosen.
         beams: (beam, body, body) of every piece between named nodes, which are bodies here.
+        elements: Number of finite elements of each of these pieces.
     """
 
     name: str
@@ -40,6 +42,7 @@ class GraphView:
     closing: tuple[Joint, ...] = ()
     reasons: tuple[str, ...] = ()
     beams: tuple[tuple[str, str, str], ...] = ()
+    elements: tuple[int, ...] = ()
 
     @property
     def joints(self) -> tuple[str, ...]:
@@ -131,15 +134,19 @@ class GraphView:
         return {branch.outer.name: paths[branch.outer.name] for branch in self.branches}
 
     def __str__(self) -> str:
-        return drawing.text(self.branches, self.closing, self.beams)
+        return drawing.text(self.branches, self.closing, self.beams, self.elements)
 
     def dot(self) -> str:
         """The graph in the language of Graphviz."""
-        return drawing.dot(self.name, self.bodies, self.branches, self.closing, self.beams)
+        return drawing.dot(
+            self.name, self.bodies, self.branches, self.closing, self.beams, self.elements
+        )
 
     def svg(self) -> str:
         """A picture of the tree with its loops dashed, and beams as thick lines."""
-        return drawing.svg(self.bodies, drawing.arcs(self.branches, self.closing, self.beams))
+        return drawing.svg(
+            self.bodies, drawing.arcs(self.branches, self.closing, self.beams, self.elements)
+        )
 
     def _repr_svg_(self) -> str:
         return self.svg()
@@ -157,7 +164,13 @@ def view(model: SceneRecord) -> GraphView:
     names, cut = tuple(b.name for b in bodies), tuple(c.joint for c in closing)
     reasons = tuple(c.reason for c in closing)
     beams = tuple(arc for beam in model.beams.values() for arc in _beam_arcs(beam))
-    return GraphView(model.name, names, tuple(branches), cut, reasons, beams)
+    elements = tuple(count for beam in model.beams.values() for count in _elements(beam))
+    return GraphView(model.name, names, tuple(branches), cut, reasons, beams, elements)
+
+
+def _elements(beam: Beam) -> list[int]:
+    """Number of finite elements of every piece."""
+    return shares(beam.elements, [0.0, *sorted(beam.stops.values()), 1.0])
 
 
 def _beam_arcs(beam: Beam) -> list[tuple[str, str, str]]:

@@ -60,12 +60,14 @@ static int aim(cardan_run *run, const cardan_alpha *v, real *h, real *t_new)
 
 /* Shift a to another step size: it approximates udot at t + (am - af) h, so its distance from udot is
  * scaled by the ratio of the sizes. */
-static void stand_for(const cardan_alpha *v, real h)
+static void stand_for(const cardan_run *run, const cardan_alpha *v, real h)
 {
     const real share = h / v->now[ALPHA_STEP];
 
     for (ptrdiff_t i = 0; i < v->nu && share != 1; i++)
         v->a[i] = v->udot[i] + share * (v->a[i] - v->udot[i]);
+    if (share != 1)
+        cardan_alpha_internal_restart(run, v, share, 0);
     /* sizes that differ by the rounding of times do not count as a change */
     if (fabs(share - 1) > SAME)
         v->now[ALPHA_STEPS_SINCE_CHANGE] = 0;
@@ -87,6 +89,7 @@ static real error_of(cardan_run *run, const cardan_alpha *v, real h, int *status
     error = cardan_alpha_norm(run, v, missed, run->rtol, run->atol, status);
     culprit = run->culprit;
     inside = *status == 0 ? cardan_alpha_misfit(run, v, h, status) : 0;
+    inside = fmax(inside, cardan_alpha_internal_error(run, v, h));
     if (!(inside <= error))
         return inside;
     run->culprit = culprit;
@@ -112,6 +115,11 @@ static int derivative(cardan_run *run, const cardan_alpha *v, real t)
     const ptrdiff_t nq = v->nq, nx = run->nx;
     cardan_in in = cardan_at(run, &t, run->trial);
     int status = cardan_call_model(run, &run->qdot, &in, run->k);
+
+    if (status == 0)
+        status = cardan_alpha_internal(run, v, t);
+    for (ptrdiff_t i = 0; i < run->nz && v->mesh; i++)
+        run->k[nq + v->nu + i] = v->zdot[i];
 
     for (ptrdiff_t i = 0; i < v->nu; i++)
         run->k[nq + i] = v->udot_new[i];
@@ -160,6 +168,8 @@ static int commit(cardan_run *run, const cardan_alpha *v, real t)
         v->a[i] = v->a_new[i];
         v->udot[i] = v->udot_new[i];
     }
+    for (ptrdiff_t i = 0; i < run->nz && v->mesh; i++)
+        v->w[i] = v->w_new[i];
     for (ptrdiff_t k = 0; k < v->m; k++) {
         v->lam_old[k] = v->lam[k];
         v->lam[k] = v->lam_new[k];
@@ -213,7 +223,7 @@ static int attempt(cardan_run *run, const cardan_alpha *v, real h, real t_new, r
     *taken = 0;
     *error = 0;
     run->culprit = -1;
-    stand_for(v, h);
+    stand_for(run, v, h);
     status = cardan_alpha_solve(run, v, h, t_new);
     if (status == 0 && v->adaptive)
         *error = error_of(run, v, h, &status);

@@ -43,7 +43,12 @@ typedef struct cardan_alpha {
     real *amplitude; /* (nq) largest absolute coordinates of the run so far */
     real *picked;    /* (m) 1 for the independent constraint rows in use, 0 for redundant ones */
 
+    real *w;         /* mesh: (nz) algorithmic rates of internal states */
+
     /* trial step */
+    real *w_new, *zdot, *gap, *terms; /* mesh: (nz) */
+    real *slopes;    /* mesh: (most states of an element, nz) */
+    real *block;     /* mesh: system of equations of the states of an element */
     real *a_new, *udot_new, *lam_new;
     real *shift;     /* (nu) part the stabilization subtracts from the increment */
     real *increment; /* (nu) */
@@ -111,6 +116,13 @@ real cardan_alpha_norm(cardan_run *run, const cardan_alpha *v, const real *dx, r
 /* alpha_differences.c */
 int cardan_alpha_differences(cardan_run *run, const cardan_alpha *v, real t, const real *y,
                              const real *udot, const real *lam);
+
+/* alpha_internal.c: internal states z' of the trial, and their rates; algorithmic rates for another
+ * step size or at the start of a segment; error in units of the tolerance; most of an element */
+int cardan_alpha_internal(cardan_run *run, const cardan_alpha *v, real t);
+void cardan_alpha_internal_restart(const cardan_run *run, const cardan_alpha *v, real share, int fresh);
+real cardan_alpha_internal_error(const cardan_run *run, const cardan_alpha *v, real h);
+ptrdiff_t cardan_alpha_most_states(const cardan_mesh *mesh);
 
 /* alpha_dense.c */
 int cardan_alpha_dense(cardan_run *run);

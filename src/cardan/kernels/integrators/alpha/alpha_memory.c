@@ -29,6 +29,16 @@ static ptrdiff_t lay(const cardan_run *run, cardan_alpha *v)
     v->rates = cardan_reserve(memory, &used, nq);
     v->dx = cardan_reserve(memory, &used, nu);
     v->mesh = run->mesh;
+    if (v->mesh) {
+        const ptrdiff_t most = cardan_alpha_most_states(v->mesh);
+        v->w = cardan_reserve(memory, &used, run->nz);
+        v->w_new = cardan_reserve(memory, &used, run->nz);
+        v->zdot = cardan_reserve(memory, &used, run->nz);
+        v->gap = cardan_reserve(memory, &used, run->nz);
+        v->terms = cardan_reserve(memory, &used, run->nz);
+        v->slopes = cardan_reserve(memory, &used, most * run->nz);
+        v->block = cardan_reserve(memory, &used, most * (most + 1));
+    }
     /* a mesh has sparse systems in place of the dense matrices below */
     if (v->mesh)
         return used + cardan_alpha_sparse_lay(v->mesh, memory ? memory + used : memory, v);

@@ -132,6 +132,8 @@ static int predict(cardan_run *run, const cardan_alpha *v, real h, int calm)
     }
     for (ptrdiff_t k = 0; k < v->m; k++)
         v->lam_new[k] = v->picked[k] != 0 ? v->lam[k] : 0;
+    for (ptrdiff_t i = run->nq + run->nu; i < run->nx; i++)
+        run->trial[i] = run->y[i];
     return place(run, v, h);
 }
 
@@ -154,15 +156,20 @@ static int balance(cardan_run *run, const cardan_alpha *v, real t, const real *y
 /* Residual at the trial state. */
 int cardan_alpha_balance(cardan_run *run, const cardan_alpha *v, real t)
 {
-    return balance(run, v, t, run->trial, v->udot_new, v->lam_new);
+    int status = run->nz > 0 && v->mesh ? cardan_inputs_at(run, t, run->trial) : 0;
+
+    if (status == 0 && run->nz > 0 && v->mesh)
+        status = cardan_alpha_internal(run, v, t);
+    return status != 0 ? status : balance(run, v, t, run->trial, v->udot_new, v->lam_new);
 }
 
 /* Residuals of the constraints at the trial state (without a mesh the entire residual). */
 int cardan_alpha_gaps(cardan_run *run, const cardan_alpha *v, real t)
 {
     const real *y = run->trial;
-    const cardan_state at = {t, y, y + run->nq, v->udot_new, v->lam_new, y + run->nq + run->nu,
-                             run->s, run->r, NULL, NULL};
+    const cardan_state at = {.t = t, .q = y, .u = y + run->nq, .udot = v->udot_new,
+                             .lam = v->lam_new, .z = y + run->nq + run->nu, .s = run->s,
+                             .r = run->r};
     const int status = v->mesh ? cardan_inputs_at(run, t, y) : cardan_alpha_balance(run, v, t);
 
     if (status != 0 || !v->mesh)
@@ -328,6 +335,7 @@ int cardan_alpha_restart(cardan_run *run, const cardan_alpha *v, real h)
     v->now[ALPHA_MATRIX] = 0;
     v->now[ALPHA_SPLIT_LEVELS] = v->now[ALPHA_RENEW] = 0;
     v->now[ALPHA_STEP] = h;
+    cardan_alpha_internal_restart(run, v, 1, 1);
     status = later(run, v, part, slope);
     for (ptrdiff_t i = 0; i < v->nu; i++) {
         v->rise[i] = (slope[i] - v->udot[i]) / part;

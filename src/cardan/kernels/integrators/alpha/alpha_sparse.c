@@ -47,14 +47,14 @@ int cardan_alpha_sparse_renew(cardan_run *run, const cardan_alpha *v, real h, re
                               const real *y, const real *udot, const real *lam)
 {
     const real part = (1 - v->af) / (1 - v->am);
-    const cardan_state at = {t, y, y + run->nq, udot, lam, y + run->nq + run->nu, run->s, run->r,
-                             NULL, NULL};
+    const cardan_state at = {.t = t, .q = y, .u = y + run->nq, .udot = udot, .lam = lam,
+                             .z = y + run->nq + run->nu, .s = run->s, .r = run->r};
     const int levels_split = h != 0 && v->now[ALPHA_SPLIT_LEVELS] != 0;
     const cardan_assembly parts = {{h * h * v->beta * part, h * v->gamma * part, 1},
                                    h * v->beta / v->gamma,
                                    v->index == 2 && !levels_split,
-                                   h == 0 ? NULL : v->moved + run->nq};
-    const cardan_assembly speeds = {{0, h * v->gamma * part, 1}, 0, 1, NULL};
+                                   h == 0 ? NULL : v->moved + run->nq, 0};
+    const cardan_assembly speeds = {{0, h * v->gamma * part, 1}, 0, 1, NULL, 0};
     cardan_mesh_system system = v->system, settling = v->settling;
     int assembled, status = cardan_inputs_at(run, t, y);
 

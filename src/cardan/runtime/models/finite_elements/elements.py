@@ -71,6 +71,8 @@ class Elements(ABC):
             blocks["z"] = at.inner[inner : inner + INNER * n].reshape(n, INNER)
         blocks["r"] = np.zeros(tables.nr) if at.r is None else at.r
         blocks["t"] = np.array([at.t])
+        blocks["e"] = np.zeros((n, group.kind.ne))
+        blocks["tau"] = np.zeros((n, group.kind.responses))
         return blocks
 
     @abstractmethod
@@ -164,7 +166,8 @@ class Elements(ABC):
         return [(group, (by_group[id(group)], rows)) for group, rows in pairs]
 
     def tangent(self, at: State) -> dict[str, scipy.sparse.csr_matrix]:
-        """K, C, M (nu, nu), R, G (m, nu): derivatives of the balance, rows of constraints."""
+        """K, C, M (nu, nu), R, G (m, nu): derivatives of the balance, rows of constraints;
+        H (m, m): which of these no mode holds."""
         tables = self.tables
         entries: dict[str, list[tuple[Any, Any, Any]]] = {name: [] for name in PARTS}
         numbers = [k for k, g in enumerate(tables.groups) if "balance_tangent" in g.kind.functions]
@@ -173,10 +176,14 @@ class Elements(ABC):
             group = tables.groups[number]
             columns, lines = tables.columns(group), tables.lines(number)
             for name, start in group.kind.parts.items():
-                rows = lines if name in "RG" else columns
-                block = values[:, start : start + rows.shape[1] * columns.shape[1]]
-                entries[name].append(_entries(rows, columns, block))
-        shapes = {name: (tables.m if name in "RG" else tables.nu, tables.nu) for name in PARTS}
+                rows = lines if name in "RGH" else columns
+                across = lines if name == "H" else columns
+                block = values[:, start : start + rows.shape[1] * across.shape[1]]
+                entries[name].append(_entries(rows, across, block))
+        height, width = (dict.fromkeys(PARTS, tables.nu) for _ in range(2))
+        height |= dict.fromkeys("RGH", tables.m)
+        width["H"] = tables.m
+        shapes = {name: (height[name], width[name]) for name in PARTS}
         return {name: _assembled(entries[name], shapes[name]) for name in PARTS}
 
 

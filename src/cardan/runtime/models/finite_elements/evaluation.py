@@ -14,8 +14,9 @@ from ....arrays import Array
 from ....errors import ModelError
 from ....schema.functions import FUNCTIONS
 from .elements import State
-from .frames import Frames
+from .frames import Frames, node_frames
 from .mesh import Mesh
+from .tree_frames import TreeFrames
 
 if TYPE_CHECKING:
     from ..loaded_model import LoadedModel
@@ -38,7 +39,9 @@ class Results:
         self.tables = mesh.tables
         self.manifest = model.manifest
         self.name = model.name
-        self.frames = Frames.of(model)
+        places = node_frames(model)
+        self.frames = Frames(self.manifest.frames, *places)
+        self.in_trees = TreeFrames(mesh, self.manifest.frames, *places)
         outputs = [row.name for row in self.manifest.outputs]
         lam = model.multipliers_of
         forces = [row.name for row in self.manifest.element_forces]
@@ -49,7 +52,7 @@ class Results:
         }
         # q as it is moved comes without its tangent
         self._counts = {f"n{name}": len(entries) for name, entries in self._names.items()}
-        self._counts |= {"nx": model.nx, "ntangent": 0}
+        self._counts |= {"nx": model.nx, "ntangent": 0, "ns": mesh.tables.ns, "ne": mesh.tables.ne}
 
     def of(self, name: str, of: str | None) -> Callable[[Inputs], Array]:
         """A function of given blocks."""
@@ -98,8 +101,12 @@ class Results:
         return self._solved(inputs)[1]
 
     def rhs(self, inputs: Inputs) -> Array:
-        """Time derivative (nx,) of the state [q, u], per s."""
-        return np.concatenate([self.qdot(inputs), self.forward_dynamics(inputs)])
+        """Time derivative (nx,) of the state [q, u, z], per s."""
+        at, nx = self._at(inputs), self._counts["nx"]
+        if "tau" in inputs:
+            rates = np.concatenate([self.qdot(inputs), self.forward_dynamics(inputs)])
+            return np.concatenate([rates, self.mesh.call("rhs", at, nx)[len(rates) :]])
+        return self.mesh.call("rhs", at, nx)
 
     def inverse_dynamics(self, inputs: Inputs) -> Array:
         """tau (nu,) [N m or N] with M udot + h = f + tau."""
@@ -148,6 +155,19 @@ class Results:
         size = tables.nq + tables.mp if name == "close_position" else tables.nu + tables.m
         return self.mesh.call(name, at, size, tau=locked)
 
+    # events
+
+    def events(self, inputs: Inputs) -> Array:
+        """Values (ne,) of events, which happen where they fall through zero."""
+        return self.mesh.call("events", self._at(inputs), self.tables.ne)
+
+    def transition(self, inputs: Inputs) -> Array:
+        """u (nu,), z (nz,) and s (ns,) behind the events ``e``."""
+        tables, e = self.tables, inputs["e"][: self.tables.ne]
+        return self.mesh.call(
+            "transition", self._at(inputs), tables.nu + tables.nz + tables.ns, e=e
+        )
+
     # motion
 
     def qdot(self, inputs: Inputs) -> Array:
@@ -181,24 +201,45 @@ class Results:
 
     def pose(self, frame: str, inputs: Inputs) -> Array:
         """Same as :meth:`Frames.pose`."""
+        if frame in self.in_trees:
+            return self.in_trees.pose(frame, self._at(inputs))
         return self.frames.pose(frame, inputs["q"])
 
     def velocity(self, frame: str, inputs: Inputs) -> Array:
         """Same as :meth:`Frames.velocity`."""
+        if frame in self.in_trees:
+            return self.in_trees.velocity(frame, self._at(inputs))
         return self.frames.velocity(frame, inputs["q"], inputs["u"])
 
     def acceleration(self, frame: str, inputs: Inputs) -> Array:
         """Same as :meth:`Frames.acceleration`."""
+        if frame in self.in_trees:
+            return self.in_trees.acceleration(frame, self._at(inputs))
         return self.frames.acceleration(frame, inputs["q"], inputs["u"], inputs["udot"])
 
     def frame_jacobian(self, frame: str, inputs: Inputs) -> Array:
         """Same as :meth:`Frames.jacobian`."""
+        if frame in self.in_trees:
+            return self.in_trees.jacobian(frame, self._at(inputs))
         return self.frames.jacobian(frame, inputs["q"], self.tables.nu)
 
     def reaction(self, joint: str, inputs: Inputs) -> Array:
         """The wrench (6,) [N m and N] of a joint of the scene; its multipliers are solved for."""
-        at = self._at(inputs, lam=self.multipliers(inputs))
+        udot, lam = self._solved(inputs)
+        at = self._at(inputs, udot=udot, lam=lam)
+        joints = self.manifest.elements.tree_joints
+        if joint in joints:
+            return self._sum_of_reactions(joints.index(joint), at)
         return self._of_member("reaction", joint, at)
+
+    def _sum_of_reactions(self, joint: int, at: State) -> Array:
+        """The wrench (6,) of a joint of a rigid tree: shares of the elements that it carries."""
+        total, form = np.zeros(6), "reactions"
+        having = [g for g in self.tables.groups if form in g.kind.functions]
+        for group, shares in zip(having, self.mesh.results(form, at), strict=True):
+            assert group.reactions is not None
+            total += shares.reshape(-1, 6)[group.reactions.ravel() == joint].sum(axis=0)
+        return total
 
     def outputs(self, inputs: Inputs) -> Array:
         """The declared outputs (ny,), in their units."""

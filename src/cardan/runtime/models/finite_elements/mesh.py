@@ -34,7 +34,9 @@ NEEDED = {
     "balance": ("balance",),
     "gamma": ("gamma",),
     "accelerations": SOLVED,
-    "rhs": SOLVED,
+    "rhs": (*SOLVED, "zdot"),
+    "events": ("signs", *SOLVED),
+    "transition": ("jumps", "change", *SOLVED),
     "values": ("balance_tangent",),
     "close_position": ("balance", "balance_tangent"),
     "close_velocity": ("balance", "balance_tangent"),
@@ -52,7 +54,8 @@ def _block_sizes(kind: ElementKind, nr: int) -> dict[str, int]:
     along = dict.fromkeys(("u", "udot", "du"), kind.nu)
     # elements of mixed form are given their stress as z while one searches for rest
     nz = max(kind.nz, INNER if "mixed" in kind.functions else 0)
-    return {"q": kind.nq, "z": nz, "s": kind.ns, "lam": kind.m, "r": nr, **along}
+    events = {"e": kind.ne, "tau": kind.responses}
+    return {"q": kind.nq, "z": nz, "s": kind.ns, "lam": kind.m, "r": nr, **along, **events}
 
 
 @final
@@ -247,15 +250,17 @@ class Mesh(Elements):
         force, gaps, rates = np.split(out, [tables.nu, tables.nu + tables.mp])
         return force, gaps, rates
 
-    def call(self, name: str, at: State, size: int, tau: Array | None = None) -> Array:
+    def call(
+        self, name: str, at: State, size: int, tau: Array | None = None, e: Array | None = None
+    ) -> Array:
         """A function of the whole mesh with the interface of generated ones."""
         record, _arrays = self._state(at)
-        weights = None if tau is None else np.ascontiguousarray(tau, float)
+        more = {"tau": tau, "e": e}
+        arrays = {n: np.ascontiguousarray(x, float) for n, x in more.items() if x is not None}
         blocks = {name: getattr(record, name) for name in ("q", "u", "z", "s", "r")}
         time = np.array([at.t])
         blocks |= {"t": time.ctypes.data, "w": ctypes.addressof(self.record)}
-        if weights is not None:
-            blocks["tau"] = weights.ctypes.data
+        blocks |= {n: x.ctypes.data for n, x in arrays.items()}
         pointers = (ctypes.c_void_p * len(ORDER))(*(blocks.get(name) for name in ORDER))
         out, memory = np.empty(size), np.empty(self.work)
         status = self._run(FUNCTION(self.closure(name)), pointers, *map(_at, (out, memory)))

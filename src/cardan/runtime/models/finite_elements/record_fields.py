@@ -33,12 +33,15 @@ def group_fields(tables: Tables) -> list[Fields]:
             "count": len(group),
             "places": group.place.shape[1],
             **{name: getattr(kind, name) for name in SIZES},
+            "z_states": kind.states[0],
+            "s_states": kind.states[1],
+            **{name: getattr(kind, name) for name in ("ne", "jumps", "responses")},
             "inner": inner,
             "inner_start": inner_start if inner else 0,
             "place": group.place.astype(np.intp),
             "rows": rows,
             "spots": spots,
-            **{name: getattr(group, name) for name in ("z", "s", "powers", "outputs")},
+            **{name: getattr(group, name) for name in ("z", "s", "events", "powers", "outputs")},
             "parts": np.array([kind.parts.get(name, -1) for name in PARTS], dtype=np.intp),
         }
         listed.append(fields)
@@ -81,19 +84,25 @@ def mesh_fields(tables: Tables, entries: Mapping[str, FunctionRow]) -> Fields:
         "work": max((entry.work_size for entry in entries.values()), default=0),
         "local": max((_local(group.kind, entries) for group in tables.groups), default=0),
         "powers": len(tables.powers),
-        "driven": int(tables.driven),
+        "driven": int(
+            tables.driven or any(_reads(g.kind, "power", entries) for g in tables.groups)
+        ),
         "outputs": tables.outputs,
-        "solved": int(any(_reads_solution(group.kind, entries) for group in tables.groups)),
+        "solved": int(any(_reads(g.kind, "outputs", entries) for g in tables.groups)),
+        "ne": tables.ne,
+        "jumps": sum(len(group) * group.kind.jumps for group in tables.groups),
+        "responses": sum(len(group) * group.kind.responses for group in tables.groups),
     }
 
 
-def _reads_solution(kind: ElementKind, entries: Mapping[str, FunctionRow]) -> bool:
-    """True when outputs of a kind depend on accelerations or multipliers."""
-    symbol = kind.functions.get("outputs")
+def _reads(kind: ElementKind, form: str, entries: Mapping[str, FunctionRow]) -> bool:
+    """True when a function of a kind depends on accelerations or multipliers."""
+    symbol = kind.functions.get(form)
     return symbol is not None and not {"udot", "lam"}.isdisjoint(entries[symbol].inputs)
 
 
 def _local(kind: ElementKind, entries: Mapping[str, FunctionRow]) -> int:
     """Numbers that an element reads, and gives at most."""
     reads = kind.nq + 3 * kind.nu + kind.m + kind.nz + kind.ns + INNER
+    reads += kind.ne + kind.responses
     return reads + max((entries[x].output_size for x in kind.functions.values()), default=0)

@@ -28,7 +28,9 @@ if TYPE_CHECKING:
 FILE = "mesh.npz"
 # elements of a group from which on they go side by side: fewer would leave most lanes unused
 LANE_THRESHOLD = 8
-INTEGER_TABLES = ("z", "s", "outputs", "powers")
+# numbers of a jump besides its gradient, as kernels/finite_elements/mesh_events.c has them
+ROW = 4
+INTEGER_TABLES = ("z", "s", "events", "outputs", "powers", "reactions")
 
 
 def tables(manifest: Manifest, directory: Path) -> Tables:
@@ -66,8 +68,10 @@ def _fit(read: Tables, manifest: Manifest) -> None:
             (places, group.place),
             (read.nz, group.z),
             (read.ns, group.s),
+            (read.ne, group.events),
             (len(manifest.outputs), group.outputs),
             (len(read.powers), group.powers),
+            (len(manifest.elements.tree_joints), group.reactions),
         )
         for most, table in limits:
             if table is not None and not (
@@ -95,12 +99,16 @@ def _check_sizes(elements: Tables, group: Table) -> None:
         sums[name] = np.where(widths == widths[:1], widths, -1).sum(axis=1)
     sums |= {
         name: np.array([0 if table is None else table.shape[1]])
-        for name, table in (("nz", group.z), ("ns", group.s))
+        for name, table in (("nz", group.z), ("ns", group.s), ("ne", group.events))
     }
     for name, sizes in sums.items():
         stated = getattr(kind, name)
         if not np.all(sizes == stated):
             raise ValueError(f"elements of '{kind.name}' have {name} = {stated}")
+    if any(first > count for first, count in zip(kind.states, (kind.nz, kind.ns), strict=True)):
+        raise ValueError(f"elements of '{kind.name}' keep {kind.states} states")
+    if kind.responses > min(kind.jumps, kind.nu):
+        raise ValueError(f"elements of '{kind.name}' have {kind.responses} responses")
     if kind.mp > kind.m:
         raise ValueError(f"elements of '{kind.name}' have {kind.m} constraints")
 
@@ -125,8 +133,11 @@ def _check_results(elements: Tables, entries: Mapping[str, FunctionRow]) -> None
         kind, nu, m = group.kind, group.kind.nu, group.kind.m
         sizes = {"balance": nu + kind.mp + m, "gamma": m, "energy": 2, "momentum": 6}
         sizes |= {"reaction": 6, "stress": 24, "mixed": nu + nu * nu, "mixed_step": INNER}
+        sizes |= {"zdot": kind.states[0], "signs": kind.ne + 1, "change": sum(kind.states)}
+        sizes["jumps"] = kind.jumps * (ROW + nu)
         sums = {"power": group.powers, "outputs": group.outputs}
         sizes |= {name: 0 if x is None else x.shape[1] for name, x in sums.items()}
+        sizes["reactions"] = 0 if group.reactions is None else 6 * group.reactions.shape[1]
         checks.append((kind.name, kind.functions, sizes))
     for what, functions, sizes in checks:
         for name in sizes.keys() & functions.keys():
@@ -150,7 +161,7 @@ def _check_mesh(elements: Tables, manifest: Manifest) -> None:
     for kind in kinds:
         most = available[kind.functions["balance_tangent"]].output_size if kind.parts else 0
         for name, start in kind.parts.items():
-            size = (kind.m if name in "RG" else kind.nu) * kind.nu
+            size = (kind.m if name in "RGH" else kind.nu) * (kind.m if name == "H" else kind.nu)
             if name not in PARTS or start > most - size:
                 raise ValueError(f"matrices of '{kind.name}' lie outside of its tangent")
     inside = all(np.all((line >= -1) & (line < places)) for line in elements.beams)
@@ -189,6 +200,7 @@ def _tables(manifest: Manifest, numbers: Mapping[str, Any]) -> Tables:
         nr=len(manifest.inputs),
         nz=len(manifest.z),
         ns=len(manifest.s),
+        ne=len(manifest.events),
         beams=tuple(numbers[f"line_{k}"].astype(np.intp) for k in range(elements.segments)),
         stations=tuple(numbers[f"stations_{k}"] for k in range(elements.segments)),
         powers=tuple(elements.power_sources),

@@ -30,6 +30,8 @@ class Table:
         members: Their names.
         z, s: (n, nz), (n, ns) which internal states and modes of the scene are theirs.
         outputs, powers: (n, k) entries of the scene's to which they contribute.
+        reactions: (n, k) joints of trees to whose reactions they contribute.
+        events: (n, ne) which events of the scene are theirs.
     """
 
     kind: ElementKind
@@ -41,6 +43,8 @@ class Table:
     s: Integers | None = None
     outputs: Integers | None = None
     powers: Integers | None = None
+    reactions: Integers | None = None
+    events: Integers | None = None
 
     def __len__(self) -> int:
         return len(self.place)
@@ -54,7 +58,7 @@ class Tables:
         kinds: Of places.
         kind: (places,) index of the kind of every place.
         groups: The elements.
-        nr, nz, ns: Inputs, internal states and modes of the scene.
+        nr, nz, ns, ne: Inputs, internal states, modes and events of the scene.
         beams: Places of the nodes of every segment of a beam; -1 for the ground.
         stations: Their arc lengths from the start of the beam [m].
         powers: Names of the sources of power.
@@ -67,6 +71,7 @@ class Tables:
     nr: int
     nz: int = 0
     ns: int = 0
+    ne: int = 0
     beams: tuple[Integers, ...] = ()
     stations: tuple[Array, ...] = ()
     powers: tuple[str, ...] = ()

@@ -18,21 +18,26 @@ from ....schema.finite_elements import PlaceKind
 from ..differences import BLURRED, input_rates, missing, relative, ways, worst_of
 from ..joint_motion import Array, cross, times
 from ..rotations import quaternion
+from . import element_events
 from .members import NODE, Members, NotThere
 from .shapes import ENERGIES, MOMENTA, STRESSES, quaternion_of
 
 # inputs are shaken by this to see what rounding may do, and how many times
 SHAKEN, LESS = 1e-14, 1e2
+MOTION = 24  # numbers of the motion of a body of a tree
 NO_LAW = "no law leads to it"
 MATRICES = {"K": ("q", 0), "C": ("u", 0), "M": ("udot", 0), "R": ("q", 1), "G": ("u", 1)}
 
 
 def check_kinds(members: Members) -> Iterator[tuple[str, float, str]]:
     """Name, error and reason of every function of a kind."""
+    # what modes hold is judged in each of them
+    modal, everywhere = "H" in members.table.kind.parts, members.in_all_modes
     for form in members.codes:
-        error, why = _text(members, form), ""
+        at = everywhere if modal or form in element_events.LAWS else members
+        error, why = _text(at, form), ""
         try:
-            law = LAWS[form](members) if form in LAWS else NO_LAW
+            law = LAWS[form](at) if form in LAWS else NO_LAW
         except NotThere as missed:
             law = f"needs '{missed}'"
         if isinstance(law, str):
@@ -86,7 +91,7 @@ def _tangent(members: Members) -> float | str:
             size = np.abs(members.call("balance")).max(axis=-1, initial=0.0)
             error = missing(slope[:, ends], off, times(values, way), scale, size * 1e-3)
             worst = worst_of(worst, error)
-    return worst
+    return worst_of(worst, element_events.released(members)) if "H" in kind.parts else worst
 
 
 def _rates(members: Members, moving: bool = True) -> dict[str, Array]:
@@ -266,13 +271,18 @@ def _momentum(members: Members) -> float | str:
     if ends and names:
         expected = MOMENTA[max(names, key=len)](*ends)
         return relative(value - expected, expected)
-    if any(not block.node or block.nq != NODE for block in members.blocks):
+    in_space = [_in_space(block) for block in members.blocks]
+    # what carries a rigid tree moves all of it
+    on_node = "bodies" in members.table.kind.functions and sum(in_space) == 1
+    if not (all(in_space) or on_node):
         return "its places are not nodes in space"
     if "ground" in members.table.kind.name:
         return NO_LAW
     p = _momenta(members, lambda b: members.call("energy", b), members.inputs)
     expected = np.zeros((members.count, 6))
-    for a, b, _ in zip(*members.starts, members.blocks, strict=False):
+    for a, b, here in zip(*members.starts, in_space, strict=False):
+        if not here:
+            continue
         q = members.inputs["q"][:, a : a + NODE]
         linear_part = times(quaternion(q[:, :4]), p[:, b : b + 3])
         linear = p[:, b + 3 : b + 6]
@@ -293,7 +303,8 @@ def _element_forces(members: Members) -> float | str:
     if "M" in members.table.kind.parts:
         return "what it does to nodes is its inertia too"
     value = members.call("element_forces")
-    force = members.call("balance")[:, : members.table.kind.nu]
+    # without what modes hold
+    force = members.call("balance", {"lam": 0 * members.inputs["lam"]})[:, : members.table.kind.nu]
     if value.shape[-1] == 6:
         # force first there, moment first in reactions
         return _on_node(members, force, value[:, [3, 4, 5, 0, 1, 2]])
@@ -339,6 +350,27 @@ def _on_node(members: Members, generalized: Array, wrench: Array) -> float | str
     # the moment about any point has the same part along the force, whichever end it acts on
     gap = np.abs(np.abs(along[0]) - np.abs(along[1]))
     return max(first, relative(gap[:, None], size * size))
+
+
+def _bodies(members: Members) -> float | str:
+    """Velocities are the rates of poses, accelerations those of velocities."""
+
+    def parts(values: Array) -> tuple[Array, Array, Array, Array]:
+        rows = values.reshape(members.count, -1, MOTION)
+        return rows[..., :9], rows[..., 9:12], rows[..., 12:18], rows[..., 18:]
+
+    value = members.call("bodies")
+    slope, off = members.slope(lambda b: members.call("bodies", b), _rates(members))
+    (R, _, velocity, acceleration), rates = parts(value), parts(slope)
+    axes = np.moveaxis(R.reshape(*R.shape[:-1], 3, 3), -1, 0)
+    turned = np.stack([cross(velocity[..., :3], axis) for axis in axes], axis=-1)
+    pairs = (
+        (rates[0], turned.reshape(R.shape)),
+        (rates[1], velocity[..., 3:]),
+        (rates[2], acceleration),
+    )
+    flat = [(a.reshape(members.count, -1), b.reshape(members.count, -1)) for a, b in pairs]
+    return max(missing(expected, off, result) for expected, result in flat)
 
 
 def _mixed(members: Members) -> float | str:
@@ -388,7 +420,9 @@ LAWS: dict[str, Callable[[Members], Any]] = {
     "momentum": _momentum,
     "reaction": _reaction,
     "element_forces": _element_forces,
+    "bodies": _bodies,
     "mixed": _mixed,
     "mixed_step": _mixed_step,
     "stress": _stress,
+    **element_events.LAWS,
 }

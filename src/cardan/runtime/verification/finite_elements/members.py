@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -85,6 +85,32 @@ class Members:
             return None
         return results(from_dict(saved), overrides or self.inputs, self.count)
 
+    def constraint_rows(self) -> Array:
+        """G (n, m, nu) of its constraints, zero where no mode holds them."""
+        kind, n = self.table.kind, self.count
+        at = kind.parts.get("G")
+        if at is None:
+            return np.zeros((n, kind.m, kind.nu))
+        flat = self.call("balance_tangent")[:, at : at + kind.m * kind.nu]
+        return flat.reshape(n, kind.m, kind.nu)
+
+    @cached_property
+    def in_all_modes(self) -> Members:
+        """The same at as many states for each of its modes."""
+        rows, entries = self.model.manifest.s, self.table.s
+        if entries is None:
+            return self
+        labels = [
+            [float(v) for v in rows[k].labels] for k in entries[0, : self.table.kind.states[1]]
+        ]
+        count = max((len(each) for each in labels), default=0) or 1
+        inputs = {k: np.tile(x, (count, 1)) for k, x in self.inputs.items()}
+        for k, each in enumerate(labels):
+            if each:
+                modes = np.resize(each, count)
+                inputs["s"][:, k] = np.repeat(modes, self.count)
+        return replace(self, inputs=inputs, cache={})
+
     # ways to move
 
     @cached_property
@@ -162,8 +188,8 @@ def members_of(
     largest: dict[str, int] = {}
     for k in sorted(range(len(groups)), key=lambda k: len(groups[k])):
         largest[groups[k].kind.name] = k
-    length = _length(tables)
-    states = [_state(model, elements, rng, length) for _ in range(count)]
+    length = length_of(tables)
+    states = [state_of(model, elements, rng, length) for _ in range(count)]
     members = []
     for number in sorted(largest.values()):
         group = groups[number]
@@ -191,22 +217,27 @@ def _drawn(inputs: dict[str, Array], rng: np.random.Generator) -> dict[str, Arra
     n, nu = inputs["u"].shape
     drawn = dict(inputs)
     drawn["du"] = 1e-2 * rng.uniform(-1, 1, (n, nu))
+    drawn["e"] = rng.integers(0, 2, drawn["e"].shape).astype(float)
+    drawn["tau"] = rng.uniform(0.5, 2, drawn["tau"].shape)
     if not drawn["z"].shape[-1]:
         drawn["z"] = rng.uniform(-1, 1, (n, 6))
     return drawn
 
 
-def _state(model: LoadedModel, elements: Elements, rng: Any, length: float) -> State:
+def state_of(
+    model: LoadedModel, elements: Elements, rng: Any, length: float, turn: float = 1.0
+) -> State:
+    """Positions near the start of the scene; speeds, and what else is read, of order 1."""
     tables, layout = elements.tables, model._layout
     # as the scene tells it: to assemble it would take the elements that are judged here
     q = start_of(model, {}, {})[0][: tables.nq]
-    step = ANGLE_STEP * rng.uniform(-1, 1, tables.nu)
+    step = turn * ANGLE_STEP * rng.uniform(-1, 1, tables.nu)
     for kind, start in zip(tables.kind, tables.u[:-1], strict=True):
         place = tables.kinds[kind]
         if place.node and place.nq == NODE:
-            step[start + 3 : start + 6] *= SHIFTED / ANGLE_STEP * length
+            step[start + 3 : start + 6] *= SHIFTED / ANGLE_STEP * length / turn
         elif place.node:
-            step[start : start + 2] *= SHIFTED / ANGLE_STEP * length
+            step[start : start + 2] *= SHIFTED / ANGLE_STEP * length / turn
     r = layout.start("r")
     return State(
         q=elements.move(np.asarray(q), step),
@@ -220,7 +251,7 @@ def _state(model: LoadedModel, elements: Elements, rng: Any, length: float) -> S
     )
 
 
-def _length(tables: Tables) -> float:
+def length_of(tables: Tables) -> float:
     """The longest element of a beam [m]; 1 where there are none."""
     sizes = [float(np.diff(stations).max()) for stations in tables.stations]
     return max(sizes, default=1.0)

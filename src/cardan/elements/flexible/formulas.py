@@ -1,0 +1,235 @@
+"""Formulas of flexible elements for readers.
+
+R_1, p_1 and R_2, p_2 are the poses of the ends, L is the length.
+"""
+
+from __future__ import annotations
+
+from ..formulas import Lines
+
+POSE: Lines = (
+    ("rotation of end 2 seen from end 1", "r = R_1.T @ R_2"),
+    ("its rotation vector", "theta = rotation_vector(r)"),
+    ("position of end 2 seen from end 1", "d = R_1.T @ (p_2 - p_1)"),
+    ("square of the angle", "x = dot(theta, theta)"),
+    ("coefficient of the tangent operator", "a = (1 - sqrt(x) / 2 * cot(sqrt(x) / 2)) / x"),
+)
+# beta_1, beta_2: coefficients of U; kappa_1, kappa_2: their derivatives by x
+HELIX: Lines = (
+    ("helicoidal interpolation: coefficients of U", "beta_1 = -(1 / 2)"),
+    ("", "beta_2 = a"),
+    ("their derivatives by x", "kappa_1 = 0"),
+    ("", "kappa_2 = 1 / (8 * x * sin(sqrt(x) / 2) ** 2)"
+         " + cot(sqrt(x) / 2) / (4 * x * sqrt(x)) - 1 / x ** 2"),
+)  # fmt: skip
+HALFWAY: Lines = (
+    ("axes halfway between the ends: coefficients of U", "beta_1 = -(sin(sqrt(x) / 2) / sqrt(x))"),
+    ("", "beta_2 = (1 - cos(sqrt(x) / 2)) / x"),
+    ("their derivatives by x",
+     "kappa_1 = sin(sqrt(x) / 2) / (2 * x * sqrt(x)) - cos(sqrt(x) / 2) / (4 * x)"),
+    ("", "kappa_2 = sin(sqrt(x) / 2) / (4 * x * sqrt(x)) - (1 - cos(sqrt(x) / 2)) / x ** 2"),
+)  # fmt: skip
+MEASURES: Lines = (
+    ("from axes of end 1 to those of the strain",
+     "U = I + beta_1 * skew(theta) + beta_2 * skew(theta) @ skew(theta)"),
+    ("length and shear of the element", "e = U @ d"),
+)  # fmt: skip
+DENSE: Lines = (
+    ("strain of the element: K that of the reference shape, epsilon that without stress",
+     "y = column(theta, e) - L * (K + epsilon)"),
+)  # fmt: skip
+SPRINGS: Lines = (
+    ("strain: y_0 that of the reference shape", "y = column(theta, e) - y_0"),
+    ("stress", "sigma = k @ y"),
+    ("energy", "V = dot(y, sigma) / 2"),
+)
+CONSTANT: Lines = (("stress", "sigma = C @ y / L"), ("energy", "V = dot(y, sigma) / 2"))
+EQUILIBRIUM: Lines = (
+    ("compliance", "c = L * inverse(C)"),
+    ("change of the stress in equilibrium from end to end is -A s",
+     "A = block(skew(theta), skew(e), O, skew(theta))"),
+    ("flexibility of the element", "F = c + A.T @ c @ A / 12"),
+    ("stress resultants of the middle", "s = inverse(F) @ y"),
+    ("change from end to end, with its sign turned", "t = A @ s"),
+    ("energy", "V = dot(s, c @ s) / 2 + dot(t, c @ t) / 24"),
+    ("derivative of A s by the strain, s_m and s_n moment and force of s",
+     "Z = block(-skew(s_m), -skew(s_n), -skew(s_n), O)"),
+    ("stress that works on the strain, dV/dy", "sigma = s - Z.T @ c @ t / 12"),
+)  # fmt: skip
+WORK: Lines = (
+    ("derivative of theta by the relative rotation",
+     "D = I + skew(theta) / 2 + a * skew(theta) @ skew(theta)"),
+    ("derivative of e by theta",
+     "N = beta_2 * (dot(theta, d) * I + theta * d.T - 2 * d * theta.T)"
+     " + 2 * (kappa_1 * skew(theta) @ d + kappa_2 * skew(theta) @ skew(theta) @ d) * theta.T"
+     " - beta_1 * skew(d)"),
+    ("relative rotation by rotations of the ends in their axes and displacements",
+     "P = row(-r.T, O, I, O)"),
+    ("the same of d", "Q = row(skew(d), -R_1.T, O, R_1.T)"),
+    ("strain by displacement", "B = column(D @ P, N @ D @ P + U @ Q)"),
+    ("balance: moment and force that hold end 1, then end 2", "b = B.T @ sigma"),
+)  # fmt: skip
+
+LUMPED: Lines = (
+    ("moments of inertia at each end, J those per length and mu the mass per length",
+     "I_k = L * J / 2"),
+    ("moment that holds end k, in its axes",
+     "b_m = I_k @ omegadot + skew(omega) @ I_k @ omega"),
+    ("force that holds it", "b_f = mu * L / 2 * (vdot - g)"),
+    ("kinetic energy of an end", "T = mu * L * dot(v, v) / 4 + dot(omega, I_k @ omega) / 2"),
+    ("potential energy of an end", "V = -(mu * L * dot(g, p) / 2)"),
+)  # fmt: skip
+LINKED: Lines = (
+    ("share of the cubic, mu the mass per length",
+     "eta = 1 / (1 + 6 * (EI_2 / GA_3 + EI_3 / GA_2) / L ** 2)"),
+    ("shares of the mass", "c_1 = 1 / 12 + eta / 30 + eta ** 2 / 210"),
+    ("", "c_2 = eta / 120 + eta ** 2 / 420"),
+    ("", "c_3 = eta ** 2 / 840"),
+    ("mass of the positions p_1, p_2", "m_11 = mu * L * (1 / 4 + c_1)"),
+    ("", "m_12 = mu * L * (1 / 4 - c_1)"),
+    ("of a position and the tangent of its end, and of the other",
+     "m_13 = mu * L ** 2 * (1 / 24 + c_2)"),
+    ("", "m_14 = mu * L ** 2 * (c_2 - 1 / 24)"),
+    ("of the tangents t_1, t_2, first columns of R_1, R_2",
+     "m_33 = mu * L ** 3 * (1 / 120 + c_3)"),
+    ("", "m_34 = mu * L ** 3 * (c_3 - 1 / 120)"),
+    ("velocities of the tangents", "w_1 = R_1 @ skew(omega_1) @ i"),
+    ("", "w_2 = R_2 @ skew(omega_2) @ i"),
+    ("kinetic energy: the cubic through the ends, i = (1, 0, 0), ...",
+     "T_1 = m_11 * (dot(v_1, v_1) + dot(v_2, v_2)) / 2 + m_12 * dot(v_1, v_2)"
+     " + m_13 * (dot(v_1, w_1) - dot(v_2, w_2)) + m_14 * (dot(v_1, w_2) - dot(v_2, w_1))"
+     " + m_33 * (dot(w_1, w_1) + dot(w_2, w_2)) / 2 + m_34 * dot(w_1, w_2)"),
+    ("... and angular velocities linear between the ends, J the moments of inertia per length",
+     "T_2 = L / 6 * (dot(omega_1, J @ (omega_1 + omega_2)) + dot(omega_2, J @ omega_2))"),
+    ("kinetic energy", "T = T_1 + T_2"),
+    ("potential energy", "V = -dot(g, mu * L / 2 * (p_1 + p_2)"
+     " + (m_13 - m_14) * (R_1 @ i - R_2 @ i))"),
+    ("accelerations less gravity", "a_1 = vdot_1 - g"),
+    ("", "a_2 = vdot_2 - g"),
+    ("accelerations of the tangents",
+     "z_1 = R_1 @ (skew(omegadot_1) @ i + skew(omega_1) @ skew(omega_1) @ i)"),
+    ("", "z_2 = R_2 @ (skew(omegadot_2) @ i + skew(omega_2) @ skew(omega_2) @ i)"),
+    ("forces that hold the ends", "f_1 = m_11 * a_1 + m_12 * a_2 + m_13 * z_1 + m_14 * z_2"),
+    ("", "f_2 = m_12 * a_1 + m_11 * a_2 - m_14 * z_1 - m_13 * z_2"),
+    ("forces that hold the tangents", "h_1 = m_13 * a_1 - m_14 * a_2 + m_33 * z_1 + m_34 * z_2"),
+    ("", "h_2 = m_14 * a_1 - m_13 * a_2 + m_34 * z_1 + m_33 * z_2"),
+    ("moments that hold the ends, in their axes",
+     "tau_1 = skew(i) @ R_1.T @ h_1 + L / 3 * J @ (omegadot_1 + omegadot_2 / 2)"
+     " + L / 3 * skew(omega_1) @ J @ (omega_1 + omega_2 / 2)"),
+    ("", "tau_2 = skew(i) @ R_2.T @ h_2 + L / 3 * J @ (omegadot_2 + omegadot_1 / 2)"
+     " + L / 3 * skew(omega_2) @ J @ (omega_2 + omega_1 / 2)"),
+    ("balance M a + h", "b = column(tau_1, f_1, tau_2, f_2)"),
+)  # fmt: skip
+
+SECTION: Lines = (
+    ("stiffness of the section", "C = diagonal(GJ, EI_2, EI_3, EA, GA_2, GA_3)"),
+)  # fmt: skip
+SOFT: Lines = (
+    ("shear with the residual flexibility of bending",
+     "S_2 = 1 / (1 / GA_2 + L ** 2 / (12 * EI_3))"),
+    ("", "S_3 = 1 / (1 / GA_3 + L ** 2 / (12 * EI_2))"),
+    ("stiffness of the section", "C = diagonal(GJ, EI_2, EI_3, EA, S_2, S_3)"),
+)  # fmt: skip
+RATE: Lines = (
+    ("stress by the rate of strain, eta the damping, u the speeds of the ends",
+     "sigma = eta * C @ B @ u / L"),
+)  # fmt: skip
+
+HELICOIDAL: Lines = (*POSE, *HELIX, *MEASURES, *DENSE, *SECTION, *CONSTANT, *WORK)
+HELLINGER_REISSNER: Lines = (*POSE, *HELIX, *MEASURES, *DENSE, *SECTION, *EQUILIBRIUM, *WORK)
+CLASSICAL: Lines = (*POSE, *HALFWAY, *MEASURES, *DENSE, *SOFT, *CONSTANT, *WORK)
+CLASSICAL_PLAIN: Lines = (*POSE, *HALFWAY, *MEASURES, *DENSE, *SECTION, *CONSTANT, *WORK)
+BUSHING: Lines = (*POSE, *HALFWAY, *MEASURES, *SPRINGS, *WORK)
+DAMPING: Lines = (*POSE, *HELIX, *MEASURES, *SOFT, *WORK[:-1], *RATE, *WORK[-1:])
+
+# f: dead load and weight per length in ground axes, n: follower load in section axes
+DEAD: Lines = (
+    ("dead load f_0 and weight per length, mu the mass per length", "f = f_0 + mu * g"),
+    ("as the ends see it", "a_1 = R_1.T @ f"),
+    ("", "a_2 = R_2.T @ f"),
+    ("picks the force of a stress, and the length of a strain", "E = row(O, I)"),
+    ("load in axes of the strain, n the follower load per length",
+     "l = L * E.T @ ((a_1 + a_2) / 2 + n)"),
+)  # fmt: skip
+LOADED: Lines = (
+    ("compliance", "c = L * inverse(C)"),
+    ("change of the stress in equilibrium from end to end is -(A s + l)",
+     "A = block(skew(theta), skew(e), O, skew(theta))"),
+    ("flexibility of the element", "F = c + A.T @ c @ A / 12"),
+    ("stress resultants of the middle", "s = inverse(F) @ (y - A.T @ c @ l / 12)"),
+    ("change from end to end, with its sign turned", "t = A @ s + l"),
+    ("energy of the strain, less the work of the load on the helix",
+     "V = dot(s, c @ s) / 2 + dot(t, c @ (t - 2 * l)) / 24"
+     " - L / 2 * dot(f, p_1 + p_2) + L / 12 * dot(a_2 - a_1, e)"),
+    ("derivative of A s by the strain, s_m and s_n moment and force of s",
+     "Z = block(-skew(s_m), -skew(s_n), -skew(s_n), O)"),
+    ("stress that works on the strain",
+     "sigma = s - Z.T @ c @ t / 12 + L / 12 * E.T @ (a_2 - a_1)"),
+)  # fmt: skip
+END_FORCES: Lines = (
+    ("derivatives of V by a_1 and a_2", "d_1 = -(L * E @ c @ t / 24) - L / 12 * e"),
+    ("", "d_2 = -(L * E @ c @ t / 24) + L / 12 * e"),
+    ("balance: moment and force that hold end 1, then end 2",
+     "b = B.T @ sigma"
+     " + column(skew(d_1) @ a_1, -(L / 2 * f), skew(d_2) @ a_2, -(L / 2 * f))"),
+)  # fmt: skip
+HELLINGER_REISSNER_LOADED: Lines = (
+    *POSE, *HELIX, *MEASURES, *DENSE, *SECTION, *DEAD, *LOADED, *WORK[:-1], *END_FORCES
+)  # fmt: skip
+
+SPAN: Lines = (
+    ("from end to end", "d = p_2 - p_1"),
+    ("distance of the ends", "ell = sqrt(dot(d, d))"),
+)
+STRETCH = ("strain, epsilon that without stress", "gamma = ell / L - 1 - epsilon")
+TENSION = ("strain, epsilon that without stress; a slack cable has none",
+         "gamma = max(ell / L - 1 - epsilon, 0)")  # fmt: skip
+PULLED: Lines = (
+    ("energy", "V = EA * L * gamma ** 2 / 2"),
+    ("force that pulls end 1 towards end 2", "f = EA * gamma * d / ell"),
+    ("balance: forces that hold the ends, without moments", "b_1 = -f"),
+    ("", "b_2 = f"),
+)
+CABLE: Lines = (*SPAN, TENSION, *PULLED)
+TRUSS: Lines = (*SPAN, STRETCH, *PULLED)
+CABLE_INERTIA: Lines = (
+    ("mass, mu that per length", "m = mu * L"),
+    ("kinetic energy of the straight line", "T = m * (dot(v_1, v_1 + v_2) + dot(v_2, v_2)) / 6"),
+    ("potential energy", "V = -(m * dot(g, p_1 + p_2) / 2)"),
+    ("accelerations less gravity", "a_1 = vdot_1 - g"),
+    ("", "a_2 = vdot_2 - g"),
+    ("balance: forces that hold the ends, without moments", "b_1 = m * (2 * a_1 + a_2) / 6"),
+    ("", "b_2 = m * (a_1 + 2 * a_2) / 6"),
+)
+
+# f_1, f_2: force per length in ground axes as the ends have it, m_1, m_2: moment in their axes
+SHARES: Lines = (
+    ("forces at the ends by work on the cubic through them, i = (1, 0, 0)",
+     "n_1 = L * (7 * f_1 + 3 * f_2) / 20"),
+    ("", "n_2 = L * (3 * f_1 + 7 * f_2) / 20"),
+    ("forces on the tangents R_1 i, R_2 i", "h_1 = L ** 2 * (3 * f_1 + 2 * f_2) / 60"),
+    ("", "h_2 = -(L ** 2 * (2 * f_1 + 3 * f_2) / 60)"),
+)  # fmt: skip
+SUPPORT: Lines = (
+    ("moments that hold the ends, in their axes", "tau_1 = -(skew(i) @ R_1.T @ h_1 + L / 2 * m_1)"),
+    ("", "tau_2 = -(skew(i) @ R_2.T @ h_2 + L / 2 * m_2)"),
+    ("balance", "b = column(tau_1, -n_1, tau_2, -n_2)"),
+)
+DEAD_LOAD: Lines = (
+    ("force and moment per length in ground axes", "f_1 = f"),
+    ("", "f_2 = f"),
+    ("", "m_1 = R_1.T @ m"),
+    ("", "m_2 = R_2.T @ m"),
+    *SHARES,
+    ("potential energy of the force",
+     "V = -(dot(n_1, p_1) + dot(n_2, p_2) + dot(h_1, R_1 @ i) + dot(h_2, R_2 @ i))"),
+    *SUPPORT,
+)  # fmt: skip
+FOLLOWER_LOAD: Lines = (
+    ("force and moment per length in section axes", "f_1 = R_1 @ f"),
+    ("", "f_2 = R_2 @ f"),
+    ("", "m_1 = m"),
+    ("", "m_2 = m"),
+    *SHARES,
+    *SUPPORT,
+)

@@ -1,0 +1,44 @@
+"""Formulas of elements for readers, as Python that tests evaluate.
+
+A formula is ``left = right`` with the operators of NumPy; vectors are columns (3, 1), I and O are
+the unit and the zero matrix (3, 3), and i = (1, 0, 0).
+"""
+
+from __future__ import annotations
+
+from typing import TypeAlias
+
+# (what it is, formula), in the order in which one needs the other
+Lines: TypeAlias = tuple[tuple[str, str], ...]
+
+RIGID: Lines = (
+    ("moment about the origin of the body, in its axes: c first moment, J inertia about the origin",
+     "b_m = J @ omegadot + skew(omega) @ J @ omega + skew(c) @ R.T @ (vdot - g)"),
+    ("force in ground axes",
+     "b_f = m * (vdot - g) + R @ (skew(omegadot) @ c + skew(omega) @ skew(omega) @ c)"),
+    ("balance M a + h", "b = column(b_m, b_f)"),
+    ("kinetic energy", "T = m * dot(v, v) / 2 + dot(v, R @ skew(omega) @ c)"
+     " + dot(omega, J @ omega) / 2"),
+    ("potential energy", "V = -dot(g, m * p + R @ c)"),
+)  # fmt: skip
+MULTIPLIERS: Lines = (
+    ("balance: forces of the multipliers lam, along the rows of g", "b = -(G.T @ lam)"),
+)
+
+# element -> shapes of what its formulas read, beside vectors and rotations of its ends and numbers
+Shape: TypeAlias = "tuple[int | str, int]"
+_STRAINS: dict[str, Shape] = {"K": (6, 1), "epsilon": (6, 1)}
+_SPRINGS: dict[str, Shape] = {"y_0": (6, 1), "k": ("symmetric", 6)}
+_SPIN: dict[str, Shape] = {"J": ("diagonal", 3)}
+_LOAD: dict[str, Shape] = {"f": (3, 1), "m": (3, 1)}
+_MASS: dict[str, Shape] = {"c": (3, 1), "I": ("symmetric", 3)}
+SHAPES: dict[str, dict[str, Shape]] = {
+    **dict.fromkeys(("helicoidal", "classical", "damping"), _STRAINS),
+    "hellinger_reissner": _STRAINS | {"f_0": (3, 1), "n": (3, 1)},
+    **dict.fromkeys(("bushing", "flexible_hinge"), _SPRINGS),
+    **dict.fromkeys(("linked_inertia", "lumped_inertia"), _SPIN),
+    **dict.fromkeys(("dead_load", "follower_load"), _LOAD),
+    "body": {"c": (3, 1), "J": ("symmetric", 3)},
+    **dict.fromkeys(("central_gravity", "gravity_gradient"), _MASS),
+    "contact": {"n_0": (3, 1)},
+}

@@ -1,0 +1,127 @@
+"""Formulas that readers see of forces are what the forces are."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+from scipy.spatial.transform import Rotation
+
+from cardan.elements.forces.force import ForceElement, Places
+from elements.force_bench import FRAMES, INSTANCES, JOINTS, RATES, STATE, Bench
+from elements.formula_values import column, computed, skew
+from spatial.numbers_of import block
+
+# letters of quantities; of drives the damping is that of the shaft
+LETTERS = {
+    **{"force": "f", "torque": "m", "stiffness": "k", "damping": "c", "rest_length": "ell_0"},
+    **{"rest": "q_0", "ratio": "n", "inertia": "J", "friction": "c", "momentum": "H", "mu": "mu"},
+    **{"axis": "a", "radius": "r", "other_radius": "r_o", "exponent": "N", "normal": "n_0"},
+    **{"transition_velocity": "epsilon", "mass": "m", "com": "c"},
+}
+DRIVE = {"damping": "d"}
+# they have states or modes of their own that decide, or act by elements of the beam
+UNREAD = {
+    *("line load", "dry friction", "smooth friction", "actuator", "controller", "stop", "lock"),
+    *("sampled controller", "event", "rotor of constant speed"),
+    *("flattened planet", "flattened planet, extended body"),
+}
+ROLES = {"sphere": "s", "other": "o", "in_": "in"}
+
+
+@pytest.mark.parametrize("name", INSTANCES)
+def test_forces(name: str) -> None:
+    """Forces and moments on frames, forces along joints, energies; by NumPy alone."""
+    bench = Bench(INSTANCES[name])
+    at = _places(bench)
+    lines = bench.element.formulas(at)
+    assert bool(lines) != (name in UNREAD)
+    if not lines:
+        return
+    shown = computed(lines, _given(bench.element, bench, at))
+    loads, along, energy = _acted(bench, at)
+    for role, frame in at.frames.items():
+        if role == "in_":
+            continue
+        index = f"_{ROLES.get(role, role)}" if len(set(at.frames) - {"in_"}) > 1 else ""
+        for letter, value in zip("MF", loads[frame], strict=True):
+            found = np.ravel(shown.get(f"{letter}{index}", np.zeros(3)))
+            assert np.allclose(found, value, rtol=1e-12, atol=1e-12), (letter, role)
+    for role, joint in at.joints.items():
+        index = "_rotor" if role == "rotor" and "joint" in at.joints else ""
+        found = np.ravel(shown.get(f"tau{index}", 0.0))
+        assert np.allclose(found, along[joint], rtol=1e-12, atol=1e-14)
+    assert np.isclose(np.squeeze(shown.get("V", 0.0)), energy, rtol=1e-12, atol=0)
+    rates = bench.element.rates(at)
+    if rates.rows:
+        assert np.isclose(shown["zdot"], float(bench.value(rates)[0]), rtol=1e-12)
+
+
+def _places(bench: Bench) -> Places:
+    element = bench.element
+    frames = {role: FRAMES[name] for role, name in element.frames().items()}
+    joints = {role: JOINTS[name] for role, name in element.joints().items()}
+    rotor = element.rotor()
+    if rotor is not None and rotor.ratio is None:
+        joints["rotor"] = JOINTS["rotor"]
+    if element.masses():
+        frames["body"] = FRAMES["B"]
+    graph = bench.motion.graph
+    z, s = block(graph, "z", len(element.internals())), block(graph, "s", len(element.modes()))
+    return Places(bench.motion, bench.data, frames, joints, z, s)
+
+
+def _given(element: ForceElement, bench: Bench, at: Places) -> dict[str, Any]:
+    """Names that formulas use without defining them."""
+    letters = LETTERS | (DRIVE if element.kind == "drive" else {})
+    given: dict[str, Any] = {}
+    for name, matrix in bench.data.items():
+        values = np.array([float(x) for x in np.ravel(bench.value(matrix))])
+        if name == "inertia" and element.masses():
+            given["I_body"] = values.reshape(3, 3)
+        else:
+            given[letters[name]] = values[0] if len(values) == 1 else column(values)
+    if "I_body" in given:
+        given["I"] = given.pop("I_body")
+    several = len(set(at.frames) - {"in_"}) > 1
+    for role, frame in at.frames.items():
+        index = f"_{ROLES.get(role, role)}" if several or role == "in_" else ""
+        R, rate = _rotation(STATE[f"r{frame}"], RATES[f"r{frame}"])
+        given |= {f"R{index}": R, f"omega{index}": column(R.T @ rate)}
+        given |= {f"p{index}": column(STATE[f"x{frame}"]), f"v{index}": column(RATES[f"x{frame}"])}
+    for role, joint in at.joints.items():
+        index = "_rotor" if role == "rotor" and "joint" in at.joints else ""
+        for letter, values in (("q", STATE), ("u", RATES)):
+            entries = values[f"q{joint}"]
+            given[f"{letter}{index}"] = entries[0] if len(entries) == 1 else column(entries)
+    given["z"] = 0.4
+    return given
+
+
+def _rotation(r: list[float], rate: list[float]) -> tuple[Any, Any]:
+    """R and angular velocity in ground axes of a rotation vector and its rate."""
+    x, angle = skew(r), np.linalg.norm(r)
+    left = np.eye(3)
+    if angle:
+        left += (1 - np.cos(angle)) / angle**2 * x + (angle - np.sin(angle)) / angle**3 * x @ x
+    return Rotation.from_rotvec(r).as_matrix(), left @ rate
+
+
+def _acted(bench: Bench, at: Places) -> tuple[dict[int, Any], dict[int, Any], float]:
+    """(moment, force) by frame, force by joint, energy."""
+    loads = {frame: np.zeros((2, 3)) for frame in FRAMES.values()}
+    along: dict[int, Any] = dict.fromkeys(JOINTS.values(), 0.0)
+    energy = 0.0
+    for action in map(bench.in_ground, bench.element.act(at)):
+        for load in action.loads:
+            loads[load.frame] += [_floats(bench, load.torque), _floats(bench, load.force)]
+        for joint_load in action.joint_loads:
+            along[joint_load.joint] = along[joint_load.joint] + _floats(bench, joint_load.force)
+        if action.potential is not None:
+            energy += float(bench.value(action.potential))
+    return loads, along, energy
+
+
+def _floats(bench: Bench, x: Any) -> Any:
+    return np.array([float(v) for v in np.ravel(bench.value(x))])
