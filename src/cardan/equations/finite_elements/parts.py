@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Any
+from typing import TypedDict
 
 from ...elements.joints.fixed import Fixed
 from ...elements.joints.joint import Joint as JointElement
@@ -57,6 +57,14 @@ class Part:
     rigid: bool = False
 
 
+class Driving(TypedDict):
+    """What an element gives prescribed joints, as attributes of its part."""
+
+    driven: tuple[int, ...]
+    results: tuple[str, ...]
+    powers: tuple[str, ...]
+
+
 def parts(scene: Scene) -> Iterator[Part]:
     """The pieces of a system: bodies, joints of the tree, those that close loops, the rest."""
     system, without_node = scene.system, scene.in_trees | set(scene.joints_of_cuts)
@@ -95,15 +103,15 @@ def _tree(scene: Scene, tree: tuple[int, ...]) -> Part:
     """Bodies that joints carry from the ground or a node on."""
     cutting = Cutting(scene)
     for i in tree:
-        cutting.carried(i, _mass(cutting, i))
+        cutting.tree_body(i, _mass(cutting, i))
     gravity = cutting.expressions(scene.system.gravity, "gravity")
     name = scene.system.joints[tree[0]].name
     system = cutting.system_of(gravity=gravity)
     return Part(name, "tree", cutting, system, TREE, tree=True, **_driven(cutting, {}))
 
 
-def _driven(cutting: Cutting, driven: dict[int, int], *powers: str) -> dict[str, Any]:
-    """What an element gives prescribed joints, as attributes of its part.
+def _driven(cutting: Cutting, driven: dict[int, int], *powers: str) -> Driving:
+    """What an element gives prescribed joints.
 
     Args:
         cutting: Its places, with the joints of trees that carry it.
@@ -111,8 +119,8 @@ def _driven(cutting: Cutting, driven: dict[int, int], *powers: str) -> dict[str,
         powers: Names of its other powers.
     """
     system = cutting.system
-    carrying = {i: n for i, n in cutting.moved.items() if system.joints[i].motion is not None}
-    every = driven | carrying
+    tree_joints = {i: n for i, n in cutting.moved.items() if system.joints[i].motion is not None}
+    every = driven | tree_joints
     joints = [system.joints[i] for i in every]
     return {
         "driven": tuple(every.values()),

@@ -19,8 +19,9 @@ from ..differences import BLURRED, input_rates, missing, relative, ways, worst_o
 from ..joint_motion import Array, cross, times
 from ..rotations import quaternion
 from . import element_events
+from .element_ends import ends_of
 from .members import NODE, Members, NotThere
-from .shapes import ENERGIES, MOMENTA, STRESSES, quaternion_of
+from .shapes import ENERGIES, MOMENTA, STRESSES
 
 # inputs are shaken by this to see what rounding may do, and how many times
 SHAKEN, LESS = 1e-14, 1e2
@@ -197,64 +198,9 @@ def _ledger(members: Members, force: Array) -> float:
     return missing(expected[:, None], off, work[:, None], *terms)
 
 
-def _ends(members: Members) -> tuple[Array, Array, dict[str, Array]] | None:
-    """Poses (n, 14) and speeds (n, 12) of both ends of a flexible element, and its data by name.
-
-    Ends that are fixed to nodes, or to the ground, have their place among the data. None of
-    elements that are not flexible, and of those in a plane.
-    """
-    name = members.table.kind.name
-    if not any(name.startswith(kind) for kind in (*ENERGIES, *STRESSES)):
-        return None
-    if any(not block.node or block.nq != NODE for block in members.blocks):
-        return None
-    form = next(iter(members.codes.values())).symbol
-    inputs = members.model._objects.saved()[form]["inputs"]
-    names: list[str] = next((b["entries"] for b in inputs if b["name"] == "p"), [])
-    data = {entry: members.inputs["p"][:, k] for k, entry in enumerate(names)}
-    q, u, k = list[Array](), list[Array](), 0
-    for end in ("start", "end"):
-        attached = f"{end}_px" in data
-        grounded = attached and _grounded(members, end, data)
-        pose, speed = np.tile([1.0] + [0.0] * 6, (members.count, 1)), np.zeros((members.count, 6))
-        if not grounded:
-            pose = members.inputs["q"][:, 7 * k : 7 * k + 7]
-            speed = members.inputs["u"][:, 6 * k : 6 * k + 6]
-            k += 1
-        if attached:
-            pose, speed = _end_motion(pose, speed, end, data)
-        q, u = [*q, pose], [*u, speed]
-    return np.concatenate(q, axis=-1), np.concatenate(u, axis=-1), data
-
-
-def _grounded(members: Members, end: str, data: Mapping[str, Array]) -> bool:
-    """True when an end is fixed to the ground: the other one is the only node then."""
-    other = "end" if end == "start" else "start"
-    parts = members.table.kind.name.split("_")
-    if len(members.blocks) == 2:
-        return False
-    return f"{other}_px" not in data or parts[-2 if end == "start" else -1] == "ground"
-
-
-def _end_motion(
-    pose: Array, speed: Array, end: str, data: Mapping[str, Array]
-) -> tuple[Array, Array]:
-    """Pose and speeds of a frame that is fixed to another."""
-    n = len(pose)
-    cells = [data[f"{end}_R{i}{j}"] for i in "123" for j in "123"]
-    R = np.stack(cells, axis=-1).reshape(n, 3, 3)
-    p = np.stack([data[f"{end}_p{x}"] for x in "xyz"], axis=-1)
-    rotation = quaternion(pose[:, :4])
-    place = pose[:, 4:] + times(rotation, p)
-    back = np.swapaxes(R, -1, -2)
-    moved = speed[:, 3:] + times(rotation, cross(speed[:, :3], p))
-    end_pose = np.concatenate([quaternion_of(rotation @ R), place], axis=-1)
-    return end_pose, np.concatenate([times(back, speed[:, :3]), moved], axis=-1)
-
-
 def _energy(members: Members) -> float | str:
     """By quadrature of strain measures and of point masses, and by what it does."""
-    law, ends = _balance(members), _ends(members)
+    law, ends = _balance(members), ends_of(members)
     names = [name for name in ENERGIES if members.table.kind.name.startswith(name)]
     energies = ENERGIES[max(names, key=len)](*ends) if ends and names else None
     if energies is None:
@@ -265,7 +211,7 @@ def _energy(members: Members) -> float | str:
 
 def _momentum(members: Members) -> float | str:
     """dT/dv, and its moment with dT/domega; of points along the shape where an end is held."""
-    ends = _ends(members)
+    ends = ends_of(members)
     names = [name for name in MOMENTA if members.table.kind.name.startswith(name)]
     value = members.call("momentum")
     if ends and names:
@@ -363,9 +309,9 @@ def _bodies(members: Members) -> float | str:
     slope, off = members.slope(lambda b: members.call("bodies", b), _rates(members))
     (R, _, velocity, acceleration), rates = parts(value), parts(slope)
     axes = np.moveaxis(R.reshape(*R.shape[:-1], 3, 3), -1, 0)
-    turned = np.stack([cross(velocity[..., :3], axis) for axis in axes], axis=-1)
+    axis_rates = np.stack([cross(velocity[..., :3], axis) for axis in axes], axis=-1)
     pairs = (
-        (rates[0], turned.reshape(R.shape)),
+        (rates[0], axis_rates.reshape(R.shape)),
         (rates[1], velocity[..., 3:]),
         (rates[2], acceleration),
     )
@@ -402,7 +348,7 @@ def _mixed_step(members: Members) -> float | str:
 
 def _stress(members: Members) -> float | str:
     """By quadrature of strain measures."""
-    ends = _ends(members)
+    ends = ends_of(members)
     names = [name for name in STRESSES if members.table.kind.name.startswith(name)]
     expected = STRESSES[max(names, key=len)](ends[0], ends[2]) if ends and names else None
     if expected is None:
