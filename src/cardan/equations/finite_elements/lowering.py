@@ -108,7 +108,7 @@ def _lowered(scene: Scene, normal: int | None) -> FiniteElementRecord:
         tree_joints=tuple(system.joints[i].name for i in sorted(scene.in_trees)),
         joints={part.name: at for part, at in numbered if part.joint},
         forces={one.name: forces[one.name] for one in named_forces(system) if one.name in forces},
-        states=states(scene, bodies),
+        states=states(scene, bodies, beams.tree_ends),
         results=tuple((name, _unit(system, name)) for name in results),
         powers=tuple(powers),
         reference=beams.reference,

@@ -265,7 +265,7 @@ class FiniteElementRecord:
         reference: Coordinates in the reference configuration of the nodes inside beams, which are
             the last places; ``states`` gives those of all others.
         lines: Places of the nodes of every segment of ``system.segments`` from start to end;
-            GROUND where it ends at the ground.
+            GROUND where it ends at the ground, ON_TREE - k at body k of ``ends_q`` of ``states``.
     """
 
     system: System = field(repr=False)
