@@ -122,7 +122,7 @@ def test_ends_of_beams_that_many_or_prescribed_joints_carry_have_nodes(count: in
     place = scene.ground
     for k in range(count):
         link = scene.body(f"link{k}", mass=1, com=(0.2, 0, 0), inertia=(0.1, 0.1, 0.1))
-        driven = [0.3 * cd.t] if k == 1 and count == 3 else None
+        driven = 0.3 * cd.t if k == 1 and count == 3 else None
         scene.joint(f"hinge{k}", cd.Revolute("y"), place, link, prescribed=driven)
         place = link.at(0.4, 0, 0)
     steel = cd.material(E=2e11, nu=0.3, rho=7800)
