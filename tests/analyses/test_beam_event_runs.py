@@ -122,11 +122,6 @@ def test_a_stepper_goes_as_a_run(model: cd.CompiledModel) -> None:
     assert stepper.state == pytest.approx(whole.x[-1], abs=1e-5)
 
 
-def test_runs_that_no_file_keeps_say_so(model: cd.CompiledModel, tmp_path: Path) -> None:
-    with pytest.raises(cd.ModelError, match=r"checkpoint=.*absolute.*motion\.save"):
-        model.simulate(SPAN, checkpoint=tmp_path / "run")
-
-
 @pytest.mark.parametrize("method", ["DOP853", "GeneralizedAlpha"])
 def test_a_checkpoint_in_memory_goes_on_to_the_same_bits(
     model: cd.CompiledModel, method: str
