@@ -208,8 +208,8 @@ def build_key(model: LoadedModel) -> str:
     """
     built = [code.built for code in model._source.codes(model)]
     names = ["Python" if each is None else each.path.stem for each in built]
-    own = names[0] if len(names) == 1 else digest(*names)
-    return "-".join(name[:16] for name in (own, Path(model._kernels()._name).stem))
+    functions = names[0] if len(names) == 1 else digest(*names)
+    return "-".join(name[:16] for name in (functions, Path(model._kernels()._name).stem))
 
 
 def model_key(model: LoadedModel) -> str:
