@@ -145,12 +145,6 @@ def test_ensembles_go_on_from_a_file(model: cd.CompiledModel, tmp_path: Path) ->
     np.testing.assert_array_equal(first.final, again.final)
 
 
-def test_exported_runs_refuse_events_by_name(tmp_path: Path) -> None:
-    equations = cd.derive(cantilever(2, lower=LOWER, restitution=0.0))
-    with pytest.raises(cd.CodegenError, match=r"'cantilever' has events.*leave out what has them"):
-        equations.export(tmp_path / "out", language="c", integrators=["alpha"])
-
-
 def test_dense_output_stays_on_the_constraints_that_modes_hold(model: cd.CompiledModel) -> None:
     motion = model.simulate(SPAN, method=cd.GeneralizedAlpha(0.8), step=STEP)
     hit, left = (event.t for event in motion.events[:2])
