@@ -13,8 +13,8 @@
 
 /* the error of a step behaves like h^4 */
 enum { ORDER = 4, ITERATIONS = 7, TO_ROUNDING = 30 };
-/* convergence rates up to FAST keep the Jacobian, step ratios within [SHRINK, GROW) h and factors */
-static const real FAST = 1e-3, SHRINK = 0.9, GROW = 1.2;
+/* step ratios within [SHRINK, GROW) keep h and factors */
+static const real SHRINK = 0.9, GROW = 1.2;
 
 static cardan_radau *now_of(const cardan_run *run)
 {
@@ -104,7 +104,7 @@ static int solve(cardan_run *run, real h, int *count)
             || (*count > 1 && (size <= rounding || rate >= 0.99))) {
             now->rate = left;
             /* slow convergence: new Jacobian in the next step */
-            if (*count > 1 && rate > FAST)
+            if (*count > 1 && rate > form->fast)
                 now->reusable = 0;
             return 0;
         }

@@ -48,6 +48,7 @@ typedef struct cardan_radau_form {
     /* filtered error norm in units of the tolerance; again: with f(t, y + error) in place of f(t, y) */
     int (*error)(cardan_run *run, real h, int again, real *error);
     void (*remember)(cardan_run *run); /* what the next step extrapolates */
+    real fast; /* convergence rates up to this keep the Jacobian */
 } cardan_radau_form;
 
 /* radau_rates.c: x' = f(t, x), dense matrices */

@@ -576,4 +576,4 @@ static int iterate(cardan_run *run, real h, real *size)
 
 const cardan_radau_form cardan_radau_elements = {
     length,  sound,   begin, jacobian, factor, predict, rounding, iterate, cardan_radau_elements_end,
-    cardan_radau_elements_error, cardan_radau_elements_remember};
+    cardan_radau_elements_error, cardan_radau_elements_remember, 0.05};
