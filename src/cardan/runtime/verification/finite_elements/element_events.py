@@ -105,9 +105,9 @@ def impulses(members: Members) -> float | str:
 def _constrained(members: Members, J: Array) -> Iterator[float]:
     """Impulses act along rows that modes hold."""
     kind = members.table.kind
-    if not kind.m:
+    if not kind.released:
         return
-    G = members.constraint_rows()
+    G = members.constraint_rows()[:, kind.m - kind.released :]
     active = (G != 0).any(axis=(1, 2))
     if not active.any():
         return
