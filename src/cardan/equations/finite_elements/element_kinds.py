@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Iterable
 from dataclasses import replace
 from functools import cached_property
@@ -82,7 +81,7 @@ def kind_of(name: str, part: Part, places: tuple[BlockKind, ...]) -> Kind:
     return Kind(
         name=name,
         blocks=places,
-        rows=_named_rows(part.system),
+        rows=part.rows,
         mp=sum(row.level != VELOCITY for row in rows(part.system)),
         data=listed["p"].entries,
         functions={
@@ -99,16 +98,9 @@ def kind_of(name: str, part: Part, places: tuple[BlockKind, ...]) -> Kind:
         source=part.source,
         formulas=_lines(part, context.k),
         element=part.kind,
-        part=_family(part),
+        part=part.family,
         switched=sum(row.switched for row in rows(part.system)),
     )
-
-
-def _family(part: Part) -> str:
-    """Body, joint or force; "" for relations and outputs."""
-    if part.joint:
-        return "joint"
-    return "body" if part.rigid else "force" * bool(part.system.forces)
 
 
 def _lines(part: Part, k: Kinematics) -> Lines:
@@ -119,16 +111,6 @@ def _lines(part: Part, k: Kinematics) -> Lines:
         (force,) = part.system.forces
         return force.element.formulas(force_places(k, force))
     return RIGID if part.rigid else ()
-
-
-def _named_rows(system: System) -> tuple[tuple[str, str], ...]:
-    """Names of rows behind that of their member, and their units."""
-    named, taken = list[tuple[str, str]](), Counter[str]()
-    for row in rows(system):
-        name = row.name.partition(".")[2]
-        taken[name] += 1
-        named.append((f"{name}{taken[name]}" if taken[name] > 1 else name, row.unit))
-    return tuple(named)
 
 
 def _states(letter: str, count: int) -> Block:
@@ -214,8 +196,8 @@ class _Builder:
     def _joint_balance(self) -> Matrix:
         """Share of a joint, with friction in it, in the balance (nu, 1), by leaves of the joint."""
         constraint = self.constraint
-        own = self._lam().block(slice(0, constraint.rates.rows))
-        balance = -constraint.forces(own)
+        lam = self._lam().block(slice(0, constraint.rates.rows))
+        balance = -constraint.forces(lam)
         return balance if self.friction is None else balance + self.friction.balance
 
     def _joint_rates(self) -> Matrix:
@@ -399,8 +381,8 @@ class _Builder:
             return self._zero()
         lam, surfaces = self._lam(), self.d.constraints.surfaces
         owners = [row.owner for row in rows(self.system)]
-        own = [-lam[row] * rate for row, rate in surfaces if owners[row] == force.name]
-        return sum(own, self._zero())
+        powers = (-lam[row] * rate for row, rate in surfaces if owners[row] == force.name)
+        return sum(powers, self._zero())
 
     def _zero(self) -> Scalar:
         return Matrix.zeros(self.k.graph, 1)[0]

@@ -17,9 +17,8 @@ from ..functions.blocks import parameters
 from ..functions.element_forces import named_forces
 from .blocks import Holds, holds
 from .element_kinds import kind_of
-from .element_structure import structure
 from .nodal_scene import NODE, Key, Scene
-from .parts import Part, parts
+from .parts import Part, parts, structure
 from .planar_kinds import flattened
 from .planarity import check, planes
 from .record import (

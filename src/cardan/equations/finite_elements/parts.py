@@ -2,19 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections import Counter
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, fields, is_dataclass, replace
 from typing import Any
 
+from ...elements.forces.force import ForceElement
 from ...elements.joints.fixed import Fixed
 from ...elements.joints.joint import Joint as JointElement
+from ...elements.joints.joint import Reversed
 from ...ir.graph import ZERO
 from ...topology.loops.circuits import circuit
 from ...topology.system import Cut, Force, Named, System
+from ..constraints.constraints import rows
 from ..constraints.reaction_friction import friction_forces
 from ..functions.element_forces import named_forces
 from .element_systems import MOVING_JOINT, Cutting, Mass
 from .nodal_scene import Scene
+from .record import BlockKind
 
 TREE = "Roberson and Schwertassek, Dynamics of Multibody Systems, 1988, chapter 12"
 BODY = "Géradin and Cardona, Flexible Multibody Dynamics, 2001, chapter 7 (rigid body)"
@@ -56,6 +61,23 @@ class Part:
     forces: tuple[str, ...] = ()
     events: tuple[int, ...] = ()
     rigid: bool = False
+
+    @property
+    def family(self) -> str:
+        """Body, joint or force; "" of relations and outputs."""
+        if self.joint:
+            return "joint"
+        return "body" if self.rigid else "force" * bool(self.system.forces)
+
+    @property
+    def rows(self) -> tuple[tuple[str, str], ...]:
+        """Names of its rows of constraints behind its own name, and their units."""
+        named, taken = list[tuple[str, str]](), Counter[str]()
+        for row in rows(self.system):
+            name = row.name.partition(".")[2]
+            taken[name] += 1
+            named.append((f"{name}{taken[name]}" if taken[name] > 1 else name, row.unit))
+        return tuple(named)
 
 
 def parts(scene: Scene) -> Iterator[Part]:
@@ -250,3 +272,59 @@ def _output(scene: Scene, entry: Named) -> Part:
     (node,) = cutting.expressions((entry.node,), "value")
     system = cutting.system_of(outputs=(Named("output", node, entry.unit),))
     return Part(entry.name, "output", cutting, system, results=(entry.name,))
+
+
+# what members have in common
+
+
+def structure(part: Part, places: Iterable[BlockKind]) -> str:
+    """Text that two pieces share if and only if the same functions serve both."""
+    system = part.system
+    signature = (
+        system.bodies,
+        [replace(joint, element=_outline(joint.element)) for joint in system.joints],  # type: ignore[arg-type]
+        [replace(cut, element=_outline(cut.element)) for cut in system.cuts],  # type: ignore[arg-type]
+        [replace(force, element=_outline(force.element)) for force in system.forces],  # type: ignore[arg-type]
+        system.frames,
+        system.constraints,
+        system.outputs,
+        system.gravity,
+        system.atoms,
+        part.kind,
+        part.joint,
+        part.reversed_joint,
+        part.driven,
+        len(part.cutting.z),
+        len(part.cutting.s),
+        [(n, part.cutting.system.joints[i].reversed) for i, n in part.cutting.moved.items()],
+        part.tree,
+        [place.name for place in places],
+        system.graph.nodes,
+    )
+    return repr(signature)
+
+
+def _outline(element: JointElement | ForceElement) -> str:
+    """An element without the numbers and names that a member may have of its own."""
+    if isinstance(element, Reversed):
+        return f"reversed {_outline(element.element)}"
+    quantities = element.quantities()
+    assert is_dataclass(element)
+    signature = [
+        (field.name, _pattern(getattr(element, field.name), field.name in quantities))
+        for field in fields(element)
+        if field.type not in ("Place", "Bodies", "JointName")
+    ]
+    constrained = (element.locked, element.slips) if isinstance(element, JointElement) else ()
+    return repr((type(element).__name__, signature, constrained))
+
+
+def _pattern(value: object, by_value: bool) -> str:
+    """Part of a field that the equations may depend on; of a quantity of a member only its form."""
+    if isinstance(value, (tuple, list)):
+        return f"({', '.join(_pattern(x, by_value) for x in value)})"
+    if not by_value or value is None or isinstance(value, (str, bool)):
+        return repr(value)
+    if isinstance(value, (int, float)):
+        return repr(float(value)) if value in (0, 1, -1) else "number"
+    return "expression"

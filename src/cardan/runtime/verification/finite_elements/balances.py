@@ -9,7 +9,6 @@ Source: Lurie, Analytical Mechanics (2002), chapter 10, for speeds that are not 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from typing import Any
 
 import numpy as np
 
@@ -182,7 +181,7 @@ def _ledger(members: Members, force: Array) -> float:
     return missing(expected[:, None], off, work[:, None], *terms)
 
 
-LAWS: dict[str, Callable[[Members], Any]] = {
+LAWS: dict[str, Callable[[Members], float | str]] = {
     "balance": balance,
     "balance_tangent": _tangent,
     "gamma": _gamma,

@@ -228,8 +228,8 @@ class _Events:
         if not k:
             return {"tau": responses}
         first = sum(len(group) * group.kind.frictions for group in groups[:number])
-        own = self.certainty[first : first + n * k].reshape(n, k)
-        return {"tau": np.concatenate([own, responses], axis=1)}
+        certainty = self.certainty[first : first + n * k].reshape(n, k)
+        return {"tau": np.concatenate([certainty, responses], axis=1)}
 
     def _call(self, number: int, form: str, at: State, **more: Array) -> Array:
         """Results (n, size) of a function of a group."""

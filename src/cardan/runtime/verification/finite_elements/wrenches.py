@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
 
 import numpy as np
 
@@ -134,7 +133,7 @@ def _bodies(members: Members) -> float | str:
     return max(missing(expected, off, result) for expected, result in flat)
 
 
-LAWS: dict[str, Callable[[Members], Any]] = {
+LAWS: dict[str, Callable[[Members], float | str]] = {
     "reaction": _reaction,
     "element_forces": _element_forces,
     "reaction_friction": _reaction_friction,
