@@ -257,8 +257,8 @@ class JointConstraint:
         moved = self._column(forward(self.graph, p.nodes, self.time_seeds))
         if max(map(len, self._paths)) > 1:
             rate = Matrix(self.graph, 3, 3, forward(self.graph, R.nodes, self.time_seeds))
-            turning = R.T @ rate
-            omega = [turning[2, 1].node, turning[0, 2].node, turning[1, 0].node]
+            spin = R.T @ rate
+            omega = [spin[2, 1].node, spin[0, 2].node, spin[1, 0].node]
             return Matrix.vstack(self._column(omega), R.T @ moved)
         (w_a, _), (w_b, _) = self._speeds(self.parent), self._speeds(self.child)
         axes = self.k.matrix(3, 3, self.k.system.frames[self.cut.child_frame].rotation)

@@ -17,13 +17,14 @@ from ..functions.blocks import parameters
 from ..functions.element_forces import named_forces
 from .blocks import Holds, holds
 from .element_kinds import kind_of
+from .kind_structure import structure
 from .nodal_scene import NODE, Key, Scene
-from .parts import Part, parts, structure
+from .parts import Part, parts
 from .planar_kinds import flattened
 from .planarity import check, planes
 from .record import (
-    CARRIED,
     GROUND,
+    ON_TREE,
     BlockKind,
     FiniteElementRecord,
     Frames,
@@ -87,8 +88,8 @@ def _lowered(scene: Scene, normal: int | None) -> FiniteElementRecord:
     other = sum(kind.mp * len(members) for kind, members in sorted_parts)
     for kind, members in sorted_parts:
         rows = _rows(kind, len(members), position, other)
-        carrying = {i: k for k, i in enumerate(sorted(scene.in_trees))}
-        groups.append(_group(kind, members, at, rows, system, (results, powers), carrying))
+        tree_number = {i: k for k, i in enumerate(sorted(scene.in_trees))}
+        groups.append(_group(kind, members, at, rows, system, (results, powers), tree_number))
         position += kind.mp * len(members)
         other += (kind.m - kind.mp) * len(members)
     numbered = [
@@ -107,7 +108,7 @@ def _lowered(scene: Scene, normal: int | None) -> FiniteElementRecord:
         tree_joints=tuple(system.joints[i].name for i in sorted(scene.in_trees)),
         joints={part.name: at for part, at in numbered if part.joint},
         forces={one.name: forces[one.name] for one in named_forces(system) if one.name in forces},
-        states=states(scene, bodies),
+        states=states(scene, bodies, beams.tree_ends),
         results=tuple((name, _unit(system, name)) for name in results),
         powers=tuple(powers),
         reference=beams.reference,
@@ -183,7 +184,7 @@ def _group(
     rows: Integers,
     system: System,
     named: tuple[Mapping[str, int], Mapping[str, int]],
-    carrying: Mapping[int, int],
+    tree_number: Mapping[int, int],
 ) -> Group:
     """The table of the members of a kind."""
     results, powers = named
@@ -201,7 +202,7 @@ def _group(
         if "outputs" in has
         else None,
         powers=_table([[powers[n] for n in p.powers] for p in members]) if "power" in has else None,
-        reactions=_table([[carrying[i] for i in p.cutting.moved] for p in members])
+        reactions=_table([[tree_number[i] for i in p.cutting.moved] for p in members])
         if "reactions" in has
         else None,
     )
@@ -239,7 +240,7 @@ def _frames(
     """Poses of the frames of the scene on their nodes or bodies of trees."""
     system = scene.system
     frames = [system.frames[scene.frame(k)] for k in range(len(system.frames))]
-    place = [GROUND if f.body < 0 else at.get((NODE, f.body), CARRIED) for f in frames]
+    place = [GROUND if f.body < 0 else at.get((NODE, f.body), ON_TREE) for f in frames]
     rotation = tuple(node for f in frames for node in f.rotation)
     position = tuple(node for f in frames for node in f.position)
     results = [
@@ -258,8 +259,8 @@ def _frames(
         if part.tree
         for k, i in enumerate(part.cutting.moved)
     }
-    carried = {k: bodies[f.body] for k, f in enumerate(frames) if f.body in bodies}
-    return Frames(np.array(place, dtype=np.intp), poses, carried)
+    on_trees = {k: bodies[f.body] for k, f in enumerate(frames) if f.body in bodies}
+    return Frames(np.array(place, dtype=np.intp), poses, on_trees)
 
 
 def _unit(system: System, name: str) -> str:

@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, fields, is_dataclass, replace
-from typing import Any
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TypedDict
 
-from ...elements.forces.force import ForceElement
 from ...elements.joints.fixed import Fixed
 from ...elements.joints.joint import Joint as JointElement
-from ...elements.joints.joint import Reversed
 from ...ir.graph import ZERO
 from ...topology.loops.circuits import circuit
 from ...topology.system import Cut, Force, Named, System
@@ -19,7 +17,6 @@ from ..constraints.reaction_friction import friction_forces
 from ..functions.element_forces import named_forces
 from .element_systems import MOVING_JOINT, Cutting, Mass
 from .nodal_scene import Scene
-from .record import BlockKind
 
 TREE = "Roberson and Schwertassek, Dynamics of Multibody Systems, 1988, chapter 12"
 BODY = "Géradin and Cardona, Flexible Multibody Dynamics, 2001, chapter 7 (rigid body)"
@@ -80,6 +77,14 @@ class Part:
         return tuple(named)
 
 
+class Driving(TypedDict):
+    """What an element gives prescribed joints, as attributes of its part."""
+
+    driven: tuple[int, ...]
+    results: tuple[str, ...]
+    powers: tuple[str, ...]
+
+
 def parts(scene: Scene) -> Iterator[Part]:
     """The pieces of a system: bodies, joints of the tree, those that close loops, the rest."""
     system, without_node = scene.system, scene.in_trees | set(scene.joints_of_cuts)
@@ -119,15 +124,15 @@ def _tree(scene: Scene, tree: tuple[int, ...]) -> Part:
     """Bodies that joints carry from the ground or a node on."""
     cutting = Cutting(scene)
     for i in tree:
-        cutting.carried(i, _mass(cutting, i))
+        cutting.tree_body(i, _mass(cutting, i))
     gravity = cutting.expressions(scene.system.gravity, "gravity")
     name = scene.system.joints[tree[0]].name
     system = cutting.system_of(gravity=gravity)
     return Part(name, "tree", cutting, system, TREE, tree=True, **_driven(cutting, {}))
 
 
-def _driven(cutting: Cutting, driven: dict[int, int], *powers: str) -> dict[str, Any]:
-    """What an element gives prescribed joints, as attributes of its part.
+def _driven(cutting: Cutting, driven: dict[int, int], *powers: str) -> Driving:
+    """What an element gives prescribed joints.
 
     Args:
         cutting: Its places, with the joints of trees that carry it.
@@ -135,8 +140,8 @@ def _driven(cutting: Cutting, driven: dict[int, int], *powers: str) -> dict[str,
         powers: Names of its other powers.
     """
     system = cutting.system
-    carrying = {i: n for i, n in cutting.moved.items() if system.joints[i].motion is not None}
-    every = driven | carrying
+    tree_joints = {i: n for i, n in cutting.moved.items() if system.joints[i].motion is not None}
+    every = driven | tree_joints
     joints = [system.joints[i] for i in every]
     return {
         "driven": tuple(every.values()),
@@ -272,59 +277,3 @@ def _output(scene: Scene, entry: Named) -> Part:
     (node,) = cutting.expressions((entry.node,), "value")
     system = cutting.system_of(outputs=(Named("output", node, entry.unit),))
     return Part(entry.name, "output", cutting, system, results=(entry.name,))
-
-
-# what members have in common
-
-
-def structure(part: Part, places: Iterable[BlockKind]) -> str:
-    """Text that two pieces share if and only if the same functions serve both."""
-    system = part.system
-    signature = (
-        system.bodies,
-        [replace(joint, element=_outline(joint.element)) for joint in system.joints],  # type: ignore[arg-type]
-        [replace(cut, element=_outline(cut.element)) for cut in system.cuts],  # type: ignore[arg-type]
-        [replace(force, element=_outline(force.element)) for force in system.forces],  # type: ignore[arg-type]
-        system.frames,
-        system.constraints,
-        system.outputs,
-        system.gravity,
-        system.atoms,
-        part.kind,
-        part.joint,
-        part.reversed_joint,
-        part.driven,
-        len(part.cutting.z),
-        len(part.cutting.s),
-        [(n, part.cutting.system.joints[i].reversed) for i, n in part.cutting.moved.items()],
-        part.tree,
-        [place.name for place in places],
-        system.graph.nodes,
-    )
-    return repr(signature)
-
-
-def _outline(element: JointElement | ForceElement) -> str:
-    """An element without the numbers and names that a member may have of its own."""
-    if isinstance(element, Reversed):
-        return f"reversed {_outline(element.element)}"
-    quantities = element.quantities()
-    assert is_dataclass(element)
-    signature = [
-        (field.name, _pattern(getattr(element, field.name), field.name in quantities))
-        for field in fields(element)
-        if field.type not in ("Place", "Bodies", "JointName")
-    ]
-    constrained = (element.locked, element.slips) if isinstance(element, JointElement) else ()
-    return repr((type(element).__name__, signature, constrained))
-
-
-def _pattern(value: object, by_value: bool) -> str:
-    """Part of a field that the equations may depend on; of a quantity of a member only its form."""
-    if isinstance(value, (tuple, list)):
-        return f"({', '.join(_pattern(x, by_value) for x in value)})"
-    if not by_value or value is None or isinstance(value, (str, bool)):
-        return repr(value)
-    if isinstance(value, (int, float)):
-        return repr(float(value)) if value in (0, 1, -1) else "number"
-    return "expression"

@@ -165,7 +165,7 @@ def _check_mesh(elements: Tables, manifest: Manifest) -> None:
             size = (kind.m if name in "RGHL" else kind.nu) * (kind.m if name == "H" else kind.nu)
             if name not in PARTS or start > most - size:
                 raise ValueError(f"matrices of '{kind.name}' lie outside of its tangent")
-    inside = all(np.all((line >= -1) & (line < places)) for line in elements.beams)
+    inside = all(_on_places(line, places) for line in elements.beams)
     for right, what in (
         (
             (elements.mp, elements.m) == (manifest.position_rows, len(manifest.multipliers)),
@@ -178,6 +178,11 @@ def _check_mesh(elements: Tables, manifest: Manifest) -> None:
     ):
         if not right:
             raise ValueError(f"its {what} are not those of the manifest")
+
+
+def _on_places(line: Any, places: int) -> bool:
+    """True when a line of nodes has places of the model; its ends may be elsewhere."""
+    return bool(len(line) > 1 and np.all(line < places) and np.all(line[1:-1] >= 0))
 
 
 def _tables(manifest: Manifest, numbers: Mapping[str, Any]) -> Tables:

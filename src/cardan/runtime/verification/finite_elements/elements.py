@@ -1,7 +1,7 @@
 """Functions of every kind of element, judged by each other and by laws that no element may break.
 
 Momenta follow from kinetic energies, what constraints transmit from their rows; see
-:mod:`.balances` and :mod:`.flexible`.
+:mod:`.balances` and :mod:`.element_ends`.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from ..differences import BLURRED, worst_of
-from . import balances, element_events, flexible, wrenches
+from . import balances, element_ends, element_events, wrenches
 from .balances import NO_LAW
 from .members import Members, NotThere
 
@@ -65,7 +65,7 @@ def _text(members: Members, form: str) -> float:
 
 LAWS: dict[str, Callable[[Members], Any]] = {
     **balances.LAWS,
-    **flexible.LAWS,
+    **element_ends.LAWS,
     **wrenches.LAWS,
     **element_events.LAWS,
 }

@@ -1,4 +1,4 @@
-"""Energies, momenta and stresses of flexible elements, judged by quadrature along their shapes.
+"""Flexible elements: poses and speeds at their ends, and quadrature along their shapes.
 
 Elements with unknowns of their own are judged by the plain ones.
 """
@@ -6,7 +6,6 @@ Elements with unknowns of their own are judged by the plain ones.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from typing import Any
 
 import numpy as np
 
@@ -18,7 +17,7 @@ from .members import NODE, Members, in_space
 from .shapes import ENERGIES, MOMENTA, STRESSES, quaternion_of
 
 
-def _ends(members: Members) -> tuple[Array, Array, dict[str, Array]] | None:
+def ends_of(members: Members) -> tuple[Array, Array, dict[str, Array]] | None:
     """Poses (n, 14) and speeds (n, 12) of both ends of a flexible element, and its data by name.
 
     Ends that are fixed to nodes, or to the ground, have their place among the data. None of
@@ -75,7 +74,7 @@ def _end_motion(
 
 def _energy(members: Members) -> float | str:
     """By quadrature of strain measures and of point masses, and by what it does."""
-    law, ends = balance(members), _ends(members)
+    law, ends = balance(members), ends_of(members)
     names = [name for name in ENERGIES if members.table.kind.name.startswith(name)]
     energies = ENERGIES[max(names, key=len)](*ends) if ends and names else None
     if energies is None:
@@ -86,7 +85,7 @@ def _energy(members: Members) -> float | str:
 
 def _momentum(members: Members) -> float | str:
     """dT/dv, and its moment with dT/domega; of points along the shape where an end is held."""
-    ends = _ends(members)
+    ends = ends_of(members)
     names = [name for name in MOMENTA if members.table.kind.name.startswith(name)]
     value = members.call("momentum")
     if ends and names:
@@ -140,7 +139,7 @@ def _mixed_step(members: Members) -> float | str:
 
 def _stress(members: Members) -> float | str:
     """By quadrature of strain measures."""
-    ends = _ends(members)
+    ends = ends_of(members)
     names = [name for name in STRESSES if members.table.kind.name.startswith(name)]
     expected = STRESSES[max(names, key=len)](ends[0], ends[2]) if ends and names else None
     if expected is None:
@@ -149,7 +148,7 @@ def _stress(members: Members) -> float | str:
     return max(relative(value[:, k] - expected[:, k], expected[:, k]) for k in range(4))
 
 
-LAWS: dict[str, Callable[[Members], Any]] = {
+LAWS: dict[str, Callable[[Members], float | str]] = {
     "energy": _energy,
     "momentum": _momentum,
     "mixed": _mixed,
