@@ -7,7 +7,6 @@ Momenta follow from kinetic energies, what constraints transmit from their rows;
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from typing import Any
 
 import numpy as np
 
@@ -63,7 +62,7 @@ def _text(members: Members, form: str) -> float:
     return float(np.maximum(gap - rounding, 0.0).max(initial=0.0)) / (size or 1.0)
 
 
-LAWS: dict[str, Callable[[Members], Any]] = {
+LAWS: dict[str, Callable[[Members], float | str]] = {
     **balances.LAWS,
     **element_ends.LAWS,
     **wrenches.LAWS,

@@ -123,9 +123,9 @@ def _bodies(members: Members) -> float | str:
     slope, off = members.slope(lambda b: members.call("bodies", b), rates_of(members))
     (R, _, velocity, acceleration), rates = parts(value), parts(slope)
     axes = np.moveaxis(R.reshape(*R.shape[:-1], 3, 3), -1, 0)
-    turned = np.stack([cross(velocity[..., :3], axis) for axis in axes], axis=-1)
+    axis_rates = np.stack([cross(velocity[..., :3], axis) for axis in axes], axis=-1)
     pairs = (
-        (rates[0], turned.reshape(R.shape)),
+        (rates[0], axis_rates.reshape(R.shape)),
         (rates[1], velocity[..., 3:]),
         (rates[2], acceleration),
     )
