@@ -65,6 +65,7 @@ class Cutting:
         data: Expression in the parameters of the scene of each of its own parameters.
         moved: Bodies of rigid trees of the scene -> their numbers here.
         z, s: Entries of the internal states and modes of the scene that it reads.
+        events: Number of the events of its elements.
     """
 
     def __init__(self, scene: Scene) -> None:
@@ -78,6 +79,7 @@ class Cutting:
         self.atoms: dict[str, Atom] = {}
         self.places: list[Key] = []
         self.data: list[int] = []
+        self.events = 0
         self.moved: dict[int, int] = {}
         self.z: list[int] = []
         self.s: list[int] = []
@@ -176,7 +178,9 @@ class Cutting:
             self.expressions(joint.position, "place_position"),
         )
         data = self.quantities(joint.data)
-        return self._moving(MOVING_JOINT, i, parent, joint.element, data, place)
+        number = self._moving(MOVING_JOINT, i, parent, joint.element, data, place)
+        self._joint.setdefault(i, number)
+        return number
 
     def _stand_in(self, i: int) -> tuple[JointElement, Data]:
         """A joint with the same coordinates; where there is one, of the simplest kind."""

@@ -301,8 +301,8 @@ class JointConstraint:
         nodes = [column[i] for i in range(x.rows) for column in columns]
         return Matrix(self.graph, x.rows, len(self.seeds), nodes)
 
-    def transmitted(self, lam: Matrix) -> Closing:
-        """Wrench that the joint transmits."""
+    def wrench(self, lam: Matrix) -> Matrix:
+        """Wrench of P on C at the origin of C, in C axes (6, 1), by the first multipliers."""
         gradients = closed(self.cut.element, *self.pose, self.data)[1]
         position_count, slips = gradients.rows, len(self.cut.element.slips)
         total = gradients.T @ lam.block(slice(0, position_count))
@@ -310,8 +310,12 @@ class JointConstraint:
             unit = Matrix.identity(self.graph, 6)
             rows = Matrix.hstack(*[self._slip(unit.column(j)) for j in range(6)])
             total = total + rows.T @ lam.block(slice(position_count, position_count + slips))
-        R, position = self.pose
-        return Closing(self.cut, (self.settled(R), self.settled(position)), self.settled(total))
+        return total
+
+    def transmitted(self, lam: Matrix) -> Closing:
+        """Wrench that the joint transmits."""
+        R, position = (self.settled(x) for x in self.pose)
+        return Closing(self.cut, (R, position), self.settled(self.wrench(lam)))
 
     def _column(self, nodes: list[int]) -> Matrix:
         return Matrix(self.graph, len(nodes), 1, nodes)

@@ -49,7 +49,7 @@ def lowered(
         nodes: As of :class:`.nodal_scene.Scene`.
 
     Raises:
-        DerivationError: it has friction pressed by reactions; or leaves the plane.
+        DerivationError: it is made of written equations, or leaves the plane.
     """
     _refuse(system)
     scene = Scene(system, nodes)
@@ -97,7 +97,7 @@ def _lowered(scene: Scene, normal: int | None) -> FiniteElementRecord:
         for g, (_, members) in enumerate(sorted_parts)
         for e, part in enumerate(members)
     ]
-    forces = {part.force: at for part, at in numbered}
+    forces = {name: at for part, at in numbered for name in part.forces}
     if normal is not None:
         check(scene, (*groups, *beams.groups), space | beams.space, normal)
     return FiniteElementRecord(
@@ -130,25 +130,13 @@ def _refuse(system: System) -> None:
     """Refuse options that belong to joint coordinates alone.
 
     Raises:
-        DerivationError: written equations, or friction pressed by reactions.
+        DerivationError: it is made of written equations.
     """
     if system.written:
         raise DerivationError(
             f"'{system.name}' is made of written equations, which have coordinates of their own: "
             'leave out coordinates="absolute"'
         )
-    for force in system.forces:
-        what = ""
-        if force.element.by_reaction:
-            what = "the force follows from the reaction of its joint"
-        if what:
-            cure = 'Use coordinates="relative"'
-            if system.segments:
-                cure = "Beams have no others: leave it out, or put rigid bodies in place of beams"
-            raise DerivationError(
-                f"'{force.name}' ({force.element.kind}): {what}, which absolute coordinates do not "
-                f"have. {cure}"
-            )
 
 
 def _sorted(

@@ -12,6 +12,7 @@ from ...elements.joints.joint import Reversed
 from ...ir.function import live
 from ...topology.conversion import IDENTITY, ORIGIN
 from ...topology.system import GROUND, Cut, System
+from ..constraints.reaction_friction import friction_forces
 
 NODE, JOINT = "node", "joint"
 # what a place belongs to: (NODE, body) or (JOINT, joint)
@@ -65,8 +66,15 @@ class Scene:
             and i not in self._in_relations
             and i not in self.joints_of_cuts
             and not joint.element.slips
+            and i not in self._with_friction
             and not (joint.element == Free() and bodies[i].parent == GROUND)
         )
+
+    @cached_property
+    def _with_friction(self) -> frozenset[int]:
+        """Joints with friction that follows from their reactions: multipliers tell these."""
+        frictions = friction_forces(self.system)
+        return frozenset(i for force in frictions for i in force.joints.values())
 
     @cached_property
     def _in_relations(self) -> frozenset[int]:

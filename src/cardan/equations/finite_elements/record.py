@@ -141,6 +141,7 @@ class Kind:
             between ends in space.
         element: Its element in the catalog, such as "revolute"; "body" of rigid bodies.
         part: "body", "joint", "force" or "beam"; "" of others.
+        switched: Number of its rows that hold in some modes, the last ones.
     """
 
     name: str
@@ -153,6 +154,7 @@ class Kind:
     formulas: Lines = field(default=(), repr=False)
     element: str = ""
     part: str = ""
+    switched: int = 0
 
     @property
     def m(self) -> int:
