@@ -146,7 +146,7 @@ class Carrier:
             Transforms (4, 4) of ground axes of what each place carries, and a position (3,).
         """
         x = np.concatenate([q, np.zeros(self.model.nu)])
-        moves, ends = [], {GROUND: STILL, **self._tree_ends(*self.model.split(x)[:2])}
+        moves, ends = [], {GROUND: STILL, **self._tree_ends(q, x[len(q) :])}
         for place in (one, other):
             at_node = place >= 0
             motion = motion_of(self.tables, self.reference, x, place) if at_node else ends[place]
