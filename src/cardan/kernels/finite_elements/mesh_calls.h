@@ -19,6 +19,8 @@ static inline cardan_state cardan_state_of(const cardan_in *in)
 
 int cardan_mesh_accelerations(const cardan_mesh *mesh, const cardan_state *asked, const real *tau,
                               real *out, real *work);
+/* how certain friction is that follows from reactions (frictions), in `work` of the last solution */
+real *cardan_mesh_certainty(const cardan_mesh *mesh, real *work);
 int cardan_mesh_values(const cardan_mesh *mesh, const cardan_state *at, const real *shares,
                        real *a, real *work);
 int cardan_mesh_call_balance(const cardan_in *in, real *out, real *work);

@@ -157,4 +157,13 @@ double cardan_sparse_determinant(const cardan_sparse *plan, const cardan_sparse_
 double cardan_sparse_smallest(const cardan_sparse *plan, const cardan_sparse_factors *f,
                               ptrdiff_t steps, double *x);
 
+/* sparse_pair.c: the plan of a complex matrix as a real one of pairs, whose tables lie in memory of
+ * so many numbers; `fill` writes them. */
+ptrdiff_t cardan_sparse_pair_length(const cardan_sparse *plan);
+void cardan_sparse_pair(const cardan_sparse *plan, double *memory, cardan_sparse *pair);
+void cardan_sparse_pair_fill(const cardan_sparse *plan, double *memory);
+/* a = powers[0] + c powers[1] + c^2 powers[2] with c = re + i im, as the plan of pairs has it. */
+void cardan_sparse_pair_combine(const cardan_sparse *plan, const double *const *powers,
+                                double re, double im, double *a);
+
 #endif
