@@ -49,9 +49,9 @@ static int prepare(cardan_run *run, real h)
     cardan_radau *now = now_of(run);
     int status = 0;
 
-    if (now->factored == h && now->reusable)
+    if (now->factored == h && now->reusable != 0)
         return 0;
-    if (!now->current) {
+    if (now->current == 0) {
         status = form_of(run)->jacobian(run, h);
         if (status != 0)
             return status;
@@ -171,7 +171,7 @@ static real asking(const cardan_radau *now, real h, real error, int count)
     real trend = 1;
 
     if (now->h != 0 && error > 0)
-        trend = fmin(1, h / now->h * pow(now->error / error, 1.0 / ORDER));
+        trend = fmin(1, h / now->h * pow(now->error / error, 1 / (real)ORDER));
     return error * pow(patience * trend, -ORDER);
 }
 
@@ -183,12 +183,12 @@ static void remember(cardan_run *run, real h, real error, real wish)
     form_of(run)->remember(run);
     /* accepted, but the controller asks for a smaller step */
     if (wish > 1 && error <= 1)
-        run->h *= fmax(0.2, pow(wish, -1.0 / ORDER));
+        run->h *= fmax(0.2, pow(wish, -1 / (real)ORDER));
     now->h = h;
     now->error = fmax(error, 0.01);
     now->current = 0;
     /* keep h if it would change little: this saves a new Jacobian and new factors */
-    if (now->reusable && fabs(run->h) >= SHRINK * fabs(h) && fabs(run->h) < GROW * fabs(h))
+    if (now->reusable != 0 && fabs(run->h) >= SHRINK * fabs(h) && fabs(run->h) < GROW * fabs(h))
         run->h = h;
 }
 
@@ -214,7 +214,7 @@ static int step(cardan_run *run)
         run->culprit = -1;
         failed = attempt(run, h, &error, &count);
         /* Newton failed with an old Jacobian: repeat the same step with a new one */
-        if (failed == CARDAN_TOO_SMALL && !now->current) {
+        if (failed == CARDAN_TOO_SMALL && now->current == 0) {
             now->reusable = 0;
             continue;
         }

@@ -93,11 +93,16 @@ static ptrdiff_t length(const cardan_run *run)
     return lay(&measured, &v);
 }
 
-/* Tables of elements do not come from files. */
+/* Whether the stored factors name rows that exist. The tables of the plan of pairs are those of this
+ * plan, whatever a file says. */
 static int sound(const cardan_run *run)
 {
-    (void)run;
-    return 0;
+    cardan_radau_stages v;
+
+    (void)lay(run, &v);
+    cardan_sparse_pair_fill(v.mesh->plan, v.tables);
+    return cardan_sparse_sound(v.mesh->plan, &v.alone.factors, v.now[RADAU_WEAK])
+           && cardan_sparse_sound(&v.pairs, &v.pair.factors, v.now[RADAU_WEAK_PAIR]);
 }
 
 cardan_state cardan_radau_state(const cardan_run *run, const real *t, const real *x, const real *lam)
