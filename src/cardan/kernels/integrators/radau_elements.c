@@ -27,6 +27,7 @@
 #include "radau_tables.h"
 #include <float.h>
 #include <math.h>
+#include <string.h>
 
 /* part of a state by which it is changed for slopes */
 static const real CHANGED = 1e-7;
@@ -58,6 +59,7 @@ static ptrdiff_t lay(const cardan_run *run, cardan_radau_stages *v)
     v->rates = cardan_reserve(memory, &used, 3 * nu);
     v->states = cardan_reserve(memory, &used, 3 * run->nx);
     v->maps = cardan_reserve(memory, &used, 27 * mesh->places);
+    v->turns = cardan_reserve(memory, &used, 27 * mesh->places);
     v->residual = cardan_reserve(memory, &used, 3 * (nu + mesh->mp + m));
     v->gaps = cardan_reserve(memory, &used, 3 * mesh->mp);
     v->kinematic = cardan_reserve(memory, &used, 3 * nu);
@@ -303,6 +305,7 @@ int cardan_radau_place(cardan_run *run, const cardan_radau_stages *v, int stage)
                                          v->maps + 9 * stage * v->mesh->places, v->alone.work);
     for (ptrdiff_t i = 0; i < v->nu + v->nz; i++)
         state[run->nq + i] = run->y[run->nq + i] + x[i];
+    cardan_radau_turns(run, v, stage);
     return run->model_status == 0 ? 0 : CARDAN_MODEL;
 }
 
@@ -470,12 +473,16 @@ static int close_stage(const cardan_radau_stages *v, int stage, real *change)
     int status = 0;
 
     if (mp > 0) {
-        const real *closing = times(v, 0, change, 0);
+        real *turned = v->udot;
+        memcpy(turned, change, (size_t)nu * sizeof(real));
+        cardan_radau_backward(v, stage, turned);
+        const real *closing = times(v, 0, turned, 0);
         for (ptrdiff_t i = 0; i < nu; i++)
             system.right[i] = 0;
         for (ptrdiff_t k = 0; k < v->m; k++)
             system.right[unknown[k]] = k < mp ? -gaps[k] - closing[unknown[k]] : 0;
         status = cardan_mesh_solve(v->mesh, &system);
+        cardan_radau_forward(v, stage, system.solution);
         for (ptrdiff_t i = 0; i < nu; i++) {
             shift[i] += system.solution[i];
             change[i] += system.solution[i];
@@ -494,12 +501,19 @@ static int solve(const cardan_radau_stages *v, real h)
     real *b = v->residual;
     int status;
 
+    for (int s = 0; s < 3; s++) {
+        cardan_radau_backward(v, s, b + s * rows);
+        cardan_radau_backward(v, s, v->kinematic + s * nu);
+    }
     transform(T_INVERSE, rows, b);
     transform(T_INVERSE, nu, v->kinematic);
     status = solve_alone(v, h / ALONE, b, b + nu + mp, v->kinematic);
     if (status == 0)
         status = solve_pair(v, h * REAL / square, -h * IMAG / square, b + rows, b + 2 * rows,
                             b + rows + nu + mp, b + 2 * rows + nu + mp, v->kinematic + nu);
+    transform(T, rows, b);
+    for (int s = 0; s < 3; s++)
+        cardan_radau_forward(v, s, b + s * rows);
     /* without convergence there are shorter steps */
     return status == 0 ? 0 : CARDAN_TOO_SMALL;
 }
@@ -551,13 +565,6 @@ static int iterate(cardan_run *run, real h, real *size)
     if (status != 0)
         return status;
     for (int s = 0; s < 3; s++) {
-        for (ptrdiff_t i = 0; i < nu; i++)
-            v.w[s * v.width + i] += b[s * rows + i];
-        for (ptrdiff_t k = 0; k < v.m; k++)
-            v.w[s * v.width + nu + nz + k] += b[s * rows + nu + mp + k];
-    }
-    transform(T, rows, b);
-    for (int s = 0; s < 3; s++) {
         real *x = v.x + s * v.width, *state = v.states + s * run->nx + nq;
         for (ptrdiff_t i = 0; i < nu; i++) {
             x[i] += b[s * rows + i];
@@ -566,6 +573,8 @@ static int iterate(cardan_run *run, real h, real *size)
         for (ptrdiff_t k = 0; k < v.m; k++)
             x[nu + nz + k] += b[s * rows + nu + mp + k];
     }
+    memcpy(v.w, v.x, (size_t)(3 * v.width) * sizeof(real));
+    transform(T_INVERSE, v.width, v.w);
     status = move(&v, h, v.states + nq, run->nx);
     for (int s = 0; s < 3; s++)
         sum += cardan_radau_squares(run, &v, v.kinematic + s * nu, b + s * rows, v.zdot + s * nz,

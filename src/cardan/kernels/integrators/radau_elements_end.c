@@ -50,9 +50,11 @@ static void take_gaps(const cardan_radau_stages *v, const real *gaps, ptrdiff_t 
         system.right[i] = 0;
     for (ptrdiff_t k = 0; k < v->m; k++)
         system.right[v->mesh->unknown[k]] = k < count ? -gaps[k] : 0;
-    if (cardan_mesh_solve(v->mesh, &system) == 0)
-        for (ptrdiff_t i = 0; i < v->nu; i++)
-            x[i] += system.solution[i];
+    if (cardan_mesh_solve(v->mesh, &system) != 0)
+        return;
+    cardan_radau_forward(v, 2, system.solution);
+    for (ptrdiff_t i = 0; i < v->nu; i++)
+        x[i] += system.solution[i];
 }
 
 /* Newton's iterations end with gaps of their tolerance: take these to rounding. */
