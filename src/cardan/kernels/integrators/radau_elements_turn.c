@@ -13,7 +13,7 @@
 #include <math.h>
 
 /* The rotation matrix of q conj(p), quaternions of length 1. */
-static void between(const real *p, const real *q, real *R)
+static void rotation_matrix(const real *p, const real *q, real *R)
 {
     const real w = q[0] * p[0] + q[1] * p[1] + q[2] * p[2] + q[3] * p[3];
     const real x = -q[0] * p[1] + q[1] * p[0] - q[2] * p[3] + q[3] * p[2];
@@ -34,7 +34,7 @@ void cardan_radau_turns(const cardan_run *run, const cardan_radau_stages *v, int
 
     for (ptrdiff_t k = 0; k < mesh->nodes; k++) {
         const ptrdiff_t place = mesh->node[k];
-        between(q0 + mesh->q[place], q + mesh->q[place], turns + 9 * place);
+        rotation_matrix(q0 + mesh->q[place], q + mesh->q[place], turns + 9 * place);
     }
     for (ptrdiff_t k = 0; k < mesh->flats; k++) {
         const ptrdiff_t place = mesh->flat[k];
