@@ -172,13 +172,13 @@ static int solve_alone(const cardan_radau_stages *v, real c, real *speeds, real 
 {
     const ptrdiff_t *unknown = v->mesh->unknown;
     cardan_mesh_system system = v->alone;
-    const real *stiff = times(v, 2, missed, 0), *body_axes = times(v, 1, missed, 1);
+    const real *stiff = times(v, 2, missed, 0), *rates = times(v, 1, missed, 1);
     int status;
 
     for (ptrdiff_t i = 0; i < v->nu; i++)
         system.right[i] = -c * c * (speeds[i] + stiff[i]);
     for (ptrdiff_t k = 0; k < v->m; k++)
-        system.right[unknown[k]] = -c * (multipliers[k] + body_axes[unknown[k]]);
+        system.right[unknown[k]] = -c * (multipliers[k] + rates[unknown[k]]);
     status = cardan_mesh_solve(v->mesh, &system);
     for (ptrdiff_t i = 0; i < v->nu; i++)
         speeds[i] = system.solution[i] / c;
