@@ -89,8 +89,8 @@ RULES: tuple[Rule, ...] = (
     Rule(
         "DOP853",
         lambda case: case.elements,
-        "rigid bodies on nodes, not stiff so far; GeneralizedAlpha, of order 2, would take many "
-        "more steps at this tolerance",
+        "rigid bodies on nodes, not stiff so far; Radau, which stiff ones take at this tolerance, "
+        "needs more steps",
     ),
     Rule(
         "DOP853",
