@@ -123,3 +123,18 @@ def test_stiff_internal_state_on_a_beam() -> None:
     )
     assert model.nz == 1
     np.testing.assert_allclose(motion.x[-1], exact.x[-1], atol=1e-7)
+
+
+def test_rosenbrock_goes_by_differences() -> None:
+    """Of the same order, with a Jacobian by differences and states projected after every step."""
+    model, other = cd.compile(swinging(), coordinates="absolute"), cd.compile(swinging())
+    exact = other.simulate(1.0, **START, method="DOP853", rtol=1e-13, atol=1e-14)
+    errors = []
+    for rtol in (1e-5, 1e-7, 1e-9):
+        motion = model.simulate(1.0, **START, method="Rosenbrock", rtol=rtol)
+        errors.append((motion.statistics["steps"], abs(motion["B"][-1] - exact["B"][-1])))
+    steps, off = np.log(np.array(errors)).T
+    slope = -(off[2] - off[0]) / (steps[2] - steps[0])
+    print("Rosenbrock over elements: steps and errors", errors, "order", slope)
+    assert errors[-1][1] < 1e-8
+    assert slope > 4
