@@ -19,7 +19,7 @@ from .equations.constraints.assembly_branches import with_branches
 from .equations.constraints.feasibility import feasibility
 from .equations.constraints.treatments import Treatment, treatment
 from .equations.finite_elements.lowering import lowered
-from .equations.finite_elements.nodal_scene import ends_of_beams
+from .equations.finite_elements.nodal_scene import ends_with_nodes
 from .equations.finite_elements.record import FiniteElementRecord
 from .equations.formalism_choice import check_chooses, chosen_by
 from .equations.record import EquationRecord
@@ -180,7 +180,7 @@ def _absolute(
             "out such arguments, or take coordinates='relative'"
         )
     equations: FiniteElementEquations = face(
-        lowered(system, plane, ends_of_beams(system) if trees else None)
+        lowered(system, plane, ends_with_nodes(system) if trees else None)
     )
     return equations
 

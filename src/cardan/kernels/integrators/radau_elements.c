@@ -78,12 +78,18 @@ static ptrdiff_t lay(const cardan_run *run, cardan_radau_stages *v)
     return used;
 }
 
+/* A count that may come from a file; 0 if it is none. */
+static int32_t count_of(real x, ptrdiff_t most)
+{
+    return x >= 0 && x <= (real)most ? (int32_t)x : 0;
+}
+
 void cardan_radau_stages_at(const cardan_run *run, cardan_radau_stages *v)
 {
     (void)lay(run, v);
     v->alone.open = v->pair.open = NULL;
-    v->alone.factors.weak = (int32_t)v->now[RADAU_WEAK];
-    v->pair.factors.weak = (int32_t)v->now[RADAU_WEAK_PAIR];
+    v->alone.factors.weak = count_of(v->now[RADAU_WEAK], v->mesh->plan->n);
+    v->pair.factors.weak = count_of(v->now[RADAU_WEAK_PAIR], v->pairs.n);
 }
 
 static ptrdiff_t length(const cardan_run *run)
@@ -95,11 +101,16 @@ static ptrdiff_t length(const cardan_run *run)
     return lay(&measured, &v);
 }
 
-/* Tables of elements do not come from files. */
+/* Whether the stored factors name rows that exist. The plan of pairs is written anew: what stands in
+ * memory may come from a file. */
 static int sound(const cardan_run *run)
 {
-    (void)run;
-    return 0;
+    cardan_radau_stages v;
+
+    cardan_radau_stages_at(run, &v);
+    cardan_sparse_pair_fill(v.mesh->plan, v.tables);
+    return cardan_sparse_sound(v.mesh->plan, &v.alone.factors, v.now[RADAU_WEAK])
+           && cardan_sparse_sound(&v.pairs, &v.pair.factors, v.now[RADAU_WEAK_PAIR]);
 }
 
 cardan_state cardan_radau_state(const cardan_run *run, const real *t, const real *x, const real *lam)

@@ -144,6 +144,10 @@ void cardan_sparse_substitute(const cardan_sparse *plan, const cardan_sparse_fac
 void cardan_sparse_signs(ptrdiff_t n, const double *d, ptrdiff_t width, double *work,
                          cardan_sparse_factors *f);
 
+/* Whether the rows and columns that factors name exist, as they may come from a file; `weak` is how many
+ * pivots were replaced, as a number. Memory that is zero is sound. */
+int cardan_sparse_sound(const cardan_sparse *plan, const cardan_sparse_factors *f, double weak);
+
 /* The logarithm of |det a|, and its sign, 1 or -1. Replaced pivots enter with their new values. */
 double cardan_sparse_determinant(const cardan_sparse *plan, const cardan_sparse_factors *f,
                                  double *sign);

@@ -92,6 +92,7 @@ int cardan_alpha_correct(cardan_run *run, const cardan_alpha *v, real h, real *d
 
 /* alpha_sparse.c */
 ptrdiff_t cardan_alpha_sparse_lay(const cardan_mesh *mesh, real *memory, cardan_alpha *v);
+int cardan_alpha_sparse_sound(const cardan_alpha *v);
 int cardan_alpha_sparse_renew(cardan_run *run, const cardan_alpha *v, real h, real t,
                               const real *y, const real *udot, const real *lam);
 int cardan_alpha_sparse_correct(cardan_run *run, const cardan_alpha *v, real h, real *dx);

@@ -96,10 +96,11 @@ ptrdiff_t cardan_alpha_length(const cardan_run *run)
     return lay(&measured, &v);
 }
 
-/* Whether the stored pivots are valid row indices; a mesh run cannot be restored from a file. */
+/* Whether the stored pivots are valid row indices (memory may come from a file). */
 int cardan_alpha_sound(const cardan_run *run)
 {
     const cardan_alpha v = cardan_alpha_at(run);
 
-    return !v.mesh && cardan_places_fit(v.order, v.size, 0, (real)(v.size - 1));
+    return v.mesh ? cardan_alpha_sparse_sound(&v)
+                  : cardan_places_fit(v.order, v.size, 0, (real)(v.size - 1));
 }
