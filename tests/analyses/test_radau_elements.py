@@ -102,7 +102,7 @@ def test_beam_with_all_that_may_happen() -> None:
     model = cd.compile(everything())
     runs = [
         model.simulate(0.12, method=method, rtol=rtol)
-        for method, rtol in (("Radau", 1e-7), ("DOP853", 1e-10))
+        for method, rtol in (("Radau", 1e-8), ("DOP853", 1e-11))
     ]
     names, times = ([[getattr(e, x) for e in run.events] for run in runs] for x in ("name", "t"))
     assert names[0] == names[1]
