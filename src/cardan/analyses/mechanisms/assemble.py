@@ -142,7 +142,7 @@ def finish(
             "udot= needs the function 'forward_dynamics': compile(..., functions=[...])"
         )
     # weighted targets that the nearest position does not reach
-    away = {t.name: t for t in targets if np.abs(missed(m, t, q)).max() > COST_TOL}
+    away = {t.name: t for t in targets if np.abs(missed(m, [t], q)).max() > COST_TOL}
     return AssemblyRecord(
         model=model,
         t=m.t,

@@ -95,7 +95,7 @@ def _conflict(
     """Message about the position found when all targets are only wished for."""
 
     def away(one: Solution) -> float:
-        return sum(float(np.sum(missed(m, target, one.q) ** 2)) for target in targets)
+        return float(np.sum(missed(m, targets, one.q) ** 2))
 
     ends = [replace(one, q=_unwrapped(m, one.q, targets)) for one in solutions if one.met]
     q = min(ends, key=away).q
@@ -112,7 +112,7 @@ def actual_value(m: Mechanism, target: Target, q: Array) -> str:
     if target.kind == "coordinate":
         numbers = [f"{x:.6g}" for x in q[target.place]]
         return numbers[0] if len(numbers) == 1 else f"({', '.join(numbers)})"
-    away = missed(m, target, q)
+    away = missed(m, [target], q)
     numbers = [f"{np.linalg.norm(away[-3:]) * m.size:.3g} m"]
     if target.kind == "pose":
         numbers.append(f"{np.linalg.norm(away[:3]):.3g} rad")

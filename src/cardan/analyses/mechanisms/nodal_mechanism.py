@@ -32,6 +32,7 @@ from .mechanism_record import Connection, called, searching
 
 ALWAYS = 1e-9  # residuals without units of conditions that hold wherever joints stand
 PROBE = 0.3  # radians, or sizes of the mechanism: a position like any other
+RANDOM_SPEEDS = 2  # at which rates of constraints are looked at
 # units of rows in the manifest, and those of multipliers as joint coordinates have them
 FORCES = {"m": "N", "m/s": "N", "rad": "N*m", "rad/s": "N*m"}
 NEARBY = 1e-6  # of a central difference of what beams miss
@@ -89,26 +90,36 @@ class NodalMechanism(Mechanism):
     # what closes
 
     @cached_property
-    def _probe(self) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
-        """Rows of the model that joints alone do not fulfill, and steps that these depend on.
-
-        The former are those of what closes loops; both are the same at almost all positions.
-        """
+    def _probed(self) -> Array:
+        """A position like any other (nq,), with nodes where joints carry them."""
         rng = np.random.default_rng(0)
-        q = self.advance(self.carry(self._start), rng.uniform(-PROBE, PROBE, self.nu))
-        T = self.carrier.moving(q, self._unit_steps(np.arange(self.nu)))
+        return self.advance(self.carry(self._start), rng.uniform(-PROBE, PROBE, self.nu))
+
+    @cached_property
+    def _rows(self) -> NDArray[np.intp]:
+        """Rows of the model that joints alone do not fulfill: those of what closes loops.
+
+        They are the same at almost all positions, and along almost all speeds.
+        """
+        q, speeds = self._probed, np.zeros((RANDOM_SPEEDS + 1, self.model.nu))
+        rng = np.random.default_rng(1)
+        speeds[1:, self.lead] = rng.standard_normal((RANDOM_SPEEDS, self.nu)) * self.columns
+        T = self.carrier.moving(q, speeds)
         still = self._evaluated("constraint_rates", q, T[0])
-        G = self._gradient(q) @ (T[1:] - T[0]).T
-        open_by = np.abs(still) + np.abs(G).max(axis=1, initial=0.0)
+        rates = self._gradient(q) @ (T[1:] - T[0]).T
+        open_by = np.abs(still) + np.abs(rates).max(axis=1, initial=0.0)
         gaps = self._evaluated("constraints", q)
         open_by[: len(gaps)] += np.abs(gaps)
-        rows = ~(open_by <= ALWAYS * max(1.0, self.size))
-        steps = np.abs(G[rows]).max(axis=0, initial=0.0) > ALWAYS
-        return np.flatnonzero(rows), np.flatnonzero(steps)
+        fulfilled = ALWAYS * max(1.0, self.size)
+        return np.flatnonzero(~(open_by <= fulfilled))
 
-    @property
-    def _rows(self) -> NDArray[np.intp]:
-        return self._probe[0]
+    @cached_property
+    def _steps(self) -> NDArray[np.intp]:
+        """Steps that what closes loops depends on: those of the joints of loops."""
+        q = self._probed
+        T = self.carrier.moving(q, self._unit_steps(np.arange(self.nu)))
+        G = self._gradient(q)[self._rows] @ (T[1:] - T[0]).T
+        return np.flatnonzero(np.abs(G).max(axis=0, initial=0.0) > ALWAYS)
 
     def _gradient(self, q: Array) -> Any:
         """G of all rows of the model (m, nu), sparse."""
@@ -149,7 +160,7 @@ class NodalMechanism(Mechanism):
 
     def _jacobian(self, q: Array) -> Array:
         """Same as :meth:`Mechanism.jacobian`, along speeds of joints."""
-        rows, steps = self._probe
+        rows, steps = self._rows, self._steps
         G = np.zeros((len(rows), self.nu))
         if len(rows):
             T = self._moving(q, steps)

@@ -238,7 +238,7 @@ class PositionSolver:
         return end
 
 
-def missed(m: Mechanism, target: Target, q: Array) -> Array:
-    """Distance of a position (nq,) from a target, without units (n,)."""
-    solver = PositionSolver(m, [replace(target, weight=None)])
+def missed(m: Mechanism, targets: Sequence[Target], q: Array) -> Array:
+    """Distances of a position (nq,) from targets, without units, one after the other (n,)."""
+    solver = PositionSolver(m, [replace(target, weight=None) for target in targets])
     return solver.hard(q)[solver.record.hard_count :]

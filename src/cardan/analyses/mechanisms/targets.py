@@ -124,7 +124,8 @@ def read(
             hold that are none.
         ArgumentError: a value of a wrong shape. SolveError: one that is not finite.
     """
-    targets = [_target(m, name, value) for name, value in named.items()]
+    places, frames = entries(m.model.manifest, "q"), m.model.part_of
+    targets = [_target(m, name, value, places, frames) for name, value in named.items()]
     _check_rotations(m, targets)
     names_of_targets = [target.name for target in targets]
     weights, required = (
@@ -185,15 +186,21 @@ def locked_values(m: Mechanism, locked: object) -> dict[str, Any]:
     )
 
 
-def _target(m: Mechanism, name: str, value: object) -> Target:
-    where, manifest = f"targets: '{name}'", m.model.manifest
+def _target(
+    m: Mechanism,
+    name: str,
+    value: object,
+    places: Mapping[str, slice],
+    frames: Mapping[str, str | None],
+) -> Target:
+    """One target; ``places``: of the coordinates, ``frames``: of the model."""
+    where = f"targets: '{name}'"
     array = np.asarray(value)
     if array.dtype.kind not in "fiub":
         raise ArgumentError(f"{where}: {brief(value)} is not a number or an array of numbers")
     array = array.astype(np.float64)
     if not np.isfinite(array).all():
         raise SolveError(f"{where} is {brief(value)}; it must be finite")
-    places, frames = entries(manifest, "q"), m.model.frames
     place = places.get(name)
     if place is not None and not (name in frames and array.shape == (4, 4)):
         if array.size != place.stop - place.start:
@@ -208,7 +215,7 @@ def _target(m: Mechanism, name: str, value: object) -> Target:
         if kind == "pose":
             _check_pose(where, array)
         return Target(name, kind, array)
-    raise ModelError(f"{where}: {missing(manifest, 'q', name, [*places, *frames])}")
+    raise ModelError(f"{where}: {missing(m.model.manifest, 'q', name, [*places, *frames])}")
 
 
 def _check_pose(where: str, pose: Array) -> None:

@@ -12,12 +12,11 @@ from ...ir.matrix import Matrix
 from ...spatial.exponential import conjugate, multiply
 from ...spatial.rotations.quaternion import Quaternion
 from ...spatial.short_rotations import rotation_vector
-from .node_set import Ground, Motion, Node, Offset, Place, Point, Pose
+from .node_set import Ground, Motion, Node, Offset, Place, Pose
 from .plane import PlaneGround, PlaneNode, PlaneOffset
 
 PLACES: dict[str, type[Place]] = {
-    place.kind: place
-    for place in (Node, Offset, Ground, Point, PlaneNode, PlaneOffset, PlaneGround)
+    place.kind: place for place in (Node, Offset, Ground, PlaneNode, PlaneOffset, PlaneGround)
 }
 NODE, OFFSET, GROUND = "node", "offset", "ground"
 NAMES = ("start", "end")

@@ -210,27 +210,6 @@ class Offset(Place):
         return self.node.directions()
 
 
-class Point(Place):
-    """A point without axes: of cables."""
-
-    kind: ClassVar[str] = "point"
-    coordinates: ClassVar[Entries] = POSITION
-    speeds: ClassVar[Entries] = VELOCITY
-
-    def pose(self) -> Pose:
-        return Pose(Matrix.identity(self.graph, 3), self.entries("q"))
-
-    def motion(self) -> Motion:
-        zero = Matrix.zeros(self.graph, 3)
-        return Motion(zero, self.entries("u"), zero, self.entries("udot"))
-
-    def to_space(self) -> Matrix:
-        return Matrix.vstack(Matrix.zeros(self.graph, 3, 3), Matrix.identity(self.graph, 3))
-
-    def directions(self) -> list[dict[int, int]]:
-        return [{node: ONE} for node in self.entries("q").nodes]
-
-
 def _halves(column: Matrix, first: int) -> tuple[Matrix, Matrix]:
     return column.block(slice(first)), column.block(slice(first, None))
 

@@ -41,7 +41,7 @@ int cardan_mesh_call_transition(const cardan_in *in, real *out, real *work);
 ptrdiff_t cardan_mesh_jump_room(const cardan_mesh *mesh);
 ptrdiff_t cardan_mesh_call_work(const cardan_mesh *mesh);
 
-/* mesh_start.c: move what is not held of x = [q, u] until all constraints hold, then the speeds.
+/* mesh_start.c: move what is not held of x = [q, u, z] until all constraints hold, then the speeds.
  * quaternions (count): the first entry of each in q. held (nq + nu): not 0 where x stays. Returns 0,
  * the status of an element, or CARDAN_CONSTRAINT_OPEN where that is not possible. */
 ptrdiff_t cardan_mesh_start_work(const cardan_mesh *mesh);

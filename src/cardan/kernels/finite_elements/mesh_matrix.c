@@ -15,6 +15,7 @@
 typedef struct assembling {
     const cardan_assembly *parts;
     real *a;
+    real *const *powers; /* NULL, or three matrices: M, G and H; C and R; K */
 } assembling;
 
 /* Speeds of the k-th place of elements that go together. */
@@ -171,17 +172,25 @@ static real *shared(const assembling *to, const cardan_mesh *mesh, const cardan_
     return sum;
 }
 
+/* Add a matrix (nu, nu) of the speeds of elements. */
+static void add_square(real *a, const cardan_mesh *mesh, const cardan_group *g,
+                       const cardan_element_lanes *some, const real *square)
+{
+    for (ptrdiff_t k = 0; k < g->places; k++) {
+        const ptrdiff_t n = place_of(mesh, g, some, k);
+        add_rows(a, mesh, g, some, k, n, square);
+        square += n * g->nu * some->lanes;
+    }
+}
+
 static void take_matrix(const cardan_mesh *mesh, const cardan_group *g, const cardan_element_lanes *some,
                         real *out, void *into)
 {
     const assembling *to = into;
     const real *sum = shared(to, mesh, g, some, out);
 
-    for (ptrdiff_t k = 0; k < g->places && sum; k++) {
-        const ptrdiff_t n = place_of(mesh, g, some, k);
-        add_rows(to->a, mesh, g, some, k, n, sum);
-        sum += n * g->nu * some->lanes;
-    }
+    if (sum)
+        add_square(to->a, mesh, g, some, sum);
     if (g->parts[CARDAN_RELEASED] >= 0)
         add_switches(to, g, some, out);
     if (to->parts->released)
@@ -190,10 +199,41 @@ static void take_matrix(const cardan_mesh *mesh, const cardan_group *g, const ca
         add_constraints(to, mesh, g, some, out);
 }
 
+/* The parts of the matrix of elements by the power of the step that they go with. */
+static void take_powers(const cardan_mesh *mesh, const cardan_group *g,
+                        const cardan_element_lanes *some, real *out, void *into)
+{
+    const assembling *to = into;
+    const ptrdiff_t *starts = g->parts, lanes = some->lanes;
+
+    for (int part = CARDAN_K; part <= CARDAN_M; part++)
+        if (starts[part] >= 0)
+            add_square(to->powers[CARDAN_M - part], mesh, g, some, out + starts[part] * lanes);
+    if (starts[CARDAN_RELEASED] >= 0)
+        add_switches(to, g, some, out);
+    if (g->m == 0)
+        return;
+    add_columns(to->powers[0], mesh, g, some, out + starts[CARDAN_G] * lanes);
+    add_rows(to->powers[0], mesh, g, some, g->places, g->m, out + starts[CARDAN_G] * lanes);
+    if (starts[CARDAN_R] >= 0)
+        add_rows(to->powers[1], mesh, g, some, g->places, g->m, out + starts[CARDAN_R] * lanes);
+}
+
+int cardan_mesh_powers(const cardan_mesh *mesh, const cardan_state *at, real *const *powers,
+                       real *room)
+{
+    static const cardan_assembly all = {{1, 1, 1}, 1, 1, NULL, 0};
+    assembling to = {&all, powers[0], powers};
+
+    for (int power = 0; power < 3; power++)
+        memset(powers[power], 0, (size_t)mesh->plan->values * sizeof(real));
+    return cardan_mesh_each(mesh, at, CARDAN_TANGENT, take_powers, &to, room);
+}
+
 int cardan_mesh_matrix(const cardan_mesh *mesh, const cardan_state *at,
                        const cardan_assembly *parts, const cardan_mesh_system *system)
 {
-    assembling to = {parts, system->a};
+    assembling to = {parts, system->a, NULL};
 
     memset(system->a, 0, (size_t)mesh->plan->values * sizeof(real));
     return cardan_mesh_each(mesh, at, CARDAN_TANGENT, take_matrix, &to,

@@ -128,7 +128,7 @@ def place(
     near: list[Target] = [preferred, _softly(_follower(m, free, starts[free], "start"))]
     end = _next_to(m, [*goals, *prescribed, *near], q) if len(preferred.entries) else q
     for one in prescribed:
-        off = np.abs(missed(m, one, end))
+        off = np.abs(missed(m, [one], end))
         if not (off <= NEARLY).all():
             _refuse(m, end, one)
     return end

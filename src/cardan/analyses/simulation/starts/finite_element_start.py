@@ -106,8 +106,8 @@ class _Start:
         if self.q is None:
             return self._near(self.q0), False
         begin = self.m.carry(self.q0)
-        names = {k: v for k, v in self.q.items() if not self._stays(k, "q")}
-        self.m.nodes_named = any(self._nodal(name, "q") for name in names)
+        names = self._moving(self.q, "q")
+        self.m.nodes_named = self._names_nodes(names)
         if self._gap(begin) <= CLOSED * self.scale and not self._missed(names, begin):
             return begin, True
         goals = read(self.m, names)
@@ -133,7 +133,8 @@ class _Start:
             position = self.by_nodes(begin, locked)
         except ModelError:
             raise problem from None
-        if any(np.abs(missed(self.m, goal, position)).max() > GOOD for goal in read(self.m, names)):
+        off = missed(self.m, read(self.m, names), position)
+        if np.abs(off).max(initial=0.0) > GOOD:
             # what is named cannot be held, and is not replaced
             raise problem
         return self.m.nearest(position, begin), False
@@ -141,9 +142,9 @@ class _Start:
     def _missed(self, names: Mapping[str, object], q: Array) -> bool:
         """True when something named or a beam is missed, or an axis is turned round."""
         m = self.m
-        open_by = np.abs(m.residuals(q)).max(initial=0.0)
-        off = [np.abs(missed(m, goal, q)).max() for goal in read(m, names)]
-        return bool(max([open_by, *off]) > GOOD) or bool(m.reversed_axis(q))
+        off = np.abs(missed(m, read(m, names), q)).max(initial=0.0)
+        open_by = np.abs(m.residuals(q)).max(initial=off)
+        return bool(open_by > GOOD) or bool(m.reversed_axis(q))
 
     def _near(self, q: Array) -> Array:
         """Coordinates that were all given, closed to the last digits."""
@@ -196,7 +197,7 @@ class _Start:
         """
         if self.u is None:
             return self._near_speeds(q)
-        names = {k: v for k, v in self.u.items() if not self._stays(k, "u")}
+        names = self._moving(self.u, "u")
         if by_joints:
             # beams take up what the speeds of their ends differ by
             m = self.m.unlinked()
@@ -259,13 +260,17 @@ class _Start:
 
     # names
 
-    def _stays(self, name: str, letter: str) -> bool:
-        return bool(_free_node_entries(self.model, {name: 0.0}, letter))
+    def _moving(self, named: Mapping[str, Any], letter: str) -> dict[str, Any]:
+        """Values of names but those of nodes that beams alone hold, which stay where they are."""
+        staying = {*_free_node_entries(self.model, named, letter)}
+        names = self.model.coordinates if letter == "q" else self.model.speeds
+        places = entries(self.model.manifest, letter)
+        return {k: v for k, v in named.items() if staying.isdisjoint(names[places[k]])}
 
-    def _nodal(self, name: str, letter: str) -> bool:
+    def _names_nodes(self, names: Mapping[str, object]) -> bool:
         """True when a name belongs to a node that joints carry."""
-        place = entries(self.model.manifest, letter)[name]
-        return place.start not in set(self.m.led.tolist())
+        places, led = entries(self.model.manifest, "q"), set(self.m.led.tolist())
+        return any(places[name].start not in led for name in names)
 
     def _closed(self, name: str, q: Array, u: Array, locked: Array) -> Array:
         source = self.model._source
