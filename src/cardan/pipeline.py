@@ -18,11 +18,10 @@ from .codegen.finite_elements import model_folder
 from .equations.constraints.assembly_branches import with_branches
 from .equations.constraints.feasibility import feasibility
 from .equations.constraints.treatments import Treatment, treatment
-from .equations.coordinate_choice import coordinates_with, element_reason
 from .equations.finite_elements.lowering import lowered
 from .equations.finite_elements.nodal_scene import ends_of_beams
 from .equations.finite_elements.record import FiniteElementRecord
-from .equations.formalism_choice import check_chooses, chosen_by
+from .equations.formalism_choice import check_chooses, chosen_by, coordinates_with, element_reason
 from .equations.record import EquationRecord
 from .errors import BuildError, CodegenError, DerivationError, SolveWarning, near, warn
 from .runtime.build import cache_folder as cache
@@ -231,7 +230,7 @@ def compile(
         BuildError: no compiler, or a build that failed its check.
     """
     if coordinates is None and not isinstance(scene, (EquationRecord, FiniteElementRecord)):
-        coordinates = coordinates_with(scene, functions)
+        coordinates = coordinates_with(functions, bool(scene.beams))
     equations = _derived(
         scene,
         coordinates=coordinates,
