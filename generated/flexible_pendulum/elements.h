@@ -26,7 +26,7 @@ CARDAN_API int prepare_model(const double *p, cardan_model *model);
 CARDAN_API const wreal *model_w(const cardan_model *model);
 /* how many numbers of work memory each of them takes */
 CARDAN_API size_t model_work_size(const cardan_model *model);
-/* x = [q, u] where simulate() starts; at other parameters, times or inputs nodes follow the joints
+/* x = [q, u, z] where simulate() starts; at other parameters, times or inputs nodes follow the joints
  * of the tree. Returns a status: CARDAN_CONSTRAINT_OPEN where joints or beams would have to move too: take
  * x = model.with_parameters(...).initial() of cardan there */
 CARDAN_API int start_model(const cardan_model *model, real t, const real *r, real *x, real *work);

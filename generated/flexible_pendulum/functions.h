@@ -25,6 +25,7 @@ enum {
     cardan_nplaces = 12, /* places: nodes and joints */
     cardan_noutputs = 0, /* outputs */
     cardan_npowers = 0, /* sources of power */
+    cardan_nevents = 0, /* events */
     cardan_nunknowns = 73, /* speeds and multipliers */
     cardan_nvalues = 1213, /* numbers of the sparse matrix */
     cardan_ngroups = 3, /* groups of elements */
@@ -35,13 +36,13 @@ enum {
 /* functions of the whole model, and what of the kernels each of them is */
 #define CARDAN_ELEMENT_CALLS(F) F(forward_dynamics, cardan_mesh_call_forward_dynamics) F(energy, cardan_mesh_call_energy)
 
-/* kinetic, potential and their sum; reads t, q, u, s, r */
+/* kinetic, potential and their sum; reads t, q, u, z, s, r */
 enum {
     energy_out_size = 3
 };
 CARDAN_API int energy(const cardan_in *in, real *out, real *work);
 
-/* accelerations udot, then the multipliers lam; reads t, q, u, s, r, tau */
+/* accelerations udot, then the multipliers lam; reads t, q, u, z, s, r, tau */
 enum {
     forward_dynamics_out_size = cardan_nu + cardan_nlam
 };

@@ -19,7 +19,7 @@ from .equations.constraints.assembly_branches import with_branches
 from .equations.constraints.feasibility import feasibility
 from .equations.constraints.treatments import Treatment, treatment
 from .equations.finite_elements.lowering import lowered
-from .equations.finite_elements.nodal_scene import ends_of_beams
+from .equations.finite_elements.nodal_scene import ends_with_nodes
 from .equations.finite_elements.record import FiniteElementRecord
 from .equations.formalism_choice import check_chooses, chosen_by, coordinates_with, element_reason
 from .equations.record import EquationRecord
@@ -187,7 +187,7 @@ def _absolute(
             "out such arguments, or take coordinates='relative'"
         )
     # rigid trees hang on the nodes of beams; where there are none, every body is a node
-    nodes = ends_of_beams(system) if trees and (system.segments or not reason) else None
+    nodes = ends_with_nodes(system) if trees and (system.segments or not reason) else None
     record = replace(lowered(system, plane, nodes), reason=reason)
     equations: FiniteElementEquations = face(record)
     return equations

@@ -42,9 +42,11 @@ CASES: dict[str, dict[str, Any]] = {
 }
 KILLED = """
 import os, pickle, signal, sys
+from cardan.analyses.simulation import run
 def stop(done):
     if done > float(sys.argv[2]):
         os.kill(os.getpid(), signal.SIGKILL)
+run.SLICE = float(sys.argv[3])
 with open(sys.argv[1], "rb") as file:
     model, options = pickle.load(file)
 model.simulate(**options, progress=stop)
@@ -64,10 +66,16 @@ def alike(one: TrajectoryRecord, other: TrajectoryRecord) -> None:
     assert next(counts) == next(counts)
 
 
-def killed(model: cd.CompiledModel, options: dict[str, Any], where: Path, at: float) -> None:
-    """Begin a run in another process, which is killed on the way."""
+def killed(
+    model: cd.CompiledModel,
+    options: dict[str, Any],
+    where: Path,
+    at: float,
+    piece: float = run.SLICE,
+) -> None:
+    """Begin a run in another process, which is killed on the way, between slices of so many s."""
     (where / "job").write_bytes(pickle.dumps((model, options)))
-    command = [sys.executable, "-c", KILLED, str(where / "job"), str(at)]
+    command = [sys.executable, "-c", KILLED, str(where / "job"), str(at), str(piece)]
     paths = [*sys.path, str(Path(__file__).parents[1])]
     environment = os.environ | {"PYTHONPATH": os.pathsep.join(paths)}
     done = subprocess.run(command, capture_output=True, text=True, check=False, env=environment)

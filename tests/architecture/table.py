@@ -74,7 +74,7 @@ FAMILIES: dict[str, frozenset[str]] = {
         }
     ),
     "elements.joints": frozenset({"joint", "hinge", "guided", "rolling"}),
-    "elements.forces": frozenset({"force", "gravitation", "line"}),
+    "elements.forces": frozenset({"force", "gravitation", "line", "relative_springs"}),
     "elements.sections": frozenset({"section"}),
     "elements.centerlines": frozenset({"centerline"}),
     "spatial.rotations": frozenset({"rotation"}),

@@ -67,3 +67,14 @@ def test_simulate(crane: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(words) == 0
     assert "boom.end.pz" in capsys.readouterr().out
     assert '"beams":[{"name":"boom"' in page.read_text(encoding="utf-8")
+
+
+def test_simulate_goes_on_from_a_file(crane: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    words = ["simulate", str(crane), "--time", "1e-3", "--rtol", "1e-3", "--json"]
+    words += ["--checkpoint", str(crane.with_suffix(".part"))]
+    assert main(words) == 0
+    first = capsys.readouterr().out
+    assert main(words) == 0
+    assert capsys.readouterr().out == first
+    assert main([*words, "--rtol", "1e-4"]) == 1
+    assert "belongs to another run" in capsys.readouterr().err

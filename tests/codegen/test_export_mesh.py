@@ -341,11 +341,6 @@ def test_what_does_not_go_with_elements_is_refused(tmp_path: Path) -> None:
         equations.export(tmp_path / "c", ["enrgy"])
     with pytest.raises(DerivationError, match="poses of nodes are in q"):
         equations.export(tmp_path / "c", [("pose", "bob")])
-    lagging = cd.Scene("lagging")
-    lagging.joint("x", cd.Prismatic("x"), lagging.ground, lagging.body("b", mass=2.0))
-    lagging.force("motor", cd.Actuator("x", 1.0, lag=0.1))
-    with pytest.raises(CodegenError, match="internal states"):
-        cd.derive(lagging, coordinates="absolute").export(tmp_path / "c", integrators=("alpha",))
     assert list(tmp_path.iterdir()) == []
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any
 
+import numpy as np
 import sympy
 
 import cardan as cd
@@ -16,6 +17,9 @@ from cardan.spatial.exponential import exp, tangent
 from elements.written_of import converted
 from spatial.numbers_of import block, numbers
 
+# of a symmetric positive definite stiffness
+_ROOT = np.random.default_rng(3).uniform(-1, 1, (6, 6))
+COUPLED = _ROOT @ _ROOT.T + np.diag((2.0, 3.0, 4.0, 20.0, 30.0, 25.0))
 INSTANCES: dict[str, ForceElement] = {
     "force": cd.Force("A", (1.0, -2.0, 0.5)),
     "force in axes": cd.Force("A", (1.0, -2.0, 0.5), in_="B"),
@@ -27,6 +31,17 @@ INSTANCES: dict[str, ForceElement] = {
     "damper": cd.SpringDamper("A", "B", damping=4.0),
     "spring and damper": cd.SpringDamper("A", "B", stiffness=30.0, damping=4.0, rest_length=0.4),
     "maxwell": cd.Maxwell("A", "B", stiffness=30.0, damping=4.0, rest_length=0.4),
+    "bushing": cd.Bushing("A", "B", stiffness=(3.0, 4.0, 5.0, 30.0, 20.0, 10.0)),
+    "coupled bushing": cd.Bushing(
+        "A", "B", stiffness=COUPLED, rest=(0.1, 0.0, -0.2, 0.3, 0.1, 0.0)
+    ),
+    "bushing and damper": cd.Bushing("A", "B", stiffness=COUPLED, damping=0.05 * COUPLED),
+    "damper in six directions": cd.Bushing("A", "B", damping=(0.3, 0.2, 0.1, 3.0, 4.0, 5.0)),
+    "flexible hinge": cd.FlexibleHinge("A", "B", (1, -2, 0.5), 0.5, 80.0, 90.0, 70.0),
+    "damped flexible hinge": cd.FlexibleHinge("A", "B", "z", 0.5, 80.0, 90.0, 70.0, damping=0.1),
+    "cable": cd.Cable("A", "B", EA=300.0, length=0.9),
+    "damped cable": cd.Cable("A", "B", EA=300.0, length=0.9, damping=0.02),
+    "slack cable": cd.Cable("A", "B", EA=300.0, length=9.0, damping=0.02),
     "torsion spring": cd.JointSpring("one", stiffness=7.0, rest=0.2),
     "torsion spring and damper": cd.JointSpring("one", stiffness=7.0, damping=0.3),
     "joint force": cd.JointForce("one", 3.0),

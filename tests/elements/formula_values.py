@@ -110,18 +110,8 @@ def data_of(element: FlexibleElement, inputs: Values) -> Values:
     if "K1" in data:
         given["K"] = column([data[name] for name in ("K1", "K2", "K3", "E1", "E2", "E3")])
         given["epsilon"] = column([data[f"strain_{k}"] for k in range(1, 7)])
-    if "theta1" in data:
-        given["y_0"] = column([data[f"{x}{k}"] for x in ("theta", "e") for k in (1, 2, 3)])
-    if "k11" in data:
-        given["k"] = np.array([[data[f"k{min(i, j)}{max(i, j)}"] for j in range(1, 7)]
-                               for i in range(1, 7)])  # fmt: skip
-    if "turn" in data:
-        names = ("turn", "tilt", "tilt", "axial", "radial", "radial")
-        given["k"] = np.diag([data[name] for name in names])
     if "gravity_1" in data:
         given |= {"mu": data["rhoA"], "g": column([data[f"gravity_{k}"] for k in (1, 2, 3)])}
-    if element.kind in ("cable", "truss"):
-        given["epsilon"] = data["strain_4"]
     loads = {"dead_force": "f_0", "follower_force": "n"}
     if element.kind.endswith("_load"):
         loads = {element.kind.replace("load", x): x[0] for x in ("force", "moment")}

@@ -20,6 +20,13 @@ LETTERS = {
     **{"axis": "a", "radius": "r", "other_radius": "r_o", "exponent": "N", "normal": "n_0"},
     **{"transition_velocity": "epsilon", "mass": "m", "com": "c"},
 }
+# of springs in six directions; the hinge names its stiffnesses by kind
+SPRINGS = {
+    "bushing": {"rest": "y_0"},
+    "flexible_hinge": {"axis": "axis", "turn": "t", "tilt": "s_0", "axial": "a_0", "radial": "r_0"}
+    | {"damping": "eta"},
+    "cable": {"EA": "EA", "length": "L", "damping": "eta"},
+}
 DRIVE = {"damping": "d"}
 # they have states or modes of their own that decide, or act by elements of the beam
 UNREAD = {
@@ -80,6 +87,8 @@ def _given(element: ForceElement, bench: Bench, at: Places) -> dict[str, Any]:
         values = np.array([float(x) for x in np.ravel(bench.value(matrix))])
         if name == "inertia" and element.masses():
             given["I_body"] = values.reshape(3, 3)
+        elif element.kind in SPRINGS:
+            given[SPRINGS[element.kind].get(name) or LETTERS[name]] = _spring_data(name, values)
         else:
             given[letters[name]] = values[0] if len(values) == 1 else column(values)
     if "I_body" in given:
@@ -97,6 +106,19 @@ def _given(element: ForceElement, bench: Bench, at: Places) -> dict[str, Any]:
             given[f"{letter}{index}"] = entries[0] if len(entries) == 1 else column(entries)
     given["z"] = 0.4
     return given
+
+
+def _spring_data(name: str, values: Any) -> Any:
+    """Six or 21 numbers as a symmetric matrix, a vector, or a number."""
+    if name in ("axis", "rest"):
+        return column(values)
+    if len(values) == 1:
+        return values[0]
+    k = np.diag(values) if len(values) == 6 else np.zeros((6, 6))
+    if len(values) == 21:
+        k[np.triu_indices(6)] = values
+        k = np.triu(k) + np.triu(k, 1).T
+    return k
 
 
 def _rotation(r: list[float], rate: list[float]) -> tuple[Any, Any]:

@@ -7,13 +7,13 @@ from typing import Any
 import numpy as np
 import pytest
 
-from cardan.elements.flexible import BEAMS, FLEXIBLE, INERTIAS, Cable, FlexibleElement
+from cardan.elements.flexible import BEAMS, FLEXIBLE, INERTIAS, FlexibleElement
 from cardan.equations.reading.typesetting import typeset, unbroken
 from cardan.ir.interpreter import evaluate
 from elements.formula_values import computed, data_of, skew
 
 ELEMENTS: dict[str, FlexibleElement] = {
-    **BEAMS, **INERTIAS, "truss": Cable(compression=True),
+    **BEAMS, **INERTIAS,
     **{k: FLEXIBLE[k]() for k in FLEXIBLE if k not in ("hellinger_reissner", "linked_inertia",
        "lumped_inertia", "helicoidal", "classical")}
 }  # fmt: skip
@@ -27,7 +27,6 @@ def test_balance_and_energy(name: str) -> None:
     element = ELEMENTS[name]
     rng = np.random.default_rng(sum(name.encode()))
     functions = element.derived()
-    pulls = False
     for _ in range(5):
         inputs = _state(rng, element.data())
         given = data_of(element, inputs)
@@ -37,18 +36,12 @@ def test_balance_and_energy(name: str) -> None:
             ends = [computed(element.formula_lines, given | _end(given, k)) for k in (1, 2)]
             values = {x: sum(end[x] for end in ends) for x in "TV"}
             values["b"] = np.vstack([end[x] for end in ends for x in ("b_m", "b_f")])
-        if "b_1" in values and "b" not in values:
-            zero = np.zeros((3, 1))
-            values["b"] = np.vstack([zero, values["b_1"], zero, values["b_2"]])
         b = np.ravel(evaluate(functions["balance"], inputs, "numpy")["balance"])
         assert np.abs(np.ravel(values["b"]) - b).max() <= ROUNDING * np.abs(b).max()
-        pulls = pulls or np.abs(b).max() > 0
         if "energy" in functions:
             energy = np.ravel(evaluate(functions["energy"], inputs, "numpy")["energy"])
             shown = [float(np.squeeze(values.get(x, 0.0))) for x in "TV"]
             assert np.allclose(shown, energy, rtol=ROUNDING, atol=0)
-    # a cable is slack at some of the states
-    assert pulls
 
 
 def _state(rng: np.random.Generator, data: tuple[str, ...]) -> dict[str, Any]:

@@ -50,6 +50,15 @@ def linkage() -> cd.CompiledModel:
     return cd.compile(four_bar())
 
 
+def shaft(inertia: str = "linked") -> cd.CompiledModel:
+    """A beam that holds a body: finite elements, in absolute coordinates."""
+    scene = cd.Scene("shaft", gravity=(0, 0, -9.81))
+    end = scene.body("end", mass=1, inertia=(1, 1, 1), pose=(1, 0, 0))
+    section = cd.section.general(EA=1e4, GA=1e4, GJ=80, EI=100, rhoA=1.0, rhoI=0.01)
+    scene.beam("b", scene.ground, end, section, elements=2, inertia=inertia)
+    return cd.compile(scene)
+
+
 def arrays(content: bytes) -> dict[str, Any]:
     """The arrays of an npz file; ``head`` as what its JSON holds."""
     with np.load(io.BytesIO(content), allow_pickle=False) as file:
@@ -77,6 +86,8 @@ STEPPERS: dict[str, tuple[Callable[[], cd.CompiledModel], dict[str, Any]]] = {
     "linkage": (linkage, {"q": {"A": 1.0}}),
     "midpoint": (double, {"method": "EnergyMidpoint", "step": 0.01}),
     "ticks": (servo, {}),
+    "beam": (shaft, {"method": "GeneralizedAlpha"}),
+    "conserving beam": (lambda: shaft("lumped"), {"method": "EnergyMomentum", "step": 0.01}),
 }
 
 
@@ -123,6 +134,11 @@ RUNS: dict[str, tuple[Callable[[], cd.CompiledModel], dict[str, Any]]] = {
     "alpha": (linkage, {"t": 0.3, "q": {"A": 1.0}, "method": "GeneralizedAlpha", "rtol": 1e-4}),
     "ticks": (servo, {"t": 2.0}),
     "RK4": (double, {"t": 2.0, "method": "RK4", "step": 0.01, "inputs": PUSH}),
+    "beam": (shaft, {"t": 0.3, "method": "GeneralizedAlpha"}),
+    "conserving beam": (
+        lambda: shaft("lumped"),
+        {"t": 0.5, "method": "EnergyMomentum", "step": 0.01},
+    ),
 }
 
 
@@ -172,15 +188,6 @@ def together(parts: dict[str, Any]) -> bytes:
 
 
 # folders of models
-
-
-def shaft() -> cd.CompiledModel:
-    """A beam that holds a body: finite elements, in absolute coordinates."""
-    scene = cd.Scene("shaft", gravity=(0, 0, -9.81))
-    end = scene.body("end", mass=1, inertia=(1, 1, 1), pose=(1, 0, 0))
-    section = cd.section.general(EA=1e4, GA=1e4, GJ=80, EI=100, rhoA=1.0, rhoI=0.01)
-    scene.beam("b", scene.ground, end, section, elements=2)
-    return cd.compile(scene)
 
 
 MODELS: dict[str, tuple[Callable[[], cd.CompiledModel], dict[str, Any]]] = {

@@ -63,6 +63,20 @@ def springs() -> cd.Scene:
     return scene
 
 
+def mounts() -> cd.Scene:
+    """A coupled bushing between links, a flexible hinge to the ground, and a taut cable."""
+    scene = two_links("mounts")
+    first, second = scene.bodies["first"], scene.bodies["second"]
+    coupled = [[9 - abs(i - j) + 20 * (i == j) for j in range(6)] for i in range(6)]
+    ends = (first.at(0.4, 0, 0, rotation=("XYZ", 0.2, 0.3, -0.1)), second.at(0.02, 0, 0))
+    scene.force("mount", cd.Bushing(*ends, stiffness=coupled, rest=(0, 0.1, 0, 0, 0, 0.05)))
+    hinge = cd.FlexibleHinge(scene.ground, first.at(0, 0, 0.1), (0, 3, 4), 2.0, 30.0, 50.0, 40.0)
+    scene.force("hinge", hinge)
+    anchor, tip = scene.ground.at(0.3, 0.8, 0.2), second.at(0, 0.1, -0.4)
+    scene.force("guy", cd.Cable(anchor, tip, EA=15.0, length=0.2))
+    return scene
+
+
 def drives() -> cd.Scene:
     """A rigid geared rotor, one that feels gyroscopic moments, and one on an elastic shaft."""
     scene = two_links("drives")
@@ -126,6 +140,14 @@ MEMBERS = (
         (
             State({"base": 0.5, "elbow": -0.3}),
             State({"base": 1.2, "elbow": 0.8}, {"base": -1, "elbow": 2}),
+        ),
+    ),
+    Mechanism(
+        "mounts",
+        mounts,
+        (
+            State({"base": 0.3, "elbow": -0.4}),
+            State({"base": 0.5, "elbow": 0.6}, {"base": -1, "elbow": 2}),
         ),
     ),
     Mechanism(

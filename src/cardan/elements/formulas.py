@@ -25,6 +25,20 @@ MULTIPLIERS: Lines = (
     ("balance: forces of the multipliers lam, along the rows of g", "b = -(G.T @ lam)"),
 )
 
+# the strain of two ends that is of neither of them
+HALFWAY: Lines = (
+    ("axes halfway between the ends: coefficients of U", "beta_1 = -(sin(sqrt(x) / 2) / sqrt(x))"),
+    ("", "beta_2 = (1 - cos(sqrt(x) / 2)) / x"),
+    ("their derivatives by x",
+     "kappa_1 = sin(sqrt(x) / 2) / (2 * x * sqrt(x)) - cos(sqrt(x) / 2) / (4 * x)"),
+    ("", "kappa_2 = sin(sqrt(x) / 2) / (4 * x * sqrt(x)) - (1 - cos(sqrt(x) / 2)) / x ** 2"),
+)  # fmt: skip
+MEASURES: Lines = (
+    ("from axes of end 1 to those of the strain",
+     "U = I + beta_1 * skew(theta) + beta_2 * skew(theta) @ skew(theta)"),
+    ("length and shear of the element", "e = U @ d"),
+)  # fmt: skip
+
 # element -> shapes of what its formulas read, beside vectors and rotations of its ends and numbers
 Shape: TypeAlias = "tuple[int | str, int]"
 _STRAINS: dict[str, Shape] = {"K": (6, 1), "epsilon": (6, 1)}

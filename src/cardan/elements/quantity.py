@@ -54,6 +54,7 @@ class Quantity:
         ratio: True for axes, rotations and ratios, where exact +-1 is structural too.
         local: Symbols in it that stand for the owner's own coordinates; they become atoms.
         labels: Names of the entries, row by row; () for x, y, z of a 3-vector, 1x1 has none.
+        units: Of the entries, row by row, where they differ.
     """
 
     value: Rows
@@ -61,6 +62,7 @@ class Quantity:
     ratio: bool = False
     labels: tuple[str, ...] = ()
     local: tuple[str, ...] = ()
+    units: tuple[str, ...] = ()
 
 
 # in place of a unit: the field is a direction or a ratio, where exact +-1 is structural too

@@ -147,13 +147,14 @@ const size_t cardan_form_layout[6] = {
     offsetof(cardan_form, w), offsetof(cardan_form, nw), offsetof(cardan_form, size)
 };
 
-extern const size_t cardan_group_layout[26];
-const size_t cardan_group_layout[26] = {
+extern const size_t cardan_group_layout[28];
+const size_t cardan_group_layout[28] = {
     sizeof(cardan_group), offsetof(cardan_group, count), offsetof(cardan_group, places),
     offsetof(cardan_group, nq), offsetof(cardan_group, nu), offsetof(cardan_group, nz),
     offsetof(cardan_group, ns), offsetof(cardan_group, mp), offsetof(cardan_group, m),
-    offsetof(cardan_group, z_states), offsetof(cardan_group, s_states), offsetof(cardan_group, ne),
-    offsetof(cardan_group, jumps), offsetof(cardan_group, responses), offsetof(cardan_group, inner),
+    offsetof(cardan_group, switched), offsetof(cardan_group, z_states), offsetof(cardan_group,
+    s_states), offsetof(cardan_group, ne), offsetof(cardan_group, jumps), offsetof(cardan_group,
+    responses), offsetof(cardan_group, frictions), offsetof(cardan_group, inner),
     offsetof(cardan_group, inner_start), offsetof(cardan_group, place), offsetof(cardan_group,
     rows), offsetof(cardan_group, z), offsetof(cardan_group, s), offsetof(cardan_group, events),
     offsetof(cardan_group, parts), offsetof(cardan_group, spots), offsetof(cardan_group, powers),
@@ -168,8 +169,8 @@ const size_t cardan_movers_layout[9] = {
     w_rates)
 };
 
-extern const size_t cardan_mesh_layout[32];
-const size_t cardan_mesh_layout[32] = {
+extern const size_t cardan_mesh_layout[33];
+const size_t cardan_mesh_layout[33] = {
     sizeof(cardan_mesh), offsetof(cardan_mesh, nq), offsetof(cardan_mesh, nu), offsetof(cardan_mesh,
     nz), offsetof(cardan_mesh, ns), offsetof(cardan_mesh, nr), offsetof(cardan_mesh, mp),
     offsetof(cardan_mesh, m), offsetof(cardan_mesh, places), offsetof(cardan_mesh, nodes),
@@ -179,17 +180,17 @@ const size_t cardan_mesh_layout[32] = {
     movers), offsetof(cardan_mesh, plan), offsetof(cardan_mesh, unknown), offsetof(cardan_mesh,
     diagonal), offsetof(cardan_mesh, lanes), offsetof(cardan_mesh, work), offsetof(cardan_mesh,
     local), offsetof(cardan_mesh, powers), offsetof(cardan_mesh, driven), offsetof(cardan_mesh, ne),
-    offsetof(cardan_mesh, jumps), offsetof(cardan_mesh, responses), offsetof(cardan_mesh, outputs),
-    offsetof(cardan_mesh, solved)
+    offsetof(cardan_mesh, jumps), offsetof(cardan_mesh, responses), offsetof(cardan_mesh,
+    frictions), offsetof(cardan_mesh, outputs), offsetof(cardan_mesh, solved)
 };
 
-extern const size_t cardan_state_layout[14];
-const size_t cardan_state_layout[14] = {
+extern const size_t cardan_state_layout[15];
+const size_t cardan_state_layout[15] = {
     sizeof(cardan_state), offsetof(cardan_state, t), offsetof(cardan_state, q),
     offsetof(cardan_state, u), offsetof(cardan_state, udot), offsetof(cardan_state, lam),
     offsetof(cardan_state, z), offsetof(cardan_state, s), offsetof(cardan_state, r),
     offsetof(cardan_state, du), offsetof(cardan_state, inner), offsetof(cardan_state, behind),
-    offsetof(cardan_state, e), offsetof(cardan_state, responses)
+    offsetof(cardan_state, e), offsetof(cardan_state, responses), offsetof(cardan_state, certainty)
 };
 
 extern const size_t cardan_sparse_layout[27];

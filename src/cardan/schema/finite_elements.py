@@ -55,12 +55,19 @@ class ElementKind(Record):
     states: tuple[int, int] = field(
         pair(), "how many of its z and of its s are its own, the first ones", default=(0, 0)
     )
+    switched: int = field(count, "rows that modes hold, the last of m", default=0)
     jumps: int = field(count, "number of impulses and responses", default=0)
     responses: int = field(count, "number of responses among them", default=0)
+    frictions: int = field(count, "frictions that follow from its reaction", default=0)
     functions: Mapping[str, str] = field(table(text), "name -> C name", default=NOTHING)
     parts: Mapping[str, int] = field(
         table(count), "matrices of the tangent -> where they begin in it", default=NOTHING
     )
+
+    @property
+    def released(self) -> int:
+        """Number of the last rows of m that modes may let go; files may leave it out."""
+        return self.switched or ("H" in self.parts and self.m) or 0
 
 
 class GroupRow(Record):

@@ -66,9 +66,10 @@ FORMS = (
     "change",
     "bodies",
     "reactions",
+    "reaction_friction",
 )
 # the matrices of a tangent
-PARTS = ("K", "C", "M", "R", "G", "H")
+PARTS = ("K", "C", "M", "R", "G", "H", "L")
 # fields of SimdSteps that are one number per lane: of its run, of its trial
 PER_LANE = (
     *("t", "size", "until", "span", "idle", "rejected", "steps", "rejections", "evaluations"),

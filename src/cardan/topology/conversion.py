@@ -221,6 +221,10 @@ class Converter:
         if not labels:
             vector = len(rows) <= 3 and columns == 1
             labels = "xyz"[: len(rows)] if vector else [str(k) for k in range(len(flat))]
+        if quantity.units:
+            each = zip(flat, labels, quantity.units, strict=True)
+            nodes = [self.scalar(x, f"{name}.{label}", of, ratio) for x, label, of in each]
+            return len(rows), columns, tuple(nodes)
         return len(rows), columns, self.vector(flat, name, unit, ratio, labels)
 
     def _ready(self, value: Ready, name: str) -> Nodes:

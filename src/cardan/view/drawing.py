@@ -26,7 +26,7 @@ USUAL = ("contacts", "forces", "springs", "stress", "strain", "floor")
 # kinds of force elements that are drawn as arrows: layer, and the frame they begin at
 ACTING = {"contact": ("contacts", "sphere"), "force": ("forces", "frame")}
 # kinds of force elements that are drawn between their frames a and b
-SPRINGS = ("spring_damper",)
+SPRINGS = ("spring_damper", "maxwell", "bushing", "flexible_hinge", "cable")
 MOST_EVENTS = 400
 # pictures per second of a screen, and swings per second that one can follow
 FAST, FOLLOWED = 60.0, 1.5

@@ -62,8 +62,3 @@ def test_parameters_of_one_call(crank: cd.CompiledModel) -> None:
     assert heavy.kinetic - light.kinetic == pytest.approx(0.5 * 2.7 * 2.0**2, rel=1e-12)
     with pytest.raises(cd.ArgumentError, match="one set after the other"):
         crank.energy(q, u, parameters={"slider.mass": [1.0, 2.0]})
-
-
-def test_a_run_is_kept_in_no_file(crank: cd.CompiledModel, tmp_path) -> None:
-    with pytest.raises(cd.ModelError, match=r"absolute coordinates.*motion\.save"):
-        crank.simulate(END, checkpoint=tmp_path / "run.part")

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
-from cardan.elements.flexible import FLEXIBLE, Cable, Classical, FlexibleElement, HellingerReissner
+from cardan.elements.flexible import FLEXIBLE, Classical, FlexibleElement, HellingerReissner
 from cardan.ir.function import Function
 from cardan.ir.interpreter import evaluate
 
@@ -20,7 +20,6 @@ ELEMENTS: dict[str, FlexibleElement] = {
     **{kind: element() for kind, element in FLEXIBLE.items()},
     "classical plain": Classical(residual_flexibility=False),
     "hellinger_reissner loaded": HellingerReissner(loaded=True),
-    "truss": Cable(compression=True),
 }
 ENDS = [
     ("node", "node"),

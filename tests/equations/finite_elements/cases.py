@@ -10,7 +10,7 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from cardan.equations.finite_elements.lowering import lowered
-from cardan.equations.finite_elements.record import CARRIED, FiniteElementRecord
+from cardan.equations.finite_elements.record import ON_TREE, FiniteElementRecord
 from cardan.equations.functions.blocks import defaults
 from cardan.ir.interpreter import evaluate
 from equations.finite_elements.reference import Reference
@@ -95,7 +95,7 @@ class State:
     def _acceleration(self, frame: int, udot: Array) -> Array:
         """Angular acceleration and that of the origin of a frame, by those of its node."""
         place, _, arm = self.reference.node(frame)
-        if place == CARRIED:
+        if place == ON_TREE:
             (alpha, a), rest = (
                 np.split(self.reference.body(frame, udot)[0], 2),
                 self.reference.body(frame, udot)[1],

@@ -17,8 +17,7 @@ from cardan.ir.interpreter import evaluate
 from elements.formula_values import data_of
 
 ELEMENTS = {**BEAMS, "linked": INERTIAS["linked"],
-            **{k: FLEXIBLE[k]() for k in ("bushing", "flexible_hinge", "cable", "cable_inertia",
-                                          "dead_load")}}  # fmt: skip
+            "dead_load": FLEXIBLE["dead_load"]()}  # fmt: skip
 # solves of six equations
 ROUNDING = 1e-10
 

@@ -99,7 +99,7 @@ def test_tangents(name: str, choice: str) -> None:
     tangents_agree(Reference(with_trees(build(CHOSEN[name]()), choice), None, None))  # type: ignore[arg-type]
 
 
-def test_bodies_at_ends_of_beams_have_nodes() -> None:
+def test_bodies_at_ends_of_beams_have_nodes_where_no_joint_carries_them() -> None:
     scene = cd.Scene("arm", gravity=(0, 0, -9.81))
     upper = scene.body("upper", mass=1, com=(0.2, 0, 0), inertia=(0.1, 0.1, 0.1))
     lower = scene.body("lower", mass=1, com=(0.2, 0, 0), inertia=(0.1, 0.1, 0.1))
@@ -110,6 +110,24 @@ def test_bodies_at_ends_of_beams_have_nodes() -> None:
     scene.beam("rod", lower.at(0.4, 0, 0), tool, cd.section.circle(0.01), steel, elements=2)
     equations = cd.derive(scene)
     names = equations.places.names
-    assert "upper" not in names
-    assert {"shoulder", "elbow", "lower", "tool"} <= set(names)
-    assert equations.tree_joints == ("shoulder",)
+    assert {"shoulder", "elbow", "tool"} <= set(names)
+    assert not {"upper", "lower"} & set(names)
+    assert equations.tree_joints == ("shoulder", "elbow")
+    assert not equations.multipliers
+
+
+@pytest.mark.parametrize("count", [3, 13])
+def test_ends_of_beams_that_many_or_prescribed_joints_carry_have_nodes(count: int) -> None:
+    scene = cd.Scene("arm", gravity=(0, 0, -9.81))
+    place = scene.ground
+    for k in range(count):
+        link = scene.body(f"link{k}", mass=1, com=(0.2, 0, 0), inertia=(0.1, 0.1, 0.1))
+        driven = 0.3 * cd.t if k == 1 and count == 3 else None
+        scene.joint(f"hinge{k}", cd.Revolute("y"), place, link, prescribed=driven)
+        place = link.at(0.4, 0, 0)
+    steel = cd.material(E=2e11, nu=0.3, rho=7800)
+    end = (0.4 * count + 0.5, 0, 0)
+    scene.beam("rod", place, end, cd.section.circle(0.01), steel, elements=2)
+    equations = cd.derive(scene)
+    assert f"link{count - 1}" in equations.places.names
+    assert len(equations.multipliers) == 6

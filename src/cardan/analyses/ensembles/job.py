@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...arrays import Array
+from ...runtime.calls.parameters import Parameters
 from ...runtime.models.loaded_model import LoadedModel
 from ...runtime.trajectory.solver_info import EVENT, FINISHED
 from ...runtime.trajectory.trajectory import TrajectoryRecord
@@ -146,22 +147,38 @@ def histories(job: Job, part: Varied, ends: Ends) -> Histories:
 
 def _values(model: LoadedModel, part: Varied, rows: Array, function: str) -> Array:
     """Outputs or energies (runs, nt, n) along runs; NaN where a run had ended."""
-    there = np.isfinite(rows[:, :, : 1 + model.nx]).all(axis=2)
-    run, parameters = np.nonzero(there)[0], None
-    if part.varies_parameters:
-        p = part.block("p")
-        changed = [c.name for c in part.columns if c.block == "p"]
-        names = list(model.parameters)
-        parameters = {name: p[run, names.index(name)] for name in changed}
+    there = np.logical_and.reduce(np.isfinite(rows[:, :, : 1 + model.nx]), axis=2)
+    run, parameters, p = np.nonzero(there)[0], None, part.block("p")
+    if part.varies_parameters and model.manifest.absolute and len(run):
+        # tables of elements are filled for one set of parameters
+        models = {
+            k: model._with(Parameters(model.manifest, p[k])) for k in dict.fromkeys(run.tolist())
+        }
+        every = [_at_rows(one, rows[k, there[k]], function) for k, one in models.items()]
+        values = np.concatenate(every)
+    else:
+        if part.varies_parameters:
+            changed = [c.name for c in part.columns if c.block == "p"]
+            names = list(model.parameters)
+            parameters = {name: p[run, names.index(name)] for name in changed}
+        values = _at_rows(model, rows[there], function, parameters)
+    result = np.full((*there.shape, values.shape[1]), np.nan)
+    result[there] = values
+    return result
+
+
+def _at_rows(
+    model: LoadedModel, rows: Array, function: str, parameters: Mapping[str, Array] | None = None
+) -> Array:
+    """Outputs or energies (rows, n) at some rows."""
     sizes = np.cumsum([1, model.nq, model.nu, model.nz, model.nr, model.ns])
-    t, q, u, z, r, s, _ = np.split(rows[there], sizes, axis=1)
+    t, q, u, z, r, s, _ = np.split(rows, sizes, axis=1)
     reads = FUNCTIONS[function].arguments
     blocks = {k: v for k, v in (("r", r), ("z", z), ("s", s)) if v.shape[1] and k in reads}
     values = getattr(model, function)(q, u, t=t[:, 0], parameters=parameters, **blocks)
     if function == "energy":
         values = np.stack([values.kinetic, values.potential, values.total], axis=-1)
-    result = np.full((*there.shape, values.shape[1]), np.nan)
-    result[there] = values
+    result: Array = values
     return result
 
 

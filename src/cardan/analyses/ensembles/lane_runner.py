@@ -63,12 +63,16 @@ class Ends:
 def suits(
     model: LoadedModel, how: Settings, input_signals: Signals, event_table: EventTable
 ) -> bool:
-    """True when the loop in C can do the runs: trees, no functions of the caller on the way."""
+    """True when the loop in C can do the runs: trees without elements in tables, no functions of
+    the caller on the way.
+    """
     if (
         input_signals.functions
         or event_table.watches
         or event_table.ticks
         or Closing.of(model).rows
+        # tables of elements are filled for one set of parameters, and go side by side themselves
+        or model.manifest.absolute
     ):
         return False
     if FUNCTION in model.saved:

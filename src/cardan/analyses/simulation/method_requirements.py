@@ -58,6 +58,11 @@ def _joint_speeds(model: LoadedModel, method: Integrator) -> tuple[Integrator, s
     return method, ""
 
 
+def _increments(model: LoadedModel, method: Integrator) -> tuple[Integrator, str]:
+    """Increments along the speeds are the unknowns of a step over elements."""
+    return _joint_speeds(model, method) if model.manifest.absolute else (method, "")
+
+
 def _no_internal_states(model: LoadedModel, method: Integrator) -> tuple[Integrator, str]:
     """No element keeps states of its own, but in tables, where the method has a rule for them."""
     if model.manifest.z and not model.manifest.absolute:
@@ -120,6 +125,7 @@ CONDITIONS: dict[str, Callable[[LoadedModel, Integrator], tuple[Integrator, str]
     "damping_capped": _damping_capped,
     "assembled": _assembled,
     "joint_speeds": _joint_speeds,
+    "increments": _increments,
     "no_internal_states": _no_internal_states,
     "own_constraints": _user_constraints,
     "damped": _damped,

@@ -334,18 +334,19 @@ def _clusters(
     count = len(tables.kind)
     lines = [np.zeros(0, dtype=np.intp), *tables.beams]
     first = [np.full(len(line), line[:1].sum()) for line in lines]
-    # the ground is one place more
-    ends = tuple(np.where(x < 0, count, x) for x in map(np.concatenate, (first, lines)))
-    graph = coo_array((np.ones(len(ends[0])), ends), (count + 1, count + 1))
+    # the ground is one place more, bodies of rigid trees that beams end at come behind
+    ends = tuple(np.where(x < 0, count - 1 - x, x) for x in map(np.concatenate, (first, lines)))
+    size = 1 + max(count, *(int(x.max(initial=0)) for x in ends))
+    graph = coo_array((np.ones(len(ends[0])), ends), (size, size))
     label = connected_components(graph, directed=False)[1]
     cluster, names = np.full(count, -1, dtype=np.intp), list[str]()
     numbers: dict[int, int] = {}
     for line, name in zip(tables.beams, beams, strict=True):
-        component = int(label[count if line[0] < 0 else line[0]])
+        component = int(label[count - 1 - line[0] if line[0] < 0 else line[0]])
         if component not in numbers:
             numbers[component] = len(names)
             names.append(name)
-            cluster[label[:-1] == component] = numbers[component]
+            cluster[label[:count] == component] = numbers[component]
     immobile = np.array([component == label[count] for component in numbers], dtype=bool)
     return cluster, names, immobile
 

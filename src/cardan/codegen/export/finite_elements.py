@@ -6,8 +6,9 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from ...equations.finite_elements.record import FiniteElementRecord
-from ...equations.functions import blocks
 from ...errors import CodegenError, DerivationError, near
 from ...schema.integrators import Integrator
 from ...schema.planned import Planned
@@ -20,7 +21,7 @@ from .constants import Name
 from .export import ExportRequest, written
 from .model_file import Content
 
-# what a run calls; what the example shows
+# what a run calls beside what happens at events; what the example shows
 CALLED, EXAMPLE_FUNCTION = (
     ("rhs", "balance", "move", "qdot", "close_position", "close_velocity"),
     "energy",
@@ -73,21 +74,21 @@ def export(
     """
     request = ExportRequest.checked(directory, language, integrators, reproducible, prefix)
     _check(absolute, request)
-    names = _requested(functions, request.integrators)
+    names = _requested(absolute, functions, request.integrators)
 
     def fill(folder: Path) -> Content:
-        model_folder.write(folder, absolute, tuple(functions_header.ASSEMBLED))
+        model_folder.write(folder, absolute, functions_header.available(absolute))
         # what gives the data of elements by the parameters is C here too
         commons = model_folder.commons(absolute)
         if commons:
             model = absolute.system.name
             layout.add_functions(folder, [(generate(f, model=model), f) for f in commons])
         entries, planned = layout.manifest_of(folder).functions, plan(folder)
-        nq, start = absolute.places.nq, planned.start.tolist()
+        q, u, z = np.split(planned.start, np.cumsum([absolute.places.nq, absolute.places.nu]))
         calls = Name("&cardan_calls_of_elements")
         return Content(
             functions_header.exported(names, EXAMPLE_FUNCTION),
-            {"q": start[:nq], "u": start[nq:]},
+            {"q": q.tolist(), "u": u.tolist(), "z": z.tolist()},
             {
                 "mesh": Name("&mesh"),
                 "elements": Name("&elements"),
@@ -110,7 +111,7 @@ def _check(absolute: FiniteElementRecord, request: ExportRequest) -> None:
     """Refuse what elements in tables do not go with.
 
     Raises:
-        CodegenError: a package, a method that needs other functions, internal states or events.
+        CodegenError: a package, or a method that needs other functions.
     """
     name = absolute.system.name
     if request.language != "c":
@@ -124,26 +125,18 @@ def _check(absolute: FiniteElementRecord, request: ExportRequest) -> None:
                 f"integrators: '{method}' needs functions that absolute coordinates do not have. "
                 f"Model '{name}' goes with {', '.join(METHODS)}"
             )
-    system = absolute.system
-    for what, having in (("internal states", blocks.internals(system)), ("events", system.events)):
-        if request.integrators and having:
-            cure = "leave out what has them"
-            if not system.segments:
-                cure = "derive(scene, coordinates='relative')"
-            raise CodegenError(
-                f"integrators: model '{name}' has {what}, which no exported run in absolute "
-                f"coordinates takes: {cure}"
-            )
 
 
-def _requested(functions: Sequence[Any] | None, integrators: Sequence[str]) -> tuple[str, ...]:
+def _requested(
+    absolute: FiniteElementRecord, functions: Sequence[Any] | None, integrators: Sequence[str]
+) -> tuple[str, ...]:
     """Names of the functions to write, in their usual order.
 
     Raises:
         DerivationError: one does not exist.
     """
-    available = functions_header.ASSEMBLED
-    requested = tuple(available) if functions is None else functions
+    available = functions_header.available(absolute)
+    requested = available if functions is None else functions
     for one in requested:
         if not isinstance(one, str):
             raise DerivationError(
@@ -156,5 +149,6 @@ def _requested(functions: Sequence[Any] | None, integrators: Sequence[str]) -> t
                 f"function '{one}' does not exist in exports of absolute coordinates."
                 f"{near(one, available)}"
             )
-    needed = {*requested, EXAMPLE_FUNCTION, *(CALLED if integrators else ())}
+    called = (*CALLED, *functions_header.EVENT_FUNCTIONS) if integrators else ()
+    needed = {*requested, EXAMPLE_FUNCTION, *called}
     return tuple(name for name in available if name in needed)

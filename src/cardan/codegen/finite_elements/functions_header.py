@@ -20,32 +20,29 @@ class AssembledFunction(NamedTuple):
     size: str
 
 
-SOLVED = ("t", "q", "u", "s", "r")
+STATE = ("t", "q", "u", "z", "s", "r")
+BALANCED = (*STATE[:3], "udot", "lam", *STATE[3:])
 ASSEMBLED = {
     "rhs": AssembledFunction(
-        "derivative of the state: qdot, udot", SOLVED, "cardan_nq + cardan_nu"
+        "derivative of the state: qdot, udot, zdot", STATE, "cardan_nq + cardan_nu + cardan_nz"
     ),
     "forward_dynamics": AssembledFunction(
-        "accelerations udot, then the multipliers lam", (*SOLVED, "tau"), "cardan_nu + cardan_nlam"
+        "accelerations udot, then the multipliers lam", (*STATE, "tau"), "cardan_nu + cardan_nlam"
     ),
     "balance": AssembledFunction(
         "M udot + h - f - G^T lam, gaps of positions, of speeds",
-        ("t", "q", "u", "udot", "lam", "s", "r"),
+        BALANCED,
         "cardan_nu + cardan_npositions + cardan_nlam",
     ),
     "mass_matrix": AssembledFunction(
-        "values of [M G^T; G 0], sparse: see model_pattern", SOLVED, "cardan_nvalues"
+        "values of [M G^T; G 0], sparse: see model_pattern", STATE, "cardan_nvalues"
     ),
-    "energy": AssembledFunction("kinetic, potential and their sum", ("t", "q", "u", "s", "r"), "3"),
+    "energy": AssembledFunction("kinetic, potential and their sum", STATE, "3"),
     "momentum": AssembledFunction(
-        "angular momentum about the origin of the ground, then linear",
-        ("t", "q", "u", "s", "r"),
-        "6",
+        "angular momentum about the origin of the ground, then linear", STATE, "6"
     ),
-    "power": AssembledFunction("power of every source", SOLVED, "cardan_npowers"),
-    "outputs": AssembledFunction(
-        "outputs of the scene", ("t", "q", "u", "udot", "lam", "s", "r"), "cardan_noutputs"
-    ),
+    "power": AssembledFunction("power of every source", STATE, "cardan_npowers"),
+    "outputs": AssembledFunction("outputs of the scene", BALANCED, "cardan_noutputs"),
     "qdot": AssembledFunction("rates of the coordinates", ("q", "u"), "cardan_nq"),
     "move": AssembledFunction(
         "coordinates moved by du along the speeds, then a rotation (3, 3) for every place",
@@ -54,15 +51,30 @@ ASSEMBLED = {
     ),
     "close_position": AssembledFunction(
         "coordinates a step nearer to closing all loops, then how open they were",
-        ("t", "q", "u", "r", "tau"),
+        (*STATE, "tau"),
         "cardan_nq + cardan_npositions",
     ),
     "close_velocity": AssembledFunction(
         "speeds that the constraints allow, then what the given ones missed",
-        ("t", "q", "u", "r", "tau"),
+        (*STATE, "tau"),
         "cardan_nu + cardan_nlam",
     ),
+    "events": AssembledFunction(
+        "values of the events, which happen where they fall through zero", STATE, "cardan_nevents"
+    ),
+    "transition": AssembledFunction(
+        "speeds, internal states and modes behind the events e",
+        (*STATE, "e"),
+        "cardan_nu + cardan_nz + cardan_ns",
+    ),
 }
+EVENT_FUNCTIONS = ("events", "transition")
+
+
+def available(absolute: FiniteElementRecord) -> tuple[str, ...]:
+    """Names of the functions that a model has as a whole."""
+    without = () if absolute.system.events else EVENT_FUNCTIONS
+    return tuple(name for name in ASSEMBLED if name not in without)
 
 
 def exported(names: Sequence[str], example: str) -> dict[str, Exported]:
@@ -92,6 +104,7 @@ def declared(
         "nplaces": (len(absolute.places), "places: nodes and joints"),
         "noutputs": (len(absolute.results), "outputs"),
         "npowers": (len(absolute.powers), "sources of power"),
+        "nevents": (len(absolute.system.events), "events"),
         "nunknowns": (planned.plan["n"], "speeds and multipliers"),
         "nvalues": (planned.plan["values"], "numbers of the sparse matrix"),
         "ngroups": (len(absolute.groups), "groups of elements"),

@@ -179,6 +179,7 @@ def _kind(kind: Kind, groups: Sequence[Group]) -> ElementKind:
         mp=kind.mp,
         nz=0 if group.z is None else group.z.shape[1],
         ns=0 if group.s is None else group.s.shape[1],
+        switched=kind.switched,
         **_event_sizes(kind)._asdict(),
         functions={name: f.name for name, f in kind.functions.items()},
         parts=parts(kind.functions),
@@ -192,6 +193,7 @@ class _EventSizes(NamedTuple):
     ne: int = 0
     jumps: int = 0
     responses: int = 0
+    frictions: int = 0
 
 
 def _event_sizes(kind: Kind) -> _EventSizes:
@@ -199,12 +201,15 @@ def _event_sizes(kind: Kind) -> _EventSizes:
     counts = {output.name: output.size for output in outputs.get("change", ())}
     z = outputs["zdot"][0].size if "zdot" in outputs else 0
     sizes = _EventSizes((counts.get("z", z), counts.get("s", 0)))
+    if "reaction_friction" in outputs:
+        sizes = sizes._replace(frictions=outputs["reaction_friction"][0].size)
     if "signs" in outputs:
         sizes = sizes._replace(ne=next(o.size for o in outputs["signs"] if o.name == "signs"))
     if "jumps" in outputs:
         blocks = {block.name: len(block.entries) for block in kind.functions["jumps"].inputs}
         count = outputs["jumps"][0].shape[0]
-        sizes = sizes._replace(jumps=count, responses=blocks.get("tau", 0))
+        responses = blocks.get("tau", 0) - sizes.frictions
+        sizes = sizes._replace(jumps=count, responses=responses)
     return sizes
 
 

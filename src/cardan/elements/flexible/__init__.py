@@ -1,8 +1,5 @@
 """The flexible elements, by kind."""
 
-from .bushing import Bushing
-from .cable import Cable
-from .cable_inertia import CableInertia
 from .classical import Classical
 from .damping import Damping
 from .dead_load import DeadLoad
@@ -10,7 +7,6 @@ from .element import FlexibleElement
 from .follower_load import FollowerLoad
 from .helicoidal import Helicoidal
 from .hellinger_reissner import HellingerReissner
-from .hinge import FlexibleHinge
 from .linked_inertia import LinkedInertia
 from .lumped_inertia import LumpedInertia
 
@@ -20,12 +16,8 @@ FLEXIBLE: dict[str, type[FlexibleElement]] = {
         HellingerReissner,
         Helicoidal,
         Classical,
-        Bushing,
-        FlexibleHinge,
-        Cable,
         LinkedInertia,
         LumpedInertia,
-        CableInertia,
         Damping,
         DeadLoad,
         FollowerLoad,

@@ -12,12 +12,11 @@ from ...ir.matrix import Matrix
 from ...spatial.exponential import conjugate, multiply
 from ...spatial.rotations.quaternion import Quaternion
 from ...spatial.short_rotations import rotation_vector
-from .node_set import Ground, Motion, Node, Offset, Place, Point, Pose
+from .node_set import Ground, Motion, Node, Offset, Place, Pose
 from .plane import PlaneGround, PlaneNode, PlaneOffset
 
 PLACES: dict[str, type[Place]] = {
-    place.kind: place
-    for place in (Node, Offset, Ground, Point, PlaneNode, PlaneOffset, PlaneGround)
+    place.kind: place for place in (Node, Offset, Ground, PlaneNode, PlaneOffset, PlaneGround)
 }
 NODE, OFFSET, GROUND = "node", "offset", "ground"
 NAMES = ("start", "end")
@@ -156,27 +155,35 @@ class Ends:
         Args:
             loads: Moment on end 1 in its axes, force on end 1 in ground axes, and of end 2.
         """
-        parts = [
-            place.to_space().T @ Matrix.vstack(loads[2 * k], loads[2 * k + 1])
-            for k, place in enumerate(self.places)
-        ]
-        return Matrix.vstack(*parts)
+        total = Matrix.zeros(self.graph, len(self.speeds))
+        for k, spread in enumerate(self._spreads()):
+            total = total + spread.T @ Matrix.vstack(*loads[2 * k : 2 * k + 2])
+        return total
 
     def derivative(self, blocks: Sequence[Loads], loads: Loads) -> Matrix:
         """Derivative of :meth:`assembled` along q from that of the loads by increments of the ends.
 
         Args:
             blocks: 4 x 4 blocks (3, 3).
-            loads: The loads themselves: arms turn with nodes.
+            loads: The loads themselves: they act elsewhere as the ends move.
         """
-        places, rows = self.places, list[Matrix]()
-        spreads = [place.to_space() for place in places]
-        for i, place in enumerate(places):
-            row: list[Matrix] = []
+        spreads, nu = self._spreads(), len(self.speeds)
+        total = Matrix.zeros(self.graph, nu, nu)
+        for i, place in enumerate(self.places):
             for j in range(2):
                 lines = [line[2 * j : 2 * j + 2] for line in blocks[2 * i : 2 * i + 2]]
                 part = Matrix.vstack(*(Matrix.hstack(*line) for line in lines))
-                part = spreads[i].T @ part @ spreads[j]
-                row.append(part + place.bent(loads[2 * i + 1]) if i == j else part)
-            rows.append(Matrix.hstack(*row))
-        return Matrix.vstack(*rows)
+                total = total + spreads[i].T @ part @ spreads[j]
+            bent = place.bent(*loads[2 * i : 2 * i + 2])
+            total = total + self._wide(self._wide(bent, place.u).T, place.u).T
+        return total
+
+    def _spreads(self) -> list[Matrix]:
+        """Increments of each end from those of all speeds (6, nu)."""
+        return [self._wide(place.to_space(), place.u) for place in self.places]
+
+    def _wide(self, columns: Matrix, first: int) -> Matrix:
+        """Columns of speeds from ``first`` on (n, its own) among those of all (n, nu)."""
+        left = len(self.speeds) - first - columns.columns
+        zeros = [Matrix.zeros(self.graph, columns.rows, count) for count in (first, left)]
+        return Matrix.hstack(zeros[0], columns, zeros[1])

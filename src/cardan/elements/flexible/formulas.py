@@ -5,7 +5,7 @@ R_1, p_1 and R_2, p_2 are the poses of the ends, L is the length.
 
 from __future__ import annotations
 
-from ..formulas import Lines
+from ..formulas import HALFWAY, MEASURES, Lines
 
 POSE: Lines = (
     ("rotation of end 2 seen from end 1", "r = R_1.T @ R_2"),
@@ -22,27 +22,10 @@ HELIX: Lines = (
     ("", "kappa_2 = 1 / (8 * x * sin(sqrt(x) / 2) ** 2)"
          " + cot(sqrt(x) / 2) / (4 * x * sqrt(x)) - 1 / x ** 2"),
 )  # fmt: skip
-HALFWAY: Lines = (
-    ("axes halfway between the ends: coefficients of U", "beta_1 = -(sin(sqrt(x) / 2) / sqrt(x))"),
-    ("", "beta_2 = (1 - cos(sqrt(x) / 2)) / x"),
-    ("their derivatives by x",
-     "kappa_1 = sin(sqrt(x) / 2) / (2 * x * sqrt(x)) - cos(sqrt(x) / 2) / (4 * x)"),
-    ("", "kappa_2 = sin(sqrt(x) / 2) / (4 * x * sqrt(x)) - (1 - cos(sqrt(x) / 2)) / x ** 2"),
-)  # fmt: skip
-MEASURES: Lines = (
-    ("from axes of end 1 to those of the strain",
-     "U = I + beta_1 * skew(theta) + beta_2 * skew(theta) @ skew(theta)"),
-    ("length and shear of the element", "e = U @ d"),
-)  # fmt: skip
 DENSE: Lines = (
     ("strain of the element: K that of the reference shape, epsilon that without stress",
      "y = column(theta, e) - L * (K + epsilon)"),
 )  # fmt: skip
-SPRINGS: Lines = (
-    ("strain: y_0 that of the reference shape", "y = column(theta, e) - y_0"),
-    ("stress", "sigma = k @ y"),
-    ("energy", "V = dot(y, sigma) / 2"),
-)
 CONSTANT: Lines = (("stress", "sigma = C @ y / L"), ("energy", "V = dot(y, sigma) / 2"))
 EQUILIBRIUM: Lines = (
     ("compliance", "c = L * inverse(C)"),
@@ -139,7 +122,6 @@ HELICOIDAL: Lines = (*POSE, *HELIX, *MEASURES, *DENSE, *SECTION, *CONSTANT, *WOR
 HELLINGER_REISSNER: Lines = (*POSE, *HELIX, *MEASURES, *DENSE, *SECTION, *EQUILIBRIUM, *WORK)
 CLASSICAL: Lines = (*POSE, *HALFWAY, *MEASURES, *DENSE, *SOFT, *CONSTANT, *WORK)
 CLASSICAL_PLAIN: Lines = (*POSE, *HALFWAY, *MEASURES, *DENSE, *SECTION, *CONSTANT, *WORK)
-BUSHING: Lines = (*POSE, *HALFWAY, *MEASURES, *SPRINGS, *WORK)
 DAMPING: Lines = (*POSE, *HELIX, *MEASURES, *SOFT, *WORK[:-1], *RATE, *WORK[-1:])
 
 # f: dead load and weight per length in ground axes, n: follower load in section axes
@@ -176,31 +158,6 @@ END_FORCES: Lines = (
 HELLINGER_REISSNER_LOADED: Lines = (
     *POSE, *HELIX, *MEASURES, *DENSE, *SECTION, *DEAD, *LOADED, *WORK[:-1], *END_FORCES
 )  # fmt: skip
-
-SPAN: Lines = (
-    ("from end to end", "d = p_2 - p_1"),
-    ("distance of the ends", "ell = sqrt(dot(d, d))"),
-)
-STRETCH = ("strain, epsilon that without stress", "gamma = ell / L - 1 - epsilon")
-TENSION = ("strain, epsilon that without stress; a slack cable has none",
-         "gamma = max(ell / L - 1 - epsilon, 0)")  # fmt: skip
-PULLED: Lines = (
-    ("energy", "V = EA * L * gamma ** 2 / 2"),
-    ("force that pulls end 1 towards end 2", "f = EA * gamma * d / ell"),
-    ("balance: forces that hold the ends, without moments", "b_1 = -f"),
-    ("", "b_2 = f"),
-)
-CABLE: Lines = (*SPAN, TENSION, *PULLED)
-TRUSS: Lines = (*SPAN, STRETCH, *PULLED)
-CABLE_INERTIA: Lines = (
-    ("mass, mu that per length", "m = mu * L"),
-    ("kinetic energy of the straight line", "T = m * (dot(v_1, v_1 + v_2) + dot(v_2, v_2)) / 6"),
-    ("potential energy", "V = -(m * dot(g, p_1 + p_2) / 2)"),
-    ("accelerations less gravity", "a_1 = vdot_1 - g"),
-    ("", "a_2 = vdot_2 - g"),
-    ("balance: forces that hold the ends, without moments", "b_1 = m * (2 * a_1 + a_2) / 6"),
-    ("", "b_2 = m * (a_1 + 2 * a_2) / 6"),
-)
 
 # f_1, f_2: force per length in ground axes as the ends have it, m_1, m_2: moment in their axes
 SHARES: Lines = (

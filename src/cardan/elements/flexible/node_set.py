@@ -100,8 +100,13 @@ class Place(ABC):
     def to_space(self) -> Matrix:
         """Increments of the end, rotation in its axes and position, from those of u (6, nu)."""
 
-    def bent(self, force: Matrix) -> Matrix:
-        """Change of the derivative of loads on u as the arm of a force rotates (nu, nu)."""
+    def bent(self, moment: Matrix, force: Matrix) -> Matrix:
+        """Change along q of loads on u as the end moves under a constant load (nu, nu).
+
+        Args:
+            moment: On the end, in its axes (3, 1).
+            force: On the end, in ground axes (3, 1).
+        """
         return Matrix.zeros(self.graph, len(self.speeds), len(self.speeds))
 
     @abstractmethod
@@ -193,7 +198,7 @@ class Offset(Place):
         arm = -(rotation @ p.skew)
         return Matrix.vstack(Matrix.hstack(R.T, zero), Matrix.hstack(arm, one))
 
-    def bent(self, force: Matrix) -> Matrix:
+    def bent(self, moment: Matrix, force: Matrix) -> Matrix:
         _, p = _frame(self)
         block = p.skew @ (self.node.pose().rotation.T @ force).skew
         nodes = [
@@ -203,27 +208,6 @@ class Offset(Place):
 
     def directions(self) -> list[dict[int, int]]:
         return self.node.directions()
-
-
-class Point(Place):
-    """A point without axes: of cables."""
-
-    kind: ClassVar[str] = "point"
-    coordinates: ClassVar[Entries] = POSITION
-    speeds: ClassVar[Entries] = VELOCITY
-
-    def pose(self) -> Pose:
-        return Pose(Matrix.identity(self.graph, 3), self.entries("q"))
-
-    def motion(self) -> Motion:
-        zero = Matrix.zeros(self.graph, 3)
-        return Motion(zero, self.entries("u"), zero, self.entries("udot"))
-
-    def to_space(self) -> Matrix:
-        return Matrix.vstack(Matrix.zeros(self.graph, 3, 3), Matrix.identity(self.graph, 3))
-
-    def directions(self) -> list[dict[int, int]]:
-        return [{node: ONE} for node in self.entries("q").nodes]
 
 
 def _halves(column: Matrix, first: int) -> tuple[Matrix, Matrix]:

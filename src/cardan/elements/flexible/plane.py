@@ -69,7 +69,7 @@ class PlaneOffset(Place):
     def to_space(self) -> Matrix:
         return _to_space(self._arm())
 
-    def bent(self, force: Matrix) -> Matrix:
+    def bent(self, moment: Matrix, force: Matrix) -> Matrix:
         along = -self._arm().dot(force)
         return Matrix(self.graph, 3, 3, [ZERO] * 8 + [along.node])
 

@@ -1,11 +1,14 @@
 """The force elements, by kind."""
 
 from .actuator import Actuator
+from .bushing import Bushing
+from .cable import Cable
 from .central_gravity import CentralGravity
 from .contact import Contact
 from .controller import Controller
 from .drive import Drive
 from .event import Event
+from .flexible_hinge import FlexibleHinge
 from .force import ForceElement
 from .force_on_frame import Force
 from .friction import Friction
@@ -30,6 +33,9 @@ FORCES: dict[str, type[ForceElement]] = {
         LineLoad,
         SpringDamper,
         Maxwell,
+        Bushing,
+        FlexibleHinge,
+        Cable,
         JointSpring,
         JointForce,
         JointDamper,

@@ -1,8 +1,9 @@
-"""Events of one force element in coordinates of its own places.
+"""Events of the force elements of a small system in coordinates of its own places.
 
 What an element reads of the motion of the whole scene is an input here: accelerations ``udot`` and
-multipliers ``lam`` of its own rows; behind an event the speeds as ``du``, and as ``tau`` how
-velocities that it names respond to forces along them.
+multipliers ``lam`` of its own rows; behind an event the speeds as ``du``; as ``tau`` how certain
+friction is that follows from reactions, then how velocities that it names respond to forces along
+them.
 
 Source: F. Pfeiffer and Ch. Glocker, Multibody Dynamics with Unilateral Contacts, 1996, chapters 5
 and 8.
@@ -13,15 +14,20 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from functools import cached_property
 
+from ...elements.forces.force import Places
 from ...elements.internal_states import Impulse
 from ...ir.arithmetic import Scalar
 from ...ir.derivative import forward
 from ...ir.function import Output, live, operands
 from ...ir.graph import ONE, ZERO, Graph
+from ...ir.matrix import Matrix
 from ...ir.rewrite import rebuild
-from ..constraints.constraints import VELOCITY
+from ...topology.system import Force
+from ..constraints.constraints import VELOCITY, rows
+from ..constraints.reaction_friction import friction_forces
 from ..functions.dynamics import Dynamics
 from ..kinematics.loads import places
+from .joint_friction import JointFriction
 
 # kinds of rows of "impulses" in mesh_events.c; the last asks for a response, and pushes nothing
 BILATERAL, UNILATERAL, SLOW_RELEASE, RESPONSE = range(4)
@@ -30,13 +36,16 @@ ROW = 4
 
 
 class LocalSolution:
-    """The part of the solution of the equations of motion that the element may read."""
+    """The part of the solution of the equations of motion that an element may read."""
 
-    def __init__(self, d: Dynamics) -> None:
+    def __init__(self, d: Dynamics, force: Force) -> None:
         self._k = d.k
+        g, frictions = d.k.graph, friction_forces(d.k.system)
         self.certainty: Scalar | None = None
-        count = sum(len(f.element.locked_velocities()) for f in d.k.system.forces)
-        self.multipliers = d.block("lam", count)
+        if force in frictions:
+            self.certainty = Scalar(g, g.var("tau", frictions.index(force)))
+        at = [i for i, row in enumerate(rows(d.k.system)) if row.owner == force.name]
+        self.multipliers = Matrix(g, len(at), 1, [g.var("lam", i) for i in at])
 
     def derivative(self, x: Scalar) -> Scalar:
         """Time derivative of an expression along the motion."""
@@ -47,20 +56,26 @@ class LocalSolution:
 
 
 class LocalJump:
-    """The events of the element, and the speeds behind all that happen together."""
+    """The events of an element, and the speeds behind all that happen together.
 
-    def __init__(self, d: Dynamics) -> None:
-        self._d, self._g = d, d.k.graph
-        self.rows: list[list[int]] = []
+    Args:
+        d: Dynamics of the small system.
+        force: The element.
+        rows: Velocities whose responses are read, by all elements; it adds its own.
+    """
+
+    def __init__(self, d: Dynamics, force: Force, rows: list[list[int]]) -> None:
+        self._d, self._g, self._force = d, d.k.graph, force
+        self._rows = rows
 
     @cached_property
     def before(self) -> LocalSolution:
         """The solution of the equations of motion before the event."""
-        return LocalSolution(self._d)
+        return LocalSolution(self._d, self._force)
 
     def fired(self, event: int) -> Scalar:
         """1 where this event of the element happened, else 0."""
-        return Scalar(self._g, self._g.var("e", event))
+        return Scalar(self._g, self._g.var("e", self._force.e + event))
 
     def after(self, x: Scalar) -> Scalar:
         """Value of an expression with the speeds behind the event."""
@@ -70,60 +85,72 @@ class LocalJump:
 
     def response(self, velocity: Scalar) -> Scalar:
         """Acceleration of a velocity per force along it, loops and what others hold included."""
-        row = _gradient(self._d, velocity)
-        if row not in self.rows:
-            self.rows.append(row)
-        return Scalar(self._g, self._g.var("tau", self.rows.index(row)))
+        row = _gradient(self._d, self._force, velocity)
+        if row not in self._rows:
+            self._rows.append(row)
+        first = len(friction_forces(self._d.k.system))
+        return Scalar(self._g, self._g.var("tau", first + self._rows.index(row)))
 
 
 class ElementEvents:
-    """Functions of the events of the force of a small system.
+    """Functions of the events of the forces of a small system.
 
     Args:
         d: Dynamics of the small system.
+        friction: Friction of its joint that follows from the reaction.
     """
 
-    def __init__(self, d: Dynamics) -> None:
-        self.d, self.system = d, d.k.system
-        (self.force,) = d.k.system.forces
-        self.at = places(d.k, self.force)
-        self._jump = LocalJump(d)
+    def __init__(self, d: Dynamics, friction: JointFriction | None = None) -> None:
+        self.d, self.system, self._friction = d, d.k.system, friction
+        self.forces = d.k.system.forces
+        self._responses: list[list[int]] = []
+        self._jumps = [LocalJump(d, force, self._responses) for force in self.forces]
+
+    def _at(self, force: Force) -> Places:
+        if self._friction is not None and force.element.by_reaction:
+            return self._friction.at(force)
+        return places(self.d.k, force)
 
     def signs(self) -> tuple[Output, ...]:
         """Values of its events, then 1 where they read accelerations or multipliers now."""
-        values = self.force.element.signs(self.at, LocalSolution(self.d))
-        nodes = tuple(value.node for value in values)
+        nodes = list[int]()
+        for force in self.forces:
+            values = force.element.signs(self._at(force), LocalSolution(self.d, force))
+            nodes += [value.node for value in values]
         read = _reads_solution(self.d.k.graph, nodes)
-        return (Output("signs", (len(values),), nodes), Output("solved", (1,), (read,)))
+        return (Output("signs", (len(nodes),), tuple(nodes)), Output("solved", (1,), (read,)))
 
     @cached_property
     def change(self) -> tuple[Output, ...]:
         """z and s behind events, of those that are its own."""
-        change = self.force.element.change(self.at, self._jump)
-        z = self.at.z if change.z is None else change.z
-        s = self.at.s if change.s is None else change.s
-        return (Output("z", (z.rows,), z.nodes), Output("s", (s.rows,), s.nodes))
+        z, s = list[int](), list[int]()
+        for force, jump in zip(self.forces, self._jumps, strict=True):
+            at = self._at(force)
+            change = force.element.change(at, jump)
+            z += (at.z if change.z is None else change.z).nodes
+            s += (at.s if change.s is None else change.s).nodes
+        return (Output("z", (len(z),), tuple(z)), Output("s", (len(s),), tuple(s)))
 
     @property
     def responses(self) -> int:
         """How many responses the change of its states reads."""
-        return len(self.change) and len(self._jump.rows)
+        return len(self.change) and len(self._responses)
 
     def jumps(self) -> tuple[Output, ...]:
         """Its impulses, then the velocities whose responses it reads: numbers, then gradients."""
-        impulses = self.force.element.impulses(self.at, self._jump)
-        numbers, rows = list[int](), list[int]()
-        for impulse in impulses:
-            numbers += self._numbers(impulse)
-            rows += _gradient(self.d, impulse.velocity)
+        numbers, gradients = list[int](), list[int]()
+        for force, jump in zip(self.forces, self._jumps, strict=True):
+            for impulse in force.element.impulses(self._at(force), jump):
+                numbers += self._numbers(impulse)
+                gradients += _gradient(self.d, force, impulse.velocity)
         kind = self.d.k.graph.const(float(RESPONSE))
-        for row in self._jump.rows[: self.responses]:
+        for row in self._responses[: self.responses]:
             numbers += [kind, ZERO, ZERO, ZERO]
-            rows += row
+            gradients += row
         count = len(numbers) // ROW
         return (
             Output("impulses", (count, ROW), tuple(numbers)),
-            Output("J", (count, self.system.nu), tuple(rows)),
+            Output("J", (count, self.system.nu), tuple(gradients)),
         )
 
     def _numbers(self, impulse: Impulse) -> list[int]:
@@ -145,8 +172,10 @@ def switches(d: Dynamics) -> tuple[Output, ...]:
     ]
     if not active:
         return ()
-    m, nodes = len(active), [ZERO] * len(active) ** 2
-    for i, one in enumerate(active):
+    at = [i for i, row in enumerate(rows(d.k.system)) if row.switched]
+    m = len(rows(d.k.system))
+    nodes = [ZERO] * m**2
+    for i, one in zip(at, active, strict=True):
         nodes[i * (m + 1)] = (Scalar(d.k.graph, ONE) - one).node
     return (Output("H", (m, m), tuple(nodes)),)
 
@@ -157,7 +186,7 @@ def _reads_solution(g: Graph, nodes: Sequence[int]) -> int:
     for node in live(g, nodes):
         op, *read = g.nodes[node]
         if op == "var":
-            reads[node] = ONE if read[0] in ("udot", "lam") else ZERO
+            reads[node] = ONE if read[0] in ("udot", "lam", "tau") else ZERO
         elif op == "select" and reads[read[0]] == ZERO:
             reads[node] = g.apply("select", read[0], reads[read[1]], reads[read[2]])
         else:
@@ -173,6 +202,5 @@ def _any(g: Graph, flags: Iterable[int]) -> int:
     return total
 
 
-def _gradient(d: Dynamics, velocity: Scalar) -> list[int]:
-    (force,) = d.k.system.forces
+def _gradient(d: Dynamics, force: Force, velocity: Scalar) -> list[int]:
     return d.constraints.gradient(force.name, velocity.node, VELOCITY)

@@ -3,23 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import fields, is_dataclass, replace
+from dataclasses import replace
 from functools import cached_property
 from typing import Any
 
-from ...elements.forces.force import ForceElement
 from ...elements.formulas import RIGID, Lines
-from ...elements.joints.joint import Joint as JointElement
-from ...elements.joints.joint import Reversed
 from ...ir.arithmetic import Scalar
 from ...ir.derivative import directional
 from ...ir.function import Block, Function, Output
 from ...ir.graph import ONE, ZERO
 from ...ir.matrix import Matrix
 from ...schema.blocks import ABI_ORDER
-from ...topology.system import System
+from ...topology.system import Force, System
 from ..constraints.constraints import VELOCITY, rows
 from ..constraints.loop_loads import with_closing
+from ..constraints.reaction_friction import friction_forces
 from ..functions import event_functions, outputs, residuals
 from ..functions.blocks import blocks
 from ..functions.context import Context
@@ -34,6 +32,7 @@ from ..kinematics.loads import places as force_places
 from .element_events import ElementEvents, switches
 from .joint_constraints import JointConstraint, increments
 from .joint_formulas import joint_lines
+from .joint_friction import JointFriction
 from .parts import Part
 from .record import BlockKind, Kind
 
@@ -56,67 +55,9 @@ ABOUT = {
     "signs": "values of its events, which happen where they fall through zero",
     "jumps": "impulses at events, and velocities whose responses are asked for",
     "change": "internal states and modes behind events",
+    "reaction_friction": "friction per force of the reaction, its action, force by multipliers",
     "element_forces": "force along a line or a joint, or force and moment on a frame",
 }
-
-
-# what members have in common
-
-
-def structure(part: Part, places: Iterable[BlockKind]) -> str:
-    """Text that two pieces share if and only if the same functions serve both."""
-    system = part.system
-    signature = (
-        system.bodies,
-        [replace(joint, element=_outline(joint.element)) for joint in system.joints],  # type: ignore[arg-type]
-        [replace(cut, element=_outline(cut.element)) for cut in system.cuts],  # type: ignore[arg-type]
-        [replace(force, element=_outline(force.element)) for force in system.forces],  # type: ignore[arg-type]
-        system.frames,
-        system.constraints,
-        system.outputs,
-        system.gravity,
-        system.atoms,
-        part.kind,
-        part.joint,
-        part.reversed_joint,
-        part.driven,
-        len(part.cutting.z),
-        len(part.cutting.s),
-        [(n, part.cutting.system.joints[i].reversed) for i, n in part.cutting.moved.items()],
-        part.tree,
-        [place.name for place in places],
-        system.graph.nodes,
-    )
-    return repr(signature)
-
-
-def _outline(element: JointElement | ForceElement) -> str:
-    """An element without the numbers and names that a member may have of its own."""
-    if isinstance(element, Reversed):
-        return f"reversed {_outline(element.element)}"
-    quantities = element.quantities()
-    assert is_dataclass(element)
-    signature = [
-        (field.name, _pattern(getattr(element, field.name), field.name in quantities))
-        for field in fields(element)
-        if field.type not in ("Place", "Bodies", "JointName")
-    ]
-    constrained = (element.locked, element.slips) if isinstance(element, JointElement) else ()
-    return repr((type(element).__name__, signature, constrained))
-
-
-def _pattern(value: object, by_value: bool) -> str:
-    """Part of a field that the equations may depend on; of a quantity of a member only its form."""
-    if isinstance(value, (tuple, list)):
-        return f"({', '.join(_pattern(x, by_value) for x in value)})"
-    if not by_value or value is None or isinstance(value, (str, bool)):
-        return repr(value)
-    if isinstance(value, (int, float)):
-        return repr(float(value)) if value in (0, 1, -1) else "number"
-    return "expression"
-
-
-# what they share
 
 
 def kind_of(name: str, part: Part, places: tuple[BlockKind, ...]) -> Kind:
@@ -134,12 +75,13 @@ def kind_of(name: str, part: Part, places: tuple[BlockKind, ...]) -> Kind:
     listed["z"] = _states("z", len(part.cutting.z))
     listed["s"] = _states("s", len(part.cutting.s))
     if builder.events is not None:
-        listed["tau"] = _states("tau", builder.events.responses)
+        frictions = len(friction_forces(part.system))
+        listed["tau"] = _states("tau", frictions + builder.events.responses)
     inputs = tuple(listed[letter] for letter in ABI_ORDER)
     return Kind(
         name=name,
         blocks=places,
-        rows=tuple((_suffix(row.name), row.unit) for row in rows(part.system)),
+        rows=part.rows,
         mp=sum(row.level != VELOCITY for row in rows(part.system)),
         data=listed["p"].entries,
         functions={
@@ -156,19 +98,9 @@ def kind_of(name: str, part: Part, places: tuple[BlockKind, ...]) -> Kind:
         source=part.source,
         formulas=_lines(part, context.k),
         element=part.kind,
-        part="joint"
-        if part.joint
-        else "body"
-        if part.rigid
-        else "force" * bool(part.system.forces),
+        part=part.family,
+        switched=sum(row.switched for row in rows(part.system)),
     )
-
-
-def _family(part: Part) -> str:
-    """Body, joint or force; "" for relations and outputs."""
-    if part.joint:
-        return "joint"
-    return "body" if part.rigid else "force" * bool(part.system.forces)
 
 
 def _lines(part: Part, k: Kinematics) -> Lines:
@@ -179,11 +111,6 @@ def _lines(part: Part, k: Kinematics) -> Lines:
         (force,) = part.system.forces
         return force.element.formulas(force_places(k, force))
     return RIGID if part.rigid else ()
-
-
-def _suffix(name: str) -> str:
-    """Name of a row behind that of its member."""
-    return name.partition(".")[2]
 
 
 def _states(letter: str, count: int) -> Block:
@@ -230,11 +157,28 @@ class _Builder:
             "reactions": self._reactions(),
             **self._events(),
         }
+        if self.friction:
+            outputs |= {"reaction_friction": self.friction.outputs()}
+            outputs = {name: self._with_friction(results) for name, results in outputs.items()}
         return {
             name: results
             for name, results in outputs.items()
             if any(node != ZERO or name in ALWAYS for o in results for node in o.nodes)
         }
+
+    @cached_property
+    def friction(self) -> JointFriction | None:
+        """Friction that follows from the reaction of the joint that it is."""
+        return JointFriction(self.d, self.constraint) if friction_forces(self.system) else None
+
+    def _with_friction(self, results: Iterable[Output]) -> tuple[Output, ...]:
+        """Results with the friction that multipliers tell in place of what stands for it."""
+        assert self.friction is not None
+        outputs = list[Output]()
+        for output in results:
+            column = Matrix(self.k.graph, len(output.nodes), 1, output.nodes)
+            outputs.append(replace(output, nodes=self.friction.settled(column).nodes))
+        return tuple(outputs)
 
     def _vector(self, name: str, x: Matrix, entries: tuple[str, ...] = ()) -> Output:
         return Output(name, (x.rows,), x.nodes, entries)
@@ -243,13 +187,23 @@ class _Builder:
         if self.part.joint:
             constraint = self.constraint
             return (
-                *self.c.vector(
-                    "balance", constraint.settled(-constraint.forces(self._lam())), "tau"
-                ),
+                *self.c.vector("balance", constraint.settled(self._joint_balance()), "tau"),
                 self._vector("g", constraint.settled(constraint.position)),
-                self._vector("rates", constraint.settled(constraint.rates)),
+                self._vector("rates", constraint.settled(self._joint_rates())),
             )
         return residuals.balance(self.c) if self.system.nu or self.system.closed else ()
+
+    def _joint_balance(self) -> Matrix:
+        """Share of a joint, with friction in it, in the balance (nu, 1), by leaves of the joint."""
+        constraint = self.constraint
+        lam = self._lam().block(slice(0, constraint.rates.rows))
+        balance = -constraint.forces(lam)
+        return balance if self.friction is None else balance + self.friction.balance
+
+    def _joint_rates(self) -> Matrix:
+        """Rates of all rows of a joint, likewise."""
+        rates = self.constraint.rates
+        return rates if self.friction is None else Matrix.vstack(rates, self.friction.rates)
 
     def _tangent(self) -> tuple[Output, ...]:
         if not self.system.nu:
@@ -275,20 +229,30 @@ class _Builder:
         )
 
     def _constraint_tangent(self) -> tuple[Output, ...]:
-        """K, R and G of a joint: it has no mass, and what it holds no damping."""
-        constraint, nu = self.constraint, self.system.nu
-        m = constraint.rates.rows
-        K = constraint.settled(constraint.along(-constraint.forces(self._lam())))
-        R = constraint.settled(constraint.along(constraint.rates))
-        return (
-            Output("K", (nu, nu), K.nodes),
-            Output("R", (m, nu), R.nodes),
-            Output("G", (m, nu), constraint.settled(constraint.jacobian).nodes),
+        """K, R and G of a joint: it has no mass, and what it holds no damping; C and L with
+        friction."""
+        constraint, friction, nu = self.constraint, self.friction, self.system.nu
+        along = constraint.along if friction is None else friction.along
+        balance, rates, G = self._joint_balance(), self._joint_rates(), constraint.jacobian
+        matrices = {"K": along(balance)}
+        if friction is not None:
+            matrices["C"] = friction.by_speeds(balance)
+            G = Matrix.vstack(G, friction.locked)
+        matrices |= {"R": along(rates), "G": G}
+        outputs = tuple(
+            Output(name, (x.rows, nu), constraint.settled(x).nodes) for name, x in matrices.items()
         )
+        if friction is None:
+            return outputs
+        L = constraint.settled(G - friction.by_multipliers)
+        return (*outputs, *switches(self.d), Output("L", (L.rows, nu), L.nodes))
 
     def _gamma(self) -> tuple[Output, ...]:
         if self.part.joint:
-            return (self._vector("gamma", self.constraint.settled(self.constraint.gamma)),)
+            gamma = self.constraint.gamma
+            if self.friction is not None:
+                gamma = Matrix.vstack(gamma, self.friction.gamma)
+            return (self._vector("gamma", self.constraint.settled(gamma)),)
         return (self._vector("gamma", self.d.constraints.gamma),) if self.system.closed else ()
 
     def _energy(self) -> tuple[Output, ...]:
@@ -303,10 +267,10 @@ class _Builder:
 
     @cached_property
     def events(self) -> ElementEvents | None:
-        """Events of the force that it is; None without."""
-        forces = self.system.forces
-        having = forces and (forces[0].element.events() or forces[0].element.modes())
-        return ElementEvents(self.d) if having else None
+        """Events of its forces; None without."""
+        elements = [force.element for force in self.system.forces]
+        having = any(element.events() or element.modes() for element in elements)
+        return ElementEvents(self.d, self.friction) if having else None
 
     def _events(self) -> dict[str, tuple[Output, ...]]:
         if self.events is None:
@@ -387,28 +351,38 @@ class _Builder:
         return (Output("outputs", (len(nodes),), tuple(nodes)),)
 
     def _element_forces(self) -> tuple[Output, ...]:
-        if not self.part.force:
+        if not self.part.forces:
             return ()
-        (force,) = self.system.forces
-        return (self._vector("element_forces", force_of(self.k, force)),)
+        parts = [force_of(self.k, f, self._locking(f)) for f in self.system.forces]
+        return (self._vector("element_forces", Matrix.vstack(*parts)),)
+
+    def _locking(self, force: Force) -> Matrix | None:
+        """Multipliers of what an element holds in some modes; None where it holds nothing."""
+        at = [i for i, row in enumerate(rows(self.system)) if row.owner == force.name]
+        if not force.element.locked_velocities():
+            return None
+        return Matrix.vector(self.k.graph, [self._lam()[i] for i in at])
 
     def _power(self) -> tuple[Output, ...]:
         nodes: list[int] = []
-        if self.system.forces:
-            power = sum((x for _, x in self.d.loads.power), self._zero())
-            nodes.append((power + self._surface_power()).node)
+        powers = dict(self.d.loads.power)
+        for force in self.system.forces:
+            power = powers.get(force.name, self._zero())
+            nodes.append((power + self._surface_power(force)).node)
         nodes += [(force * self.k.u(i)[0]).node for i, force in self._driving()]
         if self.system.constraints:
             (rate,), (lam,) = self.d.constraints.prescribed, self._lam()
             nodes.append((-lam * rate).node)
         return (Output("power", (len(nodes),), tuple(nodes)),)
 
-    def _surface_power(self) -> Scalar:
-        """Power of what the element holds on surfaces that move by themselves."""
-        if not any(force.element.locked_velocities() for force in self.system.forces):
+    def _surface_power(self, force: Force) -> Scalar:
+        """Power of what an element holds on surfaces that move by themselves."""
+        if not force.element.locked_velocities():
             return self._zero()
         lam, surfaces = self._lam(), self.d.constraints.surfaces
-        return sum((-lam[row] * rate for row, rate in surfaces), self._zero())
+        owners = [row.owner for row in rows(self.system)]
+        powers = (-lam[row] * rate for row, rate in surfaces if owners[row] == force.name)
+        return sum(powers, self._zero())
 
     def _zero(self) -> Scalar:
         return Matrix.zeros(self.k.graph, 1)[0]

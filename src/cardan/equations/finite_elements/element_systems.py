@@ -65,6 +65,7 @@ class Cutting:
         data: Expression in the parameters of the scene of each of its own parameters.
         moved: Bodies of rigid trees of the scene -> their numbers here.
         z, s: Entries of the internal states and modes of the scene that it reads.
+        events: Number of the events of its elements.
     """
 
     def __init__(self, scene: Scene) -> None:
@@ -78,6 +79,7 @@ class Cutting:
         self.atoms: dict[str, Atom] = {}
         self.places: list[Key] = []
         self.data: list[int] = []
+        self.events = 0
         self.moved: dict[int, int] = {}
         self.z: list[int] = []
         self.s: list[int] = []
@@ -117,13 +119,13 @@ class Cutting:
     def node(self, body: int, mass: Mass = NOTHING) -> int:
         """Number here of a body of the scene."""
         if body in self.scene.in_trees:
-            return self.carried(body)
+            return self.tree_body(body)
         if body not in self._body:
             self._body[body] = self.floating(self._numbered("body"), mass)
             self.places.append((NODE, body))
         return self._body[body]
 
-    def carried(self, body: int, mass: Mass = NOTHING) -> int:
+    def tree_body(self, body: int, mass: Mass = NOTHING) -> int:
         """Number here of a body of a rigid tree: joints carry it from its base on."""
         way = [body]
         while way[-1] not in self._body and self.system.bodies[way[-1]].parent in (
@@ -134,10 +136,10 @@ class Cutting:
             if i not in self._body:
                 parent = self.system.bodies[i].parent
                 local = self._body[parent] if parent in self._body else self.node(parent)
-                self._body[i] = self._carried(i, local, mass if i == body else NOTHING)
+                self._body[i] = self._tree_body(i, local, mass if i == body else NOTHING)
         return self._body[body]
 
-    def _carried(self, i: int, parent: int, mass: Mass) -> int:
+    def _tree_body(self, i: int, parent: int, mass: Mass) -> int:
         """A body that joint i of the scene moves from a body here."""
         joint = self.system.joints[i]
         place = (
@@ -159,7 +161,7 @@ class Cutting:
         if i in self.scene.nodal:
             return self.node(i)
         if i in self.scene.in_trees and not self.scene.line(i):
-            return self.carried(i)
+            return self.tree_body(i)
         return self._joint[i] if i in self._joint else self.alone(i)
 
     def alone(self, i: int) -> int:
@@ -176,7 +178,9 @@ class Cutting:
             self.expressions(joint.position, "place_position"),
         )
         data = self.quantities(joint.data)
-        return self._moving(MOVING_JOINT, i, parent, joint.element, data, place)
+        number = self._moving(MOVING_JOINT, i, parent, joint.element, data, place)
+        self._joint.setdefault(i, number)
+        return number
 
     def _stand_in(self, i: int) -> tuple[JointElement, Data]:
         """A joint with the same coordinates; where there is one, of the simplest kind."""

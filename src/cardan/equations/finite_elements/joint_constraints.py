@@ -257,8 +257,8 @@ class JointConstraint:
         moved = self._column(forward(self.graph, p.nodes, self.time_seeds))
         if max(map(len, self._paths)) > 1:
             rate = Matrix(self.graph, 3, 3, forward(self.graph, R.nodes, self.time_seeds))
-            turning = R.T @ rate
-            omega = [turning[2, 1].node, turning[0, 2].node, turning[1, 0].node]
+            spin = R.T @ rate
+            omega = [spin[2, 1].node, spin[0, 2].node, spin[1, 0].node]
             return Matrix.vstack(self._column(omega), R.T @ moved)
         (w_a, _), (w_b, _) = self._speeds(self.parent), self._speeds(self.child)
         axes = self.k.matrix(3, 3, self.k.system.frames[self.cut.child_frame].rotation)
@@ -301,8 +301,8 @@ class JointConstraint:
         nodes = [column[i] for i in range(x.rows) for column in columns]
         return Matrix(self.graph, x.rows, len(self.seeds), nodes)
 
-    def transmitted(self, lam: Matrix) -> Closing:
-        """Wrench that the joint transmits."""
+    def wrench(self, lam: Matrix) -> Matrix:
+        """Wrench of P on C at the origin of C, in C axes (6, 1), by the first multipliers."""
         gradients = closed(self.cut.element, *self.pose, self.data)[1]
         position_count, slips = gradients.rows, len(self.cut.element.slips)
         total = gradients.T @ lam.block(slice(0, position_count))
@@ -310,8 +310,12 @@ class JointConstraint:
             unit = Matrix.identity(self.graph, 6)
             rows = Matrix.hstack(*[self._slip(unit.column(j)) for j in range(6)])
             total = total + rows.T @ lam.block(slice(position_count, position_count + slips))
-        R, position = self.pose
-        return Closing(self.cut, (self.settled(R), self.settled(position)), self.settled(total))
+        return total
+
+    def transmitted(self, lam: Matrix) -> Closing:
+        """Wrench that the joint transmits."""
+        R, position = (self.settled(x) for x in self.pose)
+        return Closing(self.cut, (R, position), self.settled(self.wrench(lam)))
 
     def _column(self, nodes: list[int]) -> Matrix:
         return Matrix(self.graph, len(nodes), 1, nodes)

@@ -16,14 +16,15 @@ from ...topology.system import Cut, Joint, System, joint_lengths
 from ..functions.blocks import parameters
 from ..functions.element_forces import named_forces
 from .blocks import Holds, holds
-from .element_kinds import kind_of, structure
+from .element_kinds import kind_of
+from .kind_structure import structure
 from .nodal_scene import NODE, Key, Scene
 from .parts import Part, parts
 from .planar_kinds import flattened
 from .planarity import check, planes
 from .record import (
-    CARRIED,
     GROUND,
+    ON_TREE,
     BlockKind,
     FiniteElementRecord,
     Frames,
@@ -48,7 +49,7 @@ def lowered(
         nodes: As of :class:`.nodal_scene.Scene`.
 
     Raises:
-        DerivationError: it has friction pressed by reactions; or leaves the plane.
+        DerivationError: it is made of written equations, or leaves the plane.
     """
     _refuse(system)
     scene = Scene(system, nodes)
@@ -87,8 +88,8 @@ def _lowered(scene: Scene, normal: int | None) -> FiniteElementRecord:
     other = sum(kind.mp * len(members) for kind, members in sorted_parts)
     for kind, members in sorted_parts:
         rows = _rows(kind, len(members), position, other)
-        carrying = {i: k for k, i in enumerate(sorted(scene.in_trees))}
-        groups.append(_group(kind, members, at, rows, system, (results, powers), carrying))
+        tree_number = {i: k for k, i in enumerate(sorted(scene.in_trees))}
+        groups.append(_group(kind, members, at, rows, system, (results, powers), tree_number))
         position += kind.mp * len(members)
         other += (kind.m - kind.mp) * len(members)
     numbered = [
@@ -96,7 +97,7 @@ def _lowered(scene: Scene, normal: int | None) -> FiniteElementRecord:
         for g, (_, members) in enumerate(sorted_parts)
         for e, part in enumerate(members)
     ]
-    forces = {part.force: at for part, at in numbered}
+    forces = {name: at for part, at in numbered for name in part.forces}
     if normal is not None:
         check(scene, (*groups, *beams.groups), space | beams.space, normal)
     return FiniteElementRecord(
@@ -107,7 +108,7 @@ def _lowered(scene: Scene, normal: int | None) -> FiniteElementRecord:
         tree_joints=tuple(system.joints[i].name for i in sorted(scene.in_trees)),
         joints={part.name: at for part, at in numbered if part.joint},
         forces={one.name: forces[one.name] for one in named_forces(system) if one.name in forces},
-        states=states(scene, bodies),
+        states=states(scene, bodies, beams.tree_ends),
         results=tuple((name, _unit(system, name)) for name in results),
         powers=tuple(powers),
         reference=beams.reference,
@@ -129,25 +130,13 @@ def _refuse(system: System) -> None:
     """Refuse options that belong to joint coordinates alone.
 
     Raises:
-        DerivationError: written equations, or friction pressed by reactions.
+        DerivationError: it is made of written equations.
     """
     if system.written:
         raise DerivationError(
             f"'{system.name}' is made of written equations, which have coordinates of their own: "
             'leave out coordinates="absolute"'
         )
-    for force in system.forces:
-        what = ""
-        if force.element.by_reaction:
-            what = "the force follows from the reaction of its joint"
-        if what:
-            cure = 'Use coordinates="relative"'
-            if system.segments:
-                cure = "Beams have no others: leave it out, or put rigid bodies in place of beams"
-            raise DerivationError(
-                f"'{force.name}' ({force.element.kind}): {what}, which absolute coordinates do not "
-                f"have. {cure}"
-            )
 
 
 def _sorted(
@@ -195,7 +184,7 @@ def _group(
     rows: Integers,
     system: System,
     named: tuple[Mapping[str, int], Mapping[str, int]],
-    carrying: Mapping[int, int],
+    tree_number: Mapping[int, int],
 ) -> Group:
     """The table of the members of a kind."""
     results, powers = named
@@ -213,7 +202,7 @@ def _group(
         if "outputs" in has
         else None,
         powers=_table([[powers[n] for n in p.powers] for p in members]) if "power" in has else None,
-        reactions=_table([[carrying[i] for i in p.cutting.moved] for p in members])
+        reactions=_table([[tree_number[i] for i in p.cutting.moved] for p in members])
         if "reactions" in has
         else None,
     )
@@ -251,7 +240,7 @@ def _frames(
     """Poses of the frames of the scene on their nodes or bodies of trees."""
     system = scene.system
     frames = [system.frames[scene.frame(k)] for k in range(len(system.frames))]
-    place = [GROUND if f.body < 0 else at.get((NODE, f.body), CARRIED) for f in frames]
+    place = [GROUND if f.body < 0 else at.get((NODE, f.body), ON_TREE) for f in frames]
     rotation = tuple(node for f in frames for node in f.rotation)
     position = tuple(node for f in frames for node in f.position)
     results = [
@@ -270,8 +259,8 @@ def _frames(
         if part.tree
         for k, i in enumerate(part.cutting.moved)
     }
-    carried = {k: bodies[f.body] for k, f in enumerate(frames) if f.body in bodies}
-    return Frames(np.array(place, dtype=np.intp), poses, carried)
+    on_trees = {k: bodies[f.body] for k, f in enumerate(frames) if f.body in bodies}
+    return Frames(np.array(place, dtype=np.intp), poses, on_trees)
 
 
 def _unit(system: System, name: str) -> str:

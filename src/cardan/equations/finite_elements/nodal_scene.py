@@ -12,10 +12,13 @@ from ...elements.joints.joint import Reversed
 from ...ir.function import live
 from ...topology.conversion import IDENTITY, ORIGIN
 from ...topology.system import GROUND, Cut, System
+from ..constraints.reaction_friction import friction_forces
 
 NODE, JOINT = "node", "joint"
 # what a place belongs to: (NODE, body) or (JOINT, joint)
 Key: TypeAlias = tuple[str, int]
+# speeds of joints that carry an element of a beam, beyond which a node and rows cost less
+MOST = 12
 
 
 class Scene:
@@ -63,8 +66,15 @@ class Scene:
             and i not in self._in_relations
             and i not in self.joints_of_cuts
             and not joint.element.slips
+            and i not in self._with_friction
             and not (joint.element == Free() and bodies[i].parent == GROUND)
         )
+
+    @cached_property
+    def _with_friction(self) -> frozenset[int]:
+        """Joints with friction that follows from their reactions: multipliers tell these."""
+        frictions = friction_forces(self.system)
+        return frozenset(i for force in frictions for i in force.joints.values())
 
     @cached_property
     def _in_relations(self) -> frozenset[int]:
@@ -147,6 +157,28 @@ def ends_of_beams(system: System) -> frozenset[int]:
     """Bodies that beams begin or end at."""
     frames = (frame for s in system.segments for frame in (s.frame_a, s.frame_b))
     return frozenset(system.frames[frame].body for frame in frames) - {GROUND}
+
+
+def ends_with_nodes(system: System) -> frozenset[int]:
+    """Bodies at ends of beams that have a node of their own, held by rows of constraints.
+
+    The others are carried by joints, and the first element of the beam has the coordinates of
+    these joints. That takes no prescribed ones, and pays up to some number of speeds.
+    """
+    return frozenset(i for i in ends_of_beams(system) if not _short_path(system, i))
+
+
+def _short_path(system: System, body: int) -> bool:
+    """True when few joints carry a body, none of which is prescribed."""
+    speeds = 0
+    while body != GROUND:
+        joint = system.joints[body]
+        if joint.motion is not None:
+            return False
+        if joint.element != Free():
+            speeds += len(joint.element.speeds)
+        body = system.bodies[body].parent
+    return speeds <= MOST
 
 
 def adds_up(element: JointElement) -> bool:

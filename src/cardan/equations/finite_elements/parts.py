@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Any
+from typing import TypedDict
 
 from ...elements.joints.fixed import Fixed
 from ...elements.joints.joint import Joint as JointElement
 from ...ir.graph import ZERO
 from ...topology.loops.circuits import circuit
 from ...topology.system import Cut, Force, Named, System
+from ..constraints.constraints import rows
+from ..constraints.reaction_friction import friction_forces
 from ..functions.element_forces import named_forces
 from .element_systems import MOVING_JOINT, Cutting, Mass
 from .nodal_scene import Scene
@@ -36,7 +39,7 @@ class Part:
         results: Names of the outputs that it contributes to.
         powers: Names of the powers that it contributes to.
         tree: Whether it is a rigid tree, which tells how its bodies move.
-        force: What its force is called by elements that have one, "" if it has none.
+        forces: Names of the elements in it that have a force with a name.
         events: Entries of the events of the scene that are its own.
         rigid: Whether it is a rigid body and nothing else.
     """
@@ -52,9 +55,34 @@ class Part:
     results: tuple[str, ...] = ()
     powers: tuple[str, ...] = ()
     tree: bool = False
-    force: str = ""
+    forces: tuple[str, ...] = ()
     events: tuple[int, ...] = ()
     rigid: bool = False
+
+    @property
+    def family(self) -> str:
+        """Body, joint or force; "" of relations and outputs."""
+        if self.joint:
+            return "joint"
+        return "body" if self.rigid else "force" * bool(self.system.forces)
+
+    @property
+    def rows(self) -> tuple[tuple[str, str], ...]:
+        """Names of its rows of constraints behind its own name, and their units."""
+        named, taken = list[tuple[str, str]](), Counter[str]()
+        for row in rows(self.system):
+            name = row.name.partition(".")[2]
+            taken[name] += 1
+            named.append((f"{name}{taken[name]}" if taken[name] > 1 else name, row.unit))
+        return tuple(named)
+
+
+class Driving(TypedDict):
+    """What an element gives prescribed joints, as attributes of its part."""
+
+    driven: tuple[int, ...]
+    results: tuple[str, ...]
+    powers: tuple[str, ...]
 
 
 def parts(scene: Scene) -> Iterator[Part]:
@@ -72,7 +100,8 @@ def parts(scene: Scene) -> Iterator[Part]:
         yield _closing(scene, cut) if cut.carrier is None else _joint(scene, cut.carrier)
     names = {one.number: one.name for one in named_forces(system)}
     for number, force in enumerate(system.forces):
-        yield _force(scene, force, names.get(number, ""))
+        if not force.element.by_reaction:
+            yield _force(scene, force, names.get(number, ""))
     for entry in system.constraints:
         yield _relation(scene, entry)
     for entry in system.outputs:
@@ -95,15 +124,15 @@ def _tree(scene: Scene, tree: tuple[int, ...]) -> Part:
     """Bodies that joints carry from the ground or a node on."""
     cutting = Cutting(scene)
     for i in tree:
-        cutting.carried(i, _mass(cutting, i))
+        cutting.tree_body(i, _mass(cutting, i))
     gravity = cutting.expressions(scene.system.gravity, "gravity")
     name = scene.system.joints[tree[0]].name
     system = cutting.system_of(gravity=gravity)
     return Part(name, "tree", cutting, system, TREE, tree=True, **_driven(cutting, {}))
 
 
-def _driven(cutting: Cutting, driven: dict[int, int], *powers: str) -> dict[str, Any]:
-    """What an element gives prescribed joints, as attributes of its part.
+def _driven(cutting: Cutting, driven: dict[int, int], *powers: str) -> Driving:
+    """What an element gives prescribed joints.
 
     Args:
         cutting: Its places, with the joints of trees that carry it.
@@ -111,8 +140,8 @@ def _driven(cutting: Cutting, driven: dict[int, int], *powers: str) -> dict[str,
         powers: Names of its other powers.
     """
     system = cutting.system
-    carrying = {i: n for i, n in cutting.moved.items() if system.joints[i].motion is not None}
-    every = driven | carrying
+    tree_joints = {i: n for i, n in cutting.moved.items() if system.joints[i].motion is not None}
+    every = driven | tree_joints
     joints = [system.joints[i] for i in every]
     return {
         "driven": tuple(every.values()),
@@ -132,21 +161,28 @@ def _body(scene: Scene, i: int) -> Part:
 def _joint(scene: Scene, i: int) -> Part:
     """A joint that moves a body without mass, which is held on the child by its reaction."""
     cutting, joint = Cutting(scene), scene.system.joints[i]
+    frictions = [f for f in friction_forces(scene.system) if i in f.joints.values()]
+    for friction in frictions:
+        # states that are its own come first
+        _states(cutting, friction)
     parent = cutting.node(scene.system.bodies[i].parent)
     cut = scene.joints_of_cuts.get(i)
     end = cutting.body_frame(cutting.node(i)) if cut is None else cutting.frame(cut.child_frame)
     body = cutting.moving_body(i, parent)
     weld = _cut(cutting, Fixed(), (cutting.body_frame(body), end), body)
     driven = {i: body} if joint.motion is not None else {}
+    local_forces = tuple(_local_force(cutting, friction) for friction in frictions)
     return Part(
         joint.name,
         joint.element.kind,
         cutting,
-        cutting.system_of(cuts=(weld,)),
+        cutting.system_of(cuts=(weld,), forces=local_forces),
         joint.element.source,
         joint=True,
         reversed_joint=body if joint.reversed else -1,
-        **_driven(cutting, driven),
+        forces=tuple(friction.name for friction in frictions),
+        **_driven(cutting, driven, *(friction.name for friction in frictions)),
+        events=tuple(n for friction in frictions for n in _events(friction)),
     )
 
 
@@ -186,19 +222,10 @@ def _cut(
 
 def _force(scene: Scene, force: Force, name: str) -> Part:
     cutting, element = Cutting(scene), force.element
-    frames = {role: cutting.frame(frame) for role, frame in force.frames.items()}
-    joints = {role: cutting.joint(joint) for role, joint in force.joints.items()}
-    for block, first, count in (
-        ("z", force.z, len(element.internals())),
-        ("s", force.s, len(element.modes())),
-    ):
-        for entry in range(count):
-            cutting.state(block, first + entry)
-    data = cutting.quantities(force.data)
-    local_force = Force(element.kind, element, data, frames, joints)
+    local_force = _local_force(cutting, force)
     driven = {
         i: number
-        for i, number in zip(force.joints.values(), joints.values(), strict=True)
+        for i, number in zip(force.joints.values(), local_force.joints.values(), strict=True)
         if cutting.joints[number].motion is not None
     }
     return Part(
@@ -207,10 +234,35 @@ def _force(scene: Scene, force: Force, name: str) -> Part:
         cutting,
         cutting.system_of(forces=(local_force,)),
         element.source,
-        force=name,
+        forces=(name,) * bool(name),
         **_driven(cutting, driven, force.name),
-        events=tuple(range(force.e, force.e + len(element.events()))),
+        events=_events(force),
     )
+
+
+def _events(force: Force) -> tuple[int, ...]:
+    """Entries of the events of the scene that belong to an element."""
+    return tuple(range(force.e, force.e + len(force.element.events())))
+
+
+def _local_force(cutting: Cutting, force: Force) -> Force:
+    """A force element of a small system; its events stand behind those of others there."""
+    element, e = force.element, cutting.events
+    z, s = _states(cutting, force)
+    frames = {role: cutting.frame(frame) for role, frame in force.frames.items()}
+    joints = {role: cutting.joint(joint) for role, joint in force.joints.items()}
+    cutting.events += len(element.events())
+    data = cutting.quantities(force.data)
+    name = f"{element.kind}_{e}" if e else element.kind
+    return Force(name, element, data, frames, joints, z, s, e)
+
+
+def _states(cutting: Cutting, force: Force) -> tuple[int, int]:
+    """First of the internal states and of the modes of a force element in a small system."""
+    counts = len(force.element.internals()), len(force.element.modes())
+    z = [cutting.state("z", force.z + n) for n in range(counts[0])]
+    s = [cutting.state("s", force.s + n) for n in range(counts[1])]
+    return (z or [0])[0], (s or [0])[0]
 
 
 def _relation(scene: Scene, entry: Named) -> Part:

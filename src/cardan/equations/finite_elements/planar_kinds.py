@@ -30,7 +30,7 @@ NAMES, UNITS = ("x", "y", "angle"), ("m", "m", "rad")
 SPEEDS = ("m/s", "m/s", "rad/s")
 RATES = ("u", "udot", "du")
 # results along speeds, and along rows of constraints
-MATRICES, ROWS = ("K", "C", "M", "R", "G"), ("g", "rates", "gamma")
+MATRICES, ROWS = ("K", "C", "M", "R", "G", "L"), ("g", "rates", "gamma")
 # functions that stay where they are zero throughout
 ALWAYS = ("outputs", "signs", "jumps", "change")
 
@@ -64,6 +64,7 @@ def flattened(name: str, kind: Kind, blocks: Sequence[BlockKind]) -> Kind:
         blocks=tuple(blocks),
         rows=tuple(kind.rows[i] for i in flat.rows),
         mp=sum(i < kind.mp for i in flat.rows),
+        switched=sum(i >= kind.m - kind.switched for i in flat.rows),
         functions={
             key: function
             for key, function in functions.items()
@@ -170,10 +171,14 @@ class Flat:
         if output.name == "H":
             at = [row * output.shape[1] + column for row in self.rows for column in self.rows]
             return Output("H", (len(self.rows),) * 2, tuple(nodes[i] for i in at))
-        if output.name == "J":
+        if output.name in ("J", "along"):
             reduced = Matrix(graph, output.shape[0], output.shape[1], nodes)
             reduced = reduced @ self._to_space(graph)
-            return Output("J", (reduced.rows, reduced.columns), reduced.nodes)
+            return Output(output.name, (reduced.rows, reduced.columns), reduced.nodes)
+        if output.name == "normal":
+            count, _, m = output.shape
+            picked = tuple(nodes[i * m + row] for i in range(3 * count) for row in self.rows)
+            return Output("normal", (count, 3, len(self.rows)), picked)
         if output.name in MATRICES:
             rows, columns = output.shape
             reduced = Matrix(graph, rows, columns, nodes) @ self._to_space(graph)

@@ -33,7 +33,7 @@ Numbers: TypeAlias = Array
 # the place of an end that is fixed to the ground
 GROUND = -1
 # that of a frame on a body that joints alone place
-CARRIED = -2
+ON_TREE = -2
 POSE = 7  # entries of the q of a node in space
 
 
@@ -141,6 +141,7 @@ class Kind:
             between ends in space.
         element: Its element in the catalog, such as "revolute"; "body" of rigid bodies.
         part: "body", "joint", "force" or "beam"; "" of others.
+        switched: Number of its rows that hold in some modes, the last ones.
     """
 
     name: str
@@ -153,6 +154,7 @@ class Kind:
     formulas: Lines = field(default=(), repr=False)
     element: str = ""
     part: str = ""
+    switched: int = 0
 
     @property
     def m(self) -> int:
@@ -232,7 +234,7 @@ class Frames:
     """Poses of the frames of a scene, in the order of ``System.frames``.
 
     Attributes:
-        place: Index of the node, GROUND for the ground, CARRIED for a body of a tree (n,).
+        place: Index of the node, GROUND for the ground, ON_TREE for a body of a tree (n,).
         bodies: For frames on bodies of trees (group, member, number in ``bodies`` of the member).
         poses: Parameters p -> outputs ``rotation`` (n, 9), R from frame axes to those of the node,
             and ``position`` (n, 3) from its origin in its axes.
@@ -265,7 +267,7 @@ class FiniteElementRecord:
         reference: Coordinates in the reference configuration of the nodes inside beams, which are
             the last places; ``states`` gives those of all others.
         lines: Places of the nodes of every segment of ``system.segments`` from start to end;
-            GROUND where it ends at the ground.
+            GROUND where it ends at the ground, ON_TREE - k at body k of ``ends_q`` of ``states``.
         reason: Why ``coordinates="auto"`` took them, "" where the user did.
     """
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
+from typing import Literal
 
 import numpy as np
 
@@ -23,9 +24,10 @@ from ...topology.beams.segment_tables import Segment
 from ...topology.conversion import IDENTITY, ORIGIN
 from ..functions.blocks import parameters
 from .blocks import Holds
+from .ends_on_trees import INSIDE, TREE, TREE_OFFSET, TreeElement
 from .nodal_scene import NODE, Key, Scene
 from .planar_kinds import flattened
-from .record import GROUND, BlockKind, Group, Kind, Numbers, unique
+from .record import GROUND, ON_TREE, BlockKind, Group, Kind, Numbers, unique
 
 # elements of a segment up to which they share a table with those of others
 FEW = 100
@@ -46,7 +48,9 @@ class Beamed:
         reference: Their coordinates in the reference configuration, one after the other.
         kinds: What each of them holds.
         space: Kinds of elements in space by the name of those in a plane.
-        lines: Places of the nodes of every segment, GROUND at ends fixed to the ground.
+        lines: Places of the nodes of every segment, GROUND at ends fixed to the ground, ON_TREE - k
+            at those on body k of ``tree_ends``.
+        tree_ends: Bodies of rigid trees that segments end at.
         groups: The elements.
     """
 
@@ -55,16 +59,18 @@ class Beamed:
     kinds: tuple[BlockKind, ...]
     space: dict[str, Kind]
     lines: tuple[Integers, ...]
+    tree_ends: tuple[int, ...]
     groups: tuple[Group, ...]
 
 
 @dataclass(frozen=True)
 class _End:
-    """End of a segment: its place, its attachment there, and the numbers of it."""
+    """End of a segment: its place, its attachment there, the numbers of it, and its body."""
 
     place: int
     kind: str
     data: tuple[float, ...] = ()
+    body: int = GROUND
 
 
 @dataclass(frozen=True)
@@ -78,6 +84,7 @@ class _Part:
         common: Expressions of their common data.
         attributes: The other data (n, k).
         power: Number of the source of power, -1 for none.
+        tree_bodies: Bodies of rigid trees whose joints carry the ends.
     """
 
     kind: Kind
@@ -86,6 +93,7 @@ class _Part:
     common: tuple[int, ...]
     attributes: Numbers
     power: int
+    tree_bodies: tuple[int, ...] = ()
 
 
 def beamed(
@@ -123,8 +131,15 @@ def beamed(
         pairs = np.hstack([poses_here[:-1], poses_here[1:]])
         parts += builder.parts(segment, labels, line, ends, pairs, inside)
     reference = np.concatenate(poses) if poses else np.zeros(0)
-    groups = tuple(builder.groups(parts))
-    return Beamed(tuple(names), reference, tuple(kinds), builder.space, tuple(lines), groups)
+    return Beamed(
+        names=tuple(names),
+        reference=reference,
+        kinds=tuple(kinds),
+        space=builder.space,
+        lines=tuple(lines),
+        tree_ends=tuple(builder.tree_ends),
+        groups=tuple(builder.groups(parts)),
+    )
 
 
 def _coordinates(kind: BlockKind, poses: Numbers) -> Numbers:
@@ -167,17 +182,24 @@ class _Builder:
         self.at, self.holds, self.powers, self.taken = at, holds, powers, taken
         self.keys = list(at)
         self.space: dict[str, Kind] = {}
+        self.tree_ends: list[int] = []
         self._kinds: dict[tuple[str, ...], Kind] = {}
+        self._tree_numbers = {i: k for k, i in enumerate(sorted(scene.in_trees))}
 
     def end(self, number: int) -> _End:
         """Attachment of a frame at the end of a segment."""
         frame = self.system.frames[self.scene.frame(number)]
         if frame.body < 0:
             return _End(GROUND, AT_GROUND, self._numbers(frame.rotation + frame.position))
-        place = self.at[NODE, frame.body]
-        if (frame.rotation, frame.position) == (IDENTITY, ORIGIN):
-            return _End(place, AT_NODE)
-        return _End(place, OFFSET, self._numbers(frame.rotation + frame.position))
+        at_origin = (frame.rotation, frame.position) == (IDENTITY, ORIGIN)
+        data = () if at_origin else self._numbers(frame.rotation + frame.position)
+        if frame.body not in self.scene.in_trees:
+            kind = AT_NODE if at_origin else OFFSET
+            return _End(self.at[NODE, frame.body], kind, data, frame.body)
+        if frame.body not in self.tree_ends:
+            self.tree_ends.append(frame.body)
+        place = ON_TREE - self.tree_ends.index(frame.body)
+        return _End(place, TREE if at_origin else TREE_OFFSET, data, frame.body)
 
     def _numbers(self, nodes: tuple[int, ...]) -> tuple[float, ...]:
         """Expressions at the values of the parameters: geometry of beams is fixed."""
@@ -207,7 +229,13 @@ class _Builder:
                 common=self._common(f"{kind.name}__data_{number}", some),
                 attributes=np.concatenate([part.attributes for part in some]),
                 powers=power.astype(np.intp) if "power" in kind.functions else None,
+                reactions=self._reactions(some) if "reactions" in kind.functions else None,
             )
+
+    def _reactions(self, parts: Sequence[_Part]) -> Integers:
+        """Numbers of the joints of trees that carry the elements of some parts (n, k)."""
+        rows = [part.tree_bodies for part in parts for _ in part.names]
+        return np.array([[self._tree_numbers[i] for i in row] for row in rows], dtype=np.intp)
 
     def _common(self, name: str, parts: Sequence[_Part]) -> Function:
         """Common data of a group as a function of the parameters of the scene."""
@@ -241,16 +269,26 @@ class _Builder:
             separate = [
                 end.place >= 0 and self._block_at(end.place, inside) != inside for end in ends
             ]
-            for part, kinds, data in _parts(segment.line.elements, ends, separate):
+            for part, (first, last), data in _parts(segment.line.elements, ends, separate):
+                kinds = first.kind, last.kind
                 places = np.stack([line[:-1][part], line[1:][part]], axis=1)
-                places = places[:, [kind != AT_GROUND for kind in kinds]]
-                first = places[0] if len(places) else ()
-                end_blocks = tuple(self._block_at(int(place), inside) for place in first)
-                rows, kind = rows_of_elements[part], self._kind(element, kinds, end_blocks)
+                tree = (TREE in kinds or TREE_OFFSET in kinds) and self._tree(element, first, last)
+                if tree:
+                    inner = places[:, [end.body == INSIDE for end in (first, last)]]
+                    named = np.tile([self.at[key] for key in tree.cutting.places], (len(places), 1))
+                    places = np.hstack([named, inner]).astype(np.intp)
+                else:
+                    places = places[:, [kind != AT_GROUND for kind in kinds]]
+                at = places[0] if len(places) else ()
+                end_blocks = tuple(self._block_at(int(place), inside) for place in at)
+                kind = self._kind(element, kinds, end_blocks, tree)
+                rows = rows_of_elements[part]
                 attributes = np.hstack([rows, np.tile(data, (len(rows), 1))])
                 common = tuple(values[name] for name in element.common)
                 power = self._power(segment) if "power" in kind.functions else -1
-                yield _Part(kind, names[part], places, common, attributes, power)
+                carriers = tuple(tree.cutting.moved) if tree else ()
+                common = (*tree.cutting.data, *common) if tree else common
+                yield _Part(kind, names[part], places, common, attributes, power, carriers)
 
     def _power(self, segment: Segment) -> int:
         """Entry for the power of elements: one sum for the whole beam."""
@@ -260,16 +298,29 @@ class _Builder:
         """Block kind of a node of a segment."""
         return self.holds.here[self.keys[place]] if place < len(self.keys) else inside
 
+    def _tree(self, element: FlexibleElement, first: _End, last: _End) -> TreeElement:
+        """The element with ends that joints of a rigid tree carry."""
+        return TreeElement(self.scene, element, (first.kind, last.kind), (first.body, last.body))
+
     def _kind(
-        self, element: FlexibleElement, kinds: tuple[str, str], end_blocks: tuple[BlockKind, ...]
+        self,
+        element: FlexibleElement,
+        kinds: tuple[str, str],
+        end_blocks: tuple[BlockKind, ...],
+        tree: TreeElement | Literal[False] = False,
     ) -> Kind:
         """The kind of an element between such ends, whose nodes hold this."""
-        name = element.name(kinds)
-        key = (name, *(block.name for block in end_blocks))
+        name = f"{element.name()}_tree" if tree else element.name(kinds)
+        places = (self.holds.node,) * len(end_blocks)
+        if tree:
+            named = tuple(self.holds.space[key] for key in tree.cutting.places)
+            places = (*named, *places[len(named) :])
+        key = (name, *(block.name for block in end_blocks), tree.structure(places) if tree else "")
         if key not in self._kinds:
-            places = (self.holds.node,) * len(end_blocks)
-            functions, source = element.derived(kinds), element.source
-            data, formulas = element.data(kinds), element.formula_lines
+            name = unique(name, self.taken) if tree else name
+            functions = tree.functions(name) if tree else element.derived(kinds)
+            data = tree.data if tree else element.data(kinds)
+            source, formulas = element.source, element.formula_lines
             kind = Kind(
                 *(name, places, (), 0, data, functions, source, formulas, element.kind, "beam")
             )
@@ -305,23 +356,24 @@ class _Builder:
 
 def _parts(
     count: int, ends: Sequence[_End], separate: Sequence[bool]
-) -> Iterator[tuple[slice, tuple[str, str], tuple[float, ...]]]:
+) -> Iterator[tuple[slice, tuple[_End, _End], tuple[float, ...]]]:
     """Runs of elements between ends of the same kinds, with the data of these ends.
 
     Where a node at an end holds other coordinates than those inside, its element is apart too. One
     element from ground to ground cannot move: it is left out.
     """
     first, last = ends
+    inner = _End(GROUND, AT_NODE, (), INSIDE)
     if count == 1:
         if (first.kind, last.kind) == (AT_GROUND, AT_GROUND):
             return
-        yield slice(0, 1), (first.kind, last.kind), first.data + last.data
+        yield slice(0, 1), (first, last), first.data + last.data
         return
     start = int(first.kind != AT_NODE or separate[0])
     stop = count - int(last.kind != AT_NODE or separate[1])
     if start:
-        yield slice(0, 1), (first.kind, AT_NODE), first.data
+        yield slice(0, 1), (first, inner), first.data
     if stop > start:
-        yield slice(start, stop), (AT_NODE, AT_NODE), ()
+        yield slice(start, stop), (inner, inner), ()
     if stop < count:
-        yield slice(stop, count), (AT_NODE, last.kind), last.data
+        yield slice(stop, count), (inner, last), last.data

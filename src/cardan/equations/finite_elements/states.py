@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from ...ir.arithmetic import atan2
 from ...ir.function import Function, Output
@@ -18,12 +18,16 @@ ASSEMBLY_SIGNS = "assembly_signs "  # before the name of the joint
 READ = ("t", "q", "u", "r", "p")
 
 
-def states(scene: Scene, planes: Mapping[int, Plane] | None = None) -> Function:
+def states(
+    scene: Scene, planes: Mapping[int, Plane] | None = None, tree_ends: Sequence[int] = ()
+) -> Function:
     """[t, q, u, r, p] of the relative formulation -> [q, u] of all places.
 
     Args:
         scene: The scene.
         planes: By body those nodes that are told by x, y and angle in a plane.
+        tree_ends: Bodies of rigid trees that beams end at: ``ends_q`` and ``ends_u`` are their
+            poses (n, 7) and speeds (n, 6) as of nodes.
 
     Nodes stand where the joints of the tree carry them; coordinates of joints stay what they are.
     ``assembly_signs <joint>`` of a joint that closes a loop are positive where none of its axes is
@@ -44,11 +48,15 @@ def states(scene: Scene, planes: Mapping[int, Plane] | None = None) -> Function:
             u += k.speeds[i].nodes
             continue
         with k.graph.made_by(system.bodies[i].name, "state"):
-            R = k.ground_rotation[i]
-            q += Matrix.vstack(quaternion_of(R), k.ground_position[i]).nodes
-            u += Matrix.vstack(k.omega[i], R @ k.v[i]).nodes
+            pose, speeds = _in_space(k, i)
+            q, u = [*q, *pose], [*u, *speeds]
     listed = blocks(system)
     results = [Output("q", (len(q),), tuple(q)), Output("u", (len(u),), tuple(u))]
+    if tree_ends:
+        pairs = [_in_space(k, i) for i in tree_ends]
+        poses, speeds = (tuple(node for pair in pairs for node in pair[n]) for n in range(2))
+        results.append(Output("ends_q", (len(tree_ends), 7), poses))
+        results.append(Output("ends_u", (len(tree_ends), 6), speeds))
     if system.cuts:
         owners, signs = Constraints(k).assembly_signs
         for owner in dict.fromkeys(owners):
@@ -64,6 +72,13 @@ def states(scene: Scene, planes: Mapping[int, Plane] | None = None) -> Function:
         tuple(body.name for body in system.bodies),
         "states of the nodes and joints by joint coordinates",
     )
+
+
+def _in_space(k: Kinematics, i: int) -> tuple[tuple[int, ...], tuple[int, ...]]:
+    """Unit quaternion and position of a body, angular velocity in its axes and velocity."""
+    R = k.ground_rotation[i]
+    pose = Matrix.vstack(quaternion_of(R), k.ground_position[i])
+    return pose.nodes, Matrix.vstack(k.omega[i], R @ k.v[i]).nodes
 
 
 def _in_plane(plane: Plane, k: Kinematics, i: int) -> tuple[tuple[int, ...], tuple[int, ...]]:

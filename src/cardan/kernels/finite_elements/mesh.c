@@ -56,19 +56,29 @@ static real *fetch_places(const cardan_group *g, const ptrdiff_t *element,
     return to;
 }
 
-/* Which of their events happen, and the responses that they asked for. */
+/* Numbers of elements that stand one behind the other, those of the groups before them first. */
+static real *follow(const real *from, ptrdiff_t first, ptrdiff_t n, const ptrdiff_t *element,
+                    ptrdiff_t lanes, real *to)
+{
+    for (ptrdiff_t i = 0; i < n; i++)
+        for (ptrdiff_t lane = 0; lane < lanes; lane++)
+            *to++ = from ? from[first + element[lane] * n + i] : 0;
+    return to;
+}
+
+/* Which of their events happen, how certain their friction is, and the responses they asked for. */
 static real *gather_events(const cardan_mesh *mesh, const cardan_group *g, const ptrdiff_t *element,
                            ptrdiff_t lanes, const cardan_state *at, real *local)
 {
-    const real *responses = at->responses;
+    ptrdiff_t frictions = 0, responses = 0;
 
-    for (const cardan_group *other = mesh->groups; other != g; other++)
+    for (const cardan_group *other = mesh->groups; other != g; other++) {
+        frictions += other->count * other->frictions;
         responses += other->count * other->responses;
+    }
     local = pick(at->e, g->events, g->ne, element, lanes, local);
-    for (ptrdiff_t i = 0; i < g->responses; i++)
-        for (ptrdiff_t lane = 0; lane < lanes; lane++)
-            *local++ = responses[element[lane] * g->responses + i];
-    return local;
+    local = follow(at->certainty, frictions, g->frictions, element, lanes, local);
+    return follow(at->responses, responses, g->responses, element, lanes, local);
 }
 
 /* What the elements read, side by side into `local`. Returns where the next block begins. */
@@ -85,10 +95,10 @@ static real *gather(const cardan_mesh *mesh, const cardan_group *g, const ptrdif
         }
     local = pick(at->z, g->z, g->nz, element, lanes, local);
     local = pick(at->s, g->s, g->ns, element, lanes, local);
-    if (!at->inner && !at->behind)
+    if (!at->inner && !at->behind && !at->certainty)
         return local;
     local = fetch_places(g, element, lanes, mesh->u, at->behind ? at->behind : at->du, local);
-    if (at->behind)
+    if (at->behind || at->certainty)
         return gather_events(mesh, g, element, lanes, at, local);
     for (ptrdiff_t i = 0; i < g->inner; i++)
         for (ptrdiff_t lane = 0; lane < lanes; lane++)

@@ -21,7 +21,8 @@
 enum {
     CARDAN_BALANCE,  /* M udot + h - f - Gᵀ lam (nu), g (mp), G u + g_t (m) */
     CARDAN_TANGENT,  /* its derivatives: K C M (nu, nu) each, R G (m, nu) each, H (m, m) of rows
-                        that no mode holds; see `parts` */
+                        that no mode holds, L (m, nu) of the balance by -lam where that is not G; see
+                        `parts` */
     CARDAN_GAMMA,    /* (m) G udot = gamma */
     CARDAN_ENERGY,   /* kinetic, potential */
     CARDAN_MOMENTUM, /* (6) about the origin of the ground, angular part first */
@@ -38,11 +39,14 @@ enum {
     CARDAN_CHANGE,   /* its own z and s behind events */
     CARDAN_BODIES,    /* motion of the bodies of a rigid tree */
     CARDAN_REACTIONS, /* shares of the wrenches of joints of rigid trees */
+    CARDAN_REACTION_FRICTION, /* of every friction that follows from the reaction of a joint: force per
+                        force across its line (k), action of a unit (k, nu), that force by multipliers
+                        (k, 3, m) */
     CARDAN_FORMS
 };
 
 /* the matrices of a tangent */
-enum { CARDAN_K, CARDAN_C, CARDAN_M, CARDAN_R, CARDAN_G, CARDAN_RELEASED, CARDAN_PARTS };
+enum { CARDAN_K, CARDAN_C, CARDAN_M, CARDAN_R, CARDAN_G, CARDAN_RELEASED, CARDAN_L, CARDAN_PARTS };
 
 /* A function of a kind with what was prepared of the data of every element. */
 typedef struct cardan_form {
@@ -56,8 +60,10 @@ typedef struct cardan_group {
     ptrdiff_t count;           /* elements */
     ptrdiff_t places;          /* that each couples */
     ptrdiff_t nq, nu, nz, ns, mp, m; /* local numbers */
+    ptrdiff_t switched;        /* of m, the last ones: rows that modes hold */
     ptrdiff_t z_states, s_states;  /* the first of nz and ns: those that it keeps itself */
     ptrdiff_t ne, jumps, responses; /* events; impulses and responses that it asks for; the latter */
+    ptrdiff_t frictions;       /* that follow from its reaction */
     ptrdiff_t inner, inner_start; /* unknowns of an element's own while one searches; where they
                                      begin among those of all */
     const ptrdiff_t *place;    /* (count, places) */
@@ -98,7 +104,7 @@ typedef struct cardan_mesh {
     ptrdiff_t work;            /* numbers that the largest work of an element takes, per lane */
     ptrdiff_t local;           /* numbers that the largest element reads and gives, per lane */
     ptrdiff_t powers, driven;  /* sources of power; 1: some of them are multipliers' */
-    ptrdiff_t ne, jumps, responses; /* of all elements */
+    ptrdiff_t ne, jumps, responses, frictions; /* of all elements */
     ptrdiff_t outputs, solved; /* of the scene; 1: some of them read udot or multipliers */
 } cardan_mesh;
 
@@ -109,6 +115,7 @@ typedef struct cardan_state {
     const real *du, *inner; /* of a search: increments (nu), unknowns of elements; NULL else */
     /* of events: speeds behind them (nu), which happen (ne), responses of all elements; NULL else */
     const real *behind, *e, *responses;
+    const real *certainty; /* of friction that follows from reactions (frictions); NULL: not known */
 } cardan_state;
 
 /* Elements side by side. */

@@ -3,6 +3,7 @@
  * Part of cardan. Caller owns all memory.
  */
 #include "mesh_calls.h"
+#include "mesh_friction.h"
 #include <math.h>
 #include <string.h>
 
@@ -95,6 +96,7 @@ int cardan_mesh_accelerations(const cardan_mesh *mesh, const cardan_state *reque
     real *missing = work + cardan_mesh_lay(mesh, work, &system);
     real *gamma = missing + mesh->nu + mesh->mp + mesh->m;
     cardan_state at = *requested;
+    cardan_mesh_friction friction;
     int assembled, status;
 
     at.udot = at.lam = NULL;
@@ -120,7 +122,18 @@ int cardan_mesh_accelerations(const cardan_mesh *mesh, const cardan_state *reque
         out[i] = system.solution[i];
     for (ptrdiff_t k = 0; k < mesh->m; k++)
         out[mesh->nu + k] = -system.solution[mesh->unknown[k]];
-    return status;
+    if (status != 0 || mesh->frictions == 0)
+        return status;
+    (void)cardan_mesh_friction_lay(mesh, cardan_mesh_certainty(mesh, work), &friction);
+    return cardan_mesh_with_friction(mesh, &at, &system, &friction, out);
+}
+
+real *cardan_mesh_certainty(const cardan_mesh *mesh, real *work)
+{
+    cardan_mesh_friction none;
+
+    return work + cardan_mesh_call_work(mesh) - mesh->nu - mesh->m - cardan_mesh_jump_room(mesh)
+           - cardan_mesh_friction_lay(mesh, NULL, &none);
 }
 
 int cardan_mesh_call_forward_dynamics(const cardan_in *in, real *out, real *work)
@@ -352,6 +365,7 @@ int cardan_mesh_call_constraint_jacobian(const cardan_in *in, real *out, real *w
 ptrdiff_t cardan_mesh_call_work(const cardan_mesh *mesh)
 {
     cardan_mesh_system system;
+    cardan_mesh_friction friction;
     ptrdiff_t most = mesh->work;
 
     /* q and T of a place */
@@ -361,5 +375,5 @@ ptrdiff_t cardan_mesh_call_work(const cardan_mesh *mesh)
             most = mesh->work + movers->nq + movers->nu * movers->nu;
     }
     return most + cardan_mesh_lay(mesh, NULL, &system) + 2 * mesh->nu + mesh->mp + 3 * mesh->m
-           + cardan_mesh_jump_room(mesh);
+           + cardan_mesh_friction_lay(mesh, NULL, &friction) + cardan_mesh_jump_room(mesh);
 }

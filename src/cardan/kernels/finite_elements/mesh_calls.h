@@ -19,6 +19,8 @@ static inline cardan_state cardan_state_of(const cardan_in *in)
 
 int cardan_mesh_accelerations(const cardan_mesh *mesh, const cardan_state *asked, const real *tau,
                               real *out, real *work);
+/* how certain friction is that follows from reactions (frictions), in `work` of the last solution */
+real *cardan_mesh_certainty(const cardan_mesh *mesh, real *work);
 int cardan_mesh_values(const cardan_mesh *mesh, const cardan_state *at, const real *shares,
                        real *a, real *work);
 int cardan_mesh_call_balance(const cardan_in *in, real *out, real *work);
@@ -40,7 +42,7 @@ int cardan_mesh_call_transition(const cardan_in *in, real *out, real *work);
 ptrdiff_t cardan_mesh_jump_room(const cardan_mesh *mesh);
 ptrdiff_t cardan_mesh_call_work(const cardan_mesh *mesh);
 
-/* mesh_start.c: move what is not held of x = [q, u] until all constraints hold, then the speeds.
+/* mesh_start.c: move what is not held of x = [q, u, z] until all constraints hold, then the speeds.
  * quaternions (count): the first entry of each in q. held (nq + nu): not 0 where x stays. Returns 0,
  * the status of an element, or CARDAN_CONSTRAINT_OPEN where that is not possible. */
 ptrdiff_t cardan_mesh_start_work(const cardan_mesh *mesh);

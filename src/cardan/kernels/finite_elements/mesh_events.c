@@ -92,6 +92,7 @@ int cardan_mesh_call_events(const cardan_in *in, real *out, real *work)
     status = cardan_mesh_accelerations(mesh, &at, NULL, solution, work);
     at.udot = solution;
     at.lam = solution + mesh->nu;
+    at.certainty = mesh->frictions > 0 ? cardan_mesh_certainty(mesh, work) : NULL;
     return status != 0 ? status : cardan_mesh_each(mesh, &at, CARDAN_SIGNS, take_signs, &all, work);
 }
 
@@ -125,10 +126,14 @@ static int factored(const cardan_mesh *mesh, const cardan_state *at, int release
 {
     const cardan_assembly parts = {{0, 0, 1}, 0, 0, NULL, released};
     real *missing = work + cardan_mesh_lay(mesh, work, system);
-    int assembled, status = cardan_mesh_balance(mesh, at, missing, system->work);
+    cardan_state still = *at;
+    int assembled, status;
 
+    /* impulses make no friction */
+    still.lam = NULL;
+    status = cardan_mesh_balance(mesh, &still, missing, system->work);
     system->open = missing + mesh->nu;
-    return status != 0 ? status : cardan_mesh_factor(mesh, at, &parts, system, &assembled);
+    return status != 0 ? status : cardan_mesh_factor(mesh, &still, &parts, system, &assembled);
 }
 
 /* Speeds x (nu) by an impulse along a velocity. */

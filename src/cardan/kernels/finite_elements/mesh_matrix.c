@@ -2,10 +2,10 @@
  *
  * Part of cardan. Caller owns all memory.
  *
- *     [k K T + c C + m M   Gᵀ]      T: turns increments of rotations into motions (cardan_mesh_move)
+ *     [k K T + c C + m M   Lᵀ]      T: turns increments of rotations into motions (cardan_mesh_move)
  *     [G T + lever R T      H]      rows of positions G T; lever: of the rows that bind speeds
  *
- * H: 1 on the diagonal of rows that no mode holds.
+ * H: 1 on the diagonal of rows that no mode holds. L: G, and the friction that multipliers make.
  */
 #include "mesh_matrix.h"
 #include "mesh_lanes.h"
@@ -15,6 +15,7 @@
 typedef struct assembling {
     const cardan_assembly *parts;
     real *a;
+    real *const *powers; /* NULL, or three matrices: M, G and H; C and R; K */
 } assembling;
 
 /* Speeds of the k-th place of elements that go together. */
@@ -111,7 +112,8 @@ static void add_constraints(const assembling *to, const cardan_mesh *mesh, const
     const ptrdiff_t *starts = g->parts, lanes = some->lanes, first = parts->stabilized ? 0 : g->mp;
     real *G = out + starts[CARDAN_G] * lanes, *R = out + starts[CARDAN_R] * lanes;
 
-    add_columns(to->a, mesh, g, some, G);
+    /* with friction that follows from multipliers these do more than hold */
+    add_columns(to->a, mesh, g, some, starts[CARDAN_L] >= 0 ? out + starts[CARDAN_L] * lanes : G);
     turn(mesh, g, some, parts->tangent_maps, g->mp, G);
     if (starts[CARDAN_R] >= 0 && parts->lever != 0) {
         const ptrdiff_t done = first * g->nu * lanes;
@@ -119,6 +121,17 @@ static void add_constraints(const assembling *to, const cardan_mesh *mesh, const
         cardan_mix((g->m - first) * g->nu * lanes, parts->lever, R + done, 1, G + done);
     }
     add_rows(to->a, mesh, g, some, g->places, g->m, G);
+}
+
+/* Take rows that modes hold out of matrices (m, nu) of elements. */
+static void release(const cardan_group *g, const cardan_element_lanes *some, real *out)
+{
+    const ptrdiff_t size = g->switched * g->nu * some->lanes, first = (g->m - g->switched) * g->nu * some->lanes;
+    const int parts[] = {CARDAN_R, CARDAN_G, CARDAN_L};
+
+    for (int part = 0; part < 3; part++)
+        if (g->parts[parts[part]] >= 0)
+            memset(out + g->parts[parts[part]] * some->lanes + first, 0, (size_t)size * sizeof(real));
 }
 
 /* Diagonal of the rows that no mode holds. */
@@ -130,7 +143,7 @@ static void add_switches(const assembling *to, const cardan_group *g,
 
     for (ptrdiff_t lane = 0; lane < some->filled; lane++) {
         const ptrdiff_t *spots = g->spots + some->element[lane] * size + g->places * (blocks + 1);
-        for (ptrdiff_t k = 0; k < g->m; k++)
+        for (ptrdiff_t k = g->m - g->switched; k < g->m; k++)
             to->a[spots[g->places] + k * (spots[blocks] + 1)] +=
                 to->parts->released ? 1 : H[k * (g->m + 1) * some->lanes + lane];
     }
@@ -159,27 +172,68 @@ static real *shared(const assembling *to, const cardan_mesh *mesh, const cardan_
     return sum;
 }
 
+/* Add a matrix (nu, nu) of the speeds of elements. */
+static void add_square(real *a, const cardan_mesh *mesh, const cardan_group *g,
+                       const cardan_element_lanes *some, const real *square)
+{
+    for (ptrdiff_t k = 0; k < g->places; k++) {
+        const ptrdiff_t n = place_of(mesh, g, some, k);
+        add_rows(a, mesh, g, some, k, n, square);
+        square += n * g->nu * some->lanes;
+    }
+}
+
 static void take_matrix(const cardan_mesh *mesh, const cardan_group *g, const cardan_element_lanes *some,
                         real *out, void *into)
 {
     const assembling *to = into;
     const real *sum = shared(to, mesh, g, some, out);
 
-    for (ptrdiff_t k = 0; k < g->places && sum; k++) {
-        const ptrdiff_t n = place_of(mesh, g, some, k);
-        add_rows(to->a, mesh, g, some, k, n, sum);
-        sum += n * g->nu * some->lanes;
-    }
+    if (sum)
+        add_square(to->a, mesh, g, some, sum);
     if (g->parts[CARDAN_RELEASED] >= 0)
         add_switches(to, g, some, out);
-    if (g->m > 0 && !(to->parts->released && g->parts[CARDAN_RELEASED] >= 0))
+    if (to->parts->released)
+        release(g, some, out);
+    if (g->m > 0 && !(to->parts->released && g->switched == g->m))
         add_constraints(to, mesh, g, some, out);
+}
+
+/* The parts of the matrix of elements by the power of the step that they go with. */
+static void take_powers(const cardan_mesh *mesh, const cardan_group *g,
+                        const cardan_element_lanes *some, real *out, void *into)
+{
+    const assembling *to = into;
+    const ptrdiff_t *starts = g->parts, lanes = some->lanes;
+
+    for (int part = CARDAN_K; part <= CARDAN_M; part++)
+        if (starts[part] >= 0)
+            add_square(to->powers[CARDAN_M - part], mesh, g, some, out + starts[part] * lanes);
+    if (starts[CARDAN_RELEASED] >= 0)
+        add_switches(to, g, some, out);
+    if (g->m == 0)
+        return;
+    add_columns(to->powers[0], mesh, g, some, out + starts[CARDAN_G] * lanes);
+    add_rows(to->powers[0], mesh, g, some, g->places, g->m, out + starts[CARDAN_G] * lanes);
+    if (starts[CARDAN_R] >= 0)
+        add_rows(to->powers[1], mesh, g, some, g->places, g->m, out + starts[CARDAN_R] * lanes);
+}
+
+int cardan_mesh_powers(const cardan_mesh *mesh, const cardan_state *at, real *const *powers,
+                       real *room)
+{
+    static const cardan_assembly all = {{1, 1, 1}, 1, 1, NULL, 0};
+    assembling to = {&all, powers[0], powers};
+
+    for (int power = 0; power < 3; power++)
+        memset(powers[power], 0, (size_t)mesh->plan->values * sizeof(real));
+    return cardan_mesh_each(mesh, at, CARDAN_TANGENT, take_powers, &to, room);
 }
 
 int cardan_mesh_matrix(const cardan_mesh *mesh, const cardan_state *at,
                        const cardan_assembly *parts, const cardan_mesh_system *system)
 {
-    assembling to = {parts, system->a};
+    assembling to = {parts, system->a, NULL};
 
     memset(system->a, 0, (size_t)mesh->plan->values * sizeof(real));
     return cardan_mesh_each(mesh, at, CARDAN_TANGENT, take_matrix, &to,

@@ -29,6 +29,10 @@ typedef struct cardan_mesh_system {
 ptrdiff_t cardan_mesh_lay(const cardan_mesh *mesh, real *block, cardan_mesh_system *system);
 int cardan_mesh_matrix(const cardan_mesh *mesh, const cardan_state *at,
                        const cardan_assembly *parts, const cardan_mesh_system *system);
+/* Three matrices (plan->values) of which a step of an implicit method is made with c in proportion to
+ * it: powers[0] + c powers[1] + c^2 powers[2] = [M + c C + c^2 K, Gᵀ; G + c R, H]. */
+int cardan_mesh_powers(const cardan_mesh *mesh, const cardan_state *at, real *const *powers,
+                       real *room);
 /* Assemble and factor. Returns the status of an element, or CARDAN_UNSOLVED; `assembled` says which
  * came first. */
 int cardan_mesh_factor(const cardan_mesh *mesh, const cardan_state *at,

@@ -198,7 +198,7 @@ int cardan_mesh_move(const cardan_mesh *mesh, const real *q, const real *du, rea
             if (!movers->move) {
                 for (ptrdiff_t i = 0; i < movers->nq; i++)
                     moved[mesh->q[place] + i] = q[mesh->q[place] + i] + du[mesh->u[place] + i];
-                if (tangent_maps && (movers->nu == 3 || movers->nu == 6))
+                if (tangent_maps)
                     for (ptrdiff_t i = 0; i < 9; i++)
                         tangent_maps[9 * place + i] = i % 4 == 0;
                 continue;
@@ -210,7 +210,7 @@ int cardan_mesh_move(const cardan_mesh *mesh, const real *q, const real *du, rea
             status = movers->move(&in, room, room + movers->nq + movers->nu * movers->nu);
             for (ptrdiff_t i = 0; i < movers->nq; i++)
                 moved[mesh->q[place] + i] = room[i];
-            if (tangent_maps && (movers->nu == 3 || movers->nu == 6))
+            if (tangent_maps && movers->nu >= 3)
                 for (ptrdiff_t i = 0; i < 3; i++)
                     for (ptrdiff_t j = 0; j < 3; j++)
                         tangent_maps[9 * place + 3 * i + j] = room[movers->nq + movers->nu * i + j];

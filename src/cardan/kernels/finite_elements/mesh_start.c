@@ -49,7 +49,7 @@ int cardan_mesh_start(const cardan_mesh *mesh, real t, const real *r, const ptrd
 {
     real *q0 = work + cardan_mesh_call_work(mesh), *solution = q0 + mesh->nq, *u = x + mesh->nq;
     const real scale = largest(x, mesh->nq, 1), speed = largest(u, mesh->nu, 1);
-    const cardan_in in = {.t = &t, .q = x, .u = u, .r = r, .tau = locked + mesh->nq,
+    const cardan_in in = {.t = &t, .q = x, .u = u, .z = u + mesh->nu, .r = r, .tau = locked + mesh->nq,
                           .w = (const wreal *)(const void *)mesh};
     real gap = INFINITY, last;
     int status = 0, closed = mesh->mp == 0;

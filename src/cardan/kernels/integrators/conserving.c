@@ -217,5 +217,21 @@ static int dense(cardan_run *run)
     return 0;
 }
 
+/* Whether stored factors name rows that exist, and poses are those of the nodes (memory may come from a
+ * file). */
+static int sound(const cardan_run *run)
+{
+    const cardan_conserving v = cardan_conserving_at(run);
+    ptrdiff_t poses = 0;
+    int nodes = 1;
+
+    for (ptrdiff_t place = 0; place < v.mesh->places; place++)
+        poses += v.pose[place] != 0;
+    for (ptrdiff_t k = 0; k < v.mesh->nodes; k++)
+        nodes = nodes && v.pose[v.mesh->node[k]] != 0;
+    return nodes && poses == v.mesh->nodes
+           && cardan_sparse_sound(v.mesh->plan, &v.system.factors, v.now[CONSERVING_WEAK]);
+}
+
 const cardan_method cardan_conserving_method
-    = {init, step, dense, length, NULL, 1, 3};
+    = {init, step, dense, length, sound, 1, 3};

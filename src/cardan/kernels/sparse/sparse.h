@@ -144,6 +144,10 @@ void cardan_sparse_substitute(const cardan_sparse *plan, const cardan_sparse_fac
 void cardan_sparse_signs(ptrdiff_t n, const double *d, ptrdiff_t width, double *work,
                          cardan_sparse_factors *f);
 
+/* Whether the rows and columns that factors name exist, as they may come from a file; `weak` is how many
+ * pivots were replaced, as a number. Memory that is zero is sound. */
+int cardan_sparse_sound(const cardan_sparse *plan, const cardan_sparse_factors *f, double weak);
+
 /* The logarithm of |det a|, and its sign, 1 or -1. Replaced pivots enter with their new values. */
 double cardan_sparse_determinant(const cardan_sparse *plan, const cardan_sparse_factors *f,
                                  double *sign);
@@ -152,5 +156,14 @@ double cardan_sparse_determinant(const cardan_sparse *plan, const cardan_sparse_
  * singular vector x (n), scaled, of length 1. x is a nonzero guess on entry. */
 double cardan_sparse_smallest(const cardan_sparse *plan, const cardan_sparse_factors *f,
                               ptrdiff_t steps, double *x);
+
+/* sparse_pair.c: the plan of a complex matrix as a real one of pairs, whose tables lie in memory of
+ * so many numbers; `fill` writes them. */
+ptrdiff_t cardan_sparse_pair_length(const cardan_sparse *plan);
+void cardan_sparse_pair(const cardan_sparse *plan, double *memory, cardan_sparse *pair);
+void cardan_sparse_pair_fill(const cardan_sparse *plan, double *memory);
+/* a = powers[0] + c powers[1] + c^2 powers[2] with c = re + i im, as the plan of pairs has it. */
+void cardan_sparse_pair_combine(const cardan_sparse *plan, const double *const *powers,
+                                double re, double im, double *a);
 
 #endif

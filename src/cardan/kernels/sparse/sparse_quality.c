@@ -104,6 +104,19 @@ double cardan_sparse_perturbation(const cardan_sparse *plan, const cardan_sparse
     return *unknown < 0 ? 0 : most / size;
 }
 
+int cardan_sparse_sound(const cardan_sparse *plan, const cardan_sparse_factors *f, double weak)
+{
+    int sound = weak >= 0 && weak <= (double)plan->n;
+
+    for (ptrdiff_t s = 0; s < plan->supernodes; s++)
+        for (ptrdiff_t k = plan->start[s], n = plan->start[s + 1] - k; k < plan->start[s + 1]; k++)
+            sound = sound && f->pivot[k] >= 0 && f->pivot[k] < n && f->exchanged[k] >= 0
+                    && f->exchanged[k] < n;
+    for (ptrdiff_t k = 0; k < plan->n; k++)
+        sound = sound && f->replaced[k] >= 0 && f->replaced[k] < plan->n;
+    return sound;
+}
+
 double cardan_sparse_determinant(const cardan_sparse *plan, const cardan_sparse_factors *f,
                                  double *sign)
 {

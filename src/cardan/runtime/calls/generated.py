@@ -8,7 +8,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, final
 
 from .loaded_function import LoadedFunction, assemble, batch
-from .objects import Key
+from .objects import Code, Key
 
 if TYPE_CHECKING:
     from ..models.loaded_model import LoadedModel
@@ -24,6 +24,10 @@ class Source(ABC):
     @abstractmethod
     def mesh(self, model: LoadedModel) -> int:
         """Address of the tables of elements in C, 0 where functions know the whole model."""
+
+    @abstractmethod
+    def codes(self, model: LoadedModel) -> list[Code]:
+        """The compiled functions that the derivative of a state consists of."""
 
 
 @final
@@ -57,3 +61,7 @@ class Generated(Source):
     def mesh(self, model: LoadedModel) -> int:
         """None."""
         return 0
+
+    def codes(self, model: LoadedModel) -> list[Code]:
+        """``rhs`` alone."""
+        return [model._function("rhs").code]

@@ -17,6 +17,7 @@ METHOD = Integrator(
     source="E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, IV.8",
     needs=("rhs_jacobian",),
     differenced=("rhs_jacobian",),
+    conditions=("assembled", "increments"),
     tableau=(
         ((88 - 7 * ROOT) / 360, (296 - 169 * ROOT) / 1800, (3 * ROOT - 2) / 225),
         ((296 + 169 * ROOT) / 1800, (88 + 7 * ROOT) / 360, -(3 * ROOT + 2) / 225),

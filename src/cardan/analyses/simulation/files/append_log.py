@@ -203,11 +203,13 @@ def build_key(model: LoadedModel) -> str:
 
     compiler, flags, processor and all texts.
 
-    The names of the compiled ``rhs``, "Python" without a compiler, and of the integrators.
+    The names of the compiled ``rhs``, or of the functions of elements together; "Python" without a
+    compiler; and of the integrators.
     """
-    built = model._function("rhs").code.built
-    names = ("Python" if built is None else str(built.path), model._kernels()._name)
-    return "-".join(Path(name).stem[:16] for name in names)
+    built = [code.built for code in model._source.codes(model)]
+    names = ["Python" if each is None else each.path.stem for each in built]
+    functions = names[0] if len(names) == 1 else digest(*names)
+    return "-".join(name[:16] for name in (functions, Path(model._kernels()._name).stem))
 
 
 def model_key(model: LoadedModel) -> str:

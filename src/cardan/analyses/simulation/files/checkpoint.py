@@ -24,6 +24,7 @@ from ..run import Runner, Saved
 from ..settings import Settings, settings
 from ..signals import signals
 from ..simulate import runner_of
+from .append_log import model_key
 from .saved_record import impossible, record_of, saved_of, sound, ticks_of
 
 TEXTS = ("key", "method", "model", "words", "over")
@@ -51,11 +52,6 @@ def write(runner: Runner, how: Settings, saved: Saved, path: Path) -> None:
         )
     if not path.parent.is_dir():
         raise ModelError(f"{path}: the directory {path.parent} does not exist")
-    if runner.model.manifest.absolute:
-        raise ModelError(
-            f"{path}: model '{runner.model.name}' is in absolute coordinates, whose steppers are "
-            "kept in no file; stepper.save() keeps a checkpoint in memory"
-        )
     numbers = {"rtol": how.rtol, "atol": how.atol, "step": how.step}
     # everything that decides the next step: a run continued from the file has the same bits
     head = {
@@ -160,6 +156,8 @@ def _names(head: dict[str, Any]) -> str:
 def _key(runner: Runner) -> str:
     """Hash of the equations and parameters that a run depends on."""
     model, total = runner.model, hashlib.sha256()
+    if model.manifest.absolute:
+        return model_key(model)
     needed = (*runner.settings.method.needs, *runner.event_table.functions)
     names = ("rhs", *(("power",) if runner.powered else ()), *runner.closing.functions, *needed)
     for name in names:

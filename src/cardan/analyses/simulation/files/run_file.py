@@ -219,8 +219,7 @@ def run_file(
     """The file of a run, closed at the end; None without a path.
 
     Raises:
-        ModelError: no path or time, no compiler, absolute coordinates, or a file of something
-            else.
+        ModelError: no path or time, no compiler, or a file of something else.
     """
     if path is None:
         yield None
@@ -229,11 +228,6 @@ def run_file(
         raise ModelError(f"checkpoint={brief(path)}: name a file, such as 'run.part'")
     if not (isinstance(every, int | float) and math.isfinite(every) and every >= 0):
         raise ModelError(f"every={brief(every)}: the time between two checkpoints [s], 0 or more")
-    if model.manifest.absolute:
-        raise ModelError(
-            f"checkpoint= of simulate: model '{model.name}' is in absolute coordinates, whose runs "
-            "are kept in no file; leave it out, and save the motion by motion.save(path)"
-        )
     tables = [x for p in input_signals.tabulated for x in (p.input, p.breaks, p.coefficients)]
     times = np.empty(0) if over.times is None else over.times
     functions = sorted(input_signals.functions), input_signals.sample

@@ -20,7 +20,7 @@ enum {
     ALPHA_SPLIT_LEVELS,   /* mesh, 1: separate matrices for positions and for speeds */
     ALPHA_VELOCITY_RANK_LOSS,    /* replaced pivots of the matrix for speeds */
     ALPHA_ROTATION,  /* mesh: angle the nodes have turned since the matrix was factored */
-    ALPHA_EXTENT,  /* mesh: reference length for tolerances, see alpha_extent.c */
+    ALPHA_EXTENT,  /* mesh: reference length for tolerances, see mesh_extent.c */
     ALPHA_MIDDLE,  /* (3) centroid of the nodes at the start */
     ALPHA_NOW = ALPHA_MIDDLE + 3
 };
@@ -92,6 +92,7 @@ int cardan_alpha_correct(cardan_run *run, const cardan_alpha *v, real h, real *d
 
 /* alpha_sparse.c */
 ptrdiff_t cardan_alpha_sparse_lay(const cardan_mesh *mesh, real *memory, cardan_alpha *v);
+int cardan_alpha_sparse_sound(const cardan_alpha *v);
 int cardan_alpha_sparse_renew(cardan_run *run, const cardan_alpha *v, real h, real t,
                               const real *y, const real *udot, const real *lam);
 int cardan_alpha_sparse_correct(cardan_run *run, const cardan_alpha *v, real h, real *dx);
@@ -118,11 +119,10 @@ int cardan_alpha_differences(cardan_run *run, const cardan_alpha *v, real t, con
                              const real *udot, const real *lam);
 
 /* alpha_internal.c: internal states z' of the trial, and their rates; algorithmic rates for another
- * step size or at the start of a segment; error in units of the tolerance; most of an element */
+ * step size or at the start of a segment; error in units of the tolerance */
 int cardan_alpha_internal(cardan_run *run, const cardan_alpha *v, real t);
 void cardan_alpha_internal_restart(const cardan_run *run, const cardan_alpha *v, real share, int fresh);
 real cardan_alpha_internal_error(const cardan_run *run, const cardan_alpha *v, real h);
-ptrdiff_t cardan_alpha_most_states(const cardan_mesh *mesh);
 
 /* alpha_dense.c */
 int cardan_alpha_dense(cardan_run *run);

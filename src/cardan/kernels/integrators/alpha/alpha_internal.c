@@ -13,6 +13,7 @@
  * 305-319.
  */
 #include "alpha.h"
+#include "mesh_states.h"
 #include <math.h>
 
 enum { MOST_CORRECTIONS = 50 };
@@ -34,97 +35,34 @@ static coefficients first_order(const cardan_alpha *v)
     return c;
 }
 
+/* The trial with internal states z. */
+static cardan_state state_of(const cardan_run *run, const real *t, const real *z)
+{
+    const cardan_in in = cardan_at(run, t, run->trial);
+    const cardan_state at = {.t = *in.t, .q = in.q, .u = in.u, .z = z, .s = run->s, .r = run->r};
+
+    return at;
+}
+
 static int zdot_at(cardan_run *run, const cardan_alpha *v, real t, const real *z, real *zdot)
 {
-    const cardan_in in = cardan_at(run, &t, run->trial);
-    const cardan_state at = {.t = *in.t, .q = in.q, .u = in.u, .z = z, .s = run->s, .r = run->r};
+    const cardan_state at = state_of(run, &t, z);
 
     run->model_status = cardan_mesh_zdot(v->mesh, &at, zdot, v->system.work);
     return run->model_status == 0 ? 0 : CARDAN_MODEL;
-}
-
-/* Solve a x = b (n) by elimination with pivots; a and b are overwritten. */
-static void eliminate(ptrdiff_t n, real *a, real *b)
-{
-    for (ptrdiff_t k = 0; k < n; k++) {
-        ptrdiff_t pivot = k;
-        for (ptrdiff_t i = k + 1; i < n; i++)
-            if (fabs(a[i * n + k]) > fabs(a[pivot * n + k]))
-                pivot = i;
-        for (ptrdiff_t j = 0; j < n && pivot != k; j++) {
-            const real x = a[k * n + j];
-            a[k * n + j] = a[pivot * n + j];
-            a[pivot * n + j] = x;
-        }
-        const real x = b[k];
-        b[k] = b[pivot];
-        b[pivot] = x;
-        for (ptrdiff_t i = k + 1; i < n; i++) {
-            const real factor = a[i * n + k] / a[k * n + k];
-            for (ptrdiff_t j = k; j < n; j++)
-                a[i * n + j] -= factor * a[k * n + j];
-            b[i] -= factor * b[k];
-        }
-    }
-    for (ptrdiff_t k = n - 1; k >= 0; k--) {
-        for (ptrdiff_t j = k + 1; j < n; j++)
-            b[k] -= a[k * n + j] * b[j];
-        b[k] /= a[k * n + k];
-    }
-}
-
-/* Corrections of the states of every element: (1 - c dzdot/dz) dz = missing. */
-static void correct(const cardan_alpha *v, real c, const real *change, real *missing)
-{
-    const ptrdiff_t nz = v->mesh->nz;
-
-    for (ptrdiff_t k = 0; k < v->mesh->group_count; k++) {
-        const cardan_group *g = v->mesh->groups + k;
-        const ptrdiff_t n = g->z_states;
-        for (ptrdiff_t e = 0; e < g->count; e++) {
-            const ptrdiff_t *z = g->z + e * g->nz;
-            real *a = v->block, *b = v->block + n * n;
-            for (ptrdiff_t i = 0; i < n; i++) {
-                b[i] = missing[z[i]];
-                for (ptrdiff_t j = 0; j < n; j++)
-                    a[i * n + j] = (i == j) - c * v->slopes[j * nz + z[i]] / change[z[j]];
-            }
-            eliminate(n, a, b);
-            for (ptrdiff_t i = 0; i < n; i++)
-                missing[z[i]] = b[i];
-        }
-    }
-}
-
-/* Add `share` of its change to the j-th state of every element that has so many. Returns how many. */
-static ptrdiff_t shift(const cardan_alpha *v, ptrdiff_t j, real share, const real *change, real *z)
-{
-    ptrdiff_t some = 0;
-
-    for (ptrdiff_t k = 0; k < v->mesh->group_count; k++) {
-        const cardan_group *g = v->mesh->groups + k;
-        for (ptrdiff_t e = 0; e < g->count && j < g->z_states; e++, some++)
-            z[g->z[e * g->nz + j]] += share * change[g->z[e * g->nz + j]];
-    }
-    return some;
 }
 
 /* Slopes (most states of an element, nz): changes of the rates where the j-th state of every element
  * changes; `change` (nz): by how much. */
 static int differentiate(cardan_run *run, const cardan_alpha *v, real t, real *z, real *change)
 {
-    const ptrdiff_t nz = v->mesh->nz;
-    int status = 0;
+    const cardan_state at = state_of(run, &t, z);
 
-    for (ptrdiff_t i = 0; i < nz; i++)
+    for (ptrdiff_t i = 0; i < v->mesh->nz; i++)
         change[i] = CHANGED * (v->terms[i] > 0 ? v->terms[i] : 1);
-    for (ptrdiff_t j = 0; status == 0 && shift(v, j, 1, change, z) > 0; j++) {
-        status = zdot_at(run, v, t, z, v->slopes + j * nz);
-        (void)shift(v, j, -1, change, z);
-        for (ptrdiff_t i = 0; i < nz; i++)
-            v->slopes[j * nz + i] -= v->zdot[i];
-    }
-    return status;
+    run->model_status =
+        cardan_mesh_slopes(v->mesh, &at, v->zdot, change, z, v->slopes, v->system.work);
+    return run->model_status == 0 ? 0 : CARDAN_MODEL;
 }
 
 /* What z (nz) misses of the rule of a step, into `gap`; the size of the terms it consists of. */
@@ -203,7 +141,7 @@ static int solve(cardan_run *run, const cardan_alpha *v, real t, real *change)
             return 0;
         if (!(size < INFINITY))
             break;
-        correct(v, c, change, v->gap);
+        cardan_mesh_states_solve(v->mesh, c, 0, change, v->slopes, v->gap, NULL, v->block);
         for (ptrdiff_t i = 0; i < v->mesh->nz; i++)
             z[i] += v->gap[i];
         renew = size > SLOW * last;
@@ -223,15 +161,6 @@ int cardan_alpha_internal(cardan_run *run, const cardan_alpha *v, real t)
     for (ptrdiff_t i = 0; i < nz; i++)
         v->w_new[i] = ((1 - m.af) * v->zdot[i] + m.af * rate[i] - m.am * v->w[i]) / (1 - m.am);
     return status;
-}
-
-ptrdiff_t cardan_alpha_most_states(const cardan_mesh *mesh)
-{
-    ptrdiff_t most = 0;
-
-    for (ptrdiff_t k = 0; k < mesh->group_count; k++)
-        most = mesh->groups[k].z_states > most ? mesh->groups[k].z_states : most;
-    return most;
 }
 
 void cardan_alpha_internal_restart(const cardan_run *run, const cardan_alpha *v, real share, int fresh)

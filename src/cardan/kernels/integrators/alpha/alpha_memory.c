@@ -1,5 +1,6 @@
 /* Memory layout of the generalized-alpha method within `method_memory`. Part of cardan. */
 #include "alpha.h"
+#include "mesh_states.h"
 
 /* Point all arrays into the memory of a run. Returns how many numbers they need. */
 static ptrdiff_t lay(const cardan_run *run, cardan_alpha *v)
@@ -30,14 +31,14 @@ static ptrdiff_t lay(const cardan_run *run, cardan_alpha *v)
     v->dx = cardan_reserve(memory, &used, nu);
     v->mesh = run->mesh;
     if (v->mesh) {
-        const ptrdiff_t most = cardan_alpha_most_states(v->mesh);
+        const ptrdiff_t most = cardan_mesh_most_states(v->mesh);
         v->w = cardan_reserve(memory, &used, run->nz);
         v->w_new = cardan_reserve(memory, &used, run->nz);
         v->zdot = cardan_reserve(memory, &used, run->nz);
         v->gap = cardan_reserve(memory, &used, run->nz);
         v->terms = cardan_reserve(memory, &used, run->nz);
         v->slopes = cardan_reserve(memory, &used, most * run->nz);
-        v->block = cardan_reserve(memory, &used, most * (most + 1));
+        v->block = cardan_reserve(memory, &used, cardan_mesh_states_block(v->mesh));
     }
     /* a mesh has sparse systems in place of the dense matrices below */
     if (v->mesh)
@@ -95,10 +96,11 @@ ptrdiff_t cardan_alpha_length(const cardan_run *run)
     return lay(&measured, &v);
 }
 
-/* Whether the stored pivots are valid row indices; a mesh run cannot be restored from a file. */
+/* Whether the stored pivots are valid row indices (memory may come from a file). */
 int cardan_alpha_sound(const cardan_run *run)
 {
     const cardan_alpha v = cardan_alpha_at(run);
 
-    return !v.mesh && cardan_places_fit(v.order, v.size, 0, (real)(v.size - 1));
+    return v.mesh ? cardan_alpha_sparse_sound(&v)
+                  : cardan_places_fit(v.order, v.size, 0, (real)(v.size - 1));
 }

@@ -17,6 +17,8 @@
 #include <math.h>
 
 enum { MOST_CORRECTIONS = 20, MOST_TANGENTS = 6 };
+/* Newton steps for multipliers that make friction: each doubles the digits */
+enum { LEVELING = 7 };
 /* number of following steps that begin with a new matrix, after a matrix failed in the step it was
  * factored in or the next */
 static const real HASTE = 8;
@@ -320,8 +322,8 @@ int cardan_alpha_restart(cardan_run *run, const cardan_alpha *v, real h)
         v->udot[i] = run->f[v->nq + i];
     for (ptrdiff_t k = 0; k < v->m; k++)
         v->lam[k] = v->lam_new[k] = 0;
-    /* multipliers: one linear solve with the matrix for h = 0 */
-    if (v->m > 0) {
+    /* multipliers: a linear solve with the matrix for h = 0, several where friction follows from them */
+    for (int step = 0; v->m > 0 && step < (v->mesh && v->mesh->frictions > 0 ? LEVELING : 1); step++) {
         status = cardan_alpha_renew(run, v, 0, run->t, run->y, v->udot, v->lam);
         if (status == 0)
             status = balance(run, v, run->t, run->y, v->udot, v->lam);

@@ -42,6 +42,16 @@ ptrdiff_t cardan_alpha_sparse_lay(const cardan_mesh *mesh, real *memory, cardan_
     return used;
 }
 
+/* Whether the stored factors name rows that exist. */
+int cardan_alpha_sparse_sound(const cardan_alpha *v)
+{
+    const cardan_sparse *plan = v->mesh->plan;
+    const real lost = v->now[ALPHA_VELOCITY_RANK_LOSS];
+
+    return cardan_sparse_sound(plan, &v->system.factors, v->now[ALPHA_WEAK])
+           && (!stabilized(v) || cardan_sparse_sound(plan, &v->settling.factors, lost));
+}
+
 /* New matrix of a step h at t, y, udot, lam; h = 0: for initial accelerations and multipliers. */
 int cardan_alpha_sparse_renew(cardan_run *run, const cardan_alpha *v, real h, real t,
                               const real *y, const real *udot, const real *lam)

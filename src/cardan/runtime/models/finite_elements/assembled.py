@@ -60,6 +60,15 @@ class Assembled(Source):
         mesh.connect("balance", "balance_tangent", "gamma")
         return ctypes.addressof(mesh.record)
 
+    def codes(self, model: LoadedModel) -> list[Code]:
+        """Those of all kinds of elements and places, by their C names."""
+        mesh = self.results(model).mesh
+        mesh.connect(*NEEDED["rhs"])
+        groups, places = mesh.tables.groups, mesh.tables.kinds
+        symbols = {g.kind.functions.get(name) for g in groups for name in NEEDED["rhs"]}
+        symbols |= {symbol for kind in places for symbol in kind.functions.values()}
+        return model._objects.load(sorted(symbol for symbol in symbols if symbol))
+
     def _function(self, model: LoadedModel, name: str, of: str | None) -> LoadedFunction:
         model._check_of(name, of)
         results, arguments = self.results(model), model._layout.reads(name, of)

@@ -7,7 +7,7 @@ over from one to the other along the beam.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -37,23 +37,29 @@ class Motion:
     velocity: Array
 
 
-_STILL = Motion(Rotation.identity(), np.zeros(3), np.zeros(3), np.zeros(3))
+STILL = Motion(Rotation.identity(), np.zeros(3), np.zeros(3), np.zeros(3))
 
 
 def trailed(
-    tables: Tables, lines: Sequence[Integers], reference: Array, x: Array, located: Collection[int]
+    tables: Tables,
+    lines: Sequence[Integers],
+    reference: Array,
+    x: Array,
+    located: Collection[int],
+    tree_ends: Mapping[int, Motion],
 ) -> Array:
     """A state (nx,) whose beams follow the nodes that stand where they are told to.
 
     Args:
         tables: Places of the model.
-        lines: Of every segment the places of its nodes from end to end; GROUND for the ground.
+        lines: Of every segment the places of its nodes from end to end; GROUND for the ground,
+            less for bodies of rigid trees.
         reference: Coordinates (nq,) in the reference configuration.
         x: The state, with those nodes where they are to be.
         located: Places that are there already.
+        tree_ends: Displacements of the bodies of rigid trees that segments end at.
     """
-    moved, motions = x.copy(), dict[int, Motion]()
-    motions[GROUND] = _STILL
+    moved, motions = x.copy(), {GROUND: STILL, **tree_ends}
     ends = {int(place) for line in lines for place in (line[0], line[-1])}
     for place in ends & set(located):
         motions[place] = motion_of(tables, reference, x, place)
@@ -66,9 +72,9 @@ def trailed(
         one, other = (motions.get(int(line[k])) for k in (0, -1))
         if one is None and other is None:
             break
-        _carry(tables, reference, moved, line, one or other or _STILL, other or one or _STILL)
+        _carry(tables, reference, moved, line, one or other or STILL, other or one or STILL)
         for k, motion in ((0, other), (-1, one)):
-            motions.setdefault(int(line[k]), motion or _STILL)
+            motions.setdefault(int(line[k]), motion or STILL)
     return moved
 
 
@@ -96,9 +102,18 @@ def joined(lines: Sequence[Integers], located: Collection[int]) -> list[Integers
 def motion_of(tables: Tables, reference: Array, x: Array, place: int) -> Motion:
     """Displacement of a place from its pose in the reference configuration."""
     at, home = tables.pose(x, place), tables.pose(reference, place)
+    return displacement(at, tables.speeds(x[tables.nq :], place), home)
+
+
+def displacement(at: Array, speed: Array, home: Array) -> Motion:
+    """Motion of a body from one pose to another.
+
+    Args:
+        at, home: Unit quaternion and position (7,) now and before.
+        speed: Angular velocity in its axes and velocity now (6,).
+    """
     now = _rotation(at[:4])
     turn = now * _rotation(home[:4]).inv()
-    speed = tables.speeds(x[tables.nq :], place)
     omega = now.apply(speed[:3])
     return Motion(turn, at[4:] - turn.apply(home[4:]), omega, speed[3:] - np.cross(omega, at[4:]))
 
@@ -107,7 +122,7 @@ def _carry(
     tables: Tables, reference: Array, x: Array, line: Integers, one: Motion, other: Motion
 ) -> None:
     """Move the nodes inside of a segment, and ends that are not known, into ``x``."""
-    nodes = line != GROUND
+    nodes = line >= 0
     places, s = line[nodes], np.linspace(0.0, 1.0, len(line))[nodes, None]
     arc = (other.turn * one.turn.inv()).as_rotvec()
     turn = Rotation.from_rotvec(s * arc) * one.turn if arc.any() else one.turn

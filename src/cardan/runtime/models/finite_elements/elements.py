@@ -72,7 +72,7 @@ class Elements(ABC):
         blocks["r"] = np.zeros(tables.nr) if at.r is None else at.r
         blocks["t"] = np.array([at.t])
         blocks["e"] = np.zeros((n, group.kind.ne))
-        blocks["tau"] = np.zeros((n, group.kind.responses))
+        blocks["tau"] = np.zeros((n, group.kind.frictions + group.kind.responses))
         return blocks
 
     @abstractmethod
@@ -167,7 +167,8 @@ class Elements(ABC):
 
     def tangent(self, at: State) -> dict[str, scipy.sparse.csr_matrix]:
         """K, C, M (nu, nu), R, G (m, nu): derivatives of the balance, rows of constraints;
-        H (m, m): which of these no mode holds."""
+        H (m, m): which of these no mode holds; L (m, nu): of elements with friction that follows
+        from reactions the derivatives of the balance by -lam, in place of G."""
         tables = self.tables
         entries: dict[str, list[tuple[Any, Any, Any]]] = {name: [] for name in PARTS}
         numbers = [k for k, g in enumerate(tables.groups) if "balance_tangent" in g.kind.functions]
@@ -176,12 +177,12 @@ class Elements(ABC):
             group = tables.groups[number]
             columns, lines = tables.columns(group), tables.lines(number)
             for name, start in group.kind.parts.items():
-                rows = lines if name in "RGH" else columns
+                rows = lines if name in "RGHL" else columns
                 across = lines if name == "H" else columns
                 block = values[:, start : start + rows.shape[1] * across.shape[1]]
                 entries[name].append(_entries(rows, across, block))
         height, width = (dict.fromkeys(PARTS, tables.nu) for _ in range(2))
-        height |= dict.fromkeys("RGH", tables.m)
+        height |= dict.fromkeys("RGHL", tables.m)
         width["H"] = tables.m
         shapes = {name: (height[name], width[name]) for name in PARTS}
         return {name: _assembled(entries[name], shapes[name]) for name in PARTS}

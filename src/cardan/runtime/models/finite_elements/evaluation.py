@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Sequence
 from functools import partial
 from itertools import groupby
@@ -249,13 +250,20 @@ class Results:
         """Forces of elements by name (nforces,) [N or N m]."""
         form, groups = "element_forces", self.tables.groups
         having = [k for k, group in enumerate(groups) if form in group.kind.functions]
-        results = dict(zip(having, self.mesh.results(form, self._at(inputs)), strict=True))
+        more: dict[str, Array] = {}
+        if any(groups[k].kind.m for k in having):
+            # what modes hold, and friction by reactions, follow from multipliers
+            more["lam"] = self._solved(inputs)[1]
+        results = dict(zip(having, self.mesh.results(form, self._at(inputs, **more)), strict=True))
         places, values = self.manifest.elements.forces, list[float]()
+        taken = Counter[tuple[int, int]]()
         for name, rows in groupby(self.manifest.element_forces, lambda row: row.element):
             group, member = places.get(name, (-1, 0))
+            count, first = len(list(rows)), taken[group, member]
+            taken[group, member] += count
             # elements that never exert any have no function
-            zeros = [0.0] * len(list(rows))
-            values += results[group][member].tolist() if group in results else zeros
+            row = results[group][member].tolist() if group in results else [0.0] * (first + count)
+            values += row[first : first + count]
         return np.array(values)
 
     def _of_member(self, form: str, name: str, at: State) -> Array:

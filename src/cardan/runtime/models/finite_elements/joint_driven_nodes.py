@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from ....arrays import Array
 from . import table_loading
-from .dependent_nodes import GROUND, joined, motion_of, trailed
+from .dependent_nodes import GROUND, STILL, Motion, displacement, joined, motion_of, trailed
 from .node_pose import pose, speeds
 from .tables import Integers, Tables
 
@@ -20,6 +20,9 @@ if TYPE_CHECKING:
     from ..loaded_model import LoadedModel
 
 SAVED = "states"
+ENDS = "ends_q", "ends_u"
+# place of the first body of a tree that a beam ends at; others follow downward
+ON_TREE = -2
 ASSEMBLY_SIGNS = "assembly_signs "  # before the joint whose axes the numbers are about
 ROUNDING = 1e-14
 # cosines of exchanged axes are 0 but for rounding; as kernels/solve/position.c has it
@@ -86,7 +89,8 @@ class Carrier:
         count = len(self.fixed)
         # bodies that joints hold on the end of a beam follow it, and carry the next beam
         for _ in range(len(self.free_nodes) + 1):
-            trail = trailed(tables, tables.beams, self.reference, moved, located)
+            ends = self._tree_ends(*self.model.split(moved)[:2])
+            trail = trailed(tables, tables.beams, self.reference, moved, located, ends)
             trail[:count][self.fixed] = moved[:count][self.fixed]
             before, moved = moved, self._by_joints(trail)
             # the joints round what beams said: the same again is all there is
@@ -104,9 +108,10 @@ class Carrier:
         for _ in range(len(self.free_nodes) + 1):
             rows = moved.reshape(-1, self.model.nu)
             trails = [
-                trailed(tables, tables.beams, self.reference, np.concatenate([q, row]), located)[
-                    nq:
-                ]
+                trailed(
+                    *(tables, tables.beams, self.reference, np.concatenate([q, row]), located),
+                    self._tree_ends(q, row),
+                )[nq:]
                 for row in rows
             ]
             trail = np.where(stays, moved, np.reshape(trails, moved.shape))
@@ -141,22 +146,42 @@ class Carrier:
             Transforms (4, 4) of ground axes of what each place carries, and a position (3,).
         """
         x = np.concatenate([q, np.zeros(self.model.nu)])
-        moves = []
+        moves, ends = [], {GROUND: STILL, **self._tree_ends(*self.model.split(x)[:2])}
         for place in (one, other):
-            displacement = np.eye(4)
-            if place != GROUND:
-                motion = motion_of(self.tables, self.reference, x, place)
-                displacement[:3, :3], displacement[:3, 3] = motion.turn.as_matrix(), motion.shift
-            moves.append(displacement)
-        home = self.tables.pose(self.reference, one if other == GROUND else other)[4:]
-        return moves[0], moves[1], home
+            at_node = place >= 0
+            motion = motion_of(self.tables, self.reference, x, place) if at_node else ends[place]
+            move = np.eye(4)
+            move[:3, :3], move[:3, 3] = motion.turn.as_matrix(), motion.shift
+            moves.append(move)
+        place = one if other == GROUND else other
+        on_node = place >= 0
+        home = self.tables.pose(self.reference, place) if on_node else self._homes[ON_TREE - place]
+        return moves[0], moves[1], home[4:]
+
+    def _tree_ends(self, q: Array, u: Array) -> dict[int, Motion]:
+        """Displacements of the bodies of rigid trees that beams end at, by place."""
+        if not len(self._homes):
+            return {}
+        at = self._nodes(q, u)
+        poses, speeds = at[ENDS[0]].reshape(-1, 7), at[ENDS[1]].reshape(-1, 6)
+        bodies = zip(poses, speeds, self._homes, strict=True)
+        return {ON_TREE - k: displacement(*body) for k, body in enumerate(bodies)}
+
+    @cached_property
+    def _home(self) -> Mapping[str, Array]:
+        """States of nodes with all joints at their own defaults."""
+        joint_coordinates = np.array(self.model.manifest.elements.reference, dtype=np.float64)
+        return self._evaluated(joint_coordinates, np.zeros(len(self._blocks["u"])))
+
+    @cached_property
+    def _homes(self) -> Array:
+        """Poses (n, 7) of the bodies of rigid trees that beams end at, in the reference."""
+        return np.reshape(self._home.get(ENDS[0], np.zeros(0)), (-1, 7))
 
     @cached_property
     def reference(self) -> Array:
         """Coordinates (nq,) at which beams are without stress: all joints at their own defaults."""
-        joint_coordinates = np.array(self.model.manifest.elements.reference, dtype=np.float64)
-        still = np.zeros(len(self._blocks["u"]))
-        located = self._evaluated(joint_coordinates, still)["q"]
+        located = self._home["q"]
         reference: Array = self.model._layout.start("q").copy()
         reference[: len(located)] = located
         return reference

@@ -29,7 +29,7 @@ from .record_fields import group_fields, mesh_fields, mover_fields
 from .tables import Tables
 
 # what functions of the whole mesh ask of the elements
-SOLVED = ("balance", "balance_tangent", "gamma")
+SOLVED = ("balance", "balance_tangent", "gamma", "reaction_friction")
 NEEDED = {
     "balance": ("balance",),
     "gamma": ("gamma",),
@@ -55,7 +55,7 @@ def _block_sizes(kind: ElementKind, nr: int) -> dict[str, int]:
     along = dict.fromkeys(("u", "udot", "du"), kind.nu)
     # elements of mixed form are given their stress as z while one searches for rest
     nz = max(kind.nz, INNER if "mixed" in kind.functions else 0)
-    events = {"e": kind.ne, "tau": kind.responses}
+    events = {"e": kind.ne, "tau": kind.frictions + kind.responses}
     return {"q": kind.nq, "z": nz, "s": kind.ns, "lam": kind.m, "r": nr, **along, **events}
 
 

@@ -33,9 +33,10 @@ def group_fields(tables: Tables) -> list[Fields]:
             "count": len(group),
             "places": group.place.shape[1],
             **{name: getattr(kind, name) for name in SIZES},
+            "switched": kind.released,
             "z_states": kind.states[0],
             "s_states": kind.states[1],
-            **{name: getattr(kind, name) for name in ("ne", "jumps", "responses")},
+            **{name: getattr(kind, name) for name in ("ne", "jumps", "responses", "frictions")},
             "inner": inner,
             "inner_start": inner_start if inner else 0,
             "place": group.place.astype(np.intp),
@@ -92,6 +93,7 @@ def mesh_fields(tables: Tables, entries: Mapping[str, FunctionRow]) -> Fields:
         "ne": tables.ne,
         "jumps": sum(len(group) * group.kind.jumps for group in tables.groups),
         "responses": sum(len(group) * group.kind.responses for group in tables.groups),
+        "frictions": sum(len(group) * group.kind.frictions for group in tables.groups),
     }
 
 
@@ -104,5 +106,5 @@ def _reads(kind: ElementKind, form: str, entries: Mapping[str, FunctionRow]) -> 
 def _local(kind: ElementKind, entries: Mapping[str, FunctionRow]) -> int:
     """Numbers that an element reads, and gives at most."""
     reads = kind.nq + 3 * kind.nu + kind.m + kind.nz + kind.ns + INNER
-    reads += kind.ne + kind.responses
+    reads += kind.ne + kind.frictions + kind.responses
     return reads + max((entries[x].output_size for x in kind.functions.values()), default=0)

@@ -109,7 +109,7 @@ def _check_sizes(elements: Tables, group: Table) -> None:
         raise ValueError(f"elements of '{kind.name}' keep {kind.states} states")
     if kind.responses > min(kind.jumps, kind.nu):
         raise ValueError(f"elements of '{kind.name}' have {kind.responses} responses")
-    if kind.mp > kind.m:
+    if kind.mp > kind.m or kind.switched > kind.m - kind.mp:
         raise ValueError(f"elements of '{kind.name}' have {kind.m} constraints")
 
 
@@ -135,6 +135,7 @@ def _check_results(elements: Tables, entries: Mapping[str, FunctionRow]) -> None
         sizes |= {"reaction": 6, "stress": 24, "mixed": nu + nu * nu, "mixed_step": INNER}
         sizes |= {"zdot": kind.states[0], "signs": kind.ne + 1, "change": sum(kind.states)}
         sizes["jumps"] = kind.jumps * (ROW + nu)
+        sizes["reaction_friction"] = kind.frictions * (1 + nu + 3 * m)
         sums = {"power": group.powers, "outputs": group.outputs}
         sizes |= {name: 0 if x is None else x.shape[1] for name, x in sums.items()}
         sizes["reactions"] = 0 if group.reactions is None else 6 * group.reactions.shape[1]
@@ -161,10 +162,10 @@ def _check_mesh(elements: Tables, manifest: Manifest) -> None:
     for kind in kinds:
         most = available[kind.functions["balance_tangent"]].output_size if kind.parts else 0
         for name, start in kind.parts.items():
-            size = (kind.m if name in "RGH" else kind.nu) * (kind.m if name == "H" else kind.nu)
+            size = (kind.m if name in "RGHL" else kind.nu) * (kind.m if name == "H" else kind.nu)
             if name not in PARTS or start > most - size:
                 raise ValueError(f"matrices of '{kind.name}' lie outside of its tangent")
-    inside = all(np.all((line >= -1) & (line < places)) for line in elements.beams)
+    inside = all(_on_places(line, places) for line in elements.beams)
     for right, what in (
         (
             (elements.mp, elements.m) == (manifest.position_rows, len(manifest.multipliers)),
@@ -177,6 +178,11 @@ def _check_mesh(elements: Tables, manifest: Manifest) -> None:
     ):
         if not right:
             raise ValueError(f"its {what} are not those of the manifest")
+
+
+def _on_places(line: Any, places: int) -> bool:
+    """True when a line of nodes has places of the model; its ends may be elsewhere."""
+    return bool(len(line) > 1 and np.all(line < places) and np.all(line[1:-1] >= 0))
 
 
 def _tables(manifest: Manifest, numbers: Mapping[str, Any]) -> Tables:

@@ -29,7 +29,7 @@ def signs(members: Members) -> float | str:
     worst = np.nan
     if (value[:, -1] == 0).any():
         judges, worst = 1, worst_of(worst, _unread(members, value))
-    for error in (*_gaps(members), *_pulls(members, value)):
+    for error in (*_gaps(members), *_pulls(members, value), *_jams(members, value)):
         judges, worst = 1, worst_of(worst, error)
     return worst if judges else NO_LAW
 
@@ -76,6 +76,16 @@ def _pulls(members: Members, value: Array) -> Iterator[float]:
             yield relative(gap[:, None], push[:, None])
 
 
+def _jams(members: Members, value: Array) -> Iterator[float]:
+    """For every friction by a reaction one value is how certain it is, less a constant."""
+    k, tau = members.table.kind.frictions, members.inputs["tau"]
+    for friction in range(k):
+        shifted = tau.copy()
+        shifted[:, friction] += 1.0
+        change = (members.call("signs", {"tau": shifted}) - value)[:, :-1]
+        yield relative(np.sort(change, axis=-1) - np.eye(change.shape[-1])[-1], np.ones((1, 1)))
+
+
 def impulses(members: Members) -> float | str:
     """Missing speeds grow along the velocities of impulses; these are held in some modes."""
     kind, n, worst, judges = members.table.kind, members.count, np.nan, 0
@@ -105,9 +115,9 @@ def impulses(members: Members) -> float | str:
 def _constrained(members: Members, J: Array) -> Iterator[float]:
     """Impulses act along rows that modes hold."""
     kind = members.table.kind
-    if not kind.m:
+    if not kind.released:
         return
-    G = members.constraint_rows()
+    G = members.constraint_rows()[:, kind.m - kind.released :]
     active = (G != 0).any(axis=(1, 2))
     if not active.any():
         return

@@ -34,6 +34,7 @@ if TYPE_CHECKING:
 # larger models are not written out
 LARGEST = 300
 TRIALS, CLOSINGS, CLOSED = 8, 10, 1e-12
+NEWTON = 8  # steps: each doubles the digits
 # parts of the largest impulse, and of a response, that are none
 NOTHING = 1e-9
 # relative errors of a rounding, and how much more rounding may do than one that is tried
@@ -135,8 +136,7 @@ class _Events:
         tables = self.mesh.tables
         rows = np.ones(tables.m, bool)
         for number, group in enumerate(tables.groups):
-            if "H" in group.kind.parts:
-                rows[tables.lines(number)] = False
+            rows[tables.lines(number)[:, group.kind.m - group.kind.released :]] = False
         return rows
 
     def struck(self, numbers: Array) -> Array:
@@ -167,12 +167,69 @@ class _Events:
 
     def _solved(self, rounding: float) -> State:
         """The same with so much rounding of all forces and coefficients."""
-        nu, zero = self.mesh.tables.nu, replace(self.at, udot=None, lam=None)
-        right = np.concatenate([-self.mesh.balance(zero)[0], self.mesh.gamma(zero)])
-        rng = np.random.default_rng(9)
-        a, b = (x * (1 + rounding * rng.uniform(-1, 1, x.shape)) for x in (self.system, right))
-        solution: Array = np.linalg.lstsq(a, b, rcond=None)[0].astype(float)
+        nu, at = self.mesh.tables.nu, replace(self.at, udot=None, lam=None)
+        gamma, rng = self.mesh.gamma(at), np.random.default_rng(9)
+        _, G, H = self.matrices
+        solution: Array = np.zeros(len(self.system))
+        # friction that follows from reactions is solved for by Newton steps
+        for _ in range(NEWTON if self.frictions else 1):
+            at = replace(self.at, udot=solution[:nu], lam=solution[nu:])
+            rows = gamma - G @ solution[:nu] - H @ solution[nu:]
+            right = np.concatenate([-self.mesh.balance(at)[0], rows])
+            system = self.system.copy()
+            if self.frictions:
+                system[:nu, nu:] = self._columns(at)
+            a, b = (x * (1 + rounding * rng.uniform(-1, 1, x.shape)) for x in (system, right))
+            solution = solution + np.linalg.lstsq(a, b, rcond=None)[0].astype(float)
         return replace(self.at, udot=solution[:nu], lam=solution[nu:])
+
+    def _columns(self, at: State) -> Array:
+        """Derivatives of the balance by the multipliers (nu, m)."""
+        tables, tangent = self.mesh.tables, self.mesh.tangent(at)
+        columns: Array = -tangent["G"].toarray().T
+        L = tangent["L"].toarray().T
+        for number, group in enumerate(tables.groups):
+            if "L" in group.kind.parts:
+                lines = tables.lines(number).ravel()
+                columns[:, lines] = -L[:, lines]
+        return columns
+
+    @cached_property
+    def frictions(self) -> int:
+        """How many follow from reactions."""
+        return sum(len(group) * group.kind.frictions for group in self.mesh.tables.groups)
+
+    @cached_property
+    def certainty(self) -> Array:
+        """How certain each of these is: 1 - sum_j c_i |F_ij| (frictions,)."""
+        tables, at = self.mesh.tables, replace(self.at, udot=None, lam=None)
+        coefficients, loads, normals = list[Array](), list[Array](), list[Array]()
+        for number in self._having("reaction_friction"):
+            group = tables.groups[number]
+            k, nu, m = group.kind.frictions, group.kind.nu, group.kind.m
+            values = self._call(number, "reaction_friction", at)
+            c, along, normal = np.split(values, [k, k + k * nu], axis=-1)
+            for member in range(len(group)):
+                load, full = np.zeros((k, tables.nu)), np.zeros((k, 3, tables.m))
+                np.add.at(load.T, tables.columns(group)[member], along[member].reshape(k, nu).T)
+                full[:, :, tables.lines(number)[member]] = normal[member].reshape(k, 3, m)
+                loads.append(load)
+                normals.append(full)
+            coefficients.append(c.ravel())
+        force = np.concatenate([np.concatenate(loads), np.zeros((self.frictions, tables.m))], 1)
+        moved = np.linalg.lstsq(self.system, force.T, rcond=None)[0][tables.nu :]
+        shares = np.linalg.norm(np.concatenate(normals) @ moved, axis=1)
+        return np.asarray(1 - np.concatenate(coefficients) * shares.sum(axis=1))
+
+    def _more(self, number: int, responses: Array) -> dict[str, Array]:
+        """What the events of a group read as ``tau``: certainties, then responses (n, k)."""
+        groups = self.mesh.tables.groups
+        k, n = groups[number].kind.frictions, len(groups[number])
+        if not k:
+            return {"tau": responses}
+        first = sum(len(group) * group.kind.frictions for group in groups[:number])
+        certainty = self.certainty[first : first + n * k].reshape(n, k)
+        return {"tau": np.concatenate([certainty, responses], axis=1)}
 
     def _call(self, number: int, form: str, at: State, **more: Array) -> Array:
         """Results (n, size) of a function of a group."""
@@ -212,7 +269,10 @@ class _Events:
         for number in self._having("signs"):
             events = tables.groups[number].events
             if events is not None:
-                values[events] = self._call(number, "signs", at)[:, :-1]
+                more = self._more(
+                    number, np.zeros((len(events), tables.groups[number].kind.responses))
+                )
+                values[events] = self._call(number, "signs", at, **more)[:, :-1]
         return values
 
     def _other_multipliers(self) -> Array:
@@ -314,7 +374,7 @@ class _Events:
             group = tables.groups[number]
             more = {"e": e[group.events]} if group.events is not None else {}
             if number in responses:
-                more["tau"] = responses[number]
+                more |= self._more(number, responses[number])
             values = self._call(number, "change", at, **more)
             first, second = group.kind.states
             if group.z is not None:

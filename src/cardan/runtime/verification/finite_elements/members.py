@@ -167,6 +167,11 @@ class Members:
         return scale
 
 
+def in_space(block: PlaceKind) -> bool:
+    """True of a node in space."""
+    return bool(block.node) and block.nq == NODE
+
+
 def quaternion_rate(q: Array, w: Array) -> Array:
     """Rate of unit quaternions that turn with w in their own axes."""
     real, v = q[:, :1], q[:, 1:]

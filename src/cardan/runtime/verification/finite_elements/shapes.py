@@ -169,25 +169,6 @@ def _stress_uniform(strain: Callable[[Array, float], Array], soft: bool) -> Call
     return stress
 
 
-def _springs(q: Array, u: Array, data: Data) -> Array:
-    """Energy of a bushing or hinge: rotation vector and distance in the axes halfway."""
-
-    def one(k: int) -> Array:
-        reference = [data[f"theta{i}"][k] for i in (1, 2, 3)] + [
-            data[f"e{i}"][k] for i in (1, 2, 3)
-        ]
-        y = _mean(q[k], 1.0) - reference
-        if "turn" in data:
-            names = ("turn", "tilt", "tilt", "axial", "radial", "radial")
-            matrix = np.diag([float(data[name][k]) for name in names])
-        else:
-            pairs = [(min(i, j), max(i, j)) for i in range(6) for j in range(6)]
-            matrix = np.array([data[f"k{i + 1}{j + 1}"][k] for i, j in pairs]).reshape(6, 6)
-        return np.array([0.0, y @ matrix @ y / 2])
-
-    return _each(q, one)
-
-
 # masses
 
 
@@ -301,8 +282,6 @@ ENERGIES: dict[str, Callable[[Array, Array, Data], Array | None]] = {
     "helicoidal": _uniform(_helix, soft=False),
     "classical": _uniform(_mean, soft=True),
     "classical_plain": _uniform(_mean, soft=False),
-    "bushing": _springs,
-    "flexible_hinge": _springs,
     "linked_inertia": _energies(_mass_points),
     "lumped_inertia": _energies(_lumps_of),
 }

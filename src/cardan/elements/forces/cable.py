@@ -1,0 +1,92 @@
+"""A straight piece of a cable between two points: it pulls and does not push."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+from ...ir.arithmetic import Scalar, norm, select
+from ..formulas import Lines
+from ..limits import Limit, not_negative, positive
+from ..quantity import Place, Units, Value
+from .force import LINE, Action, ForceElement, Places
+from .line import PULL, RATE, SPAN, along_line, direction
+from .relative_springs import is_constant
+
+
+@dataclass(frozen=True)
+class Cable(ForceElement):
+    """A straight elastic cable without mass between the origins of two frames.
+
+    ``tension = EA (strain + damping d(strain)/dt)`` where it is taut, strain = distance / length -
+    1 above 0; a slack cable has none, and damping never pushes. ``scene.cable`` makes cables with
+    mass of many such pieces.
+
+    Args:
+        frame_a, frame_b: Frames or bodies at its ends.
+        EA: Stiffness of the section [N].
+        length: Without load [m].
+        damping: Tension of a rate of the strain is EA times this time [s].
+
+    Raises:
+        ModelError: EA or length not above 0, damping below 0, or what is not a finite number or
+            expression.
+
+    Source: Irvine, Cable Structures (1981), chapter 1; Géradin and Cardona, Flexible Multibody
+        Dynamics (2001), section 5.2.
+    """
+
+    kind: ClassVar[str] = "cable"
+    units: ClassVar[Units] = {"EA": "N", "length": "m", "damping": "s"}
+    frame_a: Place
+    frame_b: Place
+    EA: Value
+    length: Value
+    damping: Value = 0.0
+
+    def limits(self) -> tuple[Limit, ...]:
+        return (*positive("EA", "length"), *not_negative("damping"))
+
+    def acts_on(self) -> tuple[str, str]:
+        return LINE, "a"
+
+    def paired(self) -> bool:
+        return True
+
+    def act(self, at: Places) -> tuple[Action, ...]:
+        motion, a, b = at.motion, at.frames["a"], at.frames["b"]
+        stiffness, length, damping = (at.data[name][0] for name in self.units)
+        span = motion.position(b) - motion.position(a)
+        distance = norm(*span)
+        along = direction(span, distance)
+        strain = (distance / length - 1.0).apply("max", 0.0)
+        elastic = stiffness * strain
+        energy = elastic * strain * length * 0.5
+        actions = [along_line(motion, a, b, along * elastic, energy if self._stores(at) else None)]
+        if not at.data["damping"].is_zero:
+            rate = along.dot(motion.velocity(b) - motion.velocity(a)) / length
+            actions.append(
+                along_line(motion, a, b, along * _loss(elastic, stiffness * damping * rate), None)
+            )
+        return tuple(actions)
+
+    def formulas(self, at: Places) -> Lines:
+        damped = not at.data["damping"].is_zero
+        strain = ("strain of a taut cable, a slack one has none", "gamma = max(ell / L - 1, 0)")
+        pull = ("tension", "f = EA * gamma")
+        if damped:
+            pull = (
+                "tension of a taut cable, eta the damping; a slack one has none",
+                "f = max(EA * (gamma + eta * elldot / L), 0)",
+            )
+        energy: Lines = (("potential energy", "V = EA * L * gamma ** 2 / 2"),)
+        return (*SPAN, *(RATE,) * damped, strain, pull, *PULL, *energy * self._stores(at))
+
+    def _stores(self, at: Places) -> bool:
+        return is_constant(at.data["EA"], at.data["length"])
+
+
+def _loss(elastic: Scalar, viscous: Scalar) -> Scalar:
+    """Viscous part of the tension: none of a slack cable, and never more than lets it go slack."""
+    taut = (elastic * 0).apply("lt", elastic)
+    return select(taut, viscous.apply("max", -elastic), 0.0)

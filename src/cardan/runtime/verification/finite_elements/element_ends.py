@@ -1,0 +1,157 @@
+"""Flexible elements: poses and speeds at their ends, and quadrature along their shapes.
+
+Elements with unknowns of their own are judged by the plain ones.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+
+import numpy as np
+
+from ..differences import missing, relative, worst_of
+from ..joint_motion import Array, cross, times
+from ..rotations import quaternion
+from .balances import NO_LAW, balance, momenta
+from .members import NODE, Members, in_space
+from .shapes import ENERGIES, MOMENTA, STRESSES, quaternion_of
+
+
+def ends_of(members: Members) -> tuple[Array, Array, dict[str, Array]] | None:
+    """Poses (n, 14) and speeds (n, 12) of both ends of a flexible element, and its data by name.
+
+    Ends that are fixed to nodes, or to the ground, have their place among the data. None of
+    elements that are not flexible, and of those in a plane.
+    """
+    name = members.table.kind.name
+    if not any(name.startswith(kind) for kind in (*ENERGIES, *STRESSES)):
+        return None
+    if any(not block.node or block.nq != NODE for block in members.blocks):
+        return None
+    form = next(iter(members.codes.values())).symbol
+    inputs = members.model._objects.saved()[form]["inputs"]
+    names: list[str] = next((b["entries"] for b in inputs if b["name"] == "p"), [])
+    data = {entry: members.inputs["p"][:, k] for k, entry in enumerate(names)}
+    q, u, k = list[Array](), list[Array](), 0
+    for end in ("start", "end"):
+        attached = f"{end}_px" in data
+        grounded = attached and _grounded(members, end, data)
+        pose, speed = np.tile([1.0] + [0.0] * 6, (members.count, 1)), np.zeros((members.count, 6))
+        if not grounded:
+            pose = members.inputs["q"][:, 7 * k : 7 * k + 7]
+            speed = members.inputs["u"][:, 6 * k : 6 * k + 6]
+            k += 1
+        if attached:
+            pose, speed = _end_motion(pose, speed, end, data)
+        q, u = [*q, pose], [*u, speed]
+    return np.concatenate(q, axis=-1), np.concatenate(u, axis=-1), data
+
+
+def _grounded(members: Members, end: str, data: Mapping[str, Array]) -> bool:
+    """True when an end is fixed to the ground: the other one is the only node then."""
+    other = "end" if end == "start" else "start"
+    parts = members.table.kind.name.split("_")
+    if len(members.blocks) == 2:
+        return False
+    return f"{other}_px" not in data or parts[-2 if end == "start" else -1] == "ground"
+
+
+def _end_motion(
+    pose: Array, speed: Array, end: str, data: Mapping[str, Array]
+) -> tuple[Array, Array]:
+    """Pose and speeds of a frame that is fixed to another."""
+    n = len(pose)
+    cells = [data[f"{end}_R{i}{j}"] for i in "123" for j in "123"]
+    R = np.stack(cells, axis=-1).reshape(n, 3, 3)
+    p = np.stack([data[f"{end}_p{x}"] for x in "xyz"], axis=-1)
+    rotation = quaternion(pose[:, :4])
+    place = pose[:, 4:] + times(rotation, p)
+    back = np.swapaxes(R, -1, -2)
+    moved = speed[:, 3:] + times(rotation, cross(speed[:, :3], p))
+    end_pose = np.concatenate([quaternion_of(rotation @ R), place], axis=-1)
+    return end_pose, np.concatenate([times(back, speed[:, :3]), moved], axis=-1)
+
+
+def _energy(members: Members) -> float | str:
+    """By quadrature of strain measures and of point masses, and by what it does."""
+    law, ends = balance(members), ends_of(members)
+    names = [name for name in ENERGIES if members.table.kind.name.startswith(name)]
+    energies = ENERGIES[max(names, key=len)](*ends) if ends and names else None
+    if energies is None:
+        return law
+    error = relative(members.call("energy") - energies, energies)
+    return error if isinstance(law, str) else max(error, law)
+
+
+def _momentum(members: Members) -> float | str:
+    """dT/dv, and its moment with dT/domega; of points along the shape where an end is held."""
+    ends = ends_of(members)
+    names = [name for name in MOMENTA if members.table.kind.name.startswith(name)]
+    value = members.call("momentum")
+    if ends and names:
+        expected = MOMENTA[max(names, key=len)](*ends)
+        return relative(value - expected, expected)
+    nodes = [in_space(block) for block in members.blocks]
+    # what carries a rigid tree moves all of it
+    on_node = "bodies" in members.table.kind.functions and sum(nodes) == 1
+    if not (all(nodes) or on_node):
+        return "its places are not nodes in space"
+    if "ground" in members.table.kind.name:
+        return NO_LAW
+    p = momenta(members, lambda b: members.call("energy", b), members.inputs)
+    expected = np.zeros((members.count, 6))
+    for a, b, here in zip(*members.starts, nodes, strict=False):
+        if not here:
+            continue
+        q = members.inputs["q"][:, a : a + NODE]
+        linear_part = times(quaternion(q[:, :4]), p[:, b : b + 3])
+        linear = p[:, b + 3 : b + 6]
+        expected += np.concatenate([linear_part + cross(q[:, 4:], linear), linear], axis=-1)
+    return relative(value - expected, expected, p)
+
+
+def _mixed(members: Members) -> float | str:
+    """With the stress that there is: the balance and its tangent."""
+    none = {"du": np.zeros_like(members.inputs["du"])}
+    z = members.call("mixed_step", none)
+    value = members.call("mixed", {"z": z})
+    expected = np.concatenate([members.call("balance"), members.call("balance_tangent")], axis=-1)
+    nu = members.table.kind.nu
+    parts = (slice(0, nu), slice(nu, None))
+    return max(relative(value[:, part] - expected[:, part], expected[:, part]) for part in parts)
+
+
+def _mixed_step(members: Members) -> float | str:
+    """The stress that there is comes from any; small increments lead to that behind them."""
+    du = members.inputs["du"]
+    none = {"du": np.zeros_like(du)}
+    z = members.call("mixed_step", none)
+    again = members.call("mixed_step", {**none, "z": z})
+    worst = relative(again - z, z, members.inputs["z"])
+
+    def settled(blocks: Mapping[str, Array]) -> Array:
+        return members.call("mixed_step", {**blocks, "du": np.zeros_like(blocks["du"])})
+
+    slope, off = members.slope(settled, {"q": members.along(du)})
+    step = members.call("mixed_step", {"z": z}) - z
+    return worst_of(worst, missing(slope, off, step, z * 1e-3))
+
+
+def _stress(members: Members) -> float | str:
+    """By quadrature of strain measures."""
+    ends = ends_of(members)
+    names = [name for name in STRESSES if members.table.kind.name.startswith(name)]
+    expected = STRESSES[max(names, key=len)](ends[0], ends[2]) if ends and names else None
+    if expected is None:
+        return NO_LAW
+    value = members.call("stress").reshape(members.count, 4, 6)
+    return max(relative(value[:, k] - expected[:, k], expected[:, k]) for k in range(4))
+
+
+LAWS: dict[str, Callable[[Members], float | str]] = {
+    "energy": _energy,
+    "momentum": _momentum,
+    "mixed": _mixed,
+    "mixed_step": _mixed_step,
+    "stress": _stress,
+}
