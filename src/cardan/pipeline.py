@@ -12,6 +12,7 @@ from .api.compiled_model import CompiledModel
 from .api.equations import Equations, FiniteElementEquations
 from .api.faces import face
 from .arguments import checked
+from .build_progress import stage
 from .codegen import CFile, generate, layout, manifest
 from .codegen.fingerprint import fingerprint
 from .codegen.finite_elements import model_folder
@@ -80,8 +81,8 @@ def derive(
     Args:
         scene: The model.
         coordinates: ``"relative"``: joint coordinates over the spanning tree; ``"absolute"``: every
-            body has six of its own and joints hold them, element by element; ``"auto"``: absolute
-            if there are beams, else relative.
+            body has six of its own and joints hold them, element by element; ``"auto"``: nodes for
+            beams and cables and joint coordinates for rigid trees, relative without either.
         method: Formalism: ``"kane"``, ``"newton_euler"``, ``"composite"``, ``"articulated"``,
             ``"lagrange"``, ``"hamilton"``, ``"gibbs_appell"``, ``"barycentric"``, or ``"auto"``:
             of composite and articulated bodies what takes the fewest operations.
@@ -121,19 +122,27 @@ def derive(
     if speeds and method != "auto":
         check_chooses(method)
     solved = branches is not None or independent or constraints == "closed_form"
-    system = topology.build(scene, specialize, (branches or {}) if solved else None, independent)
-    if coordinates in ("absolute", "mixed") or (coordinates == "auto" and system.segments):
+    with stage(f"model '{scene.name}': numbering bodies and joints"):
+        system = topology.build(
+            scene, specialize, (branches or {}) if solved else None, independent
+        )
+    # the nodes of cables couple with their neighbors alone
+    cables = any(cable.elements > 1 for cable in scene.cables.values())
+    nodal = coordinates == "auto" and (bool(system.segments) or cables)
+    if coordinates in ("absolute", "mixed") or nodal:
         options = {"method": method, "constraints": constraints}
         named_options = [name for name, value in options.items() if value != "auto"]
         joint_options = {"speeds": speeds, "rewrites": rewrites, "branches": branches}
         joint_options["independent"] = independent
         named_options += [name for name, value in joint_options.items() if value is not None]
-        return _absolute(system, named_options, plane, coordinates != "absolute")
+        with stage(f"model '{scene.name}': deriving elements"):
+            return _absolute(system, named_options, plane, coordinates != "absolute")
     if plane is not None:
         raise DerivationError(
             f"plane='{plane}' belongs to absolute coordinates: take coordinates='absolute'"
         )
-    equations = _relative(scene, system, method, speeds, rewrites, treatment(constraints))
+    with stage(f"model '{scene.name}': deriving equations"):
+        equations = _relative(scene, system, method, speeds, rewrites, treatment(constraints))
     return replace(equations, free=topology.build(scene)) if specialize else equations
 
 
@@ -257,9 +266,11 @@ def compile(
 
     def _c_of(key: tuple[str, str | None]) -> tuple[CFile, Function | Recursion]:
         """A function as C, and as what was written so."""
-        function = equations.form(*key, loops)
-        notes = equations.notes(*key, function)
-        return generate(function, model=equations.system.name, notes=notes, of=key[1]), function
+        name, of = equations.system.name, key[1]
+        with stage(f"model '{name}': deriving and writing {' of '.join(filter(None, key))}"):
+            function = equations.form(*key, loops)
+            notes = equations.notes(*key, function)
+            return generate(function, model=name, notes=notes, of=of), function
 
     model = CompiledModel(folder, provide, threads=threads, available=functions)
     _say_what_is_not_checked(model)
@@ -326,9 +337,10 @@ def _of_elements(
     """The model of equations in absolute coordinates: C of its kinds of elements, and tables."""
     folder = Path(directory) if directory is not None else _workspace(equations, None)
     named = directory is not None
-    folder = _written(
-        folder, named, lambda place: model_folder.write(place, equations, OF_ELEMENTS)
-    )
+    with stage(f"model '{equations.system.name}': writing the functions of elements"):
+        folder = _written(
+            folder, named, lambda place: model_folder.write(place, equations, OF_ELEMENTS)
+        )
     return CompiledModel(folder, threads=threads)
 
 

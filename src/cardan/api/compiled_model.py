@@ -65,6 +65,7 @@ class CompiledModel(LoadedModel):
     sensitivity = verb("cardan.analyses.linear.sensitivity:sensitivity")
     stiffness = verb("cardan.analyses.simulation.precision.stiffness:stiffness")
     beam = verb("cardan.runtime.models.finite_elements.beams:beam")
+    cable = verb("cardan.runtime.trajectory.cables:cable")
 
     # measured motions
 

@@ -27,6 +27,7 @@ from ..runtime.calls.objects import Key
 from ..runtime.models.finite_elements.beams import BeamStress
 from ..runtime.models.finite_elements.elements import Elements
 from ..runtime.models.loaded_model import LoadedModel
+from ..runtime.trajectory.cables import CableTension
 from ..runtime.verification.verify import Verification
 from .results import (
     Assembly,
@@ -837,6 +838,21 @@ class CompiledModel(LoadedModel):
 
         Raises:
             ModelError: there is no such beam. ArgumentError: q has another shape.
+        """
+    def cable(
+        self,
+        name: str,
+        q: State,
+        u: State | None = None,
+    ) -> CableTension:
+        """Tension along a cable.
+
+        Args:
+            name: Of the cable.
+            q, u: Coordinates (..., nq) and speeds (..., nu); u is 0 unless given.
+
+        Raises:
+            ArgumentError: there is no such cable.
         """
     def torques(
         self,

@@ -8,6 +8,7 @@ from matplotlib.figure import Figure
 
 from ..arguments import Count
 from ..runtime.models.finite_elements.beams import BeamStress
+from ..runtime.trajectory.cables import CableTension
 from ..runtime.trajectory.trajectory import TrajectoryRecord
 from ..view.page import Page
 from .results import Torques
@@ -24,6 +25,18 @@ class Trajectory(TrajectoryRecord):
         name: str,
     ) -> BeamStress:
         """Forces, moments and strains (nt, 2 n, 3) along a beam, in axes of the section.
+        """
+    def cable(
+        self,
+        name: str,
+    ) -> CableTension:
+        """Tension along a cable at all times (nt, n).
+
+        Args:
+            name: Of the cable.
+
+        Raises:
+            ArgumentError: there is no such cable.
         """
     def torques(
         self,
