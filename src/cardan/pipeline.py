@@ -105,7 +105,8 @@ def derive(
         independent: Joints whose coordinates stay in closed form, such as that of a crank.
         plane: Of absolute coordinates: normal of the plane that the scene stays in, ``"x"``,
             ``"y"`` or ``"z"``; nodes then have the coordinates x, y, angle of a planar joint with
-            that normal. ``"auto"`` takes the plane that there is, if any.
+            that normal. ``"auto"`` takes the plane that there is, if any;
+            joint coordinates stay in it by themselves.
 
     Returns:
         The record that says everything else: matrices, counts, functions; in absolute coordinates
@@ -137,7 +138,7 @@ def derive(
         named_options += [name for name, value in joint_options.items() if value is not None]
         with stage(f"model '{scene.name}': deriving elements"):
             return _absolute(system, named_options, plane, coordinates != "absolute")
-    if plane is not None:
+    if plane not in (None, "auto"):
         raise DerivationError(
             f"plane='{plane}' belongs to absolute coordinates: take coordinates='absolute'"
         )
