@@ -13,6 +13,7 @@ from ..analyses.linear.sensitivity import Sensitivity
 from ..analyses.mechanisms.actuation import Actuation
 from ..analyses.mechanisms.minimal_coordinates import Partition
 from ..analyses.mechanisms.redundancy import Redundancy
+from ..analyses.mechanisms.screw_axis import ScrewAxis
 from ..analyses.mechanisms.singular_positions import Singular
 from ..analyses.simulation.alpha_methods import Alpha, GeneralizedAlpha
 from ..analyses.simulation.precision.report import Report
@@ -526,6 +527,20 @@ class CompiledModel(LoadedModel):
 
         Raises:
             ArgumentError: a wrong shape. SolveError: loops are open at this position.
+        """
+    def screw_axis(
+        self,
+        frame: str,
+        q: State,
+        u: State,
+    ) -> ScrewAxis:
+        """Instantaneous screw axis of a body or frame against the ground.
+
+        Args:
+            frame: Name of the frame or body.
+            q, u: Coordinates (..., nq) and speeds (..., nu).
+
+        Source: R. E. Roberson and R. Schwertassek, Dynamics of Multibody Systems, 1988, chapter 4.
         """
     def reduced_rhs(
         self,

@@ -6,6 +6,7 @@ from typing import Any, final
 
 from matplotlib.figure import Figure
 
+from ..analyses.mechanisms.screw_axis import ScrewAxis
 from ..arguments import Count
 from ..runtime.models.finite_elements.beams import BeamStress
 from ..runtime.trajectory.cables import CableTension
@@ -37,6 +38,15 @@ class Trajectory(TrajectoryRecord):
 
         Raises:
             ArgumentError: there is no such cable.
+        """
+    def screw_axis(
+        self,
+        frame: str,
+    ) -> ScrewAxis:
+        """Instantaneous screw axis of a body or frame at all times.
+
+        Args:
+            frame: Name of the frame or body.
         """
     def torques(
         self,
