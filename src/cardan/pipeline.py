@@ -105,8 +105,7 @@ def derive(
         independent: Joints whose coordinates stay in closed form, such as that of a crank.
         plane: Of absolute coordinates: normal of the plane that the scene stays in, ``"x"``,
             ``"y"`` or ``"z"``; nodes then have the coordinates x, y, angle of a planar joint with
-            that normal. ``"auto"`` takes the plane that there is, if any;
-            joint coordinates stay in it by themselves.
+            that normal. ``"auto"`` takes the plane that there is, if any.
 
     Returns:
         The record that says everything else: matrices, counts, functions; in absolute coordinates
