@@ -12,6 +12,7 @@ from .api.compiled_model import CompiledModel
 from .api.equations import Equations, FiniteElementEquations
 from .api.faces import face
 from .arguments import checked
+from .build_progress import stage
 from .codegen import CFile, generate, layout, manifest
 from .codegen.fingerprint import fingerprint
 from .codegen.finite_elements import model_folder
@@ -34,7 +35,7 @@ if TYPE_CHECKING:
     from .scene.scene import SceneRecord
     from .topology.system import Named, System
 
-COORDINATES = ("auto", "relative", "absolute", "mixed")
+COORDINATES = ("auto", "relative", "absolute")
 PLANES = ("auto", "x", "y", "z")
 
 
@@ -80,9 +81,9 @@ def derive(
     Args:
         scene: The model.
         coordinates: ``"relative"``: joint coordinates over the spanning tree; ``"absolute"``: every
-            body has six of its own and joints hold them, element by element; ``"auto"``: absolute
-            if there are beams, or long rigid loops (more than 16 speeds in one, or 60 in
-            all), else relative.
+            body has six of its own and joints hold them, element by element; ``"auto"``: nodes for
+            beams and cables and joint coordinates for rigid trees; every body its own in long
+            rigid loops (more than 16 speeds in one, or 60 in all); else relative.
         method: Formalism: ``"kane"``, ``"newton_euler"``, ``"composite"``, ``"articulated"``,
             ``"lagrange"``, ``"hamilton"``, ``"gibbs_appell"``, ``"barycentric"``, or ``"auto"``:
             of composite and articulated bodies what takes the fewest operations.
@@ -123,24 +124,30 @@ def derive(
     if speeds and method != "auto":
         check_chooses(method)
     solved = branches is not None or independent or constraints == "closed_form"
-    system = topology.build(scene, specialize, (branches or {}) if solved else None, independent)
+    with stage(f"model '{scene.name}': numbering bodies and joints"):
+        system = topology.build(
+            scene, specialize, (branches or {}) if solved else None, independent
+        )
     options = {"method": method, "constraints": constraints}
     named_options = [name for name, value in options.items() if value != "auto"]
     joint_options = {"speeds": speeds, "rewrites": rewrites, "branches": branches}
     joint_options["independent"] = independent
     named_options += [name for name, value in joint_options.items() if value is not None]
     reason = ""
-    if coordinates == "auto" and (system.segments or not named_options):
-        reason = element_reason(system)
-    if coordinates in ("absolute", "mixed") or reason:
+    if coordinates == "auto":
+        pieces = sum(cable.elements for cable in scene.cables.values() if cable.elements > 1)
+        reason = element_reason(system, pieces, bool(named_options))
+    if coordinates == "absolute" or reason:
         if reason and not system.segments and plane is None:
             plane = "auto"
-        return _absolute(system, named_options, plane, coordinates != "absolute", reason)
-    if plane is not None:
+        with stage(f"model '{scene.name}': deriving elements"):
+            return _absolute(system, named_options, plane, coordinates != "absolute", reason)
+    if plane not in (None, "auto"):
         raise DerivationError(
             f"plane='{plane}' belongs to absolute coordinates: take coordinates='absolute'"
         )
-    equations = _relative(scene, system, method, speeds, rewrites, treatment(constraints))
+    with stage(f"model '{scene.name}': deriving equations"):
+        equations = _relative(scene, system, method, speeds, rewrites, treatment(constraints))
     return replace(equations, free=topology.build(scene)) if specialize else equations
 
 
@@ -267,9 +274,11 @@ def compile(
 
     def _c_of(key: tuple[str, str | None]) -> tuple[CFile, Function | Recursion]:
         """A function as C, and as what was written so."""
-        function = equations.form(*key, loops)
-        notes = equations.notes(*key, function)
-        return generate(function, model=equations.system.name, notes=notes, of=key[1]), function
+        name, of = equations.system.name, key[1]
+        with stage(f"model '{name}': deriving and writing {' of '.join(filter(None, key))}"):
+            function = equations.form(*key, loops)
+            notes = equations.notes(*key, function)
+            return generate(function, model=name, notes=notes, of=of), function
 
     model = CompiledModel(folder, provide, threads=threads, available=functions)
     _say_what_is_not_checked(model)
@@ -336,9 +345,10 @@ def _of_elements(
     """The model of equations in absolute coordinates: C of its kinds of elements, and tables."""
     folder = Path(directory) if directory is not None else _workspace(equations, None)
     named = directory is not None
-    folder = _written(
-        folder, named, lambda place: model_folder.write(place, equations, OF_ELEMENTS)
-    )
+    with stage(f"model '{equations.system.name}': writing the functions of elements"):
+        folder = _written(
+            folder, named, lambda place: model_folder.write(place, equations, OF_ELEMENTS)
+        )
     return CompiledModel(folder, threads=threads)
 
 

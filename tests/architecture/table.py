@@ -5,7 +5,17 @@ from __future__ import annotations
 # from the ground up: a room imports the rooms before it, in whatever way
 ORDER = (
     *("version", "errors", "literature", "arrays", "processes", "regular_file", "atomic_file"),
-    *("arguments", "notebooks", "kernels", "ir", "passes", "spatial", "schema", "elements"),
+    *(
+        "build_progress",
+        "arguments",
+        "notebooks",
+        "kernels",
+        "ir",
+        "passes",
+        "spatial",
+        "schema",
+        "elements",
+    ),
     *("scene", "topology", "equations", "codegen", "runtime", "view", "analyses", "explain"),
     *("api", "pipeline", "peers", "cli", "__init__", "__main__"),
 )
@@ -19,6 +29,7 @@ RUNNING_MAY_IMPORT = RUNNING | {
     "processes",
     "regular_file",
     "atomic_file",
+    "build_progress",
     "arguments",
     "notebooks",
     "schema",

@@ -133,3 +133,71 @@ def test_a_parameter_that_leads_out_of_the_plane_is_seen() -> None:
     scene.force("push", cd.Force(body, (0, side, 0)))
     with pytest.raises(DerivationError, match="'push' does not stay"):
         cd.derive(scene, coordinates="absolute", plane="y")
+
+
+def planar_arm(kind: str) -> cd.Scene:
+    """Two rigid links and a beam on them, and what acts there."""
+    scene = cd.Scene("arm")
+    hub = scene.body("hub", mass=2, com=(0.1, 0, 0), inertia=(0.1, 0.2, 0.1))
+    link = scene.body("link", mass=1, com=(0.2, 0, 0), inertia=(0.01, 0.02, 0.01))
+    scene.joint("hinge", cd.Revolute("y"), scene.ground, hub)
+    scene.joint("elbow", cd.Revolute("y"), hub.at(0.4, 0, 0), link)
+    section = cd.section.general(EA=1e5, GA=1e5, GJ=20, EI=20, rhoA=0.4, rhoI=1e-3)
+    boom = scene.beam("boom", link.at(0.3, 0, 0), (1.5, 0, 0.1), section, elements=3)
+    angle, speed = scene.q("hinge"), scene.u("hinge")
+    if kind == "frame":
+        scene.beam("tip", boom.end, (2.0, 0, 0.3), section, elements=2)
+    elif kind == "stop":
+        scene.force("stop", cd.Stop("elbow", lower=-0.02, upper=0.05, restitution=0.3))
+    elif kind == "controller":
+        pull = -20 * scene.state("servo.error") - 2 * speed
+        scene.force("servo", cd.Controller("hinge", ("error",), (angle,), pull))
+    elif kind == "sampled":
+        scene.force("servo", cd.Controller("hinge", force=-20 * angle - 2 * speed, sample=0.01))
+    elif kind == "latch":
+        scene.force("latch", cd.Lock("elbow", when=scene.q("elbow") + 0.02))
+    else:
+        ball = scene.body("ball", mass=0.2, inertia=(1e-3, 1e-3, 1e-3))
+        scene.joint("pin", cd.Revolute("y"), boom.end, ball)
+        floor = scene.ground.at(0, 0, -0.2)
+        if kind == "contact":
+            contact = cd.Contact(ball, floor, 0.05, 1e4, exponent=1.0, damping=0.2)
+            scene.force("floor", contact)
+        else:
+            mount = cd.Bushing(ball, scene.ground.at(1.5, 0, 0), (5, 5, 5, 90, 90, 90), (0.1,) * 6)
+            scene.force("mount", mount)
+    return scene
+
+
+KINDS = ("frame", "stop", "controller", "sampled", "latch", "contact", "bushing")
+
+
+@pytest.mark.parametrize("kind", some(KINDS, 7, 3))
+def test_rigid_trees_events_and_controllers_in_the_plane(kind: str) -> None:
+    """Accelerations to rounding, and short runs through the events."""
+    scene = planar_arm(kind)
+    u = {"hinge": 0.4, "elbow": -1.5}
+    for coordinates in ("auto", "absolute"):
+        equations = cd.derive(scene, coordinates=coordinates, plane="auto")
+        assert "boom.end.angle" in equations.coordinates
+        models = cd.compile(equations), cd.compile(scene, coordinates=coordinates)
+        assert models[0].nu < 0.6 * models[1].nu
+        found = []
+        for model in models:
+            q, speeds = model.split(model.initial(u=u))
+            udot = model.forward_dynamics(q, speeds)
+            rows = [model.acceleration(n, q, speeds, udot) for n in ("link", "boom.end")]
+            motion = model.simulate(0.06, u=u, step=1e-3, method="GeneralizedAlpha", rtol=1e-12)
+            found.append((np.array(rows), motion.pose("boom.end"), len(motion.events)))
+        (rows, poses, events), (of_space, poses_of_space, events_of_space) = found
+        scale = np.abs(of_space).max()
+        np.testing.assert_allclose(rows, of_space, atol=1e-10 * scale)
+        np.testing.assert_allclose(poses, poses_of_space, atol=1e-6)
+        assert events == events_of_space
+
+
+def test_rigid_scenes_take_the_plane_that_there_is() -> None:
+    scene = cd.Scene("pendulum")
+    rod = scene.body("rod", mass=1, com=(0, 0, -0.5), inertia=(0.1, 0.1, 0.01))
+    scene.joint("pivot", cd.Revolute("y"), scene.ground, rod)
+    assert cd.derive(scene, plane="auto").coordinates == cd.derive(scene).coordinates

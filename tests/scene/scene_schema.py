@@ -185,6 +185,7 @@ KINDS |= {
     "material": record(keys.MATERIAL),
     "prestrain": record(keys.PRESTRAIN),
 }
+KINDS["cables"] = by_name(record(keys.CABLE))
 KINDS["beams"] = by_name(
     record(
         keys.BEAM,

@@ -70,6 +70,7 @@ WRONG = (
     "cardan: 2, parameters: {m: {unit: kg}}",
     "cardan: 2, forces: {a: {type: joint_damper, joint: b}}",
     "cardan: 2, simulate: {end: 3}",
+    "cardan: 2, cables: {a: {start: ground, end: [1, 0, 0]}}",
 )
 
 

@@ -336,7 +336,7 @@ def test_the_graph_draws_beams() -> None:
     beam.at(0.5, name="mid")
     scene.joint("pin", cd.Revolute("z"), scene.ground, beam.end)
     view = scene.graph
-    assert view.beams == (("<b>", "ground", "mid"), ("<b>", "mid", "<b>.end"))
+    assert view.beams == (("beam", "<b>", "ground", "mid"), ("beam", "<b>", "mid", "<b>.end"))
     assert view.incidence["mid", "mid"] == -1
     assert "beam: ground == mid  [<b>: 3 elements]" in str(view)
     assert '"mid" -> "<b>.end" [label="<b>\\n3 elements", style=bold' in view.dot()

@@ -50,6 +50,7 @@ class CompiledModel(LoadedModel):
     actuation = verb("cardan.analyses.mechanisms.actuation:actuation")
     hybrid_dynamics = verb("cardan.analyses.mechanisms.actuation:hybrid_dynamics")
     partition = verb("cardan.analyses.mechanisms.minimal_coordinates:partition")
+    screw_axis = verb("cardan.analyses.mechanisms.screw_axis:screw_axis")
     reduced_rhs = verb("cardan.analyses.mechanisms.minimal_coordinates:reduced_rhs")
     residual = verb("cardan.analyses.simulation.residual:residual")
 
@@ -65,6 +66,7 @@ class CompiledModel(LoadedModel):
     sensitivity = verb("cardan.analyses.linear.sensitivity:sensitivity")
     stiffness = verb("cardan.analyses.simulation.precision.stiffness:stiffness")
     beam = verb("cardan.runtime.models.finite_elements.beams:beam")
+    cable = verb("cardan.runtime.trajectory.cables:cable")
 
     # measured motions
 

@@ -13,6 +13,7 @@ from ..analyses.linear.sensitivity import Sensitivity
 from ..analyses.mechanisms.actuation import Actuation
 from ..analyses.mechanisms.minimal_coordinates import Partition
 from ..analyses.mechanisms.redundancy import Redundancy
+from ..analyses.mechanisms.screw_axis import ScrewAxis
 from ..analyses.mechanisms.singular_positions import Singular
 from ..analyses.simulation.alpha_methods import Alpha, GeneralizedAlpha
 from ..analyses.simulation.precision.report import Report
@@ -27,6 +28,7 @@ from ..runtime.calls.objects import Key
 from ..runtime.models.finite_elements.beams import BeamStress
 from ..runtime.models.finite_elements.elements import Elements
 from ..runtime.models.loaded_model import LoadedModel
+from ..runtime.trajectory.cables import CableTension
 from ..runtime.verification.verify import Verification
 from .results import (
     Assembly,
@@ -526,6 +528,20 @@ class CompiledModel(LoadedModel):
         Raises:
             ArgumentError: a wrong shape. SolveError: loops are open at this position.
         """
+    def screw_axis(
+        self,
+        frame: str,
+        q: State,
+        u: State,
+    ) -> ScrewAxis:
+        """Instantaneous screw axis of a body or frame against the ground.
+
+        Args:
+            frame: Name of the frame or body.
+            q, u: Coordinates (..., nq) and speeds (..., nu).
+
+        Source: R. E. Roberson and R. Schwertassek, Dynamics of Multibody Systems, 1988, chapter 4.
+        """
     def reduced_rhs(
         self,
         t: float,
@@ -837,6 +853,21 @@ class CompiledModel(LoadedModel):
 
         Raises:
             ModelError: there is no such beam. ArgumentError: q has another shape.
+        """
+    def cable(
+        self,
+        name: str,
+        q: State,
+        u: State | None = None,
+    ) -> CableTension:
+        """Tension along a cable.
+
+        Args:
+            name: Of the cable.
+            q, u: Coordinates (..., nq) and speeds (..., nu); u is 0 unless given.
+
+        Raises:
+            ArgumentError: there is no such cable.
         """
     def torques(
         self,

@@ -18,6 +18,8 @@ class Trajectory(TrajectoryRecord):
     """
 
     beam = verb("cardan.runtime.models.finite_elements.beams:beam_of_run")
+    cable = verb("cardan.runtime.trajectory.cables:cable_of_run")
+    screw_axis = verb("cardan.analyses.mechanisms.screw_axis:screw_axis_of_run")
     torques = verb("cardan.analyses.identification.torques:torques_of_run")
     to_xarray = verb("cardan.runtime.trajectory.dataset:to_xarray")
     save = verb("cardan.runtime.trajectory.storage:save")

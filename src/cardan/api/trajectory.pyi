@@ -6,8 +6,10 @@ from typing import Any, final
 
 from matplotlib.figure import Figure
 
+from ..analyses.mechanisms.screw_axis import ScrewAxis
 from ..arguments import Count
 from ..runtime.models.finite_elements.beams import BeamStress
+from ..runtime.trajectory.cables import CableTension
 from ..runtime.trajectory.trajectory import TrajectoryRecord
 from ..view.page import Page
 from .results import Torques
@@ -24,6 +26,27 @@ class Trajectory(TrajectoryRecord):
         name: str,
     ) -> BeamStress:
         """Forces, moments and strains (nt, 2 n, 3) along a beam, in axes of the section.
+        """
+    def cable(
+        self,
+        name: str,
+    ) -> CableTension:
+        """Tension along a cable at all times (nt, n).
+
+        Args:
+            name: Of the cable.
+
+        Raises:
+            ArgumentError: there is no such cable.
+        """
+    def screw_axis(
+        self,
+        frame: str,
+    ) -> ScrewAxis:
+        """Instantaneous screw axis of a body or frame at all times.
+
+        Args:
+            frame: Name of the frame or body.
         """
     def torques(
         self,

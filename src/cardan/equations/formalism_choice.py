@@ -148,10 +148,20 @@ def factorization(system: System) -> int:
     return total
 
 
-def element_reason(system: System) -> str:
-    """Why a system is derived element by element, "" where it has joint coordinates."""
+def element_reason(system: System, pieces: int, chosen: bool) -> str:
+    """Why a system is derived element by element, "" where it has joint coordinates.
+
+    Args:
+        system: The system graph.
+        pieces: Of cables that have several, whose nodes couple with their neighbors alone.
+        chosen: Whether options of joint coordinates were chosen, which rigid scenes keep.
+    """
     if system.segments:
         return counted(len(system.segments), "beam")
+    if pieces:
+        return f"{pieces} pieces of cables"
+    if chosen:
+        return ""
     # elements have neither written equations nor friction that follows from reactions
     if system.written or any(force.element.by_reaction for force in system.forces):
         return ""

@@ -1,4 +1,4 @@
-"""Beams as the user describes them."""
+"""Beams and cables as the user describes them."""
 
 from __future__ import annotations
 
@@ -18,6 +18,7 @@ from ..elements.joints.universal import Universal
 from ..elements.material import Material
 from ..elements.quantity import Value
 from ..elements.sections import Section
+from ..elements.validation import is_expression
 from ..errors import ModelError
 from . import checks
 from .body import Body
@@ -41,6 +42,10 @@ RELEASED: dict[frozenset[str], JointElement] = {
     frozenset({"rx", "ry", "rz"}): Spherical(),
     frozenset({"x", "y", "z"}): Translation(),
 }
+
+
+# numbers of a cable, and its parameters
+UNITS = {"EA": "N", "rhoA": "kg/m", "length": "m", "damping": "s"}
 
 
 @dataclass(frozen=True)
@@ -155,6 +160,90 @@ class Beam:
 
     def __repr__(self) -> str:
         return f"Beam({self.name!r}, {self.section.kind}, {self.elements} elements)"
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Cable:
+    """A cable; made by :meth:`Scene.cable`.
+
+    Attributes:
+        model: The model it belongs to.
+        name: Its name.
+        ends: Start and end.
+        EA: Stiffness of the section [N].
+        rhoA: Mass per length [kg/m].
+        length: Without load [m]; None: it follows from the tension.
+        tension: With which it is straight between its ends in the reference configuration [N].
+        damping: Tension of a rate of the strain is EA times this time [s].
+        elements: Number of straight pieces.
+        base: Body in whose axes points are given, None for the ground.
+    """
+
+    model: SceneRecord = field(repr=False)
+    name: str
+    ends: tuple[End, End]
+    EA: Value
+    rhoA: Value
+    length: Value | None
+    tension: float
+    damping: Value
+    elements: int
+    base: Body | None = None
+
+    @property
+    def start(self) -> Place:
+        """The frame it starts from, or its free end."""
+        return self.model.nodes[f"{self.name}.start"]
+
+    @property
+    def end(self) -> Place:
+        """The frame it ends in, or its free end."""
+        return self.model.nodes[f"{self.name}.end"]
+
+    def at(self, s: float) -> Place:
+        """A node of the cable: a point without axes of its own, which keeps those of the ground.
+
+        Args:
+            s: Place in 0 ... 1 of its length: a multiple of 1 / elements.
+
+        Raises:
+            ModelError: there is no node.
+        """
+        where = checks.number(f"cable '{self.name}': at", s) * self.elements
+        k = round(where)
+        if abs(where - k) > 1e-9 or not 0 <= k <= self.elements:
+            raise ModelError(
+                f"cable '{self.name}': at({s:g}) is not a node; nodes are at multiples of "
+                f"1/{self.elements} from 0 to 1. Change elements="
+            )
+        return self.model.nodes[self.node_name(k)]
+
+    def node_name(self, k: int) -> str:
+        """Name of the node behind k elements."""
+        role = {0: "start", self.elements: "end"}.get(k, f"node{k}")
+        return f"{self.name}.{role}"
+
+    def symbol(self, key: str) -> Value:
+        """A number of the cable as pieces use it: its parameter ``<name>.<key>``, or as written."""
+        value: Value | None = getattr(self, key)
+        if value is None or (not is_expression(value) and value != 0):
+            from sympy import Symbol
+
+            return Symbol(f"{self.name}.{key}")
+        return value
+
+    def node_mass(self, k: int) -> Value:
+        """Mass of the node behind k elements [kg]."""
+        share = 2 if k in (0, self.elements) else 1
+        return self.symbol("rhoA") * self.symbol("length") / (share * self.elements)
+
+    def inner_nodes(self) -> list[str]:
+        """Names of the nodes that are bodies of their own: all inside, and free ends."""
+        names = [self.node_name(k) for k in range(self.elements + 1)]
+        return [name for name in names if self.model.nodes[name].name == name]
+
+    def __repr__(self) -> str:
+        return f"Cable({self.name!r}, {self.elements} elements)"
 
 
 def node(model: SceneRecord, name: str) -> Body:

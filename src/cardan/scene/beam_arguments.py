@@ -1,4 +1,4 @@
-"""Arguments of beams, checked where they are written."""
+"""Arguments of beams and cables, checked where they are written."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from ..elements.sections import Section
 from ..elements.validation import axis, is_expression, number, vector
 from ..errors import ModelError, brief, near
 from . import checks
-from .beam import RELEASED, Beam, End, node
+from .beam import RELEASED, Beam, Cable, End, node
 from .body import Body
 from .frame import Frame
 
@@ -230,3 +230,69 @@ def prestrain_of(who: str, strains_named: Mapping[str, object] | None) -> dict[s
 
 def _zero(value: object) -> bool:
     return not is_expression(value) and value == 0
+
+
+def add_cable(
+    model: SceneRecord,
+    name: str,
+    ends: Sequence[object],
+    numbers: dict[str, Value],
+    length: Value | None,
+    tension: float | None,
+    elements: int,
+) -> Cable:
+    """The work of :meth:`Scene.cable`.
+
+    Args:
+        ends: What the start and the end are joined to.
+        numbers: ``EA``, ``rhoA`` and ``damping``.
+    """
+    checks.new("cable", name, model.cables)
+    who = f"cable '{name}'"
+    first, last = (end_of(model, who, role, end, ()) for role, end in zip(ROLES, ends, strict=True))
+    values = {key: number(who, key, value) for key, value in numbers.items()}
+    count = count_of(who, elements)
+    for key, value in values.items():
+        if (not is_expression(value) and value < 0) or (key == "EA" and value == 0):
+            raise ModelError(
+                f"{who}: {key} is {value:g}; give {'more than 0' if key == 'EA' else '0 or more'}"
+            )
+    massless = not is_expression(values["rhoA"]) and values["rhoA"] == 0
+    if massless and (count > 1 or None in (first.place, last.place)):
+        raise ModelError(
+            f"{who}: its nodes have no mass, so that their accelerations are not determined; give "
+            "rhoA, or one element between two frames"
+        )
+    if length is not None and tension is not None:
+        raise ModelError(f"{who}: length and tension exclude each other; give one")
+    if length is not None:
+        length = number(who, "length", length)
+        if not is_expression(length) and length <= 0:
+            raise ModelError(f"{who}: length is {length:g}; give more than 0")
+    pull = 0.0 if tension is None else checks.number(f"{who}: tension", tension)
+    if pull < 0:
+        raise ModelError(f"{who}: tension is {pull:g}; a cable does not push: give 0 or more")
+    cable = Cable(
+        *(model, name, (first, last), values["EA"], values["rhoA"], length, pull),
+        *(values["damping"], count),
+    )
+    add_cable_nodes(cable)
+    return cable
+
+
+def add_cable_nodes(cable: Cable) -> None:
+    """Put a cable and its nodes into its model.
+
+    Raises:
+        ModelError: a name is taken.
+    """
+    model = cable.model
+    checks.new("cable", cable.name, model.cables)
+    names = [cable.node_name(k) for k in range(cable.elements + 1)]
+    for name in names:
+        model.new_place("cable", name)
+    places = {names[0]: cable.ends[0].place, names[-1]: cable.ends[1].place}
+    for k, name in enumerate(names):
+        mass = cable.node_mass(k)
+        model.nodes[name] = places.get(name) or Body(model, name, mass, (0, 0, 0), (0,) * 6)
+    model.cables[cable.name] = cable

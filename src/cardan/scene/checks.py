@@ -49,7 +49,12 @@ def check_distinguishable(model: Any) -> None:
     """
     first_of_look: dict[str, tuple[str, str]] = {}
     named = {"body": model.bodies, "frame": model.frames, "node": model.nodes}
-    named |= {"beam": model.beams, "joint": model.joints, "force": model.forces}
+    named |= {
+        "beam": model.beams,
+        "cable": model.cables,
+        "joint": model.joints,
+        "force": model.forces,
+    }
     named |= {"parameter": model.parameters, "input": model.inputs, "output": model.outputs}
     for kind, text in ((kind, text) for kind, names in named.items() for text in names):
         kind_of_other, other = first_of_look.setdefault(

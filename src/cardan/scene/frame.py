@@ -8,11 +8,13 @@ from typing import TYPE_CHECKING, Union
 
 from ..arguments import checked
 from ..elements.quantity import Rows, Value
+from .checks import triple
 
 if TYPE_CHECKING:
     import sympy
 
     from .body import Body
+    from .scene import SceneRecord
 
 Place = Union["Frame", "Body"]
 
@@ -118,3 +120,24 @@ def rows_of(value: object) -> Rows:
     if hasattr(value, "tolist"):
         value = value.tolist()
     return list(value) if isinstance(value, Sequence) and not isinstance(value, str) else []
+
+
+def new_frame_of(
+    model: SceneRecord,
+    base: Located,
+    position: Sequence[Value],
+    orientation: Rows | None,
+    name: str | None,
+) -> Frame:
+    """A new frame of a model; without a name it gets one after its body."""
+    named, body = name is not None, base.body
+    if name is None:
+        count = 1
+        while f"{body.name}.at{count}" in model.frames:
+            count += 1
+        name = f"{body.name}.at{count}"
+    model.new_place("frame", name)
+    outer = base if isinstance(base, Frame) else None
+    frame = Frame(body, triple(position, f"frame '{name}'"), orientation, name, named, outer)
+    model.frames[name] = frame
+    return frame

@@ -13,8 +13,8 @@ from ..elements.forces.line_load import LineLoad
 from ..elements.joints.fixed import Fixed
 from ..errors import ModelError
 from . import checks
-from .beam import Beam
-from .beam_arguments import add_nodes
+from .beam import UNITS, Beam, Cable, End
+from .beam_arguments import add_cable_nodes, add_nodes
 from .body import Body
 from .connections import Couple, Force, Joint
 from .frame import Frame, Place
@@ -75,6 +75,8 @@ def _include(model: SceneRecord, other: SceneRecord, prefix: str, at: Place) -> 
             copy.frame(frame)
     for beam in other.beams.values():
         copy.beam(beam)
+    for cable in other.cables.values():
+        copy.cable(cable)
     for frame in on_nodes:
         copy.place(frame)
     for joint in other.joints.values():
@@ -181,19 +183,11 @@ class _Copy:
     def beam(self, old: Beam) -> None:
         """The beam with its nodes; points and directions stay in axes of the old ground."""
         name = self.name(old.name)
-        first, last = (
-            dataclasses.replace(
-                end,
-                place=None if end.place is None else self.place(end.place),
-                point=self.value(end.point),
-            )
-            for end in old.ends
-        )
         copied = dataclasses.replace(
             old,
             model=self.model,
             name=name,
-            ends=(first, last),
+            ends=self.ends(old.ends),
             section=self.record(old.section),
             material=self.record(old.material),
             line=self.record(old.line),
@@ -208,6 +202,32 @@ class _Copy:
             place = self.model.nodes[self.name(node)]
             if place.name == self.name(node):
                 self.bodies[node] = place.body
+
+    def cable(self, old: Cable) -> None:
+        """The cable with its nodes."""
+        numbers = {key: self.value(getattr(old, key)) for key in UNITS}
+        copied = dataclasses.replace(
+            old,
+            model=self.model,
+            name=self.name(old.name),
+            ends=self.ends(old.ends),
+            base=self.bodies["ground" if old.base is None else old.base.name],
+            **numbers,
+        )
+        add_cable_nodes(copied)
+        for node in old.inner_nodes():
+            self.bodies[node] = self.model.nodes[self.name(node)].body
+
+    def ends(self, old: tuple[End, End]) -> tuple[End, End]:
+        first, last = (
+            dataclasses.replace(
+                end,
+                place=None if end.place is None else self.place(end.place),
+                point=self.value(end.point),
+            )
+            for end in old
+        )
+        return first, last
 
     def joint(self, old: Joint) -> None:
         """The joint; its motion follows when all symbols are known."""

@@ -10,7 +10,18 @@ from ..errors import CardanError
 
 # kind and name of an item -> file, line and column
 Origins = Mapping[tuple[str, str], str]
-KINDS = ("body", "frame", "beam", "joint", "force", "output", "parameter", "input", "constraint")
+KINDS = (
+    "body",
+    "frame",
+    "beam",
+    "cable",
+    "joint",
+    "force",
+    "output",
+    "parameter",
+    "input",
+    "constraint",
+)
 # items that make others, whose names begin with theirs
 MAKERS = ("include", "dh")
 _DOUBT = re.compile(rf"({'|'.join(KINDS)}) '([^']*)': (.*)", re.S)

@@ -13,8 +13,8 @@ from ..elements.quantity import Direction, Rows, Value
 from ..errors import ModelError, brief, counted, near
 from ..notebooks import html
 from . import checks
-from .beam import Beam
-from .beam_arguments import ELEMENT, INERTIA, add_beam
+from .beam import Beam, Cable
+from .beam_arguments import ELEMENT, INERTIA, add_beam, add_cable
 from .body import Body, read_pose, shapes_of, tensor
 from .checks import triple
 from .connections import (
@@ -27,7 +27,7 @@ from .connections import (
     element_of,
     limits_of,
 )
-from .frame import Frame, Located, Place
+from .frame import Frame, Located, Place, new_frame_of
 from .include import Included, include
 from .parameters import Constraint, Declared, Output, Placeholder
 from .prescribed_joints import chain, several
@@ -49,11 +49,12 @@ class SceneRecord(Vocabulary):
 
     Attributes:
         ground: The body that does not move.
-        bodies, joints, beams, forces: By name, in the order of declaration.
+        bodies, joints, beams, cables, forces: By name, in the order of declaration.
         frames: By name; those made by ``at`` of bodies and frames.
-        nodes: By name; start, end and :meth:`Beam.at` of the beams. Where an end is joined to a
-            frame, that frame.
+        nodes: By name; start, end and :meth:`Beam.at` of the beams, all nodes of cables. Where an
+            end is joined to a frame, that frame.
         parameters, inputs, outputs, constraints: By name.
+        original: The scene that this one was copied from for a build, else itself.
         of_robot: Read from a file that describes a robot: impossible numbers are warned of there.
         notes: What a file says that this model does not act on.
         snaps: Numbers of a file that were replaced by exact ones.
@@ -64,11 +65,13 @@ class SceneRecord(Vocabulary):
 
     def __init__(self, name: str, gravity: Sequence[Value] = (0, 0, -9.81)) -> None:
         self.name = checks.name("model", name)
+        self.original = self
         self.gravity = triple(gravity, "gravity")
         self.ground = Body(self, "ground", 0, (0, 0, 0), (0,) * 6, ((0, 0, 0), None))
         self.bodies: dict[str, Body] = {}
         self.joints: dict[str, Joint] = {}
         self.beams: dict[str, Beam] = {}
+        self.cables: dict[str, Cable] = {}
         self.nodes: dict[str, Place] = {}
         self.forces: dict[str, Force] = {}
         self.frames: dict[str, Frame] = {}
@@ -137,17 +140,7 @@ class SceneRecord(Vocabulary):
         self, base: Located, position: Sequence[Value], rotation: Rows | None, name: str | None
     ) -> Frame:
         """The work of ``at`` of bodies and frames."""
-        named, body = name is not None, base.body
-        if name is None:
-            count = 1
-            while f"{body.name}.at{count}" in self.frames:
-                count += 1
-            name = f"{body.name}.at{count}"
-        self.new_place("frame", name)
-        outer = base if isinstance(base, Frame) else None
-        frame = Frame(body, triple(position, f"frame '{name}'"), rotation, name, named, outer)
-        self.frames[name] = frame
-        return frame
+        return new_frame_of(self, base, position, rotation, name)
 
     def new_place(self, what: str, name: str) -> None:
         """A usable name of a body or frame that is not taken.
@@ -167,7 +160,7 @@ class SceneRecord(Vocabulary):
             ModelError: it belongs to another model or does not exist.
         """
         if isinstance(place, Located):
-            if place.body.model is not self:
+            if place.body.model is not self.original:
                 raise ModelError(
                     f"{who}: {role} '{place.name}' belongs to model '{place.body.model.name}', "
                     f"not to '{self.name}'; include that model"
@@ -352,6 +345,39 @@ class SceneRecord(Vocabulary):
             temperature,
             prestrain,
         )
+
+    @checked
+    def cable(
+        self,
+        name: str,
+        start: Place | str | Sequence[Value],
+        end: Place | str | Sequence[Value],
+        EA: Value,
+        rhoA: Value = 0,
+        length: Value | None = None,
+        tension: float | None = None,
+        damping: Value = 0,
+        elements: int = 1,
+    ) -> Cable:
+        """Add a cable: straight elastic pieces that pull and do not push, with mass in its nodes.
+
+        Args:
+            name: Its name.
+            start, end: A frame, body or name, whose origin holds the end without moments, or a free
+                end: three numbers in ground axes at the reference configuration.
+            EA, rhoA: Stiffness [N] and mass per length [kg/m] of the section.
+            length: Without load [m]; longer than the distance of the ends it sags.
+            tension: In the reference configuration [N], where ``length`` is not given.
+            damping: Tension of a rate of the strain is EA times this time [s].
+            elements: Number of pieces of equal length.
+
+        Raises:
+            ModelError: unknown or foreign frames, numbers no cable has, or a name that is taken.
+
+        Source: Irvine, Cable Structures (1981), chapter 1.
+        """
+        numbers = {"EA": EA, "rhoA": rhoA, "damping": damping}
+        return add_cable(self, name, (start, end), numbers, length, tension, elements)
 
     @checked
     def include(self, other: SceneRecord, prefix: str, at: Place | str | None = None) -> Included:

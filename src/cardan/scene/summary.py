@@ -61,6 +61,7 @@ def summary(model: SceneRecord) -> str:
         for what, items in (
             ("joint", model.joints),
             ("beam", model.beams),
+            ("cable", model.cables),
             ("force", model.forces),
             ("parameter", model.parameters),
             ("input", model.inputs),
@@ -77,6 +78,7 @@ def summary(model: SceneRecord) -> str:
     ]
     lines += ["", *_table(body_rows(model))] if model.bodies else []
     lines += ["", *_table(beam_rows(model))] if model.beams else []
+    lines += ["", *_table(cable_rows(model))] if model.cables else []
     lines += ["", "forces", *(f"  {line}" for line in force_rows(model))] if model.forces else []
     lines += [f"note: {_fit(note, LONGEST_NOTE)}" for note in notes_of(model)]
     return "\n".join(lines)
@@ -104,6 +106,17 @@ def beam_rows(model: SceneRecord) -> list[list[str]]:
     for beam in model.beams.values():
         ends = (beam.start.name, beam.end.name)
         rows.append([beam.name, beam.section.kind, beam.line.kind, *ends, str(beam.elements)])
+    return rows
+
+
+def cable_rows(model: SceneRecord) -> list[list[str]]:
+    """Cables, below their titles."""
+    rows = [["cable", "EA [N]", "mass [kg/m]", "length [m]", "from", "to", "elements"]]
+    for cable in model.cables.values():
+        length = "" if cable.length is None else _short(cable.length)
+        numbers = (_short(cable.EA), _short(cable.rhoA), length)
+        ends = (cable.start.name, cable.end.name)
+        rows.append([cable.name, *numbers, *ends, str(cable.elements)])
     return rows
 
 

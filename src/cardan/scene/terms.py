@@ -10,10 +10,11 @@ from ..arguments import checked
 from ..elements.forces.force import ForceElement
 from ..elements.joints.joint import Joint as JointElement
 from ..elements.joints.revolute import Revolute
+from ..elements.joints.translation import Translation
 from ..elements.quantity import Value
 from ..errors import ModelError, near
 from . import checks
-from .beam import Beam
+from .beam import Beam, Cable
 from .connections import Force, Joint
 from .frame import Located, Place
 from .parameters import Constraint, Declared, Output, Placeholder
@@ -31,6 +32,7 @@ class Vocabulary(ABC):
     name: str
     joints: dict[str, Joint]
     beams: dict[str, Beam]
+    cables: dict[str, Cable]
     forces: dict[str, Force]
     parameters: dict[str, Declared]
     inputs: dict[str, Declared]
@@ -158,6 +160,8 @@ class Vocabulary(ABC):
         """Kinds of the joints by name, those of released ends and of free rotors included."""
         released = (beam.releases() for beam in self.beams.values())
         named = {name: kind for kinds in released for name, kind in kinds.items()}
+        nodes = (name for cable in self.cables.values() for name in cable.inner_nodes())
+        named |= dict.fromkeys(nodes, Translation())
         rotors = {f"{n}.rotor": Revolute() for n, f in self.forces.items() if _turns(f.element)}
         return named | rotors | {name: joint.kind for name, joint in self.joints.items()}
 

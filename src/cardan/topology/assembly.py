@@ -63,7 +63,7 @@ class Assembly:
         self.local: dict[UserFrame, Placement] = {}
         self.parent_side: dict[str, Placement] = {}
         self.data: dict[str, dict[str, tuple[int, int, Nodes]]] = {}
-        self.beams = Beams(convert, nodes, self._pose)
+        self.beams = Beams(convert, nodes, self.reference_pose)
         self.reference = Reference(convert, model, self.beams)
         self._place_ground()
 
@@ -139,7 +139,7 @@ class Assembly:
             self.local[frame] = outer.then(self.graph, inner)
         return self.local[place]
 
-    def _pose(self, place: Place, name: str) -> Placement:
+    def reference_pose(self, place: Place, name: str) -> Placement:
         """Pose of a frame in the reference configuration."""
         return self.reference.poses[place.body].then(self.graph, self.placement_of(place, name))
 

@@ -18,6 +18,7 @@ from . import internal_states, prescribed_motion, scene_warnings
 from .assembly import Assembly
 from .beams.nodal_scene import with_beams
 from .beams.segments import segments, settle
+from .cables.cable_parts import with_cables
 from .conversion import Converter
 from .drawing import announcements
 from .drawing.shapes import pictures
@@ -59,6 +60,7 @@ def build(
     try:
         independent_joints = (independent,) if isinstance(independent, str) else independent or ()
         checks.check_distinguishable(model)
+        model = with_cables(model, _assembled)
         return _build(model, BuiltIn.of(specialize), branches, independent_joints)
     except ZeroDivisionError as problem:
         raise ModelError(
@@ -152,6 +154,18 @@ def _build(
         structural=convert.structural,
     )
     return announcements.announce(system, scene, convert, placing)
+
+
+def _assembled(model: SceneRecord) -> Assembly:
+    """The bodies of a scene in its reference configuration."""
+    scene, rotors = with_rotors(model)
+    scene, nodes = with_beams(scene)
+    nodes.check()
+    convert = Converter(scene, Graph())
+    convert.same.update(rotors.same)
+    assembly = Assembly(scene, convert, rotors.place, nodes)
+    assembly.reference.active = True
+    return _grown(assembly)
 
 
 def _grown(assembly: Assembly) -> Assembly:

@@ -13,6 +13,7 @@ from ..runtime.trajectory.trajectory import TrajectoryRecord
 from ..schema.manifest import Manifest
 from .beams import DrawnBeam, beams
 from .beams import bodies as on_nodes
+from .cables import cable_nodes, cables
 from .curves import Histories
 from .solids import DrawnBody, Solid, numbers_of
 from .solids import bodies as in_joint_coordinates
@@ -26,7 +27,7 @@ USUAL = ("contacts", "forces", "springs", "stress", "strain", "floor")
 # kinds of force elements that are drawn as arrows: layer, and the frame they begin at
 ACTING = {"contact": ("contacts", "sphere"), "force": ("forces", "frame")}
 # kinds of force elements that are drawn between their frames a and b
-SPRINGS = ("spring_damper", "maxwell", "bushing", "flexible_hinge", "cable")
+SPRINGS = ("spring_damper", "maxwell", "bushing", "flexible_hinge")
 MOST_EVENTS = 400
 # pictures per second of a screen, and swings per second that one can follow
 FAST, FOLLOWED = 60.0, 1.5
@@ -122,10 +123,15 @@ def solids_of(
     """
     if colored_by and not motion.manifest.beams:
         raise ModelError(f"show='{colored_by}': '{motion.manifest.name}' has no beams to color")
+    hidden = cable_nodes(motion.manifest)
     if motion.manifest.absolute:
         drawn_beams = beams(motion, colored_by)
-        return *on_nodes(motion, drawn_beams), drawn_beams
-    return *in_joint_coordinates(motion), []
+        bodies, ground = on_nodes(motion, drawn_beams)
+    else:
+        drawn_beams = []
+        bodies, ground = in_joint_coordinates(motion)
+    visible = [body for body in bodies if body.name not in hidden]
+    return visible, ground, drawn_beams + cables(motion)
 
 
 def springs(motion: TrajectoryRecord) -> list[DrawnSpring]:

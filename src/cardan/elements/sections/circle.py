@@ -17,6 +17,8 @@ class Circle(Section):
     Args:
         radius: [m].
         shear: Shear correction factor, or two along e2 and e3; that of Cowper by default.
+        rhoI: Moments of inertia per length about e2 and e3 [kg m], one or two, 0 or more; those of
+            the shape by default.
 
     Raises:
         ModelError: a number that is not positive.
@@ -25,9 +27,10 @@ class Circle(Section):
     """
 
     kind: ClassVar[str] = "circle"
-    units: ClassVar[Units] = {"radius": "m", "shear": ""}
+    units: ClassVar[Units] = {"radius": "m", "shear": "", "rhoI": "kg*m"}
     radius: Value
     shear: Pair = None
+    rhoI: Pair = None
 
     def stiffness(self, data: Data, material: Data) -> SectionProperties:
         nu, square = material["nu"], data["radius"] ** 2

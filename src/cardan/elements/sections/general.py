@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from ..quantity import Units, Value
-from ..validation import is_expression, number, positive
-from .section import Data, Numbers, Outline, Section, SectionProperties, pair
+from ..validation import positive
+from .section import Data, Numbers, Outline, Section, SectionProperties, inertias, pair
 
 
 @dataclass(frozen=True)
@@ -51,11 +51,7 @@ class General(Section):
         object.__setattr__(self, "EI", pair("general", "EI", self.EI))
         # massless beams are allowed
         for name in ("rhoA", "rhoI"):
-            value = getattr(self, name)
-            if not is_expression(value) and not isinstance(value, (list, tuple)):
-                value = number("general", name, value)
-            checked = 0 if isinstance(value, float) and value == 0 else pair("general", name, value)
-            object.__setattr__(self, name, checked)
+            object.__setattr__(self, name, inertias("general", name, getattr(self, name)))
 
     def stiffness(self, data: Data, material: Data) -> SectionProperties:
         return SectionProperties(

@@ -18,6 +18,8 @@ class HollowRectangle(Section):
         width, height: Outer measures along e2 and e3 [m].
         thickness: Of the walls [m].
         shear: Shear correction factor, or two along e2 and e3; that of Cowper by default.
+        rhoI: Moments of inertia per length about e2 and e3 [kg m], one or two, 0 or more; those of
+            the shape by default.
 
     Raises:
         ModelError: a number that is not positive, or walls that leave no room between them.
@@ -27,11 +29,18 @@ class HollowRectangle(Section):
     """
 
     kind: ClassVar[str] = "hollow_rectangle"
-    units: ClassVar[Units] = {"width": "m", "height": "m", "thickness": "m", "shear": ""}
+    units: ClassVar[Units] = {
+        "width": "m",
+        "height": "m",
+        "thickness": "m",
+        "shear": "",
+        "rhoI": "kg*m",
+    }
     width: Value
     height: Value
     thickness: Value
     shear: Pair = None
+    rhoI: Pair = None
 
     def stiffness(self, data: Data, material: Data) -> SectionProperties:
         w, h, t = data["width"], data["height"], data["thickness"]

@@ -30,6 +30,8 @@ class IBeam(Section):
         flange, web: Their thicknesses [m].
         shear: Shear correction factor, or two along e2 and e3. By default that of Cowper along the
             web, and that of two rectangles along the flanges.
+        rhoI: Moments of inertia per length about e2 and e3 [kg m], one or two, 0 or more; those of
+            the shape by default.
 
     Raises:
         ModelError: a number that is not positive, flanges that leave no web, or a web wider than
@@ -41,13 +43,14 @@ class IBeam(Section):
 
     kind: ClassVar[str] = "i_beam"
     units: ClassVar[Units] = {
-        **{"width": "m", "height": "m", "flange": "m", "web": "m", "shear": ""}
+        **{"width": "m", "height": "m", "flange": "m", "web": "m", "shear": "", "rhoI": "kg*m"}
     }
     width: Value
     height: Value
     flange: Value
     web: Value
     shear: Pair = None
+    rhoI: Pair = None
 
     def stiffness(self, data: Data, material: Data) -> SectionProperties:
         w, h, flange, web = (data[name] for name in ("width", "height", "flange", "web"))

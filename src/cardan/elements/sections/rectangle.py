@@ -32,6 +32,8 @@ class Rectangle(Section):
         width: Along e2 [m].
         height: Along e3, the direction of ``up`` [m].
         shear: Shear correction factor, or two along e2 and e3; that of Cowper by default.
+        rhoI: Moments of inertia per length about e2 and e3 [kg m], one or two, 0 or more; those of
+            the shape by default.
 
     Raises:
         ModelError: a number that is not positive.
@@ -41,10 +43,11 @@ class Rectangle(Section):
     """
 
     kind: ClassVar[str] = "rectangle"
-    units: ClassVar[Units] = {"width": "m", "height": "m", "shear": ""}
+    units: ClassVar[Units] = {"width": "m", "height": "m", "shear": "", "rhoI": "kg*m"}
     width: Value
     height: Value
     shear: Pair = None
+    rhoI: Pair = None
 
     def stiffness(self, data: Data, material: Data) -> SectionProperties:
         width, height = data["width"], data["height"]

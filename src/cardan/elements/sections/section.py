@@ -11,10 +11,11 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import ClassVar
 
+from ...errors import ModelError
 from ...ir.arithmetic import Scalar
 from ...literature import HasSource
 from ..quantity import Pair, Quantity, Units, annotated, quantities_of
-from ..validation import positive, vector
+from ..validation import is_expression, number, positive, vector
 
 Data = Mapping[str, "Scalar"]
 Numbers = Mapping[str, float]
@@ -67,6 +68,8 @@ class Section(HasSource, ABC):
         pairs = annotated(self, "Pair")
         for name in self.units:
             check = pair if name in pairs else positive
+            if name == "rhoI":
+                check = inertias
             object.__setattr__(self, name, check(self.kind, name, getattr(self, name)))
 
     def quantities(self) -> dict[str, Quantity]:
@@ -84,6 +87,13 @@ class Section(HasSource, ABC):
             data: Its quantities; those of two entries as ``name.e2`` and ``name.e3``.
             material: ``E G nu rho``; nothing is read where the section is not :attr:`shaped`.
         """
+
+    def properties(self, data: Data, material: Data) -> SectionProperties:
+        """Stiffness and inertia, with the rotary inertia that the user gave, if any."""
+        properties = self.stiffness(data, material)
+        if "rhoI.e2" not in data:
+            return properties
+        return replace(properties, rhoI2=data["rhoI.e2"], rhoI3=data["rhoI.e3"])
 
     @abstractmethod
     def complaint(self, values: Numbers) -> str:
@@ -150,3 +160,19 @@ def rectangle_shear(nu: Scalar) -> Scalar:
     Source: G. R. Cowper, The shear coefficient in Timoshenko's beam theory, 1966.
     """
     return 10 * (1 + nu) / (12 + 11 * nu)
+
+
+def inertias(owner: str, name: str, value: object) -> Pair:
+    """One number for both directions, or two, 0 or more: what has none of them still has mass.
+
+    Raises:
+        ModelError: neither, or one below 0.
+    """
+    if value is None:
+        return None
+    listed = hasattr(value, "tolist") or isinstance(value, (list, tuple))
+    entries = vector(owner, name, value, 2) if listed else (number(owner, name, value),)
+    for entry in entries:
+        if not is_expression(entry) and entry < 0:
+            raise ModelError(f"{owner}: {name} is {entry:g}; give 0 or more")
+    return entries if listed else entries[0]

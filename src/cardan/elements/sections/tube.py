@@ -17,6 +17,8 @@ class Tube(Section):
     Args:
         outer, inner: Its radii [m].
         shear: Shear correction factor, or two along e2 and e3; that of Cowper by default.
+        rhoI: Moments of inertia per length about e2 and e3 [kg m], one or two, 0 or more; those of
+            the shape by default.
 
     Raises:
         ModelError: a number that is not positive, or an inner radius that is not smaller.
@@ -25,10 +27,11 @@ class Tube(Section):
     """
 
     kind: ClassVar[str] = "tube"
-    units: ClassVar[Units] = {"outer": "m", "inner": "m", "shear": ""}
+    units: ClassVar[Units] = {"outer": "m", "inner": "m", "shear": "", "rhoI": "kg*m"}
     outer: Value
     inner: Value
     shear: Pair = None
+    rhoI: Pair = None
 
     def stiffness(self, data: Data, material: Data) -> SectionProperties:
         nu, outer, inner = material["nu"], data["outer"] ** 2, data["inner"] ** 2

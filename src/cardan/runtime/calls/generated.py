@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, final
 
+from ...build_progress import listed, stage
 from .loaded_function import LoadedFunction, assemble, batch
 from .objects import Code, Key
 
@@ -48,7 +49,9 @@ class Generated(Source):
                 ways = objects.batches[code.symbol]
                 loaded[name, of] = assemble(name, of, code, arguments, p, ways)
             if fresh:
-                model._verify_built(fresh)
+                names = listed([" of ".join(filter(None, key)) for key in fresh])
+                with stage(f"model '{model.name}': checking {names}"):
+                    model._verify_built(fresh)
             for key, symbol in fresh.items():
                 function: LoadedFunction = loaded[key]
                 loaded[key] = replace(function, code=objects.publish(symbol))

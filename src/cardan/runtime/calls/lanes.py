@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 
 from ...arrays import Array, on_lines
+from ...build_progress import stage
 from ...errors import BuildError, CompilerMissing
 from ...schema.blocks import ORDER
 from ..build import cache, kernels, prebuilt
@@ -188,7 +189,8 @@ class Recipe:
         """
         self.check()
         extra = prebuilt.macros(lanes, lane_parameters)
-        built = cache.compiled([self.text], [self.directory], self.reproducible, self.by, extra)
+        with stage(f"compiling {self.text.stem} for {lanes} states side by side"):
+            built = cache.compiled([self.text], [self.directory], self.reproducible, self.by, extra)
         try:
             return self.loaded(built, lanes, lane_parameters)
         except BaseException:

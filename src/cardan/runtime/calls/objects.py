@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from ... import processes, regular_file
+from ...build_progress import listed, stage
 from ...errors import BuildError, CompilerMissing, DerivationError, ModelError, near
 from ...schema.c_functions import FunctionRow
 from ...schema.manifest import Manifest, from_file
@@ -281,7 +282,10 @@ class Objects:
             by = cache.compiler().for_models()
             lanes = [self.lanes.get(symbol, 1) for symbol in symbols]
             extra = [LOADED + (prebuilt.macros(n, True) if n > 1 else by.tuning) for n in lanes]
-            built = cache.compiled_separately(paths, self.directory, self.reproducible, by, extra)
+            with stage(f"model '{self.manifest.name}': compiling {listed(symbols)}"):
+                built = cache.compiled_separately(
+                    paths, self.directory, self.reproducible, by, extra
+                )
         except CompilerMissing as missing:
             codes = [Interpreted(self._expressions(symbol, missing)) for symbol in symbols]
             announce()

@@ -91,7 +91,7 @@ def _properties(beam: Beam, convert: Converter) -> BeamProperties:
     with convert.graph.made_by(beam.name, "section"):
         section = _scalars(beam.section.quantities(), f"{beam.name}.section", convert)
         material = _material(beam, convert)
-        return BeamProperties(beam, section, material, beam.section.stiffness(section, material))
+        return BeamProperties(beam, section, material, beam.section.properties(section, material))
 
 
 def _data(properties: BeamProperties, convert: Converter) -> Data:

@@ -18,8 +18,8 @@ ASIDE, ABOVE = 190.0, 56.0
 Point = tuple[float, float]
 
 
-# a piece of a beam: its name and the bodies it joins
-BeamArc = tuple[str, str, str]
+# a cable or a piece of a beam: what it is, its name and the bodies it joins
+BeamArc = tuple[str, str, str, str]
 # nodes of a piece of a beam that are drawn one by one
 MAX_NODES = 12
 
@@ -47,8 +47,8 @@ def text(
     for joint in closing:
         ends = f"{joint.parent.body.name} .. {joint.child.body.name}"
         lines.append(f"closes a loop: {ends}  [{joint.name}: {joint.kind.kind}]")
-    for (name, start, end), count in zip(beams, elements, strict=True):
-        lines.append(f"beam: {start} == {end}  [{name}: {counted(count, 'element')}]")
+    for (kind, name, start, end), count in zip(beams, elements, strict=True):
+        lines.append(f"{kind}: {start} == {end}  [{name}: {counted(count, 'element')}]")
     return "\n".join(lines)
 
 
@@ -71,7 +71,7 @@ def dot(
         # \n is the line break of Graphviz
         label = quoted(joint.name)[:-1] + "\\n" + joint.kind.kind + '"'
         lines.append(f"  {ends} [label={label}{style}];")
-    for (beam, start, end), count in zip(beams, elements, strict=True):
+    for (_, beam, start, end), count in zip(beams, elements, strict=True):
         ends = f"{quoted(start)} -> {quoted(end)}"
         label = quoted(beam)[:-1] + f"\\n{counted(count, 'element')}" + '"'
         lines.append(f"  {ends} [label={label}, style=bold, penwidth=4, dir=none];")
@@ -115,9 +115,9 @@ def arcs(
     return arcs_listed
 
 
-def beam_arc(name: str, start: str, end: str, elements: int) -> Arc:
-    """A piece of a beam."""
-    return Arc(name, f"beam, {counted(elements, 'element')}", start, end, "beam", elements)
+def beam_arc(kind: str, name: str, start: str, end: str, elements: int) -> Arc:
+    """A cable, or a piece of a beam."""
+    return Arc(name, f"{kind}, {counted(elements, 'element')}", start, end, "beam", elements)
 
 
 def svg(bodies: Sequence[str], arcs: Sequence[Arc]) -> str:

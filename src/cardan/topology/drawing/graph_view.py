@@ -17,6 +17,7 @@ from ...scene.connections import Joint
 from ...scene.scene import SceneRecord
 from ..beams.beam_nodes import shares
 from ..beams.nodal_scene import with_beams
+from ..cables.cable_parts import with_joined_nodes
 from ..tree import Branch, loop, spanning_tree
 from . import drawing
 from .labeled_matrix import Labelled
@@ -32,7 +33,8 @@ class GraphView:
         branches: The joints of the spanning tree in regular order.
         closing: The joints that close loops, and are cut.
         reasons: Why each of them was chosen.
-        beams: (beam, body, body) of every piece between named nodes, which are bodies here.
+        beams: (kind, name, body, body) of every cable, and of every piece of a beam between named
+            nodes, which are bodies here.
         elements: Number of finite elements of each of these pieces.
     """
 
@@ -41,7 +43,7 @@ class GraphView:
     branches: tuple[Branch, ...] = field(repr=False)
     closing: tuple[Joint, ...] = ()
     reasons: tuple[str, ...] = ()
-    beams: tuple[tuple[str, str, str], ...] = ()
+    beams: tuple[drawing.BeamArc, ...] = ()
     elements: tuple[int, ...] = ()
 
     @property
@@ -158,13 +160,16 @@ class GraphView:
 
 def view(model: SceneRecord) -> GraphView:
     """The graph of a model; bodies that nothing joins to the ground are left out of the tree."""
-    scene, _ = with_beams(model)
+    scene, _ = with_beams(with_joined_nodes(model))
     branches, closing = spanning_tree(scene)
     bodies: list[Body] = [scene.ground, *scene.bodies.values()]
     names, cut = tuple(b.name for b in bodies), tuple(c.joint for c in closing)
     reasons = tuple(c.reason for c in closing)
     beams = tuple(arc for beam in model.beams.values() for arc in _beam_arcs(beam))
     elements = tuple(count for beam in model.beams.values() for count in _elements(beam))
+    for cable in model.cables.values():
+        beams += (("cable", cable.name, cable.start.body.name, cable.end.body.name),)
+        elements += (cable.elements,)
     return GraphView(model.name, names, tuple(branches), cut, reasons, beams, elements)
 
 
@@ -173,11 +178,11 @@ def _elements(beam: Beam) -> list[int]:
     return shares(beam.elements, [0.0, *sorted(beam.stops.values()), 1.0])
 
 
-def _beam_arcs(beam: Beam) -> list[tuple[str, str, str]]:
-    """(beam, body, body) from each of its named nodes to the next."""
+def _beam_arcs(beam: Beam) -> list[drawing.BeamArc]:
+    """(kind, beam, body, body) from each of its named nodes to the next."""
     inner = [beam.model.nodes[name] for _, name in sorted((s, n) for n, s in beam.stops.items())]
     bodies = [place.body.name for place in (beam.start, *inner, beam.end)]
-    return [(beam.name, a, b) for a, b in pairwise(bodies)]
+    return [("beam", beam.name, a, b) for a, b in pairwise(bodies)]
 
 
 def _leader(leaders: dict[str, str | None], joint: str) -> str | None:

@@ -11,6 +11,7 @@ import numpy as np
 
 from .... import regular_file
 from ....arrays import Array
+from ....build_progress import listed, stage
 from ....errors import ModelError
 from ....schema.c_functions import FunctionRow
 from ....schema.manifest import Manifest
@@ -264,7 +265,8 @@ def load(model: LoadedModel) -> Mesh:
     def judge(elements: Elements, fresh: Sequence[str]) -> None:
         """Functions of elements that pass their check are found by other processes."""
         try:
-            model._verify_elements(elements, fresh)
+            with stage(f"model '{model.name}': checking {listed(fresh)}"):
+                model._verify_elements(elements, fresh)
             for symbol in fresh:
                 objects.publish(symbol)
         except BaseException:

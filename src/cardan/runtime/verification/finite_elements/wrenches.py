@@ -43,8 +43,10 @@ def _element_forces(members: Members) -> float | str:
         for block, b in blocks
         for part in ((slice(b, b + 3), slice(b + 3, b + 6)) if in_space(block) else ())
     ]
-    if not parts:
-        parts = [force[:, :1]] if members.table.kind.nu == 1 else []
+    kind = members.table.kind
+    if not parts and "reactions" not in kind.functions:
+        # on a joint itself, not on bodies that it carries
+        parts = [force[:, :1]] if kind.nu == 1 else []
     # along a line or a slider the node feels the force itself, on an axle the moment alone
     norms = [np.linalg.norm(part, axis=-1, keepdims=True) for part in reversed(parts)]
     pushed = [norm for norm in norms if norm.any()]

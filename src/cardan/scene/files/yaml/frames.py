@@ -35,6 +35,7 @@ def separate_frames(model: SceneRecord) -> dict[Frame, None]:
 def _uses(model: SceneRecord) -> list[Frame]:
     """Frames in the order in which a reader meets them."""
     places: list[Any] = [end.place for beam in model.beams.values() for end in beam.ends]
+    places += [end.place for cable in model.cables.values() for end in cable.ends]
     places += [side for joint in model.joints.values() for side in (joint.parent, joint.child)]
     for force in model.forces.values():
         element = force.element

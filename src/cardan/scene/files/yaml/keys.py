@@ -50,6 +50,7 @@ TOP = (
     Key("frames", "frames"),
     Key("include", "include"),
     Key("beams", "beams"),
+    Key("cables", "cables"),
     Key("joints", "joints"),
     Key("constraints", "constraints"),
     Key("forces", "forces"),
@@ -101,6 +102,17 @@ BEAM = (
     Key("temperature", "scalar"),
     Key("prestrain", "prestrain"),
     Key("nodes", "reals"),
+)
+CABLE = (
+    Key("start", "end", True),
+    Key("end", "end", True),
+    Key("EA", "scalar", True),
+    Key("rhoA", "scalar"),
+    Key("length", "scalar"),
+    Key("tension", "real"),
+    Key("damping", "scalar"),
+    Key("elements", "real"),
+    Key("base", "text"),
 )
 PRESTRAIN = tuple(Key(name, "scalar") for name in STRAINS)
 POSE = (Key("position", "vector", True), Key("rotation", "rotation"), Key("base", "text"))

@@ -81,8 +81,8 @@ class _Reader:
             self.values.scope = scope
             if section in sections:
                 getattr(self, f"_{section}")(sections[section])
-            if section in ("include", "beams"):
-                self._late_frames(last=section == "beams")
+            if section in ("include", "beams", "cables"):
+                self._late_frames(last=section == "cables")
         self.model.notes += self.meshes.notes()
 
     def _sections(self, root: Item) -> dict[str, Item]:
@@ -243,6 +243,18 @@ class _Reader:
             for node, s in nodes.items():
                 beam.at(s, name=node)
 
+    def _cables(self, section: Item) -> None:
+        self._each(section, "cable", self._cable)
+
+    def _cable(self, name: str, item: Item) -> None:
+        values = self.values.record(keys.CABLE, item, "a cable")
+        base = values.pop("base", None)
+        with item.at_item():
+            cable = self.model.cable(name, **values)
+            if base is not None:
+                home = self.model.place(f"cable '{name}'", base, "base").body
+                self.model.cables[name] = dataclasses.replace(cable, base=home)
+
     # joints, forces, outputs
 
     def _joints(self, section: Item) -> None:
@@ -328,7 +340,7 @@ class _Reader:
     def _simulate(self, item: Item) -> None:
         settings = self.values.record(keys.SIMULATE, item, "simulate")
         model = self.model
-        joints = [*model.joint_kinds(), *((*model.bodies, *model.nodes) if model.beams else ())]
+        joints = [*model.joint_kinds(), *((*model.bodies, *model.nodes) if model.nodes else ())]
         for block in ("q", "u"):
             for name, entry in item.items()[block].items().items() if block in settings else ():
                 if not any(name == j or name.startswith(f"{j}.") for j in joints):
@@ -358,6 +370,7 @@ _ORDER = {
     "frames": FIXED,
     "include": FIXED,
     "beams": FIXED,
+    "cables": FIXED,
     "joints": FIXED,
     "constraints": MOVING,
     "forces": MOVING,

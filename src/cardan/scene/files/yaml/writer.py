@@ -13,7 +13,7 @@ from ....atomic_file import written
 from ....elements.validation import AXES
 from ....errors import ModelError, lasting
 from ....version import SCENE
-from ...beam import Beam
+from ...beam import Beam, Cable, End
 from ...beam_arguments import ELEMENT, INERTIA, ROLES
 from ...body import INERTIA_ENTRIES, Body
 from ...checks import is_number
@@ -92,6 +92,7 @@ class _Writer:
             "bodies": {n: self._body(body) for n, body in model.bodies.items()},
             "frames": {frame.name: self._frame(frame) for frame in self.separate},
             "beams": {n: self._beam(beam) for n, beam in model.beams.items()},
+            "cables": {n: self._cable(cable) for n, cable in model.cables.items()},
             "joints": {n: self._joint(joint) for n, joint in model.joints.items()},
             "constraints": {n: self._said(c, "constraint") for n, c in model.constraints.items()},
             "forces": {n: self._force(n, f.element) for n, f in model.forces.items()},
@@ -220,10 +221,7 @@ class _Writer:
 
     def _beam(self, beam: Beam) -> dict[str, Any]:
         where = f"beam '{beam.name}'"
-        keys: dict[str, Any] = {}
-        for role, end in zip(ROLES, beam.ends, strict=True):
-            free = end.place is None
-            keys[role] = self.value(end.point, where) if free else self._place(end.place)
+        keys = self._ends(beam.ends, where)
         keys["section"] = {beam.section.kind: self._element(beam.section, where)}
         material = {
             name: self.value(entry.value, where)
@@ -249,6 +247,23 @@ class _Writer:
         if beam.base is not None:
             keys["base"] = beam.base.name
         return keys
+
+    def _cable(self, cable: Cable) -> dict[str, object]:
+        where = f"cable '{cable.name}'"
+        keys: dict[str, object] = self._ends(cable.ends, where)
+        for name in ("EA", "rhoA", "length", "tension", "damping", "elements"):
+            value = getattr(cable, name)
+            if value is not None and not _zero(value):
+                keys[name] = self.value(value, where)
+        if cable.base is not None:
+            keys["base"] = cable.base.name
+        return keys
+
+    def _ends(self, ends: tuple[End, End], where: str) -> dict[str, object]:
+        return {
+            role: self.value(end.point, where) if end.place is None else self._place(end.place)
+            for role, end in zip(ROLES, ends, strict=True)
+        }
 
     # joints, forces, outputs
 

@@ -1,0 +1,1 @@
+"""Cables as point masses and the straight pieces between them."""
