@@ -76,10 +76,10 @@ class Problem:
         G = self._bound(tangents, load)
         if not G.shape[0]:
             return point
-        force = self.residual(point, load)[0]
-        n = G.shape[1]
+        # constraints bear forces, not the rates of internal states
+        force, n = self.residual(point, load)[0], G.shape[1]
         unit: Matrix = csr_array(diags_array(np.ones(n))) if issparse(G) else np.eye(n)
-        _, y = system.saddle.solve(unit, G, -force, np.zeros(G.shape[0]))
+        _, y = system.saddle.solve(unit, G, -force[:n], np.zeros(G.shape[0]))
         return self.moved(point, np.zeros(len(force)), y, load)
 
     def under(self, point: Point, load: Load) -> Point:

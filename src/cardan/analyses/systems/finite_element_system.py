@@ -15,9 +15,9 @@ from scipy.sparse import csr_array
 from ...arrays import Array
 from ...errors import ModelError
 from ...runtime.models.finite_elements.elements import Elements, State
-from ...runtime.models.finite_elements.frames import rotation, rotation_vectors
+from ...runtime.models.finite_elements.frames import increments_between
 from ...runtime.models.finite_elements.joint_driven_nodes import leading
-from ...runtime.models.finite_elements.tables import Tables
+from ...runtime.models.finite_elements.tables import Table, Tables
 from ...runtime.models.initial import start_of
 from ...runtime.models.loaded_model import LoadedModel
 from ...runtime.verification.rotations import unit
@@ -25,6 +25,7 @@ from ...schema.blocks import of_rate
 from ..mechanisms.consistent_rates import read
 from ..simulation.settings import blocks, start
 from ..simulation.starts.finite_element_start import meshed_start, start_of_search
+from .central_differences import by_differences
 from .compiled_system import CompiledSystem
 from .dynamic_system import Internal, Moment, OutputJacobians, Parameters, Rates, Tangents
 from .rotating_frame import CorotatingMotion
@@ -32,11 +33,8 @@ from .saddle_point import Dense, Saddle, Sparse
 from .sparse_saddle_point import SparseSaddle
 
 Longs = NDArray[np.intp]
-RELATIVE = "Use coordinates='relative'"
 REACH = 3.0  # radians or sizes: slender structures turn far in one step
 OPEN = 1e-9  # of speeds: constraints of speeds that hold
-# steps of central differences and their shares: their error is 3e-14 of fifth derivatives
-STEP, SHARES = 1e-3, ((1, 2 / 3), (-1, -2 / 3), (2, -1 / 12), (-2, 1 / 12))
 
 
 @final
@@ -51,18 +49,8 @@ class FiniteElementSystem(CompiledSystem):
 
     def __init__(self, model: LoadedModel) -> None:
         """Args:
-            model: Compiled in absolute coordinates.
-
-        Raises:
-            ModelError: its elements have internal states.
+        model: Compiled in absolute coordinates.
         """
-        if model.internals:
-            beams = model.manifest.beams
-            cure = "Beams have no others: leave out what has them" if beams else RELATIVE
-            raise ModelError(
-                f"model '{model.name}' has internal states ('{model.internals[0]}'): in absolute "
-                f"coordinates equilibria and linear models take none. {cure}"
-            )
         self._meshes: dict[Any, Elements] = {}
         self.model = model
         self.tables = self._mesh(None).tables
@@ -70,7 +58,7 @@ class FiniteElementSystem(CompiledSystem):
         rows = model.manifest.multipliers
         self.rows = np.array([1.0 if row.unit == "rad" else self.size for row in rows])
         self.reach = REACH
-        blockwise = _blocks(self.tables)
+        blockwise = SparseSaddle.of(self.tables)
         self.saddle: Saddle = Sparse(blockwise, blockwise.counted)
 
     def _mesh(self, parameters: Parameters) -> Elements:
@@ -99,8 +87,9 @@ class FiniteElementSystem(CompiledSystem):
         # where this way of closing fails Newton's method has forces to find one
         with suppress(ModelError):
             x = start_of_search(model, x, q, locked, t, r)
+        place, _, internal = model.parts_of(x)
         still, lam = np.zeros(model.nu), np.zeros(len(self.multipliers))
-        return Moment(t, x[: model.nq], still, still, lam, r, np.zeros(0), self.modes, p)
+        return Moment(t, place, still, still, lam, r, internal, self.modes, p)
 
     def state(
         self, x0: object, q: object, u: object, z: object, t: float, r: Array, p: Parameters
@@ -108,9 +97,10 @@ class FiniteElementSystem(CompiledSystem):
         """Same as :meth:`DynamicSystem.state`."""
         model = self.model.with_parameters(dict(p)) if p else self.model
         begin = start(model, x0, q, u, z)
-        place, speed = model.split(meshed_start(model, begin.x, *blocks(x0, q, u), t, r))
+        x = meshed_start(model, begin.x, *blocks(x0, q, u), t, r)
+        place, speed, internal = model.parts_of(x)
         lam = np.zeros(len(self.multipliers))
-        return Moment(t, place, speed, 0 * speed, lam, r, np.zeros(0), self.modes, p)
+        return Moment(t, place, speed, 0 * speed, lam, r, internal, self.modes, p)
 
     # steady motions
 
@@ -226,13 +216,34 @@ class FiniteElementSystem(CompiledSystem):
         return self.tables.distances(at.q, self.columns)
 
     def internal_rates(self, at: Moment) -> Array:
-        """Same as :meth:`DynamicSystem.internal_rates`: there are none."""
-        return np.zeros(0)
+        """Same as :meth:`DynamicSystem.internal_rates`: element by element."""
+        rates = np.zeros(self.model.nz)
+        if len(rates):
+            mesh, state = self._elements_and_state(at)
+            for group, values in zip(self._with_states, mesh.results("zdot", state), strict=True):
+                rates[group.z] = values
+        return rates
+
+    @cached_property
+    def _with_states(self) -> list[Table]:
+        """Elements with internal states."""
+        return [g for g in self.tables.groups if "zdot" in g.kind.functions]
 
     def internal(self, at: Moment) -> Internal:
-        """Same as :meth:`DynamicSystem.internal`: there are none."""
-        none = np.zeros((0, self.model.nu))
-        return Internal(none.T, none, none, np.zeros((0, 0)))
+        """Same as :meth:`DynamicSystem.internal`, by central differences."""
+        nu = self.model.nu
+
+        def forces(x: Moment) -> Array:
+            return self.balance(x)[:nu]
+
+        along, by_u = np.zeros((2, self.model.nz, nu))
+        columns = np.unique(
+            np.concatenate([self.tables.columns(g).ravel() for g in self._with_states])
+        )
+        along[:, columns] = self._differences(at, "q", self.internal_rates, columns)
+        by_u[:, columns] = self._differences(at, "u", self.internal_rates, columns)
+        by_z = self._differences(at, "z", self.internal_rates)
+        return Internal(self._differences(at, "z", forces), along, by_u, by_z)
 
     def accelerations(self, at: Moment, tau: Array | None = None) -> Moment:
         """Same as :meth:`DynamicSystem.accelerations`."""
@@ -260,8 +271,20 @@ class FiniteElementSystem(CompiledSystem):
             right = -matrix.toarray() * self.columns[:, None]
             parts.append(Dense().solve(M, G, right, -bent / self.rows[:, None])[0])
         along, by_u = (part * self.columns[:, None] for part in parts)
-        by_r = self._differences(at, "r", lambda x: self.accelerations(x, tau).udot)
-        return Rates(along, by_u, np.zeros((nu, 0)), by_r)
+        by_r, by_z = (
+            self._differences(at, block, lambda x: self.accelerations(x, tau).udot)
+            for block in "rz"
+        )
+        if not self.model.nz:
+            return Rates(along, by_u, by_z, by_r)
+        inner = self.internal(at)
+        inner_by_r = self._differences(at, "r", self.internal_rates)
+        return Rates(
+            np.concatenate([along, inner.along]),
+            np.concatenate([by_u, inner.by_u]),
+            np.concatenate([by_z, inner.by_z]),
+            np.concatenate([by_r, inner_by_r]),
+        )
 
     @cached_property
     def _beam_speeds(self) -> Longs:
@@ -286,8 +309,7 @@ class FiniteElementSystem(CompiledSystem):
             )
             return values
 
-        along, by_u, by_r = (self._differences(at, block, outputs) for block in "qur")
-        return OutputJacobians(along, by_u, np.zeros((len(self.outputs), 0)), by_r)
+        return OutputJacobians(*(self._differences(at, block, outputs) for block in "quzr"))
 
     def _differences(
         self,
@@ -296,24 +318,25 @@ class FiniteElementSystem(CompiledSystem):
         function: Callable[[Moment], Array],
         along: Longs | None = None,
     ) -> Array:
-        """Derivative (k, n) of a function along increments, speeds or inputs; along some."""
-        size = self.model.nr if block == "r" else self.model.nu
-        unit_of = np.ones(size) if block == "r" else self.columns
-        columns = []
-        for k in range(size) if along is None else along:
-            slope: Any = 0.0
-            for side, share in SHARES:
-                step = np.zeros(size)
-                step[k] = side * STEP * unit_of[k]
-                if block == "q":
-                    moved = replace(at, q=self.integrate(at.q, step))
-                elif block == "u":
-                    moved = replace(at, u=at.u + step)
-                else:
-                    moved = replace(at, r=at.r + step)
-                slope = slope + share * function(moved)
-            columns.append(slope / (STEP * unit_of[k]))
-        return np.stack(columns, axis=1) if columns else np.zeros((len(function(at)), 0))
+        """Derivative (k, n) of a function by a block, along increments for q; along some of it."""
+        values = {"u": at.u, "z": at.z, "r": at.r}
+        own = values[block] if block in "zr" else None
+        # inputs and internal states in parts of their own size, motions in those of the system
+        units = self.columns if own is None else np.maximum(1.0, np.abs(own))
+
+        def moved(step: Array) -> Array:
+            if block == "q":
+                return function(replace(at, q=self.integrate(at.q, step)))
+            there = values[block] + step
+            return function(
+                replace(at, u=there)
+                if block == "u"
+                else replace(at, z=there)
+                if block == "z"
+                else replace(at, r=there)
+            )
+
+        return by_differences(moved, units, along)
 
     # coordinates
 
@@ -362,33 +385,7 @@ class FiniteElementSystem(CompiledSystem):
 
     def difference(self, q0: Array, q: Array) -> Array:
         """Same as :meth:`DynamicSystem.difference`, by Newton's method without quaternions."""
-        tables, change = self.tables, np.zeros(self.model.nu)
-        for k, kind in enumerate(tables.kinds):
-            places = np.flatnonzero(tables.kind == k)
-            a = q0[tables.q[places][:, None] + np.arange(kind.nq)]
-            b = q[tables.q[places][:, None] + np.arange(kind.nq)]
-            spots = tables.u[places][:, None] + np.arange(kind.nu)
-            if kind.nq == kind.nu:
-                change[spots] = b - a
-            elif kind.quaternion is not None:
-                at = kind.quaternion
-                turn = np.einsum("nji,njk->nik", rotation(a[:, at : at + 4]),
-                                 rotation(b[:, at : at + 4]))  # fmt: skip
-                change[spots[:, :3]] = rotation_vectors(turn)
-                translational = [n for n in range(kind.nq) if not at <= n < at + 4]
-                change[spots[:, 3:]] = (b - a)[:, translational]
-        return change
-
-
-def _blocks(tables: Tables) -> SparseSaddle:
-    """Saddle-point solver with the block structure of the speeds and multipliers of a model."""
-    poses = np.array([kind.name == "node" for kind in tables.kinds], dtype=bool)
-    elements, count = np.zeros(tables.m, dtype=np.intp), 0
-    for number, group in enumerate(tables.groups):
-        lines = tables.lines(number)
-        elements[lines] = count + np.arange(len(group))[:, None]
-        count += len(group)
-    return SparseSaddle(tables.u, ~poses[tables.kind], elements)
+        return increments_between(self.tables, q0, q)
 
 
 def _extent(model: LoadedModel, tables: Tables) -> float:

@@ -13,6 +13,7 @@ from scipy.sparse import coo_array, csr_array
 
 from ...arrays import Array, Booleans
 from ...errors import SolveError
+from ...runtime.models.finite_elements.tables import Tables
 from ...runtime.sparse.block_solver import BlockSolver, solution, solver
 from ...runtime.sparse.plan import Plan, plan
 from ...runtime.sparse.systems import balanced
@@ -56,6 +57,17 @@ class SparseSaddle:
     elements: NDArray[np.integer]
     _planned: dict[bytes, _PlannedPattern] = field(default_factory=dict)
     _plans: dict[bytes, Plan] = field(default_factory=dict)
+
+    @classmethod
+    def of(cls, tables: Tables) -> SparseSaddle:
+        """The blocks of speeds and multipliers of elements in tables."""
+        poses = np.array([kind.name == "node" for kind in tables.kinds], dtype=bool)
+        elements, count = np.zeros(tables.m, dtype=np.intp), 0
+        for number, group in enumerate(tables.groups):
+            lines = tables.lines(number)
+            elements[lines] = count + np.arange(len(group))[:, None]
+            count += len(group)
+        return cls(tables.u, ~poses[tables.kind], elements)
 
     def __call__(self, K: Matrix, G: Matrix) -> Callable[[Array], Array]:
         """Solver of [K Gᵀ; G 0] for a right-hand side (n + m,), or several (n + m, k).

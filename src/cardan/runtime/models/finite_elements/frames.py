@@ -11,6 +11,7 @@ from ....arrays import Array
 from ....errors import ModelError
 from ....schema.mechanism import FrameRow
 from .node_pose import Plane, pose, speeds
+from .tables import Tables
 
 if TYPE_CHECKING:
     from ..loaded_model import LoadedModel
@@ -135,3 +136,22 @@ def rotation_vectors(matrices: Array) -> Array:
     if not matrices.size:
         return np.zeros(matrices.shape[:-1])
     return np.asarray(Rotation.from_matrix(matrices).as_rotvec())
+
+
+def increments_between(tables: Tables, q0: Array, q: Array) -> Array:
+    """Increments (nu,) along the speeds that lead from coordinates to others (nq,)."""
+    change: Array = np.zeros(tables.nu)
+    for k, kind in enumerate(tables.kinds):
+        places = np.flatnonzero(tables.kind == k)
+        a = q0[tables.q[places][:, None] + np.arange(kind.nq)]
+        b = q[tables.q[places][:, None] + np.arange(kind.nq)]
+        spots = tables.u[places][:, None] + np.arange(kind.nu)
+        if kind.nq == kind.nu:
+            change[spots] = b - a
+        elif kind.quaternion is not None:
+            at = kind.quaternion
+            start, end = (rotation(block[:, at : at + 4]) for block in (a, b))
+            change[spots[:, :3]] = rotation_vectors(np.einsum("nji,njk->nik", start, end))
+            translational = [n for n in range(kind.nq) if not at <= n < at + 4]
+            change[spots[:, 3:]] = (b - a)[:, translational]
+    return change
