@@ -128,7 +128,8 @@ int cardan_mesh_massless(const cardan_mesh *mesh, const cardan_mesh_system *syst
         moved = fmax(moved, fabs(x[i] / system->units[i]));
         resists = fmax(resists, fabs(system->rows[i] * y[i]));
     }
-    return resists <= FREE * moved ? CARDAN_SINGULAR : 0;
+    /* nothing of it moves where a row of constraints holds nothing at all */
+    return moved > 0 && resists <= FREE * moved ? CARDAN_SINGULAR : 0;
 }
 
 /* x (n) by the factors of a matrix that has lost pivots, without what it maps to nothing.

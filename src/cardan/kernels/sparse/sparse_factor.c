@@ -193,6 +193,9 @@ static int replace(const cardan_sparse *plan, ptrdiff_t s, ptrdiff_t k, double *
     /* if D had only zeros there, take the size from the rest of the row */
     for (ptrdiff_t j = 0; scale == 0 && j < plan->later[s]; j++)
         scale = fmax(fabs(row[n + j]), fabs(row[plan->transposed[s] + j]));
+    /* a row of constraints that holds nothing, like one across the plane of a loop, is in units of 1 */
+    if (scale == 0 && plan->multiplier[k])
+        scale = 1;
     small = fmax(REPLACEMENT * scale, plan->multiplier[k] ? BEYOND * size : 0);
     replacement = plan->multiplier[k] || *pivot < 0 ? -small : small;
     if (!(scale - scale == 0) || scale == 0 || !(*pivot - *pivot == 0)) {
