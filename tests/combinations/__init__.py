@@ -1,0 +1,1 @@
+"""Scenes in which many features meet, each against an independent route."""
