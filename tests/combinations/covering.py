@@ -33,9 +33,7 @@ def covering(
     left, sets = pairs_of(names), []
     while left:
         degree = {name: sum(name in pair for pair in left) for name in names}
-        first = min(
-            left, key=lambda p: (-sum(degree[n] for n in p), sorted(order[n] for n in p))
-        )
+        first = min(left, key=lambda p: (-sum(degree[n] for n in p), sorted(order[n] for n in p)))
         chosen = complete(first)
         while len(chosen) < size:
             gains = {

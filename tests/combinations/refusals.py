@@ -36,7 +36,9 @@ class Refusal:
 
 REFUSALS: tuple[Refusal, ...] = (
     Refusal(
-        ("friction from reaction",), ("absolute",), "friction.*follows from the reaction of its joint"
+        ("friction from reaction",),
+        ("absolute",),
+        "friction.*follows from the reaction of its joint",
     ),
 )
 

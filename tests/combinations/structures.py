@@ -51,14 +51,15 @@ def beam(made: Mechanism, present: bool) -> None:
     length, mass = 0.3, 0.3
     if not present:
         rod = made.scene.body(
-            "beam", mass=mass, com=(length / 2, 0, 0), inertia=cd.inertia.rod(mass, length, axis="x")
+            "beam",
+            mass=mass,
+            com=(length / 2, 0, 0),
+            inertia=cd.inertia.rod(mass, length, axis="x"),
         )
         made.scene.joint("beam_joint", cd.Fixed(), made.tip, rod)
         made.tip = rod.at(length, 0, 0)
     else:
-        section = cd.section.general(
-            EA=2e3, GA=1e3, GJ=1.5, EI=2.0, rhoA=mass / length, rhoI=1e-3
-        )
+        section = cd.section.general(EA=2e3, GA=1e3, GJ=1.5, EI=2.0, rhoA=mass / length, rhoI=1e-3)
         end = (made.reach + length, 0, 0)
         elastic = made.scene.beam("beam", made.tip, end, section, elements=2, up="z")
         made.tip = elastic.end
@@ -72,9 +73,7 @@ def cable(made: Mechanism, present: bool) -> None:
 
 def prescribed_motion(made: Mechanism, present: bool) -> None:
     """An eccentric disk on the forearm that turns as a function of time."""
-    disk = made.scene.body(
-        "eccentric", mass=0.3, com=(0.06, 0, 0.01), inertia=(1e-3, 2e-3, 1e-3)
-    )
+    disk = made.scene.body("eccentric", mass=0.3, com=(0.06, 0, 0.01), inertia=(1e-3, 2e-3, 1e-3))
     at = made.forearm.at(0.2, 0.03, 0.05)
     if present:
         angle = 6 * cd.t + cd.t**2 / 2

@@ -111,7 +111,9 @@ def export(names: Names) -> None:
         out = Path(folder)
         sources = cd.derive(made.scene).export(out / "c", language="c", integrators=["dop853"])
         example = sources / "example.c"
-        example.write_text(example.read_text().replace(".end = 1,", f".end = {SPAN}, {TOLERANCES},"))
+        example.write_text(
+            example.read_text().replace(".end = 1,", f".end = {SPAN}, {TOLERANCES},")
+        )
         command = [*cache.compiler().command, "-std=c99", "-O1", "-DCARDAN_EXAMPLE"]
         files = map(str, sorted(sources.glob("*.c")))
         command += ["-o", str(out / "run"), *files, "-lm"]
