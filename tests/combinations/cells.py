@@ -5,6 +5,7 @@ from __future__ import annotations
 import tempfile
 import warnings
 from collections.abc import Callable, Iterator
+from functools import partial
 from itertools import combinations
 from pathlib import Path
 from typing import Any
@@ -38,7 +39,7 @@ def _ensemble(side: Route, folder: Path) -> object:
 
 
 def _checkpoint(side: Route, folder: Path) -> object:
-    stepper = side.model.stepper(inputs=side.made.inputs or None)
+    stepper = side.model.stepper(inputs=dict.fromkeys(side.made.inputs, 1.0) or None)
     stepper.step(SHORT)
     stepper.save(folder / "run.npz")
     return side.model.resume(folder / "run.npz")
@@ -78,13 +79,17 @@ def message_of(act: Callable[[], object]) -> str:
 def pairs() -> Iterator[Cell]:
     """Two features, and what is said where both together are refused."""
     for one, other in combinations(PRESENT, 2):
-        yield one, other, message_of(lambda: cd.derive(mechanism((one, other)).scene))
+        yield one, other, message_of(partial(_derived, (one, other)))
+
+
+def _derived(names: tuple[str, ...]) -> object:
+    return cd.derive(mechanism(names).scene)
 
 
 def of_feature(name: str, kind: str) -> Iterator[Cell]:
     """Integrators and uses with a feature, in a rigid scene or in one with a beam."""
     names = closed((name,) if kind == RIGID else (name, "beam"))
-    said = message_of(lambda: route(names))
+    said = message_of(partial(route, names))
     if said:
         yield from ((name, asked, said) for asked in (*INTEGRATORS, *USES))
         return
@@ -96,8 +101,7 @@ def of_feature(name: str, kind: str) -> Iterator[Cell]:
         return side.model.simulate(SHORT, method=method, inputs=inputs, **steps)
 
     for method in INTEGRATORS:
-        yield name, method, message_of(lambda m=method: run(m))  # type: ignore[misc]
+        yield name, method, message_of(partial(run, method))
     for use, act in USES.items():
         with tempfile.TemporaryDirectory() as folder:
-            there = Path(folder)
-            yield name, use, message_of(lambda a=act, f=there: a(side, f))  # type: ignore[misc]
+            yield name, use, message_of(partial(act, side, Path(folder)))

@@ -19,7 +19,7 @@ def covering(
     """Sets of about ``size`` names in which every pair occurs, found greedily.
 
     Each set begins with a pair that is left, and takes the name that covers the most pairs that are
-    left until it is full; of equals the one that has the most pairs left altogether, then the first.
+    left until it is full; of equals the one with the most pairs left altogether, then the first.
 
     Args:
         names: What is combined.

@@ -42,7 +42,9 @@ class Route:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", cd.SolveWarning)
             return self.model.simulate(
-                options.pop("t", [*TIMES]), inputs=inputs, **{**FINE, **options}
+                options.pop("t", [*TIMES]),
+                inputs=inputs,
+                **(options if "method" in options else FINE | options),
             )
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import subprocess
 import tempfile
+import warnings
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -23,6 +24,7 @@ EXPORTED = 1e-9
 # with dry friction places of rest fill sets, and no two searches end in the same place (Coulomb's
 # law is set-valued at rest: Pfeiffer and Glocker, Multibody Dynamics with Unilateral Contacts, 3)
 TOLERANCES = ", ".join(f".{name} = {FINE[name]}" for name in ("rtol", "atol"))
+HANGING = {"shoulder": 1.5, "elbow": 0.1}
 DRY = {"Coulomb friction", "friction from reaction"}
 
 
@@ -46,7 +48,12 @@ def equilibrium(names: Names) -> None:
 
 def resting(side: Route, **start: Any) -> cd.Equilibrium:
     """Rest, with what is prescribed moving as prescribed."""
-    found = side.model.equilibrium(u={}, **start)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", cd.SolveWarning)
+        found = side.model.equilibrium(u={}, **start)
+        if not (found.converged or start):
+            # the cure that the message names: nearer to where the bars hang
+            found = side.model.equilibrium(u={}, q=HANGING)
     assert found.converged, found.message
     return found
 
@@ -93,7 +100,8 @@ def ensemble(names: Names) -> None:
 def checkpoint(names: Names) -> None:
     """A run that goes on from a file has the same bits."""
     side = route(names)
-    inputs = side.made.inputs or None
+    # a stepper takes numbers
+    inputs = dict.fromkeys(side.made.inputs, 1.0) or None
     with tempfile.TemporaryDirectory() as folder:
         file = Path(folder) / "run.npz"
         stepper = side.model.stepper(inputs=inputs)

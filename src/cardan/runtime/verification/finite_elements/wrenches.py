@@ -29,7 +29,7 @@ def _element_forces(members: Members) -> float | str:
         return _of_joint(members)
     if "M" in members.table.kind.parts:
         return "what it does to nodes is its inertia too"
-    value = members.call("element_forces")
+    value = members.call("element_forces", {"lam": 0 * members.inputs["lam"]})
     # without what modes hold
     force = members.call("balance", {"lam": 0 * members.inputs["lam"]})[:, : members.table.kind.nu]
     if value.shape[-1] == 6:
