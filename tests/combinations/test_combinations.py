@@ -51,7 +51,7 @@ def test_what_is_missing_is_still_missing() -> None:
 def test_fields_do_not_act_on_beams_yet() -> None:
     made = mechanism(("beam",))
     made.scene.force("planet", cd.CentralGravity(made.scene.ground.at(0, 0, -3), mu=30.0))
-    with pytest.raises(cd.ModelError, match="beam 'beam' has mass too.*bodies="):
+    with pytest.raises(cd.ModelError, match=r"beam .beam. has mass too.*bodies="):
         cd.derive(made.scene)
 
 
@@ -125,12 +125,32 @@ def agree(names: Names) -> None:
     assert not said, said
 
 
+# a scene that fails, what it has, and why
+FAULTS = {
+    frozenset(("redundant loop", "stop", "line load")): "accelerations between impacts at a stop, "
+    "beside redundant loops over elements"
+}
+
+
+def faults(scene: Names) -> list[Any]:
+    """Marks of a scene that is known to fail."""
+    return [
+        pytest.mark.xfail(reason=reason, strict=True)
+        for part, reason in FAULTS.items()
+        if part <= {*scene}
+    ]
+
+
 def rows() -> list[Any]:
     """The scenes, all but some of them slow."""
     short = sorted(range(len(SCENES)), key=lambda k: ("beam" in SCENES[k], len(SCENES[k]), k))
     quick = {*short[: QUICK - 1], *[k for k in short if "beam" in SCENES[k]][:1]}
     return [
-        pytest.param(scene, id=f"scene{k}", marks=[] if k in quick else [pytest.mark.slow])
+        pytest.param(
+            scene,
+            id=f"scene{k}",
+            marks=[*faults(scene), *([] if k in quick else [pytest.mark.slow])],
+        )
         for k, scene in enumerate(SCENES)
     ]
 
