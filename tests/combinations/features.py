@@ -81,7 +81,7 @@ PRESENT = tuple(FEATURES)
 def closed(names: Iterable[str]) -> tuple[str, ...]:
     """Features with all that they require, in the order of the table."""
     every = set(names)
-    for name in names:
+    for name in tuple(every):
         every |= {*FEATURES[name].requires}
     return tuple(name for name in FEATURES if name in every)
 
