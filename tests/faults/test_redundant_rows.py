@@ -36,3 +36,13 @@ def test_rows_across_the_plane_of_a_loop_hold_nothing() -> None:
         udot = model.forward_dynamics(q, u)
         accelerations.append([udot[model.speeds.index(f"{n}.u")] for n in ("shoulder", "A")])
     np.testing.assert_allclose(*accelerations, rtol=1e-9)
+
+
+def test_a_named_start_of_a_beam_with_internal_states() -> None:
+    """Beams are carried along from named joints, whatever states elements keep."""
+    starts = []
+    for coordinates in ("auto", "absolute"):
+        model = cd.compile(mechanism(("beam", "Maxwell")).scene, coordinates=coordinates)
+        motion = model.simulate(0.01, q={"shoulder": 0.5, "elbow": -0.2})
+        starts.append([motion[name][0] for name in ("shoulder", "elbow", "tip_x", "tip_z")])
+    np.testing.assert_allclose(*starts, atol=1e-8)

@@ -145,8 +145,9 @@ class Carrier:
         Returns:
             Transforms (4, 4) of ground axes of what each place carries, and a position (3,).
         """
-        x = np.concatenate([q, np.zeros(self.model.nu)])
-        moves, ends = [], {GROUND: STILL, **self._tree_ends(*self.model.split(x)[:2])}
+        still = np.zeros(self.model.nu)
+        x = np.concatenate([q, still])
+        moves, ends = [], {GROUND: STILL, **self._tree_ends(q, still)}
         for place in (one, other):
             at_node = place >= 0
             motion = motion_of(self.tables, self.reference, x, place) if at_node else ends[place]
