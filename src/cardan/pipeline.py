@@ -21,7 +21,7 @@ from .equations.constraints.treatments import Treatment, treatment
 from .equations.finite_elements.lowering import lowered
 from .equations.finite_elements.nodal_scene import ends_with_nodes
 from .equations.finite_elements.record import FiniteElementRecord
-from .equations.formalism_choice import check_chooses, chosen_by
+from .equations.formalism_choice import check_chooses, chosen_by, coordinates_with, element_reason
 from .equations.record import EquationRecord
 from .errors import BuildError, CodegenError, DerivationError, SolveWarning, near, warn
 from .runtime.build import cache_folder as cache
@@ -81,7 +81,8 @@ def derive(
         scene: The model.
         coordinates: ``"relative"``: joint coordinates over the spanning tree; ``"absolute"``: every
             body has six of its own and joints hold them, element by element; ``"auto"``: absolute
-            if there are beams, else relative.
+            if there are beams, or long rigid loops (more than 16 speeds in one, or 60 in
+            all), else relative.
         method: Formalism: ``"kane"``, ``"newton_euler"``, ``"composite"``, ``"articulated"``,
             ``"lagrange"``, ``"hamilton"``, ``"gibbs_appell"``, ``"barycentric"``, or ``"auto"``:
             of composite and articulated bodies what takes the fewest operations.
@@ -104,7 +105,8 @@ def derive(
         independent: Joints whose coordinates stay in closed form, such as that of a crank.
         plane: Of absolute coordinates: normal of the plane that the scene stays in, ``"x"``,
             ``"y"`` or ``"z"``; nodes then have the coordinates x, y, angle of a planar joint with
-            that normal. ``"auto"`` takes the plane that there is, if any.
+            that normal. ``"auto"`` takes the plane that there is, if any, which is the default
+            where absolute coordinates are chosen for rigid loops.
 
     Returns:
         The record that says everything else: matrices, counts, functions; in absolute coordinates
@@ -122,13 +124,18 @@ def derive(
         check_chooses(method)
     solved = branches is not None or independent or constraints == "closed_form"
     system = topology.build(scene, specialize, (branches or {}) if solved else None, independent)
-    if coordinates in ("absolute", "mixed") or (coordinates == "auto" and system.segments):
-        options = {"method": method, "constraints": constraints}
-        named_options = [name for name, value in options.items() if value != "auto"]
-        joint_options = {"speeds": speeds, "rewrites": rewrites, "branches": branches}
-        joint_options["independent"] = independent
-        named_options += [name for name, value in joint_options.items() if value is not None]
-        return _absolute(system, named_options, plane, coordinates != "absolute")
+    options = {"method": method, "constraints": constraints}
+    named_options = [name for name, value in options.items() if value != "auto"]
+    joint_options = {"speeds": speeds, "rewrites": rewrites, "branches": branches}
+    joint_options["independent"] = independent
+    named_options += [name for name, value in joint_options.items() if value is not None]
+    reason = ""
+    if coordinates == "auto" and (system.segments or not named_options):
+        reason = element_reason(system)
+    if coordinates in ("absolute", "mixed") or reason:
+        if reason and not system.segments and plane is None:
+            plane = "auto"
+        return _absolute(system, named_options, plane, coordinates != "absolute", reason)
     if plane is not None:
         raise DerivationError(
             f"plane='{plane}' belongs to absolute coordinates: take coordinates='absolute'"
@@ -165,9 +172,9 @@ def _relative(
 
 
 def _absolute(
-    system: System, named_options: Sequence[str], plane: str | None, trees: bool
+    system: System, named_options: Sequence[str], plane: str | None, trees: bool, reason: str = ""
 ) -> FiniteElementEquations:
-    """Equations in absolute coordinates.
+    """Equations in absolute coordinates, and why they were chosen.
 
     Raises:
         DerivationError: options of joint coordinates, no such plane, or a scene that leaves it.
@@ -179,9 +186,10 @@ def _absolute(
             f"{', '.join(f'{name}=' for name in named_options)}: for joint coordinates only. Leave "
             "out such arguments, or take coordinates='relative'"
         )
-    equations: FiniteElementEquations = face(
-        lowered(system, plane, ends_with_nodes(system) if trees else None)
-    )
+    # rigid trees hang on the nodes of beams; where there are none, every body is a node
+    nodes = ends_with_nodes(system) if trees and (system.segments or not reason) else None
+    record = replace(lowered(system, plane, nodes), reason=reason)
+    equations: FiniteElementEquations = face(record)
     return equations
 
 
@@ -221,6 +229,8 @@ def compile(
         DerivationError: an unknown function, or options for equations that are derived already.
         BuildError: no compiler, or a build that failed its check.
     """
+    if coordinates is None and not isinstance(scene, (EquationRecord, FiniteElementRecord)):
+        coordinates = coordinates_with(functions, bool(scene.beams))
     equations = _derived(
         scene,
         coordinates=coordinates,

@@ -16,7 +16,6 @@ from view.unpacked import data_of
 SPAN, STEP = 0.12, 1e-4
 # what a method says that cannot, by name, with its cure
 REFUSED = {
-    "Rosenbrock": "'Rosenbrock' needs .*rhs_jacobian.*GeneralizedAlpha",
     "Newmark": "'Newmark'.*damping.*cd.GeneralizedAlpha",
     "EnergyMomentum": "'EnergyMomentum' keeps what is conserved, and .* has modes: take method=",
 }

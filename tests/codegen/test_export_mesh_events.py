@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import subprocess
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
@@ -13,7 +14,7 @@ import cardan as cd
 from analyses.test_beam_events import LOWER, cantilever
 from cardan.codegen.export.finite_elements import METHODS
 from cardan.schema.integrators import KERNELS
-from codegen.running import compilers
+from codegen.running import STRICT, compilers
 from codegen.test_export_mesh import Builder, builder
 from laws.event_scenes import SCENES
 from spread import some
@@ -125,6 +126,17 @@ def test_a_beam_with_a_controller_and_a_stop(
     assert abs(motion.x[-1][-1]) > 1e-3
     found = exported_run(builder, folders[sample], SPAN, {"method": f'"{method}"', **how})
     same_run(found, motion)
+
+
+@pytest.mark.parametrize("compiler", sorted(compilers()))
+def test_all_files_compile_without_a_warning(
+    compiler: str, folders: dict[float | None, Path], tmp_path: Path
+) -> None:
+    sources = sorted(map(str, folders[0.01].glob("*.c")))
+    command = [*compilers()[compiler], *STRICT, "-O0", "-DCARDAN_EXAMPLE", *sources]
+    command += ["-o", str(tmp_path / "example"), "-lm"]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=240, check=False)
+    assert (done.returncode, done.stderr) == (0, "")
 
 
 def test_the_example_tells_its_events(folders: dict[float | None, Path], builder: Builder) -> None:

@@ -41,7 +41,6 @@ REFUSALS: tuple[Refusal, ...] = (
         "Newmark's method without damping is weakly unstable with constraints "
         "(A. Cardona, M. Géradin, Computers & Structures 33, 1989).",
     ),
-    Refusal(("Rosenbrock",), "needs the function 'rhs_jacobian'.*absolute coordinates offer none"),
     Refusal(("GeneralizedAlpha", "HHT", "Newmark"), "takes no internal states"),
 )
 MISSING = tuple(row for row in REFUSALS if not row.reason)

@@ -114,8 +114,7 @@ not matter, use `Rosenbrock`, or `Radau` for many digits. `model.stiffness(x)` c
   MuJoCo or Chrono.
 - Flexible bodies other than [beams](flexible.md): there are no shells and solids.
 - Chaos over long times: compare statistics of an [ensemble](ensembles.md) instead of one motion.
-- Absolute coordinates: events, sampled controllers and friction from reactions need
-  `coordinates="relative"`, and so do `Rosenbrock` and `Radau`.
+- Absolute coordinates: `Rosenbrock` takes its Jacobian by differences there: use `Radau`.
 - `Newmark` takes no constraints; use `GeneralizedAlpha` or `HHT`.
 - Friction with `mu=` may have no unique solution (Painlevé); the run then ends and names the joint.
 

@@ -87,6 +87,7 @@ STEPPERS: dict[str, tuple[Callable[[], cd.CompiledModel], dict[str, Any]]] = {
     "midpoint": (double, {"method": "EnergyMidpoint", "step": 0.01}),
     "ticks": (servo, {}),
     "beam": (shaft, {"method": "GeneralizedAlpha"}),
+    "Radau beam": (shaft, {"method": "Radau"}),
     "conserving beam": (lambda: shaft("lumped"), {"method": "EnergyMomentum", "step": 0.01}),
 }
 
@@ -135,6 +136,7 @@ RUNS: dict[str, tuple[Callable[[], cd.CompiledModel], dict[str, Any]]] = {
     "ticks": (servo, {"t": 2.0}),
     "RK4": (double, {"t": 2.0, "method": "RK4", "step": 0.01, "inputs": PUSH}),
     "beam": (shaft, {"t": 0.3, "method": "GeneralizedAlpha"}),
+    "Radau beam": (shaft, {"t": 0.1, "method": "Radau"}),
     "conserving beam": (
         lambda: shaft("lumped"),
         {"t": 0.5, "method": "EnergyMomentum", "step": 0.01},

@@ -47,7 +47,7 @@ def test_two_thousand_mutants_of_checkpoints_of_steppers(name: str, tmp_path: Pa
     assert not tally.failures, str(tally)
 
 
-@pytest.mark.parametrize("name", ["beam", "conserving beam"])
+@pytest.mark.parametrize("name", ["beam", "Radau beam", "conserving beam"])
 def test_rows_of_sparse_factors_that_do_not_exist(name: str, tmp_path: Path) -> None:
     """Factors name rows by whole numbers, two in the room of a number of the memory."""
     kind = stepper(name, tmp_path / "good")

@@ -184,3 +184,32 @@ def andrews_angles(beta: float) -> Angles:
         "E4": fourth - second,
         "E6": sixth - second,
     }
+
+
+def arc_angles(links: int, span: float) -> list[float]:
+    """Angles of links of length 1 / links along an arc that sags between pivots ``span`` apart."""
+    shares = [(2 * k + 1) / links - 1 for k in range(links)]
+    low, high = 1e-6, math.pi
+    while high - low > 1e-15 * high:
+        middle = (low + high) / 2
+        wide = sum(math.cos(middle * share) for share in shares) > span * links
+        low, high = (middle, high) if wide else (low, middle)
+    return [high * share for share in shares]
+
+
+def hanging_chain(links: int, span: float = 0.8) -> cd.Scene:
+    """A chain of equal rods, 1 m and 1 kg in all, between two pivots at one height.
+
+    Its joints start along an arc, which is not how it hangs at rest.
+    """
+    scene = cd.Scene(f"hanging_chain{links}", gravity=(0, -G, 0))
+    length, angle, end = 1 / links, 0.0, scene.ground
+    rod = cd.inertia.rod(length, length, axis="x")
+    for k, absolute in enumerate(arc_angles(links, span)):
+        link = scene.body(f"link{k}", mass=length, com=(length / 2, 0, 0), inertia=rod)
+        at = end.at(length, 0, 0) if k else end
+        scene.joint(f"pin{k}", cd.Revolute("z"), at, link, q0=absolute - angle)
+        angle, end = absolute, link
+    pivot = scene.ground.at(span, 0, 0)
+    scene.joint("last pin", cd.Revolute("z"), end.at(length, 0, 0), pivot, cut=True)
+    return scene

@@ -80,6 +80,7 @@ class CompiledModel(LoadedModel):
     _verify_elements = verb("cardan.runtime.verification.verify:verify_elements")
 
     _doubt = verb("cardan.analyses.mechanisms.redundancy:doubt")
+    _least_reaction = verb("cardan.analyses.mechanisms.redundancy:least_reaction")
 
     def __reduce__(self) -> tuple[object, ...]:
         from .saved_model import reduced

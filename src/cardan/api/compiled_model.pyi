@@ -994,12 +994,28 @@ class CompiledModel(LoadedModel):
         q: Any,
         t: Any,
         r: Any,
-    ) -> None:
-        """Warn where the reaction of a joint is not determined at the first, middle and last state.
+    ) -> dict[str, bool]:
+        """Joints of loops, and whether they are determined at the first, middle or last state.
 
-        The warning names all joints of which that is true, and is given once for all of them.
+        Where that of the joint itself is not, a warning names all that are not, once; else there are
+        none.
 
         Args:
             joint: Whose reaction was asked for.
             q, t, r: States as functions of the model take them (..., nq), (...), (..., nr).
+        """
+    def _least_reaction(
+        self,
+        joint: str,
+        reactions: Mapping[str, Array],
+        q: Any,
+        t: Any,
+        r: Any,
+    ) -> Array:
+        """Reactions (..., 6) of a joint of least norm.
+
+        Args:
+            joint: Which.
+            reactions: Of all joints of loops (..., 6).
+            q, t, r: As of :func:`doubt`.
         """

@@ -87,9 +87,10 @@ hamiltonian | t q u r | | J | kinetic energy
 reaction(joint) | t q u r tau wrench z s | 6 | N m and N | bodies | elements
     wrench of parent on child at the child joint frame, in its axes
     [Mx, My, Mz, Fx, Fy, Fz]. The system accelerates under tau and wrenches. Where redundant
-    constraints leave it undetermined one of the possible wrenches comes out, and a
-    SolveWarning says so once; see ``model.redundancy(q)``. Forces along the joint, such as
-    JointSpring, and its tau act through it: Mz of a hinge about z holds them.
+    constraints leave reactions undetermined those of least norm come out: the smallest sum over
+    the joints of squares of forces, and of moments over the largest distance between two of
+    them. A SolveWarning says so once; see ``model.redundancy(q)``. Forces along the joint,
+    such as JointSpring, and its tau act through it: Mz of a hinge about z holds them.
 outputs | t q u r z s | ny | as declared | | elements
     declared outputs, then ``<joint>.driving_force`` of prescribed joints
     like: y

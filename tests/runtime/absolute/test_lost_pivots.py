@@ -149,10 +149,13 @@ def test_an_empty_equation_is_named() -> None:
         solver(drawn).factor(values(drawn, a))
 
 
-def test_a_multiplier_of_nothing_is_named() -> None:
+def test_a_multiplier_of_nothing_is_zero() -> None:
+    """A constraint that no speed changes is one that always holds."""
     drawn = plan([6, 1], [[[0]], [[1]]], multiplier=[False, True])
-    with pytest.raises(SolveError, match="multiplier 0 of block 1"):
-        solver(drawn).factor(np.eye(6).reshape(-1))
+    by = solver(drawn)
+    by.factor(np.eye(6).reshape(-1))
+    b = np.r_[np.arange(1.0, 7.0), 0.0]
+    assert solution(by, b) == pytest.approx(b, rel=1e-14)
 
 
 def test_zeros_on_diagonals_are_pivoted_or_refined() -> None:

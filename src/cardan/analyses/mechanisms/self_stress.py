@@ -14,7 +14,7 @@ Kinematics, Springer (1988).
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -28,8 +28,32 @@ from ...schema.mechanism import CutRow
 from .mechanism import Mechanism
 
 Components = dict[str, tuple[bool, ...]]
+Wrenches = dict[str, Array]
 Poses = tuple[Array, Array]  # R (n + 1, 3, 3) and p (n + 1, 3) of the ground and all bodies
 Seat = tuple[Array, Array]  # R (3, 3) and p (3,) of a frame, the latter without unit
+
+
+@dataclass(frozen=True)
+class SelfStresses:
+    """Reactions of the joints of loops that balance without any load.
+
+    Attributes:
+        wrenches: Joint -> (k, 6) in the order and axes of ``model.reaction``, but for a factor
+            moments over the size of the mechanism.
+        places: Joint -> where it acts (3,), in ground axes [m].
+    """
+
+    wrenches: Wrenches = field(default_factory=dict)
+    places: Mapping[str, Array] = field(default_factory=dict)
+
+    @property
+    def length(self) -> float:
+        """Largest distance between two of the joints [m], 1 where they all act at one point."""
+        places = np.array(list(self.places.values())).reshape(-1, 3)
+        between = places[:, None] - places[None]
+        return float(np.linalg.norm(between, axis=-1).max(initial=0.0)) or 1.0
+
+
 COMPONENTS = ("Mx", "My", "Mz", "Fx", "Fy", "Fz")
 RANK = 1e-8  # singular values below this part of the largest count as zero
 UNIQUE = 1e-7  # parts of a self-stress below this are none
@@ -46,9 +70,40 @@ def determined(m: Mechanism, q: Array) -> Components | None:
         Joint -> (Mx, My, Mz, Fx, Fy, Fz) as ``model.reaction`` orders them, of all joints of the
         loops; None where joints are not known by their poses.
     """
+    stresses = self_stresses(m, q)
+    return None if stresses is None else {n: _free(x) for n, x in stresses.wrenches.items()}
+
+
+def self_stresses(m: Mechanism, q: Array) -> SelfStresses | None:
+    """The self-stresses of a model at a position (nq,) at which its loops are closed; None where
+    joints are not known by their poses.
+    """
     if m.model.manifest.absolute:
         return _of_rows(m, q)
-    return _of_loops(m, q) if m.cuts else {}
+    return _of_loops(m, q) if m.cuts else SelfStresses()
+
+
+def of_least_norm(m: Mechanism, q: Array, reactions: Mapping[str, Array]) -> Mapping[str, Array]:
+    """Reactions (6,) of all joints less the self-stresses in them.
+
+    What is left has the smallest sum of squares of forces, and of moments over the largest distance
+    between two of the joints.
+
+    Args:
+        m, q: A model at a position (nq,).
+        reactions: Reactions of at least all joints that self-stresses load.
+    """
+    stresses = self_stresses(m, q) or SelfStresses()
+    names = [n for n, x in stresses.wrenches.items() if np.abs(x).max(initial=0.0) > 0]
+    if not names or not reactions.keys() >= set(names):
+        return reactions
+    units = np.array([stresses.length] * 3 + [1.0] * 3)
+    sizes = np.array([m.size] * 3 + [1.0] * 3) / units
+    loads = np.concatenate([stresses.wrenches[name] * sizes for name in names], axis=1)
+    total = np.concatenate([reactions[name] / units for name in names])
+    shares, *_ = np.linalg.lstsq(loads.T, total, rcond=RANK)
+    left = np.split(total - shares @ loads, len(names))
+    return {**reactions, **{n: x * units for n, x in zip(names, left, strict=True)}}
 
 
 def null_space(rows: Array) -> Array:
@@ -68,7 +123,7 @@ def _free(wrenches: Array) -> tuple[bool, ...]:
 # joint coordinates
 
 
-def _of_loops(m: Mechanism, q: Array) -> Components | None:
+def _of_loops(m: Mechanism, q: Array) -> SelfStresses | None:
     """By the wrenches of all loops."""
     model, user_constraints = m.model, written(m.model)
     if unknown(model) or unbound(model):
@@ -113,7 +168,9 @@ def _poses(circuits: Circuits, q: Array, motion: Array | None, size: float) -> P
     )
 
 
-def _joint_wrenches(m: Mechanism, circuits: Circuits, poses: Poses, stresses: Array) -> Components:
+def _joint_wrenches(
+    m: Mechanism, circuits: Circuits, poses: Poses, stresses: Array
+) -> SelfStresses:
     """Wrenches of every joint of the loops, fixed ones too, under self-stresses (k, loops, 6)."""
     names = [joint.name for joint in m.model.manifest.joints]
     through: dict[str, Array] = {}
@@ -123,9 +180,11 @@ def _joint_wrenches(m: Mechanism, circuits: Circuits, poses: Poses, stresses: Ar
         moment, force = stresses[:, n, :3] @ child[0].T, stresses[:, n, 3:] @ parent[0].T
         wrench = np.concatenate([moment + np.cross(child[1], force), force], axis=-1)
         for body, sign in _path(circuits.scene.parents, closer.parent.body, closer.child.body):
+            end = _end(m, circuits, m.model.manifest.joints[body].child_frame)
+            # the child as declared may be the inner body: its reaction is the opposite one
+            sign = sign if end.body == body else -sign
             through[names[body]] = through.get(names[body], 0.0) + sign * wrench
-            frame = m.model.manifest.joints[body].child_frame
-            seats[names[body]] = _in_ground(poses, _end(m, circuits, frame), m.size)
+            seats[names[body]] = _in_ground(poses, end, m.size)
         for weld in cut.fixed:
             through[weld.joint] = through.get(weld.joint, 0.0) + weld.side * wrench
             seats[weld.joint] = _in_ground(poses, _end(m, circuits, weld.frame), m.size)
@@ -133,7 +192,8 @@ def _joint_wrenches(m: Mechanism, circuits: Circuits, poses: Poses, stresses: Ar
             through[closer.name] = wrench
             seats[closer.name] = child
     every = dict.fromkeys(name for cut in m.cuts for name in passed(cut))
-    return {name: _free(_at_frame(through[name], *seats[name])) for name in every}
+    wrenches = {name: _at_frame(through[name], *seats[name]) for name in every}
+    return SelfStresses(wrenches, {name: seats[name][1] * m.size for name in every})
 
 
 def passed(cut: CutRow) -> list[str]:
@@ -179,7 +239,7 @@ def _at_frame(wrench: Array, rotation: Array, position: Array) -> Array:
 # absolute coordinates
 
 
-def _of_rows(m: Mechanism, q: Array) -> Components:
+def _of_rows(m: Mechanism, q: Array) -> SelfStresses:
     """By the conditions of all joints: reactions follow from multipliers."""
     from ...runtime.models.finite_elements.assembled import Assembled
     from ...runtime.models.finite_elements.elements import State
@@ -187,7 +247,8 @@ def _of_rows(m: Mechanism, q: Array) -> Components:
     model = m.model
     source, named = model._source, model.manifest.elements.reactions
     assert isinstance(source, Assembled)
-    mesh, layout = source.results(model).mesh, model._layout
+    evaluator, layout = source.results(model), model._layout
+    mesh, in_trees = evaluator.mesh, model.manifest.elements.tree_joints
     groups = mesh.tables.groups
     having = [k for k, group in enumerate(groups) if "reaction" in group.kind.functions]
     r = layout.start("r") if m.r is None else m.r
@@ -195,13 +256,22 @@ def _of_rows(m: Mechanism, q: Array) -> Components:
 
     def reactions(lam: Array) -> dict[str, Array]:
         results = mesh.results("reaction", replace(at, lam=lam))
-        return {name: results[having.index(k)][row] for name, (k, row) in named.items()}
+        wrenches = {name: results[having.index(k)][row] for name, (k, row) in named.items()}
+        here = replace(at, lam=lam)
+        return wrenches | {n: evaluator.tree_reaction(k, here) for k, n in enumerate(in_trees)}
 
     none = reactions(np.zeros(len(m.rows)))
     stresses = null_space(m.jacobian(q))
     units = np.array([1.0] * 3 + [m.size] * 3)
-    brought: Mapping[str, list[Array]] = {name: [] for name in named}
+    brought: Mapping[str, list[Array]] = {name: [] for name in none}
     for stress in stresses:
         for name, wrench in reactions(stress / m.rows).items():
             brought[name].append((wrench - none[name]) * units)
-    return {name: _free(np.reshape(wrenches, (-1, 6))) for name, wrenches in brought.items()}
+    frames = model.manifest.elements.reaction_frames
+    return SelfStresses(
+        {name: np.reshape(wrenches, (-1, 6)) for name, wrenches in brought.items()},
+        {
+            name: evaluator.pose(frames[name], {"q": q, "t": np.array([m.t])})[:3, 3]
+            for name in none
+        },
+    )

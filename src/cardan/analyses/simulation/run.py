@@ -86,6 +86,8 @@ class Runner:
         self.functions = [model._function(name) for name in ("rhs", "power")[: 1 + power]]
         self.powered = power
         self.closing = Closing.of(model)
+        if model.manifest.absolute and settings.method.multipliers:
+            self.closing = self.closing.unwatched()
         self.closers = [model._function(name) for name in self.closing.functions]
         self.needed = [
             model._function(name) for name in (*settings.method.needs, *event_table.functions)

@@ -20,7 +20,8 @@ def overview(scene: FiniteElementRecord) -> str:
     """Sizes, names, and for every kind of element its members, rows and operations."""
     system, places = scene.system, scene.places
     lines = [
-        f"equations of '{system.name}' in absolute coordinates",
+        f"equations of '{system.name}' in absolute coordinates"
+        + (f" ({scene.reason})" if scene.reason and not system.segments else ""),
         f"  {counted(len(places), 'place')}, {counted(places.nq, 'coordinate')}, "
         f"{counted(places.nu, 'speed')}, "
         f"{sum(len(group) * group.kind.m for group in scene.groups)} multipliers, "

@@ -268,6 +268,7 @@ class FiniteElementRecord:
             the last places; ``states`` gives those of all others.
         lines: Places of the nodes of every segment of ``system.segments`` from start to end;
             GROUND where it ends at the ground, ON_TREE - k at body k of ``ends_q`` of ``states``.
+        reason: Why ``coordinates="auto"`` took them, "" where the user did.
     """
 
     system: System = field(repr=False)
@@ -282,6 +283,7 @@ class FiniteElementRecord:
     powers: tuple[str, ...] = ()
     reference: Numbers = field(default_factory=lambda: np.zeros(0), repr=False, compare=False)
     lines: tuple[Integers, ...] = field(default=(), repr=False, compare=False)
+    reason: str = field(default="", repr=False, compare=False)
 
     @cached_property
     def coordinates(self) -> tuple[str, ...]:

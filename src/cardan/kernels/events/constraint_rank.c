@@ -114,6 +114,7 @@ static real orthogonalize(cardan_run *run, int what, int anew, int taken)
     for (ptrdiff_t k = 0; k < run->rates; k++) {
         const real *row;
         real length;
+        ptrdiff_t first = 0, end = run->nu;
 
         if (anew)
             choose(run, what, k);
@@ -126,9 +127,15 @@ static real orthogonalize(cardan_run *run, int what, int anew, int taken)
         if (k >= run->constraint_rank)
             break;
         rank_margin = sqrt(length);
+        /* rows of joints reach a few speeds alone */
+        while (first < end && row[first] == 0)
+            first++;
+        while (end > first && row[end - 1] == 0)
+            end--;
         for (ptrdiff_t i = k + 1; i < run->rates && length > 0; i++) {
-            real *other = row_of(run, what, i), share = cardan_dot(row, other, run->nu) / length;
-            for (ptrdiff_t j = 0; j < run->nu; j++)
+            real *other = row_of(run, what, i);
+            const real share = cardan_dot(row + first, other + first, end - first) / length;
+            for (ptrdiff_t j = first; j < end && share != 0; j++)
                 other[j] -= share * row[j];
         }
     }

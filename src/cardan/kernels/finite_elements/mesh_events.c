@@ -160,7 +160,7 @@ static int respond(const cardan_mesh *mesh, const cardan_state *at, const jumpin
 
     for (ptrdiff_t j = 0; j < mesh->jumps && status == 0 && mesh->responses > 0; j++) {
         const real *velocity = all->J + j * mesh->nu;
-        if (all->rows[ROW * j + KIND] != RESPONSE)
+        if ((int)all->rows[ROW * j + KIND] != RESPONSE)
             continue;
         status = responds(mesh, &system, velocity, all->behind);
         *to++ = cardan_dot(velocity, all->behind, mesh->nu);
@@ -219,10 +219,11 @@ static void leave_out(const jumping *all, ptrdiff_t n, ptrdiff_t unilateral)
 {
     for (ptrdiff_t i = 0; i < n; i++) {
         real *row = all->rows + ROW * i, release = 0;
-        if (row[ACTIVE] == 0 || (row[KIND] != UNILATERAL && row[KIND] != SLOW_RELEASE))
+        const int kind = (int)row[KIND];
+        if (row[ACTIVE] == 0 || (kind != UNILATERAL && kind != SLOW_RELEASE))
             continue;
         /* against the impulse that gives it that speed where nothing else holds it */
-        if (row[KIND] == SLOW_RELEASE && unilateral > 1)
+        if (kind == SLOW_RELEASE && unilateral > 1)
             release = row[RELEASE_SPEED] / all->R[i * n + i];
         if (!(-all->P[i] <= release))
             row[ACTIVE] = 0;
@@ -238,7 +239,7 @@ static int jump(const cardan_mesh *mesh, const cardan_state *at, const jumping *
     int status = 0;
 
     for (ptrdiff_t i = 0; i < n; i++) {
-        const real kind = all->rows[ROW * i + KIND];
+        const int kind = (int)all->rows[ROW * i + KIND];
         active += all->rows[ROW * i + ACTIVE] != 0;
         unilateral += kind == UNILATERAL || kind == SLOW_RELEASE;
     }

@@ -213,7 +213,8 @@ static void take_powers(const cardan_mesh *mesh, const cardan_group *g,
         add_switches(to, g, some, out);
     if (g->m == 0)
         return;
-    add_columns(to->powers[0], mesh, g, some, out + starts[CARDAN_G] * lanes);
+    add_columns(to->powers[0], mesh, g, some,
+                out + starts[starts[CARDAN_L] >= 0 ? CARDAN_L : CARDAN_G] * lanes);
     add_rows(to->powers[0], mesh, g, some, g->places, g->m, out + starts[CARDAN_G] * lanes);
     if (starts[CARDAN_R] >= 0)
         add_rows(to->powers[1], mesh, g, some, g->places, g->m, out + starts[CARDAN_R] * lanes);

@@ -38,12 +38,12 @@ static ptrdiff_t shift(const cardan_mesh *mesh, ptrdiff_t j, real share, const r
 int cardan_mesh_slopes(const cardan_mesh *mesh, const cardan_state *at, const real *zdot,
                        const real *change, real *z, real *slopes, real *room)
 {
-    cardan_state beside = *at;
+    cardan_state trial = *at;
     int status = 0;
 
-    beside.z = z;
+    trial.z = z;
     for (ptrdiff_t j = 0; status == 0 && shift(mesh, j, 1, change, z) > 0; j++) {
-        status = cardan_mesh_zdot(mesh, &beside, slopes + j * mesh->nz, room);
+        status = cardan_mesh_zdot(mesh, &trial, slopes + j * mesh->nz, room);
         (void)shift(mesh, j, -1, change, z);
         for (ptrdiff_t i = 0; i < mesh->nz; i++)
             slopes[j * mesh->nz + i] -= zdot[i];
@@ -88,29 +88,29 @@ void cardan_mesh_states_solve(const cardan_mesh *mesh, real re, real im, const r
 
     for (ptrdiff_t k = 0; k < mesh->group_count; k++) {
         const cardan_group *g = mesh->groups + k;
-        const ptrdiff_t own = g->z_states, n = y ? 2 * own : own;
+        const ptrdiff_t count = g->z_states, n = y ? 2 * count : count;
         real *a = block, *b = block + n * n;
         for (ptrdiff_t e = 0; e < g->count; e++) {
             const ptrdiff_t *z = g->z + e * g->nz;
-            for (ptrdiff_t i = 0; i < own; i++) {
+            for (ptrdiff_t i = 0; i < count; i++) {
                 b[i] = x[z[i]];
                 if (y)
-                    b[own + i] = y[z[i]];
-                for (ptrdiff_t j = 0; j < own; j++) {
+                    b[count + i] = y[z[i]];
+                for (ptrdiff_t j = 0; j < count; j++) {
                     const real slope = slopes[j * nz + z[i]] / change[z[j]];
                     a[i * n + j] = (i == j) - re * slope;
                     if (y) {
-                        a[(own + i) * n + own + j] = a[i * n + j];
-                        a[i * n + own + j] = im * slope;
-                        a[(own + i) * n + j] = -im * slope;
+                        a[(count + i) * n + count + j] = a[i * n + j];
+                        a[i * n + count + j] = im * slope;
+                        a[(count + i) * n + j] = -im * slope;
                     }
                 }
             }
             eliminate(n, a, b);
-            for (ptrdiff_t i = 0; i < own; i++) {
+            for (ptrdiff_t i = 0; i < count; i++) {
                 x[z[i]] = b[i];
                 if (y)
-                    y[z[i]] = b[own + i];
+                    y[z[i]] = b[count + i];
             }
         }
     }

@@ -215,7 +215,7 @@ static void rigid_part(const cardan_conserving *c, const cardan_group *g, const 
         }
         x += n;
     }
-    if (symmetry == RIGID) {
+    if (symmetry == (real)RIGID) {
         resisted(A, moment, w);
         return;
     }

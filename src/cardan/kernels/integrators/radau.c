@@ -21,6 +21,12 @@ static cardan_radau *now_of(const cardan_run *run)
     return (cardan_radau *)run->method_memory;
 }
 
+/* The derivative (n) at the start of the last step. */
+static real *start_of(const cardan_run *run)
+{
+    return run->method_memory + CARDAN_RADAU_NUMBERS + run->n;
+}
+
 static const cardan_radau_form *form_of(const cardan_run *run)
 {
     return run->mesh ? &cardan_radau_elements : &cardan_radau_rates;
@@ -28,7 +34,7 @@ static const cardan_radau_form *form_of(const cardan_run *run)
 
 static ptrdiff_t length(const cardan_run *run)
 {
-    return CARDAN_RADAU_NUMBERS + run->n + form_of(run)->length(run);
+    return CARDAN_RADAU_NUMBERS + 2 * run->n + form_of(run)->length(run);
 }
 
 /* Whether the indices stored with the factors are valid (memory may come from a file). */
@@ -49,9 +55,9 @@ static int prepare(cardan_run *run, real h)
     cardan_radau *now = now_of(run);
     int status = 0;
 
-    if (now->factored == h && now->reusable)
+    if (now->factored == h && now->reusable != 0)
         return 0;
-    if (!now->current) {
+    if (now->current == 0) {
         status = form_of(run)->jacobian(run, h);
         if (status != 0)
             return status;
@@ -171,7 +177,7 @@ static real asking(const cardan_radau *now, real h, real error, int count)
     real trend = 1;
 
     if (now->h != 0 && error > 0)
-        trend = fmin(1, h / now->h * pow(now->error / error, 1.0 / ORDER));
+        trend = fmin(1, h / now->h * pow(now->error / error, 1 / (real)ORDER));
     return error * pow(patience * trend, -ORDER);
 }
 
@@ -183,12 +189,12 @@ static void remember(cardan_run *run, real h, real error, real wish)
     form_of(run)->remember(run);
     /* accepted, but the controller asks for a smaller step */
     if (wish > 1 && error <= 1)
-        run->h *= fmax(0.2, pow(wish, -1.0 / ORDER));
+        run->h *= fmax(0.2, pow(wish, -1 / (real)ORDER));
     now->h = h;
     now->error = fmax(error, 0.01);
     now->current = 0;
     /* keep h if it would change little: this saves a new Jacobian and new factors */
-    if (now->reusable && fabs(run->h) >= SHRINK * fabs(h) && fabs(run->h) < GROW * fabs(h))
+    if (now->reusable != 0 && fabs(run->h) >= SHRINK * fabs(h) && fabs(run->h) < GROW * fabs(h))
         run->h = h;
 }
 
@@ -196,7 +202,11 @@ static void remember(cardan_run *run, real h, real error, real wish)
 static int step(cardan_run *run)
 {
     cardan_radau *now = now_of(run);
+    real *start = start_of(run);
     int status = cardan_refresh(run);
+
+    for (ptrdiff_t i = 0; i < run->n; i++)
+        start[i] = run->f[i];
 
     /* new segment (input corner or event): discard history and Jacobian */
     if (run->in_segment == 0) {
@@ -214,7 +224,7 @@ static int step(cardan_run *run)
         run->culprit = -1;
         failed = attempt(run, h, &error, &count);
         /* Newton failed with an old Jacobian: repeat the same step with a new one */
-        if (failed == CARDAN_TOO_SMALL && !now->current) {
+        if (failed == CARDAN_TOO_SMALL && now->current == 0) {
             now->reusable = 0;
             continue;
         }
@@ -233,19 +243,29 @@ static int step(cardan_run *run)
     return status != 0 ? status : CARDAN_STOPPED;
 }
 
-/* Dense output of degree 3: collocation polynomial of x, integral of the stage powers. */
+/* Dense output of degree 3: collocation polynomial of x, integral of the stage powers.
+ *
+ * Over elements coordinates have the slopes of their speeds at both ends, so that a gap that begins
+ * to open does not close again by an error of its rate; speeds, whose rates are stiff, do not.
+ */
 static int dense(cardan_run *run)
 {
     const ptrdiff_t n = run->n;
-    const real h = run->t - run->t_old, *k = run->k;
+    const real h = run->t - run->t_old, *k = run->k, *start = start_of(run);
+    real *rows = run->interpolant;
 
     for (ptrdiff_t i = 0; i < n; i++) {
-        run->interpolant[i] = run->y[i] - run->y_old[i];
+        rows[i] = run->y[i] - run->y_old[i];
+        if (run->mesh && i < run->nq) {
+            rows[n + i] = h * start[i] - rows[i];
+            rows[2 * n + i] = 2 * rows[i] - h * (start[i] + run->f[i]);
+            continue;
+        }
         for (int m = 1; m < 3; m++) {
             real sum = 0;
             for (int s = 0; s < 3; s++)
                 sum += i < run->nx ? DENSE[m][s] * k[s * n + i] : h * ENERGY[m][s] * k[s * n + i];
-            run->interpolant[m * n + i] = sum;
+            rows[m * n + i] = sum;
         }
     }
     run->is_dense = 1;

@@ -17,10 +17,10 @@ typedef struct cardan_radau {
 } cardan_radau;
 enum { CARDAN_RADAU_NUMBERS = (int)(sizeof(cardan_radau) / sizeof(real)) };
 
-/* Where the memory of a form begins: behind those numbers and a state (n). */
+/* Where the memory of a form begins: behind those numbers, a state (n) and a derivative (n). */
 static inline real *cardan_radau_memory(const cardan_run *run)
 {
-    return run->method_memory ? run->method_memory + CARDAN_RADAU_NUMBERS + run->n : NULL;
+    return run->method_memory ? run->method_memory + CARDAN_RADAU_NUMBERS + 2 * run->n : NULL;
 }
 
 /* What the polynomial of the last step on [0, 1], as rows (3, n) of a dense output, adds to entry i

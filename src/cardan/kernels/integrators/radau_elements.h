@@ -41,6 +41,7 @@ typedef struct cardan_radau_stages {
     real *rates;       /* (3, nu) of d - shift */
     real *states;      /* (3, nx) */
     real *maps;        /* (3, places, 9) tangents of the rotations d */
+    real *turns;       /* (3, places, 9) rotations of nodes since the start of the step */
     real *residual;    /* (3, nu + mp + m) */
     real *gaps;        /* (3, mp) of positions */
     real *kinematic;   /* (3, nu) what d misses of its rates, then its change */
@@ -54,15 +55,20 @@ typedef struct cardan_radau_stages {
 /* radau_elements.c */
 void cardan_radau_stages_at(const cardan_run *run, cardan_radau_stages *v);
 cardan_state cardan_radau_state(const cardan_run *run, const real *t, const real *x, const real *lam);
-/* rates (nu) of increments whose rotations have the tangents `maps` at speeds u; no status: they are
- * too large */
-int cardan_radau_chart_rates(const cardan_mesh *mesh, const real *maps, const real *u, real *rates);
+/* Sum of squares of increments d, speeds u and internal states z, each in units of its tolerance. */
 real cardan_radau_squares(cardan_run *run, const cardan_radau_stages *v, const real *d, const real *u,
                           const real *z, real *largest);
+/* radau_elements_newton.c; transform: a (3, n) = B a with a matrix over the stages */
+void cardan_radau_transform(const real B[3][3], ptrdiff_t n, real *a);
+int cardan_radau_elements_iterate(cardan_run *run, real h, real *size);
+int cardan_radau_place(cardan_run *run, const cardan_radau_stages *v, int stage);
+/* radau_elements_turn.c: vectors (nu) into the axes of a stage, or back from there */
+void cardan_radau_turns(const cardan_run *run, const cardan_radau_stages *v, int stage);
+void cardan_radau_forward(const cardan_radau_stages *v, int stage, real *x);
+void cardan_radau_backward(const cardan_radau_stages *v, int stage, real *x);
 /* radau_elements_end.c */
 int cardan_radau_elements_end(cardan_run *run, real h);
 int cardan_radau_elements_error(cardan_run *run, real h, int again, real *error);
 void cardan_radau_elements_remember(cardan_run *run);
-int cardan_radau_place(cardan_run *run, const cardan_radau_stages *v, int stage);
 
 #endif

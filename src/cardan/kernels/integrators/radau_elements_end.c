@@ -50,9 +50,11 @@ static void take_gaps(const cardan_radau_stages *v, const real *gaps, ptrdiff_t 
         system.right[i] = 0;
     for (ptrdiff_t k = 0; k < v->m; k++)
         system.right[v->mesh->unknown[k]] = k < count ? -gaps[k] : 0;
-    if (cardan_mesh_solve(v->mesh, &system) == 0)
-        for (ptrdiff_t i = 0; i < v->nu; i++)
-            x[i] += system.solution[i];
+    if (cardan_mesh_solve(v->mesh, &system) != 0)
+        return;
+    cardan_radau_forward(v, 2, system.solution);
+    for (ptrdiff_t i = 0; i < v->nu; i++)
+        x[i] += system.solution[i];
 }
 
 /* Newton's iterations end with gaps of their tolerance: take these to rounding. */
@@ -86,6 +88,7 @@ int cardan_radau_elements_end(cardan_run *run, real h)
         status = cardan_radau_place(run, &v, s);
     if (status == 0 && v.m > 0)
         status = polish(run, &v, h);
+    /* what dense output and energies interpolate, with the end as it was closed */
     for (int s = 0; s < 3; s++)
         for (ptrdiff_t i = 0; i < nx; i++)
             run->k[s * n + i] = v.states[s * nx + i] - run->y[i];
@@ -135,6 +138,7 @@ static int filter(cardan_run *run, const cardan_radau_stages *v, real h, const r
     real *rate = v->kinematic, *out = v->product, *x = v->padded;
     int status;
 
+    /* c M e + c^2 M E in one product */
     for (ptrdiff_t i = 0; i < n; i++)
         x[i] = 0;
     for (ptrdiff_t i = 0; i < nu; i++) {
@@ -148,6 +152,7 @@ static int filter(cardan_run *run, const cardan_radau_stages *v, real h, const r
     cardan_sparse_multiply(v->mesh->plan, v->powers[0], x, out);
     for (ptrdiff_t i = 0; i < nu; i++)
         system.right[i] = out[i] - (missing ? c * c * missing[i] : 0);
+    /* rows of constraints have e alone: accelerations of the start and the stages keep them */
     for (ptrdiff_t i = 0; i < nu; i++)
         x[i] = c * rate[i];
     cardan_sparse_multiply(v->mesh->plan, v->powers[0], x, out);
@@ -157,6 +162,7 @@ static int filter(cardan_run *run, const cardan_radau_stages *v, real h, const r
     for (ptrdiff_t i = 0; i < nu; i++)
         system.right[i] += c * out[i];
     status = cardan_mesh_solve(v->mesh, &system);
+    /* speeds follow from increments */
     for (ptrdiff_t i = 0; i < nu; i++) {
         v->error[i] = system.solution[i];
         v->error[nu + i] = system.solution[i] / c - rate[i];
@@ -181,6 +187,7 @@ int cardan_radau_elements_error(cardan_run *run, real h, int again, real *error)
         v.zdot[i] = run->f[nq + nu + i];
     if (again)
         status = evaluate_again(run, &v, v.residual, v.zdot);
+    /* internal states by themselves, the motion along its constraints */
     if (status == 0)
         status = filter(run, &v, h, speeds, again ? v.residual : NULL);
     if (status != 0)

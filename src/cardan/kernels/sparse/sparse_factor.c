@@ -193,7 +193,7 @@ static int replace(const cardan_sparse *plan, ptrdiff_t s, ptrdiff_t k, double *
     /* if D had only zeros there, take the size from the rest of the row */
     for (ptrdiff_t j = 0; scale == 0 && j < plan->later[s]; j++)
         scale = fmax(fabs(row[n + j]), fabs(row[plan->transposed[s] + j]));
-    /* a row of constraints that holds nothing, like one across the plane of a loop, is in units of 1 */
+    /* a constraint that no motion changes: its equation is empty, and any multiplier does */
     if (scale == 0 && plan->multiplier[k])
         scale = 1;
     small = fmax(REPLACEMENT * scale, plan->multiplier[k] ? BEYOND * size : 0);

@@ -30,7 +30,10 @@ class Evaluation(ABC):
     """
 
     _calls: Mapping[Key, Any]
-    _doubted: set[str]  # joints whose reaction was said to be open
+    _doubted: set[str]  # joints whose reaction was asked for
+    _loop_joints: dict[
+        str, bool
+    ]  # joints of redundant loops -> whether their reaction is determined
 
     @abstractmethod
     def _evaluate(
@@ -60,11 +63,19 @@ class Evaluation(ABC):
             what = kind or "frame"
             raise ModelError(f"{name}: {what} '{of}' does not exist.{near(of, names)}")
 
-    def _doubt(self, joint: str, q: State, t: ArrayLike, r: State | None) -> None:  # noqa: B027
-        """Warn where the reaction of a joint is not determined at states.
+    def _doubt(self, joint: str, q: State, t: ArrayLike, r: State | None) -> dict[str, bool]:
+        """Joints of loops, and whether their reactions are determined at states; a warning where
+        that of this joint is not.
 
         What tells it is an analysis: models that know analyses do.
         """
+        return {}
+
+    def _least_reaction(
+        self, joint: str, reactions: Mapping[str, Array], q: State, t: ArrayLike, r: State | None
+    ) -> Array:
+        """The reaction of least norm of a joint; likewise."""
+        return reactions[joint]
 
     @abstractmethod
     def _vector(self, block: str, value: object) -> Array:

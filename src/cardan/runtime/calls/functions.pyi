@@ -547,9 +547,10 @@ class Functions(Evaluation, metaclass=ABCMeta):
         """Wrench of parent on child at the child joint frame, in its axes.
 
         [Mx, My, Mz, Fx, Fy, Fz]. The system accelerates under tau and wrenches. Where redundant
-        constraints leave it undetermined one of the possible wrenches comes out, and a
-        SolveWarning says so once; see ``model.redundancy(q)``. Forces along the joint, such as
-        JointSpring, and its tau act through it: Mz of a hinge about z holds them.
+        constraints leave reactions undetermined those of least norm come out: the smallest sum over
+        the joints of squares of forces, and of moments over the largest distance between two of
+        them. A SolveWarning says so once; see ``model.redundancy(q)``. Forces along the joint,
+        such as JointSpring, and its tau act through it: Mz of a hinge about z holds them.
 
         Args:
             joint: name of a joint, with motion, cut or fixed

@@ -30,7 +30,19 @@ AFTER = {
     "energy": ("_energy",),
     "rhs_jacobian": ("_three", "x"),
     "inertial_parameters": ("_by_name",),
-    "reaction": ("_doubted", "joint", "q", "t", "r"),
+    "reaction": (
+        "_of_least_norm",
+        "joint",
+        "q",
+        "u",
+        "tau",
+        "wrenches",
+        "r",
+        "z",
+        "s",
+        "t",
+        "parameters",
+    ),
 }
 # summaries begin with them as they are
 SYMBOLS = {"udot", "tau", "h", "f", "g", "qdot", "lam", "phi", "p", "q", "d", "du"}
@@ -262,12 +274,30 @@ def _by_name(model: Evaluation, result: Array) -> dict[str, Any]:
     return {name: result[..., k][()] for k, name in enumerate(names)}
 
 
-def _doubted(
-    model: Evaluation, result: Array, joint: str, q: State, t: ArrayLike, r: State | None
+def _of_least_norm(
+    model: Evaluation,
+    result: Array,
+    joint: str,
+    q: State,
+    u: State,
+    tau: State | None,
+    wrenches: Any,
+    *more: Any,
 ) -> Array:
-    """A reaction, said once to be open where redundant constraints leave it so."""
-    bound = model.manifest.multipliers or model.manifest.cuts
-    if bound and joint not in model._doubted:
+    """A reaction; where redundant constraints leave it open that of least norm, said once."""
+    if not (model.manifest.multipliers or model.manifest.cuts):
+        return result
+    r, z, s, t, parameters = more
+    if joint not in model._doubted:
         model._doubted.add(joint)
-        model._doubt(joint, q, t, r)
-    return result
+        model._loop_joints |= model._doubt(joint, q, t, r)
+    if model._loop_joints.get(joint, True):
+        return result
+    call = {"q": q, "u": u, "tau": tau, "wrenches": wrenches, "r": r, "z": z, "s": s, "t": t}
+    blocks = {name: call.get(name) for name in FUNCTIONS["reaction"].arguments}
+    reactions = {joint: result}
+    for name in model._loop_joints:
+        if name != joint:
+            every = call | {"parameters": parameters, "joint": name}
+            reactions[name] = _general(model, ("reaction", name), blocks, every)
+    return into(model._least_reaction(joint, reactions, q, t, r), result)

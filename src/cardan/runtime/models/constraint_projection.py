@@ -24,6 +24,7 @@ if TYPE_CHECKING:
 
 CLOSED = 1e-11  # residuals relative to the size that are enough, as in kernels/run/close.c
 MOST_SIZES = 64  # that are remembered
+MOST_ORTHOGONALIZED = 20_000_000  # products for the rows of elements: some hundredths of a second
 
 
 @dataclass(frozen=True)
@@ -33,7 +34,8 @@ class Closing:
     Attributes:
         rows: Multipliers of the manifest, those of positions first.
         size: Of the mechanism, against which residuals count [m].
-        watched: Whether runs look out for places where branches meet: not those of elements.
+        watched: Whether runs look out for places where branches meet: of elements those of rigid
+            scenes that are not too large for it.
     """
 
     rows: tuple[MultiplierRow, ...]
@@ -47,7 +49,12 @@ class Closing:
         if not model.manifest.projected:
             rows = ()
         meshed = model.manifest.absolute
-        return cls(rows, size_of(model) if rows or meshed else 1.0, not meshed)
+        few = not model.manifest.beams and len(rows) ** 2 * model.nu <= MOST_ORTHOGONALIZED
+        return cls(rows, size_of(model) if rows or meshed else 1.0, few or not meshed)
+
+    def unwatched(self) -> Closing:
+        """The same for a method that passes places where branches meet by itself."""
+        return replace(self, watched=False)
 
     def loosened(self, tolerance: float) -> Closing:
         """The same where residuals up to a slack, without units, count as none."""
@@ -164,7 +171,7 @@ def project(model: LoadedModel, t: Array, x: Array, r: Array, s: Array, ledger: 
     rooms["quaternions"], run.quaternion_count = quaternions, len(quaternions)
     for name, room in rooms.items():
         setattr(run, name, room.ctypes.data)
-    if not closing.watched:
+    if model.manifest.absolute:
         run.mesh = model._source.mesh(model)
     for name, block, count in (("x", x, model.nx), ("r", r, model.nr), ("s", s, model.ns)):
         if block.shape != (len(t), count):

@@ -13,8 +13,9 @@ METHOD = Integrator(
     order=5,
     dense_order=3,
     adaptive=True,
-    applies="stiff springs, dampers and contacts, to many digits",
-    source="E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, IV.8",
+    applies="stiff springs, dampers and contacts, beams, to many digits",
+    source="E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, IV.8 "
+    "and VII.4 to VII.7",
     needs=("rhs_jacobian",),
     differenced=("rhs_jacobian",),
     conditions=("assembled", "increments"),

@@ -14,4 +14,5 @@ METHOD = Integrator(
     source="G. Steinebach, BIT Numerical Mathematics 63 (2023), 27 (Rodas5P)",
     needs=("rhs_jacobian",),
     differenced=("rhs_jacobian",),
+    conditions=("assembled",),
 )

@@ -260,7 +260,7 @@ class _Start:
 
     # names
 
-    def _moving(self, named: Mapping[str, Any], letter: str) -> dict[str, Any]:
+    def _moving(self, named: Mapping[str, object], letter: str) -> dict[str, object]:
         """Values of names but those of nodes that beams alone hold, which stay where they are."""
         staying = {*_free_node_entries(self.model, named, letter)}
         names = self.model.coordinates if letter == "q" else self.model.speeds

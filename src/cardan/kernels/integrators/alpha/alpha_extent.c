@@ -64,7 +64,7 @@ int cardan_alpha_first_step(cardan_run *run, const cardan_alpha *v, int order)
     jerk = constant * cardan_alpha_sparse_norm(run, v, v->dx, run->rtol, run->atol);
     /* if the probe fails, start with its step size; step size control may reduce it */
     if (status == 0 && isfinite(jerk))
-        probe = fmin(FARTHER * probe, jerk > 0 ? cbrt(CAREFUL / jerk) : INFINITY);
+        probe = fmin((real)FARTHER * probe, jerk > 0 ? cbrt(CAREFUL / jerk) : INFINITY);
     run->h = sign * fmin(probe, longest);
     return 0;
 }

@@ -230,10 +230,10 @@ class Results:
         at = self._at(inputs, udot=udot, lam=lam)
         joints = self.manifest.elements.tree_joints
         if joint in joints:
-            return self._sum_of_reactions(joints.index(joint), at)
+            return self.tree_reaction(joints.index(joint), at)
         return self._of_member("reaction", joint, at)
 
-    def _sum_of_reactions(self, joint: int, at: State) -> Array:
+    def tree_reaction(self, joint: int, at: State) -> Array:
         """The wrench (6,) of a joint of a rigid tree: shares of the elements that it carries."""
         total, form = np.zeros(6), "reactions"
         having = [g for g in self.tables.groups if form in g.kind.functions]

@@ -146,8 +146,8 @@ class Carrier:
             Transforms (4, 4) of ground axes of what each place carries, and a position (3,).
         """
         still = np.zeros(self.model.nu)
-        x = np.concatenate([q, still])
-        moves, ends = [], {GROUND: STILL, **self._tree_ends(q, still)}
+        x, moves = np.concatenate([q, still]), []
+        ends = {GROUND: STILL, **self._tree_ends(q, still)}
         for place in (one, other):
             at_node = place >= 0
             motion = motion_of(self.tables, self.reference, x, place) if at_node else ends[place]

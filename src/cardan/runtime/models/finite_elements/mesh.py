@@ -40,6 +40,7 @@ NEEDED = {
     "values": ("balance_tangent",),
     "close_position": ("balance", "balance_tangent"),
     "close_velocity": ("balance", "balance_tangent"),
+    "constraint_jacobian": ("balance_tangent",),
     "energy": ("energy",),
     "power": ("power", *SOLVED),
     "outputs": ("outputs", *SOLVED),
