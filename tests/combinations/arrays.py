@@ -5,17 +5,16 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from .covering import covering
-from .features import PRESENT, closed
+from .features import PRESENT
 from .uses import USES
 
 SIZE = 7
 
 
-def complete(names: Iterable[str]) -> tuple[str, ...]:
-    """Features with what they require, then uses."""
-    every = [*names]
-    uses = tuple(use for use in USES if use in every)
-    return (*closed(name for name in every if name not in USES), *uses)
+def ordered(names: Iterable[str]) -> tuple[str, ...]:
+    """Features in the order of the table, then uses; what they require is added to the scene."""
+    every = {*names}
+    return tuple(name for name in (*PRESENT, *USES) if name in every)
 
 
-SCENES: tuple[tuple[str, ...], ...] = tuple(covering((*PRESENT, *USES), SIZE, complete))
+SCENES: tuple[tuple[str, ...], ...] = tuple(covering((*PRESENT, *USES), SIZE, ordered))

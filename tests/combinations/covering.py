@@ -19,7 +19,7 @@ def covering(
     """Sets of about ``size`` names in which every pair occurs, found greedily.
 
     Each set begins with a pair that is left, and takes the name that covers the most pairs that are
-    left until it is full; of equals the one that has the most pairs left altogether, then the first.
+    left until it is full; of equals the one with the most pairs left altogether, then the first.
 
     Args:
         names: What is combined.
@@ -34,7 +34,7 @@ def covering(
     while left:
         degree = {name: sum(name in pair for pair in left) for name in names}
         first = min(left, key=lambda p: (-sum(degree[n] for n in p), sorted(order[n] for n in p)))
-        chosen = complete(first)
+        chosen = complete(sorted(first, key=order.__getitem__))
         while len(chosen) < size:
             gains = {
                 name: (len(pairs_of(complete((*chosen, name))) & left), degree[name], -order[name])

@@ -23,8 +23,8 @@ class Feature:
         add: Adds it to a mechanism; with False the same masses without the feature.
         requires: Features without which it cannot be.
         effect: What it changes: ``"motion"``, or ``"events"`` where it only records.
-        before: Added before the others: 0 under the mechanism, 1 in the chain, 2 beside it.
-        exists: Whether scenes can have it.
+        before: Added before the others: 0 under the mechanism, 1 in the chain, 2 beside it,
+            3 when all masses are there.
     """
 
     name: str
@@ -33,7 +33,6 @@ class Feature:
     requires: tuple[str, ...] = ()
     effect: str = "motion"
     before: int = 2
-    exists: bool = True
 
 
 FEATURES: dict[str, Feature] = {
@@ -51,7 +50,7 @@ FEATURES: dict[str, Feature] = {
         Feature("torsion spring", "forces", forces.torsion_spring),
         Feature("elastic drive", "forces", forces.elastic_drive),
         Feature("table", "forces", forces.table),
-        Feature("bushing", "forces", forces.bushing, exists=hasattr(cd, "Bushing")),
+        Feature("bushing", "forces", forces.bushing),
         Feature("line load", "forces", forces.line_load, requires=("beam",)),
         Feature("Coulomb friction", "forces", forces.coulomb),
         Feature("friction from reaction", "forces", forces.reaction_friction),
@@ -70,19 +69,19 @@ FEATURES: dict[str, Feature] = {
         Feature("second loop", "structure", structures.second_loop),
         Feature("redundant loop", "structure", structures.redundant_loop),
         Feature("beam", "structure", structures.beam, before=1),
-        Feature("cable", "structure", structures.cable, exists=hasattr(cd.Scene, "cable")),
+        Feature("cable", "structure", structures.cable),
         Feature("prescribed motion", "structure", structures.prescribed_motion),
         Feature("moving base", "structure", structures.moving_base, before=0),
-        Feature("gravity field", "structure", structures.gravity_field),
+        Feature("gravity field", "structure", structures.gravity_field, before=3),
     )
 }
-PRESENT = tuple(name for name, feature in FEATURES.items() if feature.exists)
+PRESENT = tuple(FEATURES)
 
 
 def closed(names: Iterable[str]) -> tuple[str, ...]:
     """Features with all that they require, in the order of the table."""
     every = set(names)
-    for name in names:
+    for name in tuple(every):
         every |= {*FEATURES[name].requires}
     return tuple(name for name in FEATURES if name in every)
 

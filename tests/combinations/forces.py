@@ -17,7 +17,7 @@ def spring_damper(made: Mechanism, present: bool) -> None:
 def torsion_spring(made: Mechanism, present: bool) -> None:
     """At the elbow."""
     if present:
-        made.scene.force("torsion", cd.JointSpring("elbow", 4.0, 0.05))
+        made.scene.force("torsion", cd.JointSpring("elbow", stiffness=4.0, damping=0.05))
 
 
 def elastic_drive(made: Mechanism, present: bool) -> None:
@@ -37,8 +37,15 @@ def table(made: Mechanism, present: bool) -> None:
 
 
 def bushing(made: Mechanism, present: bool) -> None:
-    """A rubber mount between the base and a body at the forearm."""
-    raise NotImplementedError("scenes cannot have a bushing yet")
+    """An engine on a rubber mount at the forearm; without the mount it is fixed."""
+    engine = made.scene.body("engine", mass=0.3, com=(0, 0.02, 0.01), inertia=(2e-3,) * 3)
+    place = made.forearm.at(0.1, 0.08, 0.02)
+    if not present:
+        made.scene.joint("mount", cd.Fixed(), place, engine)
+        return
+    made.scene.joint("mount", cd.Free(), place, engine)
+    stiffness, damping = (4.0, 5.0, 6.0, 200.0, 250.0, 300.0), (0.02,) * 3 + (1.0,) * 3
+    made.scene.force("rubber", cd.Bushing(place, engine, stiffness, damping))
 
 
 def line_load(made: Mechanism, present: bool) -> None:

@@ -36,13 +36,28 @@ class Route:
     made: Mechanism
     model: cd.CompiledModel
 
+    @property
+    def start(self) -> dict[str, dict[str, Any]]:
+        """Coordinates and speeds of its joints at the start.
+
+        Loops are closed at the nearest place, which every route finds to the root of rounding only.
+        """
+        q, u, _ = self.model.parts_of(self.model.initial())
+        rows = self.model.manifest.joints
+        return {
+            "q": {row.name: q[row.q[0] : sum(row.q)] for row in rows if row.q and row.q[1]},
+            "u": {row.name: u[row.u[0] : sum(row.u)] for row in rows if row.u and row.u[1]},
+        }
+
     def run(self, **options: Any) -> cd.Trajectory:
         """A motion with the inputs of the scene."""
         inputs = self.made.inputs or None
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", cd.SolveWarning)
             return self.model.simulate(
-                options.pop("t", [*TIMES]), inputs=inputs, **{**FINE, **options}
+                options.pop("t", [*TIMES]),
+                inputs=inputs,
+                **(options if "method" in options else FINE | options),
             )
 
 

@@ -67,8 +67,10 @@ def beam(made: Mechanism, present: bool) -> None:
 
 
 def cable(made: Mechanism, present: bool) -> None:
-    """A cable between the forearm and the base."""
-    raise NotImplementedError("scenes cannot have a cable yet")
+    """A cable between the forearm and the base, slack at first."""
+    if present:
+        ends = made.forearm.at(0.35, 0, 0), made.root.at(0.8, 0.1, 0.1)
+        made.scene.force("rope", cd.Cable(*ends, EA=60.0, length=0.65, damping=0.01))
 
 
 def prescribed_motion(made: Mechanism, present: bool) -> None:
@@ -94,7 +96,9 @@ def moving_base(made: Mechanism, present: bool) -> None:
 
 
 def gravity_field(made: Mechanism, present: bool) -> None:
-    """The pull of a heavy point below."""
+    """The pull of a heavy point below, on rigid bodies."""
     if present:
         center = made.scene.ground.at(0.5, 1.0, -3.0)
-        made.scene.force("planet", cd.CentralGravity(center, mu=30.0))
+        # with beams in the scene its bodies are named
+        bodies = [b for b in made.scene.bodies.values() if b.mass] if made.scene.beams else ()
+        made.scene.force("planet", cd.CentralGravity(center, mu=30.0, bodies=tuple(bodies)))

@@ -295,6 +295,23 @@ static void hand_on(const cardan_sparse *plan, ptrdiff_t s, const double *panel,
         }
 }
 
+/* Note how large rows that close loops are where they meet the unknowns of a supernode: what is left
+ * of one at its own pivot may be the rounding of numbers that canceled on the way there. */
+static void note_closing(const cardan_sparse *plan, ptrdiff_t s, const double *panel,
+                         cardan_sparse_factors *f)
+{
+    const ptrdiff_t n = plan->start[s + 1] - plan->start[s], width = plan->width[s];
+    const cardan_sparse_run *end = plan->run + plan->run_start[s + 1];
+
+    for (const cardan_sparse_run *i = plan->run + plan->run_start[s]; i < end; i++)
+        for (ptrdiff_t j = 0; j < i->size; j++) {
+            const double *column = panel + n + i->at + j;
+            double *scale = f->scale + i->place + j;
+            for (ptrdiff_t k = 0; k < n && plan->multiplier[i->place + j] == CLOSES; k++)
+                *scale = fmax(*scale, fabs(column[k * width]));
+        }
+}
+
 ptrdiff_t cardan_sparse_work(const cardan_sparse *plan)
 {
     return plan->n + plan->widest * plan->widest;
@@ -312,6 +329,7 @@ static int factor(const cardan_sparse *plan, const double *a, cardan_sparse_fact
          * when earlier supernodes were subtracted */
         for (ptrdiff_t i = 0; i < n; i++)
             cardan_larger(n, panel + i * width, f->scale + plan->start[s]);
+        note_closing(plan, s, panel, f);
         if (f->count)
             count(plan, s, panel, f);
         if (eliminate(plan, s, panel, f))
