@@ -20,16 +20,16 @@ extern const double cardan_default_s[cardan_ns + (cardan_ns == 0)];
 extern const cardan_export cardan_scene;
 
 enum {
-    cardan_nlam = 6, /* multipliers: those of positions, then the others */
-    cardan_npositions = 6, /* constraints of positions */
-    cardan_nplaces = 12, /* places: nodes and joints */
+    cardan_nlam = 0, /* multipliers: those of positions, then the others */
+    cardan_npositions = 0, /* constraints of positions */
+    cardan_nplaces = 11, /* places: nodes and joints */
     cardan_noutputs = 0, /* outputs */
     cardan_npowers = 0, /* sources of power */
     cardan_nevents = 0, /* events */
-    cardan_nunknowns = 73, /* speeds and multipliers */
-    cardan_nvalues = 1213, /* numbers of the sparse matrix */
-    cardan_ngroups = 3, /* groups of elements */
-    cardan_nnumbers = 1867 /* numbers of elements */
+    cardan_nunknowns = 61, /* speeds and multipliers */
+    cardan_nvalues = 1021, /* numbers of the sparse matrix */
+    cardan_ngroups = 5, /* groups of elements */
+    cardan_nnumbers = 1891 /* numbers of elements */
 };
 #include "elements.h"
 

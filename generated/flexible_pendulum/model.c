@@ -7,13 +7,6 @@
 /* generalized coordinates */
 const double cardan_default_q[cardan_nq + (cardan_nq == 0)] = {
     0.0, /* pin [rad] */
-    1.0, /* bar.start.qw */
-    0.0, /* bar.start.qx */
-    0.0, /* bar.start.qy */
-    0.0, /* bar.start.qz */
-    0.0, /* bar.start.px [m] */
-    0.0, /* bar.start.py [m] */
-    0.0, /* bar.start.pz [m] */
     1.0, /* bar.end.qw */
     0.0, /* bar.end.qx */
     0.0, /* bar.end.qy */
@@ -89,12 +82,6 @@ const double cardan_default_q[cardan_nq + (cardan_nq == 0)] = {
 /* generalized speeds */
 const double cardan_default_u[cardan_nu + (cardan_nu == 0)] = {
     0.0, /* pin.u [rad/s] */
-    0.0, /* bar.start.u.x [rad/s] */
-    0.0, /* bar.start.u.y [rad/s] */
-    0.0, /* bar.start.u.z [rad/s] */
-    0.0, /* bar.start.u.px [m/s] */
-    0.0, /* bar.start.u.py [m/s] */
-    0.0, /* bar.start.u.pz [m/s] */
     0.0, /* bar.end.u.x [rad/s] */
     0.0, /* bar.end.u.y [rad/s] */
     0.0, /* bar.end.u.z [rad/s] */
@@ -188,7 +175,7 @@ static const cardan_exported_function scene_functions[] = {
     {.name = "forward_dynamics", .function = forward_dynamics, .out = forward_dynamics_out_size},
 };
 static const ptrdiff_t quaternions[] = {
-    1, 8, 15, 22, 29, 36, 43, 50, 57, 64, 71,
+    1, 8, 15, 22, 29, 36, 43, 50, 57, 64,
 };
 static const double columns[] = {
     1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0,
@@ -196,16 +183,16 @@ static const double columns[] = {
     1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0,
     1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0,
     1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0,
-    1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0,
+    1.0,
 };
 const cardan_export cardan_scene = {
     .name = "flexible_pendulum",
-    .nq = 78,
-    .nu = 67,
+    .nq = 71,
+    .nu = 61,
     .nr = 0,
     .nz = 0,
     .ns = 0,
-    .zeros = 78,
+    .zeros = 71,
     .q = cardan_default_q,
     .u = cardan_default_u,
     .r = cardan_default_r,
@@ -217,9 +204,9 @@ const cardan_export cardan_scene = {
     .methods = NULL,
     .method_count = 0,
     .quaternions = quaternions,
-    .quaternion_count = 11,
-    .positions = 6,
-    .rates = 6,
+    .quaternion_count = 10,
+    .positions = 0,
+    .rates = 0,
     .size = 1.0,
     .columns = columns,
     .mesh = &mesh,

@@ -1,5 +1,5 @@
 /*
- * data_1__hellinger_reissner of flexible_pendulum
+ * data_1__hellinger_reissner_tree of flexible_pendulum
  * passes: reassociate
  *
  * Sizes: out 12, work 0, w 5
@@ -12,7 +12,7 @@
  */
 #include "cardan.h"
 
-CARDAN_API void prepare_data_1__hellinger_reissner(const wreal *p, wreal *CARDAN_RESTRICT w)
+CARDAN_API void prepare_data_1__hellinger_reissner_tree(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
     /* bar: section */
     const wreal bar_section_width = p[1]; /* m */
@@ -56,7 +56,7 @@ CARDAN_API void prepare_data_1__hellinger_reissner(const wreal *p, wreal *CARDAN
 
 #include "lanes.h"
 
-CARDAN_API int data_1__hellinger_reissner(const cardan_in *in, real *CARDAN_RESTRICT out,
+CARDAN_API int data_1__hellinger_reissner_tree(const cardan_in *in, real *CARDAN_RESTRICT out,
     real *CARDAN_RESTRICT work)
 {
     const wreal *const w = in->w;
@@ -80,5 +80,5 @@ CARDAN_API int data_1__hellinger_reissner(const cardan_in *in, real *CARDAN_REST
 
 #ifdef CARDAN_LOADED
 /* numbers of out, work, w and of the blocks that are read: see manifest.json */
-const int data_1__hellinger_reissner_sizes[] = {12, 0, 5, 0, 0, 0, 0, 0, 0, 6, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+const int data_1__hellinger_reissner_tree_sizes[] = {12, 0, 5, 0, 0, 0, 0, 0, 0, 6, 0, 0, 0, 0, 0, 0, 0, 0, 0};
 #endif

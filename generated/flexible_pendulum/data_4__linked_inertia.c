@@ -1,5 +1,5 @@
 /*
- * data_2__linked_inertia of flexible_pendulum
+ * data_4__linked_inertia of flexible_pendulum
  * passes: reassociate
  *
  * Sizes: out 10, work 0, w 7
@@ -12,7 +12,7 @@
  */
 #include "cardan.h"
 
-CARDAN_API void prepare_data_2__linked_inertia(const wreal *p, wreal *CARDAN_RESTRICT w)
+CARDAN_API void prepare_data_4__linked_inertia(const wreal *p, wreal *CARDAN_RESTRICT w)
 {
     /* bar: section */
     const wreal bar_section_width = p[1]; /* m */
@@ -48,7 +48,7 @@ CARDAN_API void prepare_data_2__linked_inertia(const wreal *p, wreal *CARDAN_RES
 
 #include "lanes.h"
 
-CARDAN_API int data_2__linked_inertia(const cardan_in *in, real *CARDAN_RESTRICT out,
+CARDAN_API int data_4__linked_inertia(const cardan_in *in, real *CARDAN_RESTRICT out,
     real *CARDAN_RESTRICT work)
 {
     const wreal *const w = in->w;
@@ -70,5 +70,5 @@ CARDAN_API int data_2__linked_inertia(const cardan_in *in, real *CARDAN_RESTRICT
 
 #ifdef CARDAN_LOADED
 /* numbers of out, work, w and of the blocks that are read: see manifest.json */
-const int data_2__linked_inertia_sizes[] = {10, 0, 7, 0, 0, 0, 0, 0, 0, 6, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+const int data_4__linked_inertia_sizes[] = {10, 0, 7, 0, 0, 0, 0, 0, 0, 6, 0, 0, 0, 0, 0, 0, 0, 0, 0};
 #endif
