@@ -22,7 +22,14 @@ from .equations.constraints.treatments import Treatment, treatment
 from .equations.finite_elements.lowering import lowered
 from .equations.finite_elements.nodal_scene import ends_with_nodes
 from .equations.finite_elements.record import FiniteElementRecord
-from .equations.formalism_choice import check_chooses, chosen_by, coordinates_with, element_reason
+from .equations.formalism_choice import (
+    check_chooses,
+    chosen_by,
+    chosen_options,
+    coordinates_with,
+    element_reason,
+    requested,
+)
 from .equations.record import EquationRecord
 from .errors import BuildError, CodegenError, DerivationError, SolveWarning, near, warn
 from .runtime.build import cache_folder as cache
@@ -128,15 +135,14 @@ def derive(
         system = topology.build(
             scene, specialize, (branches or {}) if solved else None, independent
         )
-    options = {"method": method, "constraints": constraints}
-    named_options = [name for name, value in options.items() if value != "auto"]
-    joint_options = {"speeds": speeds, "rewrites": rewrites, "branches": branches}
-    joint_options["independent"] = independent
-    named_options += [name for name, value in joint_options.items() if value is not None]
+    named_options = chosen_options(
+        {"method": method, "constraints": constraints},
+        {"speeds": speeds, "rewrites": rewrites, "branches": branches, "independent": independent},
+    )
     reason = ""
     if coordinates == "auto":
-        pieces = sum(cable.elements for cable in scene.cables.values() if cable.elements > 1)
-        reason = element_reason(system, pieces, bool(named_options))
+        cables = sum(cable.elements for cable in scene.cables.values() if cable.elements > 1)
+        reason = element_reason(system, cables, bool(named_options))
     if coordinates == "absolute" or reason:
         if reason and not system.segments and plane is None:
             plane = "auto"
@@ -252,7 +258,7 @@ def compile(
     )
     if isinstance(equations, FiniteElementRecord):
         return _of_elements(equations, directory, threads)
-    functions = _requested(equations, functions)
+    functions = requested(equations, functions)
     base = manifest.base(equations, functions)
     folder = Path(directory) if directory is not None else _workspace(equations, loops)
     _say_what_stays_open(equations, folder)
@@ -263,26 +269,30 @@ def compile(
         """Write the C of functions unless it is there."""
         for name, _ in keys:
             if name not in functions:
-                _requested(equations, (name,))  # raises where the system has no such function
+                requested(equations, (name,))  # raises where the system has no such function
                 raise DerivationError(
                     f"function '{name}' was not asked for: compile(..., functions=[..., '{name}'])"
                 )
         names = [equations.c_name(*key) for key in keys]
         by_name = dict(zip(names, keys, strict=True))
-        _add(folder, base, [_c_of(by_name[c_name]) for c_name in layout.missing(folder, names)])
+        missing = [by_name[c_name] for c_name in layout.missing(folder, names)]
+        _add(folder, base, [_c_of(equations, key, loops) for key in missing])
         return names
-
-    def _c_of(key: tuple[str, str | None]) -> tuple[CFile, Function | Recursion]:
-        """A function as C, and as what was written so."""
-        name, of = equations.system.name, key[1]
-        with stage(f"model '{name}': deriving and writing {' of '.join(filter(None, key))}"):
-            function = equations.form(*key, loops)
-            notes = equations.notes(*key, function)
-            return generate(function, model=name, notes=notes, of=of), function
 
     model = CompiledModel(folder, provide, threads=threads, available=functions)
     _say_what_is_not_checked(model)
     return model
+
+
+def _c_of(
+    equations: EquationRecord, key: tuple[str, str | None], loops: bool | None
+) -> tuple[CFile, Function | Recursion]:
+    """A function as C, and as what was written so."""
+    name, of = equations.system.name, key[1]
+    with stage(f"model '{name}': deriving and writing {' of '.join(filter(None, key))}"):
+        function = equations.form(*key, loops)
+        notes = equations.notes(*key, function)
+        return generate(function, model=name, notes=notes, of=of), function
 
 
 def _add(
@@ -304,29 +314,12 @@ def _add(
 
 def _say_what_is_not_checked(model: CompiledModel) -> None:
     """Warn where builds of a model are compared with nothing but what they were written from."""
-    why = unjudged(model)
-    if why:
+    if why := unjudged(model):
         warn(
             f"model '{model.name}': its builds are {why}. They are compared with the expressions "
             "they were written from alone; model.verify() says so function by function",
             SolveWarning,
         )
-
-
-def _requested(equations: EquationRecord, functions: Sequence[str]) -> tuple[str, ...]:
-    """The functions asked for; of the usual ones those that the system has.
-
-    Raises:
-        DerivationError: one does not exist.
-    """
-    available = equations.names()
-    if functions is STANDARD:
-        return tuple(name for name in STANDARD if name in available)
-    functions = (functions,) if isinstance(functions, str) else functions
-    for name in functions:
-        if name not in available:
-            equations.function(name)  # raises, with the near name
-    return tuple(functions)
 
 
 def _say_what_stays_open(equations: EquationRecord, folder: Path) -> None:
@@ -335,8 +328,7 @@ def _say_what_stays_open(equations: EquationRecord, folder: Path) -> None:
         return
     closure = feasibility(equations)
     if not closure.closes:
-        name = equations.system.name
-        warn(f"model '{name}', at its parameters: {closure}", SolveWarning)
+        warn(f"model '{equations.system.name}', at its parameters: {closure}", SolveWarning)
 
 
 def _of_elements(

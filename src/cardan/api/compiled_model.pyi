@@ -1022,9 +1022,9 @@ class CompiledModel(LoadedModel):
     def _doubt(
         self,
         joint: str,
-        q: Any,
-        t: Any,
-        r: Any,
+        q: State,
+        t: ArrayLike,
+        r: State | None,
     ) -> dict[str, bool]:
         """Joints of loops, and whether they are determined at the first, middle or last state.
 
@@ -1039,9 +1039,9 @@ class CompiledModel(LoadedModel):
         self,
         joint: str,
         reactions: Mapping[str, Array],
-        q: Any,
-        t: Any,
-        r: Any,
+        q: State,
+        t: ArrayLike,
+        r: State | None,
     ) -> Array:
         """Reactions (..., 6) of a joint of least norm.
 

@@ -11,7 +11,7 @@ World Congress on the Theory of Machines and Mechanisms, 1987.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import replace
 
 from ..errors import DerivationError, counted, near
@@ -148,18 +148,24 @@ def factorization(system: System) -> int:
     return total
 
 
-def element_reason(system: System, pieces: int, chosen: bool) -> str:
+def chosen_options(with_auto: Mapping[str, object], with_none: Mapping[str, object]) -> list[str]:
+    """Names of the options of joint coordinates that somebody chose."""
+    names = [name for name, value in with_auto.items() if value != "auto"]
+    return names + [name for name, value in with_none.items() if value is not None]
+
+
+def element_reason(system: System, cables: int, chosen: bool) -> str:
     """Why a system is derived element by element, "" where it has joint coordinates.
 
     Args:
         system: The system graph.
-        pieces: Of cables that have several, whose nodes couple with their neighbors alone.
+        cables: Number of elements of cables, whose nodes couple with their neighbors alone.
         chosen: Whether options of joint coordinates were chosen, which rigid scenes keep.
     """
     if system.segments:
         return counted(len(system.segments), "beam")
-    if pieces:
-        return f"{pieces} pieces of cables"
+    if cables:
+        return f"cables of {cables} elements"
     if chosen:
         return ""
     # elements have neither written equations nor friction that follows from reactions
@@ -185,3 +191,19 @@ def coordinates_with(functions: Collection[str], beams: bool) -> str | None:
         return None
     requested = {functions} if isinstance(functions, str) else {*functions}
     return None if requested <= {*OF_ELEMENTS} else "relative"
+
+
+def requested(equations: EquationRecord, functions: Sequence[str]) -> tuple[str, ...]:
+    """The functions asked for; of the usual ones those that the system has.
+
+    Raises:
+        DerivationError: one does not exist.
+    """
+    available = equations.names()
+    if functions is STANDARD:
+        return tuple(name for name in STANDARD if name in available)
+    functions = (functions,) if isinstance(functions, str) else functions
+    for name in functions:
+        if name not in available:
+            equations.function(name)  # raises, with the near name
+    return tuple(functions)

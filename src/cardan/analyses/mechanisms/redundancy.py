@@ -133,7 +133,9 @@ def redundancy(
     return report(Mechanism(model, t, r), position(model, q))
 
 
-def doubt(model: LoadedModel, joint: str, q: Any, t: Any, r: Any) -> dict[str, bool]:
+def doubt(
+    model: LoadedModel, joint: str, q: State, t: ArrayLike, r: State | None
+) -> dict[str, bool]:
     """Joints of loops, and whether they are determined at the first, middle or last state.
 
     Where that of the joint itself is not, a warning names all that are not, once; else there are
@@ -174,7 +176,12 @@ def doubt(model: LoadedModel, joint: str, q: Any, t: Any, r: Any) -> dict[str, b
 
 
 def least_reaction(
-    model: LoadedModel, joint: str, reactions: Mapping[str, Array], q: Any, t: Any, r: Any
+    model: LoadedModel,
+    joint: str,
+    reactions: Mapping[str, Array],
+    q: State,
+    t: ArrayLike,
+    r: State | None,
 ) -> Array:
     """Reactions (..., 6) of a joint of least norm.
 
@@ -192,7 +199,9 @@ def least_reaction(
     return result
 
 
-def _states(model: LoadedModel, q: Any, t: Any, r: Any) -> list[tuple[Mechanism, Array]]:
+def _states(
+    model: LoadedModel, q: State, t: ArrayLike, r: State | None
+) -> list[tuple[Mechanism, Array]]:
     """Mechanisms and positions (nq,) of states as functions of the model take them."""
     states = np.reshape(model._vector("q", q), (-1, model.nq))
     times = np.broadcast_to(np.ravel(t), len(states)) if np.size(t) > 1 else np.ravel(t)

@@ -50,8 +50,8 @@ class SelfStresses:
     def length(self) -> float:
         """Largest distance between two of the joints [m], 1 where they all act at one point."""
         places = np.array(list(self.places.values())).reshape(-1, 3)
-        between = places[:, None] - places[None]
-        return float(np.linalg.norm(between, axis=-1).max(initial=0.0)) or 1.0
+        distances = places[:, None] - places[None]
+        return float(np.linalg.norm(distances, axis=-1).max(initial=0.0)) or 1.0
 
 
 COMPONENTS = ("Mx", "My", "Mz", "Fx", "Fy", "Fz")

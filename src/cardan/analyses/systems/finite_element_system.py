@@ -15,7 +15,7 @@ from scipy.sparse import csr_array
 from ...arrays import Array
 from ...errors import ModelError
 from ...runtime.models.finite_elements.elements import Elements, State
-from ...runtime.models.finite_elements.frames import increments_between
+from ...runtime.models.finite_elements.frames import increments_from
 from ...runtime.models.finite_elements.joint_driven_nodes import leading
 from ...runtime.models.finite_elements.tables import Table, Tables
 from ...runtime.models.initial import start_of
@@ -320,9 +320,9 @@ class FiniteElementSystem(CompiledSystem):
     ) -> Array:
         """Derivative (k, n) of a function by a block, along increments for q; along some of it."""
         values = {"u": at.u, "z": at.z, "r": at.r}
-        own = values[block] if block in "zr" else None
+        sizes = values[block] if block in "zr" else None
         # inputs and internal states in parts of their own size, motions in those of the system
-        units = self.columns if own is None else np.maximum(1.0, np.abs(own))
+        units = self.columns if sizes is None else np.maximum(1.0, np.abs(sizes))
 
         def moved(step: Array) -> Array:
             if block == "q":
@@ -385,7 +385,7 @@ class FiniteElementSystem(CompiledSystem):
 
     def difference(self, q0: Array, q: Array) -> Array:
         """Same as :meth:`DynamicSystem.difference`, by Newton's method without quaternions."""
-        return increments_between(self.tables, q0, q)
+        return increments_from(self.tables, q0, q)
 
 
 def _extent(model: LoadedModel, tables: Tables) -> float:

@@ -156,8 +156,8 @@ class Ends:
             loads: Moment on end 1 in its axes, force on end 1 in ground axes, and of end 2.
         """
         total = Matrix.zeros(self.graph, len(self.speeds))
-        for k, spread in enumerate(self._spreads()):
-            total = total + spread.T @ Matrix.vstack(*loads[2 * k : 2 * k + 2])
+        for k, to_end in enumerate(self._spreads()):
+            total = total + to_end.T @ Matrix.vstack(*loads[2 * k : 2 * k + 2])
         return total
 
     def derivative(self, blocks: Sequence[Loads], loads: Loads) -> Matrix:

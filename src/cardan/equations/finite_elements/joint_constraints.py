@@ -188,7 +188,7 @@ class JointConstraint:
         speeds = [(axis, still) for axis in axes] + [(still, axis) for axis in axes]
         if body == self.parent:
             return [self._changes(*unit_twist, still, still) for unit_twist in speeds]
-        return [self._changes(still, still, *own) for own in speeds]
+        return [self._changes(still, still, *unit_twist) for unit_twist in speeds]
 
     def _changes(self, w_a: Matrix, v_a: Matrix, w_b: Matrix, v_b: Matrix) -> Seeds:
         """Changes of D, d and R_A at speeds of both nodes."""

@@ -93,7 +93,7 @@ def cable(model: LoadedModel, name: str, q: State, u: State | None = None) -> Ca
     speeds = np.zeros((*coordinates.shape[:-1], model.nu)) if u is None else u
     forces = np.asarray(model.element_forces(coordinates, speeds))
     names = [row.name for row in model.manifest.element_forces]
-    columns = [names.index(f"{piece}.force") for piece in elements]
+    columns = [names.index(f"{element}.force") for element in elements]
     return CableTension(name, _middles(len(elements)), forces[..., columns])
 
 
@@ -109,5 +109,5 @@ def cable_of_run(motion: TrajectoryRecord, name: str) -> CableTension:
         ArgumentError: there is no such cable.
     """
     elements = _element_names(motion.manifest, name)
-    tension = np.stack([motion[f"{piece}.force"] for piece in elements], axis=-1)
+    tension = np.stack([motion[f"{element}.force"] for element in elements], axis=-1)
     return CableTension(name, _middles(len(elements)), tension)

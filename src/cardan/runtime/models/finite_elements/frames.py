@@ -138,7 +138,7 @@ def rotation_vectors(matrices: Array) -> Array:
     return np.asarray(Rotation.from_matrix(matrices).as_rotvec())
 
 
-def increments_between(tables: Tables, q0: Array, q: Array) -> Array:
+def increments_from(tables: Tables, q0: Array, q: Array) -> Array:
     """Increments (nu,) along the speeds that lead from coordinates to others (nq,)."""
     change: Array = np.zeros(tables.nu)
     for k, kind in enumerate(tables.kinds):
