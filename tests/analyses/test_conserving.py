@@ -37,7 +37,7 @@ def rod(pinned: bool = True, inertia: str = "lumped") -> cd.CompiledModel:
     beam = scene.beam("rod", (0, 0, 0), (1, 0, 0), tube, RUBBER, elements=4, inertia=inertia)
     if pinned:
         scene.joint("pin", cd.Spherical(), scene.ground, beam.start)
-    return cd.compile(scene)
+    return cd.compile(scene, coordinates="absolute")
 
 
 def double_pendulum() -> cd.CompiledModel:

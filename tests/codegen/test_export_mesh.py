@@ -233,7 +233,7 @@ int main(void)
     static cardan_model model;
     static real x[cardan_nq + cardan_nu], p[cardan_np], r[cardan_nr + 1], out[10000];
     static int32_t columns[cardan_nvalues], starts[cardan_nunknowns + 1];
-    static ptrdiff_t unknowns[cardan_nlam];
+    static ptrdiff_t unknowns[cardan_nlam + 1];
     const real t = 0.5;
     const cardan_in in = {.t = &t, .q = x, .u = x + cardan_nq, .r = r, .w = model_w(&model)};
     real *work;
