@@ -125,9 +125,8 @@ def derive(
         DerivationError: no such method, or it does not take this system.
     """
     if coordinates not in COORDINATES:
-        raise DerivationError(
-            f"coordinates '{coordinates}' do not exist.{near(coordinates, COORDINATES)}"
-        )
+        known = near(coordinates, COORDINATES)
+        raise DerivationError(f"coordinates '{coordinates}' do not exist.{known}")
     if speeds and method != "auto":
         check_chooses(method)
     solved = branches is not None or independent or constraints == "closed_form"
@@ -139,15 +138,17 @@ def derive(
         {"method": method, "constraints": constraints},
         {"speeds": speeds, "rewrites": rewrites, "branches": branches, "independent": independent},
     )
-    reason = ""
+    reason, cables = "", 0
     if coordinates == "auto":
         cables = sum(cable.elements for cable in scene.cables.values() if cable.elements > 1)
         reason = element_reason(system, cables, bool(named_options))
     if coordinates == "absolute" or reason:
-        if reason and not system.segments and plane is None:
+        # rigid trees hang on the nodes of beams and cables; in long loops every body is a node
+        trees = coordinates == "auto" and bool(system.segments or cables)
+        if reason and not trees and plane is None:
             plane = "auto"
-        with stage(f"model '{scene.name}': deriving elements"):
-            return _absolute(system, named_options, plane, coordinates != "absolute", reason)
+        with stage(f"model '{scene.name}': deriving equations"):
+            return _absolute(system, named_options, plane, trees, reason)
     if plane not in (None, "auto"):
         raise DerivationError(
             f"plane='{plane}' belongs to absolute coordinates: take coordinates='absolute'"
@@ -199,8 +200,7 @@ def _absolute(
             f"{', '.join(f'{name}=' for name in named_options)}: for joint coordinates only. Leave "
             "out such arguments, or take coordinates='relative'"
         )
-    # rigid trees hang on the nodes of beams; where there are none, every body is a node
-    nodes = ends_with_nodes(system) if trees and (system.segments or not reason) else None
+    nodes = ends_with_nodes(system) if trees else None
     record = replace(lowered(system, plane, nodes), reason=reason)
     equations: FiniteElementEquations = face(record)
     return equations

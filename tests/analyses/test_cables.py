@@ -154,7 +154,7 @@ def accelerations(scene: cd.Scene, coordinates: str) -> Any:
 
 def test_every_kind_of_coordinates_has_the_same_accelerations() -> None:
     relative, energy = accelerations(crane(), "relative")
-    for coordinates in ("mixed", "absolute"):
+    for coordinates in ("auto", "absolute"):
         other, of_other = accelerations(crane(), coordinates)
         assert np.allclose(other, relative, rtol=1e-10, atol=1e-9)
         assert np.allclose(of_other, energy, rtol=1e-10)

@@ -89,16 +89,6 @@ def test_e2_a_changed_digit_in_a_steppers_file_is_found(tmp_path: Path) -> None:
         kind.read(tmp_path / "bad.npz")
 
 
-def test_e2_a_stepper_in_absolute_coordinates_is_kept_in_no_file(tmp_path: Path) -> None:
-    """It ended in a KeyError."""
-    scene = cd.Scene("arm")
-    arm = scene.body("arm", mass=1.0, inertia=(0.1, 0.1, 0.1), com=(0.3, 0, 0))
-    scene.joint("hinge", cd.Revolute("y"), scene.ground, arm)
-    model = cd.compile(cd.derive(scene, coordinates="absolute"))
-    with pytest.raises(cd.ModelError, match=r"run\.npz.*absolute coordinates.*kept in no file"):
-        model.stepper().save(tmp_path / "run.npz")
-
-
 # the cache
 
 ANSWER = "#include <stdlib.h>\nint answer(void) { return %d; }\n"

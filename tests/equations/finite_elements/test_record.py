@@ -98,15 +98,6 @@ def test_options_of_joint_coordinates_are_refused() -> None:
         cd.derive(model, coordinates="absolut")  # type: ignore[call-overload]
 
 
-def test_friction_from_reactions_is_refused_with_the_cure() -> None:
-    model = cd.Scene("stop", gravity=(0, 0, -9.81))
-    arm = model.body("arm", mass=1.0, com=(1, 0, 0), inertia=(1, 1, 1))
-    model.joint("hinge", cd.Revolute("y"), model.ground, arm)
-    model.force("rub", cd.Friction("hinge", mu=0.3, radius=0.01, smooth=0.1))
-    with pytest.raises(cd.DerivationError, match='coordinates="relative"'):
-        cd.derive(model, coordinates="absolute")
-
-
 def test_rows_of_positions_come_first() -> None:
     model = cd.Scene("two")
     for name in ("left", "right"):

@@ -25,6 +25,7 @@ from ...schema.blocks import of_rate
 from ..mechanisms.consistent_rates import read
 from ..simulation.settings import blocks, start
 from ..simulation.starts.finite_element_start import meshed_start, start_of_search
+from .carried_beams import TreeEnds
 from .central_differences import by_differences
 from .compiled_system import CompiledSystem
 from .dynamic_system import Internal, Moment, OutputJacobians, Parameters, Rates, Tangents
@@ -112,9 +113,9 @@ class FiniteElementSystem(CompiledSystem):
     @cached_property
     def _corotating_motion(self) -> CorotatingMotion:
         names = [row.name for row in self.model.manifest.beams]
-        return CorotatingMotion(
-            self.tables, names, self.leading, self.columns, self.rows, self.size
-        )
+        sizes = self.columns, self.rows, self.size
+        ends = TreeEnds.of(self.model, self.tables)
+        return CorotatingMotion(self.tables, names, self.leading, *sizes, ends)
 
     def steady_state(self, at: Moment, named: Mapping[str, object]) -> Moment:
         """Same as :meth:`DynamicSystem.steady_state`:

@@ -19,12 +19,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, final
+from typing import TYPE_CHECKING, Any, final
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.sparse import coo_array, csr_array
-from scipy.sparse.csgraph import connected_components
 from scipy.spatial.transform import Rotation
 
 from ...arrays import Array
@@ -32,7 +31,11 @@ from ...runtime.models.finite_elements.frames import rotation
 from ...runtime.models.finite_elements.tables import Integers, Tables
 from ...runtime.verification.rotations import cross_matrix
 from ..statics.static_problem import scaled
-from .saddle_point import RANK, split
+from .carried_beams import TreeEnds, clusters
+from .saddle_point import fit
+
+if TYPE_CHECKING:
+    pass
 
 ALIKE = 1e-9  # twists that differ by less, of the largest, are one
 
@@ -83,6 +86,7 @@ class CorotatingMotion:
         leading: Whether a speed is that of a joint (nu,): those are told, the others follow.
         columns, rows: Units of speeds (nu,) and of constraints (m,).
         size: That of displacements.
+        tree_ends: Motion of the bodies of rigid trees that beams end at.
     """
 
     def __init__(
@@ -93,11 +97,15 @@ class CorotatingMotion:
         columns: Array,
         rows: Array,
         size: float,
+        tree_ends: TreeEnds,
     ) -> None:
-        self.tables, self.leading = tables, leading
+        self.tables, self.leading, self._tree_ends = tables, leading, tree_ends
         self._columns, self._rows = columns, rows
         self._size = size
-        self.cluster, self.names, self._fixed_names = _clusters(tables, beams)
+        self.cluster, self.names, self._fixed_names, ends = clusters(tables, beams)
+        # the first body of a tree in a cluster says how it moves, others have to go along
+        self._first_end = {c: k for k, c in reversed(list(enumerate(ends)))}
+        self._other_ends = [(k, c) for k, c in enumerate(ends) if self._first_end[c] != k]
 
     @cached_property
     def _sorts(self) -> tuple[_Nodes, ...]:
@@ -132,10 +140,55 @@ class CorotatingMotion:
     # speeds that belong to given ones
 
     def rigid_modes(self, q: Array) -> csr_array:
-        """T (nu, k) without units: speeds by those that are told alone, and twists of clusters."""
+        """T (nu, k) without units: speeds by those that are told alone, and twists of clusters.
+
+        Clusters that a body of a rigid tree belongs to move as its joints say.
+        """
+        T = self._modes_of_twists(q)
+        return csr_array(T @ self._carried_twists(q)) if self._first_end else T
+
+    def _end_twists(self, q: Array) -> Array:
+        """Twists of the bodies of trees without units by all speeds without units (n, 6, nu)."""
+        twists = self._tree_ends.jacobians(q) * self._columns
+        twists[:, 3:] /= self._size
+        return twists
+
+    def _alone(self) -> Integers:
+        """Speeds that are told alone."""
+        return np.flatnonzero(np.repeat(self.cluster, np.diff(self.tables.u)) < 0)
+
+    def _carried_twists(self, q: Array) -> csr_array:
+        """P: speeds told alone and twists of all clusters by those that are left."""
+        alone, count = self._alone(), len(self.names)
+        by_trees = self._end_twists(q)
+        left = [c for c in range(count) if c not in self._first_end]
+        P = np.zeros((len(alone) + 6 * count, len(alone) + 6 * len(left)))
+        P[: len(alone), : len(alone)] = np.eye(len(alone))
+        for c in range(count):
+            rows = slice(len(alone) + 6 * c, len(alone) + 6 * c + 6)
+            if c in self._first_end:
+                P[rows, : len(alone)] = by_trees[self._first_end[c]][:, alone]
+            else:
+                first = len(alone) + 6 * left.index(c)
+                P[rows, first : first + 6] = np.eye(6)
+        return csr_array(P)
+
+    def _missed_twists(self, q: Array) -> Array:
+        """By which twists other bodies of trees in a cluster miss the first one's (n, k)."""
+        if not self._other_ends:
+            return np.zeros((0, 1))
+        alone, by_trees = self._alone(), self._end_twists(q)
+        rows = [
+            by_trees[k][:, alone] - by_trees[self._first_end[c]][:, alone]
+            for k, c in self._other_ends
+        ]
+        width = self._carried_twists(q).shape[1]
+        return np.hstack([np.vstack(rows), np.zeros((6 * len(rows), width - len(alone)))])
+
+    def _modes_of_twists(self, q: Array) -> csr_array:
+        """T with a twist of its own for every cluster."""
         tables, moved = self.tables, self.motion(q, np.zeros(self.tables.nu))
-        independent = np.repeat(self.cluster, np.diff(tables.u)) < 0
-        alone = np.flatnonzero(independent)
+        alone = self._alone()
         i, j, values = [alone], [np.arange(len(alone))], [np.ones(len(alone))]
         # speeds of a node from the twist of its cluster: rotation of axes and lever arms
         blocks = _blocks(len(moved.p))
@@ -176,8 +229,12 @@ class CorotatingMotion:
         T = self.rigid_modes(q)
         hard = np.concatenate([(self._plain(G) @ T).toarray(), T[rows].toarray()])
         right = np.concatenate([-drift / self._rows, values / self._columns[rows]])
+        if self._other_ends:
+            missed = self._missed_twists(q)
+            hard = np.concatenate([hard, missed])
+            right = np.concatenate([right, np.zeros(len(missed))])
         joint_rows = T[self.leading].toarray()
-        solution = _fit(hard, right, joint_rows, np.zeros(len(joint_rows)))
+        solution = fit(hard, right, joint_rows, np.zeros(len(joint_rows)))
         return (T @ solution) * self._columns, hard @ solution - right
 
     def rates(self, q: Array, u: Array, G: Any, gamma: Array) -> Array:
@@ -185,13 +242,23 @@ class CorotatingMotion:
         T, moved = self.rigid_modes(q), self.motion(q, u)
         centripetal = np.zeros((len(moved.p), 6))
         centripetal[self._clustered, 3:] = np.cross(moved.omega, moved.v)[self._clustered]
-        centripetal_speeds = self._gathered(centripetal)
+        centripetal_speeds = self._gathered(centripetal) + self._tree_rates(q, u)
         joint_rows = T[self.leading].toarray()
         right = (gamma - G @ centripetal_speeds) / self._rows
-        solution = _fit(
-            joint_rows, np.zeros(len(joint_rows)), (self._plain(G) @ T).toarray(), right
-        )
+        solution = fit(joint_rows, np.zeros(len(joint_rows)), (self._plain(G) @ T).toarray(), right)
         return np.asarray(centripetal_speeds + (T @ solution) * self._columns)
+
+    def _tree_rates(self, q: Array, u: Array) -> Array:
+        """Rates (nu,) of the speeds of nodes as the twists of bodies of trees change."""
+        if not self._first_end:
+            return np.zeros(self.tables.nu)
+        rates = self._tree_ends.rates(q, u)
+        rates[:, 3:] /= self._size
+        twists = np.zeros((len(self.names), 6))
+        for c, k in self._first_end.items():
+            twists[c] = rates[k]
+        full = np.concatenate([np.zeros(len(self._alone())), twists.ravel()])
+        return np.asarray((self._modes_of_twists(q) @ full) * self._columns)
 
     def _plain(self, G: object) -> Any:
         """G without units."""
@@ -322,42 +389,6 @@ class CorotatingMotion:
         matrix = csr_array(coo_array(entries, (self.tables.nu, self.tables.nu)))
         matrix.eliminate_zeros()
         return matrix
-
-
-def _clusters(
-    tables: Tables, beams: Sequence[str]
-) -> tuple[Integers, list[str], NDArray[np.bool_]]:
-    """Cluster of every place that moves as one body, -1 for none;
-
-    a beam of each; the fixed ones.
-    """
-    count = len(tables.kind)
-    lines = [np.zeros(0, dtype=np.intp), *tables.beams]
-    first = [np.full(len(line), line[:1].sum()) for line in lines]
-    # the ground is one place more, bodies of rigid trees that beams end at come behind
-    ends = tuple(np.where(x < 0, count - 1 - x, x) for x in map(np.concatenate, (first, lines)))
-    size = 1 + max(count, *(int(x.max(initial=0)) for x in ends))
-    graph = coo_array((np.ones(len(ends[0])), ends), (size, size))
-    label = connected_components(graph, directed=False)[1]
-    cluster, names = np.full(count, -1, dtype=np.intp), list[str]()
-    numbers: dict[int, int] = {}
-    for line, name in zip(tables.beams, beams, strict=True):
-        component = int(label[count - 1 - line[0] if line[0] < 0 else line[0]])
-        if component not in numbers:
-            numbers[component] = len(names)
-            names.append(name)
-            cluster[label[:count] == component] = numbers[component]
-    immobile = np.array([component == label[count] for component in numbers], dtype=bool)
-    return cluster, names, immobile
-
-
-def _fit(hard: Array, right: Array, desired: Array, target: Array) -> Array:
-    """Solve equations exactly, and others as well as possible; the smallest of all solutions."""
-    U, s, Z, V = split(hard)
-    solution: Array = V @ ((U.T @ right) / s)
-    if len(desired) and Z.shape[1]:
-        solution = solution + Z @ np.linalg.lstsq(desired @ Z, target - desired @ solution, RANK)[0]
-    return solution
 
 
 def _blocks(n: int) -> Array:

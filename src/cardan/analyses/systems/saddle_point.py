@@ -378,3 +378,12 @@ def near_quadratic(
     room = min(2 * n, max(3 * count + 2, 40))
     values, vectors = eigs(operator, count, v0=start, ncv=room)
     return shift + 1.0 / values, vectors[:n]
+
+
+def fit(hard: Array, right: Array, desired: Array, target: Array) -> Array:
+    """Solve equations exactly, and others as well as possible; the smallest of all solutions."""
+    U, s, Z, V = split(hard)
+    solution: Array = V @ ((U.T @ right) / s)
+    if len(desired) and Z.shape[1]:
+        solution = solution + Z @ np.linalg.lstsq(desired @ Z, target - desired @ solution, RANK)[0]
+    return solution
