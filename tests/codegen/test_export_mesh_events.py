@@ -115,7 +115,7 @@ def folders(tmp_path_factory: pytest.TempPathFactory) -> dict[float | None, Path
 def test_a_beam_with_a_controller_and_a_stop(
     method: str, sample: float | None, folders: dict[float | None, Path], builder: Builder
 ) -> None:
-    how = {"step": STEPS[method]} if method in STEPS else {"rtol": 1e-9, "atol": 1e-12}
+    how = {"step": STEPS[method]} if method in STEPS else {"rtol": 1e-11, "atol": 1e-13}
     name: Any = cd.GeneralizedAlpha(0.8) if method == "alpha" else KERNELS[method].name
     model = cd.load_model(folders[sample])
     motion = model.simulate(np.linspace(0, SPAN, TIMES), method=name, **how)

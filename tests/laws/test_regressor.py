@@ -16,7 +16,7 @@ from mechanisms import ZOO
 from spread import some
 
 # members with forces that are linear in none of their numbers: motors, given forces
-DRIVEN = {"damped", "driven", "gyrostat"}
+DRIVEN = {"mounts", "damped", "driven", "gyrostat"}
 # members in which time or inputs move something
 MOVED = {"crane", "gyrostat", "dual_spin"}
 # members with forces on masses where their centers are: not linear in first moments

@@ -129,11 +129,13 @@ class FiniteElementSystem(CompiledSystem):
         largest = float(np.abs(moment.u / self.columns).max(initial=0.0))
         said = ", ".join(f"'{name}'" for name in named) or "prescribed motions"
         if np.abs(open_by).max(initial=0.0) > OPEN * max(1.0, largest):
-            rows = np.abs(open_by[: len(self.rows)])
-            joint = self.model.manifest.multipliers[int(rows.argmax())].joint
+            rows, where = np.abs(open_by[: len(self.rows)]), "a beam would be strained"
+            if rows.max(initial=0.0) > OPEN * max(1.0, largest):
+                joint = self.model.manifest.multipliers[int(rows.argmax())].joint
+                where = f"joint '{joint}' would come apart"
+            gap = np.abs(open_by).max()
             raise ModelError(
-                f"speeds of {said} are inconsistent: joint '{joint}' would come apart at "
-                f"{rows.max():.3g}. Leave one of them out"
+                f"speeds of {said} are inconsistent: {where} at {gap:.3g}. Leave one of them out"
             )
         separated = self._corotating_motion.relative_motion(at.q, moment.u)
         if separated:

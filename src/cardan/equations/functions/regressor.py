@@ -158,15 +158,19 @@ class Columns:
         quantities = force.element.quantities()
         linear = [name for name in force.element.linear() if name in at.data]
         linear = [name for name in linear if constant(at.data[name])]
-        nothing = {name: Matrix.zeros(k.graph, 1) for name in linear}
+        nothing = {name: Matrix.zeros(k.graph, at.data[name].rows) for name in linear}
         bare = summed(k, (force,), nothing)
         columns = []
-        for name in linear:
-            one = {name: Matrix.vector(k.graph, [ONE])}
+        entries = [(name, n) for name in linear for n in range(at.data[name].rows)]
+        for name, entry in entries:
+            data, quantity = at.data[name], quantities[name]
+            one = {name: Matrix.identity(k.graph, data.rows).column(entry)}
             loads = summed(k, (force,), {**nothing, **one})
             force_of, power = self._needed(loads) - self._needed(bare), _power(k, loads, bare)
-            full, value = dotted(force.name, name), at.data[name][0].node
-            unit = self._unit_of(n, quantities[name].unit)
+            full, value, written = dotted(force.name, name), data[entry].node, quantity.unit
+            if data.rows > 1:
+                full, written = dotted(full, quantity.labels[entry]), quantity.units[entry]
+            unit = self._unit_of(n, written)
             kinetic, potential = self._rotating(loads), loads.potential - bare.potential
             columns.append(Column(full, unit, value, force_of, kinetic, potential, power))
         return columns
