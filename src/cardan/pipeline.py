@@ -125,8 +125,8 @@ def derive(
         DerivationError: no such method, or it does not take this system.
     """
     if coordinates not in COORDINATES:
-        known = near(coordinates, COORDINATES)
-        raise DerivationError(f"coordinates '{coordinates}' do not exist.{known}")
+        listed = near(coordinates, COORDINATES)
+        raise DerivationError(f"coordinates '{coordinates}' do not exist.{listed}")
     if speeds and method != "auto":
         check_chooses(method)
     solved = branches is not None or independent or constraints == "closed_form"
@@ -138,15 +138,10 @@ def derive(
         {"method": method, "constraints": constraints},
         {"speeds": speeds, "rewrites": rewrites, "branches": branches, "independent": independent},
     )
-    reason, cables = "", 0
+    reason, trees = "", False
     if coordinates == "auto":
-        cables = sum(cable.elements for cable in scene.cables.values() if cable.elements > 1)
-        reason = element_reason(system, cables, bool(named_options))
+        reason, trees = element_reason(system, scene.cables.values(), bool(named_options))
     if coordinates == "absolute" or reason:
-        # rigid trees hang on the nodes of beams and cables; in long loops every body is a node
-        trees = coordinates == "auto" and bool(system.segments or cables)
-        if reason and not trees and plane is None:
-            plane = "auto"
         with stage(f"model '{scene.name}': deriving equations"):
             return _absolute(system, named_options, plane, trees, reason)
     if plane not in (None, "auto"):
@@ -200,6 +195,7 @@ def _absolute(
             f"{', '.join(f'{name}=' for name in named_options)}: for joint coordinates only. Leave "
             "out such arguments, or take coordinates='relative'"
         )
+    plane = "auto" if reason and not trees and plane is None else plane
     nodes = ends_with_nodes(system) if trees else None
     record = replace(lowered(system, plane, nodes), reason=reason)
     equations: FiniteElementEquations = face(record)

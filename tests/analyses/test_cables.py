@@ -16,7 +16,7 @@ from cardan.topology.cables.hanging_shape import hanging
 from cardan.view.drawing import solids_of
 from table import each
 
-COORDINATES = ("relative", "mixed", "absolute")
+COORDINATES = ("relative", "auto", "absolute")
 EA, MASS, LENGTH, GRAVITY = 2000.0, 1.5, 10.0, 9.81
 
 

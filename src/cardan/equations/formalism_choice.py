@@ -13,6 +13,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import replace
+from typing import Protocol
 
 from ..errors import DerivationError, counted, near
 from ..schema.functions import OF_ELEMENTS, STANDARD
@@ -148,35 +149,45 @@ def factorization(system: System) -> int:
     return total
 
 
+class HasElements(Protocol):
+    """Something made of elements."""
+
+    @property
+    def elements(self) -> int:
+        """How many."""
+
+
 def chosen_options(with_auto: Mapping[str, object], with_none: Mapping[str, object]) -> list[str]:
     """Names of the options of joint coordinates that somebody chose."""
     names = [name for name, value in with_auto.items() if value != "auto"]
     return names + [name for name, value in with_none.items() if value is not None]
 
 
-def element_reason(system: System, cables: int, chosen: bool) -> str:
-    """Why a system is derived element by element, "" where it has joint coordinates.
+def element_reason(system: System, cables: Iterable[HasElements], chosen: bool) -> tuple[str, bool]:
+    """Why a system is derived element by element, and whether rigid trees keep their joints.
+
+    "" where it has joint coordinates. Rigid trees hang on the nodes of beams and cables; in long
+    loops every body is a node.
 
     Args:
         system: The system graph.
-        cables: Number of elements of cables, whose nodes couple with their neighbors alone.
+        cables: Of the scene: nodes between elements of one couple with their neighbors alone.
         chosen: Whether options of joint coordinates were chosen, which rigid scenes keep.
     """
     if system.segments:
-        return counted(len(system.segments), "beam")
-    if cables:
-        return f"cables of {cables} elements"
-    if chosen:
-        return ""
-    # elements have neither written equations nor friction that follows from reactions
-    if system.written or any(force.element.by_reaction for force in system.forces):
-        return ""
+        return counted(len(system.segments), "beam"), True
+    several = sum(cable.elements for cable in cables if cable.elements > 1)
+    if several:
+        return f"cables of {several} elements", True
+    # elements have no written equations; across a plane they have no reactions that rub
+    if chosen or system.written or any(force.element.by_reaction for force in system.forces):
+        return "", False
     loops = [{number for number, _ in cut.path} for cut in system.cuts]
     longest = max((_speeds(system, loop) for loop in loops), default=0)
     if longest > LONG_LOOP:
-        return f"a loop with {counted(longest, 'speed')}"
+        return f"a loop with {counted(longest, 'speed')}", False
     every = _speeds(system, set().union(*loops))
-    return f"loops with {counted(every, 'speed')}" if every > LOOPED else ""
+    return (f"loops with {counted(every, 'speed')}" if every > LOOPED else ""), False
 
 
 def _speeds(system: System, numbers: Iterable[int]) -> int:

@@ -145,7 +145,7 @@ class CorotatingMotion:
         Clusters that a body of a rigid tree belongs to move as its joints say.
         """
         T = self._modes_of_twists(q)
-        return csr_array(T @ self._carried_twists(q)) if self._first_end else T
+        return csr_array(T @ self._twists_by_trees(q)) if self._first_end else T
 
     def _end_twists(self, q: Array) -> Array:
         """Twists of the bodies of trees without units by all speeds without units (n, 6, nu)."""
@@ -157,7 +157,7 @@ class CorotatingMotion:
         """Speeds that are told alone."""
         return np.flatnonzero(np.repeat(self.cluster, np.diff(self.tables.u)) < 0)
 
-    def _carried_twists(self, q: Array) -> csr_array:
+    def _twists_by_trees(self, q: Array) -> csr_array:
         """P: speeds told alone and twists of all clusters by those that are left."""
         alone, count = self._alone(), len(self.names)
         by_trees = self._end_twists(q)
@@ -182,7 +182,7 @@ class CorotatingMotion:
             by_trees[k][:, alone] - by_trees[self._first_end[c]][:, alone]
             for k, c in self._other_ends
         ]
-        width = self._carried_twists(q).shape[1]
+        width = self._twists_by_trees(q).shape[1]
         return np.hstack([np.vstack(rows), np.zeros((6 * len(rows), width - len(alone)))])
 
     def _modes_of_twists(self, q: Array) -> csr_array:
