@@ -31,8 +31,8 @@ sets of seven in which every two features meet, each in two kinds of coordinates
 
 """
 LIMITS = """
-Gravity fields act on rigid bodies. In a scene with beams `bodies=` names them, as it does here; the
-pull of a field on the beam itself is not written yet.
+Gravity fields act on all that has mass, beams included. What a field does to a beam may change with
+the parameters of the scene, not with time or inputs.
 """
 Cells = dict[tuple[str, str, str], str]
 

@@ -11,13 +11,14 @@ from ..errors import ModelError, TopologyError, near
 from ..ir.function import live
 from ..ir.graph import ZERO, Graph
 from ..scene import checks
+from ..scene.body import Body
 from ..scene.masses import pulled
 from ..scene.origins import located
 from ..scene.scene import SceneRecord
 from . import internal_states, prescribed_motion, scene_warnings
 from .assembly import Assembly
 from .beams.nodal_scene import with_beams
-from .beams.segments import segments, settle
+from .beams.segments import Data, segments, settle
 from .cables.cable_parts import with_cables
 from .conversion import Converter
 from .drawing import announcements
@@ -114,7 +115,10 @@ def _build(
     places = internal_states.numbered(scene, convert)
     atoms = _atoms(scene, assembly)
     pointwise = [n for n, one in scene.forces.items() if not isinstance(one.element, LineLoad)]
-    forces = tuple(one for n in pointwise for one in _forces(model, assembly, n, places[n]))
+    on_beams = {one.force: dict(one.data) for segment in beams for one in segment.fields}
+    forces = tuple(
+        one for n in pointwise for one in _forces(model, assembly, n, places[n], on_beams.get(n))
+    )
     joints = prescribed_motion.prescribed(
         scene, assembly.joints, assembly.joint_number, convert, inputs
     )
@@ -254,23 +258,39 @@ def _atoms(scene: SceneRecord, assembly: Assembly) -> dict[str, Atom]:
 
 
 def _forces(
-    model: SceneRecord, assembly: Assembly, name: str, slots: tuple[int, int, int]
+    model: SceneRecord,
+    assembly: Assembly,
+    name: str,
+    slots: tuple[int, int, int],
+    on_beams: Data | None,
 ) -> tuple[Force, ...]:
-    """A force element; once for every body where it acts by mass."""
-    force, user = _force(model, assembly, name, slots), model.forces[name]
+    """A force element; once for every body where it acts by mass.
+
+    Args:
+        on_beams: Its data where beams have them already.
+    """
+    force, user = _force(model, assembly, name, slots, on_beams), model.forces[name]
     if user.element.masses() is None:
         return (force,)
+    # along beams their elements carry it
+    rigid = [body for body in pulled(model, user) if isinstance(body, Body)]
     return tuple(
         replace(
             force,
             data=force.data | assembly.weights[body],
             frames=force.frames | {"body": assembly.frame(body, body.name)},
         )
-        for body in with_rotors_on(assembly.model, pulled(model, user))
+        for body in with_rotors_on(assembly.model, rigid)
     )
 
 
-def _force(model: SceneRecord, assembly: Assembly, name: str, slots: tuple[int, int, int]) -> Force:
+def _force(
+    model: SceneRecord,
+    assembly: Assembly,
+    name: str,
+    slots: tuple[int, int, int],
+    data: Data | None = None,
+) -> Force:
     """A force element with its data, frames and joints found; its first slots in z, s and e."""
     convert, element = assembly.convert, model.forces[name].element
     joints = _joints(assembly, name, element)
@@ -278,7 +298,7 @@ def _force(model: SceneRecord, assembly: Assembly, name: str, slots: tuple[int, 
     if element.misfit(sliding):
         raise ModelError(f"force '{name}' ({element.kind}): {element.misfit(sliding)}")
     with convert.graph.made_by(name, "data"):
-        data = {
+        data = data or {
             key: convert.quantity(entry, internal_states.dotted(name, key), sliding)
             for key, entry in element.quantities().items()
         }

@@ -190,3 +190,39 @@ FOLLOWER_LOAD: Lines = (
     *SHARES,
     *SUPPORT,
 )
+
+_CENTER: Lines = (("ends from the center of the field", "d_1 = p_1 - p_c"), ("", "d_2 = p_2 - p_c"))
+_POINTS: Lines = (
+    ("share of the cubic in the shape, rho the mass per length",
+     "eta = 1 / (1 + 6 * (EI_2 / GA_3 + EI_3 / GA_2) / L ** 2)"),
+    ("halves of the mass at the points of Gauss: shares of both ends in their place",
+     "w_1 = 1 / 2 + (1 / 2 + eta / 6) / sqrt(3)"),
+    ("", "w_2 = 1 / 2 - (1 / 2 + eta / 6) / sqrt(3)"),
+    ("shares of the tangents, i = (1, 0, 0)", "c_1 = L * (1 + eta / sqrt(3)) / 12"),
+    ("", "c_2 = L * (1 - eta / sqrt(3)) / 12"),
+    ("places of both halves", "r_1 = w_1 * d_1 + w_2 * d_2 + c_1 * R_1 @ i - c_2 * R_2 @ i"),
+    ("", "r_2 = w_2 * d_1 + w_1 * d_2 + c_2 * R_1 @ i - c_1 * R_2 @ i"),
+)  # fmt: skip
+_ENDS: Lines = (
+    ("halves of the mass at the ends, rho the mass per length", "r_1 = d_1"),
+    ("", "r_2 = d_2"),
+)
+_PULLED: Lines = (
+    ("their pull", "F_1 = -(mu * rho * L / (2 * sqrt(dot(r_1, r_1)) ** 3) * r_1)"),
+    ("", "F_2 = -(mu * rho * L / (2 * sqrt(dot(r_2, r_2)) ** 3) * r_2)"),
+    ("potential energy",
+     "V = -(mu * rho * L / 2 * (1 / sqrt(dot(r_1, r_1)) + 1 / sqrt(dot(r_2, r_2))))"),
+)  # fmt: skip
+_ON_SHAPE: Lines = (
+    ("moments that hold the ends, in their axes",
+     "tau_1 = -(skew(i) @ R_1.T @ (c_1 * F_1 + c_2 * F_2))"),
+    ("", "tau_2 = skew(i) @ R_2.T @ (c_2 * F_1 + c_1 * F_2)"),
+    ("balance; a center that moves is held by F_1 + F_2",
+     "b = column(tau_1, -(w_1 * F_1 + w_2 * F_2), tau_2, -(w_2 * F_1 + w_1 * F_2))"),
+)  # fmt: skip
+_AT_ENDS: Lines = (
+    ("balance; a center that moves is held by F_1 + F_2",
+     "b = column(0 * F_1, -F_1, 0 * F_2, -F_2)"),
+)  # fmt: skip
+GRAVITY_FIELD: Lines = (*_CENTER, *_POINTS, *_PULLED, *_ON_SHAPE)
+GRAVITY_FIELD_LUMPED: Lines = (*_CENTER, *_ENDS, *_PULLED, *_AT_ENDS)

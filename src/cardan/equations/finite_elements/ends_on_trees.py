@@ -1,4 +1,4 @@
-"""Elements between ends of which joints of a rigid tree carry one or both.
+"""Elements between ends of which joints of a rigid tree carry some.
 
 What an element does to its ends, w = (moment in axes of the end, force in ground axes), is told
 along the speeds of the joints: with J of the end b = Jᵀ w. Of its tangent K, J follows both sides
@@ -16,6 +16,7 @@ from typing import ClassVar
 
 from ...elements.flexible.element import FlexibleElement
 from ...elements.flexible.element_ends import (
+    ENDS,
     LOADS,
     NAMES,
     PLACES,
@@ -47,7 +48,7 @@ from .record import BlockKind
 
 TREE, TREE_OFFSET = "tree", "tree_offset"
 # loads told end by end
-BY_END = tuple(f"{name}.{axis}" for name in NAMES for axis in ("mx", "my", "mz", "fx", "fy", "fz"))
+BY_END = ("mx", "my", "mz", "fx", "fy", "fz")
 # in place of a body: a node that no body of the scene has
 INSIDE = -2
 # leaves that stand for the load on an end while its place moves
@@ -206,12 +207,12 @@ class EndsOnTrees(Ends):
 
     Attributes:
         motion_of_tree: Of its bodies.
-        bodies: Number of the body of each end, :data:`GROUND` on the ground.
+        bodies: Number of the body of every end, :data:`GROUND` on the ground.
         by_end: Whether what acts on the ends is told end by end, not along the speeds.
     """
 
     motion_of_tree: TreeMotion = field(repr=False)
-    bodies: tuple[int, int]
+    bodies: tuple[int, ...]
     by_end: bool = False
 
     @property
@@ -220,9 +221,8 @@ class EndsOnTrees(Ends):
         return self.motion_of_tree.k
 
     @cached_property
-    def _ends(self) -> tuple[Place, Place]:
-        one, other = (self._end(k) for k in range(2))
-        return one, other
+    def _ends(self) -> tuple[Place, ...]:
+        return tuple(self._end(k) for k in range(len(self.kinds)))
 
     @property
     def places(self) -> tuple[Place, ...]:
@@ -230,7 +230,7 @@ class EndsOnTrees(Ends):
 
     def _end(self, k: int) -> Place:
         body, cls = self.bodies[k], END_CLASSES[self.kinds[k]]
-        attributes = tuple(self.number(f"{NAMES[k]}_{entry}") for entry in cls.data)
+        attributes = tuple(self.number(f"{ENDS[k]}_{entry}") for entry in cls.data)
         if issubclass(cls, TreeEnd):
             return cls(self.graph, attributes, 0, 0, self.motion_of_tree, body)
         joint = self.k.system.joints[body] if body != GROUND else None
@@ -239,18 +239,22 @@ class EndsOnTrees(Ends):
 
     @property
     def speeds(self) -> tuple[str, ...]:
-        return BY_END if self.by_end else blocks(self.k.system)["u"].entries
+        return self._by_end if self.by_end else blocks(self.k.system)["u"].entries
+
+    @property
+    def _by_end(self) -> tuple[str, ...]:
+        return tuple(f"{name}.{entry}" for name in ENDS[: len(self.kinds)] for entry in BY_END)
 
     @property
     def load_units(self) -> tuple[str, ...]:
         if self.by_end:
-            return ("",) * len(BY_END)
+            return ("",) * len(self._by_end)
         units = blocks(self.k.system)["du"].units
         return tuple(LOADS.get(unit, "") for unit in units)
 
     def directions(self, letter: str) -> list[dict[int, int]]:
         if self.by_end:
-            return [{} for _ in BY_END]
+            return [{} for _ in self._by_end]
         return self.motion_of_tree.directions if letter == "q" else super().directions(letter)
 
     def _entries(self, letter: str) -> Block:
@@ -265,14 +269,14 @@ class EndsOnTrees(Ends):
 
     def derivative(self, blocks: Sequence[Loads], loads: Loads) -> Matrix:
         if self.by_end:
-            return Matrix.zeros(self.graph, len(BY_END), len(BY_END))
+            return Matrix.zeros(self.graph, len(self._by_end), len(self._by_end))
         return super().derivative(blocks, loads)
 
     def joint_forces(self, loads: Matrix) -> JointForces:
         """What the joints of the tree transmit on account of the element.
 
         Args:
-            loads: Moments and forces on the ends, end by end (12, 1).
+            loads: Moments and forces on the ends, end by end (6 each).
         """
         k, wrenches = self.k, dict[int, tuple[Matrix, Matrix]]()
         for n, (place, body) in enumerate(zip(self.places, self.bodies, strict=True)):
@@ -287,34 +291,33 @@ class EndsOnTrees(Ends):
 
 
 class TreeElement:
-    """A flexible element with an end, or both, on bodies of a rigid tree.
+    """A flexible element with ends on bodies of a rigid tree.
 
     Its data are those of the joints that carry the ends, then its own.
 
     Args:
         scene: The scene.
         element: The element.
-        kinds: Of both ends.
-        bodies: Of both ends, :data:`GROUND` or :data:`INSIDE`.
+        kinds: Of its ends.
+        bodies: Of its ends, :data:`GROUND` or :data:`INSIDE`.
 
     Attributes:
-        cutting: What of the scene it couples besides the node inside the beam, if it has one.
+        cutting: What of the scene it couples besides nodes inside the beam.
     """
 
     def __init__(
         self,
         scene: Scene,
         element: FlexibleElement,
-        kinds: tuple[str, str],
-        bodies: tuple[int, int],
+        kinds: tuple[str, ...],
+        bodies: tuple[int, ...],
     ) -> None:
         self.element, self.kinds, self.cutting = element, kinds, Cutting(scene)
-        numbers = {GROUND: GROUND}
+        numbers = {body: self.cutting.node(body) for body in sorted({*bodies} - {INSIDE})}
         # nodes inside of beams come last
-        for body in sorted({*bodies} - {GROUND}, key=lambda body: body == INSIDE):
-            inner = body == INSIDE
-            numbers[body] = self.cutting.floating(NODE) if inner else self.cutting.node(body)
-        self.bodies = numbers[bodies[0]], numbers[bodies[1]]
+        self.bodies = tuple(
+            self.cutting.floating(NODE) if body == INSIDE else numbers[body] for body in bodies
+        )
         self.system = self.cutting.system_of()
 
     @property
@@ -323,7 +326,7 @@ class TreeElement:
         joints = [f"tree_{n + 1}" for n in range(len(self.cutting.data))]
         ends = [
             f"{name}_{entry}"
-            for name, kind in zip(NAMES, self.kinds, strict=True)
+            for name, kind in zip(NAMES, self.kinds, strict=False)
             for entry in END_CLASSES[kind].data
         ]
         return (*joints, *self.element.common, *self.element.geometric, *ends)
@@ -344,7 +347,8 @@ class TreeElement:
     def _reactions(self, ends: EndsOnTrees) -> Function:
         """Shares of the wrenches of the joints that carry its ends."""
         by_end = self.element.functions(replace(ends, by_end=True))["balance"]
-        loads = Matrix(ends.graph, 12, 1, by_end.outputs[0].nodes)
+        nodes_of_loads = by_end.outputs[0].nodes
+        loads = Matrix(ends.graph, len(nodes_of_loads), 1, nodes_of_loads)
         forces, nodes = ends.joint_forces(loads), list[int]()
         for i, number in self.cutting.moved.items():
             wrench = Matrix.vstack(forces.moment[number], forces.force[number])

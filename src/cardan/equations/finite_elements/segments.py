@@ -12,15 +12,17 @@ import numpy as np
 from ...arrays import Integers
 from ...elements.flexible import BEAMS, FLEXIBLE, INERTIAS
 from ...elements.flexible.element import FlexibleElement
+from ...elements.flexible.element_ends import CENTER, OFFSET
 from ...elements.flexible.element_ends import GROUND as AT_GROUND
 from ...elements.flexible.element_ends import NODE as AT_NODE
-from ...elements.flexible.element_ends import OFFSET
+from ...elements.flexible.gravity_field import GravityField
+from ...elements.flexible.node_set import FRAME
 from ...ir.function import Block, Function, Output
 from ...ir.graph import ZERO, Graph
 from ...ir.interpreter import evaluate
 from ...ir.matrix import Matrix
 from ...spatial.exponential import quaternion_of
-from ...topology.beams.segment_tables import Segment
+from ...topology.beams.segment_tables import Segment, numbered
 from ...topology.conversion import IDENTITY, ORIGIN
 from ..functions.blocks import parameters
 from .blocks import Holds
@@ -201,6 +203,15 @@ class _Builder:
         place = ON_TREE - self.tree_ends.index(frame.body)
         return _End(place, TREE if at_origin else TREE_OFFSET, data, frame.body)
 
+    def _center(self, number: int) -> _End | None:
+        """A center that moves, as an end; its frame is among the common data."""
+        body = self.system.frames[self.scene.frame(number)].body
+        if body < 0:
+            return None
+        tree = body in self.scene.in_trees
+        place = ON_TREE if tree else self.at[NODE, body]
+        return _End(place, TREE_OFFSET if tree else OFFSET, (), body)
+
     def _numbers(self, nodes: tuple[int, ...]) -> tuple[float, ...]:
         """Expressions at the values of the parameters: geometry of beams is fixed."""
         function = self._function("place", nodes)
@@ -264,17 +275,22 @@ class _Builder:
             poses: Of both nodes of every element in the reference configuration (n, 14).
             inside: What its nodes inside hold.
         """
-        for element, values in self._elements(segment):
+        for element, values, center in self._elements(segment):
             rows_of_elements = element.rows(segment.line.stations, poses)
+            centers = () if center is None else (center,)
             separate = [
                 end.place >= 0 and self._block_at(end.place, inside) != inside for end in ends
             ]
-            for part, (first, last), data in _parts(segment.line.elements, ends, separate):
-                kinds = first.kind, last.kind
-                places = np.stack([line[:-1][part], line[1:][part]], axis=1)
-                tree = (TREE in kinds or TREE_OFFSET in kinds) and self._tree(element, first, last)
+            runs = _parts(segment.line.elements, ends, separate, center is None)
+            for part, pair, data in runs:
+                every = (*pair, *centers)
+                kinds = tuple(end.kind for end in every)
+                columns = [line[:-1][part], line[1:][part]]
+                columns += [np.full(len(columns[0]), end.place) for end in centers]
+                places = np.stack(columns, axis=1)
+                tree = (TREE in kinds or TREE_OFFSET in kinds) and self._tree(element, every)
                 if tree:
-                    inner = places[:, [end.body == INSIDE for end in (first, last)]]
+                    inner = places[:, [end.body == INSIDE for end in every]]
                     named = np.tile([self.at[key] for key in tree.cutting.places], (len(places), 1))
                     places = np.hstack([named, inner]).astype(np.intp)
                 else:
@@ -298,14 +314,15 @@ class _Builder:
         """Block kind of a node of a segment."""
         return self.holds.here[self.keys[place]] if place < len(self.keys) else inside
 
-    def _tree(self, element: FlexibleElement, first: _End, last: _End) -> TreeElement:
+    def _tree(self, element: FlexibleElement, ends: Sequence[_End]) -> TreeElement:
         """The element with ends that joints of a rigid tree carry."""
-        return TreeElement(self.scene, element, (first.kind, last.kind), (first.body, last.body))
+        kinds, bodies = zip(*((end.kind, end.body) for end in ends), strict=True)
+        return TreeElement(self.scene, element, kinds, bodies)
 
     def _kind(
         self,
         element: FlexibleElement,
-        kinds: tuple[str, str],
+        kinds: tuple[str, ...],
         end_blocks: tuple[BlockKind, ...],
         tree: TreeElement | Literal[False] = False,
     ) -> Kind:
@@ -331,41 +348,44 @@ class _Builder:
             self._kinds[key] = kind
         return self._kinds[key]
 
-    def _elements(self, segment: Segment) -> Iterator[tuple[FlexibleElement, dict[str, int]]]:
-        """The elements that a segment is made of, with the expressions of their common data."""
+    def _elements(
+        self, segment: Segment
+    ) -> Iterator[tuple[FlexibleElement, dict[str, int], _End | None]]:
+        """The elements of a segment, expressions of their common data, and a center that moves."""
         values, strained = self._values(segment), BEAMS[segment.element]
-        yield strained, values
+        yield strained, values, None
         # what it carries for all acts once
         values = values | dict.fromkeys(strained.carries, ZERO)
         if values["rhoA"] != ZERO:
-            yield INERTIAS[segment.inertia], values
+            yield INERTIAS[segment.inertia], values, None
+            for one in segment.fields:
+                frame = self.system.frames[self.scene.frame(one.center)]
+                at = zip(FRAME, (*frame.rotation, *frame.position), strict=True)
+                place = {f"{CENTER}_{entry}": node for entry, node in at}
+                element = GravityField(one.element, lumped=segment.inertia == "lumped")
+                yield element, values | numbered(one.data) | place, self._center(one.center)
         for kind, names in ASIDE.items():
             entries = (x for name, x in values.items() if name.rstrip("_123") in names)
             if any(node != ZERO for node in entries):
-                yield FLEXIBLE[kind](), values
+                yield FLEXIBLE[kind](), values, None
 
     def _values(self, segment: Segment) -> dict[str, int]:
         """Common data by name; entries of vectors are numbered."""
-        data = {name: nodes for name, (_, _, nodes) in segment.data.items()}
-        values: dict[str, int] = {}
-        for name, nodes in (*data.items(), ("gravity", self.system.gravity)):
-            numbered = [f"{name}_{k + 1}" for k in range(len(nodes))]
-            values |= dict(zip(numbered if len(nodes) > 1 else [name], nodes, strict=True))
-        return values
+        return numbered({**segment.data, "gravity": (3, 1, self.system.gravity)})
 
 
 def _parts(
-    count: int, ends: Sequence[_End], separate: Sequence[bool]
+    count: int, ends: Sequence[_End], separate: Sequence[bool], still: bool
 ) -> Iterator[tuple[slice, tuple[_End, _End], tuple[float, ...]]]:
     """Runs of elements between ends of the same kinds, with the data of these ends.
 
     Where a node at an end holds other coordinates than those inside, its element is apart too. One
-    element from ground to ground cannot move: it is left out.
+    element from ground to ground cannot move: it is left out where nothing else does (``still``).
     """
     first, last = ends
     inner = _End(GROUND, AT_NODE, (), INSIDE)
     if count == 1:
-        if (first.kind, last.kind) == (AT_GROUND, AT_GROUND):
+        if still and (first.kind, last.kind) == (AT_GROUND, AT_GROUND):
             return
         yield slice(0, 1), (first, last), first.data + last.data
         return

@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from ...elements import material as materials
+from ...elements.forces.gravitation import Gravitation
 from ...elements.forces.line_load import LineLoad
 from ...elements.sections.section import Outline, SectionProperties
 from ...errors import ModelError, near
@@ -14,12 +15,13 @@ from ...ir.arithmetic import Scalar
 from ...ir.graph import ZERO
 from ...scene.beam import Beam
 from ...scene.beam_arguments import STRAINS
+from ...scene.masses import pulled
 from ...scene.scene import SceneRecord
 from ..assembly import Assembly
 from ..conversion import ORIGIN, Converter
 from ..system import Nodes
 from .beams import Laid
-from .segment_tables import Segment
+from .segment_tables import GravityOnBeam, Segment
 
 Data = dict[str, tuple[int, int, Nodes]]
 # of a shape with numbers of its own
@@ -33,7 +35,7 @@ def segments(scene: SceneRecord, assembly: Assembly) -> tuple[Segment, ...]:
     Raises:
         ModelError: numbers that no beam has.
     """
-    loads = _loads(scene, assembly.convert)
+    loads, fields = _loads(scene, assembly.convert), _fields(scene, assembly)
     materials = [_properties(beam, assembly.convert) for beam in scene.beams.values()]
     outlines = _checked(materials, assembly.convert)
     segments_built: list[Segment] = []
@@ -45,6 +47,7 @@ def segments(scene: SceneRecord, assembly: Assembly) -> tuple[Segment, ...]:
             Segment(
                 *(beam.name, beam.element, beam.inertia, frames[k], frames[k + 1], data, line),
                 outline,
+                fields[beam.name],
             )
             for k, line in enumerate(laid.lines)
         ]
@@ -163,6 +166,28 @@ def _checked(properties: Sequence[BeamProperties], convert: Converter) -> list[O
         outline = one.beam.section.outline(section)
         outlines.append(outline)
     return outlines
+
+
+def _fields(scene: SceneRecord, assembly: Assembly) -> dict[str, tuple[GravityOnBeam, ...]]:
+    """The gravity fields that pull every beam."""
+    fields: dict[str, tuple[GravityOnBeam, ...]] = dict.fromkeys(scene.beams, ())
+    for name, force in scene.forces.items():
+        element = force.element
+        if not isinstance(element, Gravitation):
+            continue
+        beams = [one for one in pulled(assembly.model, force) if isinstance(one, Beam)]
+        if not beams:
+            continue
+        place = assembly.model.place(f"force '{name}'", element.center, "center")
+        with assembly.graph.made_by(name, "data"):
+            center = assembly.frame(place, f"{name}.center")
+            data = {
+                key: assembly.convert.quantity(entry, f"{name}.{key}")
+                for key, entry in element.quantities().items()
+            }
+        for beam in beams:
+            fields[beam.name] += (GravityOnBeam(name, element, center, data),)
+    return fields
 
 
 def _loads(scene: SceneRecord, convert: Converter) -> dict[str, Data]:
