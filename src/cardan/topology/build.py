@@ -18,6 +18,7 @@ from ..scene.scene import SceneRecord
 from . import internal_states, prescribed_motion, scene_warnings
 from .assembly import Assembly
 from .beams.nodal_scene import with_beams
+from .beams.segment_tables import Segment
 from .beams.segments import Data, segments, settle
 from .cables.cable_parts import with_cables
 from .conversion import Converter
@@ -114,11 +115,7 @@ def _build(
     convert.moving = True
     places = internal_states.numbered(scene, convert)
     atoms = _atoms(scene, assembly)
-    pointwise = [n for n, one in scene.forces.items() if not isinstance(one.element, LineLoad)]
-    on_beams = {one.force: dict(one.data) for segment in beams for one in segment.fields}
-    forces = tuple(
-        one for n in pointwise for one in _forces(model, assembly, n, places[n], on_beams.get(n))
-    )
+    forces = _pointwise(model, assembly, places, beams)
     joints = prescribed_motion.prescribed(
         scene, assembly.joints, assembly.joint_number, convert, inputs
     )
@@ -255,6 +252,20 @@ def _atoms(scene: SceneRecord, assembly: Assembly) -> dict[str, Atom]:
             )
         convert.define(name, convert.graph.atom(name))
     return atoms
+
+
+def _pointwise(
+    model: SceneRecord,
+    assembly: Assembly,
+    places: Mapping[str, tuple[int, int, int]],
+    beams: Sequence[Segment],
+) -> tuple[Force, ...]:
+    """All force elements but the loads along beams."""
+    on_beams = {one.force: dict(one.data) for segment in beams for one in segment.fields}
+    names = [n for n, one in model.forces.items() if not isinstance(one.element, LineLoad)]
+    return tuple(
+        one for n in names for one in _forces(model, assembly, n, places[n], on_beams.get(n))
+    )
 
 
 def _forces(
