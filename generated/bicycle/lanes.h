@@ -14,24 +14,24 @@
 #if CARDAN_LANES > 1
 
 /* f lane by lane */
-CARDAN_INLINE void cardan_each(double (*f)(double), const real *x, real *y)
+CARDAN_APART void cardan_each(double (*f)(double), const real *x, real *y)
 {
     for (int k = 0; k < CARDAN_LANES; ++k) (*y)[k] = f((*x)[k]);
 }
 
-CARDAN_INLINE void cardan_each_2(double (*f)(double, double), const real *a, const real *b, real *y)
+CARDAN_APART void cardan_each_2(double (*f)(double, double), const real *a, const real *b, real *y)
 {
     for (int k = 0; k < CARDAN_LANES; ++k) (*y)[k] = f((*a)[k], (*b)[k]);
 }
 
-CARDAN_INLINE void cardan_stumpff_lanes(int order, const real *x, real *y)
+CARDAN_APART void cardan_stumpff_lanes(int order, const real *x, real *y)
 {
     for (int k = 0; k < CARDAN_LANES; ++k) (*y)[k] = cardan_stumpff(order, (*x)[k]);
 }
 
-CARDAN_INLINE void cardan_piecewise_lanes(int pieces, int order, const double *breaks,
-                                          const double *coefficients, int derivative,
-                                          const real *x, real *y)
+CARDAN_APART void cardan_piecewise_lanes(int pieces, int order, const double *breaks,
+                                         const double *coefficients, int derivative,
+                                         const real *x, real *y)
 {
     for (int k = 0; k < CARDAN_LANES; ++k)
         (*y)[k] = cardan_piecewise(pieces, order, breaks, coefficients, derivative, (*x)[k]);

@@ -84,6 +84,13 @@ enum {
 #define CARDAN_PART static
 #endif
 #endif
+/* of helpers with loops: compilers fuse a product only with a sum of the same block, and a loop that
+ * is inlined ends a block, in lanes elsewhere than in single states */
+#ifdef __GNUC__
+#define CARDAN_APART static __attribute__((noinline, unused))
+#else
+#define CARDAN_APART CARDAN_INLINE
+#endif
 #ifdef __cplusplus
 #define CARDAN_RESTRICT __restrict__
 #else
@@ -313,7 +320,7 @@ CARDAN_INLINE double cardan_stumpff_1(double x)
  * Stumpff function c_k(x) = sum_i (-x)^i / (k + 2 i)!, smooth for every real x; k is a literal.
  * Source: K. Stumpff, Himmelsmechanik I, 1959.
  */
-CARDAN_INLINE double cardan_stumpff(int k, double x)
+CARDAN_APART double cardan_stumpff(int k, double x)
 {
     if (2.0 * fabs(x) < (k + 1.0) * (k + 2.0)) return cardan_stumpff_series(k, x);
     if (k == 0) return x > 0.0 ? cos(sqrt(x)) : cosh(sqrt(-x));
@@ -330,7 +337,7 @@ CARDAN_INLINE double cardan_stumpff(int k, double x)
  * Derivative of a piecewise polynomial: breaks (pieces + 1) increasing, coefficients
  * (pieces x order) of x - breaks[piece], highest power first. The end pieces go on outside.
  */
-CARDAN_INLINE double cardan_piecewise(int pieces, int order, const double *breaks,
+CARDAN_APART double cardan_piecewise(int pieces, int order, const double *breaks,
                                     const double *coefficients, int derivative, double x)
 {
     /* the piece by bisection: breaks[low] <= x < breaks[high] */

@@ -108,7 +108,12 @@ def test_a_slack_tether_by_hand_written_equations(coordinates: str) -> None:
     model = cd.compile(scene, coordinates=coordinates)
     start, speed = np.array([0.3, 0.1, 0.2]), np.array([1.0, -0.5, 0.7])
     motion = model.simulate(
-        3.0, q={"free": start}, u={"free": speed}, method="DOP853", rtol=1e-11, atol=1e-11
+        3.0,
+        q={"free": start},
+        u={"free": speed},
+        # rounding says on which side of the jump of the damping force a step starts, and so which
+        # power its first stage has: in short steps that stage weighs little
+        **{"method": "DOP853", "rtol": 1e-11, "atol": 1e-11, "max_step": 1e-4},
     )
 
     def rates(_: float, x: Any) -> Any:
@@ -125,8 +130,7 @@ def test_a_slack_tether_by_hand_written_equations(coordinates: str) -> None:
     tension = motion.cable("tether")
     assert tension.taut.any()
     assert not tension.taut.all()
-    # rounding says on which side of a kink of the power a step ends
-    assert np.abs(motion.energy_residual).max() < 1e-3
+    assert np.abs(motion.energy_residual).max() < 1e-4
 
 
 def crane(**places: Any) -> cd.Scene:

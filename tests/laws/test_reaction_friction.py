@@ -178,6 +178,8 @@ def test_flexible_slider_crank() -> None:
     for method in ("GeneralizedAlpha", "HHT"):
         motion = model.simulate(0.15, method=method, step=1e-4, **start)
         assert motion["drive"][-1] == pytest.approx(ends[0], abs=1e-6)
+    motion = model.simulate(0.15, method="Radau", rtol=1e-7, **start)
+    assert motion["drive"][-1] == pytest.approx(ends[0], abs=1e-6)
 
 
 def test_flexible_slider_crank_sticks_and_slips() -> None:

@@ -315,16 +315,12 @@ class _Builder:
 
     def _reactions(self) -> tuple[Output, ...]:
         """What joints of rigid trees transmit on account of this element."""
-        moved, nodes = self.part.cutting.moved, list[int]()
+        moved = self.part.cutting.moved
         if not moved or not (self.part.tree or self.part.joint or self.system.forces):
             return ()
         forces = joint_forces(self.k, self._accelerations, self._loads)
-        for i, number in moved.items():
-            wrench = Matrix.vstack(forces.moment[number], forces.force[number])
-            if self.part.cutting.system.joints[i].reversed:
-                wrench = outputs.on_declared_child(self.k, number, wrench)
-            nodes += wrench.nodes
-        return (Output("reactions", (len(moved), 6), tuple(nodes)),)
+        wrenches = self.part.cutting.joint_wrenches(self.k, forces)
+        return (Output("reactions", (len(moved), 6), wrenches),)
 
     @cached_property
     def _loads(self) -> Loads:

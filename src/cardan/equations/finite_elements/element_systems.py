@@ -18,6 +18,7 @@ from ...elements.joints.revolute import Revolute
 from ...errors import DerivationError
 from ...ir.function import live, operands
 from ...ir.graph import MINUS_ONE, NO_ORIGIN, ONE, ZERO, Graph
+from ...ir.matrix import Matrix
 from ...ir.ops import LEAVES
 from ...ir.rewrite import rebuild
 from ...topology.conversion import IDENTITY, ORIGIN
@@ -33,6 +34,9 @@ from ...topology.system import (
     Prescribed,
     System,
 )
+from ..functions.outputs import on_declared_child
+from ..kinematics.joint_forces import JointForces
+from ..kinematics.kinematics import Kinematics
 from .nodal_scene import NODE, Key, Scene
 
 Data = dict[str, tuple[int, int, Nodes]]
@@ -256,6 +260,16 @@ class Cutting:
         if free:
             self._slots = [q + len(element.coordinates), u + len(element.speeds)]
         return number
+
+    def joint_wrenches(self, k: Kinematics, forces: JointForces) -> tuple[int, ...]:
+        """Wrenches on the declared children of the joints of trees, in the order of ``moved``."""
+        nodes = list[int]()
+        for i, number in self.moved.items():
+            wrench = Matrix.vstack(forces.moment[number], forces.force[number])
+            if self.system.joints[i].reversed:
+                wrench = on_declared_child(k, number, wrench)
+            nodes += wrench.nodes
+        return tuple(nodes)
 
     def body_frame(self, body: int) -> int:
         """Index of the frame of a body here that is its own."""

@@ -33,7 +33,6 @@ from ...ir.rewrite import rebuild
 from ...spatial.exponential import quaternion_of
 from ...topology.system import GROUND
 from ..functions.blocks import blocks
-from ..functions.outputs import on_declared_child
 from ..kinematics.accelerations import Accelerations, accelerations
 from ..kinematics.joint_forces import JointForces, along_joint, joint_forces
 from ..kinematics.kinematics import Kinematics
@@ -345,11 +344,6 @@ class TreeElement:
         """Shares of the wrenches of the joints that carry its ends."""
         by_end = self.element.functions(replace(ends, by_end=True))["balance"]
         loads = Matrix(ends.graph, 12, 1, by_end.outputs[0].nodes)
-        forces, nodes = ends.joint_forces(loads), list[int]()
-        for i, number in self.cutting.moved.items():
-            wrench = Matrix.vstack(forces.moment[number], forces.force[number])
-            if self.cutting.scene.system.joints[i].reversed:
-                wrench = on_declared_child(ends.k, number, wrench)
-            nodes += wrench.nodes
-        output = Output("reactions", (len(self.cutting.moved), 6), tuple(nodes))
+        wrenches = self.cutting.joint_wrenches(ends.k, ends.joint_forces(loads))
+        output = Output("reactions", (len(self.cutting.moved), 6), wrenches)
         return replace(by_end, outputs=(output,), inputs=ends.blocks("q", "u", "udot", "p"))

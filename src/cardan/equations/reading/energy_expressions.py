@@ -170,7 +170,7 @@ def _symbols(name: str, value: Value) -> tuple[Value, list[sympy.Eq]]:
         rows = zip(value.matrix * unknown, value.right, strict=True)
         return unknown, [sympy.Eq(left, right) for left, right in rows]
     if not isinstance(value, sympy.MatrixBase):
-        value = sympy.sympify(value)
+        value = sympy.sympify(value, strict=True)
         if _short(value):
             return value, []
         symbol = sympy.Symbol(name)

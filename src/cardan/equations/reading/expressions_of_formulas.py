@@ -56,7 +56,9 @@ def _entry(name: str, size: int, *places: int) -> sympy.Symbol:
 
 def entries_of(value: Value) -> list[sympy.Expr]:
     """Entries of a matrix, or the number itself."""
-    return list(value) if isinstance(value, sympy.MatrixBase) else [sympy.sympify(value)]
+    if isinstance(value, sympy.MatrixBase):
+        return list(value)
+    return [sympy.sympify(value, strict=True)]
 
 
 def _skew(v: sympy.Matrix) -> sympy.Matrix:
