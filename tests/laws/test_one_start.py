@@ -224,7 +224,7 @@ def test_flexible_scenes_hold_what_is_named(name: str) -> None:
 
 
 def test_beams_start_without_bending() -> None:
-    """Nothing is said of the rod: it starts as a rigid one does, in closed form, and not clamped."""
+    """Nothing is said of the rod: it starts as a rigid one does, in closed form."""
     model = cd.compile(FLEXIBLE["slider_crank"](4))
     start = started(model, {}, {})
     assert isinstance(start, dict), start
