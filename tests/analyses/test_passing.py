@@ -146,3 +146,14 @@ def test_what_vibrates_passes_singular_positions(coordinates: str) -> None:
         assert motion.statistics["passed"] == closed
         ends.append([motion[name][-1] for name in ("A", "tip_x", "tip_y")])
     np.testing.assert_allclose(ends[0], ends[1], rtol=0, atol=1e-7)
+
+
+def test_what_vibrates_passes_singular_positions_on_a_grid() -> None:
+    ends = []
+    for closed in (True, False):
+        model = cd.compile(window_with_a_beam(closed))
+        motion = model.simulate(0.2, method="RK4", step=5e-4, check=True)
+        np.testing.assert_allclose(motion.t, 5e-4 * np.arange(len(motion)), rtol=0, atol=1e-11)
+        assert motion.statistics["passed"] == closed
+        ends.append([motion[name][-1] for name in ("A", "tip_x", "tip_y")])
+    np.testing.assert_allclose(ends[0], ends[1], rtol=0, atol=1e-4)

@@ -353,7 +353,7 @@ int cardan_step(cardan_run *run)
         /* sweeps over what vibrates settle in short steps alone */
         if (status == CARDAN_CONSTRAINT_OPEN && lengths < MOST_LENGTHS)
             lengths++;
-        h *= 0.6;
+        h = run->on_grid ? run->h * floor(0.6 * h / run->h) : 0.6 * h;
     }
     if (nearest) {
         run->open_row = run->positions + cardan_weakest(run);
