@@ -18,7 +18,7 @@ from ..forces.gravity_gradient import GravityGradient
 from ..formulas import Lines
 from .element import FlexibleElement, balance, energy, tangents
 from .element_ends import CENTER, Ends
-from .gravity_formulas import gravity_lines
+from .formulas import gravity_lines
 from .inertia import DENSITY, SHEAR, cubic_share, spin
 from .node_set import FRAME, Ground, Pose
 
