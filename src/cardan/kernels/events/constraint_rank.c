@@ -67,10 +67,10 @@ static const real *ahead(cardan_run *run, real tau)
     return y;
 }
 
-/* Rows of G at t, y, without units; their lengths count from states that are `taken`. */
+/* Rows of G at t, y, without units, with their squares; lengths count from states that are `taken`. */
 static int jacobian(cardan_run *run, real t, const real *y, real *rows, int taken)
 {
-    real *lengths = place(run, LENGTHS);
+    real *lengths = place(run, LENGTHS), *squares = place(run, SQUARES);
     cardan_in in = cardan_at(run, &t, y);
     int status;
 
@@ -79,7 +79,8 @@ static int jacobian(cardan_run *run, real t, const real *y, real *rows, int take
     for (ptrdiff_t i = 0; i < run->rates && status == 0; i++) {
         real *row = rows + i * run->nu;
         /* of elements most rows are used up by what joints carry */
-        if (cardan_dot(row, row, run->nu) == 0)
+        squares[i] = cardan_dot(row, row, run->nu);
+        if (squares[i] == 0)
             continue;
         for (ptrdiff_t j = 0; j < run->nu; j++)
             row[j] *= run->columns ? run->columns[j] : 1;
@@ -87,6 +88,7 @@ static int jacobian(cardan_run *run, real t, const real *y, real *rows, int take
             lengths[i] = fmax(lengths[i], sqrt(cardan_dot(row, row, run->nu)));
         for (ptrdiff_t j = 0; j < run->nu && lengths[i] > 0; j++)
             row[j] /= lengths[i];
+        squares[i] = cardan_dot(row, row, run->nu);
     }
     return status;
 }
@@ -103,18 +105,16 @@ static real square(const cardan_run *run, int what, ptrdiff_t k)
 static void choose(const cardan_run *run, ptrdiff_t k)
 {
     real *order = place(run, ORDER), *squares = place(run, SQUARES), longest = -1;
-    const real swapped = order[k], other = squares[k];
+    const real swapped = order[k];
     ptrdiff_t best = k;
 
     for (ptrdiff_t i = k; i < run->rates; i++)
-        if (squares[i] > longest) {
-            longest = squares[i];
+        if (squares[(ptrdiff_t)order[i]] > longest) {
+            longest = squares[(ptrdiff_t)order[i]];
             best = i;
         }
     order[k] = order[best];
-    squares[k] = squares[best];
     order[best] = swapped;
-    squares[best] = other;
 }
 
 /* Entries of a row that are not zero: rows of joints reach a few speeds alone. Returns how many. */
@@ -134,12 +134,12 @@ static void take_out(const cardan_run *run, int what, ptrdiff_t k, real length)
 {
     const real *row = row_of(run, what, k), *entries = place(run, ENTRIES);
     const ptrdiff_t count = list_entries(run, row);
-    real *squares = place(run, SQUARES);
 
     for (ptrdiff_t i = k + 1; i < run->rates; i++) {
         real *other = row_of(run, what, i), share = 0;
+        real *left = place(run, SQUARES) + (ptrdiff_t)place(run, ORDER)[i];
 
-        if (squares[i] == 0)
+        if (*left == 0)
             continue;
         for (ptrdiff_t e = 0; e < count; e++)
             share += row[(ptrdiff_t)entries[e]] * other[(ptrdiff_t)entries[e]];
@@ -149,9 +149,9 @@ static void take_out(const cardan_run *run, int what, ptrdiff_t k, real length)
         for (ptrdiff_t e = 0; e < count; e++)
             other[(ptrdiff_t)entries[e]] -= share * row[(ptrdiff_t)entries[e]];
         /* what is left is measured anew where the difference would be rounding */
-        squares[i] -= share * share * length;
-        if (!(squares[i] > DOWNDATED))
-            squares[i] = square(run, what, i);
+        *left -= share * share * length;
+        if (!(*left > DOWNDATED))
+            *left = square(run, what, i);
     }
 }
 
@@ -163,8 +163,6 @@ static real orthogonalize(cardan_run *run, int what, int anew, int taken)
 {
     real rank_margin = 0;
 
-    for (ptrdiff_t i = 0; i < run->rates; i++)
-        place(run, SQUARES)[i] = square(run, what, i);
     for (ptrdiff_t k = 0; k < run->rates; k++) {
         real length;
 

@@ -65,8 +65,18 @@ static ptrdiff_t last_node(const cardan_mesh *mesh, ptrdiff_t block, const real 
     return -1;
 }
 
+/* Set rows of a block that are used up to zero where they are not yet. */
+static void clear(const cardan_sparse *plan, ptrdiff_t block, ptrdiff_t nu, real *row)
+{
+    for (ptrdiff_t pair = plan->row[block]; pair < plan->row[block + 1]; pair++) {
+        const ptrdiff_t from = plan->first[plan->column[pair]];
+        if (from < nu)
+            memset(row + from, 0, (size_t)size_of(plan, plan->column[pair]) * sizeof(real));
+    }
+}
+
 /* Take a node out of all rows (m, nu) but those used up, by the block of rows that determines it.
- * `used` (n): not 0 for unknowns whose rows are used up. Returns CARDAN_OK where these do. */
+ * `used` (n): the block of rows of unknowns that are used up, 0 for others. Returns CARDAN_OK where these do. */
 static int take_out(const cardan_mesh *mesh, const real *a, ptrdiff_t block, ptrdiff_t place,
                     const real *used, real *rows)
 {
@@ -80,8 +90,10 @@ static int take_out(const cardan_mesh *mesh, const real *a, ptrdiff_t block, ptr
             transposed[i * n + j] = A[j * stride + i];
             inverse[i * n + j] = i == j;
         }
+    /* A^-1, transposed */
     if (cardan_solve_rank_revealing((int)n, (int)n, transposed, inverse, scratch) != CARDAN_OK)
         return CARDAN_SINGULAR;
+    /* d - c A^-1 B of every row that meets the node */
     for (ptrdiff_t k = 0; k < mesh->m; k++) {
         real *row = rows + k * nu, *at_node = row + plan->first[place];
         if (used[mesh->unknown[k]] != 0 || cardan_dot(at_node, at_node, n) == 0)
@@ -110,14 +122,16 @@ int cardan_mesh_loops(const cardan_mesh *mesh, const cardan_mesh_system *system,
     real *used = system->solution, *loop = system->rows, *meets = system->units, *size = system->right;
     int progress = plan->blocks <= n, status = CARDAN_OK;
 
+    /* which rows close loops, and how long rows are */
     for (ptrdiff_t k = 0; k < n; k++) {
         used[k] = 0;
         loop[plan->order[k]] = plan->multiplier[k] == 2;
     }
     for (ptrdiff_t k = 0; k < mesh->m; k++)
-        size[k] = sqrt(cardan_dot(rows + k * nu, rows + k * nu, nu));
+        size[k] = loop[mesh->unknown[k]] != 0 ? sqrt(cardan_dot(rows + k * nu, rows + k * nu, nu)) : 0;
     if (progress)
         count_rows(mesh, loop, meets);
+    /* from the last nodes inward, as long as there are any */
     while (progress && status == CARDAN_OK) {
         progress = 0;
         for (ptrdiff_t block = plan->blocks - 1; block >= mesh->places && status == CARDAN_OK; block--) {
@@ -129,7 +143,7 @@ int cardan_mesh_loops(const cardan_mesh *mesh, const cardan_mesh_system *system,
             if (place < 0)
                 continue;
             for (ptrdiff_t i = first; i < first + count; i++)
-                used[i] = 1;
+                used[i] = (real)block;
             for (ptrdiff_t pair = plan->row[block]; pair < plan->row[block + 1]; pair++)
                 if (plan->column[pair] < mesh->places)
                     meets[plan->column[pair]]--;
@@ -137,10 +151,12 @@ int cardan_mesh_loops(const cardan_mesh *mesh, const cardan_mesh_system *system,
             progress = 1;
         }
     }
+    /* what is left of rows that follow from the tree is rounding */
     for (ptrdiff_t k = 0; k < mesh->m; k++) {
         real *row = rows + k * nu;
-        if (used[mesh->unknown[k]] != 0
-            || sqrt(cardan_dot(row, row, nu)) <= ROUNDING * size[k])
+        if (used[mesh->unknown[k]] != 0)
+            clear(plan, (ptrdiff_t)used[mesh->unknown[k]], nu, row);
+        else if (sqrt(cardan_dot(row, row, nu)) <= ROUNDING * size[k])
             memset(row, 0, (size_t)nu * sizeof(real));
     }
     return status;
