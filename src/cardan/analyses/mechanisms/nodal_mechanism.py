@@ -370,12 +370,21 @@ class NodalMechanism(Mechanism):
 
     def _missed(self, q: Array) -> Array:
         """By which rotation and way, without units, beams that are rigid would miss (6 k,)."""
-        parts = []
+        parts, still = [], np.zeros(self.model.nu)
         for one, other in self.links:
-            a, b, home = self.carrier.displaced(q, one, other)
-            way = (b[:3, :3] - a[:3, :3]) @ home + b[:3, 3] - a[:3, 3]
-            parts += [rotation_vectors(b[:3, :3] @ a[:3, :3].T), way / self.size]
+            a, b, home = self.carrier.displaced(q, still, one, other)
+            way = b.at(home) - a.at(home)
+            parts += [rotation_vectors((b.turn * a.turn.inv()).as_matrix()), way / self.size]
         return np.concatenate([np.zeros(0), *parts])
+
+    def rates(self, q: Array, u: Array) -> Array:
+        """Same as :meth:`Mechanism.rates`, and those of what rigid beams would miss."""
+        rates, count = super().rates(q, u), self.closing.positions
+        parts = [rates[:count]]
+        for one, other in self.links:
+            a, b, home = self.carrier.displaced(q, u, one, other)
+            parts += [b.omega - a.omega, (b.velocity_at(home) - a.velocity_at(home)) / self.size]
+        return np.concatenate([*parts, rates[count:]])
 
     def _missed_jacobian(self, q: Array) -> Array:
         if not self.links:

@@ -150,26 +150,26 @@ class Carrier:
         lines = [(int(line[0]), int(line[-1])) for line in joined(tables.beams, joined_places)]
         return [(a, b) for a, b in lines if a in joined_places and b in joined_places and a != b]
 
-    def displaced(self, q: Array, one: int, other: int) -> tuple[Array, Array, Array]:
+    def displaced(self, q: Array, u: Array, one: int, other: int) -> tuple[Motion, Motion, Array]:
         """Displacements of two places from the reference configuration, and the second one's place
         there.
 
+        Args:
+            q, u: Coordinates (nq,) and speeds (nu,) of everything.
+            one, other: The places.
+
         Returns:
-            Transforms (4, 4) of ground axes of what each place carries, and a position (3,).
+            Motion of what each place carries, and a position (3,).
         """
-        still = np.zeros(self.model.nu)
-        x, moves = np.concatenate([q, still]), []
-        ends = {GROUND: STILL, **self._tree_ends(q, still)}
-        for place in (one, other):
-            at_node = place >= 0
-            motion = motion_of(self.tables, self.reference, x, place) if at_node else ends[place]
-            move = np.eye(4)
-            move[:3, :3], move[:3, 3] = motion.turn.as_matrix(), motion.shift
-            moves.append(move)
+        x, ends = np.concatenate([q, u]), {GROUND: STILL, **self._tree_ends(q, u)}
+        first, second = (
+            motion_of(self.tables, self.reference, x, place) if place >= 0 else ends[place]
+            for place in (one, other)
+        )
         place = one if other == GROUND else other
         on_node = place >= 0
         home = self.tables.pose(self.reference, place) if on_node else self._homes[ON_TREE - place]
-        return moves[0], moves[1], home[4:]
+        return first, second, home[4:]
 
     def _tree_ends(self, q: Array, u: Array) -> dict[int, Motion]:
         """Displacements of the bodies of rigid trees that beams end at, by place."""
