@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Callable, Collection, Mapping
+from dataclasses import replace
 from functools import cached_property
 from itertools import islice
 from typing import TYPE_CHECKING, Any
@@ -11,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ....arrays import Array
+from ....ir.straight_line import read, straight_line
 from . import table_loading
 from .dependent_nodes import GROUND, STILL, Motion, displacement, joined, motion_of, trailed
 from .node_pose import pose, speeds
@@ -97,6 +99,16 @@ class Carrier:
             if np.allclose(moved, before, rtol=ROUNDING, atol=ROUNDING):
                 break
         return moved
+
+    def node_positions(self, q: Array) -> Array:
+        """Coordinates (nq,) with nodes where joints and beams carry them."""
+        nq = len(q)
+        if self.tables.beams or self._planes:
+            return self.at(np.concatenate([q, np.zeros(self.model.nx - nq)]))[:nq]
+        located = self._located(q)
+        stays = self.fixed[: len(located)]
+        located = np.where(stays, q[: len(located)], located)
+        return np.concatenate([located, q[len(located) :]])
 
     def moving(self, q: Array, u: Array) -> Array:
         """Speeds (..., nu) of everything at one position (nq,), for speeds of joints (..., nu)."""
@@ -206,6 +218,29 @@ class Carrier:
             tree[0][..., at] = pose(plane, q[..., tables.q[place] : tables.q[place + 1]])
             tree[1][..., along] = speeds(plane, u[..., tables.u[place] : tables.u[place + 1]])
         return self._evaluated(*tree)
+
+    def _located(self, q: Array) -> Array:
+        """Coordinates of nodes by those of joints among q (nq,), at one position after another."""
+        blocks = {
+            "t": [self.t],
+            "q": q[self._sources[0]].tolist(),
+            "r": self.r[: len(self._blocks["r"])].tolist(),
+            "p": self._parameters,
+        }
+        compiled, names = self._place_function
+        return np.array(compiled(*(blocks[name] for name in names)), dtype=np.float64)
+
+    @cached_property
+    def _place_function(self) -> tuple[Callable[..., list[float]], tuple[str, ...]]:
+        """Coordinates of nodes as a function of the blocks that are named."""
+        states = self.model._objects.function(SAVED)
+        places = replace(states, outputs=tuple(o for o in states.outputs if o.name == "q"))
+        return straight_line(places), read(places)
+
+    @cached_property
+    def _parameters(self) -> list[float]:
+        numbers: list[float] = self.model.parameters.vector.tolist()
+        return numbers
 
     def _evaluated(self, q: Array, u: Array) -> Mapping[str, Array]:
         inputs: dict[str, Any] = {
