@@ -357,8 +357,7 @@ class NodalMechanism(Mechanism):
 
     def mass(self, q: Array) -> Array | None:
         """Same as :meth:`Mechanism.mass`."""
-        T = self.along(q)
-        moves = T[1:] - T[0]
+        moves = self.along(q)[1:] - self.along(q)[0]
         return np.asarray(moves @ (self._results.mesh.tangent(self._at(q))["M"] @ moves.T))
 
     # beams between two bodies that joints carry
@@ -373,18 +372,17 @@ class NodalMechanism(Mechanism):
         parts, still = [], np.zeros(self.model.nu)
         for one, other in self.links:
             a, b, home = self.carrier.displaced(q, still, one, other)
-            way = b.at(home) - a.at(home)
-            parts += [rotation_vectors((b.turn * a.turn.inv()).as_matrix()), way / self.size]
+            turn = rotation_vectors((b.turn * a.turn.inv()).as_matrix())
+            parts += [turn, (b.at(home) - a.at(home)) / self.size]
         return np.concatenate([np.zeros(0), *parts])
 
     def rates(self, q: Array, u: Array) -> Array:
         """Same as :meth:`Mechanism.rates`, and those of what rigid beams would miss."""
-        rates, count = super().rates(q, u), self.closing.positions
-        parts = [rates[:count]]
+        parts, rates, count = [], super().rates(q, u), self.closing.positions
         for one, other in self.links:
             a, b, home = self.carrier.displaced(q, u, one, other)
             parts += [b.omega - a.omega, (b.velocity_at(home) - a.velocity_at(home)) / self.size]
-        return np.concatenate([*parts, rates[count:]])
+        return np.concatenate([rates[:count], *parts, rates[count:]])
 
     def _missed_jacobian(self, q: Array) -> Array:
         if not self.links:
