@@ -34,6 +34,7 @@ from .settings import Settings, Start, Values, blocks, settings, start, watched
 from .signals import Signals, signals
 from .spare_runners import put_aside, spare
 from .starts.start import closed_start
+from .starts.strain_limits import folded
 from .times import Span, span
 
 LARGE = 1600  # pairs of speeds, as in a chain of 40: more are derived for minutes
@@ -126,6 +127,8 @@ def _reported(motion: TrajectoryRecord, check: bool) -> TrajectoryRecord:
     """The motion, with warnings of an early end and of what it cannot account for."""
     said = [] if motion.success else [motion.message]
     said += [motion.solver_info.warning] if motion.solver_info.warning else []
+    bent = folded(motion.model, motion.x) if said else ""
+    said = [f"{text}. {bent}" if bent else text for text in said]
     if said and check:
         raise SolveError("; ".join(said))
     for text in said:
