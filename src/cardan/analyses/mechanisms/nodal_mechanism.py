@@ -385,8 +385,8 @@ class NodalMechanism(Mechanism):
         return np.concatenate([rates[:count], *parts, rates[count:]])
 
     def _missed_jacobian(self, q: Array) -> Array:
-        if not self.links:
-            return np.zeros((0, self.nu))
+        if not self.links or not self.nu:
+            return np.zeros((6 * len(self.links), self.nu))
         steps = NEARBY * np.eye(self.nu)
         sides = [[self._missed(self.advance(q, sign * step)) for step in steps] for sign in (1, -1)]
         return np.asarray(np.array(sides[0]) - np.array(sides[1])).T / (2 * NEARBY)
