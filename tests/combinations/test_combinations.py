@@ -19,7 +19,7 @@ from cardan.schema.integrators import INTEGRATORS
 
 from .arrays import SCENES
 from .covering import covering, smallest
-from .features import FEATURES, PRESENT, closed, mechanism
+from .features import FEATURES, PRESENT, closed
 from .refusals import MISSING, expected
 from .routes import Names, apart, other_route, outputs_at, route
 from .uses import USES
@@ -48,13 +48,6 @@ def test_what_is_missing_is_still_missing() -> None:
                 except cd.ModelError as problem:
                     seen |= {row} if re.search(row.message, str(problem)) else set()
     assert seen == {*MISSING}
-
-
-def test_fields_do_not_act_on_beams_yet() -> None:
-    made = mechanism(("beam",))
-    made.scene.force("planet", cd.CentralGravity(made.scene.ground.at(0, 0, -3), mu=30.0))
-    with pytest.raises(cd.ModelError, match=r"beam .beam. has mass too.*bodies="):
-        cd.derive(made.scene)
 
 
 def features_of(scene: Names) -> Names:

@@ -224,6 +224,26 @@ def test_flexible_scenes_hold_what_is_named(name: str) -> None:
             assert again[entry] == pytest.approx(value, abs=NEAREST), entry
 
 
+def test_beams_start_without_bending() -> None:
+    """Nothing is said of the rod: it starts as a rigid one does, in closed form."""
+    model = cd.compile(FLEXIBLE["slider_crank"](4))
+    start = started(model, {}, {})
+    assert isinstance(start, dict), start
+    # along its line the crank at 150 rad/s moves the near end across, the far one stays
+    rod = -150 * 0.15 / 0.3
+    joints = {"guide.u": 0.0, "rod.start.u": rod - 150, "rod.end.u": rod}
+    for name, expected in joints.items():
+        assert start[name] == pytest.approx(expected, abs=NEAREST), name
+    turning = [name for name in start if name.startswith("rod.node") and name.endswith(".u.z")]
+    assert len(turning) == 2
+    for name in turning:
+        assert start[name] == pytest.approx(rod, abs=NEAREST), name
+    # what is named is held, and bends the rod
+    bending = started(model, {}, {"guide": 1.0})
+    assert isinstance(bending, dict), bending
+    assert bending["guide.u"] == pytest.approx(1.0, abs=HELD)
+
+
 SOLVED = ("slider_crank", "four_bar", "andrews", "stewart")
 
 

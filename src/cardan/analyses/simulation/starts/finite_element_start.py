@@ -201,12 +201,16 @@ class _Start:
             return self._near_speeds(q)
         names = self._moving(self.u, "u")
         if by_joints:
-            # beams take up what the speeds of their ends differ by
-            m = self.m.unlinked()
+            m, near = self.m.unlinked(), self.u0
             if m.closing.rows:
                 refuse_singular(m, q)
+            if self.m.links:
+                # beams move as they are, if what is named lets them
+                with suppress(ModelError):
+                    near = speeds(self.m, q, names, self.u0)
             try:
-                solved = m.state(q, speeds(m, q, names, self.u0))[1]
+                # else they take up what the speeds of their ends differ by
+                solved = m.state(q, speeds(m, q, names, near))[1]
                 # nodes that beams alone hold have the speeds that were named
                 entries = [
                     self.model.speeds.index(n) for n in _free_node_entries(self.model, self.u, "u")
