@@ -120,33 +120,13 @@ def agree(names: Names) -> None:
     assert not said, said
 
 
-# a scene that fails, what it has, and why
-FAULTS = {
-    frozenset(("redundant loop", "stop", "line load")): "accelerations between impacts at a stop, "
-    "beside redundant loops over elements"
-}
-
-
-def faults(scene: Names) -> list[Any]:
-    """Marks of a scene that is known to fail."""
-    return [
-        pytest.mark.xfail(reason=reason, strict=True)
-        for part, reason in FAULTS.items()
-        if part <= {*scene}
-    ]
-
-
 def rows() -> list[Any]:
     """The scenes, all but some of them slow."""
     # a line load brings a beam with it
     short = sorted(range(len(SCENES)), key=lambda k: ("beam" in SCENES[k], len(SCENES[k]), k))
     quick = short[:QUICK]
     return [
-        pytest.param(
-            scene,
-            id=f"scene{k}",
-            marks=[*faults(scene), *([] if k in quick else [pytest.mark.slow])],
-        )
+        pytest.param(scene, id=f"scene{k}", marks=[] if k in quick else [pytest.mark.slow])
         for k, scene in enumerate(SCENES)
     ]
 

@@ -100,7 +100,7 @@ def _momentum(members: Members) -> float | str:
     nodes = [in_space(block) for block in members.blocks]
     # what carries a rigid tree moves all of it
     on_node = "bodies" in members.table.kind.functions and sum(nodes) == 1
-    if not (all(nodes) or on_node):
+    if not ((nodes and all(nodes)) or on_node):
         return "its places are not nodes in space"
     if "ground" in members.table.kind.name:
         return NO_LAW
