@@ -12,6 +12,7 @@ from ...errors import ModelError
 from ...runtime.models.finite_elements.frames import rotation
 
 if TYPE_CHECKING:
+    from ...runtime.models.finite_elements.elements import State
     from ...runtime.models.finite_elements.mesh import Mesh
     from ...runtime.models.loaded_model import LoadedModel
     from ...schema.integrators import Integrator
@@ -116,7 +117,7 @@ class _Looked:
         """Forces of every element on its places (n, nu), group by group."""
         return self._balances(self.state(q, lam=lam))
 
-    def _balances(self, at: Any) -> list[Array]:
+    def _balances(self, at: State) -> list[Array]:
         """Balance of every element on its places (n, nu), group by group; outputs have none."""
         results = iter(self.mesh.results("balance", at))
         return [
