@@ -12,6 +12,7 @@ from ...errors import ModelError
 from ...runtime.models.finite_elements.frames import rotation
 
 if TYPE_CHECKING:
+    from ...runtime.models.finite_elements.elements import State
     from ...runtime.models.finite_elements.mesh import Mesh
     from ...runtime.models.loaded_model import LoadedModel
     from ...schema.integrators import Integrator
@@ -86,11 +87,10 @@ class _Looked:
 
     def _resists(self, number: int) -> bool:
         """True when forces of a group change with speeds."""
-        moving = self.mesh.results("balance", self.state(self.q[0], u=self.way))[number]
-        static = self.mesh.results("balance", self.state(self.q[0]))[number]
-        nu = self.tables.groups[number].kind.nu
-        change = np.abs(moving - static)[:, :nu].max(initial=0.0)
-        return bool(change > SMALL * np.abs(static)[:, :nu].max(initial=0.0))
+        moving = self._balances(self.state(self.q[0], u=self.way))[number]
+        static = self._balances(self.state(self.q[0]))[number]
+        change = np.abs(moving - static).max(initial=0.0)
+        return bool(change > SMALL * np.abs(static).max(initial=0.0))
 
     def _say(self, what: str, why: str) -> None:
         raise ModelError(
@@ -115,8 +115,17 @@ class _Looked:
 
     def _forces(self, q: Array, lam: Array | None) -> list[Array]:
         """Forces of every element on its places (n, nu), group by group."""
-        balances = self.mesh.results("balance", self.state(q, lam=lam))
-        return [f[:, : g.kind.nu] for f, g in zip(balances, self.tables.groups, strict=True)]
+        return self._balances(self.state(q, lam=lam))
+
+    def _balances(self, at: State) -> list[Array]:
+        """Balance of every element on its places (n, nu), group by group; outputs have none."""
+        results = iter(self.mesh.results("balance", at))
+        return [
+            next(results)[:, : group.kind.nu]
+            if "balance" in group.kind.functions
+            else np.zeros((len(group.place), group.kind.nu))
+            for group in self.tables.groups
+        ]
 
     def _lost(self) -> list[bool]:
         """Mask of the groups whose forces do not derive from their energy."""
