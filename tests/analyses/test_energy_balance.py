@@ -73,3 +73,31 @@ def test_the_function_it_needs_is_named() -> None:
     model = cd.compile(ZOO["double_pendulum"].build(), functions=["rhs"])
     with pytest.raises(cd.ModelError, match=r"'EnergyMidpoint' needs the function 'energy'"):
         model.simulate(1.0, method="EnergyMidpoint", step=0.1)
+
+
+@pytest.mark.parametrize("coordinates", ["relative", "absolute"])
+@pytest.mark.parametrize("restitution", [0.0, 0.5])
+def test_rest_on_a_stop(restitution: float, coordinates: str) -> None:
+    """What falls, bounces and comes to rest stays there, though forces cancel but for rounding."""
+    scene = cd.Scene("drop", gravity=(0, 0, -9.81))
+    block = scene.body("block", mass=2.0, inertia=(0.1, 0.1, 0.1))
+    scene.joint("z", cd.Prismatic("z"), scene.ground, block, q0=0.1)
+    scene.force("floor", cd.Stop("z", lower=0.0, restitution=restitution))
+    model = cd.compile(scene, coordinates=coordinates)
+    motion = model.simulate(1.0, method="EnergyMidpoint", step=1e-3)
+    assert motion.success, motion.message
+    fall = np.sqrt(2 * 0.1 / 9.81)
+    assert motion.events[0].t == pytest.approx(fall, abs=1e-6)
+    assert np.abs(motion["z"][motion.t > 0.5]).max() < 1e-12
+
+
+def test_rest_from_the_start() -> None:
+    scene = cd.Scene("hanging", gravity=(0, 0, -9.81))
+    links = [scene.body(f"b{k}", mass=1.0, com=(0.5, 0, 0), inertia=(0.1,) * 3) for k in range(3)]
+    for k, (parent, child) in enumerate(zip([scene.ground, *links], links, strict=False)):
+        place = parent.at(1, 0, 0) if k else parent
+        scene.joint(f"j{k}", cd.Revolute("y"), place, child, q0=0.0 if k else np.pi / 2)
+    model = cd.compile(scene, coordinates="absolute")
+    motion = model.simulate(0.5, method="EnergyMidpoint", step=1e-2)
+    assert motion.success, motion.message
+    assert np.abs(motion.u).max() < 1e-12
