@@ -12,7 +12,6 @@ from ...errors import ModelError
 from ...runtime.models.finite_elements.frames import rotation
 
 if TYPE_CHECKING:
-    from ...runtime.models.finite_elements.elements import State
     from ...runtime.models.finite_elements.mesh import Mesh
     from ...runtime.models.loaded_model import LoadedModel
     from ...schema.integrators import Integrator
@@ -54,6 +53,8 @@ class _Looked:
                 q0[start + quaternion] = 1.0
         away = [random.uniform(-1, 1, tables.nu) for _ in range(2)]
         self.q = [mesh.move(q0, du) for du in away]
+        # others, such as outputs, do nothing to the motion
+        self.acting = [g for g in tables.groups if "balance" in g.kind.functions]
         self.lam = random.uniform(-1, 1, tables.m)
         self.way = random.uniform(-1, 1, tables.nu)
 
@@ -66,7 +67,7 @@ class _Looked:
         tables = self.tables
         if tables.m != tables.mp:
             self._say("rolls", "rolling constraints bind speeds alone")
-        for number, group in enumerate(tables.groups):
+        for group in self.acting:
             kind, what = group.kind, _named(group)
             if "bodies" in kind.functions:
                 raise ModelError(
@@ -74,32 +75,32 @@ class _Looked:
                     "coordinates of joints: compile with coordinates='absolute', which gives "
                     "every body a node"
                 )
-            if "M" not in kind.parts and self._resists(number):
+            if "M" not in kind.parts and self._resists(group):
                 self._say(what, "its force depends on speeds")
             if "M" in kind.parts and kind.nu and len(group.place[0]) > 1:
-                self._check_mass_blocks(number, what)
-        for group, lost in zip(tables.groups, self._lost(), strict=True):
+                self._check_mass_blocks(group, what)
+        for group, lost in zip(self.acting, self._lost(), strict=True):
             if lost:
                 self._say(_named(group), "its force has no potential")
         rates = self.mesh.balance(self.state(self.q[0], t=0.3))[2]
         if np.abs(rates).max(initial=0.0) > SMALL:
             self._say("a joint", "it is driven along a given motion")
 
-    def _resists(self, number: int) -> bool:
+    def _resists(self, group: Any) -> bool:
         """True when forces of a group change with speeds."""
-        moving = self._balances(self.state(self.q[0], u=self.way))[number]
-        static = self._balances(self.state(self.q[0]))[number]
-        change = np.abs(moving - static).max(initial=0.0)
-        return bool(change > SMALL * np.abs(static).max(initial=0.0))
+        number, nu = self.acting.index(group), group.kind.nu
+        moving = self.mesh.results("balance", self.state(self.q[0], u=self.way))[number]
+        static = self.mesh.results("balance", self.state(self.q[0]))[number]
+        change = np.abs(moving - static)[:, :nu].max(initial=0.0)
+        return bool(change > SMALL * np.abs(static)[:, :nu].max(initial=0.0))
 
     def _say(self, what: str, why: str) -> None:
         raise ModelError(
             f"{self.who}: {what} is not conservative ({why}): take method='GeneralizedAlpha'"
         )
 
-    def _check_mass_blocks(self, number: int, what: str) -> None:
+    def _check_mass_blocks(self, group: Any, what: str) -> None:
         """Masses of elements stand with their nodes."""
-        group = self.tables.groups[number]
         having = [g for g in self.tables.groups if "balance_tangent" in g.kind.functions]
         results = self.mesh.results("balance_tangent", self.state(self.q[0]))
         values = results[next(k for k, g in enumerate(having) if g is group)]
@@ -115,17 +116,8 @@ class _Looked:
 
     def _forces(self, q: Array, lam: Array | None) -> list[Array]:
         """Forces of every element on its places (n, nu), group by group."""
-        return self._balances(self.state(q, lam=lam))
-
-    def _balances(self, at: State) -> list[Array]:
-        """Balance of every element on its places (n, nu), group by group; outputs have none."""
-        results = iter(self.mesh.results("balance", at))
-        return [
-            next(results)[:, : group.kind.nu]
-            if "balance" in group.kind.functions
-            else np.zeros((len(group.place), group.kind.nu))
-            for group in self.tables.groups
-        ]
+        balances = self.mesh.results("balance", self.state(q, lam=lam))
+        return [f[:, : g.kind.nu] for f, g in zip(balances, self.acting, strict=True)]
 
     def _lost(self) -> list[bool]:
         """Mask of the groups whose forces do not derive from their energy."""
@@ -135,7 +127,7 @@ class _Looked:
         ]
         having = [g for g in tables.groups if "energy" in g.kind.functions]
         lost = []
-        for group, force in zip(tables.groups, self._forces(q, None), strict=True):
+        for group, force in zip(self.acting, self._forces(q, None), strict=True):
             work = np.einsum("ni,ni->n", force, way[tables.columns(group)])
             size = np.abs(force).max(initial=0.0) * WAY
             if any(g is group for g in having):
@@ -171,8 +163,8 @@ class _Looked:
         heavy = [np.append(down, np.zeros(3)), *(np.append(np.zeros(3), d) for d in across)]
         cases = [(RIGID, list(np.eye(6))), (HEAVY, heavy if down.any() else [])]
         forces = self._forces(self.q[1], self.lam)
-        for k, (group, every) in enumerate(zip(self.tables.groups, forces, strict=True)):
-            force = every[:1]
+        for group, every in zip(self.acting, forces, strict=True):
+            k, force = self.tables.groups.index(group), every[:1]
             size = np.abs(force).max(initial=0.0)
             for count, motions in cases:
                 powers = [self._power(force, group, self.q[1], motion) for motion in motions]
@@ -183,7 +175,7 @@ class _Looked:
 
     def _down(self) -> Array:
         """The direction of the force that is on an element with mass wherever it is."""
-        for group, every in zip(self.tables.groups, self._forces(self.q[0], None), strict=True):
+        for group, every in zip(self.acting, self._forces(self.q[0], None), strict=True):
             if "M" in group.kind.parts:
                 motions = np.eye(6)[3:]
                 net = [self._power(every[:1], group, self.q[0], m)[0] for m in motions]

@@ -190,7 +190,8 @@ int cardan_mesh_call_outputs(const cardan_in *in, real *out, real *work)
     return status != 0 ? status : summed(mesh, &at, CARDAN_OUTPUTS, mesh->outputs, out, work);
 }
 
-/* Of every source (powers); driven joints give that of their forces, which are solved for. */
+/* Of every source (powers); driven joints give that of their multipliers or, in trees, of the forces
+ * along them at the accelerations: both are solved for. */
 int cardan_mesh_call_power(const cardan_in *in, real *out, real *work)
 {
     const cardan_mesh *mesh = cardan_mesh_of(in);
