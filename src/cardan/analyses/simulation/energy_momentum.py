@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -13,6 +13,7 @@ from ...runtime.models.finite_elements.frames import rotation
 
 if TYPE_CHECKING:
     from ...runtime.models.finite_elements.mesh import Mesh
+    from ...runtime.models.finite_elements.tables import Table, Tables
     from ...runtime.models.loaded_model import LoadedModel
     from ...schema.integrators import Integrator
 
@@ -86,7 +87,7 @@ class _Looked:
         if np.abs(rates).max(initial=0.0) > SMALL:
             self._say("a joint", "it is driven along a given motion")
 
-    def _resists(self, group: Any) -> bool:
+    def _resists(self, group: Table) -> bool:
         """True when forces of a group change with speeds."""
         number, nu = self.acting.index(group), group.kind.nu
         moving = self.mesh.results("balance", self.state(self.q[0], u=self.way))[number]
@@ -99,7 +100,7 @@ class _Looked:
             f"{self.who}: {what} is not conservative ({why}): take method='GeneralizedAlpha'"
         )
 
-    def _check_mass_blocks(self, group: Any, what: str) -> None:
+    def _check_mass_blocks(self, group: Table, what: str) -> None:
         """Masses of elements stand with their nodes."""
         having = [g for g in self.tables.groups if "balance_tangent" in g.kind.functions]
         results = self.mesh.results("balance_tangent", self.state(self.q[0]))
@@ -136,7 +137,7 @@ class _Looked:
             lost.append(bool(np.abs(work).max(initial=0.0) > DIFFERENCE * size + 1e-300))
         return lost
 
-    def _power(self, force: Array, group: Any, q: Array, motion: Array) -> Array:
+    def _power(self, force: Array, group: Table, q: Array, motion: Array) -> Array:
         """Power of forces over a rigid motion (6) of everything:
 
         turn, then velocity of the origin.
@@ -184,12 +185,12 @@ class _Looked:
         return np.zeros(3)
 
 
-def _columns(tables: Any, group: Any, element: int) -> list[Array]:
+def _columns(tables: Tables, group: Table, element: int) -> list[Array]:
     """Speeds of every place of an element."""
     places = group.place[element]
     return [np.arange(tables.u[place], tables.u[place + 1]) for place in places]
 
 
-def _named(group: Any) -> str:
+def _named(group: Table) -> str:
     """Name of an element of a group as users know it."""
     return f"'{group.members[0]}'" if len(group.members) else f"an element '{group.kind.name}'"

@@ -127,7 +127,7 @@ def _reported(motion: TrajectoryRecord, check: bool) -> TrajectoryRecord:
     """The motion, with warnings of an early end and of what it cannot account for."""
     said = [] if motion.success else [motion.message]
     said += [motion.solver_info.warning] if motion.solver_info.warning else []
-    bent = folded(motion.model, motion.x) if said else ""
+    bent = folded(motion.model, motion.x) if said and motion.model else ""
     said = [f"{text}. {bent}" if bent else text for text in said]
     if said and check:
         raise SolveError("; ".join(said))
