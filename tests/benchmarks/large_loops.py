@@ -45,9 +45,9 @@ FOLDER = Path(__file__).parents[2] / "docs" / "performance"
 WINDOWS, LINKS = (1, 2, 4, 8, 16, 32), (20, 200, 2000)
 # joint coordinates of more windows are compiled for minutes
 MOST_RELATIVE, TIGHT = 16, {"method": "DOP853", "rtol": 1e-10, "atol": 1e-12}
-ROUNDS, STEPS = 5, 40
-# seconds of a step: short, so that all chains take the same number of them
-EXPLICIT, IMPLICIT = 2e-7, 1e-4
+ROUNDS = 5
+# seconds of a step, short, so that all chains take the same number of them, and how many
+EXPLICIT, IMPLICIT = (2e-7, 40), (1e-4, 400)
 HEADINGS = ("windows", "coordinates", "speeds", "10 s [s]", "steps", "passed", "error [rad]")
 CHAINS = (
     "links", "acceleration", "error", "explicit step", "implicit step", "equilibrium",
@@ -158,11 +158,11 @@ def chain(links: int) -> Chain:
         end = count * length
         return least(lambda: model.simulate((0, end), t_eval=(0, end), q=start, **how), 2)
 
-    explicit = {"method": "DOP853", "max_step": EXPLICIT, "rtol": 1e-3, "atol": 1e-3}
-    implicit = {"method": cd.GeneralizedAlpha(), "step": IMPLICIT}
+    explicit = {"method": "DOP853", "max_step": EXPLICIT[0], "rtol": 1e-3, "atol": 1e-3}
+    implicit = {"method": cd.GeneralizedAlpha(), "step": IMPLICIT[0]}
     more = [
-        (steps(STEPS + 2, step, **how) - steps(2, step, **how)) / STEPS / links
-        for step, how in ((EXPLICIT, explicit), (IMPLICIT, implicit))
+        (steps(count + 2, step, **how) - steps(2, step, **how)) / count / links
+        for (step, count), how in ((EXPLICIT, explicit), (IMPLICIT, implicit))
     ]
     calls = 10
     return Chain(

@@ -170,17 +170,14 @@ class NodalMechanism(Mechanism):
         """What closes loops along speeds of joints (m, n), in units of lengths and angles."""
         rows, steps = self._rows, self._steps
         G, result = self._gradient(q), np.zeros((len(rows), self.nu))
-        if self._tree_rows is not None and len(rows):
-            along = along_joints(self, G, rows, self._tree_rows)
-            if along is not None:
-                return along * self.columns
+        along = along_joints(self, G, rows, self._tree_rows)
+        if along is not None:
+            return along * self.columns
         T = self._moving(q, steps)
         result[:, steps] = G[rows] @ (T[1:] - T[0]).T
         return result
 
-    @cached_property
-    def _tree_rows(self) -> NDArray[np.intp] | None:
-        return tree_rows(self, self._rows)
+    _tree_rows = cached_property(lambda self: tree_rows(self, self._rows))
 
     @property
     def _required(self) -> NDArray[np.bool_]:
