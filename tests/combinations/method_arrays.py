@@ -23,7 +23,9 @@ REFUSED: dict[str, tuple[str, ...]] = {
 }
 # one that it takes, and with which others it does not: where bodies have nodes, a base that moves
 # them is bound by constraints
-APART: dict[str, tuple[str, tuple[str, ...]]] = {"Newmark": ("moving base", ("line load", "beam"))}
+EXCLUDED: dict[str, tuple[str, tuple[str, ...]]] = {
+    "Newmark": ("moving base", ("line load", "beam"))
+}
 # increments of poses are those of absolute coordinates
 COORDINATES = {"EnergyMomentum": "absolute"}
 
@@ -33,11 +35,11 @@ Scenes = tuple[tuple[str, ...], ...]
 def _array(method: str) -> Scenes:
     """Few scenes with every pair that a method takes."""
     names = [name for name in PRESENT if name not in REFUSED.get(method, ())]
-    alone, others = APART.get(method, ("", ()))
-    scenes = covering([name for name in names if name != alone], SIZE, closed)
-    if alone:
-        beside = covering([name for name in names if name not in others], SIZE, closed)
-        scenes += [scene for scene in beside if alone in scene]
+    feature, partners = EXCLUDED.get(method, ("", ()))
+    scenes = covering([name for name in names if name != feature], SIZE, closed)
+    if feature:
+        scenes_of_feature = covering([name for name in names if name not in partners], SIZE, closed)
+        scenes += [scene for scene in scenes_of_feature if feature in scene]
     return tuple(scenes)
 
 

@@ -14,7 +14,7 @@ import cardan as cd
 from cardan.schema.integrators import INTEGRATORS
 
 from .features import PRESENT, closed
-from .method_arrays import APART, ARRAYS, COORDINATES, LOOPS, REFUSED
+from .method_arrays import ARRAYS, COORDINATES, EXCLUDED, LOOPS, REFUSED
 from .refusals import expected
 from .routes import Names, outputs_at, route
 from .test_combinations import checked
@@ -36,11 +36,11 @@ FAULTS = {
 
 
 @functools.lru_cache(maxsize=2)
-def fine(names: Names, coordinates: str) -> Any:
+def fine(names: Names, coordinates: str) -> np.ndarray:
     """Outputs of a tight run by DOP853, the route that all methods are compared with."""
     motion = route(names, coordinates).run()
     assert motion.success, f"{motion.status}: {motion.message}"
-    return outputs_at(motion)
+    return np.asarray(outputs_at(motion))
 
 
 def moves(method: str) -> Callable[[Names], object]:
@@ -63,8 +63,8 @@ def test_every_two_features_meet_every_integrator() -> None:
         taken = [name for name in PRESENT if name not in REFUSED.get(method, ())]
         pairs = {frozenset(pair) for scene in scenes for pair in combinations(scene, 2)}
         every = {frozenset(pair) for pair in combinations(taken, 2)}
-        alone, others = APART.get(method, ("", ()))
-        assert pairs == every - {frozenset((alone, other)) for other in others}, method
+        feature, partners = EXCLUDED.get(method, ("", ()))
+        assert pairs == every - {frozenset((feature, other)) for other in partners}, method
 
 
 def rows() -> list[Any]:

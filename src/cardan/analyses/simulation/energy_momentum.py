@@ -13,6 +13,7 @@ from ...runtime.models.finite_elements.frames import rotation
 
 if TYPE_CHECKING:
     from ...runtime.models.finite_elements.mesh import Mesh
+    from ...runtime.models.finite_elements.tables import Table
     from ...runtime.models.loaded_model import LoadedModel
     from ...schema.integrators import Integrator
 
@@ -86,7 +87,7 @@ class _Looked:
         if np.abs(rates).max(initial=0.0) > SMALL:
             self._say("a joint", "it is driven along a given motion")
 
-    def _resists(self, group: Any) -> bool:
+    def _resists(self, group: Table) -> bool:
         """True when forces of a group change with speeds."""
         number, nu = self.acting.index(group), group.kind.nu
         moving = self.mesh.results("balance", self.state(self.q[0], u=self.way))[number]
@@ -99,7 +100,7 @@ class _Looked:
             f"{self.who}: {what} is not conservative ({why}): take method='GeneralizedAlpha'"
         )
 
-    def _check_mass_blocks(self, group: Any, what: str) -> None:
+    def _check_mass_blocks(self, group: Table, what: str) -> None:
         """Masses of elements stand with their nodes."""
         having = [g for g in self.tables.groups if "balance_tangent" in g.kind.functions]
         results = self.mesh.results("balance_tangent", self.state(self.q[0]))
