@@ -6,13 +6,13 @@
 
 /* generalized coordinates */
 const double cardan_default_q[cardan_nq + (cardan_nq == 0)] = {
-    -0.013069264052, /* beta [rad] */
-    -0.036362724079, /* theta [rad] */
-    0.455077088191, /* gamma [rad] */
-    0.487410798265, /* delta [rad] */
-    0.222259017131, /* phi [rad] */
-    1.23039266409, /* epsilon [rad] */
-    -0.222259017131, /* omega [rad] */
+    -0.009611805832, /* beta [rad] */
+    -0.038938484523, /* theta [rad] */
+    0.455047362333, /* gamma [rad] */
+    0.487417513796, /* delta [rad] */
+    0.222198997752, /* phi [rad] */
+    1.230369973954, /* epsilon [rad] */
+    -0.222198997752, /* omega [rad] */
 };
 
 /* generalized speeds */

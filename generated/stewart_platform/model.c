@@ -6,28 +6,28 @@
 
 /* generalized coordinates */
 const double cardan_default_q[cardan_nq + (cardan_nq == 0)] = {
-    0.247581642151, /* hooke0.angle1 [rad] */
-    -0.388314829497, /* hooke0.angle2 [rad] */
-    0.320364176779, /* slide0 [m] */
-    0.994860875242, /* ball0.qw */
-    -0.041227603038, /* ball0.qx */
-    0.085679337713, /* ball0.qy */
-    0.034801936005, /* ball0.qz */
-    -0.250145595938, /* hooke1.angle1 [rad] */
-    -0.375494373834, /* hooke1.angle2 [rad] */
-    0.416873995075, /* slide1 [m] */
-    0.219621839955, /* hooke2.angle1 [rad] */
-    0.388338661743, /* hooke2.angle2 [rad] */
-    0.396873272383, /* slide2 [m] */
-    0.534876773356, /* hooke3.angle1 [rad] */
-    0.020218171512, /* hooke3.angle2 [rad] */
-    0.253322860403, /* slide3 [m] */
-    -0.565295815764, /* hooke4.angle1 [rad] */
-    0.028306524146, /* hooke4.angle2 [rad] */
-    0.24340650764, /* slide4 [m] */
-    -0.283691170662, /* hooke5.angle1 [rad] */
-    0.471088624697, /* hooke5.angle2 [rad] */
-    0.317541334228, /* slide5 [m] */
+    0.206331741335, /* hooke0.angle1 [rad] */
+    -0.334264276593, /* hooke0.angle2 [rad] */
+    0.434661032179, /* slide0 [m] */
+    0.994479975048, /* ball0.qw */
+    -0.054967631498, /* ball0.qx */
+    0.084469921793, /* ball0.qy */
+    0.029205667731, /* ball0.qz */
+    -0.236734052741, /* hooke1.angle1 [rad] */
+    -0.331678827413, /* hooke1.angle2 [rad] */
+    0.496999331298, /* slide1 [m] */
+    0.187488218251, /* hooke2.angle1 [rad] */
+    0.364949005934, /* hooke2.angle2 [rad] */
+    0.482933740218, /* slide2 [m] */
+    0.449776243074, /* hooke3.angle1 [rad] */
+    0.019586743487, /* hooke3.angle2 [rad] */
+    0.374123645894, /* slide3 [m] */
+    -0.477308193236, /* hooke4.angle1 [rad] */
+    0.024290617772, /* hooke4.angle2 [rad] */
+    0.373012129214, /* slide4 [m] */
+    -0.243021153402, /* hooke5.angle1 [rad] */
+    0.407669807543, /* hooke5.angle2 [rad] */
+    0.440572630026, /* slide5 [m] */
 };
 
 /* generalized speeds */

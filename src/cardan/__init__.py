@@ -42,6 +42,7 @@ _PUBLIC: dict[str, str] = {
     "constraints": "equations.constraints.treatments",
     "stability": "analyses.simulation.precision.method_stability",
     "Equations": "api.equations",
+    "vectors": "equations.reading.vectors",
     "CompiledModel": "api.compiled_model",
     "load_model": "api.saved_model",
     "excitation": "analyses.identification.excitation",

@@ -15,6 +15,7 @@ from cardan.analyses.systems.dynamic_system import DynamicSystem, Moment, Tangen
 from cardan.analyses.systems.joint_system import JointSystem
 from cardan.analyses.systems.saddle_point import Dense, Sparse
 from mechanisms.closed import CLOSED
+from mechanisms.flexible import slider_crank
 
 G = 9.81
 
@@ -154,6 +155,14 @@ def test_a_turning_observer() -> None:
     found = cd.compile(scene).modes(u={"turn": 3.0})
     oscillating = found.angular[found.angular > 1]
     np.testing.assert_allclose(oscillating, [7.0, 13.0], rtol=1e-5)
+
+
+def test_a_rod_on_a_driven_crank() -> None:
+    """Bending between hinges in closed form; a crank without speeds of its own carries one end."""
+    model = cd.compile(slider_crank(elements=4))
+    stiffness, mass = 2e11 * 0.008**4 / 12, 7870 * 0.008**2
+    expected = np.pi / 2 * np.sqrt(stiffness / mass) / 0.3**2
+    assert model.modes().frequencies[0] == pytest.approx(expected, rel=2e-3)
 
 
 def test_constraints_hold_in_modes() -> None:

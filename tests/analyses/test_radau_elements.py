@@ -56,7 +56,7 @@ def test_beam_at_a_tight_tolerance() -> None:
     model = cd.compile(pendulum(4))
     times = np.linspace(0, 0.3, 7)
     exact = model.simulate(times, method="DOP853", rtol=1e-10, atol=1e-12)
-    motion = model.simulate(times, method="Radau", rtol=1e-8)
+    motion = model.simulate(times, method="Radau", rtol=1e-9)
     np.testing.assert_allclose(motion.q, exact.q, atol=2e-9)
     np.testing.assert_allclose(motion.u, exact.u, atol=1e-6)
     assert model.simulate(0.01, rtol=1e-8).solver_info.method == "Radau"
@@ -79,7 +79,7 @@ def test_redundant_loop() -> None:
     }
     runs = [
         model.simulate(0.5, q=start, method=method, rtol=rtol, atol=1e-12)
-        for method, rtol in (("Radau", 1e-8), ("DOP853", 1e-11))
+        for method, rtol in (("Radau", 1e-9), ("DOP853", 1e-11))
     ]
     np.testing.assert_allclose(runs[0].q[-1], runs[1].q[-1], atol=1e-8)
 
@@ -102,7 +102,7 @@ def test_beam_with_all_that_may_happen() -> None:
     model = cd.compile(everything())
     runs = [
         model.simulate(0.12, method=method, rtol=rtol)
-        for method, rtol in (("Radau", 1e-8), ("DOP853", 1e-11))
+        for method, rtol in (("Radau", 1e-10), ("DOP853", 1e-11))
     ]
     names, times = ([[getattr(e, x) for e in run.events] for run in runs] for x in ("name", "t"))
     assert names[0] == names[1]
@@ -119,7 +119,7 @@ def test_stiff_internal_state_on_a_beam() -> None:
     model = cd.compile(scene)
     motion, exact = (
         model.simulate(0.2, u={"slide": 1.0}, method=method, rtol=rtol, atol=1e-12)
-        for method, rtol in (("Radau", 1e-8), ("DOP853", 1e-11))
+        for method, rtol in (("Radau", 1e-9), ("DOP853", 1e-11))
     )
     assert model.nz == 1
     np.testing.assert_allclose(motion.x[-1], exact.x[-1], atol=1e-7)

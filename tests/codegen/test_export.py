@@ -15,7 +15,6 @@ import pytest
 import cardan as cd
 from cardan.codegen import layout
 from cardan.codegen.export import companions
-from cardan.codegen.export.export import export
 from cardan.codegen.layout import HEADERS
 from cardan.errors import CodegenError, DerivationError
 from cardan.schema import kernel_files
@@ -56,7 +55,7 @@ int main(void)
 @pytest.mark.parametrize("compiler", sorted(compilers()))
 def test_exported_files_compile_alone_and_compute(compiler: str, tmp_path: Path) -> None:
     equations = cd.derive(arm())
-    folder = export(equations, tmp_path / "arm")
+    folder = equations.export(tmp_path / "arm")
     values = [p.value for p in equations.system.parameters]
     main = MAIN.replace("PARAMETERS", ", ".join(map(repr, values)))
     (tmp_path / "main.c").write_text(main)
@@ -77,7 +76,7 @@ def test_exported_files_compile_alone_and_compute(compiler: str, tmp_path: Path)
 
 
 def test_files_are_those_of_the_manifest(tmp_path: Path) -> None:
-    folder = export(cd.derive(arm()), tmp_path / "arm", ["bias", ("pose", "tool")])
+    folder = cd.derive(arm()).export(tmp_path / "arm", ["bias", ("pose", "tool")])
     data = json.loads((folder / "manifest.json").read_text("utf-8"))
     assert {p.name for p in folder.iterdir()} == {"manifest.json", *data["sha256"]}
     assert set(data["functions"]) == {"bias", "pose__tool"}
@@ -85,8 +84,8 @@ def test_files_are_those_of_the_manifest(tmp_path: Path) -> None:
 
 
 def test_an_earlier_export_is_replaced(tmp_path: Path) -> None:
-    export(cd.derive(arm()), tmp_path / "arm", ["bias"])
-    export(cd.derive(arm()), tmp_path / "arm", ["energy"])
+    cd.derive(arm()).export(tmp_path / "arm", ["bias"])
+    cd.derive(arm()).export(tmp_path / "arm", ["energy"])
     assert (tmp_path / "arm" / "energy.c").exists()
     assert not (tmp_path / "arm" / "bias.c").exists()
     assert [p.name for p in tmp_path.iterdir()] == ["arm"]
@@ -95,24 +94,24 @@ def test_an_earlier_export_is_replaced(tmp_path: Path) -> None:
 @pytest.mark.parametrize("name", ["notes.txt", "energy.h"])
 def test_other_peoples_files_are_left_alone(name: str, tmp_path: Path) -> None:
     folder = tmp_path / "arm"
-    export(cd.derive(arm()), folder, ["bias"])
+    cd.derive(arm()).export(folder, ["bias"])
     before = (folder / "manifest.json").read_bytes()
     (folder / name).write_text("mine")
     with pytest.raises(CodegenError, match=name):
-        export(cd.derive(arm()), folder, ["energy"])
+        cd.derive(arm()).export(folder, ["energy"])
     assert (folder / name).read_text() == "mine"
     assert (folder / "manifest.json").read_bytes() == before
 
 
 def test_a_failure_leaves_nothing_behind(tmp_path: Path) -> None:
     with pytest.raises(DerivationError, match="Did you mean 'energy'"):
-        export(cd.derive(arm()), tmp_path / "arm", ["enrgy"])
+        cd.derive(arm()).export(tmp_path / "arm", ["enrgy"])
     with pytest.raises(DerivationError):
-        export(cd.derive(arm()), tmp_path / "arm", ["bias", ("pose", "nowhere")])
+        cd.derive(arm()).export(tmp_path / "arm", ["bias", ("pose", "nowhere")])
     assert list(tmp_path.iterdir()) == []
     (tmp_path / "file").write_text("x")
     with pytest.raises(CodegenError, match="is a file"):
-        export(cd.derive(arm()), tmp_path / "file")
+        cd.derive(arm()).export(tmp_path / "file")
 
 
 def example_of(folder: Path, quick: bool = True) -> list[str]:
@@ -140,7 +139,7 @@ def test_no_room_for_an_export_is_said(tmp_path: Path, monkeypatch: pytest.Monke
         with monkeypatch.context() as patched:
             patched.setattr(layout, name, full)
             with pytest.raises(CodegenError, match="No space left"):
-                export(equations, tmp_path / "c", functions=["energy"], language="c")
+                equations.export(tmp_path / "c", functions=["energy"], language="c")
     assert list(tmp_path.iterdir()) == []
 
 
@@ -164,13 +163,13 @@ def test_the_example_simulates(method: str, tmp_path: Path) -> None:
 def test_a_closed_scene_simulates_without_python(tmp_path: Path) -> None:
     equations = cd.derive(four_bar())
     plain = equations.export(tmp_path / "plain", language="c")
-    # a four-bar whose angles are all 0 is open: model.c has a start at which it is closed
+    # a four-bar whose angles are all 0 is open: model.c has the start that a run in Python has
     folder = equations.export(tmp_path / "bars", language="c", integrators=("dop853",))
     for where in (plain, folder):
         assert {"close_position.c", "close_velocity.c"} <= {p.name for p in where.iterdir()}
     found = numbers(example_of(folder), "x")
-    model, start = cd.compile(equations), equations.feasibility().q
-    end = model.simulate(1.0, q=start, rtol=1e-11, atol=1e-13)
+    model = cd.compile(equations)
+    end = model.simulate(1.0, rtol=1e-11, atol=1e-13)
     assert np.abs(model.constraints(found[: model.nq])).max() < 1e-12
     assert found == pytest.approx(end.x[-1].tolist(), abs=1e-6)
 

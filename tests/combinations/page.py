@@ -30,10 +30,6 @@ The features are added to two bars that swing; `tests/combinations` has the scen
 sets of seven in which every two features meet, each in two kinds of coordinates.
 
 """
-LIMITS = """
-Gravity fields act on rigid bodies. In a scene with beams `bodies=` names them, as it does here; the
-pull of a field on the beam itself is not written yet.
-"""
 Cells = dict[tuple[str, str, str], str]
 
 
@@ -99,7 +95,7 @@ def page(table: Cells, pairs: dict[tuple[str, str], str]) -> str:
         for kind, title in titles.items():
             parts.append(f"\n## Features with {what}: {title}\n\n")
             parts.append(grid(table, kind, columns, letters))
-    parts.append("\n## Refusals\n\n" + letters.text() + LIMITS)
+    parts.append("\n## Refusals\n\n" + letters.text())
     return "".join(parts)
 
 

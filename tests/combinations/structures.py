@@ -96,9 +96,7 @@ def moving_base(made: Mechanism, present: bool) -> None:
 
 
 def gravity_field(made: Mechanism, present: bool) -> None:
-    """The pull of a heavy point below, on rigid bodies."""
+    """The pull of a heavy point below, on all that has mass."""
     if present:
         center = made.scene.ground.at(0.5, 1.0, -3.0)
-        # with beams in the scene its bodies are named
-        bodies = [b for b in made.scene.bodies.values() if b.mass] if made.scene.beams else ()
-        made.scene.force("planet", cd.CentralGravity(center, mu=30.0, bodies=tuple(bodies)))
+        made.scene.force("planet", cd.CentralGravity(center, mu=30.0))

@@ -112,6 +112,9 @@ def data_of(element: FlexibleElement, inputs: Values) -> Values:
         given["epsilon"] = column([data[f"strain_{k}"] for k in range(1, 7)])
     if "gravity_1" in data:
         given |= {"mu": data["rhoA"], "g": column([data[f"gravity_{k}"] for k in (1, 2, 3)])}
+    if "center_px" in data:
+        given |= {"mu_c": data["mu"], "mu": data["rhoA"]}
+        given["p_c"] = column([data[f"center_p{x}"] for x in "xyz"])
     loads = {"dead_force": "f_0", "follower_force": "n"}
     if element.kind.endswith("_load"):
         loads = {element.kind.replace("load", x): x[0] for x in ("force", "moment")}

@@ -7,7 +7,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from cardan.elements.flexible import BEAMS, FLEXIBLE, INERTIAS, FlexibleElement
+from cardan.elements.flexible import BEAMS, FLEXIBLE, INERTIAS, FlexibleElement, GravityField
+from cardan.elements.forces.gravity_gradient import GravityGradient
 from cardan.equations.reading.typesetting import typeset, unbroken
 from cardan.ir.interpreter import evaluate
 from elements.formula_values import computed, data_of, skew
@@ -15,7 +16,10 @@ from elements.formula_values import computed, data_of, skew
 ELEMENTS: dict[str, FlexibleElement] = {
     **BEAMS, **INERTIAS,
     **{k: FLEXIBLE[k]() for k in FLEXIBLE if k not in ("hellinger_reissner", "linked_inertia",
-       "lumped_inertia", "helicoidal", "classical")}
+       "lumped_inertia", "helicoidal", "classical")},
+    "field at the ends": GravityField(lumped=True),
+    "gradient": GravityField(GravityGradient("ground", 1.0)),
+    "gradient at the ends": GravityField(GravityGradient("ground", 1.0), lumped=True),
 }  # fmt: skip
 # solves of six equations with stiffness of one magnitude
 ROUNDING = 1e-10

@@ -197,15 +197,16 @@ def arc_angles(links: int, span: float) -> list[float]:
     return [high * share for share in shares]
 
 
-def hanging_chain(links: int, span: float = 0.8) -> cd.Scene:
+def hanging_chain(links: int, span: float = 0.8, stretched: bool = False) -> cd.Scene:
     """A chain of equal rods, 1 m and 1 kg in all, between two pivots at one height.
 
-    Its joints start along an arc, which is not how it hangs at rest.
+    Its joints start along an arc, which is not how it hangs at rest. ``stretched``: they start at
+    0, on a line that is too long for the pivots.
     """
     scene = cd.Scene(f"hanging_chain{links}", gravity=(0, -G, 0))
     length, angle, end = 1 / links, 0.0, scene.ground
     rod = cd.inertia.rod(length, length, axis="x")
-    for k, absolute in enumerate(arc_angles(links, span)):
+    for k, absolute in enumerate([0.0] * links if stretched else arc_angles(links, span)):
         link = scene.body(f"link{k}", mass=length, com=(length / 2, 0, 0), inertia=rod)
         at = end.at(length, 0, 0) if k else end
         scene.joint(f"pin{k}", cd.Revolute("z"), at, link, q0=absolute - angle)

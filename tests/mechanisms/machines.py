@@ -2,16 +2,23 @@
 
 from __future__ import annotations
 
+import tempfile
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import Any
 
+import numpy as np
 import sympy
 
 import cardan as cd
 
+from .robots import panda
+
 DURAL = cd.material(E=7e10, nu=0.3, rho=2700, damping=1e-4)
 SOFT = cd.material(E=2e8, nu=0.3, rho=1200, damping=2e-3)
+
+Vector = tuple[float, float, float]
 
 
 @dataclass(frozen=True)
@@ -140,6 +147,74 @@ def stick_slip() -> cd.Scene:
     return scene
 
 
+def shaft(speed: float = 60.0) -> cd.Scene:
+    """A disk amid a flexible shaft whose material damps, turned at a speed."""
+    scene = cd.Scene("shaft", gravity=(0, 0, -9.81))
+    drum = scene.body("drum", mass=0.1, inertia=(1e-4, 1e-4, 1e-4))
+    scene.joint("bearing", cd.Revolute("x"), scene.ground, drum, prescribed=speed * cd.t)
+    disk = scene.body("disk", mass=1.0, inertia=(2e-3, 1e-3, 1e-3), pose=(0.3, 0, 0))
+    section = cd.section.circle(0.005)
+    lossy = cd.material(E=2e11, nu=0.3, rho=7800, damping=2e-4)
+    scene.beam("near", drum, disk, section, lossy, elements=2)
+    end = scene.body("end", mass=0.1, inertia=(1e-4, 1e-4, 1e-4))
+    scene.joint("other", cd.Cylindrical("x"), scene.ground.at(0.6, 0, 0), end)
+    scene.beam("far", disk, end, section, lossy, elements=2)
+    scene.output("whirl", disk.position()[1])
+    return scene
+
+
+def four_bar() -> cd.Scene:
+    """A four-bar with a flexible coupler, turned by a motor with inductance."""
+    scene = cd.Scene("four_bar", gravity=(0, -9.81, 0))
+    crank = scene.body("crank", mass=0.4, com=(0.1, 0, 0), inertia=(1e-3, 3e-3, 3e-3))
+    rocker = scene.body("rocker", mass=0.6, com=(0.25, 0, 0), inertia=(1e-3, 0.02, 0.02))
+    scene.joint("A", cd.Revolute("z"), scene.ground, crank)
+    pivot = scene.ground.at(0.6, 0, 0, rotation=("XYZ", 0, 0, sympy.pi / 2))
+    scene.joint("D", cd.Revolute("z"), pivot, rocker)
+    current = sympy.Symbol("current")
+    change = (24.0 - 2.0 * current - 0.5 * scene.u("A")) / 0.05
+    scene.force("motor", cd.Controller("A", (current,), (change,), 0.5 * current))
+    bar = cd.section.rectangle(0.01, 0.01)
+    scene.beam(
+        *("coupler", crank.at(0.2, 0, 0), rocker.at(0.5, 0, 0), bar, DURAL),
+        elements=2,
+        release_start="rz",
+        release_end="rz",
+    )
+    return scene
+
+
+def with_tool(build: Callable[[], cd.Scene], hand: str, along: Vector) -> cd.Scene:
+    """A robot from a file with a flexible tool in its hand, held by springs at its joints."""
+    scene, robot = build(), cd.compile(build())
+    for name, joint in scene.joints.items():
+        if joint.kind == "revolute":
+            scene.force(f"hold {name}", cd.JointSpring(name, stiffness=80.0, damping=4.0))
+    pose = robot.pose(hand, np.zeros(robot.nq))
+    tip = pose[:3, 3] + pose[:3, :3] @ along
+    rod = cd.section.circle(0.008)
+    tool = scene.beam("tool", hand, tuple(tip.tolist()), rod, DURAL, elements=2)
+    scene.output("tip", tool.end.position()[2])
+    return scene
+
+
+def desk_arm() -> cd.Scene:
+    """The desk arm of the examples, from its URDF file."""
+    return cd.load(Path(__file__).parents[2] / "examples" / "arm.urdf")
+
+
+def swing() -> cd.Scene:
+    """Two hinged bars, from a MJCF file."""
+    rod = '<geom type="capsule" size="0.02" fromto="0 0 0 0.3 0 0"/>'
+    text = f"""<mujoco model="swing"><worldbody><body name="arm">
+        <joint name="root" axis="0 1 0" damping="0.1"/>{rod}<body name="hand" pos="0.3 0 0">
+        <joint name="wrist" axis="0 0 1" damping="0.1"/>{rod}</body></body></worldbody></mujoco>"""
+    with tempfile.TemporaryDirectory() as folder:
+        file = Path(folder) / "swing.xml"
+        file.write_text(text, encoding="utf-8")
+        return cd.load(file)
+
+
 MACHINES: dict[str, Machine] = {
     "folded_array": Machine(
         *(folded_array, 1.2, ("hinge0", "hinge1", "hinge2", "tip")),
@@ -154,4 +229,9 @@ MACHINES: dict[str, Machine] = {
     "sampled_arm": Machine(*(lambda: controlled_arm(0.01), 1.0, ("motor", "tip"))),
     "spacecraft": Machine(*(spacecraft, 20.0, ("wheel",)), u={"orbit": (0, 0, 0.02, 0, 0, 0)}),
     "stick_slip": Machine(*(stick_slip, 1.5, ("rail",))),
+    "shaft": Machine(*(shaft, 0.4, ("whirl",)), u={"disk.u.py": 1.0}),
+    "four_bar": Machine(*(four_bar, 0.5, ("A", "D", "motor.current"))),
+    "panda": Machine(*(lambda: with_tool(panda, "panda_hand", (0, 0, 0.4)), 0.4, ("tip",))),
+    "urdf_arm": Machine(*(lambda: with_tool(desk_arm, "hand", (0.4, 0, 0)), 0.5, ("elbow", "tip"))),
+    "mjcf_arm": Machine(*(lambda: with_tool(swing, "hand", (0.3, 0, 0)), 0.5, ("root", "tip"))),
 }

@@ -31,8 +31,46 @@ class Equations(Explained, Linearizable):
     base_parameters = verb("cardan.equations.functions.base_parameters:base_parameters")
     to_sympy = verb("cardan.equations.reading.mechanics:mechanics")
     explain = verb("cardan.explain:explain")
-    export = verb("cardan.codegen.export.export:export")
     _repr_html_ = html
+
+    @checked
+    def export(
+        self,
+        directory: str | Path,
+        functions: Sequence[object] | None = None,
+        language: str = "cython",
+        integrators: Sequence[str] = (),
+        reproducible: bool = False,
+        loops: bool | None = None,
+        prefix: str = "",
+    ) -> Path:
+        """Write C that needs nothing but a C compiler, and what makes it easy to use.
+
+        Args:
+            directory: A new or empty one, or an earlier export of cardan, which is replaced.
+            functions: Names such as ``"mass_matrix"``, or pairs such as ``("pose", "hand")``; by
+                default the dynamics and the energy, of a closed system also what closes it, of one
+                with events what happens.
+            language: ``"cython"`` adds a package for NumPy, ``"c"`` leaves it at C.
+            integrators: By their files, such as ``"dop853"``, ``"rk4"`` or ``"radau"``: their C
+                comes along, and ``example.c`` simulates.
+            reproducible: The flags written down forbid contraction: equal bits from every compiler.
+            loops: As :func:`cardan.compile` takes it.
+            prefix: Put before the names of all functions and data, such as ``"arm_"``: exports with
+                different prefixes can be linked into one program. With ``language="c"``.
+
+        Returns:
+            The directory. It appears whole or not at all.
+
+        Raises:
+            CodegenError: the directory holds other things; an unknown language or integrator.
+            DerivationError: an unknown function.
+        """
+        from ..analyses.simulation.export_plan import started
+        from ..codegen.export.export import export
+
+        how = (language, integrators, reproducible, loops, prefix)
+        return export(self, directory, partial(started, CompiledModel), functions, *how)
 
     @checked
     def linearize_along(

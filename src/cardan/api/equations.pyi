@@ -68,16 +68,7 @@ class Equations(Explained, Linearizable):
         Raises:
             DerivationError: another ending.
         """
-    def export(
-        self,
-        directory: str | Path,
-        functions: Sequence[object] | None = None,
-        language: str = "cython",
-        integrators: Sequence[str] = (),
-        reproducible: bool = False,
-        loops: bool | None = None,
-        prefix: str = "",
-    ) -> Path:
+    def export(self, directory: str | Path, functions: Sequence[object] | None=None, language: str='cython', integrators: Sequence[str]=(), reproducible: bool=False, loops: bool | None=None, prefix: str='') -> Path:
         """Write C that needs nothing but a C compiler, and what makes it easy to use.
 
         Args:
@@ -86,8 +77,8 @@ class Equations(Explained, Linearizable):
                 default the dynamics and the energy, of a closed system also what closes it, of one
                 with events what happens.
             language: ``"cython"`` adds a package for NumPy, ``"c"`` leaves it at C.
-            integrators: By their files, such as ``"dop853"``, ``"rk4"`` or ``"radau"``: their C comes
-                along, and ``example.c`` simulates.
+            integrators: By their files, such as ``"dop853"``, ``"rk4"`` or ``"radau"``: their C
+                comes along, and ``example.c`` simulates.
             reproducible: The flags written down forbid contraction: equal bits from every compiler.
             loops: As :func:`cardan.compile` takes it.
             prefix: Put before the names of all functions and data, such as ``"arm_"``: exports with

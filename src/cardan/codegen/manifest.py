@@ -153,6 +153,7 @@ def isolated(system: System) -> bool:
         for segment in system.segments
         for k in (segment.frame_a, segment.frame_b)
     ]
+    ends += [system.frames[one.center].body for s in system.segments for one in s.fields]
     frames = [system.frames[k].body for force in system.forces for k in force.frames.values()]
     across = [system.bodies[k].parent for force in system.forces for k in force.joints.values()]
     return (

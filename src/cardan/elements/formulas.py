@@ -52,6 +52,7 @@ SHAPES: dict[str, dict[str, Shape]] = {
     **dict.fromkeys(("bushing", "flexible_hinge"), _SPRINGS),
     **dict.fromkeys(("linked_inertia", "lumped_inertia"), _SPIN),
     **dict.fromkeys(("dead_load", "follower_load"), _LOAD),
+    "gravity_field": _SPIN,
     "body": {"c": (3, 1), "J": ("symmetric", 3)},
     **dict.fromkeys(("central_gravity", "gravity_gradient"), _MASS),
     "contact": {"n_0": (3, 1)},

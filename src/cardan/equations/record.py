@@ -77,13 +77,7 @@ class EquationRecord:
     @cached_property
     def symbols(self) -> dict[tuple[str, int], sympy.Symbol]:
         """SymPy symbol of every entry of every block."""
-        import sympy
-
-        return {
-            (b.name, i): sympy.Symbol(entry)
-            for b in self.blocks.values()
-            for i, entry in enumerate(b.entries)
-        }
+        return blocks.symbols(self.blocks)
 
     @property
     def formalism(self) -> Formalism:

@@ -117,7 +117,9 @@ class _Copy:
         return self.prefix + old
 
     def value(self, value: Any) -> Any:
-        """A quantity as written, with the new symbols, frames and bodies."""
+        """A quantity as written, with the new symbols, frames, bodies and beams."""
+        if isinstance(value, Beam):
+            return self.name(value.name)
         if isinstance(value, (Body, Frame)):
             return self.place(value)
         if isinstance(value, (tuple, list)):

@@ -172,7 +172,7 @@ class SceneRecord(Vocabulary):
         for named in (self.bodies, self.frames, self.nodes) if isinstance(place, str) else ():
             located = located or named.get(str(place))
         if located is None:
-            names = ["ground", *self.bodies, *self.nodes]
+            names = ["ground", *self.bodies, *self.nodes, *(self.beams if "beam" in role else ())]
             listed = near(place, names).replace(" Known:", " Bodies:")
             place_text = f"'{place}'" if isinstance(place, str) else brief(place)
             raise ModelError(f"{who}: {role} {place_text} does not exist.{listed}")

@@ -6,17 +6,21 @@ from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 
 from ..elements.forces.force import ForceElement
+from ..elements.forces.gravitation import Gravitation
 from ..elements.forces.line_load import LineLoad
 from ..errors import ModelError, TopologyError, near
 from ..ir.function import live
 from ..ir.graph import ZERO, Graph
 from ..scene import checks
+from ..scene.beam import Beam
+from ..scene.body import Body
 from ..scene.masses import pulled
 from ..scene.origins import located
 from ..scene.scene import SceneRecord
 from . import internal_states, prescribed_motion, scene_warnings
 from .assembly import Assembly
 from .beams.nodal_scene import with_beams
+from .beams.segment_tables import GravityOnBeam
 from .beams.segments import segments, settle
 from .cables.cable_parts import with_cables
 from .conversion import Converter
@@ -113,8 +117,7 @@ def _build(
     convert.moving = True
     places = internal_states.numbered(scene, convert)
     atoms = _atoms(scene, assembly)
-    pointwise = [n for n, one in scene.forces.items() if not isinstance(one.element, LineLoad)]
-    forces = tuple(one for n in pointwise for one in _forces(model, assembly, n, places[n]))
+    forces, fields = _pointwise(model, assembly, places)
     joints = prescribed_motion.prescribed(
         scene, assembly.joints, assembly.joint_number, convert, inputs
     )
@@ -146,7 +149,7 @@ def _build(
         closures=closures,
         closable=closable,
         constraints=constraints,
-        segments=beams,
+        segments=tuple(replace(one, fields=fields.get(one.name, ())) for one in beams),
         ground_parts=tuple(assembly.ground.parts),
         fixed=tuple(assembly.fixed),
         shapes=pictures(scene, assembly.numbers),
@@ -253,21 +256,34 @@ def _atoms(scene: SceneRecord, assembly: Assembly) -> dict[str, Atom]:
     return atoms
 
 
-def _forces(
-    model: SceneRecord, assembly: Assembly, name: str, slots: tuple[int, int, int]
-) -> tuple[Force, ...]:
-    """A force element; once for every body where it acts by mass."""
-    force, user = _force(model, assembly, name, slots), model.forces[name]
-    if user.element.masses() is None:
-        return (force,)
-    return tuple(
-        replace(
-            force,
-            data=force.data | assembly.weights[body],
-            frames=force.frames | {"body": assembly.frame(body, body.name)},
-        )
-        for body in with_rotors_on(assembly.model, pulled(model, user))
-    )
+def _pointwise(
+    model: SceneRecord, assembly: Assembly, places: Mapping[str, tuple[int, int, int]]
+) -> tuple[tuple[Force, ...], dict[str, tuple[GravityOnBeam, ...]]]:
+    """All force elements but the loads along beams; by the name of a beam, fields that pull it."""
+    forces, fields = list[Force](), dict[str, tuple[GravityOnBeam, ...]]()
+    for name, user in model.forces.items():
+        if isinstance(user.element, LineLoad):
+            continue
+        force = _force(model, assembly, name, places[name])
+        if user.element.masses() is None:
+            forces.append(force)
+            continue
+        members = pulled(model, user)
+        # along beams their elements carry it
+        for beam in (one for one in members if isinstance(one, Beam)):
+            assert isinstance(user.element, Gravitation)
+            field = GravityOnBeam(name, user.element, force.frames["center"], force.data)
+            fields[beam.name] = (*fields.get(beam.name, ()), field)
+        rigid = [one for one in members if isinstance(one, Body)]
+        forces += [
+            replace(
+                force,
+                data=force.data | assembly.weights[body],
+                frames=force.frames | {"body": assembly.frame(body, body.name)},
+            )
+            for body in with_rotors_on(assembly.model, rigid)
+        ]
+    return tuple(forces), fields
 
 
 def _force(model: SceneRecord, assembly: Assembly, name: str, slots: tuple[int, int, int]) -> Force:

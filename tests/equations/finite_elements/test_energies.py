@@ -9,7 +9,8 @@ import pytest
 import sympy
 
 import cardan as cd
-from cardan.elements.flexible import BEAMS, FLEXIBLE, INERTIAS
+from cardan.elements.flexible import BEAMS, FLEXIBLE, INERTIAS, GravityField
+from cardan.elements.forces.gravity_gradient import GravityGradient
 from cardan.elements.formulas import SHAPES
 from cardan.equations.reading.energy_expressions import EnergyExpressions, energy_of
 from cardan.errors import DerivationError
@@ -17,7 +18,8 @@ from cardan.ir.interpreter import evaluate
 from elements.formula_values import data_of
 
 ELEMENTS = {**BEAMS, "linked": INERTIAS["linked"],
-            "dead_load": FLEXIBLE["dead_load"]()}  # fmt: skip
+            "dead_load": FLEXIBLE["dead_load"](), "gravity_field": FLEXIBLE["gravity_field"](),
+            "gradient": GravityField(GravityGradient("ground", 1.0))}  # fmt: skip
 # solves of six equations
 ROUNDING = 1e-10
 

@@ -16,6 +16,8 @@ from .mechanism import Mechanism
 from .position_solver import PositionSolver
 from .redundancy import rank_of
 
+# where branches meet, gaps grow with the square of the way: searches end that far beside them
+NEARBY = 1e-7
 OFFSET = 1e-3  # of the size, and radians: beside a start that may be singular
 SIGNS = {"+": (0.0, math.inf), "-": (-math.inf, 0.0)}
 
@@ -105,12 +107,12 @@ def refuse_singular(m: Mechanism, q: Array) -> None:
         ModelError: constraints are fewer here than at a position beside it.
     """
     U, s = m.decomposition(q)
-    rank = rank_of(s)
+    rank = rank_of(s, NEARBY)
     if rank == len(U):
         return
     aside = np.random.default_rng(0).uniform(-OFFSET, OFFSET, m.nu)
     neighbor = PositionSolver(m).search(m.advance(q, aside)).q
-    usual = rank_of(np.linalg.svd(m.jacobian(neighbor), compute_uv=False))
+    usual = rank_of(np.linalg.svd(m.jacobian(neighbor), compute_uv=False), NEARBY)
     if usual <= rank:
         return
     # what is lost here, and not what is redundant everywhere

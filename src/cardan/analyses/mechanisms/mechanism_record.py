@@ -49,11 +49,10 @@ def called(function: Callable[..., Array], size: int, **blocks: int) -> PythonFu
         blocks: Name -> numbers of each.
     """
 
-    def lists(*values: list[float]) -> list[float]:
-        results: list[float] = np.ravel(function(*map(np.array, values))).tolist()
-        return results
+    def results(*values: list[float]) -> Array:
+        return np.asarray(function(*map(np.array, values)))
 
-    return PythonFunction(lists, [*blocks.items()], size)
+    return PythonFunction(results, [*blocks.items()], size)
 
 
 @lru_cache(maxsize=4)

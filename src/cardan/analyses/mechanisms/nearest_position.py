@@ -21,7 +21,7 @@ from .branches import Branch, refuse
 from .mechanism import Mechanism
 from .position_solver import PositionSolver, Solution
 from .rounded_loops import rounded
-from .searches import search
+from .searches import aside, search
 from .targets import Coordinates, Target
 
 NEARLY = 1e-4  # residuals without units of values that were meant to fit, and are rounded
@@ -44,7 +44,11 @@ def assembled(m: Mechanism, goals: list[Target], q: Array) -> Solution:
     Raises:
         ModelError: no position fulfills the goals.
     """
-    first = PositionSolver(m, goals).search(q)
+    solver = PositionSolver(m, goals)
+    first = solver.search(q)
+    if not first.closed:
+        ends = (solver.search(start) for start in aside(m, solver, first.q))
+        first = next((end for end in ends if end.met), first)
     if first.met and not m.outside(first.q):
         return nearest(m, goals, q, first)
     solutions = search(m, goals, q, m.searches, 0)

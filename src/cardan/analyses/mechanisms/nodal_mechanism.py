@@ -27,6 +27,7 @@ from ...schema.entries import MultiplierRow
 from ...schema.manifest import Manifest
 from ...schema.mechanism import JointRow
 from ...schema.records import PositionRecord
+from .loop_jacobian import along_joints, tree_rows
 from .mechanism import Mechanism
 from .mechanism_record import Connection, called, searching
 
@@ -123,7 +124,7 @@ class NodalMechanism(Mechanism):
 
     def _gradient(self, q: Array) -> Any:
         """G of all rows of the model (m, nu), sparse."""
-        return self._results.mesh.tangent(self._at(q))["G"]
+        return self._results.mesh.tangent(self._at(q), ("G",))["G"]
 
     @cached_property
     def _results(self) -> Any:
@@ -160,14 +161,26 @@ class NodalMechanism(Mechanism):
 
     def _jacobian(self, q: Array) -> Array:
         """Same as :meth:`Mechanism.jacobian`, along speeds of joints."""
-        rows, steps = self._rows, self._steps
-        G = np.zeros((len(rows), self.nu))
-        if len(rows):
-            T = self._moving(q, steps)
-            G[:, steps] = self._gradient(q)[rows] @ (T[1:] - T[0]).T / self.rows[:, None]
+        G = self._loop_jacobian(q) / self.rows[:, None]
         count = self.closing.positions
         G = np.concatenate([G[:count], self._missed_jacobian(q), G[count:]])
         return G[self._required]
+
+    def _loop_jacobian(self, q: Array) -> Array:
+        """What closes loops along speeds of joints (m, n), in units of lengths and angles."""
+        rows, steps = self._rows, self._steps
+        G, result = self._gradient(q), np.zeros((len(rows), self.nu))
+        if self._tree_rows is not None and len(rows):
+            along = along_joints(self, G, rows, self._tree_rows)
+            if along is not None:
+                return along * self.columns
+        T = self._moving(q, steps)
+        result[:, steps] = G[rows] @ (T[1:] - T[0]).T
+        return result
+
+    @cached_property
+    def _tree_rows(self) -> NDArray[np.intp] | None:
+        return tree_rows(self, self._rows)
 
     @property
     def _required(self) -> NDArray[np.bool_]:
@@ -210,8 +223,7 @@ class NodalMechanism(Mechanism):
 
     def carry(self, q: Array) -> Array:
         """Coordinates (nq,) with nodes where the joints among them carry these."""
-        x = np.concatenate([q, np.zeros(self.model.nu), self._z])
-        return self.carrier.at(x)[: len(q)]
+        return self.carrier.node_positions(q)
 
     def state(self, q: Array, u: Array) -> tuple[Array, Array]:
         """Coordinates and speeds of everything, by those of joints among q (nq,) and u (nu,)."""
@@ -345,8 +357,7 @@ class NodalMechanism(Mechanism):
 
     def mass(self, q: Array) -> Array | None:
         """Same as :meth:`Mechanism.mass`."""
-        T = self.along(q)
-        moves = T[1:] - T[0]
+        moves = self.along(q)[1:] - self.along(q)[0]
         return np.asarray(moves @ (self._results.mesh.tangent(self._at(q))["M"] @ moves.T))
 
     # beams between two bodies that joints carry
@@ -358,16 +369,24 @@ class NodalMechanism(Mechanism):
 
     def _missed(self, q: Array) -> Array:
         """By which rotation and way, without units, beams that are rigid would miss (6 k,)."""
-        parts = []
+        parts, still = [], np.zeros(self.model.nu)
         for one, other in self.links:
-            a, b, home = self.carrier.displaced(q, one, other)
-            way = (b[:3, :3] - a[:3, :3]) @ home + b[:3, 3] - a[:3, 3]
-            parts += [rotation_vectors(b[:3, :3] @ a[:3, :3].T), way / self.size]
+            a, b, home = self.carrier.displaced(q, still, one, other)
+            turn = rotation_vectors((b.turn * a.turn.inv()).as_matrix())
+            parts += [turn, (b.at(home) - a.at(home)) / self.size]
         return np.concatenate([np.zeros(0), *parts])
 
+    def rates(self, q: Array, u: Array) -> Array:
+        """Same as :meth:`Mechanism.rates`, and those of what rigid beams would miss."""
+        parts, rates, count = [], super().rates(q, u), self.closing.positions
+        for one, other in self.links:
+            a, b, home = self.carrier.displaced(q, u, one, other)
+            parts += [b.omega - a.omega, (b.velocity_at(home) - a.velocity_at(home)) / self.size]
+        return np.concatenate([rates[:count], *parts, rates[count:]])
+
     def _missed_jacobian(self, q: Array) -> Array:
-        if not self.links:
-            return np.zeros((0, self.nu))
+        if not self.links or not self.nu:
+            return np.zeros((6 * len(self.links), self.nu))
         steps = NEARBY * np.eye(self.nu)
         sides = [[self._missed(self.advance(q, sign * step)) for step in steps] for sign in (1, -1)]
         return np.asarray(np.array(sides[0]) - np.array(sides[1])).T / (2 * NEARBY)

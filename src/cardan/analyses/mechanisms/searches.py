@@ -1,8 +1,14 @@
-"""Searches for positions that meet what must hold, from a start and from random coordinates."""
+"""Searches for positions that meet what must hold, from a start and from random coordinates.
+
+A search that begins where Jacobian and residuals are orthogonal has no direction: a stretched chain
+gets no shorter to first order, whatever turns. Directions of negative curvature lead away.
+Source: J. Nocedal, S. Wright, Numerical Optimization, 2nd ed., chapter 3.4; G. H. Golub, C. F. Van
+Loan, Matrix Computations, 4th ed., chapter 10.1 (Lanczos).
+"""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -14,6 +20,9 @@ from .mechanism import Mechanism
 from .position_solver import PositionSolver, Solution
 from .targets import Target
 
+STALLED = 1e-6  # cosine between residuals and what steps change of them: no direction
+PROBE = 1e-5  # radians or sizes of the mechanism: of a difference of gradients
+VECTORS, FARTHEST = 20, 1.0  # of Lanczos' basis; a step aside, in radians or sizes
 INWARD = 8  # searches that begin where the one before ended, outside of limits
 
 
@@ -63,3 +72,49 @@ def drawn(m: Mechanism, start: Array, rng: np.random.Generator) -> Array:
         if row.unit == "m" and row.joint not in bound:
             q[k] = start[k] + m.size * (q[k] - (row.default or 0.0))
     return q
+
+
+def aside(m: Mechanism, solver: PositionSolver, q: Array) -> Iterator[Array]:
+    """Starts beside a position (nq,) with stationary residuals that stay open; none elsewhere.
+
+    They lie both ways along the direction in which the sum of squares falls most, as far as it
+    would fall to zero.
+    """
+
+    def slope(at: Array) -> Array:
+        return np.asarray(solver.hard_jacobian(at).T @ solver.hard(at))
+
+    open_by = float(np.linalg.norm(solver.hard(q)))
+    steepest = float(np.linalg.norm(solver.hard_jacobian(q)))
+    if not open_by or float(np.linalg.norm(slope(q))) > STALLED * steepest * open_by:
+        return
+
+    def curved(direction: Array) -> Array:
+        ahead, behind = (slope(m.advance(q, side * direction)) for side in (PROBE, -PROBE))
+        return (ahead - behind) / (2 * PROBE)
+
+    curvature, direction = _lowest(curved, m.nu)
+    if curvature >= -STALLED * steepest**2:
+        return
+    length = min(FARTHEST, open_by / float(np.sqrt(-curvature)))
+    for side in (length, -length):
+        yield m.advance(q, side * direction)
+
+
+def _lowest(curved: Callable[[Array], Array], n: int) -> tuple[float, Array]:
+    """Lowest eigenvalue of a symmetric matrix (n, n) by its products, with its vector."""
+    basis = np.zeros((min(n, VECTORS), n))
+    products = np.zeros_like(basis)
+    vector = np.random.default_rng(0).standard_normal(n)
+    for k, row in enumerate(basis):
+        for _ in range(2):
+            vector = vector - basis[:k].T @ (basis[:k] @ vector)
+        length = float(np.linalg.norm(vector))
+        if not length:
+            basis, products = basis[:k], products[:k]
+            break
+        row[:] = vector / length
+        products[k] = vector = curved(row)
+    small = basis @ products.T
+    values, shares = np.linalg.eigh((small + small.T) / 2)
+    return float(values[0]), np.asarray(basis.T @ shares[:, 0])

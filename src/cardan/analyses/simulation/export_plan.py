@@ -21,6 +21,8 @@ from ...runtime.sparse.matrices import Matrices
 from ...schema.planned import Planned
 from .starts.start import initial
 
+DIGITS = 12
+
 
 def planned(kind: type[LoadedModel], folder: Path) -> Planned:
     """Plan the matrices of a model in absolute coordinates.
@@ -41,6 +43,25 @@ def planned(kind: type[LoadedModel], folder: Path) -> Planned:
         size,
         columns_of(model, size),
     )
+
+
+def started(kind: type[LoadedModel], folder: Path) -> dict[str, list[float]]:
+    """Coordinates, speeds and internal states in which a run of a closed model starts, by block.
+
+    None where they cannot be assembled: that is told when a start is asked for.
+
+    Args:
+        kind: Its class.
+        folder: Its folder, in joint coordinates.
+    """
+    model = kind(folder, reproducible=True)
+    if model.manifest.multipliers or model.manifest.cuts:
+        with suppress(ModelError):
+            # as many digits as are the same on every machine; a run closes the rest
+            state = np.round(initial(model), DIGITS) + 0.0
+            values = zip("quz", model.parts_of(state), strict=True)
+            return {block: entries.tolist() for block, entries in values}
+    return {}
 
 
 def _start(folder: Path, model: LoadedModel) -> Array:

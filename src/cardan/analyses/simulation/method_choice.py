@@ -77,20 +77,9 @@ STIFF = "stability limited the steps of DOP853, not accuracy"
 RULES: tuple[Rule, ...] = (
     Rule(
         "Radau",
-        lambda case: case.elements and case.rtol < FINE and (case.stiff or case.beams),
-        "elements in absolute coordinates at a tight tolerance: stiff, of order 5, solved with "
-        "sparse matrices",
-    ),
-    Rule(
-        "GeneralizedAlpha",
-        lambda case: case.elements and case.rtol >= FINE,
-        "elements in absolute coordinates: stiff, with constraints, solved with sparse matrices",
-    ),
-    Rule(
-        "DOP853",
-        lambda case: case.elements,
-        "rigid bodies on nodes, not stiff so far; Radau, which stiff ones take at this tolerance, "
-        "needs more steps",
+        lambda case: case.elements and (case.beams or case.stiff),
+        "elements in absolute coordinates: stiff, with constraints, of order 5, solved with sparse "
+        "matrices",
     ),
     Rule(
         "DOP853",

@@ -9,8 +9,6 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from ...arguments import checked
-from ...equations.constraints.feasibility import feasibility
 from ...equations.record import EquationRecord
 from ...errors import CodegenError, DerivationError, brief, near
 from ...schema.c_functions import FunctionRow
@@ -28,7 +26,6 @@ from .readme import readme
 STANDARD = ("rhs", "forward_dynamics", "inverse_dynamics", "mass_matrix", "bias", "energy")
 # what building an export leaves in its directory
 PRODUCTS = ("build", "example", "*.o", "*.so", "*.egg-info", "__pycache__")
-DIGITS = 12
 FLAGS = ("-std=c99", "-O2", "-fno-math-errno")
 
 
@@ -122,10 +119,10 @@ def _texts(data: Manifest, request: ExportRequest, content: Content) -> dict[str
     return files | (cython.files(data, flags) if package else {})
 
 
-@checked
 def export(
     equations: EquationRecord,
     directory: str | Path,
+    start: Callable[[Path], Mapping[str, Sequence[float]]],
     functions: Sequence[object] | None = None,
     language: str = "cython",
     integrators: Sequence[str] = (),
@@ -138,6 +135,7 @@ def export(
     Args:
         equations: What to write.
         directory: A new or empty one, or an earlier export of cardan, which is replaced.
+        start: Folder of a model -> values to start from, by block; of other blocks the scene's.
         functions: Names such as ``"mass_matrix"``, or pairs such as ``("pose", "hand")``; by
             default the dynamics and the energy, of a closed system also what closes it, of one
             with events what happens.
@@ -145,7 +143,7 @@ def export(
         integrators: By their files, such as ``"dop853"``, ``"rk4"`` or ``"radau"``: their C comes
             along, and ``example.c`` simulates.
         reproducible: The flags written down forbid contraction: equal bits from every compiler.
-        loops: As :func:`cardan.compile` takes it.
+        loops: As ``cardan.compile`` takes it.
         prefix: Put before the names of all functions and data, such as ``"arm_"``: exports with
             different prefixes can be linked into one program. With ``language="c"``.
 
@@ -165,17 +163,46 @@ def export(
     requested = _requested(equations, functions, request.integrators)
 
     def fill(folder: Path) -> Content:
-        layout.write_model(folder, manifest.base(equations, tuple(n for n, _ in requested)))
-        texts = []
-        for name, of in requested:
-            function = equations.form(name, of, loops)
-            notes = equations.notes(name, of, function)
-            texts.append((generate(function, equations.system.name, notes, of=of), function))
-        layout.add_functions(folder, texts)
+        _write(folder, equations, requested, loops)
         entries = layout.manifest_of(folder).functions
-        return Content(_ordered(entries), _closed(equations))
+        return Content(_ordered(entries), _closed(folder, equations, requested, start))
 
     return written(request, fill)
+
+
+def _write(
+    folder: Path,
+    equations: EquationRecord,
+    requested: Sequence[tuple[str, str | None]],
+    loops: bool | None = None,
+) -> None:
+    """Write a model with its functions into a folder."""
+    layout.write_model(folder, manifest.base(equations, tuple(n for n, _ in requested)))
+    texts = []
+    for name, of in requested:
+        function = equations.form(name, of, loops)
+        notes = equations.notes(name, of, function)
+        texts.append((generate(function, equations.system.name, notes, of=of), function))
+    layout.add_functions(folder, texts)
+
+
+def _closed(
+    folder: Path,
+    equations: EquationRecord,
+    requested: Sequence[tuple[str, str | None]],
+    start: Callable[[Path], Mapping[str, Sequence[float]]],
+) -> Mapping[str, Sequence[float]]:
+    """Where a closed system starts; trees start where the scene says."""
+    available = equations.names()
+    closing = [(name, None) for name in companions.CLOSING if name in available]
+    if not equations.system.closed:
+        return {}
+    if {*closing} <= {*requested}:
+        return start(folder)
+    # what closes it is not part of this export
+    with tempfile.TemporaryDirectory(prefix=".cardan-") as scratch:
+        _write(Path(scratch), equations, closing)
+        return start(Path(scratch))
 
 
 def _requested(
@@ -213,15 +240,6 @@ def _ordered(entries: Mapping[str, FunctionRow]) -> dict[str, Exported]:
     called |= {*companions.needed(companions.INTEGRATORS, states=True)}
     ordered = sorted(entries, key=called.__contains__)
     return {name: Exported.of(entries[name]) for name in ordered}
-
-
-def _closed(equations: EquationRecord) -> dict[str, list[float]]:
-    """Coordinates at which all loops close, next to the initial ones, where there are any."""
-    closure = feasibility(equations) if equations.system.closed else None
-    if closure is None or not closure.closes:
-        return {}
-    # as many digits as are the same on every machine; a run closes the rest
-    return {"q": [round(float(x), DIGITS) + 0.0 for x in closure.q]}
 
 
 def replaced(target: Path, fill: Callable[[Path], None]) -> None:

@@ -5,6 +5,7 @@ from .damping import Damping
 from .dead_load import DeadLoad
 from .element import FlexibleElement
 from .follower_load import FollowerLoad
+from .gravity_field import GravityField
 from .helicoidal import Helicoidal
 from .hellinger_reissner import HellingerReissner
 from .linked_inertia import LinkedInertia
@@ -21,6 +22,7 @@ FLEXIBLE: dict[str, type[FlexibleElement]] = {
         Damping,
         DeadLoad,
         FollowerLoad,
+        GravityField,
     )
 }
 

@@ -63,24 +63,24 @@ class FlexibleElement(HasSource, ABC):
         """Suffix of the kind's name for the options of the element."""
         return ""
 
-    def name(self, kinds: tuple[str, str] = (NODE, NODE)) -> str:
+    def name(self, kinds: tuple[str, ...] = (NODE, NODE)) -> str:
         """C name of its kind between such ends."""
         end_kinds = kinds if set(kinds) != {NODE} else ()
         return "_".join(word for word in (self.kind, self.variant, *end_kinds) if word)
 
-    def data(self, kinds: tuple[str, str] = (NODE, NODE)) -> tuple[str, ...]:
+    def data(self, kinds: tuple[str, ...] = (NODE, NODE)) -> tuple[str, ...]:
         """Names of the entries of p between such ends."""
         return (*self.common, *self.geometric, *Ends.names(kinds))
 
-    def ends(self, kinds: tuple[str, str] = (NODE, NODE)) -> Ends:
+    def ends(self, kinds: tuple[str, ...] = (NODE, NODE)) -> Ends:
         """A fresh graph with the two ends in it."""
         return Ends(Graph(), kinds, self.data(kinds))
 
-    def derived(self, kinds: tuple[str, str] = (NODE, NODE)) -> Mapping[str, Function]:
+    def derived(self, kinds: tuple[str, ...] = (NODE, NODE)) -> Mapping[str, Function]:
         """Its functions between such ends.
 
         Args:
-            kinds: Of both ends, see :mod:`.places`; one is not a ground.
+            kinds: Of its ends, see :mod:`.places`; one is not a ground.
         """
         return self.functions(self.ends(kinds))
 

@@ -1,4 +1,4 @@
-"""The two ends of an element, as its functions read them and as what acts on them is told."""
+"""The ends of an element, as its functions read them and as what acts on them is told."""
 
 from __future__ import annotations
 
@@ -19,7 +19,10 @@ PLACES: dict[str, type[Place]] = {
     place.kind: place for place in (Node, Offset, Ground, PlaneNode, PlaneOffset, PlaneGround)
 }
 NODE, OFFSET, GROUND = "node", "offset", "ground"
+# the center of a gravity field is an end of its own where it moves
+CENTER = "center"
 NAMES = ("start", "end")
+ENDS = (*NAMES, CENTER)
 CELLS = tuple(i + j for i in "xyz" for j in "xyz")
 RATES = {"q": "", "u": "/s", "udot": "/s^2", "du": ""}
 LOADS = {"rad": "N*m", "m": "N"}
@@ -49,22 +52,22 @@ def relative_rotation(start: Pose, end: Pose) -> tuple[Matrix, Matrix]:
 
 @dataclass(frozen=True)
 class Ends:
-    """The two ends of an element.
+    """The two ends of an element, and a third one where it acts on one more place.
 
     Attributes:
         graph: Where the expressions live.
-        kinds: Of both, by name.
+        kinds: Of all of them, by name.
         data: Names of the entries of p.
     """
 
     graph: Graph
-    kinds: tuple[str, str]
+    kinds: tuple[str, ...]
     data: tuple[str, ...]
 
     @staticmethod
     def names(kinds: Sequence[str]) -> tuple[str, ...]:
-        """Names of the data that say where ends are."""
-        places = [PLACES[kind] for kind in kinds]
+        """Names of the data that say where start and end are; a center is among the common data."""
+        places = [PLACES[kind] for kind in kinds[:2]]
         return tuple(
             f"{name}_{entry}"
             for name, place in zip(NAMES, places, strict=True)
@@ -81,10 +84,10 @@ class Ends:
 
     @property
     def places(self) -> tuple[Place, ...]:
-        """Both ends."""
+        """All ends."""
         places: list[Place] = []
         q = u = 0
-        for name, kind in zip(NAMES, self.kinds, strict=True):
+        for name, kind in zip(ENDS, self.kinds, strict=False):
             place = PLACES[kind]
             attributes = tuple(self.number(f"{name}_{entry}") for entry in place.data)
             places.append(place(self.graph, attributes, q, u))
@@ -109,7 +112,7 @@ class Ends:
     def pose(self, k: int) -> Pose:
         """Pose of end k."""
         pose = self.places[k].pose()
-        pose.rotation.hint("", f"{NAMES[k]}_R", CELLS)
+        pose.rotation.hint("", f"{ENDS[k]}_R", CELLS)
         return pose
 
     def motion(self, k: int) -> Motion:
@@ -141,7 +144,7 @@ class Ends:
             return Block("z", STRESSES, STRESS_UNITS)
         names: list[str] = []
         units: list[str] = []
-        for name, place in zip(NAMES, self.places, strict=True):
+        for name, place in zip(ENDS, self.places, strict=False):
             for entry, unit in place.coordinates if letter == "q" else place.speeds:
                 names.append(f"{name}.{entry}")
                 units.append(unit + RATES[letter] if unit else "")
@@ -150,10 +153,10 @@ class Ends:
     # what acts on the ends, told along the speeds
 
     def assembled(self, loads: Loads) -> Matrix:
-        """Moments and forces on both ends as one column (nu, 1).
+        """Moments and forces on the ends as one column (nu, 1).
 
         Args:
-            loads: Moment on end 1 in its axes, force on end 1 in ground axes, and of end 2.
+            loads: Moment on end 1 in its axes, force on end 1 in ground axes, and of the others.
         """
         total = Matrix.zeros(self.graph, len(self.speeds))
         for k, to_end in enumerate(self._spreads()):

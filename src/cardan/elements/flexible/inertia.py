@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from abc import abstractmethod
 
+from ...ir.arithmetic import Scalar
 from ...ir.function import Function, Output
 from ...ir.matrix import Matrix
 from .element import FlexibleElement, balance, energy, tangents
@@ -12,6 +13,16 @@ from .section import diagonal
 
 # per length: mass [kg/m], moments of inertia about axes 2 and 3 of the section [kg m]
 DENSITY = ("rhoA", "rhoI2", "rhoI3")
+
+# by what shear is soft
+SHEAR = ("EI2", "EI3", "GA2", "GA3")
+
+
+def cubic_share(ends: Ends) -> Scalar:
+    """Share of the cubic in the shape of an element: less where shear is soft."""
+    length = ends.number("length")
+    soft = ends.number("EI2") / ends.number("GA3") + ends.number("EI3") / ends.number("GA2")
+    return (1.0 / (1.0 + 6.0 * soft / (length * length))).note("share")
 
 
 def spin(ends: Ends, share: float) -> Matrix:

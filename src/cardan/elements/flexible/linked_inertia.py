@@ -10,13 +10,12 @@ from ...ir.matrix import Matrix
 from ..formulas import Lines
 from .element_ends import NAMES, Ends
 from .formulas import LINKED
-from .inertia import DENSITY, InertiaElement, spin
+from .inertia import DENSITY, SHEAR, InertiaElement, cubic_share, spin
 from .node_set import Motion, Pose
 from .section import GRAVITY
 
 # of p_1, p_2, t_1, t_2
 LABELS = ("start", "end", "start_tangent", "end_tangent")
-SHEAR = ("EI2", "EI3", "GA2", "GA3")
 
 
 @dataclass(frozen=True)
@@ -108,10 +107,9 @@ def _mass(ends: Ends) -> list[list[Scalar]]:
     """Mass of p_1, p_2, t_1, t_2, symmetric (4, 4)."""
     length = ends.number("length")
     total = ends.number("rhoA") * length
-    soft = ends.number("EI2") / ends.number("GA3") + ends.number("EI3") / ends.number("GA2")
-    share = 1.0 / (1.0 + 6.0 * soft / (length * length))
+    share = cubic_share(ends)
     # integrals of the squares of 1, of what is odd, and of its product with the cubic
-    odd = (1 / 12 + share.note("share") / 30.0 + share * share / 210.0).note("odd")
+    odd = (1 / 12 + share / 30.0 + share * share / 210.0).note("odd")
     mixed = (share / 120.0 + share * share / 420.0).note("mixed")
     cubic = (share * share / 840.0).note("cubic")
     first, second = total.note("mass") * length, total * length * length

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from abc import abstractmethod
-from collections.abc import Sequence
-from typing import Any
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any, TypeAlias
 
 from ...errors import ModelError, brief
 from ...ir.matrix import Matrix
@@ -12,11 +12,15 @@ from ..fields import Pull
 from ..formulas import Lines
 from .force import FRAME, Action, ForceElement, Load, Places, constant
 
+# a vector in axes of the center -> in those in which a mass is told
+Turn: TypeAlias = Callable[[Matrix], Matrix]
+
 
 class Gravitation(ForceElement):
-    """A field about the origin of the frame ``center`` that pulls bodies by their mass.
+    """A field about the origin of the frame ``center`` that pulls bodies and beams by their mass.
 
-    What it does to a body it does in turn to the body of the center, equal and opposite.
+    What it does to a body it does in turn to the body of the center, equal and opposite. Along a
+    beam every section is such a body.
     """
 
     center: Any
@@ -27,8 +31,25 @@ class Gravitation(ForceElement):
         super().__post_init__()
 
     @abstractmethod
-    def pull(self, r: Matrix, at: Places) -> Pull:
-        """Action on a body whose center of mass is at r, in axes of that body."""
+    def pull(self, r: Matrix, data: Mapping[str, Matrix], turn: Turn) -> Pull:
+        """Action on a body whose center of mass is at r, in the axes of r.
+
+        Args:
+            r: From the center of the field (3, 1).
+            data: Quantities of the field; ``mass`` and ``inertia`` (3, 3) of the body, the latter
+                about its center of mass and in axes of r.
+            turn: Tells vectors in axes of the center in those of r.
+        """
+
+    @property
+    def has_potential(self) -> bool:
+        """Whether what it does follows from a potential energy."""
+        return True
+
+    @property
+    def option(self) -> str:
+        """Word for what it does other than by default, "" for nothing."""
+        return ""
 
     def torque_about_center(self, r: Matrix, pull: Pull) -> Matrix:
         """Torque of the attraction about the center:
@@ -46,12 +67,12 @@ class Gravitation(ForceElement):
     def act(self, at: Places) -> tuple[Action, ...]:
         center, body, com = at.frames["center"], at.frames["body"], at.data["com"]
         r = at.motion.arm(center, body) + com
-        pull = self.pull(r, at)
+        pull = self.pull(r, at.data, lambda x: at.motion.in_frame(x, center, body))
         loads = (
             Load(body, pull.torque + com.cross(pull.force), pull.force, axes=body),
             Load(center, -self.torque_about_center(r, pull), -pull.force, axes=body),
         )
-        fixed = all(constant(at.data[name]) for name in self.quantities())
+        fixed = self.has_potential and all(constant(at.data[name]) for name in self.quantities())
         return (Action(loads, potential=pull.potential if fixed else None),)
 
 
@@ -66,7 +87,7 @@ ATTRACTION: Lines = (
 
 
 def several(who: str, bodies: Any) -> tuple[Any, ...]:
-    """Bodies as written: one, several, or () for all of the scene that have mass.
+    """Bodies and beams as written: one, several, or () for all of the scene that have mass.
 
     Raises:
         ModelError: something else, or one twice: it would be pulled twice.
@@ -77,11 +98,12 @@ def several(who: str, bodies: Any) -> tuple[Any, ...]:
     listed = (bodies,) if alone else tuple(bodies)
     names = [getattr(body, "name", body) for body in listed]
     for k, (body, name) in enumerate(zip(listed, names, strict=True)):
-        if not isinstance(body, str) and not hasattr(body, "mass"):
+        if not isinstance(body, str) and not hasattr(body, "mass") and not hasattr(body, "section"):
             raise ModelError(
-                f"{who}: {brief(body)} is not a body; give a body, several of them or their "
-                "names, or leave bodies out for all that have mass"
+                f"{who}: {brief(body)} is not a body; give a body or a beam, several of them or "
+                "their names, or leave bodies out for all that have mass"
             )
         if name in names[:k]:
-            raise ModelError(f"{who}: body '{name}' is named twice; it is pulled once")
+            kind = "beam" if hasattr(body, "section") else "body"
+            raise ModelError(f"{who}: {kind} '{name}' is named twice; it is pulled once")
     return listed

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import ClassVar
 
@@ -10,8 +11,8 @@ from ..fields import Central, Pull
 from ..formulas import Lines
 from ..limits import Limit, not_negative
 from ..quantity import Bodies, Place, Units, Value
-from .force import Action, Places, constant
-from .gravitation import REACH, Gravitation
+from .force import Places, constant
+from .gravitation import REACH, Gravitation, Turn
 
 POTENTIAL = "V = -(mu / (2 * rho ** 3) * (trace(J) - 3 * dot(r, J @ r) / rho ** 2))"
 
@@ -23,12 +24,13 @@ class GravityGradient(Gravitation):
     These are the terms of second order in size / r; those of order 0 are :class:`CentralGravity`,
     which acts besides where the place of the bodies is not prescribed. Torque and force have the
     potential -mu (tr I - 3 e I e) / (2 r^3), e = r / r: energy and angular momentum about the
-    center are kept.
+    center are kept. Of a beam it is what the extent of its sections adds: along the line
+    :class:`CentralGravity` pulls every point by itself.
 
     Args:
         center: Frame or body at whose origin the field has its center.
         mu: Constant of gravitation times mass of what pulls [m^3/s^2].
-        bodies: A body or several; left out: all bodies with mass but that of the center.
+        bodies: A body or a beam, or several; left out: all with mass but the body of the center.
         force: False leaves the force away, which changes orbits by (size / r)^2 only; the torque
             then works on the system without a potential.
 
@@ -48,17 +50,21 @@ class GravityGradient(Gravitation):
     def limits(self) -> tuple[Limit, ...]:
         return not_negative("mu", requirement="0 or more [m^3/s^2]")
 
-    def pull(self, r: Matrix, at: Places) -> Pull:
-        pull = Central(at.data["mu"][0]).on_inertia(r, at.data["inertia"])
+    @property
+    def has_potential(self) -> bool:
+        return self.force
+
+    @property
+    def option(self) -> str:
+        return "" if self.force else "torque"
+
+    def pull(self, r: Matrix, data: Mapping[str, Matrix], turn: Turn) -> Pull:
+        pull = Central(data["mu"][0]).on_inertia(r, data["inertia"])
         return pull if self.force else replace(pull, force=Matrix.zeros(r.graph, 3))
 
     def torque_about_center(self, r: Matrix, pull: Pull) -> Matrix:
         # with its force it has none
         return super().torque_about_center(r, pull) if self.force else pull.torque
-
-    def act(self, at: Places) -> tuple[Action, ...]:
-        acted = super().act(at)
-        return acted if self.force else tuple(replace(a, potential=None) for a in acted)
 
     def formulas(self, at: Places) -> Lines:
         torque = "M_body = 3 * mu / rho ** 5 * skew(r) @ J @ r"

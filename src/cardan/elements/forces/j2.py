@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import ClassVar
 
@@ -10,8 +11,7 @@ from ...ir.matrix import Matrix
 from ..fields import Oblate, Pull
 from ..limits import Limit, not_negative
 from ..quantity import RATIO, Bodies, Direction, Place, Units, Value
-from .force import Places
-from .gravitation import Gravitation
+from .gravitation import Gravitation, Turn
 
 
 @dataclass(frozen=True)
@@ -26,7 +26,7 @@ class J2(Gravitation):
         j2: Its coefficient J2; 1.08263e-3 for the earth.
         radius: Its radius at the equator [m].
         pole: Its axis, in axes of ``center``.
-        bodies: A body or several; left out: all bodies with mass but that of the center.
+        bodies: A body or a beam, or several; left out: all with mass but the body of the center.
         gradient: Add what it does to bodies because they are not points, torque and force.
 
     Raises:
@@ -49,12 +49,14 @@ class J2(Gravitation):
     def limits(self) -> tuple[Limit, ...]:
         return not_negative("mu", requirement="0 or more [m^3/s^2]") + not_negative("radius")
 
-    def pull(self, r: Matrix, at: Places) -> Pull:
-        data, frames = at.data, at.frames
+    @property
+    def option(self) -> str:
+        return "gradient" if self.gradient else ""
+
+    def pull(self, r: Matrix, data: Mapping[str, Matrix], turn: Turn) -> Pull:
         mu, j2, radius = (data[name][0] for name in ("mu", "j2", "radius"))
         pole = data["pole"] / norm(*data["pole"])
-        pole = at.motion.in_frame(pole, frames["center"], frames["body"])
-        field = Oblate(mu * j2 * radius * radius * 0.5, pole)
+        field = Oblate(mu * j2 * radius * radius * 0.5, turn(pole))
         pull = field.on_mass(r, data["mass"][0])
         return pull + field.on_inertia(r, data["inertia"]) if self.gradient else pull
 

@@ -306,7 +306,7 @@ class Cutting:
         """
         graph = self.system.graph
         order = live(graph, nodes)
-        fixed = _of_parameters(self.system, order)
+        fixed = of_parameters(self.system, order)
         replacements: dict[int, int] = {}
         for i in (n for n in nodes if n in fixed):
             replacements[i] = self._datum(i, name, len(nodes) > 1)
@@ -382,7 +382,7 @@ class Cutting:
         return self.graph.atom(key)
 
 
-def _of_parameters(system: System, order: Sequence[int]) -> set[int]:
+def of_parameters(system: System, order: Sequence[int]) -> set[int]:
     """Nodes of a topological order that depend on parameters alone."""
     nodes, parameter_nodes = system.graph.nodes, set[int]()
     for i in order:

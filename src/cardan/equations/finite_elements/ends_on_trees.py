@@ -1,4 +1,5 @@
-"""Elements between ends of which joints of a rigid tree carry one or both.
+"""Elements of beams in small systems: joints of a rigid tree carry some of their ends, or their
+data change with what moves.
 
 What an element does to its ends, w = (moment in axes of the end, force in ground axes), is told
 along the speeds of the joints: with J of the end b = Jᵀ w. Of its tangent K, J follows both sides
@@ -9,13 +10,14 @@ Source: Géradin and Cardona, Flexible Multibody Dynamics (2001), chapter 7.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import ClassVar
 
 from ...elements.flexible.element import FlexibleElement
 from ...elements.flexible.element_ends import (
+    ENDS,
     LOADS,
     NAMES,
     PLACES,
@@ -26,6 +28,7 @@ from ...elements.flexible.element_ends import (
 )
 from ...elements.flexible.node_set import FRAME, Motion, Node, Offset, Place, Pose
 from ...elements.joints.free import Free
+from ...ir.arithmetic import Scalar
 from ...ir.derivative import directional
 from ...ir.function import Block, Function, Output
 from ...ir.matrix import Matrix
@@ -46,7 +49,7 @@ from .record import BlockKind
 
 TREE, TREE_OFFSET = "tree", "tree_offset"
 # loads told end by end
-BY_END = tuple(f"{name}.{axis}" for name in NAMES for axis in ("mx", "my", "mz", "fx", "fy", "fz"))
+BY_END = ("mx", "my", "mz", "fx", "fy", "fz")
 # in place of a body: a node that no body of the scene has
 INSIDE = -2
 # leaves that stand for the load on an end while its place moves
@@ -205,13 +208,22 @@ class EndsOnTrees(Ends):
 
     Attributes:
         motion_of_tree: Of its bodies.
-        bodies: Number of the body of each end, :data:`GROUND` on the ground.
+        bodies: Number of the body of every end, :data:`GROUND` on the ground.
+        states: Internal states and modes of the small system.
+        variable: Expressions of the data that more than parameters change, by name.
         by_end: Whether what acts on the ends is told end by end, not along the speeds.
     """
 
     motion_of_tree: TreeMotion = field(repr=False)
-    bodies: tuple[int, int]
+    bodies: tuple[int, ...]
+    states: Mapping[str, Block] = field(default_factory=dict)
+    variable: Mapping[str, int] = field(default_factory=dict)
     by_end: bool = False
+
+    def number(self, name: str) -> Scalar:
+        if name in self.variable:
+            return Scalar(self.graph, *self.k.resolve([self.variable[name]]))
+        return super().number(name)
 
     @property
     def k(self) -> Kinematics:
@@ -219,9 +231,8 @@ class EndsOnTrees(Ends):
         return self.motion_of_tree.k
 
     @cached_property
-    def _ends(self) -> tuple[Place, Place]:
-        one, other = (self._end(k) for k in range(2))
-        return one, other
+    def _ends(self) -> tuple[Place, ...]:
+        return tuple(self._end(k) for k in range(len(self.kinds)))
 
     @property
     def places(self) -> tuple[Place, ...]:
@@ -229,7 +240,7 @@ class EndsOnTrees(Ends):
 
     def _end(self, k: int) -> Place:
         body, cls = self.bodies[k], END_CLASSES[self.kinds[k]]
-        attributes = tuple(self.number(f"{NAMES[k]}_{entry}") for entry in cls.data)
+        attributes = tuple(self.number(f"{ENDS[k]}_{entry}") for entry in cls.data)
         if issubclass(cls, TreeEnd):
             return cls(self.graph, attributes, 0, 0, self.motion_of_tree, body)
         joint = self.k.system.joints[body] if body != GROUND else None
@@ -238,23 +249,29 @@ class EndsOnTrees(Ends):
 
     @property
     def speeds(self) -> tuple[str, ...]:
-        return BY_END if self.by_end else blocks(self.k.system)["u"].entries
+        return self._by_end if self.by_end else blocks(self.k.system)["u"].entries
+
+    @property
+    def _by_end(self) -> tuple[str, ...]:
+        return tuple(f"{name}.{entry}" for name in ENDS[: len(self.kinds)] for entry in BY_END)
 
     @property
     def load_units(self) -> tuple[str, ...]:
         if self.by_end:
-            return ("",) * len(BY_END)
+            return ("",) * len(self._by_end)
         units = blocks(self.k.system)["du"].units
         return tuple(LOADS.get(unit, "") for unit in units)
 
     def directions(self, letter: str) -> list[dict[int, int]]:
         if self.by_end:
-            return [{} for _ in BY_END]
+            return [{} for _ in self._by_end]
         return self.motion_of_tree.directions if letter == "q" else super().directions(letter)
 
     def _entries(self, letter: str) -> Block:
         if letter == "p":
             return Block("p", self.data, ("",) * len(self.data))
+        if letter in self.states:
+            return self.states[letter]
         if letter == "z":
             return Block("z", STRESSES, STRESS_UNITS)
         return blocks(self.k.system)[letter]
@@ -264,14 +281,14 @@ class EndsOnTrees(Ends):
 
     def derivative(self, blocks: Sequence[Loads], loads: Loads) -> Matrix:
         if self.by_end:
-            return Matrix.zeros(self.graph, len(BY_END), len(BY_END))
+            return Matrix.zeros(self.graph, len(self._by_end), len(self._by_end))
         return super().derivative(blocks, loads)
 
     def joint_forces(self, loads: Matrix) -> JointForces:
         """What the joints of the tree transmit on account of the element.
 
         Args:
-            loads: Moments and forces on the ends, end by end (12, 1).
+            loads: Moments and forces on the ends, end by end (6 each).
         """
         k, wrenches = self.k, dict[int, tuple[Matrix, Matrix]]()
         for n, (place, body) in enumerate(zip(self.places, self.bodies, strict=True)):
@@ -286,34 +303,38 @@ class EndsOnTrees(Ends):
 
 
 class TreeElement:
-    """A flexible element with an end, or both, on bodies of a rigid tree.
+    """A flexible element with ends on bodies of a rigid tree, or with data that vary.
 
-    Its data are those of the joints that carry the ends, then its own.
+    Its data are those of the joints that carry the ends and of what varies, then its own.
 
     Args:
         scene: The scene.
         element: The element.
-        kinds: Of both ends.
-        bodies: Of both ends, :data:`GROUND` or :data:`INSIDE`.
+        kinds: Of its ends.
+        bodies: Of its ends, :data:`GROUND` or :data:`INSIDE`.
+        variable: Expressions in the scene of the data that more than parameters change, by name.
 
     Attributes:
-        cutting: What of the scene it couples besides the node inside the beam, if it has one.
+        cutting: What of the scene it couples besides nodes inside the beam.
     """
 
     def __init__(
         self,
         scene: Scene,
         element: FlexibleElement,
-        kinds: tuple[str, str],
-        bodies: tuple[int, int],
+        kinds: tuple[str, ...],
+        bodies: tuple[int, ...],
+        variable: Mapping[str, int],
     ) -> None:
         self.element, self.kinds, self.cutting = element, kinds, Cutting(scene)
-        numbers = {GROUND: GROUND}
+        numbers = {body: self.cutting.node(body) for body in sorted({*bodies} - {INSIDE})}
+        self.variable = {
+            name: self.cutting.expressions((node,), name)[0] for name, node in variable.items()
+        }
         # nodes inside of beams come last
-        for body in sorted({*bodies} - {GROUND}, key=lambda body: body == INSIDE):
-            inner = body == INSIDE
-            numbers[body] = self.cutting.floating(NODE) if inner else self.cutting.node(body)
-        self.bodies = numbers[bodies[0]], numbers[bodies[1]]
+        self.bodies = tuple(
+            self.cutting.floating(NODE) if body == INSIDE else numbers[body] for body in bodies
+        )
         self.system = self.cutting.system_of()
 
     @property
@@ -322,28 +343,43 @@ class TreeElement:
         joints = [f"tree_{n + 1}" for n in range(len(self.cutting.data))]
         ends = [
             f"{name}_{entry}"
-            for name, kind in zip(NAMES, self.kinds, strict=True)
+            for name, kind in zip(NAMES, self.kinds, strict=False)
             for entry in END_CLASSES[kind].data
         ]
         return (*joints, *self.element.common, *self.element.geometric, *ends)
 
     def structure(self, places: Sequence[BlockKind]) -> str:
         """Text that elements share if and only if the same functions serve both."""
-        part = Part("", f"{self.element}", self.cutting, self.system)
-        return repr((structure(part, places), self.kinds, self.bodies))
+        part = Part("", self.element.name(), self.cutting, self.system)
+        return repr((structure(part, places), self.kinds, self.bodies, self.variable))
 
     def functions(self, name: str) -> dict[str, Function]:
         """Its functions by what they are, called ``<name>__<function>``."""
-        motion = TreeMotion(Kinematics(self.system))
-        ends = EndsOnTrees(motion.k.graph, self.kinds, self.data, motion, self.bodies)
+        motion, cutting = TreeMotion(Kinematics(self.system)), self.cutting
+        states = {x: _numbered(x, entries) for x, entries in (("z", cutting.z), ("s", cutting.s))}
+        ends = EndsOnTrees(
+            *(motion.k.graph, self.kinds, self.data, motion, self.bodies),
+            states if self.variable else {},
+            self.variable,
+        )
         functions = dict(self.element.functions(ends))
-        functions["reactions"] = self._reactions(ends)
+        if cutting.moved:
+            functions["reactions"] = self._reactions(ends)
         return {key: replace(f, name=f"{name}__{key}") for key, f in functions.items()}
 
     def _reactions(self, ends: EndsOnTrees) -> Function:
         """Shares of the wrenches of the joints that carry its ends."""
         by_end = self.element.functions(replace(ends, by_end=True))["balance"]
-        loads = Matrix(ends.graph, 12, 1, by_end.outputs[0].nodes)
-        wrenches = self.cutting.joint_wrenches(ends.k, ends.joint_forces(loads))
+        nodes = by_end.outputs[0].nodes
+        forces = ends.joint_forces(Matrix(ends.graph, len(nodes), 1, nodes))
+        wrenches = self.cutting.joint_wrenches(ends.k, forces)
         output = Output("reactions", (len(self.cutting.moved), 6), wrenches)
-        return replace(by_end, outputs=(output,), inputs=ends.blocks("q", "u", "udot", "p"))
+        more = ("z", "s", "r") if self.variable else ()
+        read = ends.blocks(*("t",) * bool(more), "q", "u", *more, "udot", "p")
+        return replace(by_end, outputs=(output,), inputs=read)
+
+
+def _numbered(letter: str, entries: Sequence[int]) -> Block:
+    """Block of internal states or modes that an element reads."""
+    names = tuple(f"{letter}{k + 1}" for k in range(len(entries)))
+    return Block(letter, names, ("",) * len(names))

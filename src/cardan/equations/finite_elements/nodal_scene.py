@@ -154,8 +154,12 @@ class Scene:
 
 
 def ends_of_beams(system: System) -> frozenset[int]:
-    """Bodies that beams begin or end at."""
-    frames = (frame for s in system.segments for frame in (s.frame_a, s.frame_b))
+    """Bodies that beams begin or end at, or are pulled to."""
+    frames = (
+        frame
+        for s in system.segments
+        for frame in (s.frame_a, s.frame_b, *(one.center for one in s.fields))
+    )
     return frozenset(system.frames[frame].body for frame in frames) - {GROUND}
 
 

@@ -2,32 +2,32 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cache
-from typing import Literal
 
 import numpy as np
 
 from ...arrays import Integers
 from ...elements.flexible import BEAMS, FLEXIBLE, INERTIAS
 from ...elements.flexible.element import FlexibleElement
+from ...elements.flexible.element_ends import CENTER, OFFSET
 from ...elements.flexible.element_ends import GROUND as AT_GROUND
 from ...elements.flexible.element_ends import NODE as AT_NODE
-from ...elements.flexible.element_ends import OFFSET
-from ...ir.function import Block, Function, Output
-from ...ir.graph import ZERO, Graph
+from ...elements.flexible.gravity_field import GravityField
+from ...elements.flexible.node_set import FRAME
+from ...ir.function import Function, Output, live
+from ...ir.graph import ZERO
 from ...ir.interpreter import evaluate
-from ...ir.matrix import Matrix
-from ...spatial.exponential import quaternion_of
-from ...topology.beams.segment_tables import Segment
+from ...topology.beams.segment_tables import Segment, numbered
 from ...topology.conversion import IDENTITY, ORIGIN
 from ..functions.blocks import parameters
 from .blocks import Holds
+from .element_systems import Cutting, of_parameters
 from .ends_on_trees import INSIDE, TREE, TREE_OFFSET, TreeElement
 from .nodal_scene import NODE, Key, Scene
 from .planar_kinds import flattened
 from .record import GROUND, ON_TREE, BlockKind, Group, Kind, Numbers, unique
+from .segment_poses import poses_of
 
 # elements of a segment up to which they share a table with those of others
 FEW = 100
@@ -84,7 +84,7 @@ class _Part:
         common: Expressions of their common data.
         attributes: The other data (n, k).
         power: Number of the source of power, -1 for none.
-        tree_bodies: Bodies of rigid trees whose joints carry the ends.
+        cutting: The small system that they stand in; None where they need none.
     """
 
     kind: Kind
@@ -93,7 +93,7 @@ class _Part:
     common: tuple[int, ...]
     attributes: Numbers
     power: int
-    tree_bodies: tuple[int, ...] = ()
+    cutting: Cutting | None = None
 
 
 def beamed(
@@ -147,26 +147,6 @@ def _coordinates(kind: BlockKind, poses: Numbers) -> Numbers:
     return poses if kind.plane is None else kind.plane.coordinates_of(poses)
 
 
-def poses_of(segment: Segment) -> Numbers:
-    """Unit quaternions and positions of the nodes (n + 1, 7)."""
-    line = segment.line
-    quaternions = evaluate(_quaternions(), {"q": line.rotations.reshape(-1, 9)}, "numpy")["q"]
-    # of q and -q that beside the one before
-    flipped = np.sum(quaternions[1:] * quaternions[:-1], axis=1) < 0
-    quaternions[1:] *= np.cumprod(np.where(flipped, -1.0, 1.0))[:, None]
-    return np.hstack([quaternions, line.positions])
-
-
-@cache
-def _quaternions() -> Function:
-    """Rotation matrix q (9) -> unit quaternion (4)."""
-    graph = Graph()
-    R = Matrix(graph, 3, 3, [graph.var("q", k) for k in range(9)])
-    block = Block("q", tuple(f"R{k}" for k in range(9)), ("",) * 9)
-    output = Output("q", (4,), quaternion_of(R).nodes)
-    return Function("quaternions", graph, (block,), (output,))
-
-
 class _Builder:
     """Makes the groups of segments; kinds are derived once."""
 
@@ -201,6 +181,15 @@ class _Builder:
         place = ON_TREE - self.tree_ends.index(frame.body)
         return _End(place, TREE if at_origin else TREE_OFFSET, data, frame.body)
 
+    def _center(self, number: int) -> _End | None:
+        """A center that moves, as an end; its frame is among the common data."""
+        body = self.system.frames[self.scene.frame(number)].body
+        if body < 0:
+            return None
+        tree = body in self.scene.in_trees
+        place = ON_TREE if tree else self.at[NODE, body]
+        return _End(place, TREE_OFFSET if tree else OFFSET, (), body)
+
     def _numbers(self, nodes: tuple[int, ...]) -> tuple[float, ...]:
         """Expressions at the values of the parameters: geometry of beams is fixed."""
         function = self._function("place", nodes)
@@ -229,13 +218,14 @@ class _Builder:
                 common=self._common(f"{kind.name}__data_{number}", some),
                 attributes=np.concatenate([part.attributes for part in some]),
                 powers=power.astype(np.intp) if "power" in kind.functions else None,
-                reactions=self._reactions(some) if "reactions" in kind.functions else None,
+                reactions=_table(
+                    some, lambda cutting: [self._tree_numbers[i] for i in cutting.moved]
+                )
+                if "reactions" in kind.functions
+                else None,
+                z=_table(some, lambda cutting: cutting.z),
+                s=_table(some, lambda cutting: cutting.s),
             )
-
-    def _reactions(self, parts: Sequence[_Part]) -> Integers:
-        """Numbers of the joints of trees that carry the elements of some parts (n, k)."""
-        rows = [part.tree_bodies for part in parts for _ in part.names]
-        return np.array([[self._tree_numbers[i] for i in row] for row in rows], dtype=np.intp)
 
     def _common(self, name: str, parts: Sequence[_Part]) -> Function:
         """Common data of a group as a function of the parameters of the scene."""
@@ -264,17 +254,24 @@ class _Builder:
             poses: Of both nodes of every element in the reference configuration (n, 14).
             inside: What its nodes inside hold.
         """
-        for element, values in self._elements(segment):
+        for element, values, variable, center in self._elements(segment):
             rows_of_elements = element.rows(segment.line.stations, poses)
+            centers = () if center is None else (center,)
             separate = [
                 end.place >= 0 and self._block_at(end.place, inside) != inside for end in ends
             ]
-            for part, (first, last), data in _parts(segment.line.elements, ends, separate):
-                kinds = first.kind, last.kind
-                places = np.stack([line[:-1][part], line[1:][part]], axis=1)
-                tree = (TREE in kinds or TREE_OFFSET in kinds) and self._tree(element, first, last)
-                if tree:
-                    inner = places[:, [end.body == INSIDE for end in (first, last)]]
+            runs = _parts(segment.line.elements, ends, separate, center is None)
+            for part, pair, data in runs:
+                every = (*pair, *centers)
+                kinds = tuple(end.kind for end in every)
+                columns = [line[:-1][part], line[1:][part]]
+                columns += [np.full(len(columns[0]), end.place) for end in centers]
+                places = np.stack(columns, axis=1)
+                tree: TreeElement | None = None
+                if variable or TREE in kinds or TREE_OFFSET in kinds:
+                    bodies = tuple(end.body for end in every)
+                    tree = TreeElement(self.scene, element, kinds, bodies, variable)
+                    inner = places[:, [end.body == INSIDE for end in every]]
                     named = np.tile([self.at[key] for key in tree.cutting.places], (len(places), 1))
                     places = np.hstack([named, inner]).astype(np.intp)
                 else:
@@ -286,9 +283,9 @@ class _Builder:
                 attributes = np.hstack([rows, np.tile(data, (len(rows), 1))])
                 common = tuple(values[name] for name in element.common)
                 power = self._power(segment) if "power" in kind.functions else -1
-                carriers = tuple(tree.cutting.moved) if tree else ()
-                common = (*tree.cutting.data, *common) if tree else common
-                yield _Part(kind, names[part], places, common, attributes, power, carriers)
+                cutting = tree.cutting if tree else None
+                common = (*cutting.data, *common) if cutting else common
+                yield _Part(kind, names[part], places, common, attributes, power, cutting)
 
     def _power(self, segment: Segment) -> int:
         """Entry for the power of elements: one sum for the whole beam."""
@@ -298,16 +295,12 @@ class _Builder:
         """Block kind of a node of a segment."""
         return self.holds.here[self.keys[place]] if place < len(self.keys) else inside
 
-    def _tree(self, element: FlexibleElement, first: _End, last: _End) -> TreeElement:
-        """The element with ends that joints of a rigid tree carry."""
-        return TreeElement(self.scene, element, (first.kind, last.kind), (first.body, last.body))
-
     def _kind(
         self,
         element: FlexibleElement,
-        kinds: tuple[str, str],
+        kinds: tuple[str, ...],
         end_blocks: tuple[BlockKind, ...],
-        tree: TreeElement | Literal[False] = False,
+        tree: TreeElement | None = None,
     ) -> Kind:
         """The kind of an element between such ends, whose nodes hold this."""
         name = f"{element.name()}_tree" if tree else element.name(kinds)
@@ -331,41 +324,61 @@ class _Builder:
             self._kinds[key] = kind
         return self._kinds[key]
 
-    def _elements(self, segment: Segment) -> Iterator[tuple[FlexibleElement, dict[str, int]]]:
-        """The elements that a segment is made of, with the expressions of their common data."""
+    def _elements(
+        self, segment: Segment
+    ) -> Iterator[tuple[FlexibleElement, dict[str, int], dict[str, int], _End | None]]:
+        """The elements of a segment, expressions of their common data and of those that vary, and a
+        center that moves."""
         values, strained = self._values(segment), BEAMS[segment.element]
-        yield strained, values
+        yield strained, values, {}, None
         # what it carries for all acts once
         values = values | dict.fromkeys(strained.carries, ZERO)
         if values["rhoA"] != ZERO:
-            yield INERTIAS[segment.inertia], values
+            yield INERTIAS[segment.inertia], values, {}, None
+            for one in segment.fields:
+                frame = self.system.frames[self.scene.frame(one.center)]
+                at = zip(FRAME, (*frame.rotation, *frame.position), strict=True)
+                place = {f"{CENTER}_{entry}": node for entry, node in at}
+                variable_data = {
+                    n: entry for n, entry in one.data.items() if self._varies(entry[2])
+                }
+                lumped = segment.inertia == "lumped"
+                element = GravityField(one.element, lumped, tuple(variable_data))
+                data = values | numbered(one.data) | place
+                yield element, data, numbered(variable_data), self._center(one.center)
         for kind, names in ASIDE.items():
             entries = (x for name, x in values.items() if name.rstrip("_123") in names)
             if any(node != ZERO for node in entries):
-                yield FLEXIBLE[kind](), values
+                yield FLEXIBLE[kind](), values, {}, None
+
+    def _varies(self, nodes: Sequence[int]) -> bool:
+        """True when more than parameters change an expression."""
+        order = live(self.system.graph, nodes)
+        return not of_parameters(self.system, order).issuperset(nodes)
 
     def _values(self, segment: Segment) -> dict[str, int]:
         """Common data by name; entries of vectors are numbered."""
-        data = {name: nodes for name, (_, _, nodes) in segment.data.items()}
-        values: dict[str, int] = {}
-        for name, nodes in (*data.items(), ("gravity", self.system.gravity)):
-            numbered = [f"{name}_{k + 1}" for k in range(len(nodes))]
-            values |= dict(zip(numbered if len(nodes) > 1 else [name], nodes, strict=True))
-        return values
+        return numbered({**segment.data, "gravity": (3, 1, self.system.gravity)})
+
+
+def _table(parts: Sequence[_Part], entries: Callable[[Cutting], list[int]]) -> Integers | None:
+    """Entries of the scene that members read or change (n, k); None without."""
+    rows = [entries(part.cutting) if part.cutting else [] for part in parts for _ in part.names]
+    return np.array(rows, dtype=np.intp) if any(rows) else None
 
 
 def _parts(
-    count: int, ends: Sequence[_End], separate: Sequence[bool]
+    count: int, ends: Sequence[_End], separate: Sequence[bool], still: bool
 ) -> Iterator[tuple[slice, tuple[_End, _End], tuple[float, ...]]]:
     """Runs of elements between ends of the same kinds, with the data of these ends.
 
     Where a node at an end holds other coordinates than those inside, its element is apart too. One
-    element from ground to ground cannot move: it is left out.
+    element from ground to ground cannot move: it is left out where nothing else does (``still``).
     """
     first, last = ends
     inner = _End(GROUND, AT_NODE, (), INSIDE)
     if count == 1:
-        if (first.kind, last.kind) == (AT_GROUND, AT_GROUND):
+        if still and (first.kind, last.kind) == (AT_GROUND, AT_GROUND):
             return
         yield slice(0, 1), (first, last), first.data + last.data
         return

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -15,6 +16,9 @@ from ...ir.function import Block
 from ...topology.internal_states import full_name, slides
 from ...topology.system import System
 from ..constraints.constraints import rows
+
+if TYPE_CHECKING:
+    import sympy
 
 FORCE_UNITS = {"rad/s": "N*m", "m/s": "N"}
 
@@ -127,6 +131,17 @@ def blocks(system: System, chosen: tuple[str, ...] = ()) -> dict[str, Block]:
         Block("e", event_labels, ("",) * len(event_labels)),
     ]
     return {block.name: block for block in listed}
+
+
+def symbols(listed: Mapping[str, Block]) -> dict[tuple[str, int], sympy.Symbol]:
+    """SymPy symbol of every entry of every block."""
+    import sympy
+
+    return {
+        (block.name, i): sympy.Symbol(entry)
+        for block in listed.values()
+        for i, entry in enumerate(block.entries)
+    }
 
 
 def labels(

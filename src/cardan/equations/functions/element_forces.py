@@ -32,7 +32,8 @@ class NamedForce(NamedTuple):
 
     Attributes:
         number: In the forces of the system.
-        name: Of the element; with that of the body where it acts on several by their mass.
+        name: Of the element; with that of the body where it acts on several, or on beams, by their
+            mass.
         entries: (name, unit) of its numbers.
     """
 
@@ -44,6 +45,7 @@ class NamedForce(NamedTuple):
 def named_forces(system: System) -> Iterator[NamedForce]:
     """The elements whose forces have names, in the order of the system."""
     records = Counter(force.name for force in system.forces)
+    records.update({one.force for segment in system.segments for one in segment.fields})
     for number, force in enumerate(system.forces):
         element = force.element
         states = [entry.name for entry in element.internals()]

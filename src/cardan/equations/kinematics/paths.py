@@ -14,24 +14,25 @@ if TYPE_CHECKING:
 def arm(k: Kinematics, start: int, end: int) -> Matrix:
     """From the origin of a frame to that of another (3, 1), in axes of the latter."""
     first, last = (k.system.frames[frame].body for frame in (start, end))
-    top = _common_ancestor(k, first, last)
+    top = common_ancestor(k, first, last)
     span = _point(k, end, top) - _point(k, start, top)
     return frame_axes(k, end).T @ _down(k, span, last, top)
 
 
 def in_frame(k: Kinematics, x: Matrix, start: int, end: int) -> Matrix:
     """A vector in axes of a frame (3, 1), in those of another."""
-    first, last = (k.system.frames[frame].body for frame in (start, end))
-    top = _common_ancestor(k, first, last)
-    x = _up(k, frame_axes(k, start) @ x, first, top)
-    return frame_axes(k, end).T @ _down(k, x, last, top)
+    return frame_axes(k, end).T @ into_body(k, x, start, k.system.frames[end].body)
 
 
 def into_body(k: Kinematics, x: Matrix, start: int, body: int) -> Matrix:
     """A vector in axes of a frame (3, 1), in those the vectors of a body are told in."""
-    first = k.system.frames[start].body
-    top = _common_ancestor(k, first, body)
-    return _down(k, _up(k, frame_axes(k, start) @ x, first, top), body, top)
+    return body_to_body(k, frame_axes(k, start) @ x, k.system.frames[start].body, body)
+
+
+def body_to_body(k: Kinematics, x: Matrix, start: int, end: int) -> Matrix:
+    """Vectors in axes of a body (3, n), in those of another."""
+    top = common_ancestor(k, start, end)
+    return _down(k, _up(k, x, start, top), end, top)
 
 
 def frame_axes(k: Kinematics, frame: int) -> Matrix:
@@ -40,7 +41,7 @@ def frame_axes(k: Kinematics, frame: int) -> Matrix:
     return k.fixed_to(f.body, k.matrix(3, 3, f.rotation))
 
 
-def _common_ancestor(k: Kinematics, first: int, last: int) -> int:
+def common_ancestor(k: Kinematics, first: int, last: int) -> int:
     """The body nearest to two others that carries both, or is one of them."""
     if k.cuts is not None and first != last:
         # a step of a recursion knows of a body only what is handed on

@@ -14,6 +14,7 @@
 #include <math.h>
 
 static const real TAKEN = 1e-3;
+static const real DOWNDATED = 1e-4; /* squares of lengths of rows, which begin at about 1 */
 static const real BRANCHES_MEET = 0.1; /* of the best hold: less than that is left where branches meet */
 static const real NEAR = 0.15;   /* of the best hold: looked further ahead */
 static const real NEAR_SINGULAR = 0.02; /* of the best hold: states that are kept are projected */
@@ -23,20 +24,22 @@ static const real AHEAD = 1.3;   /* steps that are looked ahead */
 static const real STRIDE = 0.25; /* radians or sizes between two looks */
 enum { HALVINGS = 10, MOST_LOOKS = 12 };
 
-/* Numbers that are kept: rows at two states, lengths, order, a state ahead. */
+/* Numbers that are kept: rows at two states, lengths, order, squares, entries of a row, a state. */
 ptrdiff_t cardan_rank_length(const cardan_run *run)
 {
-    return run->constraint_jacobian.function ? 2 * run->rates * (run->nu + 1) + run->n : 0;
+    return run->constraint_jacobian.function
+               ? 2 * run->rates * run->nu + 3 * run->rates + run->nu + run->n : 0;
 }
 
 static real *place(const cardan_run *run, int what)
 {
     const ptrdiff_t rows = run->rates * run->nu;
-    const ptrdiff_t starts[] = {0, rows, 2 * rows, 2 * rows + run->rates, 2 * rows + 2 * run->rates};
+    const ptrdiff_t starts[] = {0, rows, 2 * rows, 2 * rows + run->rates, 2 * rows + 2 * run->rates,
+                                2 * rows + 3 * run->rates, 2 * rows + 3 * run->rates + run->nu};
 
     return run->rank_memory + starts[what];
 }
-enum { HERE, THERE, LENGTHS, ORDER, STATE };
+enum { HERE, THERE, LENGTHS, ORDER, SQUARES, ENTRIES, STATE };
 
 /* Whether the order that memory holds is one of rows. */
 int cardan_rank_sound(const cardan_run *run)
@@ -64,10 +67,10 @@ static const real *ahead(cardan_run *run, real tau)
     return y;
 }
 
-/* Rows of G at t, y, without units; their lengths count from states that are `taken`. */
+/* Rows of G at t, y, without units, with their squares; lengths count from states that are `taken`. */
 static int jacobian(cardan_run *run, real t, const real *y, real *rows, int taken)
 {
-    real *lengths = place(run, LENGTHS);
+    real *lengths = place(run, LENGTHS), *squares = place(run, SQUARES);
     cardan_in in = cardan_at(run, &t, y);
     int status;
 
@@ -75,32 +78,81 @@ static int jacobian(cardan_run *run, real t, const real *y, real *rows, int take
     status = cardan_call_model(run, &run->constraint_jacobian, &in, rows);
     for (ptrdiff_t i = 0; i < run->rates && status == 0; i++) {
         real *row = rows + i * run->nu;
+        /* of elements most rows are used up by what joints carry */
+        squares[i] = cardan_dot(row, row, run->nu);
+        if (squares[i] == 0)
+            continue;
         for (ptrdiff_t j = 0; j < run->nu; j++)
             row[j] *= run->columns ? run->columns[j] : 1;
         if (taken)
             lengths[i] = fmax(lengths[i], sqrt(cardan_dot(row, row, run->nu)));
         for (ptrdiff_t j = 0; j < run->nu && lengths[i] > 0; j++)
             row[j] /= lengths[i];
+        squares[i] = cardan_dot(row, row, run->nu);
     }
     return status;
 }
 
-/* Put the longest of the rows from k on at place k of the order. */
-static void choose(const cardan_run *run, int what, ptrdiff_t k)
+/* Square of the length of a row. */
+static real square(const cardan_run *run, int what, ptrdiff_t k)
 {
-    real *order = place(run, ORDER), longest = -1, swapped = order[k];
+    const real *row = row_of(run, what, k);
+
+    return cardan_dot(row, row, run->nu);
+}
+
+/* Put the longest of the rows from k on at place k of the order. */
+static void choose(const cardan_run *run, ptrdiff_t k)
+{
+    real *order = place(run, ORDER), *squares = place(run, SQUARES), longest = -1;
+    const real swapped = order[k];
     ptrdiff_t best = k;
 
-    for (ptrdiff_t i = k; i < run->rates; i++) {
-        const real *row = row_of(run, what, i);
-        real length = cardan_dot(row, row, run->nu);
-        if (length > longest) {
-            longest = length;
+    for (ptrdiff_t i = k; i < run->rates; i++)
+        if (squares[(ptrdiff_t)order[i]] > longest) {
+            longest = squares[(ptrdiff_t)order[i]];
             best = i;
         }
-    }
     order[k] = order[best];
     order[best] = swapped;
+}
+
+/* Entries of a row that are not zero: rows of joints reach a few speeds alone. Returns how many. */
+static ptrdiff_t list_entries(const cardan_run *run, const real *row)
+{
+    real *entries = place(run, ENTRIES);
+    ptrdiff_t count = 0;
+
+    for (ptrdiff_t j = 0; j < run->nu; j++)
+        if (row[j] != 0)
+            entries[count++] = (real)j;
+    return count;
+}
+
+/* Take from rows after place k of the order what that row, of a square length, has. */
+static void take_out(const cardan_run *run, int what, ptrdiff_t k, real length)
+{
+    const real *row = row_of(run, what, k), *entries = place(run, ENTRIES);
+    const ptrdiff_t count = list_entries(run, row);
+
+    for (ptrdiff_t i = k + 1; i < run->rates; i++) {
+        real *other = row_of(run, what, i), share = 0;
+        real *left = place(run, SQUARES) + (ptrdiff_t)place(run, ORDER)[i];
+
+        if (*left == 0)
+            continue;
+        for (ptrdiff_t e = 0; e < count; e++)
+            share += row[(ptrdiff_t)entries[e]] * other[(ptrdiff_t)entries[e]];
+        if (share == 0)
+            continue;
+        share /= length;
+        for (ptrdiff_t e = 0; e < count; e++)
+            other[(ptrdiff_t)entries[e]] -= share * row[(ptrdiff_t)entries[e]];
+        /* what is left is measured anew where the difference would be rounding */
+        *left -= share * share * length;
+        if (!(*left > DOWNDATED))
+            *left = square(run, what, i);
+    }
 }
 
 /* Take from every row what those before it in the order have; `anew`: the order is chosen too.
@@ -112,14 +164,11 @@ static real orthogonalize(cardan_run *run, int what, int anew, int taken)
     real rank_margin = 0;
 
     for (ptrdiff_t k = 0; k < run->rates; k++) {
-        const real *row;
         real length;
-        ptrdiff_t first = 0, end = run->nu;
 
         if (anew)
-            choose(run, what, k);
-        row = row_of(run, what, k);
-        length = cardan_dot(row, row, run->nu);
+            choose(run, k);
+        length = square(run, what, k);
         if (taken && k >= run->constraint_rank && length > TAKEN * TAKEN) {
             run->constraint_rank = k + 1;
             run->ranks++;
@@ -127,17 +176,8 @@ static real orthogonalize(cardan_run *run, int what, int anew, int taken)
         if (k >= run->constraint_rank)
             break;
         rank_margin = sqrt(length);
-        /* rows of joints reach a few speeds alone */
-        while (first < end && row[first] == 0)
-            first++;
-        while (end > first && row[end - 1] == 0)
-            end--;
-        for (ptrdiff_t i = k + 1; i < run->rates && length > 0; i++) {
-            real *other = row_of(run, what, i);
-            const real share = cardan_dot(row + first, other + first, end - first) / length;
-            for (ptrdiff_t j = first; j < end && share != 0; j++)
-                other[j] -= share * row[j];
-        }
+        if (length > 0)
+            take_out(run, what, k, length);
     }
     return rank_margin;
 }

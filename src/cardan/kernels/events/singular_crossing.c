@@ -17,12 +17,13 @@
 #include "gauss.h"
 #include <math.h>
 
-enum { FEWEST_POINTS = 6, MOST_SWEEPS = 40 };
+enum { FEWEST_POINTS = 6, MOST_SWEEPS = 40, LENGTHS = 3, MOST_LENGTHS = 8 };
 static const real WINDOW = 0.25; /* radians or sizes: a step is at least as long, error permitting */
 static const real NEAREST = 0.01; /* radians or sizes: nearer than that no step is tried */
 static const real MIN_SPACING = 0.03;  /* of the step: how far Gauss points are from the place, at least */
 static const real ENOUGH = 1e-2; /* of the tolerance: where sweeps end */
-static const real ROUNDING = 1e-14; /* relative, times the inverse cube of the distance */
+static const real ROUNDING = 1e-14; /* relative, times the inverse cube of the distance: at most */
+static const real PATIENT = 1e-3; /* of that: what it usually is */
 static const real FIXED_STEP_TOL = 1e-7; /* tolerance of a step over a place where steps are given */
 static const real ACCEPTABLE = 10;    /* residuals and last coefficients, in units of the tolerance */
 
@@ -93,12 +94,13 @@ static real change(const cardan_run *run, const gauss *at, const real *f, const 
     return worst;
 }
 
-/* The error that is good enough, in units of the tolerance: 1, or what rounding makes of it. */
-static real allowed(const cardan_run *run, const gauss *at)
+/* The error that is good enough, in units of the tolerance: 1, or what rounding makes of it; `share`
+ * of that where the place may be tried from nearer. */
+static real allowed(const cardan_run *run, const gauss *at, real share)
 {
     const real distance = at->spacing * fabs(at->h) / cardan_span(run);
 
-    return fmax(1, ROUNDING / (distance * distance * distance) / cardan_finest(run));
+    return fmax(1, share * ROUNDING / (distance * distance * distance) / cardan_finest(run));
 }
 
 /* Solve for derivatives f (s, n) at the points: sweeps until they change no more. */
@@ -121,7 +123,7 @@ static int sweeps(cardan_run *run, const gauss *at, real *f, real *y)
         worst = status == 0 ? change(run, at, f, old) : 0;
         run->correction = correction;
         /* solved, or as far as rounding lets it */
-        if (worst <= (run->on_grid ? 0 : ENOUGH) || (worst <= 10 * allowed(run, at) && worst > 0.5 * last))
+        if (worst <= (run->on_grid ? 0 : ENOUGH) || (worst <= 10 * allowed(run, at, 1) && worst > 0.5 * last))
             return status;
         if (!(worst < INFINITY) || (k > 3 && worst > 2 * last))
             return CARDAN_CONSTRAINT_OPEN;
@@ -183,7 +185,7 @@ static ptrdiff_t parts_of(const cardan_run *run, real h)
 }
 
 /* Try a step of length h over a place `tau` ahead; `error` becomes its error in tolerances. */
-static int attempt(cardan_run *run, real tau, real h, real *error)
+static int attempt(cardan_run *run, real tau, real h, real share, real *error)
 {
     real *f = run->crossing, *y = f + 2 * MOST_POINTS * run->n;
     gauss at = {0};
@@ -203,7 +205,7 @@ static int attempt(cardan_run *run, real tau, real h, real *error)
         status = cardan_close(run, run->t + h, run->trial, 0);
         *error = fmax(*error, run->correction);
     }
-    *error /= allowed(run, &at);
+    *error /= allowed(run, &at, share);
     if (status == 0 && *error <= 1) {
         run->pass_points = at.s;
         run->pass_start = run->t;
@@ -314,7 +316,7 @@ int cardan_step(cardan_run *run)
 {
     real tau, h, left, error = INFINITY, longest = run->max_step;
     const int fixed = run->rtol == 0 && run->atol == 1;
-    int status, near;
+    int status, near, nearest, lengths = LENGTHS;
 
     if (!run->constraint_jacobian.function)
         return run->step(run);
@@ -329,14 +331,15 @@ int cardan_step(cardan_run *run)
     h = span(run, tau);
     /* as long as steps of the method usually are, or as short as that makes sense */
     near = fabs(tau) <= fmax(fabs(run->h), 0.5 * WINDOW * cardan_span(run));
+    nearest = fabs(tau) < fmin(NEAREST * cardan_span(run), fabs(left));
     /* shorter again as long as it leads over the place, or once if it ends before */
-    for (int k = 0; k < 3 && near && (fabs(h) > 1.2 * fabs(tau) || h == left); k++) {
+    for (int k = 0; k < lengths && near && (fabs(h) > 1.2 * fabs(tau) || h == left); k++) {
         /* a given step leaves the tolerance at 1: a step over a place keeps its own */
         if (fixed) {
             run->rtol = FIXED_STEP_TOL;
             run->atol = FIXED_STEP_TOL;
         }
-        status = attempt(run, tau, h, &error);
+        status = attempt(run, tau, h, nearest || k < LENGTHS ? 1 : PATIENT, &error);
         if (fixed) {
             run->rtol = 0;
             run->atol = 1;
@@ -347,9 +350,12 @@ int cardan_step(cardan_run *run)
             run->passed += fabs(tau) < fabs(h);
             return part(run);
         }
-        h *= 0.6;
+        /* sweeps over what vibrates settle in short steps alone */
+        if (status == CARDAN_CONSTRAINT_OPEN && lengths < MOST_LENGTHS)
+            lengths++;
+        h = run->on_grid ? run->h * floor(0.6 * h / run->h) : 0.6 * h;
     }
-    if (fabs(tau) < fmin(NEAREST * cardan_span(run), fabs(left))) {
+    if (nearest) {
         run->open_row = run->positions + cardan_weakest(run);
         run->correction = INFINITY;
         return CARDAN_CONSTRAINT_OPEN;

@@ -329,27 +329,19 @@ int cardan_mesh_call_mass_matrix(const cardan_in *in, real *out, real *work)
     return cardan_mesh_values(cardan_mesh_of(in), &at, shares, out, work);
 }
 
-/* G (m, nu): how fast the constraints open per speed, out of the rows of the sparse matrix. */
-int cardan_mesh_call_constraint_jacobian(const cardan_in *in, real *out, real *work)
+/* G (m, nu) out of the rows of the sparse matrix. */
+static void rows_of_matrix(const cardan_mesh *mesh, const cardan_mesh_system *system, real *out)
 {
-    const cardan_mesh *mesh = cardan_mesh_of(in);
     const cardan_sparse *plan = mesh->plan;
-    const cardan_state at = cardan_state_of(in);
-    const cardan_assembly parts = {{0, 0, 1}, 0, 0, NULL, 0};
-    cardan_mesh_system system = {0};
-    real *number;
-    int status;
+    real *number = system->right;
 
-    (void)cardan_mesh_lay(mesh, work, &system);
-    status = cardan_mesh_matrix(mesh, &at, &parts, &system);
     memset(out, 0, (size_t)(mesh->m * mesh->nu) * sizeof(real));
     /* the constraint of an equation, counted from 1; 0: one of forces */
-    number = system.right;
     memset(number, 0, (size_t)plan->n * sizeof(real));
     for (ptrdiff_t k = 0; k < mesh->m; k++)
         number[mesh->unknown[k]] = (real)(k + 1);
     for (ptrdiff_t block = 0; block < plan->blocks; block++) {
-        const real *entries = system.a + plan->at[block];
+        const real *entries = system->a + plan->at[block];
         for (ptrdiff_t i = plan->first[block]; i < plan->first[block + 1]; i++)
             for (ptrdiff_t pair = plan->row[block]; pair < plan->row[block + 1]; pair++) {
                 const ptrdiff_t from = plan->first[plan->column[pair]];
@@ -360,6 +352,23 @@ int cardan_mesh_call_constraint_jacobian(const cardan_in *in, real *out, real *w
                 entries += n;
             }
     }
+}
+
+/* How fast loops open per speed (m, nu): rows of constraints less what the tree determines, which are
+ * zero, for the rank that these have together. */
+int cardan_mesh_call_constraint_jacobian(const cardan_in *in, real *out, real *work)
+{
+    const cardan_mesh *mesh = cardan_mesh_of(in);
+    const cardan_state at = cardan_state_of(in);
+    const cardan_assembly parts = {{0, 0, 1}, 0, 0, NULL, 0};
+    cardan_mesh_system system = {0};
+    int status;
+
+    (void)cardan_mesh_lay(mesh, work, &system);
+    status = cardan_mesh_matrix(mesh, &at, &parts, &system);
+    rows_of_matrix(mesh, &system, out);
+    if (status == 0 && cardan_mesh_loops(mesh, &system, out) != CARDAN_OK)
+        rows_of_matrix(mesh, &system, out);
     return status;
 }
 

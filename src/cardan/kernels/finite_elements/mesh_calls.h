@@ -36,6 +36,8 @@ int cardan_mesh_call_rhs(const cardan_in *in, real *out, real *work);
 int cardan_mesh_call_close_position(const cardan_in *in, real *out, real *work);
 int cardan_mesh_call_close_velocity(const cardan_in *in, real *out, real *work);
 int cardan_mesh_call_constraint_jacobian(const cardan_in *in, real *out, real *work);
+/* mesh_loops.c */
+int cardan_mesh_loops(const cardan_mesh *mesh, const cardan_mesh_system *system, real *rows);
 /* mesh_events.c; `jump_room`: numbers of memory of a transition besides that of accelerations */
 int cardan_mesh_call_events(const cardan_in *in, real *out, real *work);
 int cardan_mesh_call_transition(const cardan_in *in, real *out, real *work);

@@ -92,13 +92,16 @@ class PythonFunction:
     """A function of Python that kernels call as they call compiled ones.
 
     Args:
-        function: Lists of floats -> a list of floats, one list for each block.
+        function: Lists of floats -> a list of floats or an array, one list for each block.
         blocks: (name of a block, how many numbers of it).
         size: Numbers of the result.
     """
 
     def __init__(
-        self, function: Callable[..., list[float]], blocks: Sequence[tuple[str, int]], size: int
+        self,
+        function: Callable[..., list[float] | Array],
+        blocks: Sequence[tuple[str, int]],
+        size: int,
     ) -> None:
         self._function = function
         self._places = [(SLOT["w" if name == "p" else name], n) for name, n in blocks]
@@ -120,8 +123,11 @@ class PythonFunction:
                 return RAISED
             row = self._row.from_address(out)
             try:
-                values: list[Any] = self._function(*[blocks[k][:size] for k, size in self._places])
-                row[:] = values
+                values: Any = self._function(*[blocks[k][:size] for k, size in self._places])
+                if isinstance(values, np.ndarray):
+                    np.ctypeslib.as_array(row)[:] = values.reshape(-1)
+                else:
+                    row[:] = values
             except SolveError:
                 row[:] = [np.nan] * len(row)
                 return SINGULAR

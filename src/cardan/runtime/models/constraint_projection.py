@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 CLOSED = 1e-11  # residuals relative to the size that are enough, as in kernels/run/close.c
 MOST_SIZES = 64  # that are remembered
-MOST_ORTHOGONALIZED = 20_000_000  # products for the rows of elements: some hundredths of a second
+MOST_WATCHED = 4_000_000  # entries of the rows of elements that runs watch: 32 MB of memory each
 
 
 @dataclass(frozen=True)
@@ -34,8 +34,8 @@ class Closing:
     Attributes:
         rows: Multipliers of the manifest, those of positions first.
         size: Of the mechanism, against which residuals count [m].
-        watched: Whether runs look out for places where branches meet: of elements those of rigid
-            scenes that are not too large for it.
+        watched: Whether runs look out for places where branches meet: of elements those of scenes
+            that are not too large for it.
     """
 
     rows: tuple[MultiplierRow, ...]
@@ -49,7 +49,7 @@ class Closing:
         if not model.manifest.projected:
             rows = ()
         meshed = model.manifest.absolute
-        few = not model.manifest.beams and len(rows) ** 2 * model.nu <= MOST_ORTHOGONALIZED
+        few = len(rows) * model.nu <= MOST_WATCHED
         return cls(rows, size_of(model) if rows or meshed else 1.0, few or not meshed)
 
     def unwatched(self) -> Closing:

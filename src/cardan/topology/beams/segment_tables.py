@@ -14,6 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...arrays import Array
+from ...elements.forces.gravitation import Gravitation
 from ...elements.sections.section import Outline
 
 # of what nobody draws
@@ -71,6 +72,23 @@ class Line:
 
 
 @dataclass(frozen=True)
+class GravityOnBeam:
+    """A gravity field that pulls a beam.
+
+    Attributes:
+        force: Name of its force element.
+        element: The field.
+        center: Index in ``System.frames`` of the frame at whose origin its center is.
+        data: Its quantities over the parameters: name -> (rows, columns, nodes).
+    """
+
+    force: str
+    element: Gravitation
+    center: int
+    data: Mapping[str, tuple[int, int, tuple[int, ...]]]
+
+
+@dataclass(frozen=True)
 class Segment:
     """A beam, or the part of it between two named nodes.
 
@@ -89,6 +107,7 @@ class Segment:
             follower_moment`` (3, 1) in axes of the section [N/m, N].
         line: Its nodes in the reference configuration.
         outline: For pictures.
+        fields: Gravity fields that pull it.
     """
 
     name: str
@@ -99,3 +118,13 @@ class Segment:
     data: Mapping[str, tuple[int, int, tuple[int, ...]]]
     line: Line
     outline: Outline = ROUND
+    fields: tuple[GravityOnBeam, ...] = ()
+
+
+def numbered(data: Mapping[str, tuple[int, int, tuple[int, ...]]]) -> dict[str, int]:
+    """Expressions by name; entries of vectors are numbered."""
+    values: dict[str, int] = {}
+    for name, (_, _, nodes) in data.items():
+        names = [f"{name}_{k + 1}" for k in range(len(nodes))]
+        values |= dict(zip(names if len(nodes) > 1 else [name], nodes, strict=True))
+    return values

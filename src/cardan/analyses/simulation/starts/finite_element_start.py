@@ -142,8 +142,10 @@ class _Start:
     def _missed(self, names: Mapping[str, object], q: Array) -> bool:
         """True when something named or a beam is missed, or an axis is turned round."""
         m = self.m
-        off = np.abs(missed(m, read(m, names), q)).max(initial=0.0)
-        open_by = np.abs(m.residuals(q)).max(initial=off)
+        open_by = np.abs(missed(m, read(m, names), q)).max(initial=0.0)
+        # where all joints are named, nothing could move that a beam be strained less
+        if not _locked_speeds(self.model, names, "q")[m.lead].all():
+            open_by = np.abs(m.residuals(q)).max(initial=open_by)
         return bool(open_by > GOOD) or bool(m.reversed_axis(q))
 
     def _near(self, q: Array) -> Array:
@@ -199,12 +201,16 @@ class _Start:
             return self._near_speeds(q)
         names = self._moving(self.u, "u")
         if by_joints:
-            # beams take up what the speeds of their ends differ by
-            m = self.m.unlinked()
+            m, near = self.m.unlinked(), self.u0
             if m.closing.rows:
                 refuse_singular(m, q)
+            if self.m.links:
+                # beams move as they are, if what is named lets them
+                with suppress(ModelError):
+                    near = speeds(self.m, q, names, self.u0)
             try:
-                solved = m.state(q, speeds(m, q, names, self.u0))[1]
+                # else they take up what the speeds of their ends differ by
+                solved = m.state(q, speeds(m, q, names, near))[1]
                 # nodes that beams alone hold have the speeds that were named
                 entries = [
                     self.model.speeds.index(n) for n in _free_node_entries(self.model, self.u, "u")

@@ -36,6 +36,14 @@ class Motion:
     omega: Array
     velocity: Array
 
+    def at(self, home: Array) -> Array:
+        """Where it takes a position (..., 3)."""
+        return np.asarray(self.turn.apply(home) + self.shift)
+
+    def velocity_at(self, home: Array) -> Array:
+        """Velocity (..., 3) of what was at a position (..., 3)."""
+        return self.velocity + np.cross(self.omega, self.at(home))
+
 
 STILL = Motion(Rotation.identity(), np.zeros(3), np.zeros(3), np.zeros(3))
 
@@ -127,7 +135,7 @@ def _carry(
     arc = (other.turn * one.turn.inv()).as_rotvec()
     turn = Rotation.from_rotvec(s * arc) * one.turn if arc.any() else one.turn
     home = tables.poses(reference, places)
-    positions = [m.turn.apply(home[:, 4:]) + m.shift for m in (one, other)]
+    positions = [motion.at(home[:, 4:]) for motion in (one, other)]
     position = (1 - s) * positions[0] + s * positions[1]
     now = turn * _rotation(home[:, :4])
     omega = (1 - s) * one.omega + s * other.omega

@@ -165,18 +165,22 @@ class Elements(ABC):
         pairs = zip(mixed_groups, self.results("mixed", at), strict=True)
         return [(group, (by_group[id(group)], rows)) for group, rows in pairs]
 
-    def tangent(self, at: State) -> dict[str, scipy.sparse.csr_matrix]:
+    def tangent(
+        self, at: State, parts: Sequence[str] = PARTS
+    ) -> dict[str, scipy.sparse.csr_matrix]:
         """K, C, M (nu, nu), R, G (m, nu): derivatives of the balance, rows of constraints;
         H (m, m): which of these no mode holds; L (m, nu): of elements with friction that follows
-        from reactions the derivatives of the balance by -lam, in place of G."""
+        from reactions the derivatives of the balance by -lam, in place of G. ``parts``: which."""
         tables = self.tables
-        entries: dict[str, list[tuple[Any, Any, Any]]] = {name: [] for name in PARTS}
+        entries: dict[str, list[tuple[Any, Any, Any]]] = {name: [] for name in parts}
         numbers = [k for k, g in enumerate(tables.groups) if "balance_tangent" in g.kind.functions]
         results = self.results("balance_tangent", at)
         for number, values in zip(numbers, results, strict=True):
             group = tables.groups[number]
             columns, lines = tables.columns(group), tables.lines(number)
             for name, start in group.kind.parts.items():
+                if name not in entries:
+                    continue
                 rows = lines if name in "RGHL" else columns
                 across = lines if name == "H" else columns
                 block = values[:, start : start + rows.shape[1] * across.shape[1]]
@@ -185,7 +189,7 @@ class Elements(ABC):
         height |= dict.fromkeys("RGHL", tables.m)
         width["H"] = tables.m
         shapes = {name: (height[name], width[name]) for name in PARTS}
-        return {name: _assembled(entries[name], shapes[name]) for name in PARTS}
+        return {name: _assembled(entries[name], shapes[name]) for name in parts}
 
 
 def _entries(rows: Any, columns: Any, values: Array) -> tuple[Any, Any, Any]:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Callable, Collection, Mapping
+from dataclasses import replace
 from functools import cached_property
 from itertools import islice
 from typing import TYPE_CHECKING, Any
@@ -11,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ....arrays import Array
+from ....ir.straight_line import read, straight_line
 from . import table_loading
 from .dependent_nodes import GROUND, STILL, Motion, displacement, joined, motion_of, trailed
 from .node_pose import pose, speeds
@@ -98,6 +100,16 @@ class Carrier:
                 break
         return moved
 
+    def node_positions(self, q: Array) -> Array:
+        """Coordinates (nq,) with nodes where joints and beams carry them."""
+        nq = len(q)
+        if self.tables.beams or self._planes:
+            return self.at(np.concatenate([q, np.zeros(self.model.nx - nq)]))[:nq]
+        located = self._located(q)
+        stays = self.fixed[: len(located)]
+        located = np.where(stays, q[: len(located)], located)
+        return np.concatenate([located, q[len(located) :]])
+
     def moving(self, q: Array, u: Array) -> Array:
         """Speeds (..., nu) of everything at one position (nq,), for speeds of joints (..., nu)."""
         stays, tables, nq = self.fixed[len(q) :], self.tables, len(q)
@@ -138,26 +150,26 @@ class Carrier:
         lines = [(int(line[0]), int(line[-1])) for line in joined(tables.beams, joined_places)]
         return [(a, b) for a, b in lines if a in joined_places and b in joined_places and a != b]
 
-    def displaced(self, q: Array, one: int, other: int) -> tuple[Array, Array, Array]:
+    def displaced(self, q: Array, u: Array, one: int, other: int) -> tuple[Motion, Motion, Array]:
         """Displacements of two places from the reference configuration, and the second one's place
         there.
 
+        Args:
+            q, u: Coordinates (nq,) and speeds (nu,) of everything.
+            one, other: The places.
+
         Returns:
-            Transforms (4, 4) of ground axes of what each place carries, and a position (3,).
+            Motion of what each place carries, and a position (3,).
         """
-        still = np.zeros(self.model.nu)
-        x, moves = np.concatenate([q, still]), []
-        ends = {GROUND: STILL, **self._tree_ends(q, still)}
-        for place in (one, other):
-            at_node = place >= 0
-            motion = motion_of(self.tables, self.reference, x, place) if at_node else ends[place]
-            move = np.eye(4)
-            move[:3, :3], move[:3, 3] = motion.turn.as_matrix(), motion.shift
-            moves.append(move)
+        x, ends = np.concatenate([q, u]), {GROUND: STILL, **self._tree_ends(q, u)}
+        first, second = (
+            motion_of(self.tables, self.reference, x, place) if place >= 0 else ends[place]
+            for place in (one, other)
+        )
         place = one if other == GROUND else other
         on_node = place >= 0
         home = self.tables.pose(self.reference, place) if on_node else self._homes[ON_TREE - place]
-        return moves[0], moves[1], home[4:]
+        return first, second, home[4:]
 
     def _tree_ends(self, q: Array, u: Array) -> dict[int, Motion]:
         """Displacements of the bodies of rigid trees that beams end at, by place."""
@@ -206,6 +218,29 @@ class Carrier:
             tree[0][..., at] = pose(plane, q[..., tables.q[place] : tables.q[place + 1]])
             tree[1][..., along] = speeds(plane, u[..., tables.u[place] : tables.u[place + 1]])
         return self._evaluated(*tree)
+
+    def _located(self, q: Array) -> Array:
+        """Coordinates of nodes by those of joints among q (nq,), at one position after another."""
+        blocks = {
+            "t": [self.t],
+            "q": q[self._sources[0]].tolist(),
+            "r": self.r[: len(self._blocks["r"])].tolist(),
+            "p": self._parameters,
+        }
+        compiled, names = self._place_function
+        return np.array(compiled(*(blocks[name] for name in names)), dtype=np.float64)
+
+    @cached_property
+    def _place_function(self) -> tuple[Callable[..., list[float]], tuple[str, ...]]:
+        """Coordinates of nodes as a function of the blocks that are named."""
+        states = self.model._objects.function(SAVED)
+        places = replace(states, outputs=tuple(o for o in states.outputs if o.name == "q"))
+        return straight_line(places), read(places)
+
+    @cached_property
+    def _parameters(self) -> list[float]:
+        numbers: list[float] = self.model.parameters.vector.tolist()
+        return numbers
 
     def _evaluated(self, q: Array, u: Array) -> Mapping[str, Array]:
         inputs: dict[str, Any] = {

@@ -159,12 +159,12 @@ def _lagrange(members: Members, force: Array) -> float:
 
 def momenta(members: Members, energies: Callable[..., Array], blocks: Mapping[str, Array]) -> Array:
     """dT/du: T is of second degree in the speeds, differences of which are exact."""
-    u, columns = blocks["u"], []
-    for k in range(u.shape[-1]):
-        unit = np.eye(u.shape[-1])[k]
+    u = blocks["u"]
+    p = np.zeros_like(u)
+    for k, unit in enumerate(np.eye(u.shape[-1])):
         both = [energies({**blocks, "u": u + sign * unit})[:, 0] for sign in (1.0, -1.0)]
-        columns.append((both[0] - both[1]) / 2)
-    return np.stack(columns, axis=-1)
+        p[:, k] = (both[0] - both[1]) / 2
+    return p
 
 
 def _ledger(members: Members, force: Array) -> float:

@@ -6,6 +6,7 @@ Elements with unknowns of their own are judged by the plain ones.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from itertools import takewhile
 
 import numpy as np
 
@@ -16,17 +17,22 @@ from .balances import NO_LAW, balance, momenta
 from .members import NODE, Members, in_space
 from .shapes import ENERGIES, MOMENTA, STRESSES, quaternion_of
 
+# kinds of ends, which stand last in the name of a kind
+ENDS = ("node", "offset", "ground")
+
 
 def ends_of(members: Members) -> tuple[Array, Array, dict[str, Array]] | None:
     """Poses (n, 14) and speeds (n, 12) of both ends of a flexible element, and its data by name.
 
     Ends that are fixed to nodes, or to the ground, have their place among the data. None of
-    elements that are not flexible, and of those in a plane.
+    elements that are not flexible, of those in a plane, and of those with a third end.
     """
     name = members.table.kind.name
     if not any(name.startswith(kind) for kind in (*ENERGIES, *STRESSES)):
         return None
     if any(not block.node or block.nq != NODE for block in members.blocks):
+        return None
+    if len([*takewhile(ENDS.__contains__, reversed(name.split("_")))]) > 2:
         return None
     form = next(iter(members.codes.values())).symbol
     inputs = members.model._objects.saved()[form]["inputs"]
@@ -94,7 +100,7 @@ def _momentum(members: Members) -> float | str:
     nodes = [in_space(block) for block in members.blocks]
     # what carries a rigid tree moves all of it
     on_node = "bodies" in members.table.kind.functions and sum(nodes) == 1
-    if not (all(nodes) or on_node):
+    if not ((nodes and all(nodes)) or on_node):
         return "its places are not nodes in space"
     if "ground" in members.table.kind.name:
         return NO_LAW

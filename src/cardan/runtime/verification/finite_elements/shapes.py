@@ -204,9 +204,7 @@ def _mass_points(q: Array, u: Array, data: Data, k: int) -> list[Lump]:
     (x, v, R, w), length = _ends(q, u, k), float(data["length"][k])
     tangents = length * R[:, :, 0]
     end_rates = length * np.stack([R[i] @ np.cross(w[i], [1.0, 0, 0]) for i in range(2)])
-    soft = data["EI2"][k] / data["GA3"][k] + data["EI3"][k] / data["GA2"][k]
-    share = 1 / (1 + 6 * soft / length**2)
-    spin, points = _spin(data, k), list[Lump]()
+    share, spin, points = _share(data, k), _spin(data, k), list[Lump]()
     for z, weight in zip(POINTS, WEIGHTS, strict=True):
         place, rate = (_cubic(z, a, b, share) for a, b in ((x, tangents), (v, end_rates)))
         near = np.array([0.5 - z, 0.5 + z])
@@ -266,6 +264,34 @@ def _momenta(points: Callable[..., list[Lump]]) -> Callable[..., Array]:
     return momentum
 
 
+def _central(points: Callable[..., tuple[Array, ...]]) -> Callable[..., Array]:
+    """Potential energy of halves of the mass at points in the field of a center on the ground."""
+
+    def energy(q: Array, u: Array, data: Data) -> Array:
+        def one(k: int) -> Array:
+            center = np.array([data[f"center_p{x}"][k] for x in "xyz"])
+            strength = data["mu"][k] * data["rhoA"][k] * data["length"][k] / 2
+            distances = [np.linalg.norm(place - center) for place in points(q, data, k)]
+            return np.array([0.0, -strength * sum(1 / distance for distance in distances)])
+
+        return _each(q, one)
+
+    return energy
+
+
+def _gauss(q: Array, data: Data, k: int) -> tuple[Array, ...]:
+    """The line of :func:`_mass_points` at the two points of Gauss."""
+    (x, _, R, _), length = _ends(q, np.zeros_like(q[:, :12]), k), float(data["length"][k])
+    places = np.polynomial.legendre.leggauss(2)[0] / 2
+    return tuple(_cubic(z, x, length * R[:, :, 0], _share(data, k)) for z in places)
+
+
+def _share(data: Data, k: int) -> float:
+    """Share of the cubic in the shape: less where shear is soft."""
+    soft = data["EI2"][k] / data["GA3"][k] + data["EI3"][k] / data["GA2"][k]
+    return float(1 / (1 + 6 * soft / data["length"][k] ** 2))
+
+
 def _cubic(z: float, ends: Array, tangents: Array, share: float) -> Array:
     """Line between two ends, the parabola of their tangents, and a share of the cubic."""
     chord, mean = ends[1] - ends[0], tangents.mean(axis=0)
@@ -284,6 +310,8 @@ ENERGIES: dict[str, Callable[[Array, Array, Data], Array | None]] = {
     "classical_plain": _uniform(_mean, soft=False),
     "linked_inertia": _energies(_mass_points),
     "lumped_inertia": _energies(_lumps_of),
+    "gravity_field_central_gravity": _central(_gauss),
+    "gravity_field_central_gravity_lumped": _central(lambda q, data, k: (q[k, 4:7], q[k, 11:14])),
 }
 MOMENTA: dict[str, Callable[[Array, Array, Data], Array]] = {
     "linked_inertia": _momenta(_mass_points),

@@ -9,8 +9,10 @@ from typing import Any
 from ....elements.material import material
 from ....errors import near
 from ....spatial.numbers import check_axes, check_orthonormal
+from ...beam import Beam
 from ...body import INERTIA_ENTRIES
 from ...frame import Place
+from ...masses import member
 from ...scene import SceneRecord
 from ..angles import snap
 from ..expression import parse
@@ -170,10 +172,16 @@ class Values:
             frame = self.frames[id(item.node)] = self.frame(item, None)
         return frame
 
-    def members(self, item: Item) -> tuple[Place, ...]:
-        """A body by its name, or several."""
+    def members(self, item: Item) -> tuple[Place | Beam, ...]:
+        """A body or a beam by its name, or several."""
         entries = item.entries() if item.is_list else [item]
-        return tuple(self.place(entry) for entry in entries)
+        return tuple(self._member(entry) for entry in entries)
+
+    def _member(self, item: Item) -> Place | Beam:
+        if not item.is_text:
+            return self.place(item)
+        with item.at_item():
+            return member(self.model, item.path, item.text())
 
     def frame(self, item: Item, name: str | None) -> Place:
         """A frame on a body, or placed from another frame."""
