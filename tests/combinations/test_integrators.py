@@ -27,11 +27,9 @@ STEP = 2e-4
 QUICK = 1
 # features whose scenes fail, and why
 FAULTS = {
-    frozenset(("redundant loop", "stop", "line load")): "accelerations between impacts at a stop, "
-    "beside redundant loops over elements",
     frozenset(
         ("spherical", "universal", "gear coupling", *LOOPS)
-    ): "in nodes alone one row too many counts as redundant",
+    ): "in nodes alone one row too many counts as redundant"
 }
 
 
@@ -80,7 +78,7 @@ def rows() -> list[Any]:
                 *(
                     pytest.mark.xfail(reason=reason, strict=True)
                     for part, reason in FAULTS.items()
-                    if part <= {*scene} and (len(part) < 6 or method in COORDINATES)
+                    if part <= {*scene} and method in COORDINATES
                 ),
             ],
         )
