@@ -103,8 +103,8 @@ def _nothing_discrete(model: LoadedModel, method: Integrator) -> tuple[Integrato
     """There is nothing but motion: no internal states, modes or events that change it."""
     rows = model.manifest
     changes = [row for row in rows.events if row.kind not in NOTED]
-    for there, what in ((rows.z, "internal states"), (rows.s, "modes"), (changes, "events")):
-        if there:
+    for present, what in ((rows.z, "internal states"), (rows.s, "modes"), (changes, "events")):
+        if present:
             raise ModelError(
                 f"method '{method.name}' keeps what is conserved, and model '{model.name}' has "
                 f"{what}: take method='auto'"

@@ -87,7 +87,7 @@ int cardan_midpoint_residual(cardan_run *run, const room *at, problem *step, rea
         return status;
     for (ptrdiff_t i = 0; i < run->nu; i++)
         s += at->direction[i] * middle[nq + i];
-    step->slow = fabs(s) <= MIN_DIRECTION * step->speed;
+    step->motionless = fabs(s) <= MIN_DIRECTION * step->speed;
     if (!(fabs(s) > MIN_DIRECTION * step->speed))
         s = 0;
     for (ptrdiff_t i = 0; i < nx; i++) {

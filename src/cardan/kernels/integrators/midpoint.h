@@ -37,7 +37,7 @@ typedef struct problem {
     real h, t_new;
     real speed;   /* against which um counts */
     real missing; /* energy, as of the last residual */
-    int slow;     /* um along d is too slow to bring or take energy */
+    int motionless;  /* um along d is too slow to bring or take energy */
     real lever;   /* what of it stands in a residual, relative to speeds */
 } problem;
 

@@ -13,7 +13,7 @@ static const real SOUGHT = 4e-15; /* corrections relative to the size of their b
 static const real NEAR = 1e-3;   /* from here on Broyden leads on */
 static const real LEARNT = 1e-10; /* smaller corrections are too noisy to learn from */
 static const real FAINT = 1e-9;  /* roundings of the energy against that of motion */
-static const real STILL = 1e-6; /* of coordinates, what motions at rest may change in a step */
+static const real MOTIONLESS = 1e-6; /* of coordinates, what motions at rest may change in a step */
 static const real SHIFT = 1.5e-8; /* of differences, relative: the root of a rounding */
 enum {
     MOST = 25,    /* iterations */
@@ -33,7 +33,7 @@ static real slowest(const cardan_run *run, const room *at, const problem *step)
 
     for (ptrdiff_t i = 0; i < run->nq; i++)
         largest = fmax(largest, fabs(at->z[i]));
-    return fmax(at->memory[FASTEST], STILL * largest / fabs(step->h));
+    return fmax(at->memory[FASTEST], MOTIONLESS * largest / fabs(step->h));
 }
 
 /* Size against which entry i of z counts: the largest of its block. */
@@ -232,7 +232,7 @@ static int iterate(cardan_run *run, const room *at, problem *step)
 
     for (int k = 0; k < MOST && status == 0; k++) {
         /* at rest no speed could bring or take energy */
-        const real missing = step->slow ? 0 : fabs(step->missing), noise = noise_of(at);
+        const real missing = step->motionless ? 0 : fabs(step->missing), noise = noise_of(at);
         const real most = k < PATIENT ? 10 : 100;
         const int energy_fixed = step->lever != 0 && (slow_motion || missing <= noise);
         real size = correction(run, at, step, energy_fixed);
