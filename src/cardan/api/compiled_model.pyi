@@ -106,8 +106,8 @@ class CompiledModel(LoadedModel):
                 ``"EnergyMomentum"`` (fixed step), or a :class:`cardan.GeneralizedAlpha`; ``"auto"``
                 takes what the scene and the first steps ask for, and says why.
             rtol, atol: Tolerances of a step: rtol |x| + atol, root mean square over the state; of
-                generalized-alpha on nodes (rtol + atol) times the extent of the motion, of angles 1.
-                atol follows rtol unless given: 1e-3 rtol, at most 1e-9.
+                generalized-alpha and Radau on nodes (rtol + atol) times the extent, of angles 1, and of
+                speeds in Radau that over the step. Unless given atol is 1e-3 rtol, at most 1e-9.
             step: Step of fixed methods and of generalized-alpha, first one of others [s].
             max_step: Largest step of an adaptive method [s]; with input functions 1/1000 of the span.
             inputs: Name -> constant, ``(times, values)`` (straight lines between; a time twice is a
