@@ -165,3 +165,23 @@ def test_what_does_not_conserve_is_named() -> None:
         cd.compile(damped, coordinates="absolute").simulate(0.1, step=1e-3, method=METHOD)
     with pytest.raises(cd.ModelError, match="coordinates='absolute'"):
         cd.compile(damped).simulate(0.1, step=1e-3, method=METHOD)
+
+
+def test_outputs_and_events_that_are_noted_change_nothing() -> None:
+    """A pendulum with and without them; the event is where a fine run has it."""
+    runs = []
+    for noted in (False, True):
+        scene = cd.Scene("pendulum", gravity=(0, 0, -9.81))
+        bob = scene.body("bob", mass=1.0, com=(0.3, 0, 0), inertia=(0.1, 0.1, 0.1))
+        scene.joint("pin", cd.Revolute("y"), scene.ground, bob)
+        if noted:
+            scene.output("x", bob.at(1, 0, 0).position()[0], unit="m")
+            scene.force("passes", cd.Event(0.5 - scene.q("pin")))
+        model = cd.compile(scene, coordinates="absolute")
+        runs.append(model.simulate(0.6, step=1e-3, method=METHOD))
+    np.testing.assert_array_equal(runs[0].x[-1], runs[1].x[-1])
+    fine = cd.compile(scene).simulate(0.6, rtol=1e-10, atol=1e-12, method="DOP853")
+    assert runs[1]["x"][-1] == pytest.approx(np.cos(fine["pin"][-1]), abs=1e-5)
+    (event,) = runs[1].events
+    (true,) = fine.events
+    assert event.t == pytest.approx(true.t, abs=1e-5)

@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+import sympy as sp
 
 import cardan as cd
 from mechanisms import ZOO
@@ -73,3 +74,52 @@ def test_the_function_it_needs_is_named() -> None:
     model = cd.compile(ZOO["double_pendulum"].build(), functions=["rhs"])
     with pytest.raises(cd.ModelError, match=r"'EnergyMidpoint' needs the function 'energy'"):
         model.simulate(1.0, method="EnergyMidpoint", step=0.1)
+
+
+@pytest.mark.parametrize("coordinates", ["relative", "absolute"])
+@pytest.mark.parametrize("restitution", [0.0, 0.5])
+def test_rest_on_a_stop(restitution: float, coordinates: str) -> None:
+    """What falls, bounces and comes to rest stays there, though forces cancel but for rounding."""
+    scene = cd.Scene("drop", gravity=(0, 0, -9.81))
+    block = scene.body("block", mass=2.0, inertia=(0.1, 0.1, 0.1))
+    scene.joint("z", cd.Prismatic("z"), scene.ground, block, q0=0.1)
+    scene.force("floor", cd.Stop("z", lower=0.0, restitution=restitution))
+    model = cd.compile(scene, coordinates=coordinates)
+    motion = model.simulate(1.0, method="EnergyMidpoint", step=1e-3)
+    assert motion.success, motion.message
+    fall = np.sqrt(2 * 0.1 / 9.81)
+    assert motion.events[0].t == pytest.approx(fall, abs=1e-6)
+    assert np.abs(motion["z"][motion.t > 0.5]).max() < 1e-12
+
+
+def test_rest_from_the_start() -> None:
+    scene = cd.Scene("hanging", gravity=(0, 0, -9.81))
+    links = [scene.body(f"b{k}", mass=1.0, com=(0.5, 0, 0), inertia=(0.1,) * 3) for k in range(3)]
+    for k, (parent, child) in enumerate(zip([scene.ground, *links], links, strict=False)):
+        place = parent.at(1, 0, 0) if k else parent
+        scene.joint(f"j{k}", cd.Revolute("y"), place, child, q0=0.0 if k else np.pi / 2)
+    model = cd.compile(scene, coordinates="absolute")
+    motion = model.simulate(0.5, method="EnergyMidpoint", step=1e-2)
+    assert motion.success, motion.message
+    assert np.abs(motion.u).max() < 1e-12
+
+
+def test_work_of_a_driven_joint_that_carries_a_beam() -> None:
+    """The same in joints with nodes and in nodes alone, and all that the energy gains."""
+    work = []
+    for coordinates in ("auto", "absolute"):
+        scene = cd.Scene("shaken", gravity=(0, 0, -9.81))
+        base = scene.body("base", mass=2.0, inertia=(0.1, 0.1, 0.1))
+        heave = 0.03 * sp.sin(9 * cd.t)
+        scene.joint("heave", cd.Prismatic("z"), scene.ground, base, prescribed=heave)
+        arm = scene.body("arm", mass=1.0, com=(0.25, 0, 0), inertia=(0.01, 0.02, 0.02))
+        scene.joint("swing", cd.Revolute("y"), base, arm, q0=0.3)
+        section = cd.section.general(EA=2e3, GA=1e3, GJ=1.5, EI=2.0, rhoA=1.0, rhoI=1e-3)
+        scene.beam("beam", arm.at(0.5, 0, 0), (0.8, 0, 0), section, elements=2, up="z")
+        model = cd.compile(scene, coordinates=coordinates)
+        fine = model.simulate(0.2, method="Radau", rtol=1e-9, atol=1e-11)
+        assert np.abs(fine.energy_residual).max() < 1e-8
+        work.append(fine.work["heave.motion"][-1])
+        motion = model.simulate(0.2, method="EnergyMidpoint", step=2e-4)
+        assert np.abs(motion["swing"][-1] - fine["swing"][-1]) < 1e-4
+    assert work[0] == pytest.approx(work[1], rel=1e-7)

@@ -1,7 +1,8 @@
 """First use of scenes with long loops: in a process of its own whose cache is empty.
 
 ``cold_process`` starts it; ``cold`` is what it does. Times are those of all processors, the
-compiler of C among them; packages stand as bytecode, and kernels, which serve every model, compiled.
+compiler of C among them; packages stand as bytecode, and kernels, which serve every model, are
+compiled.
 """
 
 from __future__ import annotations

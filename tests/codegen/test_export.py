@@ -330,6 +330,18 @@ def test_scenes_with_states_and_events(tmp_path: Path) -> None:
     happens(done.stdout, motion)
 
 
+def test_states_simulate_by_generalized_alpha(tmp_path: Path) -> None:
+    scene = arm()
+    scene.force("motor", cd.Actuator("elbow", 1.0, lag=0.1, start=0.3))
+    equations = cd.derive(scene)
+    folder = equations.export(tmp_path / "c", ["energy"], language="c", integrators=("alpha",))
+    model = cd.compile(equations)
+    end = model.simulate(1.0, method="DOP853", rtol=1e-11, atol=1e-13).x[-1]
+    lines = example_of(folder, quick=True)
+    # of order 2: what 1e-6 of a step leaves
+    assert numbers(lines, "x") == pytest.approx(end.tolist(), abs=5e-5)
+
+
 def happens(text: str, motion: cd.Trajectory) -> None:
     """A program in C has printed the motion: its events, state and modes."""
     found = re.findall(r"^event at (\S+): (\S+)$", text, re.MULTILINE)

@@ -128,6 +128,22 @@ def test_a_beam_with_a_controller_and_a_stop(
     same_run(found, motion)
 
 
+@pytest.mark.parametrize("method", ["dop853", "alpha"])
+def test_friction_from_a_reaction(method: str, builder: Builder, tmp_path: Path) -> None:
+    """A sledge on the tip of a beam, which slides and sticks by its normal force."""
+    scene = cantilever(2, lower=LOWER, restitution=0.0)
+    sledge = scene.body("sledge", mass=0.05, inertia=(1e-4,) * 3)
+    scene.joint("track", cd.Prismatic("x"), scene.bodies["head"], sledge, u0=0.016)
+    scene.force("rub", cd.Friction("track", mu=0.3))
+    folder = cd.derive(scene).export(tmp_path / "c", language="c", integrators=[method])
+    how = {"step": STEPS[method]} if method in STEPS else {"rtol": 1e-11, "atol": 1e-13}
+    name: Any = cd.GeneralizedAlpha(0.8) if method == "alpha" else KERNELS[method].name
+    model = cd.load_model(folder)
+    motion = model.simulate(np.linspace(0, SPAN, TIMES), method=name, **how)
+    assert {"stop.lower", "rub.stop"} <= {event.name for event in motion.events}
+    same_run(exported_run(builder, folder, SPAN, {"method": f'"{method}"', **how}), motion)
+
+
 @pytest.mark.parametrize("compiler", sorted(compilers()))
 def test_all_files_compile_without_a_warning(
     compiler: str, folders: dict[float | None, Path], tmp_path: Path

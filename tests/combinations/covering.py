@@ -35,7 +35,7 @@ def covering(
         degree = {name: sum(name in pair for pair in left) for name in names}
         first = min(left, key=lambda p: (-sum(degree[n] for n in p), sorted(order[n] for n in p)))
         chosen = complete(sorted(first, key=order.__getitem__))
-        while len(chosen) < size:
+        while len(chosen) < min(size, len(names)):
             gains = {
                 name: (len(pairs_of(complete((*chosen, name))) & left), degree[name], -order[name])
                 for name in names

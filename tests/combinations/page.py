@@ -61,7 +61,7 @@ class Letters:
         """The refusals."""
         lines = []
         for row, letter in self.rows.items():
-            lines.append(f"**{letter}**: {row.reason or 'Not written yet.'}\n")
+            lines.append(f"**{letter}**: {row.reason}\n")
             lines.append(f"    {self.messages[row]}\n")
         return "\n".join(lines)
 

@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+import sympy as sp
 
 import cardan as cd
 from cardan.analyses.simulation.energy_accounting import CEILING, accounts, excess
@@ -221,3 +222,23 @@ def test_healthy_runs_of_the_zoo_say_nothing(name: str, coordinates: str) -> Non
     for rtol in (1e-6, 1e-9):
         how = {"q": dict(first.q), "u": dict(first.u), "rtol": rtol}
         assert simulated(model, 2.0, **how)[1] == []
+
+
+@pytest.mark.parametrize("coordinates", ["auto", "absolute"])
+def test_what_drives_a_tree_with_a_beam_is_accounted_for(coordinates: str) -> None:
+    """Power of a driven base is force times rate, inertia of the tree that it carries included."""
+    scene = cd.Scene("driven", gravity=(0, 0, -9.81))
+    base = scene.body("base", mass=2.0, inertia=(0.1, 0.1, 0.1))
+    heave = 0.03 * sp.sin(9 * cd.t)
+    scene.joint("heave", cd.Prismatic("z"), scene.ground, base, prescribed=heave)
+    arm = scene.body("arm", mass=1.0, com=(0.25, 0, 0), inertia=(0.01, 0.02, 0.02))
+    scene.joint("hinge", cd.Revolute("y"), base, arm, q0=0.3)
+    section = cd.section.general(EA=2e3, GA=1e3, GJ=1.5, EI=2.0, rhoA=1.0, rhoI=1e-3)
+    scene.beam("beam", arm.at(0.5, 0, 0), (0.8, 0, 0), section, elements=2, up="z")
+    model = cd.compile(scene, coordinates=coordinates)
+    motion = model.simulate(np.linspace(0, 0.3, 7), method="DOP853", rtol=1e-10, atol=1e-12)
+    assert np.abs(motion.energy_residual).max() < 1e-9
+    q, u, _ = model.parts_of(motion.x[-1])
+    (power,) = model.power(q, u, t=motion.t[-1])
+    rate = 0.27 * np.cos(9 * motion.t[-1])
+    assert power == pytest.approx(motion["heave.driving_force"][-1] * rate, rel=1e-9)

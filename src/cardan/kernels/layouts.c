@@ -39,8 +39,8 @@ const size_t cardan_lane_method_layout[4] = {
 #include "sparse.h"
 #include "position.h"
 
-extern const size_t cardan_run_layout[139];
-const size_t cardan_run_layout[139] = {
+extern const size_t cardan_run_layout[141];
+const size_t cardan_run_layout[141] = {
     sizeof(cardan_run), offsetof(cardan_run, init), offsetof(cardan_run, step), offsetof(cardan_run,
     dense), offsetof(cardan_run, length), offsetof(cardan_run, rhs.function), offsetof(cardan_run,
     rhs.w), offsetof(cardan_run, power.function), offsetof(cardan_run, power.w),
@@ -48,6 +48,7 @@ const size_t cardan_run_layout[139] = {
     rhs_jacobian.function), offsetof(cardan_run, rhs_jacobian.w), offsetof(cardan_run,
     balance.function), offsetof(cardan_run, balance.w), offsetof(cardan_run,
     balance_tangent.function), offsetof(cardan_run, balance_tangent.w), offsetof(cardan_run,
+    internal_rates.function), offsetof(cardan_run, internal_rates.w), offsetof(cardan_run,
     move.function), offsetof(cardan_run, move.w), offsetof(cardan_run, qdot.function),
     offsetof(cardan_run, qdot.w), offsetof(cardan_run, mesh), offsetof(cardan_run, options),
     offsetof(cardan_run, inputs), offsetof(cardan_run, signals), offsetof(cardan_run, quaternions),

@@ -143,6 +143,9 @@ balance | t q u udot lam r z s | nu+npositions+nlam | of tau, g and its rates | 
 balance_tangent | t q u udot lam r z s | 3*nu*nu+2*nlam*nu | of tau per step | | \
     rewritable rare displaces internal no_derivative
     derivatives of the balance along q, u, udot, of the rates along q, and G
+internal_rates | t q u r z s | nz | of z per s | internal states | \
+    rewritable rare internal no_derivative
+    zdot: rates of the internal states
 move | q du | nq+ntangent | of q, then 1 | | elements rare internal no_derivative
     q moved by the increment du along the speeds, and its tangent
 regressor | t q u udot z s r | nu nphi | of tau per phi | inertias, linear | rare

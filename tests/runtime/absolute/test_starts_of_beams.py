@@ -61,3 +61,18 @@ def test_bodies_on_the_ends_of_beams_go_along_and_carry_the_next() -> None:
     assert model.velocity("boom.end", q, u)[3:] == pytest.approx(
         np.cross([0, 2.0, 0], model.pose("boom.end", q)[:3, 3])
     )
+
+
+def test_a_run_that_folds_an_element_says_so() -> None:
+    """A soft rod between a driven hub and a wall: its elements are twisted beyond half a turn."""
+    scene = cd.Scene("fold", gravity=(0, 0, 0))
+    hub = scene.body("hub", mass=1.0, inertia=(0.1, 0.1, 0.1))
+    scene.joint("drive", cd.Revolute("x"), scene.ground, hub, prescribed=2.0 * cd.t)
+    section = cd.section.general(EA=100, GA=100, GJ=1, EI=1, rhoA=0.1, rhoI=1e-3)
+    scene.beam("rod", hub, scene.ground.at(1, 0, 0), section, elements=1)
+    model = cd.compile(scene)
+    # to 2.8 rad by the law of a bar in torsion, without a warning
+    motion = model.simulate(np.linspace(0, 1.4, 34))
+    assert motion.energy[1][-1] == pytest.approx(2.8**2 / 2)
+    with pytest.warns(cd.SolveWarning, match=r"element of beam 'rod' is bent by 17\d degrees"):
+        model.simulate(np.linspace(0, 1.7, 34))

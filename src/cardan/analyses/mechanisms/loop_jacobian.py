@@ -35,12 +35,16 @@ def node_speeds(m: NodalMechanism) -> Entries:
     return np.setdiff1d(np.arange(m.model.nu), m.lead)
 
 
-def along_joints(m: NodalMechanism, G: csr_matrix, loops: Entries, tree: Entries) -> Array | None:
+def along_joints(
+    m: NodalMechanism, G: csr_matrix, loops: Entries, tree: Entries | None
+) -> Array | None:
     """Rows of G (m, nu) that close loops along speeds of joints: nodes follow by those of the tree.
 
     Of the tree [A B] by nodes and joints, of what closes loops [C D]: D - C A^-1 B. None where A is
-    singular.
+    singular, or rows of the tree do not determine the nodes.
     """
+    if tree is None or not len(loops):
+        return None
     from scipy.sparse.linalg import splu
 
     nodes, by_loops, by_tree = node_speeds(m), G[loops], G[tree]

@@ -170,17 +170,14 @@ class NodalMechanism(Mechanism):
         """What closes loops along speeds of joints (m, n), in units of lengths and angles."""
         rows, steps = self._rows, self._steps
         G, result = self._gradient(q), np.zeros((len(rows), self.nu))
-        if self._tree_rows is not None and len(rows):
-            along = along_joints(self, G, rows, self._tree_rows)
-            if along is not None:
-                return along * self.columns
+        along = along_joints(self, G, rows, self._tree_rows)
+        if along is not None:
+            return along * self.columns
         T = self._moving(q, steps)
         result[:, steps] = G[rows] @ (T[1:] - T[0]).T
         return result
 
-    @cached_property
-    def _tree_rows(self) -> NDArray[np.intp] | None:
-        return tree_rows(self, self._rows)
+    _tree_rows = cached_property(lambda self: tree_rows(self, self._rows))
 
     @property
     def _required(self) -> NDArray[np.bool_]:
@@ -357,8 +354,7 @@ class NodalMechanism(Mechanism):
 
     def mass(self, q: Array) -> Array | None:
         """Same as :meth:`Mechanism.mass`."""
-        T = self.along(q)
-        moves = T[1:] - T[0]
+        moves = self.along(q)[1:] - self.along(q)[0]
         return np.asarray(moves @ (self._results.mesh.tangent(self._at(q))["M"] @ moves.T))
 
     # beams between two bodies that joints carry
@@ -373,22 +369,21 @@ class NodalMechanism(Mechanism):
         parts, still = [], np.zeros(self.model.nu)
         for one, other in self.links:
             a, b, home = self.carrier.displaced(q, still, one, other)
-            way = b.at(home) - a.at(home)
-            parts += [rotation_vectors((b.turn * a.turn.inv()).as_matrix()), way / self.size]
+            turn = rotation_vectors((b.turn * a.turn.inv()).as_matrix())
+            parts += [turn, (b.at(home) - a.at(home)) / self.size]
         return np.concatenate([np.zeros(0), *parts])
 
     def rates(self, q: Array, u: Array) -> Array:
         """Same as :meth:`Mechanism.rates`, and those of what rigid beams would miss."""
-        rates, count = super().rates(q, u), self.closing.positions
-        parts = [rates[:count]]
+        parts, rates, count = [], super().rates(q, u), self.closing.positions
         for one, other in self.links:
             a, b, home = self.carrier.displaced(q, u, one, other)
             parts += [b.omega - a.omega, (b.velocity_at(home) - a.velocity_at(home)) / self.size]
-        return np.concatenate([*parts, rates[count:]])
+        return np.concatenate([rates[:count], *parts, rates[count:]])
 
     def _missed_jacobian(self, q: Array) -> Array:
-        if not self.links:
-            return np.zeros((0, self.nu))
+        if not self.links or not self.nu:
+            return np.zeros((6 * len(self.links), self.nu))
         steps = NEARBY * np.eye(self.nu)
         sides = [[self._missed(self.advance(q, sign * step)) for step in steps] for sign in (1, -1)]
         change = np.array(sides[0]) - np.array(sides[1])

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -13,6 +13,7 @@ from ...runtime.models.finite_elements.frames import rotation
 
 if TYPE_CHECKING:
     from ...runtime.models.finite_elements.mesh import Mesh
+    from ...runtime.models.finite_elements.tables import Table, Tables
     from ...runtime.models.loaded_model import LoadedModel
     from ...schema.integrators import Integrator
 
@@ -53,6 +54,8 @@ class _Looked:
                 q0[start + quaternion] = 1.0
         away = [random.uniform(-1, 1, tables.nu) for _ in range(2)]
         self.q = [mesh.move(q0, du) for du in away]
+        # others, such as outputs, do nothing to the motion
+        self.acting = [g for g in tables.groups if "balance" in g.kind.functions]
         self.lam = random.uniform(-1, 1, tables.m)
         self.way = random.uniform(-1, 1, tables.nu)
 
@@ -65,7 +68,7 @@ class _Looked:
         tables = self.tables
         if tables.m != tables.mp:
             self._say("rolls", "rolling constraints bind speeds alone")
-        for number, group in enumerate(tables.groups):
+        for group in self.acting:
             kind, what = group.kind, _named(group)
             if "bodies" in kind.functions:
                 raise ModelError(
@@ -73,22 +76,22 @@ class _Looked:
                     "coordinates of joints: compile with coordinates='absolute', which gives "
                     "every body a node"
                 )
-            if "M" not in kind.parts and self._resists(number):
+            if "M" not in kind.parts and self._resists(group):
                 self._say(what, "its force depends on speeds")
             if "M" in kind.parts and kind.nu and len(group.place[0]) > 1:
-                self._check_mass_blocks(number, what)
-        for group, lost in zip(tables.groups, self._lost(), strict=True):
+                self._check_mass_blocks(group, what)
+        for group, lost in zip(self.acting, self._lost(), strict=True):
             if lost:
                 self._say(_named(group), "its force has no potential")
         rates = self.mesh.balance(self.state(self.q[0], t=0.3))[2]
         if np.abs(rates).max(initial=0.0) > SMALL:
             self._say("a joint", "it is driven along a given motion")
 
-    def _resists(self, number: int) -> bool:
+    def _resists(self, group: Table) -> bool:
         """True when forces of a group change with speeds."""
+        number, nu = self.acting.index(group), group.kind.nu
         moving = self.mesh.results("balance", self.state(self.q[0], u=self.way))[number]
         static = self.mesh.results("balance", self.state(self.q[0]))[number]
-        nu = self.tables.groups[number].kind.nu
         change = np.abs(moving - static)[:, :nu].max(initial=0.0)
         return bool(change > SMALL * np.abs(static)[:, :nu].max(initial=0.0))
 
@@ -97,9 +100,8 @@ class _Looked:
             f"{self.who}: {what} is not conservative ({why}): take method='GeneralizedAlpha'"
         )
 
-    def _check_mass_blocks(self, number: int, what: str) -> None:
+    def _check_mass_blocks(self, group: Table, what: str) -> None:
         """Masses of elements stand with their nodes."""
-        group = self.tables.groups[number]
         having = [g for g in self.tables.groups if "balance_tangent" in g.kind.functions]
         results = self.mesh.results("balance_tangent", self.state(self.q[0]))
         values = results[next(k for k, g in enumerate(having) if g is group)]
@@ -116,7 +118,7 @@ class _Looked:
     def _forces(self, q: Array, lam: Array | None) -> list[Array]:
         """Forces of every element on its places (n, nu), group by group."""
         balances = self.mesh.results("balance", self.state(q, lam=lam))
-        return [f[:, : g.kind.nu] for f, g in zip(balances, self.tables.groups, strict=True)]
+        return [f[:, : g.kind.nu] for f, g in zip(balances, self.acting, strict=True)]
 
     def _lost(self) -> list[bool]:
         """Mask of the groups whose forces do not derive from their energy."""
@@ -126,7 +128,7 @@ class _Looked:
         ]
         having = [g for g in tables.groups if "energy" in g.kind.functions]
         lost = []
-        for group, force in zip(tables.groups, self._forces(q, None), strict=True):
+        for group, force in zip(self.acting, self._forces(q, None), strict=True):
             work = np.einsum("ni,ni->n", force, way[tables.columns(group)])
             size = np.abs(force).max(initial=0.0) * WAY
             if any(g is group for g in having):
@@ -135,7 +137,7 @@ class _Looked:
             lost.append(bool(np.abs(work).max(initial=0.0) > DIFFERENCE * size + 1e-300))
         return lost
 
-    def _power(self, force: Array, group: Any, q: Array, motion: Array) -> Array:
+    def _power(self, force: Array, group: Table, q: Array, motion: Array) -> Array:
         """Power of forces over a rigid motion (6) of everything:
 
         turn, then velocity of the origin.
@@ -162,8 +164,8 @@ class _Looked:
         heavy = [np.append(down, np.zeros(3)), *(np.append(np.zeros(3), d) for d in across)]
         cases = [(RIGID, list(np.eye(6))), (HEAVY, heavy if down.any() else [])]
         forces = self._forces(self.q[1], self.lam)
-        for k, (group, every) in enumerate(zip(self.tables.groups, forces, strict=True)):
-            force = every[:1]
+        for group, every in zip(self.acting, forces, strict=True):
+            k, force = self.tables.groups.index(group), every[:1]
             size = np.abs(force).max(initial=0.0)
             for count, motions in cases:
                 powers = [self._power(force, group, self.q[1], motion) for motion in motions]
@@ -174,7 +176,7 @@ class _Looked:
 
     def _down(self) -> Array:
         """The direction of the force that is on an element with mass wherever it is."""
-        for group, every in zip(self.tables.groups, self._forces(self.q[0], None), strict=True):
+        for group, every in zip(self.acting, self._forces(self.q[0], None), strict=True):
             if "M" in group.kind.parts:
                 motions = np.eye(6)[3:]
                 net = [self._power(every[:1], group, self.q[0], m)[0] for m in motions]
@@ -183,12 +185,12 @@ class _Looked:
         return np.zeros(3)
 
 
-def _columns(tables: Any, group: Any, element: int) -> list[Array]:
+def _columns(tables: Tables, group: Table, element: int) -> list[Array]:
     """Speeds of every place of an element."""
     places = group.place[element]
     return [np.arange(tables.u[place], tables.u[place + 1]) for place in places]
 
 
-def _named(group: Any) -> str:
+def _named(group: Table) -> str:
     """Name of an element of a group as users know it."""
     return f"'{group.members[0]}'" if len(group.members) else f"an element '{group.kind.name}'"

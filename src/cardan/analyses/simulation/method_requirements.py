@@ -14,6 +14,8 @@ from .energy_momentum import conservative
 
 # constraints are oscillators of infinite frequency: what does not damp them lets errors grow
 MOST = 0.95
+# events that leave the motion as it is: they are noted, or end it
+NOTED = ("mark", "halt")
 
 
 def suited(model: LoadedModel, method: Integrator) -> tuple[Integrator, str]:
@@ -42,9 +44,7 @@ def _damping_capped(model: LoadedModel, method: Integrator) -> tuple[Integrator,
 
 def _assembled(model: LoadedModel, method: Integrator) -> tuple[Integrator, str]:
     """Tangents of elements in tables are assembled where the elements are."""
-    if not model.manifest.absolute:
-        return method, ""
-    needs = tuple(name for name in method.needs if name not in method.differenced)
+    needs = method.called(model.manifest.absolute, bool(model.manifest.z))
     return replace(method, needs=needs), ""
 
 
@@ -61,17 +61,6 @@ def _joint_speeds(model: LoadedModel, method: Integrator) -> tuple[Integrator, s
 def _increments(model: LoadedModel, method: Integrator) -> tuple[Integrator, str]:
     """Increments along the speeds are the unknowns of a step over elements."""
     return _joint_speeds(model, method) if model.manifest.absolute else (method, "")
-
-
-def _no_internal_states(model: LoadedModel, method: Integrator) -> tuple[Integrator, str]:
-    """No element keeps states of its own, but in tables, where the method has a rule for them."""
-    if model.manifest.z and not model.manifest.absolute:
-        names = ", ".join(f"'{row.name}'" for row in model.manifest.z[:3])
-        raise ModelError(
-            f"method '{method.name}' takes no internal states, and model '{model.name}' has "
-            f"{names}: take method='auto'"
-        )
-    return method, ""
 
 
 def _user_constraints(model: LoadedModel, method: Integrator) -> tuple[Integrator, str]:
@@ -111,9 +100,11 @@ def _in_elements(model: LoadedModel, method: Integrator) -> tuple[Integrator, st
 
 
 def _nothing_discrete(model: LoadedModel, method: Integrator) -> tuple[Integrator, str]:
-    """There is nothing but motion: no internal states, modes or events."""
-    for key, what in (("z", "internal states"), ("s", "modes"), ("events", "events")):
-        if getattr(model.manifest, key):
+    """There is nothing but motion: no internal states, modes or events that change it."""
+    rows = model.manifest
+    changes = [row for row in rows.events if row.kind not in NOTED]
+    for present, what in ((rows.z, "internal states"), (rows.s, "modes"), (changes, "events")):
+        if present:
             raise ModelError(
                 f"method '{method.name}' keeps what is conserved, and model '{model.name}' has "
                 f"{what}: take method='auto'"
@@ -126,7 +117,6 @@ CONDITIONS: dict[str, Callable[[LoadedModel, Integrator], tuple[Integrator, str]
     "assembled": _assembled,
     "joint_speeds": _joint_speeds,
     "increments": _increments,
-    "no_internal_states": _no_internal_states,
     "own_constraints": _user_constraints,
     "damped": _damped,
     "in_elements": _in_elements,

@@ -34,6 +34,7 @@ from .settings import Settings, Start, Values, blocks, settings, start, watched
 from .signals import Signals, signals
 from .spare_runners import put_aside, spare
 from .starts.start import closed_start
+from .starts.strain_limits import folded
 from .times import Span, span
 
 LARGE = 1600  # pairs of speeds, as in a chain of 40: more are derived for minutes
@@ -83,8 +84,7 @@ def simulate(
             takes what the scene and the first steps ask for, and says why.
         rtol, atol: Tolerances of a step: rtol |x| + atol, root mean square over the state; of
             generalized-alpha and Radau on nodes (rtol + atol) times the extent, of angles 1, and of
-            speeds in Radau that over the step.
-            atol follows rtol unless given: 1e-3 rtol, at most 1e-9.
+            speeds in Radau that over the step. Unless given atol is 1e-3 rtol, at most 1e-9.
         step: Step of fixed methods and of generalized-alpha, first one of others [s].
         max_step: Largest step of an adaptive method [s]; with input functions 1/1000 of the span.
         inputs: Name -> constant, ``(times, values)`` (straight lines between; a time twice is a
@@ -127,6 +127,8 @@ def _reported(motion: TrajectoryRecord, check: bool) -> TrajectoryRecord:
     """The motion, with warnings of an early end and of what it cannot account for."""
     said = [] if motion.success else [motion.message]
     said += [motion.solver_info.warning] if motion.solver_info.warning else []
+    bent = folded(motion.model, motion.x) if said and motion.model else ""
+    said = [f"{text}. {bent}" if bent else text for text in said]
     if said and check:
         raise SolveError("; ".join(said))
     for text in said:

@@ -19,9 +19,15 @@ CLOSING = (
 EVENT_FUNCTIONS = ("events", "transition")
 
 
-def needed(integrators: Iterable[str]) -> dict[str, None]:
-    """Functions of the model that integrators call beside rhs."""
-    return dict.fromkeys(name for one in integrators for name in INTEGRATORS[one].needs)
+def needed(integrators: Iterable[str], states: bool) -> dict[str, None]:
+    """Functions of the model that integrators call beside rhs.
+
+    Args:
+        integrators: By their files.
+        states: Whether the model has internal states.
+    """
+    called = (INTEGRATORS[one].called(elements=False, states=states) for one in integrators)
+    return dict.fromkeys(name for names in called for name in names)
 
 
 def kernels(integrators: tuple[str, ...], elements: bool) -> dict[str, str]:

@@ -222,7 +222,11 @@ def _requested(
         # trees start anywhere
         closing = companions.CLOSING if equations.system.closed else ()
         called = [n for n in (*closing, *companions.EVENT_FUNCTIONS) if n in available]
-        more = (*(("rhs",) if integrators else ()), *called, *companions.needed(integrators))
+        more = (
+            *(("rhs",) if integrators else ()),
+            *called,
+            *companions.needed(integrators, equations.system.nz > 0),
+        )
         requested += [(name, None) for name in more if (name, None) not in requested]
     for name, _ in requested:
         if name not in available:
@@ -233,7 +237,7 @@ def _requested(
 def _ordered(entries: Mapping[str, FunctionRow]) -> dict[str, Exported]:
     """Functions of the manifest; first one that no run calls beside rhs, if there is one."""
     called = {*companions.CLOSING, *companions.EVENT_FUNCTIONS}
-    called |= {*companions.needed(companions.INTEGRATORS)}
+    called |= {*companions.needed(companions.INTEGRATORS, states=True)}
     ordered = sorted(entries, key=called.__contains__)
     return {name: Exported.of(entries[name]) for name in ordered}
 

@@ -10,7 +10,6 @@ import numpy as np
 
 from ...equations.finite_elements.record import FiniteElementRecord
 from ...errors import CodegenError, DerivationError, near
-from ...schema.integrators import Integrator
 from ...schema.planned import Planned
 from .. import layout
 from ..finite_elements import functions_header, model_folder, tables_header
@@ -30,14 +29,12 @@ CALLED, EXAMPLE_FUNCTION = (
 TOLERANCES = {"alpha": {"rtol": 1e-6, "atol": 1e-9}}
 
 
-def _called(method: Integrator) -> set[str]:
-    """Functions that a method calls of elements in tables."""
-    assembled = method.differenced if "assembled" in method.conditions else ()
-    return set(method.needs) - set(assembled)
-
-
 # methods that need no more than elements give
-METHODS = tuple(name for name, m in companions.INTEGRATORS.items() if _called(m) <= set(CALLED))
+METHODS = tuple(
+    name
+    for name, method in companions.INTEGRATORS.items()
+    if {*method.called(elements=True, states=True)} <= {*CALLED}
+)
 
 
 def export(

@@ -22,7 +22,12 @@ XYZ = ("x", "y", "z")
 def rhs(c: Context) -> tuple[Output, ...]:
     zero_tau = Matrix.zeros(c.k.graph, c.k.system.nu)
     rates = c.vector("qdot", c.k.rates, "qdot") + c.vector("udot", c.d.forward(zero_tau), "udot")
-    return rates + (c.vector("zdot", event_functions.rates(c.d), "zdot") if c.k.system.nz else ())
+    return rates + (internal_rates(c) if c.k.system.nz else ())
+
+
+@recipe
+def internal_rates(c: Context) -> tuple[Output, ...]:
+    return c.vector("zdot", event_functions.rates(c.d), "zdot")
 
 
 @recipe

@@ -113,6 +113,11 @@ def _unmet(system: System, name: str, need: str) -> str:
         )
     if need == "element forces" and not any(named_forces(system)):
         return f"function '{name}' is one of systems with force elements; '{system.name}' has none"
+    if need == "internal states" and not system.nz:
+        return (
+            f"function '{name}' is one of systems with internal states; nothing in "
+            f"'{system.name}' has any"
+        )
     if need == "events" and not system.events:
         return (
             f"function '{name}' is one of systems with events; nothing in '{system.name}' has any"

@@ -190,7 +190,8 @@ int cardan_mesh_call_outputs(const cardan_in *in, real *out, real *work)
     return status != 0 ? status : summed(mesh, &at, CARDAN_OUTPUTS, mesh->outputs, out, work);
 }
 
-/* Of every source (powers); driven joints give that of their multipliers, which are solved for. */
+/* Of every source (powers); driven joints give that of their multipliers or, in trees, of the forces
+ * along them at the accelerations: both are solved for. */
 int cardan_mesh_call_power(const cardan_in *in, real *out, real *work)
 {
     const cardan_mesh *mesh = cardan_mesh_of(in);
@@ -201,6 +202,7 @@ int cardan_mesh_call_power(const cardan_in *in, real *out, real *work)
     at.udot = at.lam = NULL;
     if (mesh->driven) {
         status = cardan_mesh_accelerations(mesh, &at, NULL, solution, work);
+        at.udot = solution;
         at.lam = solution + mesh->nu;
     }
     return status != 0 ? status : summed(mesh, &at, CARDAN_POWER, mesh->powers, out, work);

@@ -81,37 +81,40 @@ static void eliminate(ptrdiff_t n, real *a, real *b)
     }
 }
 
-void cardan_mesh_states_solve(const cardan_mesh *mesh, real re, real im, const real *change,
-                              const real *slopes, real *x, real *y, real *block)
+void cardan_states_solve(cardan_element_states of, ptrdiff_t nz, real re, real im, const real *change,
+                         const real *slopes, real *x, real *y, real *block)
 {
-    const ptrdiff_t nz = mesh->nz;
+    const ptrdiff_t count = of.count, n = y ? 2 * count : count;
+    real *a = block, *b = block + n * n;
 
-    for (ptrdiff_t k = 0; k < mesh->group_count; k++) {
-        const cardan_group *g = mesh->groups + k;
-        const ptrdiff_t count = g->z_states, n = y ? 2 * count : count;
-        real *a = block, *b = block + n * n;
-        for (ptrdiff_t e = 0; e < g->count; e++) {
-            const ptrdiff_t *z = g->z + e * g->nz;
-            for (ptrdiff_t i = 0; i < count; i++) {
-                b[i] = x[z[i]];
-                if (y)
-                    b[count + i] = y[z[i]];
-                for (ptrdiff_t j = 0; j < count; j++) {
-                    const real slope = slopes[j * nz + z[i]] / change[z[j]];
-                    a[i * n + j] = (i == j) - re * slope;
-                    if (y) {
-                        a[(count + i) * n + count + j] = a[i * n + j];
-                        a[i * n + count + j] = im * slope;
-                        a[(count + i) * n + j] = -im * slope;
-                    }
-                }
-            }
-            eliminate(n, a, b);
-            for (ptrdiff_t i = 0; i < count; i++) {
-                x[z[i]] = b[i];
-                if (y)
-                    y[z[i]] = b[count + i];
+    for (ptrdiff_t i = 0; i < count; i++) {
+        const ptrdiff_t row = cardan_state_index(&of, i);
+        b[i] = x[row];
+        if (y)
+            b[count + i] = y[row];
+        for (ptrdiff_t j = 0; j < count; j++) {
+            const real slope = slopes[j * nz + row] / change[cardan_state_index(&of, j)];
+            a[i * n + j] = (i == j) - re * slope;
+            if (y) {
+                a[(count + i) * n + count + j] = a[i * n + j];
+                a[i * n + count + j] = im * slope;
+                a[(count + i) * n + j] = -im * slope;
             }
         }
     }
+    eliminate(n, a, b);
+    for (ptrdiff_t i = 0; i < count; i++) {
+        x[cardan_state_index(&of, i)] = b[i];
+        if (y)
+            y[cardan_state_index(&of, i)] = b[count + i];
+    }
+}
+
+void cardan_mesh_states_solve(const cardan_mesh *mesh, real re, real im, const real *change,
+                              const real *slopes, real *x, real *y, real *block)
+{
+    for (ptrdiff_t k = 0; k < mesh->group_count; k++)
+        for (ptrdiff_t e = 0; e < mesh->groups[k].count; e++)
+            cardan_states_solve(cardan_mesh_states_of(mesh->groups + k, e), mesh->nz, re, im, change,
+                                slopes, x, y, block);
 }

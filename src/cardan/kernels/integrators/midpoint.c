@@ -44,6 +44,7 @@ static room room_of(const cardan_run *run)
 
 static int init(cardan_run *run)
 {
+    room_of(run).memory[FASTEST] = 0;
     return cardan_fixed_init(run);
 }
 
@@ -86,6 +87,7 @@ int cardan_midpoint_residual(cardan_run *run, const room *at, problem *step, rea
         return status;
     for (ptrdiff_t i = 0; i < run->nu; i++)
         s += at->direction[i] * middle[nq + i];
+    step->motionless = fabs(s) <= MIN_DIRECTION * step->speed;
     if (!(fabs(s) > MIN_DIRECTION * step->speed))
         s = 0;
     for (ptrdiff_t i = 0; i < nx; i++) {
@@ -134,7 +136,7 @@ static int step(cardan_run *run)
 {
     const room at = room_of(run);
     const real interval = cardan_grid(run) - run->t;
-    problem step = {run->y, interval, run->t + interval, 0, 0, 0};
+    problem step = {run->y, interval, run->t + interval, 0, 0, 0, 0};
     int status = cardan_refresh(run);
 
     run->culprit = -1;
@@ -152,8 +154,11 @@ static int step(cardan_run *run)
                 run->trial[i] = at.end[i];
             status = cardan_commit(run, step.t_new, run->trial);
         }
-        if (status == 0)
+        if (status == 0) {
+            for (ptrdiff_t i = run->nq; i < run->nq + run->nu; i++)
+                at.memory[FASTEST] = fmax(at.memory[FASTEST], fabs(run->y[i]));
             return 0;
+        }
         run->rejections++;
     }
     return status;

@@ -12,14 +12,15 @@
 #define BALANCED (4 * DBL_EPSILON)
 
 /* kept from step to step, before everything else in the method's memory */
-enum { ENERGY, WORK, SIZE, SCALE, NOISE, KINETIC, INVERTED, MEMORY };
+enum { ENERGY, WORK, SIZE, SCALE, NOISE, KINETIC, INVERTED, FASTEST, MEMORY };
 
 /* Parts of the method's own memory; size = nx + 1, of x1 and nu. */
 typedef struct room {
     ptrdiff_t size;
     real *memory;     /* (KEPT) energy and work at the start of the segment, the sum of energies
                        without signs, what a residual is divided by, what roundings of the state do
-                       to the energy, that of motion, whether there is `inverse` */
+                       to the energy, that of motion, whether there is `inverse`, the largest speed
+                       of the run so far */
     real *inverse;  /* (size, size) of the matrix of the equations */
     real *matrix;   /* (size, 2 size) */
     real *z;        /* (size) x1 in the chart, nu */
@@ -36,6 +37,7 @@ typedef struct problem {
     real h, t_new;
     real speed;   /* against which um counts */
     real missing; /* energy, as of the last residual */
+    int motionless;  /* um along d is too slow to bring or take energy */
     real lever;   /* what of it stands in a residual, relative to speeds */
 } problem;
 

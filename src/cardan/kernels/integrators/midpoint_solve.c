@@ -13,6 +13,7 @@ static const real SOUGHT = 4e-15; /* corrections relative to the size of their b
 static const real NEAR = 1e-3;   /* from here on Broyden leads on */
 static const real LEARNT = 1e-10; /* smaller corrections are too noisy to learn from */
 static const real FAINT = 1e-9;  /* roundings of the energy against that of motion */
+static const real MOTIONLESS = 1e-6; /* of coordinates, what motions at rest may change in a step */
 static const real SHIFT = 1.5e-8; /* of differences, relative: the root of a rounding */
 enum {
     MOST = 25,    /* iterations */
@@ -25,13 +26,23 @@ typedef struct rounding {
     real size, missing;
 } rounding;
 
+/* Speeds below which a motion is at rest: what is left of them where forces cancel are roundings. */
+static real slowest(const cardan_run *run, const room *at, const problem *step)
+{
+    real largest = 0;
+
+    for (ptrdiff_t i = 0; i < run->nq; i++)
+        largest = fmax(largest, fabs(at->z[i]));
+    return fmax(at->memory[FASTEST], MOTIONLESS * largest / fabs(step->h));
+}
+
 /* Size against which entry i of z counts: the largest of its block. */
 static real size_of(const cardan_run *run, const room *at, const problem *step, ptrdiff_t i)
 {
     const ptrdiff_t nq = run->nq, nx = run->nx;
     const ptrdiff_t from = i < nq ? 0 : i < nq + run->nu ? nq : nq + run->nu;
     const ptrdiff_t to = i < nq ? nq : i < nq + run->nu ? nq + run->nu : nx;
-    real largest = i == nx;
+    real largest = from == nq && i < nx ? slowest(run, at, step) : i == nx;
 
     for (ptrdiff_t j = from; j < to && i < nx; j++)
         largest = fmax(largest, fmax(fabs(at->z[j]), fabs(step->h * run->k[j])));
@@ -102,7 +113,7 @@ static void aim(const cardan_run *run, const room *at, problem *step)
         last += u1[i] * u1[i];
         before += middle * at->direction[i];
     }
-    step->speed = sqrt(fmax(first, last));
+    step->speed = fmax(sqrt(fmax(first, last)), slowest(run, at, step));
     for (ptrdiff_t i = 0; i < run->nu; i++)
         at->direction[i] =
             square > 0 ? copysign(1 / sqrt(square), before) * 0.5 * (u0[i] + u1[i]) : 0;
@@ -220,7 +231,8 @@ static int iterate(cardan_run *run, const room *at, problem *step)
     int slow_motion = noise_of(at) > FAINT * at->memory[KINETIC], energy_was_fixed = 0;
 
     for (int k = 0; k < MOST && status == 0; k++) {
-        const real missing = fabs(step->missing), noise = noise_of(at);
+        /* at rest no speed could bring or take energy */
+        const real missing = step->motionless ? 0 : fabs(step->missing), noise = noise_of(at);
         const real most = k < PATIENT ? 10 : 100;
         const int energy_fixed = step->lever != 0 && (slow_motion || missing <= noise);
         real size = correction(run, at, step, energy_fixed);

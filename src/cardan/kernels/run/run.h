@@ -92,6 +92,7 @@ struct cardan_run {
     cardan_call balance;         /* M udot + h - f - Gᵀ lam (nu), g, G u + g_t */
     cardan_call balance_tangent; /* its derivatives along q, u, udot (nu, nu), of the rates along
                                     q, G (rates, nu) */
+    cardan_call internal_rates;  /* zdot (nz) */
     cardan_call move;            /* q moved along the speeds (nq), tangent (nu, nu) */
     cardan_call qdot;
     const struct cardan_mesh *mesh; /* elements in tables, NULL: functions know the whole model */

@@ -42,6 +42,7 @@ static void connect(const cardan_export *model, const void *prepared, cardan_run
         {"rhs_jacobian", &run->rhs_jacobian, 1},
         {"balance", &run->balance, 1},
         {"balance_tangent", &run->balance_tangent, 1},
+        {"internal_rates", &run->internal_rates, model->nz},
         {"move", &run->move, 1},
         {"qdot", &run->qdot, 1},
         {"close_position", &run->close_position, model->positions},

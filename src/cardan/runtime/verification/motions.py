@@ -159,7 +159,16 @@ def balance_tangent(trial: Trial, of: str | None) -> float | str:
     return worst
 
 
+def internal_rates(trial: Trial, of: str | None) -> float | str:
+    """Rates of internal states are those of the state."""
+    if not trial.knows("rhs"):
+        return ELSEWHERE
+    z = trial.model.parts_of(trial.call("rhs"))[2]
+    return relative(trial.call("internal_rates") - z, z)
+
+
 JUDGES = {
+    "internal_rates": internal_rates,
     "energy": energy,
     "power": ledger,
     "momentum_rates": momentum_rates,

@@ -17,9 +17,9 @@ FAMILY = Integrator(
     applies="constraints, stiff forces at moderate accuracy; damps what steps do not resolve",
     source="J. Chung, G. M. Hulbert, J. Appl. Mech. 60 (1993); M. Arnold, O. Brüls, "
     "A. Cardona, Numer. Math. 129 (2015)",
-    needs=("balance", "balance_tangent", "move", "qdot"),
+    needs=("balance", "balance_tangent", "internal_rates", "move", "qdot"),
     differenced=("balance_tangent",),
     multipliers=True,
     fixed_step_on_request=True,
-    conditions=("assembled", "joint_speeds", "no_internal_states", "own_constraints", "damped"),
+    conditions=("assembled", "joint_speeds", "own_constraints", "damped"),
 )

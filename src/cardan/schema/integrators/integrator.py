@@ -49,3 +49,16 @@ class Integrator:
     lanes: bool = False
     elements: bool = False
     tableau: tuple[tuple[float, ...], ...] = ()
+
+    def called(self, elements: bool, states: bool) -> tuple[str, ...]:
+        """Functions that it calls of a model besides ``rhs``.
+
+        Args:
+            elements: Whether the model consists of elements in tables, which assemble tangents and
+                have the rates of their internal states.
+            states: Whether the model has internal states.
+        """
+        without = {*(self.differenced if elements and "assembled" in self.conditions else ())}
+        if elements or not states:
+            without.add("internal_rates")
+        return tuple(name for name in self.needs if name not in without)

@@ -12,6 +12,10 @@ from ....runtime.models.loaded_model import LoadedModel
 
 LARGE = 0.1  # strain: no linear elastic material is meant to bear more
 SMALL_ANGLE = 1e-4
+FOLDED = np.radians(
+    150.0
+)  # from one end of an element to the other; half a turn is all it can tell
+LOOKED = 64  # states of a run that are looked at
 
 
 def warn_of_strain(model: LoadedModel, x: Array) -> None:
@@ -39,6 +43,32 @@ def warn_of_strain(model: LoadedModel, x: Array) -> None:
             "beam would have them. Name other coordinates, or the joints at its ends too",
             SolveWarning,
         )
+
+
+def folded(model: LoadedModel, states: Array) -> str:
+    """A sentence about the beam that is bent most in a run, "" if none is bent too far.
+
+    The strain of an element is that of the shorter way from one end to the other: a beam that is
+    bent further changes its energy at once.
+
+    Args:
+        model: Any.
+        states: Of the run (n, nx).
+    """
+    if not model.manifest.beams or not len(states):
+        return ""
+    rows = np.unique(np.linspace(0, len(states) - 1, LOOKED).astype(int))
+    worst, name = 0.0, ""
+    for q in (model.split(states[row])[0] for row in rows):
+        for k, beam in enumerate(model.manifest.beams):
+            bent = np.linalg.norm(_relative(*_poses(model, k, q))[0], axis=1).max(initial=0.0)
+            worst, name = max((worst, name), (float(bent), beam.name))
+    if worst < FOLDED:
+        return ""
+    return (
+        f"An element of beam '{name}' is bent by {np.degrees(worst):.0f} degrees, and tells up to "
+        "180: take more elements, or a stiffer beam"
+    )
 
 
 def _strain(model: LoadedModel, number: int, reference: Array, q: Array) -> float:

@@ -118,7 +118,7 @@ static int derivative(cardan_run *run, const cardan_alpha *v, real t)
 
     if (status == 0)
         status = cardan_alpha_internal(run, v, t);
-    for (ptrdiff_t i = 0; i < run->nz && v->mesh; i++)
+    for (ptrdiff_t i = 0; i < run->nz; i++)
         run->k[nq + v->nu + i] = v->zdot[i];
 
     for (ptrdiff_t i = 0; i < v->nu; i++)
@@ -168,7 +168,7 @@ static int commit(cardan_run *run, const cardan_alpha *v, real t)
         v->a[i] = v->a_new[i];
         v->udot[i] = v->udot_new[i];
     }
-    for (ptrdiff_t i = 0; i < run->nz && v->mesh; i++)
+    for (ptrdiff_t i = 0; i < run->nz; i++)
         v->w[i] = v->w_new[i];
     for (ptrdiff_t k = 0; k < v->m; k++) {
         v->lam_old[k] = v->lam[k];

@@ -43,12 +43,12 @@ typedef struct cardan_alpha {
     real *amplitude; /* (nq) largest absolute coordinates of the run so far */
     real *picked;    /* (m) 1 for the independent constraint rows in use, 0 for redundant ones */
 
-    real *w;         /* mesh: (nz) algorithmic rates of internal states */
+    real *w;         /* (nz) algorithmic rates of internal states */
 
     /* trial step */
-    real *w_new, *zdot, *gap, *terms; /* mesh: (nz) */
-    real *slopes;    /* mesh: (most states of an element, nz) */
-    real *block;     /* mesh: system of equations of the states of an element */
+    real *w_new, *zdot, *gap, *terms; /* (nz) */
+    real *slopes;    /* (nz, nz); mesh: (most states of an element, nz) */
+    real *block;     /* system of equations of the states that are solved for together */
     real *a_new, *udot_new, *lam_new;
     real *shift;     /* (nu) part the stabilization subtracts from the increment */
     real *increment; /* (nu) */

@@ -2,6 +2,21 @@
 #include "alpha.h"
 #include "mesh_states.h"
 
+/* Arrays of internal states: those of an element in tables are solved for together, else all. */
+static void lay_states(const cardan_run *run, cardan_alpha *v, real *memory, ptrdiff_t *used)
+{
+    const ptrdiff_t nz = run->nz, most = v->mesh ? cardan_mesh_most_states(v->mesh) : nz;
+    const ptrdiff_t block = v->mesh ? cardan_mesh_states_block(v->mesh) : nz * (nz + 1);
+
+    v->w = cardan_reserve(memory, used, nz);
+    v->w_new = cardan_reserve(memory, used, nz);
+    v->zdot = cardan_reserve(memory, used, nz);
+    v->gap = cardan_reserve(memory, used, nz);
+    v->terms = cardan_reserve(memory, used, nz);
+    v->slopes = cardan_reserve(memory, used, most * nz);
+    v->block = cardan_reserve(memory, used, block);
+}
+
 /* Point all arrays into the memory of a run. Returns how many numbers they need. */
 static ptrdiff_t lay(const cardan_run *run, cardan_alpha *v)
 {
@@ -30,16 +45,7 @@ static ptrdiff_t lay(const cardan_run *run, cardan_alpha *v)
     v->rates = cardan_reserve(memory, &used, nq);
     v->dx = cardan_reserve(memory, &used, nu);
     v->mesh = run->mesh;
-    if (v->mesh) {
-        const ptrdiff_t most = cardan_mesh_most_states(v->mesh);
-        v->w = cardan_reserve(memory, &used, run->nz);
-        v->w_new = cardan_reserve(memory, &used, run->nz);
-        v->zdot = cardan_reserve(memory, &used, run->nz);
-        v->gap = cardan_reserve(memory, &used, run->nz);
-        v->terms = cardan_reserve(memory, &used, run->nz);
-        v->slopes = cardan_reserve(memory, &used, most * run->nz);
-        v->block = cardan_reserve(memory, &used, cardan_mesh_states_block(v->mesh));
-    }
+    lay_states(run, v, memory, &used);
     /* a mesh has sparse systems in place of the dense matrices below */
     if (v->mesh)
         return used + cardan_alpha_sparse_lay(v->mesh, memory ? memory + used : memory, v);

@@ -158,9 +158,9 @@ static int balance(cardan_run *run, const cardan_alpha *v, real t, const real *y
 /* Residual at the trial state. */
 int cardan_alpha_balance(cardan_run *run, const cardan_alpha *v, real t)
 {
-    int status = run->nz > 0 && v->mesh ? cardan_inputs_at(run, t, run->trial) : 0;
+    int status = run->nz > 0 ? cardan_inputs_at(run, t, run->trial) : 0;
 
-    if (status == 0 && run->nz > 0 && v->mesh)
+    if (status == 0)
         status = cardan_alpha_internal(run, v, t);
     return status != 0 ? status : balance(run, v, t, run->trial, v->udot_new, v->lam_new);
 }
@@ -299,7 +299,7 @@ static int later(cardan_run *run, const cardan_alpha *v, real dt, real *udot)
     status = place(run, v, dt);
     cardan_normalize(run, run->trial);
     for (ptrdiff_t i = nq + v->nu; i < run->n; i++)
-        run->trial[i] = run->y[i];
+        run->trial[i] = run->y[i] + (i < run->nx ? dt * run->f[i] : 0);
     if (status == 0)
         status = cardan_derivative(run, run->t + dt, run->trial, run->k);
     for (ptrdiff_t i = 0; i < v->nu; i++)
