@@ -27,7 +27,7 @@ LEAVES = {
     "15_flexible_slider_crank": ("slider_crank.html",),
     "16_spin_up_blade": ("spin_up.html",),
     "17_flexible_pendulum": ("pendulum.html", "example.c", "tables.h"),
-    "18_locking_beams": ("locking.html",),
+    "18_latching_array": ("latching.html",),
     "25_identify_arm": ("motion.csv", "fit.png"),
     "19_bring_your_own_equations": ("forward_dynamics.c", "manifest.json"),
     "20_linear_bicycle": ("matrices.txt",),
@@ -37,6 +37,8 @@ LEAVES = {
     "24_computed_torque": ("arm.html",),
     "26_lqr": ("drone.html",),
     "27_sliding_door": ("door.html",),
+    "28_flexible_robot": ("robot.html",),
+    "29_rotor_on_a_shaft": ("rotor.html",),
 }
 
 

@@ -29,13 +29,16 @@ LONG = {
     "08_stewart_platform",
     "09_bicycle",
     "11_solar_array",
+    "18_latching_array",
     "20_linear_bicycle",
     "22_orbit",
     "25_identify_arm",
     "26_lqr",
+    "28_flexible_robot",
+    "29_rotor_on_a_shaft",
     "bicycle",
 }
-TWICE = {"02_robot_arm", "04_scene_file", "14_bend", "18_locking_beams"}
+TWICE = {"02_robot_arm", "04_scene_file", "14_bend"}
 
 
 class _Enough(Exception):

@@ -8,6 +8,7 @@ from . import (
     chaos,
     chatter,
     fast_top,
+    flexible,
     four_bar,
     free_body,
     gimbal,
@@ -38,6 +39,7 @@ CASES: dict[str, Case] = {
         chatter.CHATTER,
         chatter.SETTLED,
         satellite.CASE,
+        *flexible.CASES,
     )
 }
 

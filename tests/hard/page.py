@@ -1,6 +1,8 @@
 """Measures every cell and writes docs/hard_cases.md; status 1 where one is not as expected.
 
-usage: python tests/hard/page.py
+usage: python tests/hard/page.py [CASE ...]
+
+With names of cases, only their rows and sections are written anew.
 """
 
 from __future__ import annotations
@@ -23,11 +25,12 @@ Found = dict[tuple[str, str], Outcome]
 HEAD = """\
 # Hard cases
 
-The first part says what to do about difficult models. The second part runs every integrator for
-joint coordinates on difficult cases. (`EnergyMomentum`, for absolute coordinates only, has its own
-tests.)
+The first part says what to do about difficult models. The second part runs every integrator on
+difficult cases, rigid ones and, from [latch under load](#latch-under-load) on, flexible ones.
+(`EnergyMomentum`, for absolute coordinates only, has its own tests.)
 
 """
+# ruff: noqa: E501 (rows of tables)
 ADVICE = """\
 Start with `method="auto"`: it changes to a stiff method where stability limits the steps.
 `cardan check FILE` finds faults of a model. `cardan report FILE` compares methods on your scene.
@@ -108,13 +111,28 @@ at its stop. With `settle=0`, bounces may end the run with the status `chatter`.
 each other at one time end it with `event_storm`. If rates differ widely and the fast motion does
 not matter, use `Rosenbrock`, or `Radau` for many digits. `model.stiffness(x)` compares the rates.
 
+The same elements work in scenes with [beams](flexible.md), in every method that takes beams:
+
+| behavior | what happens with beams |
+|---|---|
+| a node meets a stop | the impulse goes through the masses of all elements; the finer the mesh, the less it takes |
+| it stays at the stop, `restitution=0` | the multiplier tells when it leaves; give steps that resolve the vibration behind an impact, else `chatter` |
+| a compliant stop | `cd.Contact(...)`: the result hardly depends on the mesh |
+| dry friction, locks | rows that modes hold; a lock brings its speed to rest by an impulse |
+| controllers, actuators, `cd.Maxwell` | `GeneralizedAlpha` and `HHT` keep order 2; a step whose states do not converge is shortened, at given steps it ends the run |
+| a velocity that constraints block | its impulse is left out, others act as without it |
+
+A cantilever of 8 elements at a stop takes 0.22 ms a step, 0.12 ms while it is free, and 0.12 ms with a
+contact instead. Without either it takes 0.09 ms. Values of events that read reactions cost a solution
+each.
+
 ## When to use another approach
 
 - Contact of arbitrary shapes: cardan has no meshes and no collision search. Use a program such as
   MuJoCo or Chrono.
 - Flexible bodies other than [beams](flexible.md): there are no shells and solids.
 - Chaos over long times: compare statistics of an [ensemble](ensembles.md) instead of one motion.
-- Absolute coordinates: `Rosenbrock` takes its Jacobian by differences there: use `Radau`.
+- Beams, and a node for every body: `Rosenbrock` takes its Jacobian by differences there: use `Radau`.
 - `Newmark` takes no constraints; use `GeneralizedAlpha` or `HHT`.
 - Friction with `mu=` may have no unique solution (Painlevé); the run then ends and names the joint.
 
@@ -237,20 +255,38 @@ def section(case: Case, found: Found) -> Iterator[str]:
         yield f"\nMessage of a run: {min(said, key=lambda words: (len(words), words))}."
 
 
-def main() -> int:
-    """Measure, write."""
+def overwritten(page: str, names: list[str], found: Found) -> str:
+    """The page with rows and sections of some cases anew, those of the others as they are."""
+    for case in (CASES[name] for name in names):
+        marks = " | ".join(mark(case, method, found) for method in METHODS)
+        row = f"| [{case.title}](#{anchor(case)}) |"
+        lines = [line for line in page.splitlines() if not line.startswith(row)]
+        last = max(k for k, line in enumerate(lines) if line.startswith("| ["))
+        page = "\n".join([*lines[: last + 1], f"{row} {marks} |", *lines[last + 1 :]])
+        before, *rest = page.split(f"\n## {case.title}\n")
+        after = "\n## ".join(["", *rest[0].split("\n## ")[1:]]) if rest else ""
+        page = before.rstrip() + "\n" + "\n".join(section(case, found)) + after
+    return page.rstrip() + "\n"
+
+
+def main(names: list[str]) -> int:
+    """Measure some cases, or all; write."""
     found: Found = {}
+    cases = [CASES[name] for name in names] or list(CASES.values())
     with progress() as show:
-        for k, case in enumerate(CASES.values()):
+        for k, case in enumerate(cases):
             for method, cell in case.expected.items():
-                show(f"{case.name}, {method}", k / len(CASES))
+                show(f"{case.name}, {method}", k / len(cases))
                 if isinstance(cell, Cell):
                     found[case.name, method] = measure(case, method)
     machine = f"{platform.machine()}, {platform.system()}"
-    lines = [HEAD + ADVICE + MACHINE.format(machine=machine), "", *overview(found)]
-    for case in CASES.values():
-        lines += section(case, found)
-    PAGE.write_text(signed("\n".join(lines)), "utf-8")
+    if names:
+        PAGE.write_text(overwritten(PAGE.read_text("utf-8"), names, found), "utf-8")
+    else:
+        lines = [HEAD + ADVICE + MACHINE.format(machine=machine), "", *overview(found)]
+        for case in cases:
+            lines += section(case, found)
+        PAGE.write_text(signed("\n".join(lines)), "utf-8")
     wrong = 0
     for (name, method), one in found.items():
         cell = CASES[name].expected[method]
@@ -261,4 +297,4 @@ def main() -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(main(sys.argv[1:]))

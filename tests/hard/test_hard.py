@@ -30,7 +30,7 @@ def cells(slow: bool) -> Iterator[Any]:
                 yield pytest.param(case, method, marks=marks, id=f"{case.name}-{method}")
 
 
-QUICK = some(cells(slow=False), 9, 6)
+QUICK = some(cells(slow=False), 5, 1)
 
 
 def test_a_spread_has_every_method_and_every_case() -> None:

@@ -299,8 +299,8 @@ class SceneRecord(Vocabulary):
     ) -> Beam:
         """Add a beam: slender, elastic, of one section, in displacements of any size.
 
-        Section axes: e1 along the beam, e3 as near to ``up`` as can be, e2 = e3 x e1. A scene with
-        beams is derived in absolute coordinates. See ``docs/flexible.md``.
+        Section axes: e1 along the beam, e3 as near to ``up`` as can be, e2 = e3 x e1. Beams
+        live in nodes, rigid bodies in joint coordinates. See ``docs/flexible.md``.
 
         Args:
             name: Its name.

@@ -386,7 +386,9 @@ class NodalMechanism(Mechanism):
             return np.zeros((6 * len(self.links), self.nu))
         steps = NEARBY * np.eye(self.nu)
         sides = [[self._missed(self.advance(q, sign * step)) for step in steps] for sign in (1, -1)]
-        return np.asarray(np.array(sides[0]) - np.array(sides[1])).T / (2 * NEARBY)
+        change = np.array(sides[0]) - np.array(sides[1])
+        # where joints have no freedom, there is a row for every miss all the same
+        return change.reshape(self.nu, 6 * len(self.links)).T / (2 * NEARBY)
 
     def unlinked(self) -> NodalMechanism:
         """The same mechanism where beams between two carried bodies may be strained."""
