@@ -32,6 +32,27 @@ def slender_error(model: cd.CompiledModel, motion: cd.Trajectory) -> float:
     return float(np.abs(motion["aside"] * rate / 1e-4 - np.sin(rate * motion.t)).max())
 
 
+def spinning() -> cd.Scene:
+    """A mass on a light blade that turns as fast as it would vibrate at rest."""
+    scene = cd.Scene("spinning", gravity=(0, 0, 0))
+    hub = scene.body("hub", mass=1.0, inertia=(1.0, 1.0, 1.0))
+    scene.joint("drive", cd.Revolute("z"), scene.ground, hub, prescribed=SPIN * cd.t)
+    tip = scene.body("tip", mass=1.0, inertia=(1e-9, 1e-9, 1e-9), pose=(1, 0, 0))
+    section = cd.section.general(EA=1e8, GA=1e8, GJ=1e3, EI=1.0, **LIGHT)
+    scene.beam("blade", hub, tip, section, cd.material(damping=1e-6), elements=8)
+    scene.output("flap", tip.position()[2])
+    return scene
+
+
+SPIN = np.sqrt(3.0)
+
+
+def spinning_error(model: cd.CompiledModel, motion: cd.Trajectory) -> float:
+    """Error over the amplitude: the pull m SPIN^2 L stiffens the blade as a beam-column."""
+    rate = np.sqrt(SPIN**2 / (1 - np.tanh(SPIN) / SPIN))
+    return float(np.abs(motion["flap"] * rate / 1e-3 - np.sin(rate * motion.t)).max())
+
+
 def whirling() -> cd.Scene:
     """A disk amid a light shaft with damping inside, at 1.3 times the limit of stability."""
     scene = cd.Scene("whirling", gravity=(0, 0, 0))
@@ -255,6 +276,19 @@ CASES = (
         **bounds(
             1e-4, 1e-2, 5e-3, True, GeneralizedAlpha=UNSOLVED, HHT=UNSOLVED, EnergyMidpoint=UNSOLVED
         ),
+    ),
+    Case(
+        name="spinning blade",
+        hard="a mass flaps on a blade that turns at its first frequency and stretches at the start",
+        oracle="closed form of a beam-column under the pull m Omega^2 L; error over the amplitude",
+        advice="use `Radau`: long steps of the other methods do not pass the first stretch",
+        build=spinning,
+        t=at(5.0),
+        start={"u": {"tip.u.pz": 1e-3}},
+        error=spinning_error,
+        fine=TOLERANCES,
+        slow=("GeneralizedAlpha", "HHT", "EnergyMidpoint"),
+        **bounds(1e-3, 1e-3, 2e-4, True, EnergyMidpoint=SLOW),
     ),
     Case(
         name="shaft above its limit",
