@@ -28,7 +28,9 @@ NEAREST = 1e-6
 HELD = 1e-9
 PLACE = 0.1  # of the motion that the loops of a mechanism allow
 CASES = ("all", "two", "first", "last", "none")
-REFUSED = {("parallelogram", "none"), ("parallelogram", "last")}
+# a search in nodes ends the root of rounding beside the change point that is refused in joints
+OPEN_FAULTS = {("parallelogram", "last")}
+REFUSED = {("parallelogram", "none")}
 FEWEST = 66
 
 
@@ -112,7 +114,12 @@ def compared(name: str, case: str) -> int:
 
 @pytest.mark.parametrize("case", CASES)
 @pytest.mark.parametrize("name", slowly(CLOSED, SHOWN))
-def test_closed_mechanisms_start_alike(name: str, case: str) -> None:
+def test_closed_mechanisms_start_alike(
+    name: str, case: str, request: pytest.FixtureRequest
+) -> None:
+    if (name, case) in OPEN_FAULTS:
+        why = "A3: nodes take a start at a change point that joint coordinates refuse"
+        request.applymarker(pytest.mark.xfail(strict=True, reason=why))
     print(name, case, "starts compared:", compared(name, case))
 
 
@@ -125,7 +132,7 @@ def test_enough_starts_were_compared() -> None:
 @pytest.mark.slow
 def test_starts_of_most_mechanisms_were_compared() -> None:
     """Only where branches meet may all starts of a case be refused."""
-    pairs = {(name, case) for name in CLOSED for case in CASES}
+    pairs = {(name, case) for name in CLOSED for case in CASES} - OPEN_FAULTS
     counts = {pair: compared(*pair) for pair in sorted(pairs)}
     print("starts compared:", counts)
     assert {pair for pair, count in counts.items() if not count} <= REFUSED

@@ -16,8 +16,6 @@ from .mechanism import Mechanism
 from .position_solver import PositionSolver
 from .redundancy import rank_of
 
-# where branches meet, gaps grow with the square of the way: searches end that far beside them
-NEARBY, ROUNDED = 1e-7, 1e-12
 OFFSET = 1e-3  # of the size, and radians: beside a start that may be singular
 SIGNS = {"+": (0.0, math.inf), "-": (-math.inf, 0.0)}
 
@@ -107,13 +105,12 @@ def refuse_singular(m: Mechanism, q: Array) -> None:
         ModelError: constraints are fewer here than at a position beside it.
     """
     U, s = m.decomposition(q)
-    rank = rank_of(s, NEARBY)
+    rank = rank_of(s)
     if rank == len(U):
         return
     aside = np.random.default_rng(0).uniform(-OFFSET, OFFSET, m.nu)
     neighbor = PositionSolver(m).search(m.advance(q, aside)).q
-    # of rows that are redundant everywhere nothing is left but rounding
-    usual = rank_of(np.linalg.svd(m.jacobian(neighbor), compute_uv=False), ROUNDED)
+    usual = rank_of(np.linalg.svd(m.jacobian(neighbor), compute_uv=False))
     if usual <= rank:
         return
     # what is lost here, and not what is redundant everywhere

@@ -240,10 +240,10 @@ def position(model: LoadedModel, q: object) -> Array:
     return start_of(model, q or {}, {})[0][: model.nq]
 
 
-def rank_of(singular_values: NDArray[Any], zero: float = RANK) -> int:
-    """Number of singular values that are not zero, which is a part of the largest."""
+def rank_of(singular_values: NDArray[Any]) -> int:
+    """Number of singular values that are not zero."""
     largest = float(singular_values.max(initial=0.0))
-    return int(np.sum(singular_values > zero * largest))
+    return int(np.sum(singular_values > RANK * largest))
 
 
 def report(m: Mechanism, q: Array) -> Redundancy:
