@@ -128,7 +128,7 @@ def test_a_beam_with_a_controller_and_a_stop(
     same_run(found, motion)
 
 
-@pytest.mark.parametrize("method", ["dop853", "alpha"])
+@pytest.mark.parametrize("method", [pytest.param("dop853", marks=pytest.mark.slow), "alpha"])
 def test_friction_from_a_reaction(method: str, builder: Builder, tmp_path: Path) -> None:
     """A sledge on the tip of a beam, which slides and sticks by its normal force."""
     scene = cantilever(2, lower=LOWER, restitution=0.0)

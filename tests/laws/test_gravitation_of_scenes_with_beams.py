@@ -86,6 +86,7 @@ def test_work_of_a_field_that_grows_is_accounted_for() -> None:
     assert np.abs(motion.energy_residual).max() < 1e-6 * size
 
 
+@pytest.mark.slow
 def test_energy_is_kept_to_rounding_where_the_method_does_so() -> None:
     """Outputs, which have no balance, stand among the elements."""
     model = cd.compile(boom(lambda scene: MU, inertia="lumped"), coordinates="absolute")
@@ -98,6 +99,7 @@ def test_energy_is_kept_to_rounding_where_the_method_does_so() -> None:
     np.testing.assert_allclose(motion.q[-1], expected.q[-1], atol=1e-5)
 
 
+@pytest.mark.slow
 def test_strength_by_a_state_of_another_element() -> None:
     """An actuator that follows its command; accelerations are those of the same number."""
 
@@ -113,6 +115,7 @@ def test_strength_by_a_state_of_another_element() -> None:
     np.testing.assert_allclose(model.forward_dynamics(q, u, z=z), expected, rtol=1e-9, atol=1e-9)
 
 
+@pytest.mark.slow
 def test_linear_model_has_the_input_of_the_field() -> None:
     model = cd.compile(boom(lambda scene: scene.input("mu", default=MU)))
     q, u = state(model)
@@ -125,7 +128,9 @@ def test_linear_model_has_the_input_of_the_field() -> None:
     )
 
 
-@pytest.mark.parametrize("joint", [cd.Free(), cd.Revolute("z")])
+@pytest.mark.parametrize(
+    "joint", [pytest.param(cd.Free(), marks=pytest.mark.slow), cd.Revolute("z")]
+)
 def test_beam_on_the_body_of_the_center(joint: Any) -> None:
     """All forces are internal: momentum stays, and the linear model has their derivative."""
     scene = cd.Scene("own", gravity=(0, 0, 0))
@@ -155,7 +160,7 @@ def test_beam_on_the_body_of_the_center(joint: Any) -> None:
     np.testing.assert_allclose(block @ du, slope, atol=1e-5 * np.abs(slope).max())
 
 
-@pytest.mark.parametrize("center", ["ground", "tree"])
+@pytest.mark.parametrize("center", ["ground", pytest.param("tree", marks=pytest.mark.slow)])
 def test_coordinates_do_not_change_accelerations(center: str) -> None:
     """Ends on rigid trees by elimination, against nodes held by rows of constraints."""
     scene = boom(lambda scene: MU, center, "hinged")
