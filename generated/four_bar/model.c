@@ -6,9 +6,9 @@
 
 /* generalized coordinates */
 const double cardan_default_q[cardan_nq + (cardan_nq == 0)] = {
-    0.470659077696, /* A [rad] */
-    0.193797223762, /* B [rad] */
-    1.6411543534, /* D [rad] */
+    0.470659074167, /* A [rad] */
+    0.19379722886, /* B [rad] */
+    1.64115435381, /* D [rad] */
 };
 
 /* generalized speeds */

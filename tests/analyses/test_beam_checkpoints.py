@@ -18,6 +18,7 @@ from analyses.test_run_file import alike, killed
 from cardan.analyses.simulation import run
 from cardan.schema.integrators import INTEGRATORS
 from hostile.kinds import records, together
+from spread import some
 
 SPAN = 0.06
 # given steps: as many as there are records
@@ -121,7 +122,7 @@ print(stepper.step(float(sys.argv[3])).tobytes().hex(), repr(stepper.modes))
 """
 
 
-@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("method", some(METHODS, 4))
 def test_a_stepper_goes_on_in_another_process(method: str, tmp_path: Path) -> None:
     model, options = case(method)
     part = options.pop("t") / 2

@@ -110,7 +110,7 @@ def folders(tmp_path_factory: pytest.TempPathFactory) -> dict[float | None, Path
     }
 
 
-@pytest.mark.parametrize("sample", [None, 0.01])
+@pytest.mark.parametrize("sample", [None, pytest.param(0.01, marks=pytest.mark.slow)])
 @pytest.mark.parametrize("method", METHODS)
 def test_a_beam_with_a_controller_and_a_stop(
     method: str, sample: float | None, folders: dict[float | None, Path], builder: Builder

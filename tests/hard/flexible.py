@@ -287,7 +287,6 @@ CASES = (
         start={"u": {"tip.u.pz": 1e-3}},
         error=spinning_error,
         fine=TOLERANCES,
-        slow=("GeneralizedAlpha", "HHT", "EnergyMidpoint"),
         **bounds(1e-3, 1e-3, 2e-4, True, EnergyMidpoint=SLOW),
     ),
     Case(

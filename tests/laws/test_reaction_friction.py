@@ -65,7 +65,7 @@ def both(name: str) -> tuple[cd.CompiledModel, cd.CompiledModel]:
     return cd.compile(build(), coordinates="absolute"), cd.compile(build())
 
 
-@pytest.mark.parametrize("seed", range(3))
+@pytest.mark.parametrize("seed", [0, *(pytest.param(k, marks=pytest.mark.slow) for k in (1, 2))])
 @pytest.mark.parametrize("name", SCENES)
 def test_one_law_in_both_coordinates(name: str, seed: int) -> None:
     """Accelerations, reactions, forces, powers, events and what is behind them."""
@@ -144,7 +144,7 @@ def test_block_on_an_incline(coordinates: str) -> None:
         assert motion["slide"][-1] == pytest.approx(end, abs=1e-8)
 
 
-@pytest.mark.parametrize("smooth", [None, 1e-2])
+@pytest.mark.parametrize("smooth", [None, pytest.param(1e-2, marks=pytest.mark.slow)])
 def test_slider_crank(smooth: float | None) -> None:
     """A closed loop with two frictions, with stick and slip and without."""
     ends, times = [], []

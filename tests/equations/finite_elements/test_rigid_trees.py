@@ -47,7 +47,7 @@ def at(name: str, choice: str) -> list[State]:
 
 
 @pytest.mark.parametrize("choice", NODES)
-@pytest.mark.parametrize("name", some(ZOO, 3))
+@pytest.mark.parametrize("name", some(ZOO, 6))
 def test_mechanisms(name: str, choice: str) -> None:
     for state in at(name, choice):
         relative, absolute = state.both.relative, state.both.absolute
@@ -76,7 +76,7 @@ def test_a_tree_has_the_coordinates_of_its_joints_alone() -> None:
 
 
 @pytest.mark.parametrize("choice", NODES)
-@pytest.mark.parametrize("name", some(EVERY, 4, 1))
+@pytest.mark.parametrize("name", some(EVERY, 8, 1))
 def test_loops(name: str, choice: str) -> None:
     state = circuit(name)
     relative = state.both.relative
@@ -84,7 +84,7 @@ def test_loops(name: str, choice: str) -> None:
 
 
 @pytest.mark.parametrize("choice", NODES)
-@pytest.mark.parametrize("name", some(INSTANCES, 3))
+@pytest.mark.parametrize("name", some(INSTANCES, 6))
 def test_every_joint_in_a_tree_and_closing_a_loop(name: str, choice: str) -> None:
     own = pair(name, False)
     agree(Both(own.tree, with_trees(own.tree.system, choice)).at(own.q, own.u))
@@ -94,7 +94,7 @@ def test_every_joint_in_a_tree_and_closing_a_loop(name: str, choice: str) -> Non
 
 
 @pytest.mark.parametrize("choice", NODES)
-@pytest.mark.parametrize("name", some(CHOSEN, 4, 1))
+@pytest.mark.parametrize("name", some(CHOSEN, 8, 1))
 def test_tangents(name: str, choice: str) -> None:
     tangents_agree(Reference(with_trees(build(CHOSEN[name]()), choice), None, None))  # type: ignore[arg-type]
 
