@@ -61,7 +61,12 @@ def law(scene: cd.Scene) -> Any:
 
 
 @pytest.mark.parametrize(
-    ("center", "hub"), [("ground", "free"), ("node", "hinged"), ("tree", "hinged")]
+    ("center", "hub"),
+    [
+        pytest.param("ground", "free", marks=pytest.mark.slow),
+        pytest.param("node", "hinged", marks=pytest.mark.slow),
+        ("tree", "hinged"),
+    ],
 )
 def test_strength_may_change_with_all_that_moves(center: str, hub: str) -> None:
     """Accelerations are those of the number that the law gives; power is accounted for."""

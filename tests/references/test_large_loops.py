@@ -173,7 +173,9 @@ def test_four_bars_pass_their_singular_positions(
     assert motion.statistics["passed"] == 10
 
 
-@pytest.mark.parametrize(("windows", "end"), [(32, 0.5), (64, 1.3)])
+@pytest.mark.parametrize(
+    ("windows", "end"), [(32, 0.5), pytest.param(64, 1.3, marks=pytest.mark.slow)]
+)
 def test_many_four_bars_move_as_one(windows: int, end: float) -> None:
     """Also over positions at which all cranks and couplers lie on one line."""
     model = cd.compile(parallelogram(windows))
