@@ -81,6 +81,21 @@ def test_no_text_is_run_as_code() -> None:
     assert not found(RUNS_TEXT, [path for path in TEXT if PACKAGE in path.parents])
 
 
+def test_sympy_takes_no_text() -> None:
+    """Without ``strict=True`` it runs text as Python."""
+    calls = [
+        (f"{relative(path)}:{node.lineno}", {ast.unparse(key) for key in node.keywords if key.arg})
+        for path in PYTHON
+        if PACKAGE in path.parents
+        for node in ast.walk(ast.parse(content(path)))
+        if isinstance(node, ast.Call)
+        and isinstance(node.func, ast.Attribute)
+        and node.func.attr in ("sympify", "parse_expr", "S")
+    ]
+    assert calls
+    assert not [place for place, keys in calls if "strict=True" not in keys]
+
+
 def test_no_path_of_a_machine() -> None:
     assert not found(MACHINE, TEXT)
 

@@ -333,5 +333,9 @@ def test_refusals_name_the_cure() -> None:
         vectors.position("tip").evaluate([0.1])
     with pytest.raises(cd.ArgumentError, match="3 components"):
         vectors.vector((1, 2))
+    # SymPy would run text as Python
+    for act in (vectors.position("tip").__mul__, lambda text: vectors.vector((text, 0, 0))):
+        with pytest.raises(cd.ArgumentError, match="number or a SymPy expression, not '1/0'"):
+            act("1/0")
     with pytest.raises(TypeError):
         vectors.position("tip") * vectors.position("tip")

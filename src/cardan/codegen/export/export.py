@@ -136,16 +136,8 @@ def export(
         equations: What to write.
         directory: A new or empty one, or an earlier export of cardan, which is replaced.
         start: Folder of a model -> values to start from, by block; of other blocks the scene's.
-        functions: Names such as ``"mass_matrix"``, or pairs such as ``("pose", "hand")``; by
-            default the dynamics and the energy, of a closed system also what closes it, of one
-            with events what happens.
-        language: ``"cython"`` adds a package for NumPy, ``"c"`` leaves it at C.
-        integrators: By their files, such as ``"dop853"``, ``"rk4"`` or ``"radau"``: their C comes
-            along, and ``example.c`` simulates.
-        reproducible: The flags written down forbid contraction: equal bits from every compiler.
-        loops: As ``cardan.compile`` takes it.
-        prefix: Put before the names of all functions and data, such as ``"arm_"``: exports with
-            different prefixes can be linked into one program. With ``language="c"``.
+        functions, language, integrators, reproducible, loops, prefix: As
+            ``equations.export`` takes them.
 
     Returns:
         The directory. It appears whole or not at all.

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, NoReturn, Protocol, TypeAlias
 import numpy as np
 
 from ...arrays import Array
-from ...errors import ArgumentError, DerivationError, near
+from ...errors import ArgumentError, DerivationError, brief, near
 from ...ir.arithmetic import Scalar, sqrt
 from ...ir.derivative import forward
 from ...ir.function import Function, Output, live
@@ -157,13 +157,23 @@ class MovingAxes:
     # expressions and numbers
 
     def scalar(self, factor: sympy.Expr | float) -> Scalar:
-        """A number, or a SymPy expression in the names of the equations."""
+        """A number, or a SymPy expression in the names of the equations.
+
+        Raises:
+            ArgumentError: neither; text, which SymPy would run as Python, is none.
+        """
         import sympy
 
         from ...ir.forms.sympy_bridge import from_sympy
 
         nodes = {symbol: self.k.graph.var(*key) for key, symbol in self.symbols.items()}
-        return Scalar(self.k.graph, from_sympy(self.k.graph, sympy.sympify(factor), nodes))
+        try:
+            expression = sympy.sympify(factor, strict=True)
+        except sympy.SympifyError:
+            raise ArgumentError(
+                f"a factor of a vector is a number or a SymPy expression, not {brief(factor)}"
+            ) from None
+        return Scalar(self.k.graph, from_sympy(self.k.graph, expression, nodes))
 
     def written(self, x: Matrix | Scalar) -> sympy.Matrix:
         """A SymPy matrix, or an expression for a Scalar, in readable form.
