@@ -5,7 +5,12 @@ R_1, p_1 and R_2, p_2 are the poses of the ends, L is the length.
 
 from __future__ import annotations
 
-from ..formulas import HALFWAY, MEASURES, Lines
+from ..formulas import HALFWAY, MEASURES, Lines, Shapes
+
+# of what the formulas of strains, of masses and of loads read
+STRAIN_SHAPES: Shapes = {"K": (6, 1), "epsilon": (6, 1)}
+SPIN_SHAPES: Shapes = {"J": ("diagonal", 3)}
+LOAD_SHAPES: Shapes = {"f": (3, 1), "m": (3, 1)}
 
 POSE: Lines = (
     ("rotation of end 2 seen from end 1", "r = R_1.T @ R_2"),

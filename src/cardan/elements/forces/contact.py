@@ -9,7 +9,7 @@ from typing import ClassVar
 from ...errors import ModelError
 from ...ir.arithmetic import Scalar, norm, select, sqrt
 from ...ir.matrix import Matrix
-from ..formulas import Lines
+from ..formulas import Lines, Shapes
 from ..internal_states import MODE, Change, EventSpec, Jumped, Mode, Solved
 from ..limits import Limit, not_negative, positive
 from ..quantity import RATIO, Direction, Place, Quantity, Units, Value, quantities_of
@@ -52,6 +52,7 @@ class Contact(ForceElement):
     """
 
     kind: ClassVar[str] = "contact"
+    symbol_shapes: ClassVar[Shapes] = {"n_0": (3, 1)}
     units: ClassVar[Units] = {
         **{"radius": "m", "stiffness": "", "damping": "s/m", "exponent": RATIO, "normal": RATIO},
         **{"other_radius": "m", "mu": "", "transition_velocity": "m/s"},

@@ -7,11 +7,11 @@ from typing import ClassVar
 
 from ...ir.arithmetic import norm
 from ...ir.matrix import Matrix
-from ..formulas import Lines
+from ..formulas import Lines, Shapes
 from ..limits import Limit, not_negative
 from ..quantity import RATIO, Direction, Place, Units, Value
 from .force import Action, ForceElement, Places
-from .relative_springs import is_constant, spring_lines, springs
+from .relative_springs import SHAPES, is_constant, spring_lines, springs
 
 STIFFNESSES = ("turn", "tilt", "axial", "radial")
 
@@ -39,6 +39,7 @@ class FlexibleHinge(ForceElement):
     """
 
     kind: ClassVar[str] = "flexible_hinge"
+    symbol_shapes: ClassVar[Shapes] = SHAPES
     units: ClassVar[Units] = {
         **{"axis": RATIO, "turn": "N*m/rad", "tilt": "N*m/rad", "axial": "N/m", "radial": "N/m"},
         "damping": "s",

@@ -13,7 +13,7 @@ from ...ir.function import live
 from ...ir.graph import Graph
 from ...ir.matrix import Matrix
 from ...literature import HasSource
-from ..formulas import Lines
+from ..formulas import Lines, Shapes
 from ..internal_states import (
     Change,
     EventSpec,
@@ -151,6 +151,8 @@ class ForceElement(HasSource, ABC):
 
     kind: ClassVar[str]
     units: ClassVar[Units] = {}
+    # of what its formulas read; see :mod:`..formulas`
+    symbol_shapes: ClassVar[Shapes] = {}
     # True where ``joint`` must have one coordinate
     _one_coordinate: ClassVar[bool] = False
 

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from abc import abstractmethod
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any, TypeAlias
+from typing import Any, ClassVar, TypeAlias
 
 from ...errors import ModelError, brief
 from ...ir.matrix import Matrix
 from ..fields import Pull
-from ..formulas import Lines
+from ..formulas import Lines, Shapes
 from .force import FRAME, Action, ForceElement, Load, Places, constant
 
 # a vector in axes of the center -> in those in which a mass is told
@@ -23,6 +23,7 @@ class Gravitation(ForceElement):
     beam every section is such a body.
     """
 
+    symbol_shapes: ClassVar[Shapes] = {"c": (3, 1), "I": ("symmetric", 3)}
     center: Any
     bodies: Any
 

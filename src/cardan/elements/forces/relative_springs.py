@@ -8,9 +8,10 @@ from ...ir.arithmetic import stumpff
 from ...ir.graph import Graph
 from ...ir.matrix import Matrix
 from ...spatial.exponential import exp, log, tangent
-from ..formulas import HALFWAY, MEASURES, Lines
+from ..formulas import HALFWAY, MEASURES, Lines, Shapes
 from .force import Action, Load, Places, constant
 
+SHAPES: Shapes = {"y_0": (6, 1), "k": ("symmetric", 6)}
 DIRECTIONS = ("rx", "ry", "rz", "x", "y", "z")
 STRAIN: Lines = (
     ("rotation of b seen from a", "r = R_a.T @ R_b"),

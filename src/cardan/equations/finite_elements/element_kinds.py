@@ -7,7 +7,7 @@ from dataclasses import replace
 from functools import cached_property
 from typing import Any
 
-from ...elements.formulas import RIGID, Lines
+from ...elements.formulas import RIGID, RIGID_SHAPES, Lines, Shapes
 from ...ir.arithmetic import Scalar
 from ...ir.derivative import directional
 from ...ir.function import Block, Function, Output
@@ -97,6 +97,7 @@ def kind_of(name: str, part: Part, places: tuple[BlockKind, ...]) -> Kind:
         },
         source=part.source,
         formulas=_lines(part, context.k),
+        symbol_shapes=_symbol_shapes(part),
         element=part.kind,
         part=part.family,
         switched=sum(row.switched for row in rows(part.system)),
@@ -111,6 +112,13 @@ def _lines(part: Part, k: Kinematics) -> Lines:
         (force,) = part.system.forces
         return force.element.formulas(force_places(k, force))
     return RIGID if part.rigid else ()
+
+
+def _symbol_shapes(part: Part) -> Shapes:
+    """Shapes of what these formulas read."""
+    if part.system.forces and not part.joint:
+        return part.system.forces[0].element.symbol_shapes
+    return RIGID_SHAPES if part.rigid else {}
 
 
 def _states(letter: str, count: int) -> Block:

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, SupportsIndex, overload
 
 from ...elements.flexible import BEAMS, INERTIAS
-from ...elements.formulas import SHAPES, Lines
+from ...elements.formulas import Lines, Shapes
 from ...errors import DerivationError, near
 
 if TYPE_CHECKING:
@@ -57,11 +57,11 @@ class SomeKinds:
                 f"kinds '{self.name}': these are several elements, each with an energy of its own; "
                 f"ask for one: {', '.join(sorted(elements))}"
             )
-        return energy_of([(lines, SHAPES.get(of, {})) for lines, of in self._elements().items()])
+        return energy_of([*self._elements().items()])
 
-    def _elements(self) -> dict[Lines, str]:
-        """Formulas -> element; kinds that differ in their ends share them."""
-        return {kind.formulas: kind.element for kind in self.kinds if kind.formulas}
+    def _elements(self) -> dict[Lines, Shapes]:
+        """Formulas -> shapes of what they read; kinds that differ in their ends share them."""
+        return {kind.formulas: kind.symbol_shapes for kind in self.kinds if kind.formulas}
 
 
 class Kinds(tuple["Kind", ...]):

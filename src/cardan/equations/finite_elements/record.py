@@ -19,7 +19,7 @@ from typing import TypeAlias
 import numpy as np
 
 from ...arrays import Array, Integers
-from ...elements.formulas import Lines
+from ...elements.formulas import Lines, Shapes
 from ...errors import DerivationError, near
 from ...ir.function import Function
 from ...spatial.plane import Plane
@@ -137,8 +137,8 @@ class Kind:
             ``power``: see :attr:`Group.outputs`; ``signs``, ``jumps`` and ``change`` of its events:
             see :mod:`.element_events`. What is zero throughout is left out.
         source: Literature.
-        formulas: (what it is, formula) for readers, in Python;
-            between ends in space.
+        formulas: (what it is, formula) for readers, in Python; between ends in space.
+        symbol_shapes: Of what the formulas read; see :mod:`...elements.formulas`.
         element: Its element in the catalog, such as "revolute"; "body" of rigid bodies.
         part: "body", "joint", "force" or "beam"; "" of others.
         switched: Number of its rows that hold in some modes, the last ones.
@@ -152,6 +152,7 @@ class Kind:
     functions: Mapping[str, Function] = field(repr=False, compare=False)
     source: str = ""
     formulas: Lines = field(default=(), repr=False)
+    symbol_shapes: Shapes = field(default_factory=dict, repr=False, compare=False)
     element: str = ""
     part: str = ""
     switched: int = 0

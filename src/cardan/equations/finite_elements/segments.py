@@ -313,9 +313,18 @@ class _Builder:
             name = unique(name, self.taken) if tree else name
             functions = tree.functions(name) if tree else element.derived(kinds)
             data = tree.data if tree else element.data(kinds)
-            source, formulas = element.source, element.formula_lines
             kind = Kind(
-                *(name, places, (), 0, data, functions, source, formulas, element.kind, "beam")
+                name=name,
+                blocks=places,
+                rows=(),
+                mp=0,
+                data=data,
+                functions=functions,
+                source=element.source,
+                formulas=element.formula_lines,
+                symbol_shapes=element.symbol_shapes,
+                element=element.kind,
+                part="beam",
             )
             if end_blocks != places:
                 space, planar_name = kind, unique(name, self.taken)
