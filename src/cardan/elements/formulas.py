@@ -40,6 +40,16 @@ MEASURES: Lines = (
     ("length and shear of the element", "e = U @ d"),
 )  # fmt: skip
 
+# how the strain changes with the relative pose
+TANGENT: Lines = (
+    ("derivative of theta by the relative rotation",
+     "D = I + skew(theta) / 2 + a * skew(theta) @ skew(theta)"),
+    ("derivative of e by theta",
+     "N = beta_2 * (dot(theta, d) * I + theta * d.T - 2 * d * theta.T)"
+     " + 2 * (kappa_1 * skew(theta) @ d + kappa_2 * skew(theta) @ skew(theta) @ d) * theta.T"
+     " - beta_1 * skew(d)"),
+)  # fmt: skip
+
 # of what formulas read beside numbers and vectors and rotations of ends: rows and columns, or a
 # kind of matrix and its size
 Shape: TypeAlias = "tuple[int | str, int]"

@@ -12,9 +12,9 @@ from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
 from ...arrays import Array
-from ...runtime.models.finite_elements.dependent_nodes import GROUND
 from ...runtime.models.finite_elements.tables import Integers, Tables
 from ...runtime.verification.rotations import cross_matrix
+from ...schema.finite_elements import GROUND
 
 if TYPE_CHECKING:
     from ...runtime.models.loaded_model import LoadedModel

@@ -10,8 +10,8 @@ from ...errors import ModelError
 from ..formulas import Lines, Shapes
 from ..quantity import Place, Quantity, Rows
 from ..validation import is_expression, vector
-from .force import Action, ForceElement, Places
-from .relative_springs import DIRECTIONS, SHAPES, is_constant, spring_lines, springs, square
+from .force import Action, ForceElement, Places, constant
+from .relative_springs import DIRECTIONS, SHAPES, spring_lines, springs, square
 
 # of the stress by the strain, and of the strain; rotations before displacements
 STRESS, STRAIN = ("N*m", "N"), ("rad", "m")
@@ -84,9 +84,7 @@ class Bushing(ForceElement):
         return spring_lines(strain, " + ".join(terms), self._stores(at)) if terms else ()
 
     def _stores(self, at: Places) -> bool:
-        return not at.data["stiffness"].is_zero and is_constant(
-            at.data["stiffness"], at.data["rest"]
-        )
+        return not at.data["stiffness"].is_zero and constant(at.data["stiffness"], at.data["rest"])
 
 
 def _six_by_six(name: str, value: Rows) -> tuple[Rows, ...]:

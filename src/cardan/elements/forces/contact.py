@@ -153,7 +153,7 @@ class Contact(ForceElement):
         sliding = velocity + normal * closing
         smoothing = data["transition_velocity"][0]
         drag = push * data["mu"][0] / sqrt(sliding.dot(sliding) + smoothing * smoothing)
-        fixed = all(constant(data[name]) for name in ("stiffness", "exponent", "radius"))
+        fixed = constant(*(data[name] for name in ("stiffness", "exponent", "radius")))
         # of places alone, whatever the mode
         d = select(deep, depth, 1)
         stored = data["stiffness"][0] * d.apply("pow", exponent + 1) / (exponent + 1)
@@ -196,7 +196,7 @@ class Contact(ForceElement):
             ("on the other", "F_o = -F_s"),
             ("", "M_o = -(skew(x - p_o) @ F_s)"),
         )  # fmt: skip
-        fixed = all(constant(at.data[name]) for name in ("stiffness", "exponent", "radius"))
+        fixed = constant(*(at.data[name] for name in ("stiffness", "exponent", "radius")))
         stored = "V = k * delta ** (N + 1) / (N + 1) if delta > 0 else 0"
         return (*normal, *push, *((("potential energy", stored),) * fixed))
 

@@ -10,8 +10,8 @@ from ...ir.matrix import Matrix
 from ..formulas import Lines, Shapes
 from ..limits import Limit, not_negative
 from ..quantity import RATIO, Direction, Place, Units, Value
-from .force import Action, ForceElement, Places
-from .relative_springs import SHAPES, is_constant, spring_lines, springs
+from .force import Action, ForceElement, Places, constant
+from .relative_springs import SHAPES, spring_lines, springs
 
 STIFFNESSES = ("turn", "tilt", "axial", "radial")
 
@@ -81,7 +81,7 @@ class FlexibleHinge(ForceElement):
         stiffness: Lines = (
             ("axis of the hinge", "n = unit(axis)"),
             (
-                "stiffness: t about n and s_0 across it, a along n and r across it",
+                "stiffness: t about n and s_0 across it, a_0 along n and r_0 across it",
                 "k = block(s_0 * I + (t - s_0) * n * n.T, O, O, r_0 * I + (a_0 - r_0) * n * n.T)",
             ),
         )
@@ -89,4 +89,4 @@ class FlexibleHinge(ForceElement):
         return (*stiffness, *spring_lines("column(theta, e)", stress, self._stores(at)))
 
     def _stores(self, at: Places) -> bool:
-        return is_constant(*(at.data[name] for name in (*STIFFNESSES, "axis")))
+        return constant(*(at.data[name] for name in (*STIFFNESSES, "axis")))

@@ -304,10 +304,9 @@ class ForceElement(HasSource, ABC):
         return {}
 
 
-def constant(x: Matrix) -> bool:
-    """True where a quantity depends on parameters alone, so that a potential may hold it."""
-    graph = x.graph
-    leaves = (graph.nodes[i] for i in live(graph, x.nodes))
+def constant(*quantities: Matrix) -> bool:
+    """True where all quantities depend on parameters alone, so that a potential may hold them."""
+    leaves = (x.graph.nodes[i] for x in quantities for i in live(x.graph, x.nodes))
     return all(n[0] != "atom" and (n[0] != "var" or n[1] == "p") for n in leaves)
 
 

@@ -73,7 +73,7 @@ class Gravitation(ForceElement):
             Load(body, pull.torque + com.cross(pull.force), pull.force, axes=body),
             Load(center, -self.torque_about_center(r, pull), -pull.force, axes=body),
         )
-        fixed = self.has_potential and all(constant(at.data[name]) for name in self.quantities())
+        fixed = self.has_potential and constant(*(at.data[name] for name in self.quantities()))
         return (Action(loads, potential=pull.potential if fixed else None),)
 
 

@@ -14,6 +14,7 @@ from ...ir.function import Block, Function, Output
 from ...ir.graph import ONE, ZERO
 from ...ir.matrix import Matrix
 from ...schema.blocks import ABI_ORDER
+from ...schema.finite_elements import MOTION_NUMBERS
 from ...topology.system import Force, System
 from ..constraints.constraints import VELOCITY, rows
 from ..constraints.loop_loads import with_closing
@@ -34,12 +35,9 @@ from .joint_constraints import JointConstraint, increments
 from .joint_formulas import joint_lines
 from .joint_friction import JointFriction
 from .parts import Part
-from .record import BlockKind, Kind
+from .record import ALWAYS, BlockKind, Kind
 
 METHOD = "composite"
-MOTION = 24  # numbers of the motion of a body
-# functions that stay where they are zero throughout
-ALWAYS = ("outputs", "signs", "jumps", "change")
 ABOUT = {
     "balance": "M udot + h - f - Gᵀ lam, then g and G u + g_t",
     "balance_tangent": "derivatives of the balance along q, u, udot, of the rates along q, and G",
@@ -319,7 +317,7 @@ class _Builder:
             nodes += [*self.k.rotation(frame).nodes, *self.k.position(frame).nodes]
             nodes += outputs.velocity(self.k, frame).nodes
             nodes += outputs.acceleration(self.d, self._accelerations, frame).nodes
-        return (Output("bodies", (len(nodes) // MOTION, MOTION), tuple(nodes)),)
+        return (Output("bodies", (len(nodes) // MOTION_NUMBERS, MOTION_NUMBERS), tuple(nodes)),)
 
     def _reactions(self) -> tuple[Output, ...]:
         """What joints of rigid trees transmit on account of this element."""

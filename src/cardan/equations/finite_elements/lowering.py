@@ -11,6 +11,7 @@ from ...elements.flexible import FLEXIBLE
 from ...errors import DerivationError
 from ...ir.function import Function, Output
 from ...ir.graph import ZERO
+from ...schema.finite_elements import GROUND, ON_TREE
 from ...spatial.plane import NORMALS
 from ...topology.system import Cut, Joint, System, joint_lengths
 from ..functions.blocks import parameters
@@ -22,17 +23,7 @@ from .nodal_scene import NODE, Key, Scene
 from .parts import Part, parts
 from .planar_kinds import flattened
 from .planarity import check, planes
-from .record import (
-    GROUND,
-    ON_TREE,
-    BlockKind,
-    FiniteElementRecord,
-    Frames,
-    Group,
-    Kind,
-    Places,
-    unique,
-)
+from .record import BlockKind, FiniteElementRecord, Frames, Group, Kind, Places, unique
 from .segments import beamed
 from .states import states
 

@@ -30,11 +30,9 @@ from .overview import overview
 
 Numbers: TypeAlias = Array
 
-# the place of an end that is fixed to the ground
-GROUND = -1
-# that of a frame on a body that joints alone place
-ON_TREE = -2
 POSE = 7  # entries of the q of a node in space
+# functions that kinds have where they are zero throughout, too
+ALWAYS = ("outputs", "signs", "jumps", "change")
 
 
 @dataclass(frozen=True)

@@ -18,6 +18,7 @@ from ...elements.flexible.node_set import FRAME
 from ...ir.function import Function, Output, live
 from ...ir.graph import ZERO
 from ...ir.interpreter import evaluate
+from ...schema.finite_elements import GROUND, ON_TREE
 from ...topology.beams.segment_tables import Segment, numbered
 from ...topology.conversion import IDENTITY, ORIGIN
 from ..functions.blocks import parameters
@@ -26,7 +27,7 @@ from .element_systems import Cutting, of_parameters
 from .ends_on_trees import INSIDE, TREE, TREE_OFFSET, TreeElement
 from .nodal_scene import NODE, Key, Scene
 from .planar_kinds import flattened
-from .record import GROUND, ON_TREE, BlockKind, Group, Kind, Numbers, unique
+from .record import BlockKind, Group, Kind, Numbers, unique
 from .segment_poses import poses_of
 
 # elements of a segment up to which they share a table with those of others
