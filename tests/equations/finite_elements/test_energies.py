@@ -10,7 +10,7 @@ import sympy
 
 import cardan as cd
 from cardan.elements.flexible import BEAMS, FLEXIBLE, INERTIAS, GravityField
-from cardan.elements.forces.gravity_gradient import GravityGradient
+from cardan.elements.forces.gravity.gravity_gradient import GravityGradient
 from cardan.equations.reading.energy_expressions import EnergyExpressions, energy_of
 from cardan.errors import DerivationError
 from cardan.ir.interpreter import evaluate

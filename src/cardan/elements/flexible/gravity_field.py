@@ -11,10 +11,10 @@ from ...ir.arithmetic import Scalar
 from ...ir.function import Function, Output
 from ...ir.graph import Graph
 from ...ir.matrix import Matrix
-from ..fields import Pull
-from ..forces.central_gravity import CentralGravity
-from ..forces.gravitation import Gravitation
-from ..forces.gravity_gradient import GravityGradient
+from ..forces.gravity.central_gravity import CentralGravity
+from ..forces.gravity.fields import Pull
+from ..forces.gravity.gravitation import Gravitation
+from ..forces.gravity.gravity_gradient import GravityGradient
 from ..formulas import Lines, Shapes
 from .element import FlexibleElement, balance, energy, tangents
 from .element_ends import CENTER, Ends

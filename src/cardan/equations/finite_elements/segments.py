@@ -312,15 +312,13 @@ class _Builder:
         key = (name, *(block.name for block in end_blocks), tree.structure(places) if tree else "")
         if key not in self._kinds:
             name = unique(name, self.taken) if tree else name
-            functions = tree.functions(name) if tree else element.derived(kinds)
-            data = tree.data if tree else element.data(kinds)
             kind = Kind(
                 name=name,
                 blocks=places,
                 rows=(),
                 mp=0,
-                data=data,
-                functions=functions,
+                data=tree.data if tree else element.data(kinds),
+                functions=tree.functions(name) if tree else element.derived(kinds),
                 source=element.source,
                 formulas=element.formula_lines,
                 symbol_shapes=element.symbol_shapes,

@@ -6,11 +6,11 @@ from abc import abstractmethod
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, ClassVar, TypeAlias
 
-from ...errors import ModelError, brief
-from ...ir.matrix import Matrix
-from ..fields import Pull
-from ..formulas import Lines, Shapes
-from .force import FRAME, Action, ForceElement, Load, Places, constant
+from ....errors import ModelError, brief
+from ....ir.matrix import Matrix
+from ...formulas import Lines, Shapes
+from ..force import FRAME, Action, ForceElement, Load, Places, constant
+from .fields import Pull
 
 # a vector in axes of the center -> in those in which a mass is told
 Turn: TypeAlias = Callable[[Matrix], Matrix]
