@@ -76,10 +76,10 @@ def _lowered(scene: Scene, normal: int | None) -> FiniteElementRecord:
         [block_table.node] * (bodies is None), [*block_table.here.values(), *beams.kinds]
     )
     groups, position = list[Group](), 0
+    tree_number = {i: k for k, i in enumerate(sorted(scene.in_trees))}
     other = sum(kind.mp * len(members) for kind, members in sorted_parts)
     for kind, members in sorted_parts:
         rows = _rows(kind, len(members), position, other)
-        tree_number = {i: k for k, i in enumerate(sorted(scene.in_trees))}
         groups.append(_group(kind, members, at, rows, system, (results, powers), tree_number))
         position += kind.mp * len(members)
         other += (kind.m - kind.mp) * len(members)

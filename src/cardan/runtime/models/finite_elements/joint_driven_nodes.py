@@ -120,8 +120,12 @@ class Carrier:
             rows = moved.reshape(-1, self.model.nu)
             trails = [
                 trailed(
-                    *(tables, tables.beams, self.reference, np.concatenate([q, row]), located),
-                    self._tree_ends(q, row),
+                    tables,
+                    tables.beams,
+                    self.reference,
+                    x=np.concatenate([q, row]),
+                    located=located,
+                    tree_ends=self._tree_ends(q, row),
                 )[nq:]
                 for row in rows
             ]
