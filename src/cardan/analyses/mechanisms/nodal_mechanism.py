@@ -342,7 +342,8 @@ class NodalMechanism(Mechanism):
 
     def mass(self, q: Array) -> Array | None:
         """Same as :meth:`Mechanism.mass`."""
-        moves = self.along(q)[1:] - self.along(q)[0]
+        T = self.along(q)
+        moves = T[1:] - T[0]
         return np.asarray(moves @ (self._results.mesh.tangent(self._at(q))["M"] @ moves.T))
 
     # beams between two bodies that joints carry

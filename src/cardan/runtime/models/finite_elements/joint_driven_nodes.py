@@ -11,8 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ....arrays import Array
+from ....schema.finite_elements import GROUND, ON_TREE
 from . import table_loading
-from .dependent_nodes import GROUND, STILL, Motion, displacement, joined, motion_of, trailed
+from .dependent_nodes import STILL, Motion, displacement, joined, motion_of, trailed
 from .node_pose import pose, speeds
 from .tables import Integers, Tables
 
@@ -21,8 +22,6 @@ if TYPE_CHECKING:
 
 SAVED = "states"
 ENDS = "ends_q", "ends_u"
-# place of the first body of a tree that a beam ends at; others follow downward
-ON_TREE = -2
 ASSEMBLY_SIGNS = "assembly_signs "  # before the joint whose axes the numbers are about
 ROUNDING = 1e-14
 # cosines of exchanged axes are 0 but for rounding; as kernels/solve/position.c has it
@@ -119,8 +118,12 @@ class Carrier:
             rows = moved.reshape(-1, self.model.nu)
             trails = [
                 trailed(
-                    *(tables, tables.beams, self.reference, np.concatenate([q, row]), located),
-                    self._tree_ends(q, row),
+                    tables,
+                    tables.beams,
+                    self.reference,
+                    x=np.concatenate([q, row]),
+                    located=located,
+                    tree_ends=self._tree_ends(q, row),
                 )[nq:]
                 for row in rows
             ]
