@@ -34,6 +34,22 @@ def test_both_formulations_agree(name: str) -> None:
     np.testing.assert_allclose(one.reaction(joint), two.reaction(joint), atol=1e-9)
 
 
+@pytest.mark.parametrize("damping", [0.0, 20.0])
+def test_feedback_of_a_quaternion_stiffens_a_node(damping: float) -> None:
+    """J s^2 + c s + k / 2 = 0 of a body that floats and reads its own quaternion."""
+    k, J = 30.0, 40.0
+    scene = cd.Scene("craft", gravity=(0, 0, 0))
+    hub = scene.body("hub", mass=200, inertia=(30, J, 35))
+    scene.joint("drift", cd.Free(), scene.ground, hub)
+    torque = -k * scene.q("drift.qy") - damping * scene.u("drift.y")
+    scene.force("wheel", cd.Torque(hub, (0, torque, 0), in_=hub))
+    model = cd.compile(scene, coordinates="absolute")
+    values = model.linearize(model.initial()).eigenvalues
+    expected = np.roots([J, damping, k / 2])
+    for root in expected:
+        assert np.abs(values - root).min() < 1e-9 * abs(root)
+
+
 def cantilever(elements: int) -> cd.CompiledModel:
     """A beam of 1 m along x, clamped at its start, with forces and a moment at its end."""
     scene = cd.Scene("cantilever", gravity=(0, 0, 0))
