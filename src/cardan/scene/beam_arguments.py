@@ -5,8 +5,6 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, cast
 
-import sympy
-
 from ..elements.centerlines import Centerline, Straight
 from ..elements.flexible import BEAMS, INERTIAS
 from ..elements.material import Material
@@ -161,7 +159,8 @@ def _triple(model: SceneRecord, who: str, role: str, value: object) -> tuple[Val
         raise ModelError(
             f"{problem}. An end is a frame, a body, a name or three numbers in axes of base="
         ) from problem
-    for symbol in sorted(str(one) for x in (x, y, z) for one in sympy.sympify(x).free_symbols):
+    written = (x for x in (x, y, z) if is_expression(x))
+    for symbol in sorted(str(one) for entry in written for one in entry.free_symbols):
         if symbol in model.atoms:
             raise ModelError(
                 f"{who}: {role} reads '{symbol}', which moves. A free end is a point of the "

@@ -335,10 +335,10 @@ class SceneRecord(Vocabulary):
 
         Source: J. C. Simo and L. Vu-Quoc, A three-dimensional finite-strain rod model, 1986.
         """
-        ends, made_of = ((start, release_start), (end, release_end)), (section, material)
+        ends, stuff = ((start, release_start), (end, release_end)), (section, material)
         kinds = (element, inertia)
         return add_beam(
-            self, name, ends, made_of, elements, up, line, kinds, temperature, prestrain, base
+            self, name, ends, stuff, elements, up, line, kinds, temperature, prestrain, base
         )
 
     @checked

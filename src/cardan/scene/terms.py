@@ -145,8 +145,8 @@ class Vocabulary(ABC):
         """
         kinds = self.joint_kinds()
         if speed not in kinds:
-            told = [j for j in kinds if f"{speed}.".startswith(f"{j}.u.")]
-            name = max(told, key=len, default="")
+            joints = [j for j in kinds if f"{speed}.".startswith(f"{j}.u.")]
+            name = max(joints, key=len, default="")
             speed = name + speed[len(name) + 2 :] if name else speed
         joint, _, component = speed.partition(".")
         if speed in kinds:

@@ -80,14 +80,14 @@ def _gamma(members: Members) -> float | str:
 
 def balance(members: Members) -> float | str:
     """By its laws; without a tangent, nothing may change it besides."""
-    judged = _by_laws(members)
+    error = _by_laws(members)
     if "balance_tangent" in members.table.kind.functions:
-        return judged
+        return error
     constant = _tangent(members)
-    if isinstance(judged, str) or isinstance(constant, str):
+    if isinstance(error, str) or isinstance(constant, str):
         # that it stays as it is says nothing of its size
-        return constant if not isinstance(constant, str) and constant > BOUND else judged
-    return worst_of(judged, constant)
+        return constant if not isinstance(constant, str) and constant > BOUND else error
+    return worst_of(error, constant)
 
 
 def _by_laws(members: Members) -> float | str:
