@@ -301,8 +301,16 @@ def add_cable(
     if pull < 0:
         raise ModelError(f"{who}: tension is {pull:g}; a cable does not push: give 0 or more")
     cable = Cable(
-        *(model, name, (first, last), values["EA"], values["rhoA"], length, pull),
-        *(values["damping"], count, base_of(model, who, base)),
+        model=model,
+        name=name,
+        ends=(first, last),
+        EA=values["EA"],
+        rhoA=values["rhoA"],
+        length=length,
+        tension=pull,
+        damping=values["damping"],
+        elements=count,
+        base=base_of(model, who, base),
     )
     add_cable_nodes(cable)
     return cable
