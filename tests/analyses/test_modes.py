@@ -74,6 +74,11 @@ def test_damping_ratios() -> None:
     np.testing.assert_allclose(found.damping[1:], 0.02 * free.angular[1:] / 2, rtol=1e-9)
     undamped = row(3, grounded=False, damping=2.0).modes(damped=False)
     np.testing.assert_allclose(undamped.angular, free.angular, atol=1e-6)
+    # what does not oscillate has frequency 0, not rounding
+    heavy = row(3, grounded=False, damping=2e3).modes()
+    slow = np.abs(heavy.values.imag) <= 1e-8 * np.abs(heavy.values)
+    assert slow.sum() > 2
+    assert not heavy.frequencies[slow].any()
     # in motion damping is not told apart from other effects of speeds
     with pytest.raises(cd.ModelError, match="damped=False needs a state at rest"):
         row(3, grounded=False, damping=2.0).modes(u={"s0": 1.0}, damped=False)

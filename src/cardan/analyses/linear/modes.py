@@ -235,6 +235,7 @@ def _chosen(values: Complex, count: int | None, double: bool) -> NDArray[np.intp
     """One of every pair, from the lowest frequency; what is not periodic by its rate."""
     size = float(np.abs(values).max(initial=0.0))
     values[np.abs(values) <= STILL * size] = 0.0
+    values.imag[np.abs(values.imag) <= ALIKE * np.abs(values)] = 0.0
     upper = np.flatnonzero(values.imag >= -ALIKE * np.abs(values))
     # a rigid body counts once: it has a position and a speed
     still = upper[values[upper] == 0]
