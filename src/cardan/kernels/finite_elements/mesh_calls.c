@@ -225,10 +225,37 @@ int cardan_mesh_call_rhs(const cardan_in *in, real *out, real *work)
     return status;
 }
 
-/* Solve M dx + Gᵀ y = 0, G dx = -open; what nothing resists is held a little, and what is to be
- * held, by `locked` other than 0, as good as fixed. */
+/* Take speeds that are held, by `locked` other than 0, out of all equations: dx of them is 0. */
+static void hold(const cardan_mesh *mesh, const real *locked, real diagonal,
+                 cardan_mesh_system *system)
+{
+    const cardan_sparse *plan = mesh->plan;
+
+    for (ptrdiff_t block = 0; block < plan->blocks; block++) {
+        real *entry = system->a + plan->at[block];
+        for (ptrdiff_t k = plan->first[block]; k < plan->first[block + 1]; k++) {
+            real *end = entry + plan->stride[block];
+            for (ptrdiff_t pair = plan->row[block]; pair < plan->row[block + 1]; pair++) {
+                const int32_t column = plan->column[pair];
+                for (ptrdiff_t j = plan->first[column]; j < plan->first[column + 1]; j++, entry++)
+                    if ((k < mesh->nu && locked[k] != 0) || (j < mesh->nu && locked[j] != 0))
+                        *entry = 0;
+            }
+            entry = end;
+        }
+    }
+    for (ptrdiff_t i = 0; i < mesh->nu; i++)
+        if (locked[i] != 0)
+            system->a[mesh->diagonal[i]] = diagonal;
+}
+
+/* Solve M dx + Gᵀ y = 0, G dx = -open; what nothing resists is held a little.
+ *
+ * locked: speeds that are to be held, NULL for none; if not `fixed`, they give way, a little in
+ * place of others, where nothing else can close the loops.
+ */
 static int closing_step(const cardan_mesh *mesh, const cardan_state *at, const real *locked,
-                        const real *open, ptrdiff_t rows, cardan_mesh_system *system)
+                        int fixed, const real *open, ptrdiff_t rows, cardan_mesh_system *system)
 {
     const cardan_assembly parts = {{0, 0, 1}, 0, 0, NULL, 0};
     int status = cardan_mesh_matrix(mesh, at, &parts, system);
@@ -242,7 +269,9 @@ static int closing_step(const cardan_mesh *mesh, const cardan_state *at, const r
             *entry = LIGHT;
         largest = fmax(largest, fabs(*entry));
     }
-    for (ptrdiff_t i = 0; i < mesh->nu && locked; i++)
+    if (locked && fixed)
+        hold(mesh, locked, largest, system);
+    for (ptrdiff_t i = 0; i < mesh->nu && locked && !fixed; i++)
         if (locked[i] != 0)
             system->a[mesh->diagonal[i]] += HEAVY * largest;
     status = cardan_mesh_refactor(mesh, system);
@@ -251,6 +280,17 @@ static int closing_step(const cardan_mesh *mesh, const cardan_state *at, const r
     for (ptrdiff_t k = 0; k < mesh->m; k++)
         system->right[mesh->unknown[k]] = k < rows ? -open[k] : 0;
     return status != 0 ? status : cardan_mesh_solve(mesh, system);
+}
+
+/* The same with what is held fixed, unless that leaves loops open. */
+static int close_by(const cardan_mesh *mesh, const cardan_state *at, const real *locked,
+                    const real *open, ptrdiff_t rows, cardan_mesh_system *system)
+{
+    const int status = closing_step(mesh, at, locked, 1, open, rows, system);
+
+    if (!locked || (status == 0 && system->unfit <= GOOD))
+        return status;
+    return closing_step(mesh, at, locked, 0, open, rows, system);
 }
 
 /* Whether the largest of what is open (rows) is rounding, of which no step makes less. */
@@ -280,7 +320,7 @@ int cardan_mesh_call_close_position(const cardan_in *in, real *out, real *work)
     }
     system.open = open;
     if (status == 0)
-        status = closing_step(mesh, &at, in->tau, open, mesh->mp, &system);
+        status = close_by(mesh, &at, in->tau, open, mesh->mp, &system);
     return status != 0 ? status
                        : cardan_mesh_move(mesh, in->q, system.solution, out, NULL, system.work);
 }
@@ -303,7 +343,7 @@ int cardan_mesh_call_close_velocity(const cardan_in *in, real *out, real *work)
     }
     system.open = missing + mesh->nu;
     if (status == 0)
-        status = closing_step(mesh, &at, in->tau, rates, mesh->m, &system);
+        status = close_by(mesh, &at, in->tau, rates, mesh->m, &system);
     for (ptrdiff_t i = 0; i < mesh->nu; i++)
         out[i] = in->u[i] + system.solution[i];
     return status;
