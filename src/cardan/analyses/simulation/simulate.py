@@ -117,7 +117,8 @@ def simulate(
     begin_inputs = over.start, input_signals.first(over.start)
     begin = closed_start(model, begin, *blocks(x0, q, u), *begin_inputs)
     check_start(model, begin.x, *begin_inputs)
-    case = case_of(model, rtol, over, input_signals, event_table) if method == "auto" else None
+    auto = method == "auto"
+    case = case_of(model, rtol, over.length, input_signals, event_table) if auto else None
     run = (model, how, input_signals, event_table, over, begin)
     with run_file(checkpoint, every, *run) as file:
         return _reported(_settled(*run, case, progress, file), check)
@@ -168,16 +169,20 @@ def _settled(
 
 
 def case_of(
-    model: LoadedModel, rtol: float, over: Span, input_signals: Signals, event_table: EventTable
+    model: LoadedModel,
+    rtol: float,
+    length: float | None,
+    input_signals: Signals,
+    event_table: EventTable,
 ) -> Case:
-    """Facts from which ``method="auto"`` chooses."""
+    """Facts from which ``method="auto"`` chooses, for a run of some length, or of none known."""
     periods = [float(tick.period) for tick in event_table.ticks]
     if input_signals.functions and input_signals.sample is not None:
         periods.append(input_signals.sample)
     return Case(
         rtol=rtol,
         period=min(periods, default=None),
-        length=over.length,
+        length=length,
         derived=JACOBIAN in model.manifest.available,
         input_functions=bool(input_signals.functions),
         elements=model.manifest.absolute,
