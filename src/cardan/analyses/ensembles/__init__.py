@@ -173,7 +173,7 @@ def _observed(over: Span, with_reductions: bool) -> Span:
 
 def _settled(job: Job, rtol: float) -> Job:
     """With the method that ``simulate`` takes for the first run, for all of them."""
-    case = case_of(job.model, rtol, job.over.length, job.input_signals, job.event_table)
+    case = case_of(job.model, rtol, job.over, job.input_signals, job.event_table)
     how, first = chosen(job.how, case), job.varied.part(0, 1)
     try:
         with collected_warnings():  # that run warns where its turn comes

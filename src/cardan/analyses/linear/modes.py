@@ -29,6 +29,7 @@ from ..systems import dynamic_system_of
 from ..systems.dynamic_system import DynamicSystem, Moment
 from ..systems.saddle_point import (
     Factor,
+    Matrix,
     Singular,
     Sparse,
     factored,
@@ -194,7 +195,7 @@ def _solved(
 
 
 def _near(
-    K: Any, C: Any, M: Any, G: Any, shift: float, count: int, by: Factor
+    K: Matrix, C: Matrix, M: Matrix, G: Matrix, shift: float, count: int, by: Factor
 ) -> tuple[Complex, Complex]:
     """Modes next to 0 of a quadratic problem, from a shift at which rigid bodies resist.
 
@@ -244,7 +245,7 @@ def _real(
     return _resolved(values.astype(np.complex128), shapes, K, 0 * K, M), shapes
 
 
-def _resolved(values: Complex, shapes: Any, K: Any, C: Any, M: Any) -> Complex:
+def _resolved(values: Complex, shapes: Array | Complex, K: Matrix, C: Matrix, M: Matrix) -> Complex:
     """Eigenvalues, 0 where the stiffness k of their shape is but rounding of that of its parts.
 
     By v^2 m + v c + k = 0 they are 0 then, or -c / m. Those of a rigid body come in pairs that

@@ -117,8 +117,7 @@ def simulate(
     begin_inputs = over.start, input_signals.first(over.start)
     begin = closed_start(model, begin, *blocks(x0, q, u), *begin_inputs)
     check_start(model, begin.x, *begin_inputs)
-    auto = method == "auto"
-    case = case_of(model, rtol, over.length, input_signals, event_table) if auto else None
+    case = case_of(model, rtol, over, input_signals, event_table) if method == "auto" else None
     run = (model, how, input_signals, event_table, over, begin)
     with run_file(checkpoint, every, *run) as file:
         return _reported(_settled(*run, case, progress, file), check)
@@ -171,7 +170,7 @@ def _settled(
 def case_of(
     model: LoadedModel,
     rtol: float,
-    length: float | None,
+    over: Span | None,
     input_signals: Signals,
     event_table: EventTable,
 ) -> Case:
@@ -182,7 +181,7 @@ def case_of(
     return Case(
         rtol=rtol,
         period=min(periods, default=None),
-        length=length,
+        length=None if over is None else over.length,
         derived=JACOBIAN in model.manifest.available,
         input_functions=bool(input_signals.functions),
         elements=model.manifest.absolute,
