@@ -113,10 +113,10 @@ class _Events:
             at = replace(self.at, u=speeds, udot=None, lam=None)
             moving = replace(self, at=replace(at, u=self._closed(at)))
             values, ne = moving._values(), moving.mesh.tables.ne
-            for e in (*np.eye(ne), self._together(rng, 1.0), self._together(rng, 0.5)):
+            for e in (*np.eye(ne), self._simultaneous(rng, 1.0), self._simultaneous(rng, 0.5)):
                 yield (values, *moving._transition(e))
 
-    def _together(self, rng: np.random.Generator, share: float) -> Array:
+    def _simultaneous(self, rng: np.random.Generator, share: float) -> Array:
         """Events of one time: one of every element, of a share of them.
 
         Those of one element exclude each other: no joint is at both its stops.
