@@ -123,9 +123,11 @@ class _Events:
         """
         e = np.zeros(self.mesh.tables.ne)
         for group in self.mesh.tables.groups:
-            for own in () if group.events is None else np.reshape(group.events, (len(group), -1)):
-                if len(own) and rng.random() < share:
-                    e[rng.choice(own)] = 1.0
+            for member in (
+                () if group.events is None else np.reshape(group.events, (len(group), -1))
+            ):
+                if len(member) and rng.random() < share:
+                    e[rng.choice(member)] = 1.0
         return e
 
     # the state
