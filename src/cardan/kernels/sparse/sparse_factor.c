@@ -10,10 +10,9 @@
  *   4. solve for the part below: Lt = (upper factor of D)^-T Lt;
  *   5. subtract L U from the panels of later supernodes (right-looking).
  *
- * Where the pivot of a multiplier is only rounding error, constraints are redundant. Which row is the
- * one too many is not for rounding to decide: the factorization begins again with a small negative
- * number on the diagonal of all rows that close loops. That matrix is regular whatever their rank, and
- * refinement with the true one (proximal iterations) gives the solution where rows are consistent.
+ * Where the pivot of a multiplier is only rounding error, constraints are redundant. Rounding is not to
+ * decide which: all is factored again with a small negative number on the diagonal of all rows that
+ * close loops. That is regular whatever their rank, and refinement (proximal iterations) makes up.
  * Source: J. Carpentier, R. Budhiraja, N. Mansard, Proximal and sparse resolution of constrained
  * dynamic equations, Robotics: Science and Systems, 2021.
  */
@@ -29,10 +28,10 @@
 /* ... and are replaced by this fraction of it */
 #define REPLACEMENT 1e-8
 /* what rows that close loops give way where constraints are redundant, of their size: at least, and of
- * the square of the sine up to which they count as redundant, so that no multiplier grows by it */
+ * `hidden`, so that no multiplier grows by it */
 #define COMPLIANCE 1e-8
 #define HIDDEN 1e2
-/* what rows that follow from several others are left with, of what each of these gives way */
+/* what a row that follows from others is left with, of what each of these gives way */
 #define YIELDING 100
 /* what comes beside a status: a multiplier has no pivot */
 #define REDUNDANT (-1)
@@ -106,8 +105,7 @@ static void comply(const cardan_sparse *plan, ptrdiff_t s, double compliance, do
     }
 }
 
-/* Count the signs of the eigenvalues of D. Of two rows that are one, either may be left with what the
- * other gives way: that counts as zero. */
+/* Count the signs of the eigenvalues of D; what rows give way counts as zero. */
 static void count(const cardan_sparse *plan, ptrdiff_t s, double compliance, const double *panel,
                   cardan_sparse_factors *f)
 {
@@ -367,7 +365,6 @@ static int factor(const cardan_sparse *plan, const double *a, double compliance,
     for (ptrdiff_t s = 0; s < plan->supernodes; s++) {
         const ptrdiff_t n = plan->start[s + 1] - plan->start[s], width = plan->width[s];
         double *panel = f->values + plan->panel[s];
-        int status;
 
         for (ptrdiff_t i = plan->open_start[s]; i < plan->open_start[s + 1]; i++)
             fill(plan, plan->open[i], a, f);
@@ -380,7 +377,7 @@ static int factor(const cardan_sparse *plan, const double *a, double compliance,
             comply(plan, s, compliance, panel, f);
         if (f->count)
             count(plan, s, compliance, panel, f);
-        status = eliminate(plan, s, compliance, panel, f);
+        const int status = eliminate(plan, s, compliance, panel, f);
         if (status != CARDAN_OK)
             return status;
         turn(n, plan->later[s], panel, width, panel + plan->transposed[s]);
@@ -396,8 +393,8 @@ int cardan_sparse_factor(const cardan_sparse *plan, const double *a, cardan_spar
 
     status = factor(plan, a, 0, f);
     if (status == REDUNDANT)
-        status = factor(plan, a, f->compliance > 0 ? f->compliance
-                                                   : fmax(COMPLIANCE, HIDDEN * f->hidden), f);
+        status = factor(
+            plan, a, f->compliance > 0 ? f->compliance : fmax(COMPLIANCE, HIDDEN * f->hidden), f);
     cardan_restore(mode);
     return status;
 }
